@@ -281,12 +281,13 @@ WEB_EXPORT(web_picture) const char *web_picture(double width)
 
 /* ---- values ---- */
 
-/* eps of all curves at a point of the axis, 0 to 200: its x in the picture, the speed, then labels and values */
+/* eps of all curves at a point of the axis, 0 to 200: its x in the picture, the speed, the
+ * point, then labels and values */
 static const char *read_at(double at, int digits)
 {
     const double speed = speed_of(at);
     web_text_clear();
-    web_put("%.2f\t%.4g\n", x_of(speed), speed);
+    web_put("%.2f\t%.4g\t%g\n", x_of(speed), speed, at);
     for (int i = 0; i < curve_count; i++) {
         web_put("%s\t", curves[i].label);
         web_put_number(eps_of(&curves[i], speed), digits);
@@ -300,7 +301,7 @@ WEB_EXPORT(web_read_step) const char *web_read_step(double step, int digits)
     return read_at(fmin(fmax(step, 0), POINTS - 1), digits);
 }
 
-/* The same for an x of the picture, and the step of it in the first line */
+/* The same for an x of the picture */
 WEB_EXPORT(web_read_x) const char *web_read_x(double x, int digits)
 {
     const double at = (x - plot.left) / (plot.right - plot.left) * (POINTS - 1);
