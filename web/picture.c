@@ -31,7 +31,7 @@ WEB_EXPORT(web_keep_none) void web_keep_none(void)
 static struct curve {
     const struct web_request *request;
     const struct cor_simulator_model *model; /* NULL: eps of the contact */
-    int contact, end, colour;
+    int contact, end, colour;                /* of a model: `end` counts the models */
     char label[LABEL];
     double eps[POINTS];
 } curves[CURVES];
@@ -80,16 +80,18 @@ static void add_contacts(const struct web_request *r, int colour)
 static void make_curves(void)
 {
     const struct web_asked asked = web_asked(&web_now);
+    int models = 0;
     curve_count = 0;
     add_contacts(&web_now, 0);
     for (int i = 0; i < kept_count; i++)
         add_contacts(&kept[i], i + 1);
-    for (size_t i = 0; i < cor_simulator_model_count && curve_count < COR_SCENE_ENDS * (kept_count + 1) + MODELS; i++) {
+    for (size_t i = 0; i < cor_simulator_model_count && models < MODELS; i++) {
         const struct cor_simulator_model *const model = &cor_simulator_models[i];
         if (!web_is_model_of(model, &web_now) || isnan(web_realised(model, &web_now, speed_of(0))))
             continue;
         struct curve *const c = add_curve(&web_now, 0);
         c->model = model;
+        c->end = models++;
         snprintf(c->label, LABEL, "%s, %s, with e = %.6g", web_now.simulator->title, model->model, asked.eps);
     }
     for (int i = 0; i < curve_count; i++)
@@ -240,7 +242,9 @@ static void put_curve(const struct curve *c)
 static const char style[] =
     "<style>.cor-b{fill:#fff}.cor-t{fill:#222;font:12px system-ui,sans-serif}.cor-g{stroke:#ddd;fill:none}"
     ".cor-a{stroke:#555;fill:none}.cor-c{fill:none;stroke-width:2}.cor-f{stroke-dasharray:7 4}"
-    ".cor-m{stroke-dasharray:1 4;stroke-linecap:round}.cor-p{fill:#fff;stroke-width:2}.cor-l{stroke:#555}" COLOURS(
+    ".cor-m{stroke-linecap:round}.cor-m0{stroke-dasharray:1 4}.cor-m1{stroke-dasharray:1 8}"
+    ".cor-m2{stroke-dasharray:1 4 6 4}.cor-m3{stroke-dasharray:1 4 1 4 6 "
+    "4}.cor-p{fill:#fff;stroke-width:2}.cor-l{stroke:#555}" COLOURS(
         "#0060ad", "#c8421a", "#3a7d34", "#7b3f99", "#8a6508",
         "#555") "@media(prefers-color-scheme:dark){.cor-b,.cor-p{fill:#16181d}.cor-t{fill:#ddd}.cor-g{stroke:#3a3d44}"
                 ".cor-a,.cor-l{stroke:#aaa}" COLOURS("#6cb4f5", "#ff8a5c", "#7fc97a", "#c79be0", "#e0b84c",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scenes of tests/web/scenes.txt, and what corgen prints of them.
+// The scenes of tests/web/scenes.txt, and what corgen prints of them; how checks are printed.
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 
@@ -29,7 +29,7 @@ function argumentsOf(options, without) {
 export function byCorgen(options) {
     const run = (more, without) => execFileSync(corgen, ["contact", ...argumentsOf(options, without), ...more],
         { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
-    const result = { summary: run(["--format", "csv"], ["for", "speed", "steps"]) };
+    const result = { summary: run(["--format", "csv"], ["for", "speed", "steps"]), text: run([], ["for"]) };
     if (options.speed)
         result.table = run(["--format", "csv"], ["for"]);
     if (options.for) {
@@ -37,4 +37,17 @@ export function byCorgen(options) {
         result.lines = lines.status === 0 ? lines.stdout : lines.stderr.replace(/^corgen: /, "").trimEnd();
     }
     return result;
+}
+
+let failed = 0;
+
+export function check(what, ok, why = "") {
+    console.log(`${ok ? "ok  " : "FAIL"}  ${what}`);
+    if (!ok)
+        console.log(String(why).replace(/^/gm, "      "));
+    failed += ok ? 0 : 1;
+}
+
+export function finish() {
+    process.exit(failed > 0 ? 1 : 0);
 }
