@@ -67,8 +67,9 @@ export interface Contact {
     readonly summary: Record<string, number[]>;
     impacts(speeds: Numbers): Impacts[];
     eps(speeds: Numbers, end: End, measured?: number): Float64Array;
-    /** eps that a simulator realises less the exact one: mean and standard deviation over phases of the first step */
-    stepErrors(speeds: Numbers, timeStep: number): { bias: Float64Array; scatter: Float64Array }[];
+    /** eps that a simulator realises less the exact one: mean and standard deviation over phases of the first step, as
+     * bias and scatter; where the end of contact is not given and matters, bias_zero_overlap, ... of each end */
+    stepErrors(speeds: Numbers, timeStep: number): Record<string, Float64Array>[];
     /** the lines to paste into a simulator's input */
     lines(simulator: Simulator, more?: { speed?: Numbers; version?: string; steps?: number }): string;
     /** the corgen command that writes a C header; where eps is the same at every speed, the header */

@@ -128,8 +128,10 @@ function wrap(c) {
 
         stepErrors(speeds, timeStep) {
             read(this.options);
-            return this.#each(withArray(speeds, 2 * this.count, (x, y, n) => c.web_step_errors(x, y, n, timeStep)),
-                ["bias", "scatter"]);
+            const names = c.web_step_ends() === 2
+                ? ["bias_zero_overlap", "scatter_zero_overlap", "bias_zero_force", "scatter_zero_force"] : ["bias", "scatter"];
+            return this.#each(withArray(speeds, names.length * this.count,
+                (x, y, n) => c.web_step_errors(x, y, n, timeStep)), names);
         }
 
         lines(simulator, { speed, version, steps } = {}) {

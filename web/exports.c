@@ -178,10 +178,19 @@ WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, siz
             y[((size_t)(k * COLUMNS) + TIME_STEP) * n + i] = isinf(least) ? (double)NAN : least / web_now.steps;
 }
 
-/* The end at which a simulator is to end the contact */
-static int step_end(int contact)
+/* Whether the error of the time step is that of an end: of the one that is given or measured, otherwise of both */
+static int is_step_end(int contact, int end)
 {
-    return web_now.scene.end != COR_BOTH_ENDS ? web_now.scene.end : web_now.count > 1 ? contact : COR_END_ZERO_OVERLAP;
+    if (web_now.count > 1)
+        return end == contact;
+    if (web_now.scene.end != COR_BOTH_ENDS)
+        return end == web_now.scene.end;
+    return end == COR_END_ZERO_OVERLAP || cor_scene_ends_differ(&web_now.contact[0]);
+}
+
+static int step_ends(void)
+{
+    return is_step_end(0, COR_END_ZERO_OVERLAP) + is_step_end(0, COR_END_ZERO_FORCE);
 }
 
 static int integrator(void)
@@ -195,31 +204,46 @@ WEB_EXPORT(web_integrator) const char *web_integrator(void)
     return integrator() == COR_NO_INTEGRATOR ? "" : cor_integrator_names[integrator()];
 }
 
-/* Bias and scatter of eps at the time step, n of each; for the second contact, if there is one, again */
+/* Bias and scatter of eps at the time step, n of each: of the end that is given or measured, or of both ends; for the
+ * second contact, if there is one, again. Returns the number of ends. */
 WEB_EXPORT(web_step_errors)
-void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
+int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
 {
-    for (int k = 0; k < web_now.count; k++) {
-        for (size_t i = 0; i < n; i++) {
-            const double steps = cor_scene_elastic_duration_s(&web_now.contact[k], speed_m_s[i]) / time_step_s;
-            struct cor_step_error error = {NAN, NAN, NAN, NAN};
-            if (integrator() != COR_NO_INTEGRATOR && steps > 0)
-                cor_scene_step_error(&error, &web_now.contact[k], speed_m_s[i], step_end(k), steps, integrator());
-            y[(size_t)(2 * k) * n + i] = error.bias;
-            y[(size_t)(2 * k + 1) * n + i] = error.scatter;
+    for (int k = 0; k < web_now.count; k++)
+        for (int end = 0; end < COR_SCENE_ENDS; end++) {
+            if (!is_step_end(k, end))
+                continue;
+            for (size_t i = 0; i < n; i++) {
+                const double steps = cor_scene_elastic_duration_s(&web_now.contact[k], speed_m_s[i]) / time_step_s;
+                struct cor_step_error error = {NAN, NAN, NAN, NAN};
+                if (integrator() != COR_NO_INTEGRATOR && steps > 0)
+                    cor_scene_step_error(&error, &web_now.contact[k], speed_m_s[i], end, steps, integrator());
+                y[i] = error.bias;
+                y[n + i] = error.scatter;
+            }
+            y += 2 * n;
         }
-    }
+    return step_ends();
 }
 
-/* The csv of corgen contact with the speeds of the request; with `errors` also the error of the time step */
+WEB_EXPORT(web_step_ends) int web_step_ends(void)
+{
+    return step_ends();
+}
+
+/* The csv of corgen contact with the speeds of the request; with `errors` that of --steps */
 WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
 {
+    enum { STEP_DIGITS = 4 };
     static double y[COR_SCENE_ENDS * COLUMNS * WEB_SPEEDS], error[2 * COR_SCENE_ENDS * WEB_SPEEDS];
-    const size_t n = web_now.speeds, contacts = (size_t)web_now.count;
+    const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)step_ends() : 0;
     web_text_clear();
     web_put("speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,duration_s_zero_force,"
             "max_overlap_m,max_force_n,time_step_s%s%s\n",
-            errors ? ",step_bias,step_scatter" : "", contacts > 1 ? ",measured_end" : "");
+            more == 4 ? ",step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_zero_force,step_scatter_zero_force"
+            : more == 2 ? ",step_bias,step_scatter"
+                        : "",
+            contacts > 1 ? ",measured_end" : "");
     if (n > 0)
         web_impacts(web_now.speed_m_s, y, n);
     if (n > 0 && errors)
@@ -231,9 +255,9 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
             web_put(",");
             web_put_number(y[(k * COLUMNS + c) * n + i], digits);
         }
-        for (size_t c = 0; errors && c < 2; c++) {
+        for (size_t c = 0; c < more; c++) {
             web_put(",");
-            web_put_number(error[(2 * k + c) * n + i], 3);
+            web_put_number(error[(more * k + c) * n + i], STEP_DIGITS);
         }
         web_put("%s\n", contacts == 1 ? "" : k == 0 ? ",zero-overlap" : ",zero-force");
     }
@@ -330,7 +354,8 @@ WEB_EXPORT(web_lines) const char *web_lines(void)
                                                 .count = r->count,
                                                 .speed_m_s = r->speed_m_s,
                                                 .speeds = r->speeds,
-                                                .steps = strstr(r->options, "steps=") ? r->steps : 0};
+                                                .steps = r->steps,
+                                                .step_errors = r->steps_given};
     const long all = cor_simulator_lines(web_wrong.text, sizeof web_wrong.text, &lines);
     snprintf(web_wrong.option, sizeof web_wrong.option, "for");
     if (all < 0)

@@ -9,7 +9,9 @@ const HEADS = {
     speed_m_s: "speed, m/s", eps_zero_overlap: "eps, zero overlap", eps_zero_force: "eps, zero force",
     duration_s_zero_overlap: "duration, zero overlap, s", duration_s_zero_force: "duration, zero force, s",
     max_overlap_m: "largest overlap, m", max_force_n: "largest force, N", time_step_s: "time step, s",
-    step_bias: "mean error of eps by the step", step_scatter: "its scatter", measured_end: "eps measured at",
+    step_bias: "mean error of eps by the step", step_scatter: "its scatter",
+    step_bias_zero_overlap: "mean error by the step, zero overlap", step_scatter_zero_overlap: "its scatter",
+    step_bias_zero_force: "mean error by the step, zero force", step_scatter_zero_force: "its scatter", measured_end: "eps measured at",
     value_zero_overlap: "if measured at zero overlap", value_zero_force: "if measured at zero force",
 };
 const FIRST = "young=7e10&poisson=0.24&radius=5e-3&density=2500&restitution=0.9&at=1&speed=0.1,1,10&for=lammps";

@@ -154,6 +154,7 @@ static int read_option(struct web_request *r, struct web_wrong *wrong, const cha
                {"speed-max", &r->speed_max_m_s, &positive},
                {"tolerance", &r->tolerance, &tolerances}};
     char why[200];
+    r->steps_given = r->steps_given || strcmp(name, "steps") == 0;
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (strcmp(name, own[i].name) == 0)
             return read_number(own[i].value, wrong, name, value, own[i].range);

@@ -71,7 +71,7 @@ for (const { line, options } of scenes()) {
     cor.page.read({ ...options });
     ours.summary = cor.page.text("summary", 12);
     if (theirs.table)
-        ours.table = cor.page.text("table", 12, 0);
+        ours.table = cor.page.text("table", 12, options.steps ? 1 : 0);
     if (theirs.lines)
         try {
             ours.lines = cor.page.text("lines");
