@@ -204,20 +204,45 @@ WEB_EXPORT(web_integrator) const char *web_integrator(void)
     return integrator() == COR_NO_INTEGRATOR ? "" : cor_integrator_names[integrator()];
 }
 
-/* Bias and scatter of eps at the time step, n of each: of the end that is given or measured, or of both ends; for the
+/* The contact, in units of its own where mass and stiffness are not known */
+static struct cor_scene_contact timed(int contact)
+{
+    struct cor_scene_contact c = web_now.contact[contact];
+    if (isnan(c.mass_kg))
+        c.mass_kg = c.stiffness = 1;
+    return c;
+}
+
+/* The time step in these units: the shortest duration over the steps */
+static double step_of(const double *speed_m_s, size_t n)
+{
+    double least = INFINITY;
+    for (int k = 0; k < web_now.count; k++)
+        for (size_t i = 0; i < n; i++) {
+            const struct cor_scene_contact c = timed(k);
+            struct cor_scene_impact impact;
+            cor_scene_impact(&impact, &c, speed_m_s[i]);
+            least = fmin(least, fmin(impact.duration_s[0], impact.duration_s[1]));
+        }
+    return least / web_now.steps;
+}
+
+/* Bias and scatter of eps at the time step; NaN: that of the request. n of each: of the end that is given or measured, or of both ends; for the
  * second contact, if there is one, again. Returns the number of ends. */
 WEB_EXPORT(web_step_errors)
 int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
 {
+    const double time_step = isnan(time_step_s) ? step_of(speed_m_s, n) : time_step_s;
     for (int k = 0; k < web_now.count; k++)
         for (int end = 0; end < COR_SCENE_ENDS; end++) {
+            const struct cor_scene_contact contact = isnan(time_step_s) ? timed(k) : web_now.contact[k];
             if (!is_step_end(k, end))
                 continue;
             for (size_t i = 0; i < n; i++) {
-                const double steps = cor_scene_elastic_duration_s(&web_now.contact[k], speed_m_s[i]) / time_step_s;
+                const double steps = cor_scene_elastic_duration_s(&contact, speed_m_s[i]) / time_step;
                 struct cor_step_error error = {NAN, NAN, NAN, NAN};
                 if (integrator() != COR_NO_INTEGRATOR && steps > 0)
-                    cor_scene_step_error(&error, &web_now.contact[k], speed_m_s[i], end, steps, integrator());
+                    cor_scene_step_error(&error, &contact, speed_m_s[i], end, steps, integrator());
                 y[i] = error.bias;
                 y[n + i] = error.scatter;
             }
@@ -247,7 +272,7 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     if (n > 0)
         web_impacts(web_now.speed_m_s, y, n);
     if (n > 0 && errors)
-        web_step_errors(web_now.speed_m_s, error, n, y[TIME_STEP * n]);
+        web_step_errors(web_now.speed_m_s, error, n, (double)NAN);
     for (size_t row = 0; row < contacts * n; row++) {
         const size_t k = row / n, i = row % n;
         put_exact(web_now.speed_m_s[i]);
@@ -355,7 +380,8 @@ WEB_EXPORT(web_lines) const char *web_lines(void)
                                                 .speed_m_s = r->speed_m_s,
                                                 .speeds = r->speeds,
                                                 .steps = r->steps,
-                                                .step_errors = r->steps_given};
+                                                .step_errors = r->steps_given,
+                                                .integrator = COR_NO_INTEGRATOR};
     const long all = cor_simulator_lines(web_wrong.text, sizeof web_wrong.text, &lines);
     snprintf(web_wrong.option, sizeof web_wrong.option, "for");
     if (all < 0)
