@@ -227,11 +227,14 @@ static double step_of(const double *speed_m_s, size_t n)
     return least / web_now.steps;
 }
 
-/* Bias and scatter of eps at the time step; NaN: that of the request. n of each: of the end that is given or measured, or of both ends; for the
+#define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */
+
+/* Bias and scatter of eps at the time step; NaN: that of the request, where up to STEPS_ON_PAGE are tried. n of each: of the end that is given or measured, or of both ends; for the
  * second contact, if there is one, again. Returns the number of ends. */
 WEB_EXPORT(web_step_errors)
 int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
 {
+    const double most = isnan(time_step_s) ? STEPS_ON_PAGE : (double)INFINITY;
     const double time_step = isnan(time_step_s) ? step_of(speed_m_s, n) : time_step_s;
     for (int k = 0; k < web_now.count; k++)
         for (int end = 0; end < COR_SCENE_ENDS; end++) {
@@ -241,7 +244,7 @@ int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_st
             for (size_t i = 0; i < n; i++) {
                 const double steps = cor_scene_elastic_duration_s(&contact, speed_m_s[i]) / time_step;
                 struct cor_step_error error = {NAN, NAN, NAN, NAN};
-                if (integrator() != COR_NO_INTEGRATOR && steps > 0)
+                if (integrator() != COR_NO_INTEGRATOR && steps > 0 && steps <= most)
                     cor_scene_step_error(&error, &contact, speed_m_s[i], end, steps, integrator());
                 y[i] = error.bias;
                 y[n + i] = error.scatter;

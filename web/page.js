@@ -147,7 +147,7 @@ function showResults() {
     $("step-says").textContent = integrator === ""
         ? "This simulator chooses its steps, or moves its bodies in a way whose error cor does not know."
         : `The error of eps by the time step is that of ${integrator}: mean and standard deviation over the phases of ` +
-            "the first step, eps realised less eps of the contact.";
+            "the first step, eps realised less eps of the contact. nan: not known, or over 20000 steps in the contact.";
     const [summaryHead, ...summary] = csv(cor.page.text("summary", TEXT_DIGITS));
     table("summary", summaryHead, summary);
     $("header").textContent = cor.page.text("header");
@@ -222,12 +222,21 @@ function showKept() {
     $("keep").disabled = $("overlay").disabled = kept.length >= 5;
 }
 
-function keep(changes) {
+// Keeps the curves of the fields, or of spheres of another material, with the eps that was measured of it
+function keep(other) {
     const options = optionsNow();
     for (const name of ["for", "simulator-version", "speed", "steps", "speed-min", "speed-max", "tolerance"])
         options.delete(name);
-    for (const [name, value] of Object.entries(changes))
-        options.set(name, value);
+    if (other) {
+        for (const name of [...options.keys()])
+            if (name !== "radius" && name !== "end")
+                options.delete(name);
+        if (!options.has("radius"))
+            options.set("radius", "5e-3");
+        for (const [name, value] of Object.entries(constantsOf(other)))
+            options.set(name, value);
+        options.set("label", `${other.name}, ${other.restitution} at ${other.at} m/s`);
+    }
     kept.push(String(options));
     try {
         readAll(optionsNow());
@@ -238,6 +247,9 @@ function keep(changes) {
     }
     update();
 }
+
+const constantsOf = ({ young, poisson, density, restitution, at }) => ({ young, poisson, density, restitution, at });
+const saysOf = ({ measured, restitution, at }) => `Measured eps: ${measured}. Taken here: ${restitution} at ${at} m/s.`;
 
 // ---- saving and copying ----
 
@@ -272,11 +284,13 @@ function listen() {
     const material = (id) => MATERIALS.find(({ name }) => name === $(id).value);
     $("form").addEventListener("submit", (event) => event.preventDefault());
     $("material").addEventListener("input", () => {
-        const { young, poisson, density, says } = material("material") ?? {};
-        $("material-says").textContent = says ? `Measured eps: ${says}` : "";
-        if (young)
-            for (const [name, value] of Object.entries({ young, poisson, density, mass: "" }))
+        const chosen = material("material");
+        $("material-says").textContent = chosen ? saysOf(chosen) : "";
+        if (chosen) {
+            $("way").value = "restitution";
+            for (const [name, value] of Object.entries({ ...constantsOf(chosen), mass: "", label: chosen.name }))
                 $(name).value = value;
+        }
     });
     $("second").addEventListener("input", () => {
         if ($("second").value === "plate")
@@ -297,12 +311,12 @@ function listen() {
     });
     $("form").addEventListener("input", (event) => event.target.id === "overlay" || update());
     $("overlay").addEventListener("input", () => {
-        const { name, young, poisson, density } = material("overlay") ?? {};
+        const chosen = material("overlay");
         $("overlay").value = "";
-        if (name)
-            keep({ young, poisson, density, label: name });
+        if (chosen)
+            keep(chosen);
     });
-    $("keep").addEventListener("click", () => keep({}));
+    $("keep").addEventListener("click", () => keep());
     $("cursor").addEventListener("input", () => showValues("read_step", Number($("cursor").value)));
     $("picture").addEventListener("pointermove", (event) =>
         showValues("read_x", event.clientX - $("picture").getBoundingClientRect().left));

@@ -201,7 +201,8 @@ static int lines_of(const char *label, double width)
 
 static const char *dash_of(const struct curve *c)
 {
-    return c->model ? " cor-m" : c->end == COR_END_ZERO_FORCE ? " cor-f" : "";
+    static const char *const of_model[MODELS] = {" cor-m cor-m0", " cor-m cor-m1", " cor-m cor-m2", " cor-m cor-m3"};
+    return c->model ? of_model[c->end] : c->end == COR_END_ZERO_FORCE ? " cor-f" : "";
 }
 
 static void put_legend(double width, double y)
