@@ -244,7 +244,9 @@ int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_st
             for (size_t i = 0; i < n; i++) {
                 const double steps = cor_scene_elastic_duration_s(&contact, speed_m_s[i]) / time_step;
                 struct cor_step_error error = {NAN, NAN, NAN, NAN};
-                if (integrator() != COR_NO_INTEGRATOR && steps > 0 && steps <= most)
+                struct cor_scene_impact impact;
+                cor_scene_impact(&impact, &contact, speed_m_s[i]);
+                if (integrator() != COR_NO_INTEGRATOR && steps > 0 && impact.duration_s[end] / time_step <= most)
                     cor_scene_step_error(&error, &contact, speed_m_s[i], end, steps, integrator());
                 y[i] = error.bias;
                 y[n + i] = error.scatter;

@@ -147,7 +147,8 @@ function showResults() {
     $("step-says").textContent = integrator === ""
         ? "This simulator chooses its steps, or moves its bodies in a way whose error cor does not know."
         : `The error of eps by the time step is that of ${integrator}: mean and standard deviation over the phases of ` +
-            "the first step, eps realised less eps of the contact. nan: not known, or over 20000 steps in the contact.";
+            "the first step, eps realised less eps of the contact. nan: not known, or " +
+            "over 20000 steps in the contact.";
     const [summaryHead, ...summary] = csv(cor.page.text("summary", TEXT_DIGITS));
     table("summary", summaryHead, summary);
     $("header").textContent = cor.page.text("header");
