@@ -63,6 +63,23 @@ for (const line of hashes) {
 check(`WebAssembly has the bits of native code: ${same} functions at ${x.length} arguments; ${near} within 2 doubles ` +
     "by another cbrt or pow", wrong.length === 0 && same + near === hashes.length, wrong.join("\n"));
 
+// ---- speed ----
+
+const ratios = execFileSync(native, ["time"], { encoding: "utf8" }).trim().split("\n").map((line) => {
+    const [name, ns] = line.split(" "), own = name.split(".")[1], n = 1000;
+    const beta = Float64Array.from({ length: n }, (_, i) => 0.3 + 1.6 * (i * 619 % n) / n);
+    let best = Infinity;
+    for (let k = 0; k < 400; k++) {
+        const start = performance.now();
+        for (let i = 0; i < 10; i++)
+            cor.sphere[own](beta);
+        best = Math.min(best, performance.now() - start);
+    }
+    return { text: `${name} ${(best * 1e5 / n).toFixed(1)} ns, native ${Number(ns).toFixed(1)} ns`, ratio: best * 1e5 / n / ns };
+});
+check(`arrays take 2.5 times the native scalar time at most: ${ratios.map(({ text }) => text).join("; ")}`,
+    ratios.length === 2 && ratios.every(({ ratio }) => ratio <= 2.5));
+
 // ---- scenes ----
 
 let differ = [];

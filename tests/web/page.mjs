@@ -18,7 +18,7 @@ const browser = await puppeteer.launch({ executablePath: chromium, headless: tru
     args: ["--no-sandbox", "--disable-gpu", "--font-render-hinting=none"] });
 const complaints = [], requests = [];
 
-async function open(address, width = 1100, height = 900) {
+async function open(address, width = 900, height = 720) {
     const page = await browser.newPage();
     page.on("console", (message) => ["error", "warn"].includes(message.type()) && complaints.push(message.text()));
     page.on("pageerror", (error) => complaints.push(error.message));
