@@ -270,7 +270,8 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     web_text_clear();
     web_put("speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,duration_s_zero_force,"
             "max_overlap_m,max_force_n,time_step_s%s%s\n",
-            more == 4 ? ",step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_zero_force,step_scatter_zero_force"
+            more == 4   ? ",step_bias_zero_overlap,step_scatter_zero_overlap,"
+                          "step_bias_zero_force,step_scatter_zero_force"
             : more == 2 ? ",step_bias,step_scatter"
                         : "",
             contacts > 1 ? ",measured_end" : "");
