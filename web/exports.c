@@ -229,8 +229,8 @@ static double step_of(const double *speed_m_s, size_t n)
 
 #define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */
 
-/* Bias and scatter of eps at the time step; NaN: that of the request, where up to STEPS_ON_PAGE are tried. n of each: of
- * the end that is given or measured, or of both ends; for the second contact, if there is one, again. Returns the
+/* Bias and scatter of eps at the time step; NaN: that of the request, where up to STEPS_ON_PAGE are tried. n of each:
+ * of the end that is given or measured, or of both ends; for the second contact, if there is one, again. Returns the
  * number of ends. */
 WEB_EXPORT(web_step_errors)
 int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
