@@ -18,7 +18,8 @@ const FIRST = "young=7e10&poisson=0.24&radius=5e-3&density=2500&restitution=0.9&
 
 const $ = (id) => document.getElementById(id);
 const fields = [...document.querySelectorAll("[data-option]")];
-let cor, kept = []; // kept: texts as that of the address
+let cor, right = false; // whether some input was right, so that there are results
+let kept = []; // texts as that of the address
 
 // ---- fields and address ----
 
@@ -55,10 +56,11 @@ function fill(options) {
     $("material").value = "";
 }
 
-// An address may name options that no field shows.
+// What an address has that no field shows
 function unknown(options) {
-    const known = new Set([...fields.map((field) => field.dataset.option), "wall", "also"]);
-    return [...options.keys()].find((name) => !known.has(name));
+    const shown = new Map(fields.map((field) => [field.dataset.option, field]));
+    const [lost] = [...options].filter(([name, value]) => name !== "wall" && shown.get(name)?.value !== value);
+    return lost?.join("=");
 }
 
 function toAddress(options) {
@@ -124,12 +126,16 @@ function readAll(options) {
 }
 
 function showPicture() {
+    if (!right)
+        return;
     const width = Math.max($("picture").clientWidth, 280);
     $("picture").innerHTML = cor.page.text("picture", width);
     showValues("read_step", Number($("cursor").value));
 }
 
 function showValues(how, at) {
+    if (!right)
+        return;
     const [[x, speed, step], ...rows] = tabs(cor.page.text(how, at, TEXT_DIGITS));
     const line = $("cor-line");
     line.setAttribute("transform", `translate(${x} 0)`);
@@ -186,6 +192,7 @@ function update() {
         showWrong(error);
         return;
     }
+    right = true;
     showWrong(null);
     showKept();
     showResults();
@@ -193,15 +200,25 @@ function update() {
     toAddress(options);
 }
 
+function isRight(text) {
+    try {
+        cor.page.read(Object.fromEntries(new URLSearchParams(text)));
+        return true;
+    } catch {
+        return false;
+    }
+}
+
 function fromAddress() {
     const options = new URLSearchParams(location.hash.length > 1 ? location.hash.slice(1) : FIRST);
-    kept = options.getAll("also").slice(0, 5);
+    const all = options.getAll("also");
+    kept = all.filter(isRight).slice(0, 5);
     options.delete("also");
     fill(options);
     update();
-    const name = unknown(options);
-    if (name !== undefined)
-        $("wrong").textContent = `The address has '${name}', which is not an option of this page; it is left out.`;
+    const lost = unknown(options) ?? all.find((text) => !kept.includes(text));
+    if (lost !== undefined)
+        $("wrong").textContent = `The address has '${lost}', which this page cannot show; it is left out.`;
 }
 
 // ---- curves that are kept ----
@@ -255,6 +272,8 @@ const saysOf = ({ measured, restitution, at }) => `Measured eps: ${measured}. Ta
 // ---- saving and copying ----
 
 function save(name, type, text) {
+    if (!right)
+        return;
     const link = document.createElement("a");
     link.href = URL.createObjectURL(new Blob([text], { type }));
     link.download = name;
@@ -329,7 +348,7 @@ function listen() {
     for (const button of document.querySelectorAll("[data-copy]"))
         button.addEventListener("click", () => copy(button.dataset.copy));
     addEventListener("hashchange", fromAddress);
-    new ResizeObserver(() => cor && showPicture()).observe($("results"));
+    new ResizeObserver(showPicture).observe($("results"));
 }
 
 cor = await load(module_);

@@ -255,6 +255,9 @@ static const char style[] =
 WEB_EXPORT(web_picture) const char *web_picture(double width)
 {
     double legend = 0;
+    web_text_clear();
+    if (web_now.count == 0)
+        return web_text(); /* nothing was read yet */
     make_curves();
     find_range();
     for (int i = 0; i < curve_count; i++)
@@ -265,7 +268,6 @@ WEB_EXPORT(web_picture) const char *web_picture(double width)
     plot.top = 26;
     plot.bottom = 26 + height;
     const double all = plot.bottom + 44 + legend + 6;
-    web_text_clear();
     web_put("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
             "role=\"img\" aria-labelledby=\"cor-title\"><title id=\"cor-title\">eps over the impact speed:",
             width, all, width, all);

@@ -150,8 +150,8 @@ static int read_option(struct web_request *r, struct web_wrong *wrong, const cha
         double *value;
         const struct range *range;
     } own[] = {{"steps", &r->steps, &steps},
-               {"speed-min", &r->speed_min_m_s, &positive},
-               {"speed-max", &r->speed_max_m_s, &positive},
+               {"speed-min", &r->speed_min_m_s, &plotted},
+               {"speed-max", &r->speed_max_m_s, &plotted},
                {"tolerance", &r->tolerance, &tolerances}};
     char why[200];
     r->steps_given = r->steps_given || strcmp(name, "steps") == 0;

@@ -102,6 +102,46 @@ for (const { line, options } of scenes()) {
 check(`${scenes().length} scenes: tables, and lines for simulators, are those of corgen contact`,
     scenes().length === 40 && differ.length === 0, differ.join("\n"));
 
+// ---- any request ----
+
+// Options at random, right and wrong: what is refused says why, and texts of the others hold no number that is none.
+let seed = 34, read = 0, refused = 0;
+const random = (n) => {
+    seed = Math.imul(seed, 1664525) + 1013904223 >>> 0;
+    return Math.floor(seed / 2 ** 32 * n);
+};
+const pick = (list) => list[random(list.length)];
+const number = () => pick(["0", "1", "0.5", "1e-3", "1e5", "7e10", "1e-9", "1e300", "1e-300", "-1", "", "x", String(random(1e9) / 1e9)]);
+const odd = [];
+for (let i = 0; i < 3000; i++) {
+    const options = { law: pick(["viscoelastic", "linear", "tsuji", "hunt-crossley", "hertz-dashpot", "plate", "x"]) };
+    if (random(2))
+        Object.assign(options, { young: 7e10, poisson: 0.2, radius: 5e-3, density: 2500, wall: random(4) === 0 });
+    else if (random(2))
+        Object.assign(options, { stiffness: number(), "effective-mass": number() });
+    const way = pick(["restitution", "g-star", "dissipation-time", "damping-coefficient", "beta", "zeta"]);
+    Object.assign(options, { [way]: number() }, /restitution|beta/.test(way) ? { at: number() } : {});
+    for (const name of ["end", "for", "speed", "steps", "speed-min", "speed-max", "tolerance", "radius-2", "plate-thickness"])
+        if (random(4) === 0)
+            options[name] = name === "end" ? pick(["zero-overlap", "zero-force"])
+                : name === "for" ? pick(cor.simulators()).name : number();
+    try {
+        cor.page.read(options);
+        read++;
+        const texts = [["picture", 100 + random(1000)], ["table", 6, 1], ["summary", 6], ["header"], ["models", 6],
+            ["curves", 6], ["read_x", random(2000) - 500, 6], ["command"]].map((call) => cor.page.text(...call));
+        if (/[^a-z](nan|inf)[^a-z]/.test(texts[0].replace(/<title.*<\/title>/, "")))
+            odd.push(JSON.stringify(options), texts[0].slice(0, 3000));
+        cor.page.text("lines");
+    } catch (error) {
+        refused++;
+        if (!(error instanceof cor.CorError) || error.message === "")
+            odd.push(`${JSON.stringify(options)} ${error.stack}`);
+    }
+}
+check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 300 && refused > 1000,
+    odd.slice(0, 4).join("\n"));
+
 // ---- the functions of JavaScript ----
 
 const glass = { young: 7e10, poisson: 0.2, radius: 5e-3, density: 2500 };
