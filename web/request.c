@@ -26,7 +26,8 @@ static const struct range {
     const char *allowed;
 } positive = {0, INFINITY, 0, "a finite number above 0"}, not_negative = {0, INFINITY, 1, "a finite number, 0 or more"},
   restitution = {0, 1, 0, "a number above 0 and up to 1"}, poisson = {-1, 0.5, 0, "a number above -1 and up to 0.5"},
-  steps = {1, 1e9, 1, "a number from 1 to 1e9"}, tolerances = {1e-15, 0.1, 1, "a number from 1e-15 to 0.1"};
+  steps = {1, 1e9, 1, "a number from 1 to 1e9"}, plotted = {1e-150, 1e150, 1, "a number from 1e-150 to 1e150"},
+  tolerances = {1e-15, 0.1, 1, "a number from 1e-15 to 0.1"};
 
 static const struct range *range_of(int number)
 {

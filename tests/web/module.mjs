@@ -111,10 +111,11 @@ const random = (n) => {
     return Math.floor(seed / 2 ** 32 * n);
 };
 const pick = (list) => list[random(list.length)];
-const number = () => pick(["0", "1", "0.5", "1e-3", "1e5", "7e10", "1e-9", "1e300", "1e-300", "-1", "", "x", String(random(1e9) / 1e9)]);
+const number = () => random(9) ? pick(["1", "0.5", "1e-3", "1e5", "1e-9", String(random(1e9) / 1e9)])
+    : pick(["0", "1e300", "1e-300", "-1", "", "x"]);
 const odd = [];
 for (let i = 0; i < 3000; i++) {
-    const options = { law: pick(["viscoelastic", "linear", "tsuji", "hunt-crossley", "hertz-dashpot", "plate", "x"]) };
+    const options = { law: pick(["viscoelastic", "viscoelastic", "viscoelastic", "linear", "tsuji", "hunt-crossley", "hertz-dashpot", "plate", "x"]) };
     if (random(2))
         Object.assign(options, { young: 7e10, poisson: 0.2, radius: 5e-3, density: 2500, wall: random(4) === 0 });
     else if (random(2))
@@ -122,7 +123,7 @@ for (let i = 0; i < 3000; i++) {
     const way = pick(["restitution", "g-star", "dissipation-time", "damping-coefficient", "beta", "zeta"]);
     Object.assign(options, { [way]: number() }, /restitution|beta/.test(way) ? { at: number() } : {});
     for (const name of ["end", "for", "speed", "steps", "speed-min", "speed-max", "tolerance", "radius-2", "plate-thickness"])
-        if (random(4) === 0)
+        if (random(/-2|plate/.test(name) ? 20 : 4) === 0)
             options[name] = name === "end" ? pick(["zero-overlap", "zero-force"])
                 : name === "for" ? pick(cor.simulators()).name : number();
     try {
@@ -132,14 +133,15 @@ for (let i = 0; i < 3000; i++) {
             ["curves", 6], ["read_x", random(2000) - 500, 6], ["command"]].map((call) => cor.page.text(...call));
         if (/[^a-z](nan|inf)[^a-z]/.test(texts[0].replace(/<title.*<\/title>/, "")))
             odd.push(JSON.stringify(options), texts[0].slice(0, 3000));
-        cor.page.text("lines");
+        if (options.for)
+            cor.page.text("lines");
     } catch (error) {
         refused++;
         if (!(error instanceof cor.CorError) || error.message === "")
             odd.push(`${JSON.stringify(options)} ${error.stack}`);
     }
 }
-check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 300 && refused > 1000,
+check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 500 && refused > 500,
     odd.slice(0, 4).join("\n"));
 
 // ---- the functions of JavaScript ----

@@ -191,7 +191,16 @@ for (const [name, value, says] of [["radius", "-1", "--radius: '-1' is not a fin
 await enter(glass);
 check("right input again: the error is gone", await textOf(page, "#radius-wrong") === "" && await textOf(page, "#wrong") === "");
 const strange = await open(`${home}#g-star=3&yuong=1`);
-check("an address with an unknown option says so", (await textOf(strange, "#wrong")).includes("'yuong'"));
+check("an address with an unknown option says so", (await textOf(strange, "#wrong")).includes("'yuong=1'"));
+await strange.goto("about:blank");
+await strange.goto(`${home}#g-star=-3`);
+await strange.waitForSelector("html[data-ready]");
+check("an address with a wrong number: the field says so, and there is no picture", (await textOf(strange, "#g-star-wrong"))
+    .startsWith("--g-star: '-3' is not") && (await strange.$("#picture svg")) === null);
+await strange.evaluate(() => { location.hash = "#g-star=3&label=" + encodeURIComponent("<b id=x>&\"") + "&also=yuong%3D1"; });
+await strange.waitForFunction(() => document.querySelector("#picture svg") !== null);
+check("a name is no markup, and a curve that cannot be shown is left out", (await strange.$("#x")) === null &&
+    (await textOf(strange, "#picture")).includes('<b id=x>&"') && (await textOf(strange, "#wrong")).includes("yuong=1"));
 await strange.close();
 
 // ---- sizes, light and dark, accessibility, pictures ----
