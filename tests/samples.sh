@@ -16,7 +16,7 @@ sample_output() {
 samples_prepare() {
     mkdir -p "$work/bin" "$work/samples"
     ln -sf "$corgen" "$work/bin/corgen"
-    ln -sf "$PWD"/docs/data/*.csv "$work/samples"
+    ln -sf "$PWD"/docs/data/*.csv "$PWD"/tests/audit/decks/* "$work/samples"
     printf '#!/bin/sh\necho "-I%s %s -lm"\n' "$PWD/include" "${library-}" >"$work/bin/pkg-config"
     chmod +x "$work/bin/pkg-config"
 }
