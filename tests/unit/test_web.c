@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/* The sources of the browser's module as native code: numbers against cor/contact.h, places in the picture against the
+ * axes, what is refused. tests/web has the module itself. */
+#include "check.h"
+
+#include "cor/contact.h"
+#include "cor/sphere.h"
+#include "web/web.h"
+
+int web_read(const char *options);
+const char *web_wrong_option(void);
+const char *web_wrong_text(void);
+void web_impacts(const double *speed_m_s, double *y, size_t n);
+const char *web_table(int digits, int errors);
+const char *web_models(int digits);
+const char *web_lines(void);
+const char *web_command(void);
+const char *web_header(void);
+int web_keep(void);
+void web_keep_none(void);
+const char *web_picture(double width);
+const char *web_read_x(double x, int digits);
+
+#define GLASS "young=7e10\npoisson=0.25\nradius=5e-3\ndensity=2500\n"
+
+static void assert_near(double x, double y, double most)
+{
+    if (!(fabs(x - y) <= most))
+        fail_msg("%.17g is not %.17g", x, y);
+}
+
+static struct cor_sphere_contact glass(double dissipation_time_s)
+{
+    const double radius = 5e-3;
+    const struct cor_body body = {7e10, 0.25, dissipation_time_s, radius, cor_sphere_mass_kg(radius, 2500)};
+    struct cor_sphere_contact contact;
+    assert_int_equal(cor_sphere_contact_init(&contact, &body, &body), 0);
+    return contact;
+}
+
+TEST(test_impacts_are_those_of_a_contact)
+{
+    const struct cor_sphere_contact contact = glass(4e-7);
+    const double speed[] = {3, 0.1};
+    double y[8 * 2];
+    assert_true(web_read(GLASS "dissipation-time=4e-7\nspeed=3,0.1\nsteps=20"));
+    web_impacts(speed, y, 2);
+    for (int i = 0; i < 2; i++) {
+        assert_near(y[2 + i], cor_contact_eps_zero_overlap(&contact, speed[i]), 1e-14);
+        assert_near(y[4 + i], cor_contact_eps_zero_force(&contact, speed[i]), 1e-14);
+        assert_near(y[8 + i] / cor_contact_duration_s_zero_force(&contact, speed[i]), 1, 1e-13);
+        assert_near(y[10 + i] / cor_contact_max_overlap_m(&contact, speed[i]), 1, 1e-13);
+        assert_near(y[14 + i] / (cor_contact_duration_s_zero_force(&contact, 3) / 20), 1, 1e-13);
+    }
+    assert_non_null(strstr(web_table(6, 1), "time_step_s,step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_"
+                                            "zero_force,step_scatter_zero_force\n3,"));
+    assert_string_equal(web_command(), "corgen contact --young 7e10 --poisson 0.25 --radius 5e-3 --density 2500 "
+                                       "--dissipation-time 4e-7 --speed 3,0.1 --steps 20");
+}
+
+TEST(test_a_wrong_request_leaves_the_last_one)
+{
+    static const char *const wrong[][2] = {{GLASS "g-star=-1", "g-star"},
+                                           {GLASS "restitution=0.9", "at"},
+                                           {GLASS "g-star=1\nspeed=1,,2", "speed"},
+                                           {GLASS "g-star=1\nfor=abaqus", "for"},
+                                           {GLASS "g-star=1\nviscosity=1", "viscosity"},
+                                           {GLASS "g-star=1\nspeed-min=20", "speed-max"},
+                                           {"poisson=0.25\ng-star=1", "young"},
+                                           {GLASS "g-star=1e9e9", "g-star"},
+                                           {"nonsense", ""},
+                                           {GLASS, "restitution"}};
+    assert_true(web_read("g-star=3"));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_false(web_read(wrong[i][0]));
+        assert_string_equal(web_wrong_option(), wrong[i][1]);
+        assert_true(strlen(web_wrong_text()) > 20);
+        assert_near(web_now.scene.number[COR_SCENE_G_STAR], 3, 0);
+    }
+}
+
+/* The number after a text; NaN: the text is not there */
+static double number_after(const char *text, const char *before)
+{
+    const char *const at = strstr(text, before);
+    return at ? strtod(at + strlen(before), NULL) : (double)NAN;
+}
+
+TEST(test_the_picture_has_its_points_where_the_axes_say)
+{
+    assert_true(web_read(GLASS "restitution=0.9\nat=1\nend=zero-force\nspeed-min=0.01\nspeed-max=10\nlabel=<b>\n"));
+    web_keep_none();
+    const char *const svg = web_picture(564);
+    /* from 0.01 to 10 m/s, 500 pixels from 50 on: 1 m/s is at two thirds */
+    assert_near(number_after(svg, "cx=\""), 50 + 1000 / 3.0, 0.06);
+    const double top = number_after(svg, "M50.0 "), most = 1, bottom = top + 282;
+    assert_near(number_after(svg, "cy=\""), bottom - (bottom - top) * (0.9 - 0.8) / (most - 0.8), 0.06);
+    assert_non_null(strstr(svg, ">0.85<"));
+    assert_non_null(strstr(svg, ">0.95<"));
+    assert_non_null(strstr(svg, "&lt;b>"));
+    assert_null(strstr(svg, "<b>"));
+    assert_near(
+        number_after(web_read_x(-5, 12), "zero force\t"),
+        cor_contact_eps_zero_force(
+            &(struct cor_sphere_contact){.beta_per_root = web_now.contact[0].damping, .beta5_per_speed = NAN}, 0.01),
+        1e-11);
+    for (int i = 0; i < 5; i++)
+        assert_true(web_keep());
+    assert_false(web_keep());
+    web_keep_none();
+}
+
+TEST(test_lines_and_own_maps_of_a_simulator)
+{
+    assert_true(web_read(GLASS "restitution=0.9\nat=1\nend=zero-overlap\nfor=lammps\nspeed=1"));
+    assert_non_null(strstr(web_lines(), "pair_style granular\n"));
+    assert_non_null(strstr(web_models(6), "0.9\t1\tzero overlap\n"));
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+        const struct cor_simulator_model *const model = &cor_simulator_models[i];
+        if (!web_is_model_of(model, &web_now))
+            continue;
+        assert_string_equal(model->simulator, "lammps");
+        assert_near(web_realised(model, &web_now, 1), cor_simulator_realised(model, 0.9), 1e-12);
+    }
+    assert_true(web_read("law=hertz-dashpot\ng-star=3\nend=zero-force\nfor=mfix"));
+    assert_null(web_lines());
+    assert_string_equal(web_wrong_option(), "for");
+}
+
+TEST(test_the_header)
+{
+    assert_true(web_read("law=tsuji\nrestitution=0.7\nend=zero-force"));
+    assert_near(number_after(web_header(), "return "), 0.7, 1e-14);
+    assert_true(web_read("g-star=3\nend=zero-force\ntolerance=1e-5"));
+    assert_string_equal(web_header(),
+                        "corgen embed --g-star 3 --speed-min 0.001 --speed-max 10 --tolerance 1e-05 --end "
+                        "zero-force --output cor_scene_eps.h\n");
+}
+
+RUN_TESTS(test_impacts_are_those_of_a_contact, test_a_wrong_request_leaves_the_last_one,
+          test_the_picture_has_its_points_where_the_axes_say, test_lines_and_own_maps_of_a_simulator, test_the_header)
