@@ -50,24 +50,12 @@ struct audit_contact *audit_add(struct audit *a, const char *text)
         a->contacts--;
     }
     struct audit_contact *const contact = &a->contact[a->contacts++];
-    const struct audit_contact fresh = {a->text.name,
-                                        audit_keep(a, text, strlen(text)),
-                                        a->line,
-                                        {-1, -1},
-                                        NULL,
-                                        0,
-                                        NULL,
-                                        {0, 0},
-                                        {0, 0},
-                                        0,
-                                        (double)NAN,
-                                        AUDIT_NO_SPRING,
-                                        (double)NAN,
-                                        (double)NAN,
-                                        0,
-                                        NULL,
-                                        0};
-    *contact = fresh;
+    memset(contact, 0, sizeof *contact);
+    contact->file = a->text.name;
+    contact->text = audit_keep(a, text, strlen(text));
+    contact->line = a->line;
+    contact->word[0] = contact->word[1] = -1;
+    contact->number = contact->stiffness = contact->speed = (double)NAN;
     return contact;
 }
 
@@ -185,6 +173,35 @@ static int is_linear(const struct audit_contact *contact)
     return contact->spring != AUDIT_HERTZ && contact->spring != AUDIT_MATERIAL;
 }
 
+/* eps where MuJoCo's impedance d grows with the overlap x from dmin to dmax at the width, by a parabola and its mirror
+ * image: x'' = -d/dmax (2 zeta w x' + d/dmax w^2 x), to the zero of the force. The method of Runge and Kutta; NaN where
+ * it takes too many steps. */
+static double eps_of_impedance(const double impedance[3], double frequency, double zeta, double speed)
+{
+    enum { MOST = 200000 };
+    const double h = fmin(2e-3 / frequency, 0.02 * impedance[2] / speed);
+    double x = 0, v = speed;
+    for (int n = 0; n < MOST; n++) {
+        double at = x, rate = v, moved = 0, gained = 0, force = 0;
+        for (int k = 0; k < 4; k++) {
+            static const double weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}, part[4] = {0.5, 0.5, 1, 0};
+            const double y = fmin(fabs(at) / impedance[2], 1), rest = 1 - y;
+            const double d = impedance[0] + (impedance[1] - impedance[0]) * (y < 0.5 ? 2 * y * y : 1 - 2 * rest * rest);
+            const double share = d / impedance[1];
+            force = share * frequency * (2 * zeta * rate + share * frequency * at);
+            if (k == 0 && n > 0 && !(force > 0))
+                return fmin(-v / speed, 1);
+            moved += weight[k] * h * rate;
+            gained -= weight[k] * h * force;
+            at = x + part[k] * h * rate;
+            rate = v - part[k] * h * force;
+        }
+        x += moved;
+        v += gained;
+    }
+    return (double)NAN;
+}
+
 static struct outcome solve(const struct audit *a, const struct cor_simulator_model *model,
                             const struct audit_contact *contact, const struct pair *pair, double speed)
 {
@@ -203,6 +220,12 @@ static struct outcome solve(const struct audit *a, const struct cor_simulator_mo
     const int constant = cor_law_is_constant(&o.scene.law);
     if (!(o.damping >= 0 && o.damping < INFINITY) || (isnan(speed) && !constant))
         return o;
+    if (contact->impedance[2] > 0) {
+        if (!isnan(speed))
+            o.eps = eps_of_impedance(contact->impedance, sqrt(o.scene.stiffness), o.damping, speed);
+        o.damping = (double)NAN; /* it depends on the overlap */
+        return o;
+    }
     o.scene.damping = constant ? o.damping : o.damping * pow(speed, -cor_scene_speed_exponent(&o.scene));
     if ((int)o.end >= (int)COR_SCENE_ENDS) {
         o.eps = cor_law_eps(model->law, o.end, o.damping);
@@ -354,6 +377,10 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
                  : contact->model ? contact->model
                                   : "",
                  model && contact->limited ? ", limit_damping" : "");
+    if (contact->impedance[2] > 0) {
+        a->model[strcspn(a->model, "=")] = '\0';
+        audit_append(a->model, sizeof a->model, "$", "< dmax");
+    }
     f.model = a->model;
     if (contact->fault)
         say(a, contact->fault);

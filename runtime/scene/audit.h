@@ -52,6 +52,8 @@ struct audit_contact {
     enum audit_spring spring;
     double stiffness, speed; /* of the spring */
     int harmonic;            /* stiffnesses of two types mix by their harmonic mean, otherwise the geometric one */
+    double impedance[3];     /* MuJoCo's dmin, dmax and width; 0, 0, 0: none, or all the same */
+    int condim;              /* MuJoCo's; 0: not MuJoCo */
     const char *fault;       /* a sentence, or NULL */
     int unknown;             /* eps cannot be computed; `fault` says why */
 };

@@ -545,8 +545,9 @@ void audit_mfix(struct audit *a)
 /* solref and solimp of a geom, or of a class of defaults */
 struct softness {
     const char *name;
-    double solref[2], solimp[2]; /* dmin and dmax */
-    double touches[2];           /* contype, conaffinity */
+    double solref[2], solimp[5];
+    double touches[2]; /* contype, conaffinity */
+    double condim;
 };
 
 static void read_numbers(struct audit *a, const char *tag, const char *key, double *number, int count)
@@ -567,7 +568,8 @@ static void read_numbers(struct audit *a, const char *tag, const char *key, doub
 static void soften(struct audit *a, struct softness *s, const char *tag)
 {
     read_numbers(a, tag, "solref", s->solref, 2);
-    read_numbers(a, tag, "solimp", s->solimp, 2);
+    read_numbers(a, tag, "solimp", s->solimp, 5);
+    read_numbers(a, tag, "condim", &s->condim, 1);
     read_numbers(a, tag, "contype", &s->touches[0], 1);
     read_numbers(a, tag, "conaffinity", &s->touches[1], 1);
 }
@@ -578,7 +580,11 @@ static void add_geom(struct audit *a, const struct softness *s, const char *pair
     const double number = direct ? -s->solref[1] : s->solref[1];
     const double rate = 1 / (s->solref[0] * s->solref[1]), stiffness = direct ? -s->solref[0] : rate * rate;
     for (int i = 0; i < a->contacts; i++)
-        if (a->contact[i].number == number && a->contact[i].stiffness == stiffness && !strchr(pair, '-'))
+        if (a->contact[i].number == number && a->contact[i].stiffness == stiffness && !strchr(pair, '-') &&
+            a->contact[i].condim == (int)s->condim &&
+            (a->contact[i].impedance[2] > 0
+                 ? memcmp(a->contact[i].impedance, s->solimp, sizeof a->contact[i].impedance) == 0
+                 : s->solimp[0] == s->solimp[1]))
             return; /* the same as before */
     struct audit_contact *const contact = add(a, a->raw, NULL, 0);
     char both[128] = "";
@@ -589,10 +595,16 @@ static void add_geom(struct audit *a, const struct softness *s, const char *pair
     contact->number = number;
     contact->spring = AUDIT_PER_MASS;
     contact->stiffness = stiffness;
-    if (s->solimp[0] != s->solimp[1])
-        cannot_be_known(contact,
-                        "solimp's dmin and dmax differ (0.9 and 0.95 where nothing is said): stiffness and damping "
-                        "depend on the overlap, and eps on the speed. With equal ones solref alone counts.");
+    contact->condim = s->condim >= 1 && s->condim <= 6 ? (int)s->condim : 3;
+    if (s->solimp[0] != s->solimp[1]) {
+        memcpy(contact->impedance, s->solimp, sizeof contact->impedance);
+        contact->fault = "solimp's dmin and dmax differ (0.9 and 0.95 where nothing is said): stiffness and damping "
+                         "depend on the overlap, and eps on the speed.";
+    }
+    if (!(s->solimp[0] > 0 && s->solimp[1] > 0 && s->solimp[0] <= 1 && s->solimp[1] <= 1 && s->solimp[2] > 0))
+        cannot_be_known(contact, "Its solimp could not be read.");
+    else if (contact->fault && (s->solimp[3] != 0.5 || s->solimp[4] != 2))
+        cannot_be_known(contact, "cor reads solimp with the midpoint 0.5 and the power 2 alone.");
     else if (isnan(number) || isnan(stiffness) || number < 0)
         cannot_be_known(contact, "Its solref could not be read.");
 }
@@ -600,6 +612,7 @@ static void add_geom(struct audit *a, const struct softness *s, const char *pair
 struct model_file {
     struct softness class[AUDIT_PROPERTIES], child[AUDIT_DEPTH];
     int classes, parent[AUDIT_DEPTH], defaults, bodies;
+    int elliptic; /* cones of friction; pyramids are the default */
 };
 
 static const struct softness *class_named(const struct model_file *m, const char *name,
@@ -651,6 +664,7 @@ static void read_tag(struct audit *a, struct model_file *m)
         add_geom(a, &s, pair);
     } else if (audit_is(name, "option")) {
         set_time_step(a, number_of(a, attributes, "timestep", a->time_step));
+        m->elliptic = m->elliptic || has_value(attributes, "cone", "elliptic");
         if (has_value(attributes, "integrator", "RK4"))
             a->integrator = COR_NO_INTEGRATOR;
     } else if (audit_is(name, "flag") && has_value(attributes, "override", "enable")) {
@@ -676,13 +690,15 @@ void audit_mujoco(struct audit *a)
 {
     struct model_file m;
     memset(&m, 0, sizeof m);
-    const struct softness start = {"main", {0.02, 1}, {0.9, 0.95}, {1, 1}};
+    const struct softness start = {"main", {0.02, 1}, {0.9, 0.95, 0.001, 0.5, 2}, {1, 1}, 3};
     m.class[0] = start;
     m.classes = 1;
     set_time_step(a, 0.002);
     read_model(a, &m);
     for (int i = 0; i < a->contacts; i++) {
         struct audit_contact *const contact = &a->contact[i];
+        if (contact->condim > 3 && !m.elliptic)
+            cannot_be_known(contact, "With condim 4 or 6 pyramidal cones of friction change eps: use elliptic ones.");
         const double frequency = sqrt(contact->stiffness), least = 1 / (2 * a->time_step * contact->number);
         if (strstr(contact->model, "timeconst") && !contact->unknown && frequency > least) {
             contact->stiffness = least * least;

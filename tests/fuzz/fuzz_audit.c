@@ -24,7 +24,7 @@ static void require_finding(void *context, const struct cor_audit_finding *f)
     REQUIRE(f->line >= 0 && f->file && f->simulator && f->pair && f->advice && f->instead, "line %ld", f->line);
     REQUIRE(f->model || (*f->advice && isnan(f->realised)), "line %ld", f->line);
     REQUIRE(isnan(f->realised) || (f->realised >= 0 && f->realised <= 1), "eps %a", f->realised);
-    REQUIRE(isnan(f->realised) || (f->damping >= 0 && f->end >= 0 && f->end < COR_ENDS), "damping %a", f->damping);
+    REQUIRE(isnan(f->realised) || (!(f->damping < 0) && f->end >= 0 && f->end < COR_ENDS), "damping %a", f->damping);
     REQUIRE(isnan(f->duration_s) || f->duration_s >= 0, "duration %a", f->duration_s);
     REQUIRE(isnan(f->step_scatter) || (f->step_scatter >= 0 && fabs(f->step_bias) < 1e300), "scatter %a",
             f->step_scatter);
