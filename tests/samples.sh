@@ -17,7 +17,10 @@ samples_prepare() {
     mkdir -p "$work/bin" "$work/samples"
     ln -sf "$corgen" "$work/bin/corgen"
     ln -sf "$PWD"/docs/data/*.csv "$PWD"/tests/audit/decks/* "$work/samples"
-    printf '#!/bin/sh\necho "-I%s %s -lm"\n' "$PWD/include" "${library-}" >"$work/bin/pkg-config"
+    # by paths without a space: the shell splits what pkg-config prints
+    ln -sfn "$PWD/include" "$work/include"
+    [ -z "${library-}" ] || ln -sf "$library" "$work/libcor.a"
+    printf '#!/bin/sh\necho "-I%s %s -lm"\n' "$work/include" "${library:+$work/libcor.a}" >"$work/bin/pkg-config"
     chmod +x "$work/bin/pkg-config"
 }
 
