@@ -23,5 +23,6 @@ list(TRANSFORM cor_errors PREPEND -Werror=)
 add_library(cor_defaults INTERFACE)
 target_compile_options(cor_defaults INTERFACE
   $<$<CONFIG:>:-O2> -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
+  $<$<BOOL:${MINGW}>:-Wno-float-conversion> # its isinf is a macro that names float, too
   "$<$<C_COMPILER_ID:GNU,Clang,AppleClang>:${cor_errors}>"
   $<$<C_COMPILER_ID:Clang,AppleClang>:-fno-slp-vectorize> $<$<BOOL:${COR_WERROR}>:-Werror>)

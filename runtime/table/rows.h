@@ -8,7 +8,7 @@
 
 #include "runtime/number/inline.h"
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(_WIN32)
 #define COR_ROWS_HIDDEN __attribute__((visibility("hidden")))
 #else
 #define COR_ROWS_HIDDEN

@@ -40,7 +40,7 @@ static double argument(size_t i)
     if (i < sizeof special / sizeof *special)
         return special[i];
     memcpy(&any, &bits, sizeof any);
-    return i % 4 == 0 ? unit : i % 4 == 1 ? 3 * unit : i % 4 == 2 ? exp2(80 * unit - 40) : any;
+    return i % 4 == 0 ? unit : i % 4 == 1 ? 3 * unit : i % 4 == 2 ? ldexp(1 + unit, (int)(bits % 81) - 40) : any;
 }
 
 /* FNV-1a over words of 32 bits, the lower one first; every NaN counts as one. */
