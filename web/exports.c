@@ -100,51 +100,20 @@ WEB_EXPORT(web_equation) const char *web_equation(void)
 
 /* ---- the contact ---- */
 
-static const struct {
-    const char *name;
-    int number; /* of enum cor_scene_number; COR_SCENE_NUMBERS: q */
-    const char *unit;
-} quantities[] = {{"effective_mass", COR_SCENE_EFFECTIVE_MASS, "kg"},
-                  {"effective_radius", COR_SCENE_RADIUS, "m"},
-                  {"stiffness", COR_SCENE_STIFFNESS, "N/m^a"},
-                  {"dissipation_time", COR_SCENE_DISSIPATION_TIME, "s"},
-                  {"damping_coefficient", COR_SCENE_DAMPING_COEFFICIENT, "N s/m^(b+1)"},
-                  {"g_star", COR_SCENE_G_STAR, "m/s"},
-                  {"zeta", COR_SCENE_ZETA, "1"},
-                  {"beta_factor", COR_SCENE_BETA, "(m/s)^(-q)"},
-                  {"q", COR_SCENE_NUMBERS, "1"}};
-enum { QUANTITIES = sizeof quantities / sizeof *quantities };
-
-static double quantity(const struct cor_scene_contact *contact, int number)
-{
-    switch (number) {
-    case COR_SCENE_EFFECTIVE_MASS:
-        return contact->mass_kg;
-    case COR_SCENE_RADIUS:
-        return contact->radius_m;
-    case COR_SCENE_STIFFNESS:
-        return contact->stiffness;
-    case COR_SCENE_NUMBERS:
-        return cor_scene_speed_exponent(contact);
-    default:
-        return cor_scene_damping(contact, number);
-    }
-}
-
 /* The csv of corgen contact without --speed */
 WEB_EXPORT(web_summary) const char *web_summary(int digits)
 {
     web_text_clear();
     web_put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_zero_overlap,value_zero_force,unit\n");
-    for (int i = 0; i < QUANTITIES; i++) {
-        if (isnan(quantity(&web_now.contact[0], quantities[i].number)))
+    for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
+        if (isnan(cor_scene_quantity(&web_now.contact[0], cor_scene_quantities[i].number)))
             continue;
-        web_put("%s", quantities[i].name);
+        web_put("%s", cor_scene_quantities[i].name);
         for (int k = 0; k < web_now.count; k++) {
             web_put(",");
-            web_put_number(quantity(&web_now.contact[k], quantities[i].number), digits);
+            web_put_number(cor_scene_quantity(&web_now.contact[k], cor_scene_quantities[i].number), digits);
         }
-        web_put(",%s\n", quantities[i].unit);
+        web_put(",%s\n", cor_scene_quantities[i].unit);
     }
     return web_text();
 }

@@ -16,51 +16,20 @@ char *contact_number_text(double x, int digits)
 
 /* ---- the contact ---- */
 
-/* number: of enum cor_scene_number; COR_SCENE_NUMBERS stands for q */
-static const struct quantity {
-    const char *name;
-    int number;
-    const char *unit;
-} quantities[] = {{"effective_mass", COR_SCENE_EFFECTIVE_MASS, "kg"},
-                  {"effective_radius", COR_SCENE_RADIUS, "m"},
-                  {"stiffness", COR_SCENE_STIFFNESS, "N/m^a"},
-                  {"dissipation_time", COR_SCENE_DISSIPATION_TIME, "s"},
-                  {"damping_coefficient", COR_SCENE_DAMPING_COEFFICIENT, "N s/m^(b+1)"},
-                  {"g_star", COR_SCENE_G_STAR, "m/s"},
-                  {"zeta", COR_SCENE_ZETA, "1"},
-                  {"beta_factor", COR_SCENE_BETA, "(m/s)^(-q)"},
-                  {"q", COR_SCENE_NUMBERS, "1"}};
-enum { QUANTITIES = sizeof quantities / sizeof *quantities };
-
-static double value_of(const struct cor_scene_contact *contact, int number)
-{
-    switch (number) {
-    case COR_SCENE_EFFECTIVE_MASS:
-        return contact->mass_kg;
-    case COR_SCENE_RADIUS:
-        return contact->radius_m;
-    case COR_SCENE_STIFFNESS:
-        return contact->stiffness;
-    case COR_SCENE_NUMBERS:
-        return cor_scene_speed_exponent(contact);
-    default:
-        return cor_scene_damping(contact, number);
-    }
-}
-
 void contact_summary(struct table *table, const struct contacts *contacts, int digits)
 {
     static const char *const one[] = {"quantity", "value", "unit"};
     static const char *const two[] = {"quantity", "value_zero_overlap", "value_zero_force", "unit"};
     table_init(table, contacts->count == 1 ? one : two, 2 + contacts->count);
     table->kinds = contacts->count == 1 ? "tnt" : "tnnt";
-    for (int i = 0; i < QUANTITIES; i++) {
-        if (isnan(value_of(&contacts->contact[0], quantities[i].number)))
+    for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
+        if (isnan(cor_scene_quantity(&contacts->contact[0], cor_scene_quantities[i].number)))
             continue;
-        table_add(table, xstrdup(quantities[i].name));
+        table_add(table, xstrdup(cor_scene_quantities[i].name));
         for (int k = 0; k < contacts->count; k++)
-            table_add(table, contact_number_text(value_of(&contacts->contact[k], quantities[i].number), digits));
-        table_add(table, xstrdup(quantities[i].unit));
+            table_add(table, contact_number_text(
+                                 cor_scene_quantity(&contacts->contact[k], cor_scene_quantities[i].number), digits));
+        table_add(table, xstrdup(cor_scene_quantities[i].unit));
     }
 }
 
@@ -146,14 +115,15 @@ static int timed_fill(struct timed *t, const struct contacts *contacts, const st
 /* ---- the impacts ---- */
 
 /* The quantity that is corrected */
-static const struct quantity *corrected_quantity(const struct contacts *contacts)
+static const struct cor_scene_quantity *corrected_quantity(const struct contacts *contacts)
 {
     static const int wanted[] = {COR_SCENE_ZETA, COR_SCENE_DISSIPATION_TIME, COR_SCENE_DAMPING_COEFFICIENT,
                                  COR_SCENE_BETA};
     for (size_t k = 0;; k++)
-        for (int i = 0; i < QUANTITIES; i++)
-            if (quantities[i].number == wanted[k] && !isnan(value_of(&contacts->contact[0], wanted[k])))
-                return &quantities[i];
+        for (int i = 0; i < COR_SCENE_QUANTITIES; i++)
+            if (cor_scene_quantities[i].number == wanted[k] &&
+                !isnan(cor_scene_quantity(&contacts->contact[0], wanted[k])))
+                return &cor_scene_quantities[i];
 }
 
 enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6, NAME = 64 };
@@ -165,7 +135,7 @@ static void table_add_number(struct table *table, double value, int digits)
 
 /* Bias and scatter of a row, and its corrected damping; NaN where the step is too long or too short */
 static int add_step(struct table *table, const struct timed *t, size_t row, const struct contact_step *step,
-                    const struct quantity *quantity)
+                    const struct cor_scene_quantity *quantity)
 {
     const struct cor_scene_contact *const contact = &t->contact[row / t->speeds];
     const double speed = t->speed_m_s[row % t->speeds], steps = elastic_duration(t, row) / t->time_step;
@@ -186,7 +156,7 @@ static int add_step(struct table *table, const struct timed *t, size_t row, cons
             return contact_status(status);
         const double factor = contact->damping > 0 ? corrected.damping / contact->damping : 1;
         table_add_number(table, factor, CORRECTED_DIGITS);
-        table_add_number(table, value_of(contact, quantity->number) * factor, CORRECTED_DIGITS);
+        table_add_number(table, cor_scene_quantity(contact, quantity->number) * factor, CORRECTED_DIGITS);
     }
     return STATUS_OK;
 }
@@ -217,7 +187,7 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
     struct timed t = {.speed_m_s = speed_m_s, .rows = (size_t)contacts->count * speeds, .speeds = speeds};
     t.impact = xmalloc(t.rows * sizeof *t.impact);
     int status = timed_fill(&t, contacts, step);
-    const struct quantity *const quantity = corrected_quantity(contacts);
+    const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     while (columns < BASE) {
         column[columns] = base[columns];
         columns++;

@@ -300,6 +300,17 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
+/* What corgen contact prints of a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q), unit; and the value of
+ * such a number, NaN where it is not known */
+struct cor_scene_quantity {
+    const char *name;
+    int number;
+    const char *unit;
+};
+enum { COR_SCENE_QUANTITIES = 9 };
+extern const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES];
+double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
+
 /* ---- simulators ---- */
 
 /* A contact model of a simulator. Its damping is the parameter of its law: zeta where q = 0, beta at the speed

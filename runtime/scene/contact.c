@@ -79,6 +79,33 @@ double cor_scene_damping(const struct cor_scene_contact *contact, int number)
     }
 }
 
+const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES] = {
+    {"effective_mass", COR_SCENE_EFFECTIVE_MASS, "kg"},
+    {"effective_radius", COR_SCENE_RADIUS, "m"},
+    {"stiffness", COR_SCENE_STIFFNESS, "N/m^a"},
+    {"dissipation_time", COR_SCENE_DISSIPATION_TIME, "s"},
+    {"damping_coefficient", COR_SCENE_DAMPING_COEFFICIENT, "N s/m^(b+1)"},
+    {"g_star", COR_SCENE_G_STAR, "m/s"},
+    {"zeta", COR_SCENE_ZETA, "1"},
+    {"beta_factor", COR_SCENE_BETA, "(m/s)^(-q)"},
+    {"q", COR_SCENE_NUMBERS, "1"}};
+
+double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
+{
+    switch (number) {
+    case COR_SCENE_EFFECTIVE_MASS:
+        return contact->mass_kg;
+    case COR_SCENE_RADIUS:
+        return contact->radius_m;
+    case COR_SCENE_STIFFNESS:
+        return contact->stiffness;
+    case COR_SCENE_NUMBERS:
+        return cor_scene_speed_exponent(contact);
+    default:
+        return cor_scene_damping(contact, number);
+    }
+}
+
 /* ---- collisions ---- */
 
 /* Functions of the damping parameter, zeta where q = 0 and beta elsewhere, by the ends of contact; `damping` is the

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests the package in node: node tests/web/module.mjs NATIVE COUNT FILE [--same-libm]
 // NATIVE is tests/web/native.c as a program. Prints a line for each check, and for what failed.
-import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { execFileSync, spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "../../build/web/package/cor.js";
 import { byCorgen, check, finish, scenes } from "./scenes.mjs";
 
@@ -185,6 +185,14 @@ for (const [what, act, name, text] of [
 }
 const bad = ((act) => { try { act(); } catch (error) { return error instanceof TypeError; } return false; });
 check("a number instead of an array is a TypeError", bad(() => cor.sphere.eps_zero_force(1)) && bad(() => cor.hunt_crossley.duration([1])));
+
+// ---- the example of the page ----
+
+const [, example] = readFileSync("docs/web.md", "utf8").match(/```js\n([^`]*)```/);
+writeFileSync("build/web/example.mjs", example.replace('"cor-restitution"', '"./package/cor.js"'));
+const said = spawnSync("node", ["build/web/example.mjs"], { encoding: "utf8" });
+check("the example of docs/web.md runs", said.status === 0 && said.stdout.includes("0.39393060322987317") &&
+    said.stdout.includes("pair_style granular"), said.stdout + said.stderr);
 
 // ---- types ----
 

@@ -89,10 +89,14 @@ int main(int argc, char **argv)
         return 0;
     }
     const size_t n = argc >= 3 ? strtoul(argv[1], NULL, 10) : 0;
-    double *const x = malloc(2 * n * sizeof *x), *const y = x + n;
-    FILE *const file = n > 0 && x ? fopen(argv[2], "wb") : NULL;
-    if (!file)
+    if (n == 0)
         return 2;
+    double *const x = malloc(2 * n * sizeof *x), *const y = x + n;
+    FILE *const file = x ? fopen(argv[2], "wb") : NULL;
+    if (!file) {
+        free(x);
+        return 1;
+    }
     for (size_t i = 0; i < n; i++)
         x[i] = argument(i);
     if (fwrite(x, sizeof *x, n, file) != n || fclose(file) != 0)
