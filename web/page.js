@@ -148,7 +148,9 @@ function showValues(how, at) {
 function showResults() {
     $("equation").textContent = cor.page.text("equation");
     const [head, ...rows] = csv(cor.page.text("table", TEXT_DIGITS, 1));
-    table("impacts", head, rows);
+    // which end the eps was measured at stands in front, where two rows of a speed differ in it
+    const order = (row) => head.at(-1) === "measured_end" ? [row.at(-1), ...row.slice(0, -1)] : row;
+    table("impacts", order(head), rows.map(order));
     const integrator = cor.page.text("integrator");
     $("step-says").textContent = integrator === ""
         ? "This simulator chooses its steps, or moves its bodies in a way whose error cor does not know."
