@@ -227,9 +227,41 @@ static void read_yade_material(struct audit *a, const char *name, const char *te
         contact->fault = "At a wall or facet YADE halves kn and cn, and eps is larger.";
 }
 
+/* en=MatchMaker(matches=((0, 1, 0.5), ...)): a contact for each pair of YADE's numbers of materials. Returns 0 if there
+ * are none. */
+static int read_matches(struct audit *a, const char *name, const char *text)
+{
+    char call[AUDIT_LINE] = "", pair[64];
+    size_t size = 0, inner = 0;
+    int found = 0;
+    audit_append(call, sizeof call, "$($)", name, text);
+    const char *const en = value_of(call, "en", &size), *const matches = en ? value_of(en, "matches", &inner) : NULL;
+    if (!matches || matches > en + size)
+        return 0;
+    for (const char *at = matches; at < matches + inner; at += strcspn(at, "(") + (strchr(at, '(') != NULL)) {
+        const char *const second = at + strcspn(at, ",()"), *const third =
+                                                                second + 1 + strcspn(second + (*second != 0), ",()");
+        if (*second != ',' || *third != ',')
+            continue;
+        const double i = evaluate(a, at, (size_t)(second - at)),
+                     j = evaluate(a, second + 1, (size_t)(third - second) - 1);
+        struct audit_contact *const contact = add(a, call, third + 1, strcspn(third + 1, ",()"));
+        pair[0] = '\0';
+        audit_append(pair, sizeof pair, "%-%", i, j);
+        contact->pair = audit_keep(a, pair, strlen(pair));
+        contact->model = "Mindlin, en (2023 and later)";
+        if (isnan(contact->number) || isnan(i) || isnan(j))
+            cannot_be_known(contact, "Its numbers could not be read.");
+        found = 1;
+    }
+    return found;
+}
+
 static void read_mindlin(struct audit *a, const char *name, const char *text)
 {
     size_t size = 0;
+    if (read_matches(a, name, text))
+        return;
     const int en = value_of(text, "en", &size) != NULL, betan = value_of(text, "betan", &size) != NULL;
     struct audit_contact *const contact = add_call(a, name, text, en ? "en" : "betan");
     contact->model = en ? "Mindlin, en (2023 and later)" : "Mindlin, betan";

@@ -310,6 +310,14 @@ static void keywords(void **state)
     finds(2, 16, 0.5, 0.550283, "before 2023");
     version = 0;
 
+    assert_int_equal(audit("e = 0.5\nIp2_FrictMat_FrictMat_MindlinPhys(frictAngle=MatchMaker(matches=((0, 0, 1),)),\n"
+                           " en=MatchMaker(matches=((1, 1, e), (0,1,0.99),)), es=1)\nO.engines=[]\n",
+                           NAN),
+                     COR_AUDIT_NOT_AS_ASKED);
+    assert_int_equal(seen.count, 2);
+    finds(0, 2, 0.5, 0.50001, "Mindlin, en (2023 and later), 1-1");
+    finds(1, 2, 0.99, 0.97895, "0-1");
+
     assert_int_equal(audit(kratos_text, NAN), COR_AUDIT_NOT_AS_ASKED);
     assert_int_equal(seen.count, 4);
     says(0, 1, "DEM_D_JKR_Cohesive_Law");
@@ -363,7 +371,8 @@ static void keywords(void **state)
         {"yade", "ViscElMat(tc=1e-3, kn=1, cn=1, en=0.5)\n", "tc and kn"},
         {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, betan=0.5)\n", "en and betan"},
         {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, vn=1)\n", "viscoelastic sphere"},
-        {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=MatchMaker(matches=((0,0,.5),)))\n", "could not be read"},
+        {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=MatchMaker(matches=((0,0,e),)))\n", "could not be read"},
+        {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=MatchMaker(matches=pairs))\n", "could not be read"},
         {"yade", "ViscElMat(tc=1e-3, en=0.5)\nO.engines=[NewtonIntegrator()]\n", "damps all motions"},
         {"yade", "ip.betan = 0.5\nIp2_FrictMat_FrictMat_MindlinPhys(label='ip')\n", "outside of its constructor"},
         {"mfix", "des_en_input(1) = ${e}\n", "could not be read"},
