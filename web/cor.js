@@ -90,16 +90,17 @@ function wrap(c) {
         .join("");
     const wrong = () => new CorError(text(c.web_wrong_text()), text(c.web_wrong_option()));
     const read = (options) => {
-        if (withText(lines(options), c.web_read) === 0)
+        const contacts = withText(lines(options), c.web_read);
+        if (contacts === 0)
             throw wrong();
+        return contacts;
     };
     const table = (at) => text(at).trimEnd().split("\n").map((line) => line.split(","));
 
     class Contact {
         constructor(options) {
             this.options = { ...options };
-            read(this.options);
-            this.count = c.web_contact_count();
+            this.count = read(this.options);
             const [head, ...rows] = table(c.web_summary(17));
             this.summary = Object.fromEntries(rows.map((row) => [row[0], row.slice(1, head.length - 1).map(Number)]));
         }

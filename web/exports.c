@@ -66,10 +66,10 @@ static void put_exact(double x)
 
 /* ---- the request ---- */
 
-/* Returns whether the options, lines NAME=VALUE, are a right request. If not, the last right one stays. */
+/* Returns the number of contacts of the options, lines NAME=VALUE, or 0 if they are wrong; the last right ones stay. */
 WEB_EXPORT(web_read) int web_read(const char *options)
 {
-    return web_request_read(&web_now, &web_wrong, options);
+    return web_request_read(&web_now, &web_wrong, options) ? web_now.count : 0;
 }
 
 WEB_EXPORT(web_wrong_option) const char *web_wrong_option(void)
@@ -80,22 +80,6 @@ WEB_EXPORT(web_wrong_option) const char *web_wrong_option(void)
 WEB_EXPORT(web_wrong_text) const char *web_wrong_text(void)
 {
     return web_wrong.text;
-}
-
-WEB_EXPORT(web_contact_count) int web_contact_count(void)
-{
-    return web_now.count;
-}
-
-WEB_EXPORT(web_equation) const char *web_equation(void)
-{
-    static const char *const equation[] = {[COR_LAW_VISCOELASTIC] = "x'' + beta sqrt(x) x' + x^(3/2) = 0",
-                                           [COR_LAW_LINEAR] = "x'' + beta x' + x = 0",
-                                           [COR_LAW_TSUJI] = "x'' + beta x^(1/4) x' + x^(3/2) = 0",
-                                           [COR_LAW_HUNT_CROSSLEY] = "x'' + beta x^(3/2) x' + x^(3/2) = 0",
-                                           [COR_LAW_HERTZ_DASHPOT] = "x'' + beta x' + x^(3/2) = 0",
-                                           [COR_LAW_PLATE] = "x'' + beta sqrt(x) x' + x^(3/2) = 0, a plate"};
-    return equation[web_now.law];
 }
 
 /* ---- the contact ---- */
@@ -157,7 +141,7 @@ static int is_step_end(int contact, int end)
     return end == COR_END_ZERO_OVERLAP || cor_scene_ends_differ(&web_now.contact[0]);
 }
 
-static int step_ends(void)
+WEB_EXPORT(web_step_ends) int web_step_ends(void)
 {
     return is_step_end(0, COR_END_ZERO_OVERLAP) + is_step_end(0, COR_END_ZERO_FORCE);
 }
@@ -199,10 +183,9 @@ static double step_of(const double *speed_m_s, size_t n)
 #define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */
 
 /* Bias and scatter of eps at the time step; NaN: that of the request, where up to STEPS_ON_PAGE are tried. n of each:
- * of the end that is given or measured, or of both ends; for the second contact, if there is one, again. Returns the
- * number of ends. */
+ * of the end that is given or measured, or of both ends; for the second contact, if there is one, again. */
 WEB_EXPORT(web_step_errors)
-int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
+void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
 {
     const double most = isnan(time_step_s) ? STEPS_ON_PAGE : (double)INFINITY;
     const double time_step = isnan(time_step_s) ? step_of(speed_m_s, n) : time_step_s;
@@ -223,12 +206,6 @@ int web_step_errors(const double *speed_m_s, double *y, size_t n, double time_st
             }
             y += 2 * n;
         }
-    return step_ends();
-}
-
-WEB_EXPORT(web_step_ends) int web_step_ends(void)
-{
-    return step_ends();
 }
 
 /* The csv of corgen contact with the speeds of the request; with `errors` that of --steps */
@@ -236,7 +213,7 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
 {
     enum { STEP_DIGITS = 4 };
     static double y[COR_SCENE_ENDS * COLUMNS * WEB_SPEEDS], error[2 * COR_SCENE_ENDS * WEB_SPEEDS];
-    const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)step_ends() : 0;
+    const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)web_step_ends() : 0;
     web_text_clear();
     web_put("speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,duration_s_zero_force,"
             "max_overlap_m,max_force_n,time_step_s%s%s\n",

@@ -146,7 +146,6 @@ function showValues(how, at) {
 }
 
 function showResults() {
-    $("equation").textContent = cor.page.text("equation");
     const [head, ...rows] = csv(cor.page.text("table", TEXT_DIGITS, 1));
     // which end the eps was measured at stands in front, where two rows of a speed differ in it
     const order = (row) => head.at(-1) === "measured_end" ? [row.at(-1), ...row.slice(0, -1)] : row;

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cor/status.h"
 #include "web/web.h"
 
 struct web_request web_now;
@@ -187,15 +186,9 @@ static int read_option(struct web_request *r, struct web_wrong *wrong, const cha
 /* The option at which a fault is shown: that of its number, or what lacks */
 static const char *option_of(const struct cor_scene_fault *fault)
 {
-    static const char *const of_status[] = {[COR_ERROR_YOUNG_MODULUS] = "young",
-                                            [COR_ERROR_POISSON_RATIO] = "poisson",
-                                            [COR_ERROR_DISSIPATION_TIME] = "dissipation-time",
-                                            [COR_ERROR_RADIUS] = "radius",
-                                            [COR_ERROR_MASS] = "mass"};
-    const size_t status = (size_t)fault->status;
     switch (fault->fault) {
     case COR_FAULT_MATERIAL:
-        return status < sizeof of_status / sizeof *of_status && of_status[status] ? of_status[status] : "radius";
+        return "young";
     case COR_FAULT_NO_SPEED:
     case COR_FAULT_SPEED_ALONE:
         return "at";
