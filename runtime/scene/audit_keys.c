@@ -477,13 +477,35 @@ static int elements_of(struct audit *a, const char *key, struct elements *e)
     return *at == '=';
 }
 
+/* MFiX takes a 50th, or another fraction, of the shortest contact of two particles with linear springs. */
+static void set_mfix_step(struct audit *a, double stiffness, double factor)
+{
+    static const double pi = 3.14159265358979323846;
+    double shortest = INFINITY;
+    for (const struct audit_contact *c = a->contact; c < a->contact + a->contacts; c++) {
+        if (c->wall || c->unknown)
+            continue;
+        double inverse = 0;
+        for (int k = 0; k < 2; k++) {
+            const struct audit_type *const t = &a->type[c->first[k]];
+            inverse += 3 / (4 * pi * pow(t->radius[0], 3) * t->density);
+        }
+        const double l = log(c->number), duration = sqrt((pi * pi + l * l) / (inverse * stiffness));
+        if (duration < shortest || isnan(duration)) /* NaN stays: what is not known may be the shortest */
+            shortest = duration;
+    }
+    if (shortest < INFINITY)
+        set_time_step(a, shortest / factor);
+}
+
 void audit_mfix(struct audit *a)
 {
-    enum { DIAMETER, DENSITY, YOUNG, POISSON, WALL_YOUNG, WALL_POISSON, KN, KN_WALL, PHASES, NUMBERS };
-    static const char *const keys[NUMBERS] = {"D_P0",       "RO_S0", "E_YOUNG", "V_POISSON", "EW_YOUNG",
-                                              "VW_POISSON", "KN",    "KN_W",    "MMAX"};
+    enum { DIAMETER, DENSITY, YOUNG, POISSON, WALL_YOUNG, WALL_POISSON, KN, KN_WALL, FACTOR, PHASES, NUMBERS };
+    static const char *const keys[NUMBERS] = {"D_P0",       "RO_S0", "E_YOUNG", "V_POISSON",      "EW_YOUNG",
+                                              "VW_POISSON", "KN",    "KN_W",    "DTSOLID_FACTOR", "MMAX"};
     double stiffness[2] = {(double)NAN, (double)NAN};
     struct audit_type wall = {"wall", {(double)NAN, (double)NAN}, (double)NAN, (double)NAN, (double)NAN};
+    double factor = 50;
     int hertz = 0, phases = 1;
     const char *fault = NULL, *value;
     size_t size;
@@ -504,6 +526,8 @@ void audit_mfix(struct audit *a)
                     t->radius[0] = t->radius[1] = number / 2;
                 else if (k == PHASES)
                     phases = number >= 1 && number < AUDIT_TYPES ? (int)number : phases;
+                else if (k == FACTOR)
+                    factor = number;
                 else if (k == KN || k == KN_WALL)
                     stiffness[k == KN_WALL] = number;
                 else
@@ -535,6 +559,8 @@ void audit_mfix(struct audit *a)
         }
         if (elements_of(a, "DES_COLL_MODEL", &e))
             hertz = strstr(e.at, "HERTZ") || strstr(e.at, "hertz");
+        if (elements_of(a, "DES_INTG_METHOD", &e) && (strstr(e.at, "ADAMS") || strstr(e.at, "adams")))
+            a->integrator = COR_NO_INTEGRATOR;
         if (elements_of(a, "UNITS", &e) && (strstr(e.at, "cgs") || strstr(e.at, "CGS"))) {
             a->length = 1e-2;
             a->mass = 1e-3;
@@ -570,6 +596,8 @@ void audit_mfix(struct audit *a)
         else if (isnan(contact->number))
             cannot_be_known(contact, "Its number could not be read.");
     }
+    if (!hertz)
+        set_mfix_step(a, stiffness[0], factor);
 }
 
 /* ---- MuJoCo ---- */

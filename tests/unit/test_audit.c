@@ -336,6 +336,12 @@ static void keywords(void **state)
     finds(4, 15, 0.1, 0.141277, "2-wall");
     assert_true(seen.finding[1].duration_s > seen.finding[0].duration_s);
 
+    assert_int_equal(audit(" des_en_input(1) = 0.9\n kn = 1e4\n d_p0(1) = 0.005\n ro_s0(1) = 2000\n", NAN),
+                     COR_AUDIT_AS_ASKED);
+    check(fabs(seen.finding[0].duration_s / seen.finding[0].time_step_s - 50) < 1e-9, "%g steps",
+          seen.finding[0].duration_s / seen.finding[0].time_step_s);
+    assert_true(seen.finding[0].step_scatter > 1e-4 && seen.finding[0].step_scatter < 9e-3);
+
     assert_int_equal(audit(mujoco_text, NAN), COR_AUDIT_NOT_AS_ASKED);
     assert_int_equal(seen.count, 4);
     finds(0, 8, NAN, 0.506277, "timeconst, dampratio), dmin = dmax, floor-floor");
