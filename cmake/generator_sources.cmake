@@ -77,6 +77,7 @@ set(COR_GENERATOR_SOURCES
   gen/support/output.c
   gen/support/parallel.c
   gen/support/precision.c
+  gen/support/words.c
   gen/sweep/hard_wall.c
   gen/sweep/journal.c
   gen/sweep/run.c

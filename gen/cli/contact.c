@@ -200,8 +200,8 @@ static const struct option_numbers tolerance_numbers = {
 
 #define AT(FIELD) offsetof(struct contact_arguments, FIELD)
 static const struct option_rule options[] = {
-    CONTACT_OPTIONS(struct contact_arguments),
-    {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &speed_rule},
+    SCENE_OPTIONS(struct contact_arguments, &option_sphere_poisson, NULL, ""),
+    {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &speed_rule, .unit = "m/s"},
     {.name = "steps",
      .kind = OPTION_REAL,
      .offset = AT(steps),

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include "cli/dispatch.h"
 
 #include <errno.h>
@@ -9,6 +8,7 @@
 #include "cli/completion.h"
 #include "cli/overview.h"
 #include "support/console.h"
+#include "support/words.h"
 #include "sweep/ranks.h"
 
 static int print_whole(const char *text)
@@ -39,24 +39,21 @@ static int print_version(const char *version)
     return output_commit(&out);
 }
 
+enum { SUBCOMMANDS_MOST = 32 };
+
 /* The subcommand of that name. Returns NULL after a message if `name` is NULL or not a subcommand. */
 static const struct subcommand *subcommand_named(const struct subcommand *const *table, const char *name)
 {
     for (const struct subcommand *const *row = table; name && *row; row++)
         if (strcmp((*row)->name, name) == 0)
             return *row;
-    char *names = NULL;
-    size_t size;
-    FILE *const file = open_memstream(&names, &size);
-    for (const struct subcommand *const *row = table; file && *row; row++)
-        fprintf(file, "%s%s", row == table ? "" : ", ", (*row)->name);
-    if (file)
-        fclose(file);
+    const char *names[SUBCOMMANDS_MOST + 1] = {NULL};
+    for (int i = 0; i < SUBCOMMANDS_MOST && table[i]; i++)
+        names[i] = table[i]->name;
     if (name)
-        usage_error("'%s' is not a subcommand; allowed: %s; see corgen --help", name, names ? names : "");
+        refuse_word(name, names, "", "'%s' is not a subcommand", name);
     else
-        usage_error("no subcommand; allowed: %s; see corgen --help", names ? names : "");
-    free(names);
+        refuse_word("", names, "", "no subcommand; see corgen --help");
     return NULL;
 }
 

@@ -34,15 +34,15 @@ static int run_embed(const void *arguments)
     struct embed_scene scene;
     struct embed_form form[FAMILIES] = {{0}};
     struct embed_series series;
-    struct law law;
+    struct contacts contacts;
     int status = embed_request_check(&o->scene);
     if (status == STATUS_OK)
-        status = embed_request_law(&law, &o->scene);
+        status = contacts_of_request(&contacts, &o->scene);
     if (status != STATUS_OK)
         return status;
     profile_step("collisions, series");
-    embed_series_begin(&series, &law, (enum contact_end)o->scene.end);
-    status = embed_scene_init(&scene, &o->scene);
+    embed_series_begin(&series, &contacts.law, (enum contact_end)o->scene.end);
+    status = embed_scene_init(&scene, &o->scene, &contacts.contact[0]);
     const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
         status = series_status;
@@ -59,7 +59,7 @@ static int run_embed(const void *arguments)
 }
 
 static const char help[] =
-    "Usage: corgen embed --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n\n"
+    "Usage: corgen embed --speed-min G --speed-max G --tolerance T BODIES DISSIPATION [OPTION]...\n\n"
     "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"
     "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n\n"
     "  --speed-min G, --speed-max G   the range of speeds in m/s; speeds outside give the value of the nearer end\n"
@@ -67,25 +67,15 @@ static const char help[] =
     "  --type T         double (default) or float\n"
     "  --for USE        optimize for scalar (single calls), array (loops that become vectors) or balanced\n"
     "                   (default, both)\n"
-    "  --name NAME      name of the function and of the include guard (default cor_scene_eps)\n" HELP_SCENE_LAW
-    "\nCONTACT is one of these. The characteristic speed:\n"
-    "  --g-star G       m/s, from eps = 1 - (speed/g*)^q + ..., beta ~ speed^q, q = 1/5 for spheres\n"
-    "beta at one speed:\n"
-    "  --beta BETA --at G\n"
-    "the force K x^A + C x^B x' in SI units, and the effective mass m_1 m_2/(m_1 + m_2):\n"
-    "  --stiffness K --damping-coefficient C --effective-mass M\n"
-    "the materials of two viscoelastic spheres; each quantity of the second defaults to that of the first:\n"
-    "  --young Y, --poisson NU      Pa, -\n"
-    "  --radius R                   m\n"
-    "  --density D or --mass M      kg/m^3, kg\n"
-    "  --dissipation-time A         s\n"
-    "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2, --dissipation-time-2\n"
-    "  --wall           the second body is a fixed plane\n\n" HELP_COMMON
+    "  --name NAME      name of the function and of the include guard (default cor_scene_eps)\n" HELP_CONTACT
+    "\n" HELP_COMMON
     "\nExample: corgen embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6 --output cor_scene_eps.h\n";
 
 #define AT(FIELD) offsetof(struct embed_arguments, FIELD)
 static const struct option_rule options[] = {
-    SCENE_OPTIONS(struct embed_arguments, &option_sphere_poisson, ""),
+    SCENE_RANGE(struct embed_arguments),
+    SCENE_OPTIONS(struct embed_arguments, &option_sphere_poisson, NULL, ""),
+    SCENE_PURPOSE(struct embed_arguments, NULL),
     {.name = "type", .kind = OPTION_WORD, .offset = AT(scene.type), .range.words = embed_type_names, .why = "a type"},
     {.name = "name", .kind = OPTION_C_NAME, .offset = AT(scene.name)},
     OPTION_COMMON(struct embed_arguments),

@@ -173,17 +173,6 @@ static const char help[] =
     "\nExample: corgen fit measured.csv --law viscoelastic,constant --plot measured.svg\n";
 
 #define AT(FIELD) offsetof(struct fit_arguments, FIELD)
-#define FIT_BODY(SUFFIX, NUMBER_SUFFIX, YOUNG)                                                                         \
-    SCENE_NUMBER(struct fit_arguments, "young" SUFFIX, COR_SCENE_YOUNG##NUMBER_SUFFIX, YOUNG, false, NULL),            \
-        SCENE_NUMBER(struct fit_arguments, "poisson" SUFFIX, COR_SCENE_POISSON##NUMBER_SUFFIX, &option_sphere_poisson, \
-                     false, NULL),                                                                                     \
-        SCENE_NUMBER(struct fit_arguments, "radius" SUFFIX, COR_SCENE_RADIUS##NUMBER_SUFFIX, &option_positive, false,  \
-                     NULL),                                                                                            \
-        SCENE_NUMBER(struct fit_arguments, "density" SUFFIX, COR_SCENE_DENSITY##NUMBER_SUFFIX, &option_positive,       \
-                     false, NULL),                                                                                     \
-        SCENE_NUMBER(struct fit_arguments, "mass" SUFFIX, COR_SCENE_MASS##NUMBER_SUFFIX, &option_positive, false,      \
-                     NULL)
-
 /* Single models only: a shell need not offer lists of them. */
 static const char *const law_words[] = {"all",   "viscoelastic",  "plate",         "constant",  "linear",
                                         "tsuji", "hunt-crossley", "hertz-dashpot", "power-law", NULL};
@@ -191,15 +180,15 @@ static const char *const law_words[] = {"all",   "viscoelastic",  "plate",      
 static const struct option_rule options[] = {
     {.name = "data", .kind = OPTION_FILE, .offset = AT(data), .required = true, .operand = "DATA.csv"},
     {.name = "unit", .kind = OPTION_WORD, .offset = AT(unit), .range.words = fit_unit_names, .why = "a unit"},
-    {.name = "gravity", .kind = OPTION_REAL, .offset = AT(gravity), .range.number = &option_positive},
+    {.name = "gravity", .kind = OPTION_REAL, .offset = AT(gravity), .range.number = &option_positive, .unit = "m/s^2"},
     {.name = "law", .kind = OPTION_TEXT, .offset = AT(law), .range.words = law_words},
     OPTION_END(struct fit_arguments, end),
     {.name = "separator", .kind = OPTION_TEXT, .offset = AT(separator), .range.words = separator_names},
     {.name = "decimal-comma", .kind = OPTION_FLAG, .offset = AT(decimal_comma)},
     {.name = "robust", .kind = OPTION_FLAG, .offset = AT(robust)},
     {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot)},
-    FIT_BODY("", , &option_positive),
-    FIT_BODY("-2", _2, &option_positive_or_infinite),
+    SCENE_BODY(struct fit_arguments, "", , &option_positive, &option_sphere_poisson, NULL, NULL),
+    SCENE_BODY(struct fit_arguments, "-2", _2, &option_positive_or_infinite, &option_sphere_poisson, NULL, NULL),
     {.name = "wall", .kind = OPTION_FLAG, .offset = AT(scene.wall)},
     OPTION_FORMAT(struct fit_arguments, option_formats),
     OPTION_COMMON(struct fit_arguments),

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include "cli/options.h"
 
 #include <errno.h>
@@ -13,6 +12,7 @@
 #include "support/c_names.h"
 #include "support/console.h"
 #include "support/local.h"
+#include "support/words.h"
 #include "sweep/values.h"
 
 enum { LONG_OPTION = 256 /* beyond every character */ };
@@ -70,18 +70,59 @@ static int parse_whole(slong *value, const struct option_rule *rule, const char 
     return STATUS_OK;
 }
 
-static int refuse_real(const char *name, const struct option_numbers *numbers, const char *text)
+static int refuse_real(const char *name, const struct option_numbers *numbers, const char *unit, const char *text)
 {
-    return usage_error("--%s: '%s' is not %s, written as 0.1, 1.5e-3 (exponent of at most %d digits)%s", name, text,
-                       numbers->range.allowed, DECIMAL_EXPONENT_DIGITS,
-                       numbers->forms & DECIMAL_RATIO ? " or 2/3" : "");
+    return usage_error("--%s: '%s' is not %s, written as 0.1, 1.5e-3 (exponent of at most %d digits)%s%s%s", name, text,
+                       numbers->range.allowed, DECIMAL_EXPONENT_DIGITS, numbers->forms & DECIMAL_RATIO ? " or 2/3" : "",
+                       unit ? ", in " : "", unit ? unit : "");
 }
 
 int options_check_real(const char *name, const struct option_numbers *numbers, const struct decimal *value)
 {
     return (value->forms & ~numbers->forms) == 0 && decimal_inside(&numbers->range, value->value)
                ? STATUS_OK
-               : refuse_real(name, numbers, value->text);
+               : refuse_real(name, numbers, NULL, value->text);
+}
+
+/* Whether a text of that length is this unit with a prefix such as G, and the power of ten of the prefix */
+static bool is_unit(int *power, const char *text, size_t length, const char *unit)
+{
+    static const struct {
+        const char *text;
+        int power;
+    } prefix[] = {{"", 0}, {"n", -9}, {"u", -6}, {"\xc2\xb5", -6}, {"m", -3}, {"c", -2}, {"k", 3}, {"M", 6}, {"G", 9}};
+    const bool grams = strncmp(unit, "kg", 2) == 0;
+    for (size_t i = 0; i < sizeof prefix / sizeof *prefix; i++) {
+        char whole[OPTIONS_MAX_NAME];
+        snprintf(whole, sizeof whole, "%s%s", prefix[i].text, grams ? unit + 1 : unit);
+        *power = prefix[i].power - (grams ? 3 : 0);
+        if (strlen(whole) == length && strncmp(whole, text, length) == 0)
+            return true;
+    }
+    *power = 3; /* of a density */
+    return strcmp(unit, "kg/m^3") == 0 && ((length == 6 && strncmp(text, "g/cm^3", length) == 0) ||
+                                           (length == 5 && strncmp(text, "g/cm3", length) == 0));
+}
+
+/* Refuses a number that its unit follows, and says the number without it. A list counts by its first number. */
+static int check_unit(const struct option_rule *rule, const char *text)
+{
+    if (!rule->unit)
+        return STATUS_OK;
+    const size_t length = rule->kind == OPTION_LIST ? strcspn(text, ",:") : strlen(text);
+    const size_t digits = strspn(text, "0123456789.");
+    char *end = (char *)text + digits;
+    int exponent = 0, power;
+    if (digits > 0 && (*end == 'e' || *end == 'E') && end[1] && strchr("+-0123456789", end[1]))
+        exponent = (int)strtol(end + 1, &end, 10);
+    end += strspn(end, " ");
+    if (digits == 0 || end >= text + length || !is_unit(&power, end, length - (size_t)(end - text), rule->unit))
+        return STATUS_OK;
+    char number[OPTIONS_MAX_NAME];
+    const int size = snprintf(number, sizeof number, "%.*s", (int)digits, text);
+    if (power + exponent != 0 && size < (int)sizeof number)
+        snprintf(number + size, sizeof number - (size_t)size, "e%d", power + exponent);
+    return usage_error("--%s: '%.*s' has a unit: write %s, in %s", rule->name, (int)length, text, number, rule->unit);
 }
 
 static int parse_real(struct decimal *value, const struct option_rule *rule, const char *text)
@@ -92,18 +133,7 @@ static int parse_real(struct decimal *value, const struct option_rule *rule, con
     }
     return decimal_parse(value, text, DECIMAL_EXPONENT_DIGITS)
                ? options_check_real(rule->name, rule->range.number, value)
-               : refuse_real(rule->name, rule->range.number, text);
-}
-
-/* The text "a, b, c" of words, each with a prefix; malloc'ed */
-static char *joined(const char *const *words, const char *prefix)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *const file = open_memstream(&text, &size);
-    for (const char *const *word = words; file && *word; word++)
-        fprintf(file, "%s%s%s", word == words ? "" : ", ", prefix, *word);
-    return file && fclose(file) == 0 ? text : xstrdup("");
+               : refuse_real(rule->name, rule->range.number, rule->unit, text);
 }
 
 static int parse_word(int *place, const struct option_rule *rule, const char *text)
@@ -114,10 +144,7 @@ static int parse_word(int *place, const struct option_rule *rule, const char *te
             return STATUS_OK;
         }
     }
-    char *const allowed = joined(rule->range.words, "");
-    const int status = usage_error("--%s: '%s' is not %s; allowed: %s", rule->name, text, rule->why, allowed);
-    free(allowed);
-    return status;
+    return refuse_word(text, rule->range.words, "", "--%s: '%s' is not %s", rule->name, text, rule->why);
 }
 
 /* Reads a C identifier that is free in C and C++. */
@@ -138,6 +165,8 @@ static int parse_c_name(const char **name, const struct option_rule *rule, const
 
 static int parse_value(void *field, const struct option_rule *rule, const char *text)
 {
+    if (check_unit(rule, text) != STATUS_OK)
+        return STATUS_USAGE;
     switch (rule->kind) {
     case OPTION_FLAG:
         *(bool *)field = true;
@@ -207,16 +236,17 @@ static const char *example(const struct option_rule *rule)
 
 static int refuse_unknown(const char *command, const struct option_rule *rules, const char *option)
 {
-    const char **name = xmalloc((count_rules(rules) + 1) * sizeof *name);
+    const char **name = xmalloc((count_rules(rules) + 2) * sizeof *name);
     size_t n = 0;
     for (size_t i = 0; rules[i].name; i++)
         if (rules[i].kind != OPTION_FILES)
             name[n++] = rules[i].name;
+    name[n++] = help_name;
     name[n] = NULL;
-    char *const allowed = joined(name, "--");
+    char word[OPTIONS_MAX_NAME + 1]; /* --NAME=VALUE without dashes and value */
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(option, "="), option);
     const int status =
-        usage_error("corgen %s does not know '%s'; allowed: %s, --%s", command, option, allowed, help_name);
-    free(allowed);
+        refuse_word(word + strspn(word, "-"), name, "--", "corgen %s does not know '%s'", command, option);
     free(name);
     return status;
 }

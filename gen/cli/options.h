@@ -49,6 +49,7 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
+    const char *unit;     /* of a number, "Pa"; NULL: none */
     const char *why;      /* reason for the upper limit; for words: their meaning, "an end of contact" */
     const char *excludes; /* options that contradict this one, space separated, or NULL */
     const char *needs;    /* the option that this one requires, or NULL */

@@ -29,7 +29,11 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
         if (status != STATUS_OK)
             return status;
     }
-    const struct plan_spheres_request request = {o->scene, o->points};
+    struct contacts contacts;
+    const int status = contacts_of_request(&contacts, &o->scene);
+    if (status != STATUS_OK)
+        return status;
+    const struct plan_spheres_request request = {o->scene, contacts.contact[0], o->points};
     return plan_spheres(plan, &request);
 }
 
@@ -54,20 +58,13 @@ static int run_plan(const void *arguments)
 }
 
 static const char help[] =
-    "Usage: corgen plan --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n"
+    "Usage: corgen plan --speed-min G --speed-max G --tolerance T BODIES DISSIPATION [OPTION]...\n"
     "       corgen plan --disks --speed-min V --speed-max V --tolerance T --poisson NU [OPTION]...\n\n"
     "Compares models of restitution with collisions over a range of speeds, and names the cheapest\n"
     "that meets the tolerance, with the command or call to use.\n\n"
-    "Spheres: speeds in m/s, T the relative error of eps, 1e-15 to below 1. CONTACT is one of these, as\n"
-    "corgen embed --help explains:\n"
-    "  --g-star G       m/s\n"
-    "  --young Y, --poisson NU, --radius R, --density D or --mass M, --dissipation-time A     SI units\n"
-    "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2, --dissipation-time-2        of the second sphere\n"
-    "  --wall           the second body is a fixed plane\n"
-    "  --beta BETA --at G, or --stiffness K --damping-coefficient C --effective-mass M, of this or another "
-    "law\n" HELP_END HELP_SCENE_LAW
+    "Spheres and other laws: speeds in m/s, T the relative error of eps, 1e-15 to below 1.\n" HELP_END
     "  --for USE        compare the time of scalar (single calls), array (loops) or balanced\n"
-    "                   (default, both)\n\n"
+    "                   (default, both)\n" HELP_CONTACT "\n"
     "Disks: speeds in sqrt(E/rho), 0.001 to 0.5; against a rigid wall, all modes counted.\n"
     "  --disks          disks instead of spheres; they lose energy to their vibrations\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
@@ -83,7 +80,9 @@ static const char help[] =
 
 #define AT(FIELD) offsetof(struct plan_arguments, FIELD)
 static const struct option_rule options[] = {
-    SCENE_OPTIONS(struct plan_arguments, &option_disk_poisson, "disks"),
+    SCENE_RANGE(struct plan_arguments),
+    SCENE_OPTIONS(struct plan_arguments, &option_disk_poisson, NULL, "disks"),
+    SCENE_PURPOSE(struct plan_arguments, "disks"),
     {.name = "disks", .kind = OPTION_FLAG, .offset = AT(disks)},
     {.name = "quantity",
      .kind = OPTION_WORD,

@@ -82,13 +82,11 @@ static const char help[] =
 
 #define AT(FIELD) offsetof(struct sample_arguments, FIELD)
 static const struct option_rule options[] = {
-    SCENE_NUMBER(struct sample_arguments, "speed-min", EMBED_SPEED_MIN, &option_positive, true, NULL),
-    SCENE_NUMBER(struct sample_arguments, "speed-max", EMBED_SPEED_MAX, &option_positive, true, NULL),
-    SCENE_NUMBER(struct sample_arguments, "tolerance", EMBED_TOLERANCE, &option_positive, true, NULL),
+    SCENE_RANGE(struct sample_arguments),
     {.name = "log", .kind = OPTION_FLAG, .offset = AT(log)},
     {.name = "cubic", .kind = OPTION_FLAG, .offset = AT(cubic)},
     {.name = "duration", .kind = OPTION_FLAG, .offset = AT(duration)},
-    CONTACT_OPTIONS(struct sample_arguments),
+    SCENE_OPTIONS(struct sample_arguments, &option_sphere_poisson, NULL, ""),
     OPTION_FORMAT(struct sample_arguments, sample_format_names),
     OPTION_COMMON(struct sample_arguments),
     {.name = NULL},

@@ -241,6 +241,12 @@ static void search_family(void *context, slong family)
     struct embed_form *const form = &search->form[family];
     const bool tenth = s->end == END_ZERO_FORCE; /* sqrt(beta), in which eps is analytic at 0 */
     *form = form_blank(s, (enum embed_family)family, SPEED);
+    if (s->constant) {
+        snprintf(form->why, sizeof form->why, "eps is the same at every speed");
+        if (family == FAMILY_RATIONAL_SPEED)
+            try_rational(form, s, SPEED, 0, 0);
+        return;
+    }
     if (family <= FAMILY_TWO_POINT && !law_is_sphere(&s->law)) {
         snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only");
         return;

@@ -1,21 +1,56 @@
 /* SPDX-License-Identifier: MIT */
 #include "embed/contact.h"
 
+#include "enclosure/collision.h"
+#include "support/console.h"
 #include "support/local.h"
 
-/* ---- two bodies: include/cor/contact.h ---- */
+/* ---- bodies: include/cor/contact.h ---- */
 
 static const fmpq *number_of(const struct embed_request *request, int which, int body)
 {
     return embed_number_of_body(request, which, body)->value;
 }
 
-/* c_i = (1 - nu_i^2)/Y_i */
+/* (1 - nu^2)/Y */
 static void compliance_of(fmpq_t c, const struct embed_request *request, int body)
 {
-    fmpq_set_si(c, 1, 1);
-    fmpq_submul(c, number_of(request, COR_SCENE_POISSON, body), number_of(request, COR_SCENE_POISSON, body));
+    fmpq_mul(c, number_of(request, COR_SCENE_POISSON, body), number_of(request, COR_SCENE_POISSON, body));
+    fmpq_sub_ui(c, c, 1);
+    fmpq_neg(c, c);
     fmpq_div(c, c, number_of(request, COR_SCENE_YOUNG, body));
+}
+
+/* A_i; of viscosities (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y */
+static void dissipation_time_of(fmpq_t time, const struct embed_request *request, int body)
+{
+    const char *const viscosity = request->viscosity[body == 2 && request->viscosity[1] ? 1 : 0];
+    fmpq_zero(time);
+    if (!viscosity) {
+        if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
+            fmpq_set(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body));
+        return;
+    }
+    const fmpq *const nu = number_of(request, COR_SCENE_POISSON, body);
+    struct decimal eta[2] = {{0}};
+    LOCAL(fmpq, x, minus);
+    embed_viscosity(eta, viscosity);
+    fmpq_neg(minus, nu);
+    fmpq_add_ui(minus, minus, 1); /* 1 - nu */
+    fmpq_mul(x, nu, nu);
+    fmpq_add(x, x, minus);
+    fmpq_mul(time, x, eta[0].value);
+    fmpq_mul_ui(time, time, 2);
+    fmpq_div_fmpz(time, time, (fmpz[]){3});
+    fmpq_sub(x, minus, nu);
+    fmpq_mul(x, x, x);
+    fmpq_addmul(time, x, eta[1].value);
+    fmpq_add_ui(x, nu, 1);
+    fmpq_div(x, x, minus);
+    fmpq_mul(time, time, x);
+    fmpq_div(time, time, number_of(request, COR_SCENE_YOUNG, body));
+    decimal_clear(&eta[0]);
+    decimal_clear(&eta[1]);
 }
 
 /* m_i, or m_i = (4/3) pi R_i^3 density_i if the mass is not given */
@@ -36,17 +71,35 @@ static void mass_of(arb_t mass, const struct embed_request *request, int body, s
     arb_div_ui(mass, mass, 3, prec);
 }
 
-/* beta g^(-1/5) = (3/2) A (rho/m)^(2/5), docs/theory.md, (1.1), with rho = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1
- * c_1 + A_2 c_2)/(c_1 + c_2). A wall has 1/R = 1/m = 0. */
-static void beta_of_materials(arb_t beta, const struct embed_request *request, slong prec)
+/* m/Z, Z = 4 h^2 sqrt(E rho/(3 (1 - nu^2))) of the plate */
+static void plate_time(arb_t time, const struct embed_request *request, const arb_t mass, slong prec)
 {
-    LOCAL(fmpq, c, compliance, inverse_radius, time, x);
-    LOCAL(arb, inverse_mass, mass);
+    LOCAL(fmpq, c, x);
+    fmpq_pow_si(x, request->number[COR_SCENE_PLATE_THICKNESS].value, 4);
+    fmpq_mul_ui(x, x, 16);
+    fmpq_mul(x, x, number_of(request, COR_SCENE_DENSITY, 2));
+    compliance_of(c, request, 2);
+    fmpq_mul_ui(c, c, 3);
+    fmpq_div(x, x, c); /* Z^2 */
+    arb_set_fmpq(time, x, prec);
+    arb_sqrt(time, time, prec);
+    arb_div(time, mass, time, prec);
+}
+
+/* m, K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies. A wall and a plate have 1/R =
+ * 1/m = 0; a plate has A_2 = 0, and m/Z is added to A. */
+static void bodies_of(arb_t mass, arb_t stiffness, arb_t time, const struct embed_request *request, slong prec)
+{
+    const bool plate = request->law == COR_LAW_PLATE;
+    LOCAL(fmpq, c, compliance, inverse_radius, weighted, x);
+    LOCAL(arb, inverse_mass);
     for (int body = 1; body <= 2; body++) {
         compliance_of(c, request, body);
         fmpq_add(compliance, compliance, c);
-        fmpq_addmul(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body), c);
-        if (body == 2 && request->wall)
+        dissipation_time_of(x, request, body);
+        if (body == 1 || !plate)
+            fmpq_addmul(weighted, x, c);
+        if (body == 2 && (request->wall || plate))
             continue;
         fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
         fmpq_add(inverse_radius, inverse_radius, x);
@@ -54,21 +107,21 @@ static void beta_of_materials(arb_t beta, const struct embed_request *request, s
         arb_inv(mass, mass, prec);
         arb_add(inverse_mass, inverse_mass, mass, prec);
     }
-    /* (rho/m)^2 */
+    arb_inv(mass, inverse_mass, prec);
     fmpq_mul(x, compliance, compliance);
     fmpq_mul(x, x, inverse_radius);
     fmpq_mul_ui(x, x, 9);
     fmpq_inv(x, x);
     fmpq_mul_ui(x, x, 16);
-    arb_sqr(inverse_mass, inverse_mass, prec);
-    arb_set_fmpq(beta, x, prec);
-    arb_mul(beta, beta, inverse_mass, prec);
-    arb_root_ui(beta, beta, 5, prec);
-    fmpq_div(time, time, compliance);
-    arb_set_fmpq(mass, time, prec);
-    arb_mul(beta, beta, mass, prec);
-    arb_mul_ui(beta, beta, 3, prec);
-    arb_mul_2exp_si(beta, beta, -1);
+    arb_set_fmpq(stiffness, x, prec);
+    arb_sqrt(stiffness, stiffness, prec);
+    fmpq_div(x, weighted, compliance);
+    if (plate)
+        plate_time(time, request, mass, prec);
+    else
+        arb_zero(time);
+    arb_set_fmpq(inverse_mass, x, prec);
+    arb_add(time, time, inverse_mass, prec);
 }
 
 /* ---- the characteristic speed ---- */
@@ -110,38 +163,124 @@ static void beta_of_g_star(arb_t beta, const struct decimal *g_star, const struc
 
 static void beta_of_beta(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
 {
+    arb_set_fmpq(beta, request->number[COR_SCENE_BETA].value, prec);
+    if (law_is_linear(law))
+        return;
     LOCAL(arb, power);
     arb_set_fmpq(power, request->number[COR_SCENE_AT].value, prec);
     arb_pow_ratio(power, power, law_speed_exponent(law), prec);
-    arb_set_fmpq(beta, request->number[COR_SCENE_BETA].value, prec);
     arb_div(beta, beta, power, prec);
 }
 
 /* ---- the force K x^a + C x^b x' ---- */
 
-/* beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9 */
+/* beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9. C is given, or (3/2) A K. */
 static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
 {
     const struct ratio one = {1, 1};
-    LOCAL(arb, mass, factor);
-    arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
-    arb_set_fmpq(factor, request->number[COR_SCENE_STIFFNESS].value, prec);
-    arb_div(factor, mass, factor, prec);
-    arb_pow_ratio(beta, factor, ratio_div(ratio_add(law->b, one), ratio_add(law->a, one)), prec);
-    arb_set_fmpq(factor, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
-    arb_mul(beta, beta, factor, prec);
+    LOCAL(arb, mass, stiffness, coefficient);
+    if (embed_given(request, COR_SCENE_YOUNG)) {
+        bodies_of(mass, stiffness, coefficient, request, prec);
+    } else {
+        arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
+        arb_set_fmpq(stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
+        if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
+            arb_set_fmpq(coefficient, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
+    }
+    if (embed_given(request, COR_SCENE_DAMPING_COEFFICIENT)) {
+        arb_set_fmpq(coefficient, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
+    } else {
+        arb_mul(coefficient, coefficient, stiffness, prec);
+        arb_mul_ui(coefficient, coefficient, 3, prec);
+        arb_mul_2exp_si(coefficient, coefficient, -1);
+    }
+    arb_div(stiffness, mass, stiffness, prec);
+    arb_pow_ratio(beta, stiffness, ratio_div(ratio_add(law->b, one), ratio_add(law->a, one)), prec);
+    arb_mul(beta, beta, coefficient, prec);
     arb_div(beta, beta, mass, prec);
 }
 
-void embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request, const struct law *law,
-                                 slong prec)
+/* ---- a measured restitution ---- */
+
+enum { SOLVE_BITS = 192, SOLVE_HALF_WIDTH = -80 /* a power of two */, SOLVE_STEPS = 8 };
+
+int embed_contact_eps(arb_t eps, const arb_t beta, const struct law *law, int end, slong bits)
 {
-    if (embed_given(request, COR_SCENE_G_STAR))
+    struct collision c;
+    const bool force = end == END_ZERO_FORCE && law_force_ends(law) && !arb_is_zero(beta);
+    collision_init(&c);
+    const int status = (force ? collision_solve_force : collision_solve_overlap)(&c, beta, law, bits);
+    arb_set(eps, force ? c.eps_zero_force : c.eps_zero_overlap);
+    collision_clear(&c);
+    return status ? STATUS_FAILED : STATUS_OK;
+}
+
+/* Encloses the beta at which eps, which falls with it, is `wanted`: secants until eps is above it at one end of a
+ * narrow ball, and below at the other. */
+static int solve_beta(arb_t beta, const arb_t wanted, const struct law *law, int end)
+{
+    LOCAL(arb, low, high, above, below, slope);
+    for (int step = 0; step < SOLVE_STEPS; step++) {
+        arb_get_mid_arb(beta, beta);
+        arb_mul_2exp_si(slope, beta, SOLVE_HALF_WIDTH);
+        arb_sub(low, beta, slope, SOLVE_BITS);
+        arb_add(high, beta, slope, SOLVE_BITS);
+        arb_get_mid_arb(low, low); /* an exact beta, with which eps has all of its bits */
+        arb_get_mid_arb(high, high);
+        if (embed_contact_eps(above, low, law, end, SOLVE_BITS) != STATUS_OK ||
+            embed_contact_eps(below, high, law, end, SOLVE_BITS) != STATUS_OK)
+            return STATUS_FAILED;
+        if (arb_gt(above, wanted) && arb_lt(below, wanted)) {
+            arb_union(beta, low, high, SOLVE_BITS);
+            return STATUS_OK;
+        }
+        arb_sub(slope, above, below, SOLVE_BITS);
+        arb_sub(high, high, low, SOLVE_BITS);
+        arb_div(slope, slope, high, SOLVE_BITS);
+        arb_sub(above, above, wanted, SOLVE_BITS);
+        arb_div(above, above, slope, SOLVE_BITS);
+        arb_add(beta, low, above, SOLVE_BITS);
+        if (!arb_is_positive(beta))
+            break;
+    }
+    return fail("no damping found at which eps is that of --restitution");
+}
+
+static int beta_of_restitution(arb_t beta, const struct embed_request *request, const struct cor_scene_contact *contact,
+                               const struct law *law)
+{
+    const fmpq *const eps = request->number[COR_SCENE_RESTITUTION].value;
+    if (fmpq_is_one(eps) || law_is_linear(law)) {
+        arb_set_d(beta, cor_scene_beta(contact, 1));
+        return STATUS_OK;
+    }
+    LOCAL(arb, wanted, power);
+    arb_set_fmpq(wanted, eps, SOLVE_BITS);
+    arb_set_d(beta, cor_scene_beta(contact, embed_number(request, COR_SCENE_AT)));
+    const int status = solve_beta(beta, wanted, law, request->end);
+    arb_set_fmpq(power, request->number[COR_SCENE_AT].value, SOLVE_BITS);
+    arb_pow_ratio(power, power, law_speed_exponent(law), SOLVE_BITS);
+    arb_div(beta, beta, power, SOLVE_BITS);
+    return status;
+}
+
+int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request,
+                                const struct cor_scene_contact *contact, const struct law *law, slong prec)
+{
+    if (embed_given(request, COR_SCENE_RESTITUTION))
+        return beta_of_restitution(beta_per_root, request, contact, law);
+    if (embed_given(request, COR_SCENE_G_STAR)) {
         beta_of_g_star(beta_per_root, &request->number[COR_SCENE_G_STAR], law, prec);
-    else if (embed_given(request, COR_SCENE_BETA))
+    } else if (embed_given(request, COR_SCENE_ZETA)) { /* zeta sqrt(2 (a + 1)) */
+        LOCAL(arb, zeta);
+        arb_set_fmpq(zeta, request->number[COR_SCENE_ZETA].value, prec);
+        arb_set_ratio(beta_per_root, ratio_mul(ratio_add(law->a, (struct ratio){1, 1}), (struct ratio){2, 1}), prec);
+        arb_sqrt(beta_per_root, beta_per_root, prec);
+        arb_mul(beta_per_root, beta_per_root, zeta, prec);
+    } else if (embed_given(request, COR_SCENE_BETA)) {
         beta_of_beta(beta_per_root, request, law, prec);
-    else if (embed_given(request, COR_SCENE_STIFFNESS))
+    } else {
         beta_of_force(beta_per_root, request, law, prec);
-    else
-        beta_of_materials(beta_per_root, request, prec);
+    }
+    return STATUS_OK;
 }

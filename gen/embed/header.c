@@ -34,7 +34,7 @@ static void append_command(struct text *t, const struct embed_request *request)
     int column = 15;
     text_append(t, "Written by:  corgen embed");
     for (int i = 0; i < EMBED_NUMBERS; i++) {
-        const char *const text = request->number[embed_number_in_order(i)].text;
+        const char *const text = embed_text(request, embed_number_in_order(i));
         if (!text)
             continue;
         const char *name = embed_number_name(embed_number_in_order(i));
@@ -178,6 +178,13 @@ static void append_choice(struct text *t, const struct embed_request *request, c
 
 static void append_provenance(struct text *t, const struct embed_scene *s, const struct embed_proof *proof)
 {
+    if (s->constant) {
+        text_append(t,
+                    "\neps is that of one collision %s, enclosed (proved), or is given.\n"
+                    "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
+                    law_equation(&s->law).text);
+        return;
+    }
     text_append(
         t,
         "\nFitted to and compared with collisions %s enclosed to 76 bits or\n"
@@ -236,8 +243,10 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
     emit_function_open(e, name, "speed");
     if (f->rows > 0)
         emit_table(e, "row", f->number, f->rows, f->numerator + 1);
-    emit_let_clamped(e, "g", "speed", f->speed_min, f->speed_max, vector);
-    const char *x = emit_variable(e, f);
+    const bool constant = f->rows == 0 && f->numerator + f->denominator == 0;
+    if (!constant)
+        emit_let_clamped(e, "g", "speed", f->speed_min, f->speed_max, vector);
+    const char *x = constant ? "g" : emit_variable(e, f);
     if (f->rows > 0) {
         if (f->family == FAMILY_PIECES_SPEED)
             emit_let_row_of_bits(e, "i", "t", x, f->low_bits, f->first);

@@ -224,7 +224,7 @@ static double place_of_speed(const struct prover *w, double speed, bool by_log, 
     LOCAL(arb, x);
     LOCAL(arf, end);
     arb_set_d(x, speed);
-    embed_scene_beta(x, w->s, x);
+    embed_scene_beta_enclosed(x, w->s, x);
     if (by_log)
         arb_log(x, x, EMBED_BITS);
     else
@@ -324,8 +324,25 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
     }
 }
 
+/* A form that is one number, its coefficient */
+static void prove_constant(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
+{
+    LOCAL(arb, x, difference);
+    arb_set_d(x, f->number[0]);
+    arb_sub(difference, x, s->eps, EMBED_BITS);
+    arb_div(difference, difference, s->eps, EMBED_BITS);
+    LOCAL(arf, bound);
+    arb_get_abs_ubound_arf(bound, difference, EMBED_BITS);
+    *proof = (struct embed_proof){.error = arf_get_d(bound, ARF_RND_CEIL), .proved = true};
+    proof->formula = proof->error;
+}
+
 int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
 {
+    if (s->constant) {
+        prove_constant(proof, f, s);
+        return STATUS_OK;
+    }
     struct embed_rounding rounding;
     *proof = (struct embed_proof){.error = HUGE_VAL, .formula = HUGE_VAL, .rounding = HUGE_VAL};
     if (!embed_rounding_bound(&rounding, f))
@@ -350,7 +367,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     if (status == STATUS_OK) {
         arb_init(w.factor);
         const struct ratio power = variable_power(s, f);
-        arb_pow_ratio(w.factor, s->beta_per_root, ratio_make(-power.num, power.den), EMBED_BITS);
+        arb_pow_ratio(w.factor, s->beta_enclosed, ratio_make(-power.num, power.den), EMBED_BITS);
         prove_formula(proof, &w, &rounding);
         arb_clear(w.factor);
     }

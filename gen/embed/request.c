@@ -22,6 +22,12 @@ double embed_number(const struct embed_request *request, int number)
     return decimal_value(&request->number[number]);
 }
 
+const char *embed_text(const struct embed_request *request, int number)
+{
+    const int body = number == COR_SCENE_VISCOSITY_2;
+    return number == COR_SCENE_VISCOSITY || body ? request->viscosity[body] : request->number[number].text;
+}
+
 int embed_number_in_order(int i)
 {
     return (i + EMBED_SPEED_MIN) % EMBED_NUMBERS;
@@ -57,7 +63,7 @@ static double rounded(const struct embed_request *request, int which)
     return request->type == EMBED_FLOAT ? (double)(float)x : x;
 }
 
-static int check_range(const struct embed_request *request)
+int embed_request_check(const struct embed_request *request)
 {
     static const struct type_limits limits[] = {[EMBED_DOUBLE] = {"double", 1e-270, 1e270, 1e-15},
                                                 [EMBED_FLOAT] = {"float", (double)FLT_MIN, (double)FLT_MAX, 4e-7}};
@@ -105,36 +111,16 @@ const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_r
     return text;
 }
 
-/* Where q = 0 eps is that of the damping ratio alone. */
-static int check_law(const struct law *law)
-{
-    if (!law_is_linear(law))
-        return STATUS_OK;
-    const char *const name = law->b.num == 0 ? "linear" : "tsuji";
-    return usage_error("in the law %s eps is the same at every speed, that of the damping ratio zeta alone: "
-                       "cor_%s_eps_zero_overlap(zeta) and cor_%s_eps_zero_force(zeta) of cor/law.h",
-                       law_equation(law).text, name, name);
-}
-
 /* ---- the scene ---- */
 
-/* "ETA1,ETA2", both not negative; -1 for what is something else */
-static void parse_viscosity(double eta[2], const char *text)
+bool embed_viscosity(struct decimal eta[2], const char *text)
 {
     const char *const comma = strchr(text, ',');
-    eta[0] = eta[1] = -1;
-    for (int i = 0; comma && i < 2; i++) {
-        char part[64];
-        struct decimal x = {0};
-        const char *const start = i == 0 ? text : comma + 1;
-        const size_t length = i == 0 ? (size_t)(comma - text) : strlen(start);
-        if (length < sizeof part) {
-            snprintf(part, sizeof part, "%.*s", (int)length, start);
-            if (decimal_parse(&x, part, DECIMAL_EXPONENT_DIGITS) && x.forms == DECIMAL_PLAIN)
-                eta[i] = decimal_value(&x);
-        }
-        decimal_clear(&x);
-    }
+    char first[64];
+    snprintf(first, sizeof first, "%.*s", comma ? (int)(comma - text) : 0, text);
+    return comma && comma - text < (ptrdiff_t)sizeof first && decimal_parse(&eta[0], first, DECIMAL_EXPONENT_DIGITS) &&
+           eta[0].forms == DECIMAL_PLAIN && decimal_parse(&eta[1], comma + 1, DECIMAL_EXPONENT_DIGITS) &&
+           eta[1].forms == DECIMAL_PLAIN;
 }
 
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request)
@@ -149,9 +135,15 @@ int embed_request_scene(struct cor_scene *scene, const struct embed_request *req
                                 .end = request->end};
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
         scene->number[i] = embed_given(request, i) ? embed_number(request, i) : (double)NAN;
-    for (int body = 0; body < 2; body++)
-        if (request->viscosity[body])
-            parse_viscosity(&scene->number[COR_SCENE_VISCOSITY + body * COR_SCENE_BODY], request->viscosity[body]);
+    for (int i = 0; i < 4; i++) {
+        struct decimal eta[2] = {{0}};
+        const char *const text = request->viscosity[i / 2];
+        if (text)
+            scene->number[COR_SCENE_VISCOSITY + i % 2 + i / 2 * COR_SCENE_BODY] =
+                embed_viscosity(eta, text) ? decimal_value(&eta[i % 2]) : -1;
+        decimal_clear(&eta[0]);
+        decimal_clear(&eta[1]);
+    }
     return STATUS_OK;
 }
 
@@ -160,75 +152,4 @@ int embed_refuse_bodies(const struct cor_scene_fault *fault, const char *rule)
     char text[COR_SCENE_FAULT_TEXT];
     cor_scene_fault_text(text, sizeof text, fault, "", rule);
     return usage_error("%s", text);
-}
-
-/* ---- the contact of a header ---- */
-
-static int given_among(const struct embed_request *request, int first, int last)
-{
-    int count = 0;
-    for (int number = first; number <= last; number++)
-        count += embed_given(request, number);
-    return count;
-}
-
-static int check_materials(const struct embed_request *request, const char *rule)
-{
-    struct cor_scene scene;
-    struct cor_scene_fault fault;
-    if (embed_request_scene(&scene, request) != STATUS_OK)
-        return STATUS_USAGE;
-    if (cor_scene_check_bodies(&fault, &scene, COR_SCENE_DISSIPATES) != COR_FAULT_NONE)
-        return embed_refuse_bodies(&fault, rule);
-    if (fmpq_is_zero(embed_number_of_body(request, COR_SCENE_DISSIPATION_TIME, 1)->value) &&
-        fmpq_is_zero(embed_number_of_body(request, COR_SCENE_DISSIPATION_TIME, 2)->value))
-        return usage_error("--dissipation-time: no dissipation, so eps is 1 at every speed; no header is needed");
-    return STATUS_OK;
-}
-
-static int check_contact(const struct embed_request *request, const struct law *law)
-{
-    /* the numbers of one way to say how strong the damping is */
-    static const struct {
-        const char *name;
-        int first, last;
-    } way[] = {{"--g-star", COR_SCENE_G_STAR, COR_SCENE_G_STAR},
-               {"materials", COR_SCENE_YOUNG, COR_SCENE_DISSIPATION_TIME_2},
-               {"--beta", COR_SCENE_BETA, COR_SCENE_AT},
-               {"--stiffness with --damping-coefficient", COR_SCENE_STIFFNESS, COR_SCENE_EFFECTIVE_MASS}};
-    enum { MATERIALS = 1, WAYS = sizeof way / sizeof *way };
-    const char *const rule =
-        law_is_sphere(law)
-            ? "a scene has --g-star, or --young, --poisson, --radius, --dissipation-time and --density or --mass, or "
-              "--beta and --at, or --stiffness, --damping-coefficient and --effective-mass"
-            : "a scene of this law has --g-star, or --beta and --at, or --stiffness, --damping-coefficient and "
-              "--effective-mass";
-    int used = WAYS;
-    for (int i = 0; i < WAYS; i++) {
-        if (given_among(request, way[i].first, way[i].last) == 0 && !(i == MATERIALS && request->wall))
-            continue;
-        if (used < WAYS)
-            return usage_error("%s and %s exclude each other: %s", way[used].name, way[i].name, rule);
-        used = i;
-    }
-    if (used == WAYS)
-        return usage_error("a scene needs a contact: %s", rule);
-    if (used == MATERIALS)
-        return law_is_sphere(law) ? check_materials(request, rule)
-                                  : usage_error("materials make a contact of viscoelastic spheres only: %s", rule);
-    for (int number = way[used].first; number <= way[used].last; number++)
-        if (!embed_given(request, number))
-            return usage_error("--%s is missing: %s", embed_number_name(number), rule);
-    return STATUS_OK;
-}
-
-int embed_request_check(const struct embed_request *request)
-{
-    struct law law;
-    int status = embed_request_law(&law, request);
-    if (status == STATUS_OK)
-        status = check_law(&law);
-    if (status == STATUS_OK)
-        status = check_range(request);
-    return status == STATUS_OK ? check_contact(request, &law) : status;
 }

@@ -33,6 +33,10 @@ struct embed_request {
 
 bool embed_given(const struct embed_request *request, int number);
 double embed_number(const struct embed_request *request, int number); /* the nearest double */
+/* As written, viscosities too; NULL: not given */
+const char *embed_text(const struct embed_request *request, int number);
+/* Reads "ETA1,ETA2", two numbers without a sign. */
+bool embed_viscosity(struct decimal eta[2], const char *text);
 
 /* The options of the numbers in the order of a command line: " --speed-min 0.1", the i-th of EMBED_NUMBERS */
 int embed_number_in_order(int i);
@@ -40,8 +44,7 @@ const char *embed_number_name(int number);
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
-/* Checks that eps of the law depends on the speed, that the range of speeds and the tolerance suit the type, and that
- * the request gives all numbers of the contact and no contradiction. Returns STATUS_OK, or STATUS_USAGE after a message
+/* Checks that the range of speeds and the tolerance suit the type. Returns STATUS_OK, or STATUS_USAGE after a message
  * on stderr. */
 int embed_request_check(const struct embed_request *request);
 

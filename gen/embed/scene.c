@@ -75,13 +75,23 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     /* The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 }
 
-void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed)
+static void beta_of_speed(arb_t beta, const struct embed_scene *s, const arb_t speed, const arb_t beta_per_root)
 {
     if (law_is_sphere(&s->law))
         arb_root_ui(beta, speed, 5, EMBED_BITS);
     else
         arb_pow_ratio(beta, speed, law_speed_exponent(&s->law), EMBED_BITS);
-    arb_mul(beta, beta, s->beta_per_root, EMBED_BITS);
+    arb_mul(beta, beta, beta_per_root, EMBED_BITS);
+}
+
+void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed)
+{
+    beta_of_speed(beta, s, speed, s->beta_per_root);
+}
+
+void embed_scene_beta_enclosed(arb_t beta, const struct embed_scene *s, const arb_t speed)
+{
+    beta_of_speed(beta, s, speed, s->beta_enclosed);
 }
 
 static enum quantity quantity_of(const struct embed_scene *s)
@@ -93,7 +103,9 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 {
     LOCAL(arb, beta);
     embed_scene_beta(beta, s, speed);
-    if (law_is_sphere(&s->law))
+    if (s->constant)
+        arb_set(eps, s->eps);
+    else if (law_is_sphere(&s->law))
         eps_of_beta(eps, s, beta);
     else
         interpolant_at_beta(eps, s->interpolant, quantity_of(s), beta, EMBED_BITS);
@@ -197,16 +209,28 @@ static int scene_collide_law(struct embed_scene *s)
     return status == STATUS_OK ? STATUS_OK : STATUS_FAILED;
 }
 
-static int scene_prepare(struct embed_scene *s)
+/* An eps that does not depend on the speed is that of --restitution as it is written. */
+static int scene_collide_once(struct embed_scene *s, const struct embed_request *request)
+{
+    if (embed_given(request, COR_SCENE_RESTITUTION))
+        arb_set_fmpq(s->eps, request->number[COR_SCENE_RESTITUTION].value, EMBED_BITS);
+    else
+        return embed_contact_eps(s->eps, s->beta_per_root, &s->law, (int)s->end, EMBED_BITS / 2);
+    return STATUS_OK;
+}
+
+static int scene_prepare(struct embed_scene *s, const struct embed_request *request)
 {
     const double per_root = arf_get_d(arb_midref(s->beta_per_root), ARF_RND_NEAR);
     const double q = (double)law_speed_exponent(&s->law).num / (double)law_speed_exponent(&s->law).den;
     const double slow = per_root * pow(s->speed_min, q), fast = per_root * pow(s->speed_max, q);
     s->beta_min = fmin(slow, fast);
     s->beta_max = fmax(slow, fast);
-    if (!(s->beta_min > 1e-60 && s->beta_max < 1e60))
+    if (!s->constant && !(s->beta_min > 1e-60 && s->beta_max < 1e60))
         return fail("beta from %.3g to %.3g: no material is like that", s->beta_min, s->beta_max);
-    const int status = law_is_sphere(&s->law) ? scene_collide(s) : scene_collide_law(s);
+    const int status = s->constant              ? scene_collide_once(s, request)
+                       : law_is_sphere(&s->law) ? scene_collide(s)
+                                                : scene_collide_law(s);
     if (status != STATUS_OK)
         return status;
     take_samples(s);
@@ -218,10 +242,13 @@ static int scene_prepare(struct embed_scene *s)
     return STATUS_OK;
 }
 
-int embed_scene_init(struct embed_scene *s, const struct embed_request *request)
+int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
+                     const struct cor_scene_contact *contact)
 {
     *s = (struct embed_scene){.end = (enum contact_end)request->end, .single = request->type == EMBED_FLOAT};
     arb_init(s->beta_per_root);
+    arb_init(s->beta_enclosed);
+    arb_init(s->eps);
     arb_init(s->h_star_5);
     int status = embed_request_check(request);
     if (status == STATUS_OK)
@@ -231,13 +258,19 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request)
     s->speed_min = embed_rounded(s, embed_number(request, EMBED_SPEED_MIN));
     s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
     s->tolerance = embed_number(request, EMBED_TOLERANCE);
-    embed_contact_beta_per_root(s->beta_per_root, request, &s->law, EMBED_BITS);
-    return scene_prepare(s);
+    s->constant = law_is_linear(&s->law) || contact->damping == 0;
+    status = embed_contact_beta_per_root(s->beta_enclosed, request, contact, &s->law, EMBED_BITS);
+    arb_set(s->beta_per_root, s->beta_enclosed);
+    if (embed_given(request, COR_SCENE_RESTITUTION))
+        arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);
+    return status == STATUS_OK ? scene_prepare(s, request) : status;
 }
 
 void embed_scene_clear(struct embed_scene *s)
 {
     arb_clear(s->beta_per_root);
+    arb_clear(s->beta_enclosed);
+    arb_clear(s->eps);
     arb_clear(s->h_star_5);
     free(s->samples.speed);
     interpolant_free(s->interpolant);

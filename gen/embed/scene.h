@@ -19,7 +19,10 @@ struct embed_scene {
     bool single; /* float */
     double speed_min, speed_max, tolerance;
     struct law law;
+    bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
+    arb_t eps;           /* that eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
+    arb_t beta_enclosed; /* the same, where beta_per_root is the middle of a ball that eps determines */
     double beta_min, beta_max;
     double slope; /* largest |d ln(eps)/d ln(speed^(1/5))|; for spheres |d ln(eps)/d ln(beta)| */
     struct embed_samples samples;
@@ -30,12 +33,15 @@ struct embed_scene {
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
 
-/* Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a message on stderr. */
-int embed_scene_init(struct embed_scene *s, const struct embed_request *request);
+/* `contact` is that of the request by cor_scene_contacts. Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a
+ * message on stderr. */
+int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
+                     const struct cor_scene_contact *contact);
 void embed_scene_clear(struct embed_scene *s);
 
-/* beta at a speed */
+/* beta at a speed; the second includes the uncertainty of a beta that eps determines */
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed);
+void embed_scene_beta_enclosed(arb_t beta, const struct embed_scene *s, const arb_t speed);
 
 /* eps at a speed in [speed_min, speed_max], as accurate as interpolant.h states */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);

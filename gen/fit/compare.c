@@ -7,19 +7,21 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "support/words.h"
 
 /* ---- which models ---- */
 
 static int refuse_model(const char *name, size_t length)
 {
-    char allowed[256] = "all";
-    for (size_t i = 0; i < fit_model_count; i++) {
-        const size_t used = strlen(allowed);
+    const char *allowed[FIT_MAX_MODELS + 3] = {"all"};
+    char word[64];
+    size_t n = 1;
+    for (size_t i = 0; i < fit_model_count; i++)
         if (i == 0 || strcmp(fit_models[i].name, fit_models[i - 1].name) != 0)
-            snprintf(allowed + used, sizeof allowed - used, ", %s", fit_models[i].name);
-    }
-    return usage_error("--law: '%.*s' is not a model; allowed: %s, or several, as viscoelastic,power-law", (int)length,
-                       name, allowed);
+            allowed[n++] = fit_models[i].name;
+    allowed[n] = "or several, as viscoelastic,power-law";
+    snprintf(word, sizeof word, "%.*s", (int)length, name);
+    return refuse_word(word, allowed, "", "--law: '%.*s' is not a model", (int)length, name);
 }
 
 static bool end_matches(const struct fit_model *model, const char *end)

@@ -18,6 +18,7 @@ extern const char *const plan_quantity_names[]; /* ends with NULL */
 
 struct plan_spheres_request {
     struct embed_request scene; /* its tolerance is from 1e-15 to below 1 */
+    struct cor_scene_contact contact;
     slong points;
 };
 

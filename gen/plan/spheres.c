@@ -40,6 +40,7 @@ static const struct cost {
 
 struct spheres {
     struct embed_scene scene;
+    struct cor_scene_contact contact;
     struct embed_form form[FAMILIES];
     double pade[16][PADE_COEFFICIENTS];
     int pades;
@@ -78,6 +79,10 @@ static double ball_middle(const arb_t x)
 /* Computes eps for both ends of contact. h_star is that of spheres. */
 static int collide_both_ends(double eps[2], const arb_t beta, const struct law *law, const arb_t h_star)
 {
+    if (arb_is_zero(beta)) {
+        eps[END_ZERO_OVERLAP] = eps[END_ZERO_FORCE] = 1;
+        return STATUS_OK;
+    }
     LOCAL_INIT(collision, c, (&c));
     int status;
     if (ball_middle(beta) < OVERLAP_FAR || !law_is_sphere(law)) {
@@ -207,17 +212,19 @@ static double ten_digits(double x)
 static void add_constants(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
-    for (int measured = 0; measured < 2; measured++) {
+    for (int measured = 0; measured < (s->scene.constant ? 1 : 2); measured++) {
         const double first = plan->truth[0], end = plan->truth[last];
         /* eps falls or rises with the speed, so its ends a and b determine the best constant: 2 a b/(a + b) has the
          * smallest relative error */
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
-        m->number[0] = ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
+        m->number[0] =
+            s->scene.constant ? first : ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
         m->eps = eps_constant;
         m->cost = cost_for_purpose(scene, cost_constant);
-        m->leaves_out =
-            speed_exponent(&s->scene.law) < 0 ? "that eps rises with the speed" : "that eps falls with the speed";
-        m->use = plan_text("double eps = %.10g;\n", m->number[0]);
+        m->leaves_out = s->scene.constant                   ? "nothing; eps is the same at every speed"
+                        : speed_exponent(&s->scene.law) < 0 ? "that eps rises with the speed"
+                                                            : "that eps falls with the speed";
+        m->use = plan_text(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]);
         model_evaluate(plan, m);
     }
 }
@@ -245,11 +252,15 @@ static void add_power_law(struct plan *plan, const struct spheres *s, const stru
 }
 
 /* C statements that define `contact` */
-static char *contact_text(const struct embed_request *scene)
+static char *contact_text(const struct spheres *s, const struct embed_request *scene)
 {
+    static const char init[] = "struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n";
+    char g_star[DECIMAL_TEXT];
     if (scene->number[COR_SCENE_G_STAR].text)
-        return plan_text("struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n",
-                         scene->number[COR_SCENE_G_STAR].text);
+        return plan_text(init, scene->number[COR_SCENE_G_STAR].text);
+    if (!embed_given(scene, COR_SCENE_YOUNG) || !embed_given(scene, COR_SCENE_DISSIPATION_TIME) ||
+        scene->law == COR_LAW_PLATE)
+        return plan_text(init, decimal_text(g_star, cor_scene_damping(&s->contact, COR_SCENE_G_STAR)));
     char body[2][TEXT];
     for (int second = 0; second < 2; second++) {
         const char *text[COR_SCENE_BODY];
@@ -270,27 +281,27 @@ static char *contact_text(const struct embed_request *scene)
                      body[0], body[1]);
 }
 
-static char *call_of_beta(const struct embed_request *scene, const char *call)
+static char *call_of_beta(const struct spheres *s, const struct embed_request *scene, const char *call)
 {
-    char *contact = contact_text(scene);
+    char *contact = contact_text(s, scene);
     char *text = plan_text("#include \"cor/cor.h\"\n%sdouble eps = %s;\n", contact, call);
     free(contact);
     return text;
 }
 
-static void add_published(struct plan *plan, const struct embed_request *scene)
+static void add_published(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
     struct plan_model *m = plan_add(plan, "simple theory (27)");
     m->eps = eps_simple_theory;
     m->cost = cost_for_purpose(scene, cost_simple);
     m->leaves_out = "C_3 and all after it";
-    m->use = call_of_beta(scene, "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))");
+    m->use = call_of_beta(s, scene, "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))");
     model_evaluate(plan, m);
     m = plan_add(plan, "Pade [1/4] as printed in 1999 (35)");
     m->eps = eps_table_1;
     m->cost = cost_for_purpose(scene, cost_published);
     m->leaves_out = "a_3 and all after it; zero force";
-    m->use = call_of_beta(scene, "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))");
+    m->use = call_of_beta(s, scene, "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))");
     model_evaluate(plan, m);
     m = plan_add(plan, "Pade [1/4] as printed in 2011");
     m->eps = eps_pade;
@@ -300,7 +311,7 @@ static void add_published(struct plan *plan, const struct embed_request *scene)
     m->root = 2;
     m->cost = cost_for_purpose(scene, cost_mueller);
     m->leaves_out = "what follows beta^(5/2); zero overlap";
-    m->use = call_of_beta(scene, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
+    m->use = call_of_beta(s, scene, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
     char *text = m->use;
     m->use = plan_text("%s/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", text);
     free(text);
@@ -369,9 +380,9 @@ static char *embed_command(const struct embed_request *scene, const char *tolera
     size_t length = 0;
     for (int i = 0; i < EMBED_NUMBERS; i++) {
         const int number = embed_number_in_order(i);
-        if (scene->number[number].text && length < sizeof line)
+        if (embed_text(scene, number) && length < sizeof line)
             length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s", embed_number_name(number),
-                                       number == EMBED_TOLERANCE ? tolerance : scene->number[number].text);
+                                       number == EMBED_TOLERANCE ? tolerance : embed_text(scene, number));
     }
     return plan_text("corgen embed%s%s%s --end %s --for %s --output cor_scene_eps.h\n"
                      "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
@@ -414,7 +425,7 @@ static void add_library(struct plan *plan, struct spheres *s, const struct embed
     m->leaves_out = "nothing; good at every speed";
     char call[TEXT];
     snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", end_name(scene->end));
-    m->use = call_of_beta(scene, call);
+    m->use = call_of_beta(s, scene, call);
 }
 
 /* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
@@ -466,10 +477,14 @@ static void add_other_end(struct plan *plan, const struct spheres *s, const stru
 static char *spheres_title(const struct plan *plan, const struct embed_request *scene, const struct law *law)
 {
     const slong last = plan->points - 1;
+    const struct law_text equation = law_equation(law);
     return plan_text("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                     law_is_sphere(law) ? "Spheres" : law_equation(law).text, scene->number[EMBED_SPEED_MIN].text,
-                     scene->number[EMBED_SPEED_MAX].text, scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap",
-                     plan->at[0], plan->at[last], plan->truth[0], plan->truth[last]);
+                     scene->law == COR_LAW_PLATE ? "A sphere and a plate"
+                     : law_is_sphere(law)        ? "Spheres"
+                                                 : equation.text,
+                     scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text,
+                     scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
+                     plan->truth[0], plan->truth[last]);
 }
 
 #define NOTE(times)                                                                                                    \
@@ -489,18 +504,20 @@ static void add_models(struct plan *plan, struct spheres *s, const struct embed_
     plan->title = spheres_title(plan, scene, law);
     plan->remark = plan_wave_remark(scene, plan->speed[plan->points - 1], plan->truth[plan->points - 1]);
     add_constants(plan, s, scene);
-    add_power_law(plan, s, scene);
-    if (law_is_sphere(law)) {
-        add_published(plan, scene);
-        add_pades(plan, s, scene, series->eps, series->root);
+    if (!s->scene.constant) {
+        add_power_law(plan, s, scene);
+        if (law_is_sphere(law)) {
+            add_published(plan, s, scene);
+            add_pades(plan, s, scene, series->eps, series->root);
+        }
+        embed_search(s->form, &s->scene, series);
+        add_header(plan, s, scene, header);
+        if (law_is_sphere(law))
+            add_library(plan, s, scene);
+        else
+            add_function_of_beta(plan, s, scene);
     }
-    embed_search(s->form, &s->scene, series);
-    add_header(plan, s, scene, header);
-    if (law_is_sphere(law))
-        add_library(plan, s, scene);
-    else
-        add_function_of_beta(plan, s, scene);
-    if (law_force_ends(law))
+    if (cor_scene_ends_differ(&s->contact))
         add_other_end(plan, s, scene);
     plan_choose(plan);
 }
@@ -516,7 +533,8 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     embed_request_law(&law, scene); /* has been checked */
     embed_series_begin(&series, &law, (enum contact_end)scene->end);
     profile_step("scene, series");
-    int status = embed_scene_init(&s->scene, embed);
+    s->contact = request->contact;
+    int status = embed_scene_init(&s->scene, embed, &s->contact);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);

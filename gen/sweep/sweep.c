@@ -14,10 +14,11 @@
 #define TEXT_OF_(x) #x
 #define TEXT_OF(x) TEXT_OF_(x)
 
-const struct values_rule sweep_speed = {"speed",
-                                        {"0", TEXT_OF(COR_DISK_COLLISION_MAX_SPEED), false, true, true,
-                                         "a number above 0 and up to " TEXT_OF(COR_DISK_COLLISION_MAX_SPEED)},
-                                        false};
+const struct values_rule sweep_speed = {
+    "speed",
+    {"0", TEXT_OF(COR_DISK_COLLISION_MAX_SPEED), false, true, true,
+     "a number above 0 and up to " TEXT_OF(COR_DISK_COLLISION_MAX_SPEED) ", in sqrt(E/rho), where E = rho = R = 1"},
+    false};
 const struct values_rule sweep_poisson = {
     "poisson", {"-1", "1", false, false, true, "a number between -1 and 1"}, false};
 const struct values_rule sweep_alpha = {

@@ -9,7 +9,7 @@
     "a contact of bodies has --young, --poisson, --radius and --density or --mass, as --young 7e10 --poisson 0.17 "    \
     "--radius 1e-3 --density 1600; -2 for the second body, or --wall"
 #define WAY_RULE                                                                                                       \
-    "the dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
+    "The dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
     "--restitution E --at SPEED (as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
 
 long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law,
@@ -71,9 +71,12 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                         "--effective-mass M in kg, as --stiffness 1e5 --effective-mass 1e-3",
                         law);
     case COR_FAULT_NO_WAY:
-        return snprintf(text, size, "no dissipation: " WAY_RULE);
+        return snprintf(text, size,
+                        "no dissipation is given. A drop measures it: from the height H to H' on the rebound is "
+                        "--restitution E --at G with E = sqrt(H'/H) and G = sqrt(2 g H), as --restitution 0.9 --at 1; "
+                        "--dissipation-time 0 is elastic. " WAY_RULE);
     case COR_FAULT_TWO_WAYS:
-        return snprintf(text, size, "--%s and --%s exclude each other: " WAY_RULE, number, other);
+        return snprintf(text, size, "--%s and --%s exclude each other. " WAY_RULE, number, other);
     case COR_FAULT_NOT_SPHERE:
         return snprintf(text, size,
                         "--%s is that of viscoelastic spheres, not of the law %s: give --restitution E%s or "

@@ -5,6 +5,7 @@
 #include "support/console.h" /* before cmocka.h makes a macro of fail */
 
 #include "check.h"
+#include "contact/contact.h"
 #include "embed/choose.h"
 #include "embed/contact.h"
 #include "embed/fit.h"
@@ -27,6 +28,13 @@ static void request_clear(struct embed_request *request)
 {
     for (int i = 0; i < EMBED_NUMBERS; i++)
         decimal_clear(&request->number[i]);
+}
+
+static int scene_init(struct embed_scene *s, const struct embed_request *request)
+{
+    struct contacts contacts;
+    assert_int_equal(contacts_of_request(&contacts, request), STATUS_OK);
+    return embed_scene_init(s, request, &contacts.contact[0]);
 }
 
 static void assert_near(double x, double y, double tolerance)
@@ -130,7 +138,7 @@ static int check_scene(const struct embed_request *request, bool proved)
     struct embed_scene s;
     struct embed_series series;
     struct embed_form form[FAMILIES];
-    assert_int_equal(embed_scene_init(&s, request), STATUS_OK);
+    assert_int_equal(scene_init(&s, request), STATUS_OK);
     embed_series_begin(&series, &s.law, (enum contact_end)request->end);
     assert_int_equal(embed_series_end(&series), STATUS_OK);
     embed_search(form, &s, &series);
@@ -234,20 +242,123 @@ TEST(test_ways)
         struct law law;
         LOCAL(arb, beta);
         assert_int_equal(embed_request_law(&law, &request), STATUS_OK);
-        embed_contact_beta_per_root(beta, &request, &law, 128); /* g* = 0.2: |C_1| beta(0.2) = 1 */
+        embed_contact_beta_per_root(beta, &request, NULL, &law, 128); /* g* = 0.2: |C_1| beta(0.2) = 1 */
         assert_near(middle(beta) * pow(0.2, q) * laws[i].c_1, 1, 1e-6);
         decimal_clear(&request.number[COR_SCENE_G_STAR]);
         decimal_set(&request.number[COR_SCENE_STIFFNESS], "2000");
         decimal_set(&request.number[COR_SCENE_DAMPING_COEFFICIENT], "3");
         decimal_set(&request.number[COR_SCENE_EFFECTIVE_MASS], "0.5");
-        embed_contact_beta_per_root(beta, &request, &law, 128);
+        embed_contact_beta_per_root(beta, &request, NULL, &law, 128);
         assert_near(middle(beta), 6 * pow(0.5 / 2000, (b + 1) / (a + 1)), 1e-14);
         for (int k = COR_SCENE_STIFFNESS; k <= COR_SCENE_EFFECTIVE_MASS; k++)
             decimal_clear(&request.number[k]);
         decimal_set(&request.number[COR_SCENE_BETA], "0.3");
         decimal_set(&request.number[COR_SCENE_AT], "32");
-        embed_contact_beta_per_root(beta, &request, &law, 128);
+        embed_contact_beta_per_root(beta, &request, NULL, &law, 128);
         assert_near(middle(beta), 0.3 * pow(32, -q), 1e-14);
+        request_clear(&request);
+    }
+}
+
+/* Every way that a contact may be given, against the same contact in doubles; and --restitution, which a collision with
+ * the beta found realises to twenty digits, at its speed and end. */
+TEST(test_ways_of_a_contact)
+{
+    enum { YOUNG = 1, SPRING = 2, WALL = 4, FORCE = 8 };
+    static const struct {
+        int law, with, number;
+        const char *value, *at, *viscosity;
+    } ways[] = {{COR_LAW_VISCOELASTIC, YOUNG, COR_SCENE_DISSIPATION_TIME, "1e-6", NULL, NULL},
+                {COR_LAW_VISCOELASTIC, YOUNG | WALL, COR_SCENE_DISSIPATION_TIME, "1e-6", NULL, NULL},
+                {COR_LAW_VISCOELASTIC, SPRING, COR_SCENE_DISSIPATION_TIME, "1e-6", NULL, NULL},
+                {COR_LAW_VISCOELASTIC, YOUNG, -1, NULL, NULL, "1e3,2e4"},
+                {COR_LAW_VISCOELASTIC, YOUNG | WALL, -1, NULL, NULL, "1e3,2e4"},
+                {COR_LAW_PLATE, YOUNG, COR_SCENE_PLATE_THICKNESS, "3e-3", NULL, NULL},
+                {COR_LAW_PLATE, YOUNG, COR_SCENE_PLATE_THICKNESS, "3e-3", NULL, "1e3,2e4"},
+                {COR_LAW_VISCOELASTIC, YOUNG, COR_SCENE_G_STAR, "20", NULL, NULL},
+                {COR_LAW_HERTZ_DASHPOT, YOUNG, COR_SCENE_DAMPING_COEFFICIENT, "2", NULL, NULL},
+                {COR_LAW_HUNT_CROSSLEY, SPRING, COR_SCENE_DAMPING_COEFFICIENT, "2", NULL, NULL},
+                {COR_LAW_TSUJI, YOUNG, COR_SCENE_ZETA, "0.1", NULL, NULL},
+                {COR_LAW_TSUJI, SPRING, COR_SCENE_BETA, "0.1", NULL, NULL},
+                {COR_LAW_LINEAR, SPRING, COR_SCENE_RESTITUTION, "0.5", NULL, NULL},
+                {COR_LAW_VISCOELASTIC, YOUNG, COR_SCENE_RESTITUTION, "0.9", "2", NULL},
+                {COR_LAW_VISCOELASTIC, YOUNG, COR_SCENE_RESTITUTION, "1", "2", NULL},
+                {COR_LAW_VISCOELASTIC, FORCE, COR_SCENE_RESTITUTION, "1e-4", "0.5", NULL},
+                {COR_LAW_VISCOELASTIC, FORCE, COR_SCENE_RESTITUTION, "0.99999999", "2", NULL},
+                {COR_LAW_HUNT_CROSSLEY, 0, COR_SCENE_RESTITUTION, "0.6", "2", NULL},
+                {COR_LAW_HERTZ_DASHPOT, FORCE, COR_SCENE_RESTITUTION, "0.3", "2", NULL}};
+    static const struct {
+        int number;
+        const char *value;
+    } body[] = {{COR_SCENE_YOUNG, "7e10"},   {COR_SCENE_POISSON, "0.2"},  {COR_SCENE_RADIUS, "5e-3"},
+                {COR_SCENE_DENSITY, "2500"}, {COR_SCENE_YOUNG_2, "2e11"}, {COR_SCENE_POISSON_2, "0.3"}};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        struct embed_request request =
+            scene_request("1", "2", "1e-3", ways[i].with & FORCE ? END_ZERO_FORCE : END_ZERO_OVERLAP);
+        decimal_clear(&request.number[COR_SCENE_G_STAR]);
+        request.law = ways[i].law;
+        request.wall = ways[i].with & WALL;
+        request.viscosity[0] = ways[i].viscosity;
+        for (size_t k = 0; ways[i].with & YOUNG && k < sizeof body / sizeof *body; k++)
+            decimal_set(&request.number[body[k].number], body[k].value);
+        if (ways[i].with & SPRING) {
+            decimal_set(&request.number[COR_SCENE_STIFFNESS], "1e9");
+            decimal_set(&request.number[COR_SCENE_EFFECTIVE_MASS], "1e-3");
+        }
+        if (ways[i].number >= 0)
+            decimal_set(&request.number[ways[i].number], ways[i].value);
+        if (ways[i].at)
+            decimal_set(&request.number[COR_SCENE_AT], ways[i].at);
+        struct contacts contacts;
+        LOCAL(arb, beta, eps, wanted);
+        assert_int_equal(contacts_of_request(&contacts, &request), STATUS_OK);
+        const struct cor_scene_contact *const contact = &contacts.contact[0];
+        assert_int_equal(embed_contact_beta_per_root(beta, &request, contact, &contacts.law, 192), STATUS_OK);
+        const double tolerance = 1e-13 + 1e-15 / (1 - (ways[i].at ? fmin(strtod(ways[i].value, NULL), 1 - 1e-9) : 0));
+        if (!(fabs(middle(beta) - cor_scene_beta(contact, 1)) <= tolerance * middle(beta)))
+            fail_msg("way %zu: beta %.17g, in doubles %.17g", i, middle(beta), cor_scene_beta(contact, 1));
+        assert_true(arb_is_zero(beta) || arb_rel_accuracy_bits(beta) > 50);
+        if (ways[i].at && !arb_is_zero(beta)) {
+            arb_set_d(eps, strtod(ways[i].at, NULL));
+            arb_pow_ratio(eps, eps, law_speed_exponent(&contacts.law), 192);
+            arb_mul(beta, beta, eps, 192);
+            arb_get_mid_arb(beta, beta);
+            assert_int_equal(embed_contact_eps(eps, beta, &contacts.law, request.end, 128), STATUS_OK);
+            arb_set_fmpq(wanted, request.number[COR_SCENE_RESTITUTION].value, 192);
+            arb_div(eps, eps, wanted, 192);
+            arb_sub_ui(eps, eps, 1, 192);
+            assert_true(fabs(middle(eps)) < 1e-20);
+        }
+        request_clear(&request);
+    }
+}
+
+/* An eps that is the same at every speed is a header of one number, and its proof is the difference to that eps. */
+TEST(test_constant)
+{
+    for (int i = 0; i < 2; i++) {
+        struct embed_request request = scene_request("0.1", "10", "1e-12", END_ZERO_FORCE);
+        decimal_clear(&request.number[COR_SCENE_G_STAR]);
+        decimal_set(&request.number[COR_SCENE_RESTITUTION], i == 0 ? "0.7" : "1");
+        decimal_set(&request.number[COR_SCENE_AT], "1");
+        request.law = i == 0 ? COR_LAW_LINEAR : COR_LAW_VISCOELASTIC;
+        struct embed_scene s;
+        struct embed_form form[FAMILIES];
+        struct embed_series series = {0};
+        struct embed_proof proof;
+        assert_int_equal(scene_init(&s, &request), STATUS_OK);
+        embed_search(form, &s, &series);
+        const enum embed_family chosen = embed_choose(form, PURPOSE_BALANCED);
+        assert_int_equal(chosen, FAMILY_RATIONAL_SPEED);
+        assert_true(embed_form_value(&form[chosen], 3, false) == (i == 0 ? 0.7 : 1.0));
+        assert_int_equal(embed_prove(&proof, &form[chosen], &s), STATUS_OK);
+        assert_true(proof.proved && proof.error < 0x1p-53);
+        form[chosen].number[0] *= 1 + 0x1p-40;
+        assert_int_equal(embed_prove(&proof, &form[chosen], &s), STATUS_OK);
+        assert_near(proof.error, 0x1p-40, 1e-3);
+        for (int k = 0; k < FAMILIES; k++)
+            embed_form_clear(&form[k]);
+        embed_scene_clear(&s);
         request_clear(&request);
     }
 }
@@ -264,12 +375,12 @@ TEST(test_materials)
     decimal_set(&request.number[COR_SCENE_DISSIPATION_TIME], "2e-5");
     const double rho = 4 * sqrt(0.005) / (3 * 2 * 0.91 / 1e9);
     struct embed_scene s;
-    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
+    assert_int_equal(scene_init(&s, &request), STATUS_OK);
     assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho / 0.006, 0.4), 1e-14);
     assert_near(s.beta_max, middle(s.beta_per_root), 1e-14);
     embed_scene_clear(&s);
     request.wall = true;
-    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
+    assert_int_equal(scene_init(&s, &request), STATUS_OK);
     assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho * sqrt(2) / 0.012, 0.4), 1e-14);
     embed_scene_clear(&s);
     request_clear(&request);
@@ -343,7 +454,7 @@ TEST(test_fit)
 {
     struct embed_request request = scene_request("0.1", "10", "1e-6", END_ZERO_OVERLAP);
     struct embed_scene s;
-    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
+    assert_int_equal(scene_init(&s, &request), STATUS_OK);
     double before = 1;
     for (slong degree = 1; degree <= 7; degree++) {
         struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
@@ -362,7 +473,7 @@ TEST(test_fit)
     request_clear(&request);
 
     request = scene_request("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
-    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
+    assert_int_equal(scene_init(&s, &request), STATUS_OK);
     assert_true(s.beta_min > 7);
     struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
                            .variable = SPEED,
@@ -383,7 +494,7 @@ TEST(test_far_force)
     leave_to_turn(1, 3);
     struct embed_request request = scene_request("1e21", "1e24", "1e-6", END_ZERO_FORCE);
     struct embed_scene s;
-    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
+    assert_int_equal(scene_init(&s, &request), STATUS_OK);
     assert_true(log(s.beta_min) < 10 && log(s.beta_max) > 11);
     struct embed_form f = {.family = FAMILY_RATIONAL_FOURTH,
                            .variable = FOURTH_ROOT_OF_SPEED,
@@ -431,7 +542,7 @@ TEST(test_far)
 
     struct embed_request request = scene_request("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
     struct embed_scene s;
-    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
+    assert_int_equal(scene_init(&s, &request), STATUS_OK);
     struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
                            .variable = SPEED,
                            .speed_min = s.speed_min,
@@ -451,4 +562,4 @@ TEST(test_far)
 }
 
 RUN_TESTS(test_choice, test_counts, test_root, test_fit, test_scenes, test_laws, test_far, test_far_force, test_ways,
-          test_materials)
+          test_ways_of_a_contact, test_constant, test_materials)

@@ -5,6 +5,7 @@
 
 #include "approximation/pade.h"
 #include "check.h"
+#include "contact/contact.h"
 #include "cor/cor.h"
 #include "embed/form.h"
 #include "enclosure/collision.h"
@@ -214,6 +215,13 @@ static void check_output(const struct plan *plan)
 
 /* ---- spheres ---- */
 
+static struct cor_scene_contact contact_of(const struct embed_request *request)
+{
+    struct contacts contacts;
+    assert_int_equal(contacts_of_request(&contacts, request), STATUS_OK);
+    return contacts.contact[0];
+}
+
 TEST(test_spheres)
 {
     struct random_state r = random_start();
@@ -223,6 +231,7 @@ TEST(test_spheres)
     decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-3");
     decimal_set(&request.scene.number[COR_SCENE_G_STAR], "400");
     struct plan plan;
+    request.contact = contact_of(&request.scene);
     assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
     const slong last = plan.points - 1;
     assert_int_equal(last, 8);
@@ -318,6 +327,7 @@ TEST(test_strong_damping)
     decimal_set(&request.scene.number[COR_SCENE_G_STAR], "1e-5");
     struct plan plan;
     struct cor_sphere_contact contact;
+    request.contact = contact_of(&request.scene);
     assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
     assert_int_equal(cor_sphere_contact_init_g_star(&contact, 1e-5), COR_OK);
     assert_true(plan.at[0] < 7 && plan.at[1] > 7);

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* Words of a command line that are not known */
+#ifndef COR_GEN_SUPPORT_WORDS_H
+#define COR_GEN_SUPPORT_WORDS_H
+
+/* A usage error about a word that is none of `words`, a list that ends with NULL: the message, the word that was meant,
+ * if few slips of the keyboard lead from it to the given one, and all words, each behind `dashes`. Returns
+ * STATUS_USAGE. */
+int refuse_word(const char *word, const char *const *words, const char *dashes, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+#endif
