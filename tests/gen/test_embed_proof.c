@@ -28,6 +28,8 @@ static struct embed_scene scene_of(enum contact_end end, double beta_min, double
                             .interpolant = f};
     arb_init(s.beta_per_root);
     arb_one(s.beta_per_root);
+    arb_init(s.beta_enclosed);
+    arb_one(s.beta_enclosed);
     arb_init(s.h_star_5);
     arb_set_d(s.h_star_5, 5.158); /* roughly: only test_far_parts uses it */
     return s;
@@ -36,6 +38,7 @@ static struct embed_scene scene_of(enum contact_end end, double beta_min, double
 static void clear_scene(struct embed_scene *s)
 {
     arb_clear(s->beta_per_root);
+    arb_clear(s->beta_enclosed);
     arb_clear(s->h_star_5);
 }
 
