@@ -90,6 +90,7 @@ TEST(test_far_parts)
     arb_pow_ui(s.h_star_5, s.h_star_5, 5, EMBED_BITS);
     const double h5 = arf_get_d(arb_midref(s.h_star_5), ARF_RND_NEAR);
     arb_set_d(s.beta_per_root, 0.5);
+    arb_set_d(s.beta_enclosed, 0.5);
     s.beta_min /= 2;
     s.beta_max /= 2;
     for (int i = 0; i < 3; i++) {
