@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The options that describe one contact, as rows of a table of options: SCENE_OPTIONS of contact, sample, embed and
  * plan, of which fit has SCENE_BODY alone. TYPE is their struct of arguments, with a member `scene`. APART lists
- * options that contradict all of them, or is NULL; POISSON and POISSON_APART are range and contradiction of --poisson. */
+ * options that contradict all of them, or is NULL. POISSON and POISSON_APART are range and contradiction of
+ * --poisson. */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 
