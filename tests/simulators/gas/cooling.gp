@@ -2,7 +2,7 @@
 # Two gases that cool: temperature against time, and its deviation from theory. cool.py --write draws them.
 stem = "cooling"; home = "docs/gas"; width = 1000; height = 460
 load "docs/style.gp"
-large = dir."/cooling_100000.csv"; small = dir."/cooling_10000.csv"
+large = dir."/cooling_100000.csv"; small = dir."/cooling_10000.csv"; fine = dir."/cooling_100000_50.csv"
 
 # Columns: 1 time, 2 T/m, 3 to 5 theory (zero overlap, zero force, without overlaps), 6 standard error of ln T
 stats large using 2 every ::1::1 nooutput
@@ -35,6 +35,7 @@ plot small every ::1 u (1+$1/t1):(-200*$6):(200*$6) w filledcurves lc rgb shade 
     large every ::1 u (1+$1/t1):(-200*$6):(200*$6) w filledcurves lc rgb light t "two standard errors, 10^5  spheres", \
     small every ::1 u (1+$1/t1):(100*log($2/$3)) w p pt 6 ps 0.7 lc rgb green notitle, \
     large every ::1 u (1+$1/t1):(100*log($2/$3)) w p pt 7 ps 0.6 lc rgb red notitle, \
+    fine every ::1 u (1+$1/t1):(100*log($2/$3)) w p pt 4 ps 0.9 lc rgb black t "10^5  spheres, 50 steps in a contact", \
     0 w l lc rgb blue lw 1.5 notitle, \
     small every ::1 u (1+$1/t1):(100*log($4/$3)) w l lc rgb amber lw 1.5 t "theory, contact ends at zero force", \
     small every ::1 u (1+$1/t1):(100*log($5/$3)) w l lc rgb violet lw 1.5 t "theory without overlaps"
