@@ -5,11 +5,14 @@
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
  *     cor_realised markdown   a table of docs/simulators.md; models with the same end and the same numbers share a row
  *     cor_realised models     another one: all models, with law, end, and a sentence for the user
+ *     cor_realised speeds     eps of viscoelastic spheres with 0.5 at 1 m/s, over the speed, and what simulators make
+ *                             of 0.5
  * An empty cell: the model refuses this e, or no e makes it realise this one. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "cor/cor.h"
 #include "cor/scene.h"
 
 static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
@@ -122,6 +125,32 @@ static void print_models(void)
     }
 }
 
+/* ---- over the speed ---- */
+
+static double realised_of_half(const char *simulator, const char *part)
+{
+    for (size_t i = 0; i < cor_simulator_model_count; i++)
+        if (strcmp(cor_simulator_models[i].simulator, simulator) == 0 && strstr(cor_simulator_models[i].model, part))
+            return cor_simulator_realised(&cor_simulator_models[i], 0.5);
+    return NAN;
+}
+
+static void print_speeds(void)
+{
+    const double g_star = pow(-COR_SPHERE_C1 * cor_sphere_beta_zero_force(0.5), -5);
+    const double lammps = realised_of_half("lammps", "hertz, damping tsuji, releases");
+    const double chrono = realised_of_half("chrono", "from material");
+    struct cor_sphere_contact contact;
+    if (cor_sphere_contact_init_g_star(&contact, g_star) != COR_OK)
+        return;
+    printf("speed_m_s,eps_zero_overlap,eps_zero_force,constant,lammps,chrono\n");
+    for (int k = 0; k <= 80; k++) {
+        const double speed = pow(10, -3 + k / 20.0);
+        printf("%.6g,%.6f,%.6f,0.5,%.6f,%.6f\n", speed, cor_contact_eps_zero_overlap(&contact, speed),
+               cor_contact_eps_zero_force(&contact, speed), lammps, chrono);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const char *form = argc == 2 ? argv[1] : "";
@@ -131,8 +160,10 @@ int main(int argc, char **argv)
         print_table("realised where a user asks for e =", realised);
     } else if (strcmp(form, "models") == 0) {
         print_models();
+    } else if (strcmp(form, "speeds") == 0) {
+        print_speeds();
     } else {
-        fprintf(stderr, "cor_realised takes one argument: table, curve, markdown or models\n");
+        fprintf(stderr, "cor_realised takes one argument: table, curve, markdown, models or speeds\n");
         return 2;
     }
     return 0;
