@@ -169,7 +169,7 @@ for (const [what, act, name, text] of [
     ["an unknown option", () => cor.contact({ yuong: 1 }), "yuong", /is not an option/],
     ["not a number", () => cor.contact({ g_star: "0x10" }), "g-star", /'0x10' is not a finite number above 0/],
     ["an infinite number", () => cor.contact({ g_star: Infinity }), "g-star", /'Infinity' is not a finite number/],
-    ["no damping", () => cor.contact(glass), "restitution", /^no dissipation: /],
+    ["no damping", () => cor.contact(glass), "restitution", /^no dissipation is given/],
     ["an unknown simulator", () => measured.lines("abaqus"), "for", /'abaqus' is not a simulator that cor has lines for/],
     ["a wall that moves", () => cor.contact({ ...glass, g_star: 1, wall: true, mass_2: 1 }), "wall", /^--wall is flat/],
     ["a line break in a value", () => cor.contact({ g_star: "1\nwall=yes" }), "g-star", /is not a finite number/],
