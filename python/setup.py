@@ -28,7 +28,8 @@ sys.path.insert(0, str(HERE))
 from bindings import cffi_source, python_source  # noqa: E402
 from bindings.declarations import Declarations  # noqa: E402
 
-PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden", "-ffp-contract=off"]  # cmake/CorDefaults.cmake
+PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden"]  # cmake/CorDefaults.cmake
+PLAIN_FLAGS += ["-ffp-contract=off"]
 
 
 def pkg_config(*arguments: str) -> List[str]:
@@ -102,7 +103,7 @@ class BuildLibrary(build_ext):
         temp = Path(self.build_temp)
         temp.mkdir(parents=True, exist_ok=True)
         ffi = FFI()
-        ffi.cdef(cffi_source.declarations(DECLARED))
+        ffi.cdef(cffi_source.declarations(DECLARED) + cffi_source.scene_declarations(INCLUDE / "cor"))
         ffi.set_source("cor._cor", cffi_source.source(DECLARED))
         ffi.emit_c_code(str(temp / "_cor.c"))
         ext.sources = [str(temp / "_cor.c")]
@@ -126,7 +127,7 @@ def extension() -> Extension:
     options: Dict[str, Any] = {"include_dirs": [str(INCLUDE)], "libraries": ["m"]}
     if not BUNDLED:
         options["extra_compile_args"] = pkg_config("--cflags")
-        options["extra_link_args"] = pkg_config("--libs")
+        options["extra_link_args"] = ["-lcor_scene"] + pkg_config("--libs")
     # A file of its own name is needed before the C module is written.
     return Extension("cor._cor", [], **options)
 

@@ -6,6 +6,8 @@ calls the array function of the library where there is one for these steps, and 
 give the same bits.
 """
 
+import re
+from pathlib import Path
 from typing import List, Optional
 
 from .calls import Call, calls, is_value
@@ -39,10 +41,26 @@ def declarations(declared: Declarations) -> str:
     return "\n".join(lines)
 
 
+def scene_declarations(include: Path) -> str:
+    """The text of scene.h and audit.h, which cffi reads as it is, and what audit.h calls back."""
+    text = "".join((include / f"{name}.h").read_text(encoding="utf-8") for name in ("scene", "audit"))
+    text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+    text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.S)
+    text = "".join(line for line in text.splitlines(True) if not line.startswith("#"))
+    return (
+        text
+        + """
+        extern "Python" int cor_python_audit_open(void *, struct cor_audit_text *, const char *, const char *);
+        extern "Python" void cor_python_audit_report(void *, const struct cor_audit_finding *);"""
+    )
+
+
 def source(declared: Declarations) -> str:
     """The text of the C module that cffi puts before its own."""
     parts = [
-        "#include <cor/cor.h>",
+        "#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
+        "#if defined __GNUC__ && !defined __clang__ /* at -O2 it does not use vectors for conversions */",
+        '#pragma GCC optimize("O3")\n#endif',
         "/* A loop has a step for every number, also where the form that it calls needs none. */",
     ]
     parts += [f"{head}\n{{\n{body}}}" for head, body in _loops(declared)]
@@ -71,6 +89,8 @@ def _loops(declared: Declarations) -> "list[tuple[str, str]]":
             found.append(_loop(call, call.function, call.array, "double"))
             if call.float_function:
                 found.append(_loop(call, call.float_function, call.float_array, "float"))
+            elif has_float(call):
+                found.append(_rounded_loop(call))
         elif call.kind in ("record", "init"):
             found.append(_record_loop(call))
     for constant in declared.constants.values():
@@ -113,6 +133,34 @@ def _loop(call: Call, scalar: Function, array: Optional[Function], real: str) ->
     arguments = [_element(p) for p in scalar.parameters]
     body += "    for (size_t i = 0; i < count; i++)\n"
     body += f"        result[i] = {scalar.name}({', '.join(arguments)});\n"
+    return head, body
+
+
+def has_float(call: Call) -> bool:
+    """Whether a loop takes and returns float: C has the function in float, or its double results can be rounded."""
+    return call.float_function is not None or call.function.result == "double" and any(map(_is_real, call.values))
+
+
+def _is_real(p: Parameter) -> bool:
+    return kind_of(p) == "d"
+
+
+def _rounded_loop(call: Call) -> "tuple[str, str]":
+    """By blocks through the loop in double, so that they stay in the cache."""
+    head = _head(call.loop + "f", call, "float", "float *result")
+    reals = [p.name for p in call.values if _is_real(p)]
+    body = "    enum { BLOCK = 256 };\n"
+    body += f"    double y[BLOCK], {', '.join(f'{name}_[BLOCK]' for name in reals)};\n"
+    body += "    for (size_t i = 0, n; i < count; i += n) {\n"
+    body += "        n = count - i < BLOCK ? count - i : BLOCK;\n"
+    for name in reals:
+        body += f"        const float *const {name}_i = {name} + i * {name}_step;\n"
+        body += f"        for (size_t j = 0; j < ({name}_step ? n : 1); j++)\n            {name}_[j] = {name}_i[j];\n"
+    arguments = [p.name for p in call.structs]
+    for p in call.values:
+        arguments += [f"{p.name}_" if _is_real(p) else f"{p.name} + i * {p.name}_step", f"{p.name}_step"]
+    body += f"        {call.loop}({', '.join(arguments)}, y, n);\n"
+    body += "        for (size_t j = 0; j < n; j++)\n            result[i + j] = (float)y[j];\n    }\n"
     return head, body
 
 

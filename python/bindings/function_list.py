@@ -98,7 +98,9 @@ def main() -> int:
     text += "".join(f"#undef {macro.split('(')[0]}\n" for macro in MACROS)
     if sys.argv[1:] == ["--check"]:
         if LIST.read_text(encoding="utf-8") != text:
-            print(f"{LIST.relative_to(ROOT)} is not what the headers give: run python3 python/bindings/function_list.py")
+            print(
+                f"{LIST.relative_to(ROOT)} is not what the headers give: run python3 python/bindings/function_list.py"
+            )
             return 1
     elif sys.argv[1:]:
         print(__doc__, file=sys.stderr)

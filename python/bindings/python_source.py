@@ -7,7 +7,7 @@ import re
 from typing import Dict, List
 
 from .calls import Call, argument_names, calls, input_struct, is_input, is_plain, is_value, output_struct
-from .cffi_source import constant_type, kind_of
+from .cffi_source import constant_type, has_float, kind_of
 from .declarations import Declarations, Enum, Struct
 
 CLASS_NAMES = {"cor_sphere_contact": "Contact"}
@@ -27,6 +27,13 @@ from numpy.typing import ArrayLike
 from ._cor import lib
 from ._evaluate import Array, Elementwise, Init, Record, Struct, pointer, string
 '''
+
+
+DIR = """
+
+def __dir__() -> "list[str]":
+    return __all__
+"""
 
 
 def modules(declared: Declarations) -> Dict[str, str]:
@@ -67,7 +74,7 @@ class _Module:
         summary = " and ".join(f"cor/{header}" for header in self.headers)
         names = "".join(f'    "{name}",\n' for name in sorted(self.public))
         head = HEAD.format(summary=f"The declarations of {summary}.")
-        return head + "\n" + "\n\n".join(p for p in parts if p) + f"\n\n__all__ = [\n{names}]\n"
+        return head + "\n" + "\n\n".join(p for p in parts if p) + f"\n\n__all__ = [\n{names}]\n" + DIR
 
     def _has_class(self, struct: Struct) -> bool:
         taken = {input_struct(p) for c in calls(self.declared).values() for p in c.function.parameters}
@@ -91,9 +98,9 @@ class _Module:
         return text
 
     def _macro(self, name: str, macro: str, parameters: "tuple[str, ...]", doc: str) -> str:
-        kinds = "d" * len(parameters)
+        kinds, given = "d" * len(parameters), " ".join(parameters)
         signature = "".join(f"{p}: ArrayLike, " for p in parameters)
-        text = f'_{name} = Elementwise("{macro}", "{kinds}", "d", False)\n\n\n'
+        text = f'_{name} = Elementwise("{macro}", "{kinds}", "d", False, "{given}")\n\n\n'
         text += f"def {name}({signature}*, out: Optional[Array] = None) -> Any:\n{_docstring(doc, 4)}"
         return text + f"    return _{name}((), ({', '.join(parameters)},), out)\n\n\n"
 
@@ -112,6 +119,8 @@ class _Module:
         """Names that a module of the same name with _ before it has to have: an ImportError says which it lacks."""
         names = [self.short(c.function.name) for c in self.calls.values() if c.kind == "other"]
         names += [self.declared.short_name(o.name, o.header) for o in self._objects()]
+        if self.name == "contact":
+            names.append("from_restitution")
         if self.name == "disk":
             extra = ["CollisionDetail", "DiskModes", "HardWallDetail"]
             self.public += extra
@@ -134,6 +143,8 @@ class _Module:
             kind = "float" if field.type == "double" else "int"
             text += f"    @property\n    def {field.name}(self) -> {kind}:\n{_docstring(field.doc, 8)}"
             text += f"        return {kind}(self._c.{field.name})\n\n"
+        if name == "Contact":
+            text += "    from_restitution = classmethod(from_restitution)\n\n"
         for call in self.calls.values():
             if call.kind == "elementwise" and call.structs and call.function.parameters[0] in call.structs[:1]:
                 if input_struct(call.structs[0]) == struct.name:
@@ -174,7 +185,7 @@ class _Module:
         """The arguments of a loop: addresses of structs, then numbers."""
         parameters = [p for p in call.function.parameters if not output_struct(p)]
         pairs = list(zip(parameters, names))
-        structs = "".join(f'pointer({n}, "{input_struct(p)}"), ' for p, n in pairs if is_input(p))
+        structs = "".join(f'pointer({n}, "{input_struct(p)}", "{n}"), ' for p, n in pairs if is_input(p))
         values = "".join(f"{n}, " for p, n in pairs if is_value(p))
         return f"({structs.strip()}), ({values.strip()})"
 
@@ -194,17 +205,20 @@ class _Module:
         parameters = [p for p in function.parameters if not output_struct(p)]
         typed = [self._typed(call, p).replace(p.name, n, 1) for p, n in zip(parameters, names)]
         kinds = "".join(kind_of(p) for p in call.values)
+        given = " ".join(n for n, p in zip(names, parameters) if is_value(p))
         text = ""
         if call.kind == "elementwise":
             result = "d" if function.result == "double" else "n"
-            text += f'_{short} = Elementwise("{function.name}", "{kinds}", "{result}", {call.float_function is not None})\n\n\n'
+            text += (
+                f'_{short} = Elementwise("{function.name}", "{kinds}", "{result}", {has_float(call)}, "{given}")\n\n\n'
+            )
             typed += ["*", "out: Optional[Array] = None"]
             if any(p.name == "x" for p in parameters):
                 typed.insert(1, "/")
             returned, last = "Any", ", out"
         else:
             made = "Record" if call.kind == "record" else "Init"
-            text += f'_{short} = {made}("{function.name}", "{call.out}", "{kinds}")\n\n\n'
+            text += f'_{short} = {made}("{function.name}", "{call.out}", "{kinds}", "{given}")\n\n\n'
             returned = "Any" if call.kind == "record" else f'"{class_name(self.declared, call.out)}"'
             last = ""
         body = f"_{short}({self._split(call, names)}{last})"

@@ -113,10 +113,12 @@ class Struct:
         return type(self)._of_fields, self._values()
 
 
-def pointer(struct: Any, name: str) -> Any:
-    """The address of a struct, which has to be the one named."""
+def pointer(struct: Any, name: str, argument: str = "") -> Any:
+    """The address of a struct, which has to be the one named. A number is the tolerance of a rigid wall."""
+    if name == "cor_disk_hard_wall_options" and isinstance(struct, (int, float, np.number)):
+        return ffi.new(f"struct {name} *", {"tolerance": float(struct)})
     if getattr(struct, "_struct", None) != name:
-        raise TypeError(f"{type(struct).__name__} is not a struct {name}")
+        raise TypeError(f"{argument and argument + ': '}{type(struct).__name__} is not a struct {name}")
     return struct._c
 
 
@@ -125,23 +127,23 @@ def address(array: Array, writable: bool = False) -> Any:
     return ffi.from_buffer(_POINTER[array.dtype], array, writable)
 
 
-def _is_narrow(value: Any, array: Array) -> Optional[bool]:
+def _is_narrow(value: Any, array: Array, name: str) -> Optional[bool]:
     """Whether a real number is no wider than float32; None for a number of Python, which takes the type of others."""
     if array.dtype.kind not in "biuf":
-        raise TypeError(f"a real number is needed, not {array.dtype}")
+        raise TypeError(f"{name}: a real number is needed, not {array.dtype}")
     if type(value) in (int, float):
         return None
     return bool(np.can_cast(array.dtype, _FLOAT32))
 
 
-def _integers(array: Array, kind: str) -> Array:
+def _integers(array: Array, kind: str, name: str) -> Array:
     dtype = _INTEGER[kind]
     if array.dtype.kind not in "biu":
-        raise TypeError(f"an integer is needed, not {array.dtype}")
+        raise TypeError(f"{name}: an integer is needed, not {array.dtype}")
     if array.dtype != dtype:
         limits = np.iinfo(dtype)
         if array.size and (int(array.min()) < limits.min or int(array.max()) > limits.max):
-            raise OverflowError(f"an integer is outside {limits.min} to {limits.max}")
+            raise OverflowError(f"{name}: an integer is outside {limits.min} to {limits.max}")
     return array.astype(dtype, order="C", copy=False)
 
 
@@ -152,19 +154,23 @@ def prepared_array(array: Array, dtype: "np.dtype[Any]") -> Array:
 
 
 class _Loop:
-    """The numbers of one call: kinds has one letter for each, d for a real number, i for int, n for size_t."""
+    """The numbers of one call: kinds has one letter for each, d for a real number, i for int, n for size_t; names are
+    those of the arguments, with spaces between."""
 
-    def __init__(self, kinds: str) -> None:
+    def __init__(self, kinds: str, names: str) -> None:
         self._kinds = kinds
+        self._names = names.split()
 
     def _arrays(self, values: Sequence[ArrayLike], has_float: bool) -> Tuple[List[Array], bool]:
         """The numbers as arrays of the types that C takes; and whether the result is to be float32."""
         arrays = [np.asarray(value) for value in values]
-        reals = [_is_narrow(v, a) for v, a, kind in zip(values, arrays, self._kinds) if kind == "d"]
+        given = zip(values, arrays, self._kinds, self._names)
+        reals = [_is_narrow(v, a, name) for v, a, kind, name in given if kind == "d"]
         narrow = True in reals and False not in reals
         real = _FLOAT32 if narrow and has_float else _FLOAT64
-        pairs = zip(arrays, self._kinds)
-        return [prepared_array(a, real) if kind == "d" else _integers(a, kind) for a, kind in pairs], narrow
+        kinds = zip(arrays, self._kinds, self._names)
+        made = [prepared_array(a, real) if kind == "d" else _integers(a, kind, name) for a, kind, name in kinds]
+        return made, narrow
 
     @staticmethod
     def _arguments(arrays: List[Array], shape: Tuple[int, ...], size: int) -> List[Any]:
@@ -187,11 +193,11 @@ def _shape(arrays: List[Array]) -> Tuple[int, ...]:
 
 
 class Elementwise(_Loop):
-    """A function that returns a number. result is d for a real number or n for size_t; has_float says whether C has
-    the function in float, too. Otherwise the double result is rounded once for arguments of float32."""
+    """A function that returns a number. result is d for a real number or n for size_t; has_float says whether there
+    is a loop in float, too. Otherwise the double result is rounded once for arguments of float32."""
 
-    def __init__(self, name: str, kinds: str, result: str, has_float: bool) -> None:
-        super().__init__(kinds)
+    def __init__(self, name: str, kinds: str, result: str, has_float: bool, names: str) -> None:
+        super().__init__(kinds, names)
         loop = "cor_loop_" + name[len("cor_") :]
         self._loop = getattr(lib, loop)
         self._float_loop = getattr(lib, loop + "f") if has_float else None
@@ -261,8 +267,8 @@ def plain_dtype(struct: str) -> "np.dtype[Any]":
 
 
 class _Records(_Loop):
-    def __init__(self, name: str, out: str, kinds: str) -> None:
-        super().__init__(kinds)
+    def __init__(self, name: str, out: str, kinds: str, names: str) -> None:
+        super().__init__(kinds, names)
         self._loop = getattr(lib, "cor_loop_" + name[len("cor_") :])
         self._out = out
         self._dtype = record_dtype(out)
@@ -289,8 +295,9 @@ class Init(_Records):
     """A function that fills a struct which other functions take."""
 
     def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Any:
-        if any(np.ndim(value) for value in values):
-            raise TypeError("a number is needed, not an array")
+        for name, value in zip(self._names, values):
+            if np.ndim(value):
+                raise TypeError(f"{name}: a number is needed, not an array")
         result = self._run(structs, values)
         made = ffi.new(f"struct {self._out} *")
         ffi.memmove(made, ffi.from_buffer("char[]", result), ffi.sizeof(f"struct {self._out}"))

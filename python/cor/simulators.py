@@ -1,0 +1,373 @@
+# SPDX-License-Identifier: MIT
+"""What simulators make of a contact: lines for their inputs, the restitution that these realise, the audit of an input
+and the error of a time step. The functions are those of cor/scene.h and cor/audit.h, and of corgen contact and audit.
+
+A contact is a cor.Contact, one cor.Body for two equal bodies, or a pair of bodies of which the second may be a wall
+(infinite radius and mass). What is not said by it follows as keywords, with the names of corgen's options and _ for
+each hyphen: restitution and at, g_star, beta, zeta, damping_coefficient, dissipation_time, young, poisson, radius,
+density, mass, young_2, ..., stiffness and effective_mass, all in SI units. A damping among the keywords replaces that
+of the bodies.
+"""
+
+import math
+import os
+import re
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._contact import ENDS, end_name
+from ._cor import ffi, lib
+from ._evaluate import string
+from .contact import Body, Contact
+
+_Bodies = Union[Contact, Body, Tuple[Body, Body], None]
+
+
+def _names(array: Any, count: int) -> List[str]:
+    return [string(array[i]) for i in range(count)]
+
+
+_NUMBERS = [name.replace("-", "_") for name in _names(lib.cor_scene_number_names, lib.COR_SCENE_NUMBERS)]
+_LAWS = _names(lib.cor_law_names, lib.COR_LAW_PLATE)
+_INTEGRATORS = _names(lib.cor_integrator_names, lib.COR_INTEGRATORS)
+_DAMPINGS = ("g_star", "beta", "zeta", "restitution", "damping_coefficient", "dissipation_time", "viscosity")
+_VERLET = _INTEGRATORS[lib.COR_VERLET_HALF_STEP]
+
+
+def _one_of(argument: str, value: str, allowed: Sequence[str]) -> int:
+    name = str(value).lower().replace("_", "-")
+    if name not in allowed:
+        raise ValueError(f"{argument}: {value!r}; allowed: {', '.join(allowed)}")
+    return list(allowed).index(name)
+
+
+def _raise(text: Any) -> None:
+    """Raises what C says of an argument, by Python's name of it."""
+    raise ValueError(re.sub(r"--([a-z][a-z0-9-]*)", lambda name: name[1].replace("-", "_"), string(text)))
+
+
+def _fill_bodies(scene: Any, bodies: Sequence[Body], damped: bool) -> None:
+    for k, body in enumerate(bodies):
+        if getattr(body, "_struct", "") != "cor_body":
+            raise TypeError(f"contact: {type(body).__name__} is not a cor.Body")
+        wall = math.isinf(body.radius_m) and math.isinf(body.mass_kg)
+        if wall and k == 0:
+            raise ValueError("contact: the second body may be a wall, not the first")
+        values = {"YOUNG": body.young_modulus_pa, "POISSON": body.poisson_ratio}
+        values.update({} if wall else {"RADIUS": body.radius_m, "MASS": body.mass_kg})
+        values.update({} if damped else {"DISSIPATION_TIME": body.dissipation_time_s})
+        scene.wall |= wall
+        for name, value in values.items():
+            scene.number[getattr(lib, f"COR_SCENE_{name}") + (lib.COR_SCENE_BODY if k else 0)] = value
+
+
+class _Scene:
+    """The contacts of a scene, one for each end at which its restitution may have been measured."""
+
+    def __init__(self, contact: _Bodies, law: str, end: Optional[str], wall: bool, numbers: "dict[str, Any]") -> None:
+        self.scene = scene = ffi.new("struct cor_scene *")
+        scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
+        damped = any(name in numbers for name in _DAMPINGS)
+        scene.wall = bool(wall)
+        scene.end = lib.COR_BOTH_ENDS if end is None else ENDS.index(end_name(end))
+        scene.plate = "plate_thickness" in numbers
+        scene.law = lib.cor_law_exponents[_one_of("law", law, _LAWS)]
+        radius = math.nan
+        if isinstance(contact, Contact):
+            radius = contact.effective_radius_m
+            self._fill_contact(contact, damped)
+        elif contact is not None:
+            _fill_bodies(scene, (contact,) if isinstance(contact, Body) else tuple(contact), damped)
+        for name, value in numbers.items():
+            if name not in _NUMBERS:
+                raise TypeError(f"{name!r} is not an argument; allowed: {', '.join(_NUMBERS)}")
+            scene.number[_NUMBERS.index(name)] = value
+        self.contacts = ffi.new("struct cor_scene_contact[]", lib.COR_SCENE_ENDS)
+        count, fault = ffi.new("int *"), ffi.new("struct cor_scene_fault *")
+        if lib.cor_scene_contacts(self.contacts, count, fault, scene) != lib.COR_OK:
+            text = ffi.new("char[]", lib.COR_SCENE_FAULT_TEXT)
+            lib.cor_scene_fault_text(text, len(text), fault, law.encode(), ffi.NULL)
+            _raise(text)
+        self.count = int(count[0])
+        for k in range(self.count):
+            if math.isnan(self.contacts[k].radius_m):
+                self.contacts[k].radius_m = radius
+
+    def _fill_contact(self, contact: Contact, damped: bool) -> None:
+        number, stiffness = self.scene.number, contact.elastic_constant_n_m15
+        if math.isnan(stiffness):
+            number[lib.COR_SCENE_G_STAR] = contact.g_star_m_s()
+            return
+        number[lib.COR_SCENE_STIFFNESS] = stiffness
+        number[lib.COR_SCENE_EFFECTIVE_MASS] = contact.effective_mass_kg
+        if not damped:
+            number[lib.COR_SCENE_DAMPING_COEFFICIENT] = 1.5 * contact.dissipation_time_s * stiffness
+
+
+def _positive(**given: Optional[float]) -> None:
+    for name, value in given.items():
+        if value is not None and not 0 < value < math.inf:
+            raise ValueError(f"{name}: {value!r} is not above 0 and finite")
+
+
+def _speeds(speeds: ArrayLike) -> Tuple[Any, Any]:
+    array = np.array(speeds, np.float64, ndmin=1).ravel()
+    wrong = array[~((array > 0) & np.isfinite(array))]
+    if wrong.size:
+        raise ValueError(f"speeds: {wrong[0]!r} is not above 0 and finite")
+    return array, ffi.from_buffer("double[]", array)
+
+
+def _version(version: Optional[str]) -> Any:
+    if version is not None and lib.cor_simulator_version(version.encode()) == 0:
+        raise ValueError(f"version: {version!r} is not a version, as '29 Sep 2021' or '3.8.1'")
+    return ffi.NULL if version is None else ffi.new("char[]", version.encode())
+
+
+def names() -> List[str]:
+    """The simulators that lines knows."""
+    return [string(lib.cor_simulators[i].name) for i in range(lib.cor_simulator_count)]
+
+
+def _models(simulator: str) -> List[Any]:
+    known = lib.cor_simulator_named(str(simulator).encode())
+    if known == ffi.NULL:
+        raise ValueError(f"simulator: {simulator!r}; allowed: {', '.join(names())}")
+    all_models = [ffi.addressof(lib.cor_simulator_models, i) for i in range(lib.cor_simulator_model_count)]
+    of = string(known.name)
+    return [m for m in all_models if string(m.simulator).split("-")[0] == of.split("-")[0]]
+
+
+def models(simulator: str) -> List[str]:
+    """The contact models of a simulator."""
+    return list(dict.fromkeys(string(m.model) for m in _models(simulator)))
+
+
+def realised(simulator: str, model: str, e: ArrayLike) -> Any:
+    """The restitution that a model realises where a user sets e, with a time step of zero (cor_simulator_realised); NaN
+    where it has no e, or refuses this one. The beginning of a model's name will do where no other begins so."""
+    known = models(simulator)
+    begun = [name for name in known if name == model] or [name for name in known if name.startswith(str(model))]
+    if len(begun) != 1:
+        raise ValueError(f"model: {model!r} is not one of {simulator}; allowed: {'; '.join(known)}")
+    found = [m for m in _models(simulator) if string(m.model) == begun[0]]
+    given = np.asarray(e, np.float64)
+    result = np.array([lib.cor_simulator_realised(found[0], x) for x in given.ravel()]).reshape(given.shape)
+    return result[()]
+
+
+def lines(
+    simulator: str,
+    contact: _Bodies = None,
+    *,
+    speeds: ArrayLike = (),
+    end: Optional[str] = None,
+    wall: bool = False,
+    law: str = "viscoelastic",
+    version: Optional[str] = None,
+    time_step: Optional[float] = None,
+    steps: Optional[float] = None,
+    step_tolerance: Optional[float] = None,
+    step_corrected: bool = False,
+    **numbers: float,
+) -> str:
+    """The lines by which a simulator realises a contact, to be put into its input whole: what corgen contact --for
+    prints. ValueError says why there are none. speeds: impact speeds for which the text says what is realised."""
+    made = _Scene(contact, law, end, wall, numbers)
+    _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
+    request = ffi.new("struct cor_simulator_request *")
+    name, array, number = ffi.new("char[]", str(simulator).encode()), *_speeds(speeds)
+    version_text = _version(version)
+    request.simulator, request.version = name, version_text
+    request.scene, request.contacts, request.count = made.scene, made.contacts, made.count
+    request.speed_m_s, request.speeds = number, array.size
+    request.time_step_s, request.steps = time_step or 0, steps or 0
+    request.step_tolerance, request.step_corrected = step_tolerance or 0, step_corrected
+    request.step_errors = time_step is not None or steps is not None
+    request.integrator = lib.COR_NO_INTEGRATOR
+    size = lib.COR_SIMULATOR_REASON
+    while True:
+        text = ffi.new("char[]", size)
+        length = lib.cor_simulator_lines(text, size, request)
+        if length < 0:
+            _raise(text)
+        if length < size:
+            return string(text)
+        size = length + 1
+
+
+_STEP_ERROR = [name for name, _ in ffi.typeof("struct cor_step_error").fields]
+
+
+def step_error(
+    contact: _Bodies,
+    speed: ArrayLike,
+    steps: ArrayLike,
+    *,
+    integrator: str = _VERLET,
+    end: str = "zero_overlap",
+    law: str = "viscoelastic",
+    **numbers: float,
+) -> Any:
+    """What a time step does to eps (cor_scene_step_error): a record, or an array of records, with the mean of the error
+    over all phases of the first step (bias), its standard deviation (scatter), least and most. steps: time steps in the
+    duration of a contact without damping at the speed, m/s. NaN: the motion leaves the doubles, or takes too many of
+    them."""
+    made = _Scene(contact, law, end, False, numbers)
+    method = _one_of("integrator", integrator, _INTEGRATORS)
+    at, count = np.broadcast_arrays(np.asarray(speed, np.float64), np.asarray(steps, np.float64))
+    if not (np.all(at > 0) and np.all(np.isfinite(at))):
+        raise ValueError("speed: not above 0 and finite")
+    if not (np.all(count > 0) and np.all(np.isfinite(count))):
+        raise ValueError("steps: not above 0 and finite")
+    one = ffi.new("struct cor_step_error *")
+    rows = []
+    for g, n in zip(at.ravel(), count.ravel()):
+        status = lib.cor_scene_step_error(one, made.contacts, g, made.scene.end, n, method)
+        rows.append(tuple(getattr(one, field) if status == 0 else math.nan for field in _STEP_ERROR))
+    table = np.array(rows, [(field, np.float64) for field in _STEP_ERROR]).reshape(at.shape)
+    return table.view(np.recarray)[()]
+
+
+class Finding(NamedTuple):
+    """What an audit says of one contact at one speed; or, where model is "", of a line that could not be read."""
+
+    file: str
+    line: int
+    simulator: str
+    model: str
+    pair: str
+    asked: float  # NaN: the text gives a number of the damping
+    end: str  # "": not known
+    speed_m_s: float  # NaN: every speed
+    realised: float
+    duration_s: float
+    time_step_s: float
+    step_bias: float
+    step_scatter: float
+    as_asked: Optional[bool]  # None: no e was asked for
+    advice: str
+    instead: str
+
+
+class _Audit:
+    def __init__(self, include: Optional[Callable[[str, str], Optional[str]]]) -> None:
+        self.include = include
+        self.found: List[Finding] = []
+        self.texts: List[Any] = []
+        self.error: Optional[BaseException] = None
+
+
+def _text(value: Any) -> str:
+    return "" if value == ffi.NULL else str(ffi.string(value).decode(errors="replace"))
+
+
+@ffi.def_extern(error=1)  # type: ignore[misc]
+def cor_python_audit_open(context: Any, included: Any, name: Any, of: Any) -> int:
+    audit_of = ffi.from_handle(context)
+    try:
+        text = audit_of.include(_text(name), _text(of))
+    except BaseException as error:  # C cannot be left by an exception
+        audit_of.error = audit_of.error or error
+        return 1
+    if text is None:
+        return 1
+    coded = text.encode()
+    audit_of.texts += [ffi.new("char[]", coded), ffi.new("char[]", _text(name).encode())]
+    included.text, included.name = audit_of.texts[-2:]
+    included.size = len(coded)
+    return 0
+
+
+@ffi.def_extern()  # type: ignore[misc]
+def cor_python_audit_report(context: Any, f: Any) -> None:
+    end = "" if f.end < 0 else string(lib.cor_end_names[f.end])
+    ffi.from_handle(context).found.append(
+        Finding(
+            _text(f.file),
+            f.line,
+            _text(f.simulator),
+            _text(f.model),
+            _text(f.pair),
+            f.asked,
+            end,
+            f.speed_m_s,
+            f.realised,
+            f.duration_s,
+            f.time_step_s,
+            f.step_bias,
+            f.step_scatter,
+            None if f.as_asked < 0 else bool(f.as_asked),
+            _text(f.advice),
+            _text(f.instead),
+        )
+    )
+
+
+def audit(
+    text: Union[str, "os.PathLike[str]"],
+    *,
+    simulator: Optional[str] = None,
+    version: Optional[str] = None,
+    speeds: ArrayLike = (),
+    radius: Optional[float] = None,
+    density: Optional[float] = None,
+    time_step: Optional[float] = None,
+    tolerance: float = 0.01,
+    include: Optional[Callable[[str, str], Optional[str]]] = None,
+) -> List[Finding]:
+    """What every contact in the input of a simulator really gives (cor_audit, corgen audit). text is the input itself,
+    or a path; include(name, of) returns the text of a file that the input includes, or None. An input in which no
+    contact could be made out raises ValueError."""
+    _positive(radius=radius, density=density, time_step=time_step, tolerance=tolerance)
+    name = os.fspath(text) if isinstance(text, os.PathLike) else "text"
+    if isinstance(text, os.PathLike):
+        with open(text, encoding="utf-8", errors="surrogateescape") as file:
+            text = file.read()
+    coded = text.encode(errors="surrogateescape")
+    state = _Audit(include)
+    handle = ffi.new_handle(state)
+    known = [string(lib.cor_audit_simulators[i]) for i in _places(lib.cor_audit_simulators)]
+    if simulator is not None:
+        _one_of("simulator", simulator, known)
+    kept = [ffi.new("char[]", part) for part in (coded, os.fsencode(name), (simulator or "").lower().encode())]
+    array, number = _speeds(speeds)
+    options = ffi.new("struct cor_audit_options *")
+    options.simulator = kept[2] if simulator else ffi.NULL
+    _version(version)
+    options.version = 0 if version is None else lib.cor_simulator_version(version.encode())
+    options.speed_m_s, options.speeds = number, array.size
+    options.radius_m = math.nan if radius is None else radius
+    options.density_kg_m3 = math.nan if density is None else density
+    options.time_step_s = math.nan if time_step is None else time_step
+    options.tolerance = tolerance
+    options.open = lib.cor_python_audit_open if include is not None else ffi.NULL
+    options.report, options.context = lib.cor_python_audit_report, handle
+    whole = ffi.new("struct cor_audit_text *", {"name": kept[1], "text": kept[0], "size": len(coded)})
+    status = lib.cor_audit(ffi.new("struct cor_audit_memory *"), whole, options)
+    if state.error is not None:
+        raise state.error
+    if status == lib.COR_AUDIT_UNKNOWN:
+        raise ValueError(f"simulator: it cannot be told from the text; allowed: {', '.join(known)}")
+    if status == lib.COR_AUDIT_NOT_TEXT:
+        raise ValueError("text: it holds a zero byte")
+    if status == lib.COR_AUDIT_NO_CONTACT:
+        why = "; ".join(f"line {f.line}: {f.advice}" for f in state.found)
+        raise ValueError(f"text: no contact could be made out{'; ' if why else ''}{why}")
+    return state.found
+
+
+def _places(array: Any) -> Any:
+    i = 0
+    while array[i] != ffi.NULL:
+        yield i
+        i += 1
+
+
+__all__ = ["Finding", "audit", "lines", "models", "names", "realised", "step_error"]
+
+
+def __dir__() -> List[str]:
+    return __all__
