@@ -73,6 +73,7 @@ set(COR_GENERATOR_SOURCES
   gen/support/decimal.c
   gen/support/digits.c
   gen/support/emit_c.c
+  gen/support/eps_plot.c
   gen/support/gnuplot.c
   gen/support/output.c
   gen/support/parallel.c
@@ -102,7 +103,6 @@ set(COR_GENERATOR_CALLERS
   gen/cli/sample.c
   gen/contact/contact.c
   gen/contact/contact_host.c
-  gen/contact/contact_plot.c
   gen/contact/contact_rows.c
   gen/contact/sample.c
   gen/contact/sample_table.c

@@ -61,7 +61,8 @@ struct disk_collide_arguments {
     struct values speed, poisson, alpha, modes;
     struct decimal tolerance;
     slong phi_points, threads; /* 0 if not given */
-    bool hard_wall;
+    bool hard_wall, rayleigh;
+    const char *plot;
 };
 
 struct embed_arguments {

@@ -7,9 +7,9 @@
 #include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "contact/contact_host.h"
-#include "contact/contact_plot.h"
 #include "contact/contact_rows.h"
 #include "support/console.h"
+#include "support/eps_plot.h"
 #include "support/gnuplot.h"
 
 _Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "--end that is not given stands for both ends");
@@ -106,7 +106,7 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
 {
     static const char *const title[COR_SCENE_ENDS] = {"contact ends at zero overlap", "contact ends at zero force"};
     static double speed_m_s[COR_SCENE_ENDS][CURVE_POINTS], eps[COR_SCENE_ENDS][CURVE_POINTS];
-    struct contact_curve curve[COR_SCENE_ENDS];
+    struct eps_curve curve[COR_SCENE_ENDS];
     size_t curves = 0;
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         const struct cor_scene_contact *const contact = &contacts->contact[contacts->count > 1 ? end : 0];
@@ -116,10 +116,10 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
         const int status = fill_curve(speed_m_s[curves], eps[curves], o, contact, end);
         if (status != STATUS_OK)
             return status;
-        curve[curves] = (struct contact_curve){title[end], speed_m_s[curves], eps[curves], CURVE_POINTS};
+        curve[curves] = (struct eps_curve){title[end], speed_m_s[curves], eps[curves], CURVE_POINTS};
         curves++;
     }
-    return contact_plot(o->plot, law_equation(&contacts->law).text, curve, curves);
+    return eps_plot(o->plot, law_equation(&contacts->law).text, "impact speed (m/s)", 0, curve, curves);
 }
 
 /* ---- the command ---- */

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cor/disk.h"
 #include "support/console.h"
+#include "support/gnuplot.h"
 #include "support/parallel.h"
 
 #define DEFAULT_TOLERANCE "1e-8"
@@ -20,7 +21,10 @@ static const struct option_numbers hard_wall_tolerance = {
 /* Soft walls need alpha and a number of modes; the hard wall has neither. */
 static int check_wall(const struct disk_collide_arguments *o)
 {
-    const char *const missing = o->hard_wall ? NULL : !o->alpha.text ? "alpha" : !o->modes.text ? "modes" : NULL;
+    const char *const missing = o->hard_wall                     ? NULL
+                                : !o->rayleigh && !o->alpha.text ? "alpha"
+                                : !o->modes.text                 ? "modes"
+                                                                 : NULL;
     if (missing)
         return usage_error(
             "corgen disk-collide needs --%s, as --%s 500, or --hard-wall; see corgen disk-collide --help", missing,
@@ -36,6 +40,8 @@ static int run_disk_collide(const void *arguments)
     const int wrong = check_wall(o);
     if (wrong)
         return wrong;
+    if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
+        return STATUS_USAGE;
     struct decimal tolerance = {0};
     decimal_set(&tolerance, o->tolerance.text ? o->tolerance.text
                             : o->hard_wall    ? DEFAULT_HARD_WALL_TOLERANCE
@@ -45,22 +51,27 @@ static int run_disk_collide(const void *arguments)
                                                     .alpha = o->alpha,
                                                     .modes = o->modes,
                                                     .hard_wall = o->hard_wall,
+                                                    .rayleigh = o->rayleigh,
                                                     .tolerance = decimal_value(&tolerance),
                                                     .phi_points = (size_t)o->phi_points},
                                           .threads = (int)o->threads,
                                           .format = (enum output_format)o->common.format,
-                                          .output = o->common.output};
+                                          .output = o->common.output,
+                                          .plot = o->plot};
     decimal_clear(&tolerance);
     return sweep_run(&request);
 }
 
 static const char help[] =
     "Usage: corgen disk-collide --speed LIST --poisson LIST --alpha LIST --modes LIST [OPTION]...\n"
-    "       corgen disk-collide --hard-wall --speed LIST --poisson LIST [OPTION]...\n\n"
+    "       corgen disk-collide --hard-wall --speed LIST --poisson LIST [OPTION]...\n"
+    "       corgen disk-collide --rayleigh --speed LIST --poisson LIST --modes LIST [OPTION]...\n\n"
     "Collides an elastic disk, with the modes given, with a wall of potential exp(alpha x)/alpha, or the\n"
-    "disk of all its modes with a rigid wall, for every combination of the lists. Units: E = rho =\n"
-    "R = 1.\n\n"
+    "disk of all its modes with a rigid wall, or takes Rayleigh's integral for the energy that the modes\n"
+    "keep, for every combination of the lists. Units: E = rho = R = 1.\n\n"
     "  --hard-wall      a rigid wall and all modes: the limit of alpha and of the number of modes\n"
+    "  --rayleigh       Rayleigh's energy to first order: fraction of the modes, tail of all higher ones, and\n"
+    "                   eps = sqrt(1 - fraction - tail)\n"
     "  --speed LIST     impact speeds, above 0 and up to 0.5\n"
     "  --poisson LIST   Poisson's ratios in plane stress, between -1 and 1\n"
     "  --alpha LIST     hardnesses of the wall, 40 to 1e5\n"
@@ -70,6 +81,7 @@ static const char help[] =
     "  --phi-points M   angles on a quadrant where the wall's force is evaluated, 1 to 16384\n"
     "                   (default: as many as the tolerance needs)\n"
     "  --threads K      1 to 1024 (default: as many as processors; under mpirun 1 for each rank)\n"
+    "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot; up to 12 curves\n"
     "  --format F       text (default), csv or json\n"
     "  --output FILE    write to FILE (default: standard output). FILE.part keeps the rows until all are\n"
     "                   there; the same command continues an interrupted run\n"
@@ -80,7 +92,8 @@ static const char help[] =
     "  A:B:log:N  N values from A to B at equal ratios\n"
     "\nColumns: speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,\n"
     "steps,error_estimate,status; with --hard-wall: speed,nu,one_minus_eps2,eps,contact_time,\n"
-    "max_compression,error_estimate,status. Digits end with the second one of error_estimate. The speed\n"
+    "max_compression,error_estimate,status; with --rayleigh: speed,nu,modes,fraction,tail,eps,\n"
+    "contact_time,error_estimate,status. Digits end with the second one of error_estimate. The speed\n"
     "varies fastest, then modes, alpha, poisson. A row whose status is not ok is kept, and the exit\n"
     "status is then 1.\n"
     "\nExample: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 100\n";
@@ -98,6 +111,11 @@ static const struct option_rule options[] = {
      .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
      .why = "walls that need more are not computed"},
     {.name = "hard-wall", .kind = OPTION_FLAG, .offset = AT(hard_wall), .excludes = "alpha modes phi-points"},
+    {.name = "rayleigh",
+     .kind = OPTION_FLAG,
+     .offset = AT(rayleigh),
+     .excludes = "alpha tolerance phi-points hard-wall"},
+    {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot)},
     {.name = "threads",
      .kind = OPTION_WHOLE,
      .offset = AT(threads),

@@ -12,6 +12,7 @@
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/eps_plot.h"
 #include "support/parallel.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
@@ -19,6 +20,9 @@
 
 /* Memory for each mode while the modes are found, measured. */
 enum { MODE_BYTES = 900 };
+
+/* More cannot be told from one another. */
+enum { MOST_CURVES = 12, CURVE_TITLE = 3 * DECIMAL_TEXT };
 
 struct collide {
     struct sweep sweep;
@@ -40,6 +44,11 @@ struct collide {
 };
 
 /* ---- limits of a sweep ---- */
+
+static bool is_soft(const struct sweep *sweep)
+{
+    return !sweep->hard_wall && !sweep->rayleigh;
+}
 
 static int refuse_memory(const struct sweep *sweep)
 {
@@ -206,7 +215,7 @@ static int collide_all(struct collide *run, uint64_t first)
         const size_t material = (size_t)(first / each);
         run->materials_left = run->sweep.poisson.count - material - 1;
         int status = find_modes(run, material);
-        if (status == STATUS_OK && !checked && !run->sweep.hard_wall)
+        if (status == STATUS_OK && !checked && is_soft(&run->sweep))
             status = refuse_corners(run, &run->modes);
         if (status != STATUS_OK)
             return status;
@@ -230,8 +239,12 @@ static int collide_all(struct collide *run, uint64_t first)
 /* Reports rows whose status is not ok. */
 static int report_rows(const struct sweep_printer *printer)
 {
-    if (printer->tolerance_not_reached + printer->failed == 0)
+    if (printer->tolerance_not_reached + printer->failed + printer->beyond_theory == 0)
         return STATUS_OK;
+    if (printer->beyond_theory > 0)
+        return fail("of %" PRIu64 " rows, %" PRIu64 " are beyond Rayleigh's theory and %" PRIu64
+                    " have no eps; the column status says which",
+                    printer->rows, printer->beyond_theory, printer->failed);
     return fail("of %" PRIu64 " rows, %" PRIu64 " did not reach the tolerance and %" PRIu64
                 " have no eps; the column status says which",
                 printer->rows, printer->tolerance_not_reached, printer->failed);
@@ -267,11 +280,18 @@ static char *title_of(const struct sweep *s)
     if (!text)
         return NULL;
     fprintf(text, "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64 " rows:%s --speed %s --poisson %s",
-            sweep_identity(s), s->rows, s->hard_wall ? " --hard-wall" : "", s->speed.text, s->poisson.text);
+            sweep_identity(s), s->rows,
+            s->hard_wall  ? " --hard-wall"
+            : s->rayleigh ? " --rayleigh"
+                          : "",
+            s->speed.text, s->poisson.text);
+    if (is_soft(s))
+        fprintf(text, " --alpha %s", s->alpha.text);
     if (!s->hard_wall)
-        fprintf(text, " --alpha %s --modes %s", s->alpha.text, s->modes.text);
-    fprintf(text, " --tolerance %s", decimal_text(tolerance, s->tolerance));
-    if (!s->hard_wall)
+        fprintf(text, " --modes %s", s->modes.text);
+    if (!s->rayleigh)
+        fprintf(text, " --tolerance %s", decimal_text(tolerance, s->tolerance));
+    if (is_soft(s))
         fprintf(text, " --phi-points %zu", s->phi_points);
     fclose(text);
     return title;
@@ -317,6 +337,45 @@ static int collide_to_stream(struct collide *run, const struct sweep_request *re
     return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
+/* ---- picture ---- */
+
+static int refuse_curves(struct collide *run)
+{
+    const uint64_t curves = run->sweep.rows / run->sweep.speed.count;
+    if (run->sweep.speed.count < 2)
+        return usage_error("--plot: eps over one speed is no picture; allowed: two speeds or more, as --speed "
+                           "0.01:0.3:log:12");
+    if (curves > MOST_CURVES)
+        return usage_error("--plot: the lists make %" PRIu64
+                           " curves; up to %d are allowed, for more cannot be told from "
+                           "one another",
+                           curves, MOST_CURVES);
+    run->sweep.eps = xmalloc(run->sweep.rows * sizeof *run->sweep.eps);
+    return STATUS_OK;
+}
+
+static int draw(const struct sweep *sweep, const char *path)
+{
+    struct eps_curve curve[MOST_CURVES];
+    char title[MOST_CURVES][CURVE_TITLE];
+    const uint64_t points = sweep->speed.count, curves = sweep->rows / points;
+    for (uint64_t i = 0; i < curves; i++) {
+        struct sweep_row row;
+        sweep_row(&row, sweep, i * points);
+        int n = snprintf(title[i], CURVE_TITLE, "ν = %g", row.nu);
+        if (is_soft(sweep))
+            n += snprintf(title[i] + n, CURVE_TITLE - (size_t)n, ", α = %g", row.alpha);
+        if (!sweep->hard_wall)
+            snprintf(title[i] + n, CURVE_TITLE - (size_t)n, ", %zu modes", row.modes);
+        curve[i] = (struct eps_curve){title[i], sweep->speed.nearest, sweep->eps + i * points, points};
+    }
+    return eps_plot(path,
+                    sweep->hard_wall  ? "elastic disk of all its modes, rigid wall"
+                    : sweep->rayleigh ? "elastic disk, Rayleigh's energy"
+                                      : "elastic disk, wall of potential exp(α x)/α",
+                    "impact speed in units of (E/ρ)^{1/2}", (double)NAN, curve, curves);
+}
+
 /* Another rank: does the rows of rank 0, one material after the other, until an empty message. */
 static int serve(struct collide *run)
 {
@@ -332,12 +391,19 @@ static int serve(struct collide *run)
 static int run_as_rank_0(struct collide *run, const struct sweep_request *request)
 {
     int status = run->sweep.hard_wall ? STATUS_OK : refuse_memory(&run->sweep);
-    if (status == STATUS_OK && !run->sweep.hard_wall)
+    if (status == STATUS_OK && is_soft(&run->sweep))
         status = refuse_early(run);
+    if (status == STATUS_OK && request->plot)
+        status = refuse_curves(run);
     if (status == STATUS_OK)
         status = (output_is_direct(request->output) ? collide_to_stream : collide_to_file)(run, request);
     for (int rank = 1; rank < ranks_count(); rank++)
         ranks_send(rank, RANKS_TAG_MAIN, NULL, 0);
+    if (run->sweep.eps && run->printer.rows == run->sweep.rows) {
+        const int drawn = draw(&run->sweep, request->plot);
+        status = status == STATUS_OK ? drawn : status;
+    }
+    free(run->sweep.eps);
     return status;
 }
 

@@ -10,6 +10,7 @@ struct sweep_request {
     int threads;        /* 0: one for each processor, or one for each rank if there are several ranks */
     enum output_format format;
     const char *output; /* file; NULL: standard output */
+    const char *plot;   /* a picture of eps over the speed; NULL: none */
 };
 
 /* Returns STATUS_OK, or another status after a message. */

@@ -69,7 +69,7 @@ double sweep_cost(const struct sweep *sweep, uint64_t number)
     struct sweep_row row;
     sweep_row(&row, sweep, number);
     double cost = 0;
-    if (sweep->hard_wall)
+    if (sweep->hard_wall || sweep->rayleigh)
         return 1;
     for (int part = 0; part < COST_PARTS; part++)
         cost += cost_of_alpha(part, row.alpha) * cost_of_speed(part, row.speed);
@@ -83,7 +83,9 @@ static size_t lists_of(const struct sweep *sweep, const struct values *list[SWEE
 {
     const struct values *const all[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
     memcpy(list, all, sizeof all);
-    return sweep->hard_wall ? 2 : SWEEP_LISTS;
+    if (sweep->rayleigh)
+        list[2] = &sweep->modes;
+    return sweep->hard_wall ? 2 : sweep->rayleigh ? 3 : SWEEP_LISTS;
 }
 
 int sweep_count(struct sweep *sweep)
@@ -101,7 +103,7 @@ int sweep_count(struct sweep *sweep)
         return usage_error("the lists make %.4g rows; up to %" PRIu64
                            " are allowed, because more take weeks; split the sweep",
                            product, SWEEP_MAX_ROWS);
-    if (sweep->hard_wall) {
+    if (sweep->hard_wall || sweep->rayleigh) {
         sweep->cost = (double)sweep->rows;
         return STATUS_OK;
     }
@@ -137,6 +139,8 @@ void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number
     if (!sweep->hard_wall) {
         row->modes = (size_t)sweep->modes.nearest[number % sweep->modes.count];
         number /= sweep->modes.count;
+    }
+    if (sweep->alpha.count > 0) {
         row->alpha = sweep->alpha.nearest[number % sweep->alpha.count];
         number /= sweep->alpha.count;
     }
@@ -176,7 +180,8 @@ uint64_t sweep_identity(const struct sweep *sweep)
 }
 
 static const struct sweep_result no_result = {.collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN},
-                                              .hard_wall = {NAN, NAN, NAN, NAN, NAN, 0}};
+                                              .hard_wall = {NAN, NAN, NAN, NAN, NAN, 0},
+                                              .rayleigh = {NAN, NAN, NAN, NAN}};
 
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                    const struct cor_disk_modes *modes, struct hard_wall_tables *tables, struct workspace *workspace)
@@ -184,6 +189,12 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
     *result = no_result;
     if (sweep->hard_wall) {
         result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, 0, row->speed, workspace);
+        return;
+    }
+    if (sweep->rayleigh) { /* the tail must not depend on the modes of other rows */
+        const struct cor_disk_modes cut = {modes->nu, row->modes, modes->mode};
+        result->status =
+            cor_disk_rayleigh(&cut, row->modes, COR_DISK_DATUM_CENTRE_OF_MASS, row->speed, &result->rayleigh, NULL);
         return;
     }
     /* sized for this row alone: the angles chosen must not depend on earlier rows */
@@ -205,6 +216,8 @@ static const char *status_word(char text[DECIMAL_TEXT], int status)
         const char *word;
     } known[] = {{COR_OK, "ok"},
                  {COR_TOLERANCE_NOT_REACHED, "tolerance_not_reached"},
+                 {COR_BEYOND_THEORY, "beyond_theory"},
+                 {COR_ERROR_SPEED, "beyond_theory"},
                  {COR_WALL_NOT_TOUCHED, "wall_not_touched"},
                  {COR_CONTACT_NOT_ENDED, "contact_not_ended"}};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
@@ -257,11 +270,28 @@ static void hard_wall_line(char line[SWEEP_LINE], const struct sweep_row *row, c
              status_word(word, result->status));
 }
 
+static void rayleigh_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
+{
+    const struct cor_disk_rayleigh *r = &result->rayleigh;
+    const double sum = r->fraction + r->tail, eps = sum <= 1 ? sqrt(1 - sum) : (double)NAN;
+    const int known = decimals_known(r->error_estimate);
+    char text[7][DECIMAL_TEXT], word[DECIMAL_TEXT];
+    snprintf(line, SWEEP_LINE, "%s,%s,%zu,%s,%s,%s,%s,%s,%s", decimal_text(text[0], row->speed),
+             decimal_text(text[1], row->nu), row->modes, known_text(text[2], true, known, r->fraction),
+             known_text(text[3], true, known, r->tail), known_text(text[4], true, known, eps),
+             decimal_text(text[5], r->contact_time), error_text(text[6], r->error_estimate),
+             status_word(word, result->status));
+}
+
 void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
                 const struct sweep_result *result)
 {
     if (sweep->hard_wall) {
         hard_wall_line(line, row, result);
+        return;
+    }
+    if (sweep->rayleigh) {
+        rayleigh_line(line, row, result);
         return;
     }
     const struct cor_disk_collision *c = &result->collision;
@@ -290,22 +320,30 @@ enum { LEAST_DIGITS = 4 };
 
 struct layout {
     const char *header;
-    int columns;
+    int columns, eps; /* eps: its column */
     enum column_kind kind[SWEEP_COLUMNS];
 };
 static const struct layout soft_layout = {SWEEP_HEADER,
                                           SWEEP_COLUMNS,
+                                          4,
                                           {COLUMN_LIST, COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT,
                                            COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT, COLUMN_SMALL, COLUMN_STEPS,
                                            COLUMN_SMALL, COLUMN_STATUS}};
 static const struct layout hard_layout = {SWEEP_HARD_WALL_HEADER,
                                           8,
+                                          3,
                                           {COLUMN_LIST, COLUMN_LIST, COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT,
                                            COLUMN_RESULT, COLUMN_SMALL, COLUMN_STATUS}};
 
-static const struct layout *layout_of(bool hard_wall)
+static const struct layout rayleigh_layout = {SWEEP_RAYLEIGH_HEADER,
+                                              9,
+                                              5,
+                                              {COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT, COLUMN_RESULT,
+                                               COLUMN_RESULT, COLUMN_RESULT, COLUMN_SMALL, COLUMN_STATUS}};
+
+static const struct layout *layout_of(const struct sweep *sweep)
 {
-    return hard_wall ? &hard_layout : &soft_layout;
+    return sweep->hard_wall ? &hard_layout : sweep->rayleigh ? &rayleigh_layout : &soft_layout;
 }
 
 /* Cuts a line at its commas; the cells point into `line`. */
@@ -333,7 +371,7 @@ static int column_width(const char *name, const struct values *values)
 /* Prints as many digits as the tolerance justifies. */
 static void print_text(const struct sweep_printer *p, char *const cell[SWEEP_COLUMNS])
 {
-    const struct layout *const layout = layout_of(p->hard_wall);
+    const struct layout *const layout = layout_of(p->sweep);
     for (int j = 0; j + 1 < layout->columns; j++) {
         const enum column_kind kind = layout->kind[j];
         char rounded[DECIMAL_TEXT];
@@ -351,7 +389,7 @@ static void print_text(const struct sweep_printer *p, char *const cell[SWEEP_COL
 
 static void print_json(const struct sweep_printer *p, char *const name[SWEEP_COLUMNS], char *const cell[SWEEP_COLUMNS])
 {
-    const int columns = layout_of(p->hard_wall)->columns;
+    const int columns = layout_of(p->sweep)->columns;
     fputs(p->rows ? ",\n  {" : "\n  {", p->file);
     for (int j = 0; j < columns; j++) {
         const char *quote = j + 1 == columns ? "\"" : "";
@@ -363,8 +401,8 @@ static void print_json(const struct sweep_printer *p, char *const name[SWEEP_COL
 
 void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum output_format format, FILE *file)
 {
-    *p = (struct sweep_printer){.file = file, .format = format, .hard_wall = sweep->hard_wall};
-    const struct layout *const layout = layout_of(p->hard_wall);
+    *p = (struct sweep_printer){.file = file, .format = format, .sweep = sweep};
+    const struct layout *const layout = layout_of(p->sweep);
     char header[sizeof SWEEP_HEADER];
     char *name[SWEEP_COLUMNS];
     snprintf(header, sizeof header, "%s", layout->header);
@@ -393,7 +431,7 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
 
 void sweep_print(struct sweep_printer *p, const char *line)
 {
-    const struct layout *const layout = layout_of(p->hard_wall);
+    const struct layout *const layout = layout_of(p->sweep);
     if (p->format == FORMAT_CSV)
         fprintf(p->file, "%s\n", line);
     char header[sizeof SWEEP_HEADER], copy[SWEEP_LINE];
@@ -406,10 +444,14 @@ void sweep_print(struct sweep_printer *p, const char *line)
         print_json(p, name, cell);
     else if (p->format == FORMAT_TEXT)
         print_text(p, cell);
+    if (p->sweep->eps)
+        p->sweep->eps[p->rows] = strtod(cell[layout->eps], NULL);
     p->rows++;
     const char *status = cell[layout->columns - 1];
     p->tolerance_not_reached += strcmp(status, "tolerance_not_reached") == 0;
-    p->failed += strcmp(status, "ok") != 0 && strcmp(status, "tolerance_not_reached") != 0;
+    p->beyond_theory += strcmp(status, "beyond_theory") == 0;
+    p->failed += strcmp(status, "ok") != 0 && strcmp(status, "tolerance_not_reached") != 0 &&
+                 strcmp(status, "beyond_theory") != 0;
 }
 
 void sweep_print_end(struct sweep_printer *p)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of elastic disks for every combination of lists: the rows, their cost, and their lines of output. A sweep
  * of soft walls (cor_disk_collision) has four lists. A sweep of the rigid wall (cor_disk_hard_wall) has no alpha and
- * all modes: the lists of alpha and modes are then empty, count 0. */
+ * all modes: the lists of alpha and modes are then empty, count 0. A sweep of Rayleigh's energy (cor_disk_rayleigh) has
+ * no alpha. */
 #ifndef COR_GEN_SWEEP_SWEEP_H
 #define COR_GEN_SWEEP_SWEEP_H
 
@@ -18,17 +19,19 @@
 #define SWEEP_HEADER                                                                                                   \
     "speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,error_estimate,status"
 #define SWEEP_HARD_WALL_HEADER "speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status"
+#define SWEEP_RAYLEIGH_HEADER "speed,nu,modes,fraction,tail,eps,contact_time,error_estimate,status"
 
 enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 
 /* Rows are numbered in the order of the lists: speed varies fastest, then modes, alpha and poisson. */
 struct sweep {
     struct values speed, poisson, alpha, modes;
-    bool hard_wall;
+    bool hard_wall, rayleigh;
     double tolerance; /* of eps; for the hard wall of 1 - eps^2 */
     size_t phi_points;
     uint64_t rows;
     double cost; /* sum over all rows */
+    double *eps; /* NULL, or an element for each row that is printed */
 };
 
 struct sweep_row {
@@ -39,6 +42,7 @@ struct sweep_row {
 struct sweep_result {
     struct cor_disk_collision collision; /* soft walls; NaN and 0 if the status says that there is no result */
     struct cor_disk_hard_wall hard_wall; /* the rigid wall; likewise */
+    struct cor_disk_rayleigh rayleigh;   /* likewise */
     int status;
 };
 
@@ -69,9 +73,9 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct s
 struct sweep_printer {
     FILE *file;
     enum output_format format;
-    bool hard_wall;
-    int width[SWEEP_COLUMNS], digits;             /* of the columns in text format */
-    uint64_t rows, tolerance_not_reached, failed; /* failed: rows without eps */
+    const struct sweep *sweep;
+    int width[SWEEP_COLUMNS], digits;                            /* of the columns in text format */
+    uint64_t rows, tolerance_not_reached, beyond_theory, failed; /* failed: rows without eps */
 };
 void sweep_print_start(struct sweep_printer *printer, const struct sweep *sweep, enum output_format format, FILE *file);
 void sweep_print(struct sweep_printer *printer, const char *line);

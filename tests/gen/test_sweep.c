@@ -744,12 +744,42 @@ TEST(test_hard_wall)
     hard_wall_tables_clear(&tables);
 }
 
+/* ---- Rayleigh's energy ---- */
+
+/* A row has the numbers of the library's table cut to its modes, whatever table the sweep has. */
+TEST(test_rayleigh)
+{
+    const struct sweep sweep = {.rayleigh = true};
+    const struct cor_disk_modes *const whole = &cor_disk_modes_nu033;
+    struct workspace workspace = {NULL, 0};
+    for (int i = 0; i < 3; i++) {
+        const double speed = i == 0 ? 1e-3 : i == 1 ? 0.05 : 0.4;
+        const struct sweep_row row = {speed, 0.33, (double)INFINITY, 100, 0};
+        const struct cor_disk_modes cut = {0.33, 100, whole->mode};
+        struct cor_disk_rayleigh expected = {NAN, NAN, NAN, NAN};
+        struct sweep_result of_whole, of_cut;
+        const int status = cor_disk_rayleigh(&cut, 100, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &expected, NULL);
+        assert_int_equal(status, i == 0 ? COR_OK : i == 1 ? COR_BEYOND_THEORY : COR_ERROR_SPEED);
+        sweep_collide(&of_whole, &sweep, &row, whole, NULL, &workspace);
+        sweep_collide(&of_cut, &sweep, &row, &cut, NULL, &workspace);
+        assert_int_equal(of_whole.status, status);
+        assert_memory_equal(&of_whole.rayleigh, &expected, sizeof expected);
+        assert_memory_equal(&of_cut.rayleigh, &expected, sizeof expected);
+    }
+    const struct sweep_row row = {1e-3, 0.33, (double)INFINITY, 100, 0};
+    const struct sweep_result result = {.rayleigh = {0.36, 0.0036, 2e-6, 7.25}, .status = COR_OK};
+    char line[SWEEP_LINE];
+    sweep_line(line, &sweep, &row, &result);
+    assert_string_equal(line, "0.001,0.33,100,0.36,0.0036,0.7977468,7.25,2e-06,ok");
+}
+
 int main(void)
 {
     console_start();
     journal_start();
     const struct CMUnitTest tests[] = {test_lists,           test_wrong_lists,     test_product,        test_threads,
                                        test_journal_damaged, test_journal_foreign, test_journal_shared, test_ranks,
-                                       test_longest_list,    test_hard_wall,       test_digits,         test_cost};
+                                       test_longest_list,    test_hard_wall,       test_digits,         test_cost,
+                                       test_rayleigh};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
