@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen disk-collide: sweeps of the full dynamics of disks. docs/disk-collide.md. */
+/* corgen disk-collide: sweeps of the full dynamics of disks. docs/disks.md. */
 #include "cli/commands.h"
 #include "cor/disk.h"
 #include "support/console.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The rows of an unfinished sweep, kept in FILE.part until FILE can be written. Whenever the program ends, FILE.part
- * holds the first rows of the sweep; only its last line may be incomplete. docs/disk-collide.md. */
+ * holds the first rows of the sweep; only its last line may be incomplete. docs/disks.md. */
 #ifndef COR_GEN_SWEEP_JOURNAL_H
 #define COR_GEN_SWEEP_JOURNAL_H
 

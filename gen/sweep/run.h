@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs a sweep on threads and ranks and writes its file. docs/disk-collide.md. */
+/* Runs a sweep on threads and ranks and writes its file. docs/disks.md. */
 #ifndef COR_GEN_SWEEP_RUN_H
 #define COR_GEN_SWEEP_RUN_H
 

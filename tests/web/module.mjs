@@ -189,10 +189,10 @@ check("a number instead of an array is a TypeError", bad(() => cor.sphere.eps_ze
 
 // ---- the example of the page ----
 
-const [, example] = readFileSync("docs/web.md", "utf8").match(/```js\n([^`]*)```/);
+const [, example] = readFileSync("docs/languages.md", "utf8").match(/```js\n([^`]*)```/);
 writeFileSync("build/web/example.mjs", example.replace('"cor-restitution"', '"./package/cor.js"'));
 const said = spawnSync("node", ["build/web/example.mjs"], { encoding: "utf8" });
-check("the example of docs/web.md runs", said.status === 0 && said.stdout.includes("0.39393060322987317") &&
+check("the example of docs/languages.md runs", said.status === 0 && said.stdout.includes("0.39393060322987317") &&
     said.stdout.includes("pair_style granular"), said.stdout + said.stderr);
 
 // ---- types ----
