@@ -13,8 +13,8 @@ struct eps_curve {
 };
 
 /* Draws curves with the label of the abscissa, and eps from `least` to 1: 0, or NAN, from the least eps. Writes the
- * picture in the format of `path` (gnuplot.h), whole or not at all. Returns STATUS_OK, or STATUS_FAILED after a message,
- * also where gnuplot is not installed. */
+ * picture in the format of `path` (gnuplot.h), whole or not at all. Returns STATUS_OK, or STATUS_FAILED after a
+ * message, also where gnuplot is not installed. */
 int eps_plot(const char *path, const char *title, const char *label, double least, const struct eps_curve *curve,
              size_t curves);
 
