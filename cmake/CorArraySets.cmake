@@ -11,10 +11,19 @@ set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-s
 set(cor_with_tables_kernels law/dashpot_array sphere/array)
 set(cor_without_tables_kernels disk/mode_source disk/collision disk/hard_wall disk/rayleigh law/array)
 set(sets portable)
-if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+# The compiler knows the processor that it compiles for; CMAKE_SYSTEM_PROCESSOR is empty under many toolchain files.
+include(CheckCSourceCompiles)
+check_c_source_compiles("
+#ifndef __x86_64__
+#error another processor
+#endif
+int main(void) { return 0; }" COR_FOR_X86_64)
+if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND COR_FOR_X86_64)
   list(APPEND sets avx2 avx512)
   set(cor_sets_definition COR_X86_SETS)
 endif()
+list(JOIN sets ", " sets_text)
+message(STATUS "Instruction sets of array functions: ${sets_text}")
 
 foreach(part cor_with_tables cor_without_tables)
   list(TRANSFORM ${part}_kernels REPLACE "(.+)" "runtime/\\1_kernel.c" OUTPUT_VARIABLE kernels)

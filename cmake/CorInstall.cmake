@@ -20,6 +20,11 @@ if(COR_HAVE_GENERATOR)
   include(CorDocuments) # completion by shells, man pages
 endif()
 
+if(COR_IS_TOP_LEVEL)
+  add_custom_target(uninstall VERBATIM COMMAND ${CMAKE_COMMAND}
+    -DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt -P ${PROJECT_SOURCE_DIR}/cmake/Uninstall.cmake)
+endif()
+
 file(RELATIVE_PATH COR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 configure_file(${PROJECT_SOURCE_DIR}/cmake/cor.pc.in ${PROJECT_BINARY_DIR}/cor.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cor.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

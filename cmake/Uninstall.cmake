@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+# Removes what the last installation of a build directory installed, and then its list.
+#   cmake -DMANIFEST=build/install_manifest.txt -P cmake/Uninstall.cmake
+if(NOT EXISTS "${MANIFEST}")
+  message(FATAL_ERROR "Nothing was installed from here: there is no ${MANIFEST}")
+endif()
+file(STRINGS "${MANIFEST}" files)
+foreach(file ${files})
+  message(STATUS "Removing $ENV{DESTDIR}${file}")
+  file(REMOVE "$ENV{DESTDIR}${file}")
+endforeach()
+file(REMOVE "${MANIFEST}")
