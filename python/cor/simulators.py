@@ -49,6 +49,8 @@ def _raise(text: Any) -> None:
 
 
 def _fill_bodies(scene: Any, bodies: Sequence[Body], damped: bool) -> None:
+    if len(bodies) > 2:
+        raise ValueError(f"contact: {len(bodies)} bodies; allowed: one or two")
     for k, body in enumerate(bodies):
         if getattr(body, "_struct", "") != "cor_body":
             raise TypeError(f"contact: {type(body).__name__} is not a cor.Body")
@@ -61,6 +63,17 @@ def _fill_bodies(scene: Any, bodies: Sequence[Body], damped: bool) -> None:
         scene.wall |= wall
         for name, value in values.items():
             scene.number[getattr(lib, f"COR_SCENE_{name}") + (lib.COR_SCENE_BODY if k else 0)] = value
+
+
+def _number(name: str, value: Any) -> float:
+    if not isinstance(value, (int, float, np.number)):
+        raise TypeError(f"{name}: a number is needed, not {type(value).__name__}")
+    number = float(value)
+    if not math.isfinite(number) or (number < 0 and not name.startswith("poisson")):
+        raise ValueError(f"{name}: {value!r} is not finite{'' if name.startswith('poisson') else ', or below 0'}")
+    if name == "restitution" and not 0 < number <= 1:
+        raise ValueError(f"restitution: {value!r} is not above 0 and at most 1")
+    return number
 
 
 class _Scene:
@@ -83,7 +96,7 @@ class _Scene:
         for name, value in numbers.items():
             if name not in _NUMBERS:
                 raise TypeError(f"{name!r} is not an argument; allowed: {', '.join(_NUMBERS)}")
-            scene.number[_NUMBERS.index(name)] = value
+            scene.number[_NUMBERS.index(name)] = _number(name, value)
         self.contacts = ffi.new("struct cor_scene_contact[]", lib.COR_SCENE_ENDS)
         count, fault = ffi.new("int *"), ffi.new("struct cor_scene_fault *")
         if lib.cor_scene_contacts(self.contacts, count, fault, scene) != lib.COR_OK:
@@ -269,12 +282,12 @@ def cor_python_audit_open(context: Any, included: Any, name: Any, of: Any) -> in
     audit_of = ffi.from_handle(context)
     try:
         text = audit_of.include(_text(name), _text(of))
+        coded = None if text is None else text.encode()
     except BaseException as error:  # C cannot be left by an exception
         audit_of.error = audit_of.error or error
         return 1
-    if text is None:
+    if coded is None:
         return 1
-    coded = text.encode()
     audit_of.texts += [ffi.new("char[]", coded), ffi.new("char[]", _text(name).encode())]
     included.text, included.name = audit_of.texts[-2:]
     included.size = len(coded)
@@ -326,6 +339,8 @@ def audit(
     if isinstance(text, os.PathLike):
         with open(text, encoding="utf-8", errors="surrogateescape") as file:
             text = file.read()
+    if not isinstance(text, str):
+        raise TypeError(f"text: a str or a path is needed, not {type(text).__name__}")
     coded = text.encode(errors="surrogateescape")
     state = _Audit(include)
     handle = ffi.new_handle(state)

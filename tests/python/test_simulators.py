@@ -158,6 +158,13 @@ def test_from_restitution():
         (lambda: simulators.lines("lammps", BODY, steps=0), "^steps: "),
         (lambda: simulators.lines("abaqus", BODY, speeds=1.0), "abaqus"),
         (lambda: simulators.lines("lammps", BODY, yuong=1), "yuong"),
+        (lambda: simulators.lines("lammps", BODY, restitution=np.nan, at=1), "^restitution: nan"),
+        (lambda: simulators.lines("lammps", BODY, restitution=-0.9, at=1), "^restitution: "),
+        (lambda: simulators.lines("lammps", BODY, restitution=1.1, at=1), "^restitution: "),
+        (lambda: simulators.lines("lammps", BODY, g_star="0.2"), "^g_star: "),
+        (lambda: simulators.lines("lammps", (BODY, BODY, BODY)), "^contact: 3"),
+        (lambda: simulators.audit(None), "^text: "),
+        (lambda: simulators.audit("include a", simulator="lammps", include=lambda name, of: b""), "encode"),
         (lambda: simulators.lines("lammps", "glass"), "^contact: "),
         (lambda: simulators.lines("lammps", (WALL, BODY)), "^contact: "),
         (lambda: simulators.lines("lammps", young=1e9, poisson=0.3), "radius"),
@@ -174,7 +181,7 @@ def test_from_restitution():
     ],
 )
 def test_errors_name_the_argument(act, text):
-    with pytest.raises((TypeError, ValueError)) as error:
+    with pytest.raises((AttributeError, TypeError, ValueError)) as error:
         act()
     assert re.search(text, str(error.value)), error.value
 
