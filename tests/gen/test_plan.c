@@ -456,7 +456,7 @@ TEST(test_disks)
 
 TEST(test_contact_time)
 {
-    leave_to_turn(0, 3);
+    leave_to_turn(2, 3);
     struct plan_disks_request request = disk_request(PLAN_CONTACT_TIME, "0.01", "0.02", 2);
     static const char *const law[] = {"quasistatic law: centre of mass", "quasistatic law: diameter",
                                       "quasistatic law: as printed"};
