@@ -87,22 +87,24 @@ function decades(t, s, where,    k, line, last, from, headers) {
         last = line
     }
 }
-# A method from a speed at zero overlap: its errors in the scenes, its time in the ordinary one
-function method(scenes, title, curve, what,    t, s, n, line, i, k) {
+# A method from a speed, at zero overlap unless given: its errors in the scenes, its time in the ordinary one
+function method(scenes, title, curve, what, end,    t, s, n, line, i, k) {
     t = "spheres_speed"
+    if (end == "") end = "overlap"
     n = split(scenes, s, " ")
     for (k = 1; k <= n; k++) {
-        i = row_of(t, s[k], "overlap", "scalar", curve, what)
+        i = row_of(t, s[k], end, "scalar", curve, what)
         line = line " | " (!i ? "" : cell[t, i, 9] > 1e4 ? "diverges" : short(cell[t, i, 9]))
     }
-    i = row_of(t, "ordinary", "overlap", "scalar", curve, what)
-    k = row_of(t, "ordinary", "overlap", "array", curve, what, "AVX2")
+    i = row_of(t, "ordinary", end, "scalar", curve, what)
+    k = row_of(t, "ordinary", end, "array", curve, what, "AVX2")
     printf "| %s%s | %s | %s |\n", title, line, plain(cell[t, i, 7]), plain(k ? cell[t, k, 7] : "")
 }
 function summary(    i, s) {
     s = "weak ordinary strong"
-    head("| eps from a speed, zero overlap | error: weak | ordinary | strong dissipation | ns, one call | ns, AVX2 loop |")
+    head("| eps from a speed | error: weak | ordinary | strong dissipation | ns, one call | ns, AVX2 loop |")
     method(s, "published Padé of 1999, with `pow`", "published", "[1/4] of Table I")
+    method(s, "YADE's Padé [3/6], zero force, with `pow`", "published", "Müller & Pöschel [3/6]", "force")
     for (i = 8; i <= 32; i *= 4) method(s, "series, order " i, "series", "order " i)
     method(s, "Padé [5/8], correct coefficients", "Padé", "[5/8]")
     method(s, "two-point Padé [12/17]", "two-point Padé", "[12/17]")
@@ -114,6 +116,7 @@ function summary(    i, s) {
 function readme() {
     head("| eps from a speed, 0.3 <= beta <= 1.9 | largest relative error | ns, one call | ns, AVX2 loop |")
     method("ordinary", "published Padé of 1999, with `pow`", "published", "[1/4] of Table I")
+    method("ordinary", "YADE's Padé [3/6], zero force, with `pow`", "published", "Müller & Pöschel [3/6]", "force")
     method("ordinary", "velocity Verlet, 100 steps in a contact", "Verlet", "100 steps")
     method("ordinary", "header by `corgen embed`, tolerance 1e-6", "scene header", "1e-6")
     method("ordinary", "**cor**, any speed", "cor", "")

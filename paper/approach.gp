@@ -4,7 +4,7 @@ stem = "approach"; home = "docs/paper"; width = 960; height = 440
 load "docs/style.gp"
 
 # Columns: 1 -log10 of the speed, 2 1 - eps^2 of all modes at a rigid wall, 3 Rayleigh's, 4 2 over 3
-set multiplot layout 1,2 margins 0.08,0.985,0.135,0.91 spacing 0.09
+set multiplot layout 1,2 margins 0.08,0.965,0.135,0.91 spacing 0.1
 set logscale x
 set xrange [3:300]
 set xtics (3, 10, 30, 100, 300)

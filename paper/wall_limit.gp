@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Fig. 7, drawn by paper/run from collisions.csv and, the lines, wall_limit.csv.
-stem = "wall_limit"; home = "docs/paper"; width = 960; height = 520
+stem = "wall_limit"; home = "docs/paper"; width = 800; height = 460
 load "docs/style.gp"
 points = dir."/collisions.csv"
 
@@ -14,37 +14,21 @@ array slope[rows]
 stats csv using (v[int($0) + 1] = $1, limit[int($0) + 1] = $3, slope[int($0) + 1] = $4) skip 1 nooutput
 is(nu, modes, speed, i) = nu == 0.33 && modes == 940 && abs(speed/v[i] - 1) < 1e-6
 
-set multiplot layout 1,2 title "a disk of 940 modes and a wall exp(α x), ν = 0.33; lines through α v ≥ 25 √(E/ρ)/R; black: rigid wall, all modes" \
-    margins 0.085,0.985,0.12,0.86 spacing 0.09
-unset key
-set title "each line one speed v (√(E/ρ))"
-set xrange [0:0.0048]
-set yrange [0:0.32]
-set xtics 0.001
-set ytics 0.05
-set xlabel "1/α (R)"
-set ylabel "1 − ε^2" offset 0.3
-do for [i = 7:rows:2] {
-    set label i sprintf(i == rows ? "v = %g" : "%g", v[i]) at 0.0041, limit[i] + slope[i]*0.004 font small tc rgb black
-}
-plot for [i = 1:rows] [0:(v[i] < 0.08 ? v[i]/20 : 0.004)] limit[i] + slope[i]*x with lines lw 1.2 lc rgb blue, \
-     for [i = 1:rows] points using (is($1, $2, $4, i) && $3 >= 250 ? 1/$3 : NaN):6 skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red, \
-     csv using (0):5 skip 1 with points pt 7 ps 0.5 lc rgb black
-
-unset label
-set title "relative to the limit of a rigid wall"
-set xrange [0:0.105]
+set title "a disk of 940 modes and a wall exp(α x), ν = 0.33; lines through α v ≥ 25 √(E/ρ)/R"
+set lmargin 9
+set xrange [-0.0005:0.105]
 set yrange [0.6:1.02]
 set xtics 0.02
 set ytics 0.1
 set xlabel "1/(α v)  (R √(ρ/E))"
-set ylabel "(1 − ε^2)/its limit" offset 1
+set ylabel "(1 − ε^2)/its limit at a rigid wall, 940 modes" offset 0.5
 set key bottom left
 array shown[4] = [17, 7, 4, 1]
 array colour[4] = [blue, red, green, grey]
 plot for [k = 1:4] [0:0.045] 1 + slope[shown[k]]*v[shown[k]]/limit[shown[k]]*x \
          with lines lw 1.4 lc rgb colour[k] notitle, \
      for [k = 1:4] points using (is($1, $2, $4, shown[k]) ? 1/($3*$4) : NaN):($6/limit[shown[k]]) skip 1 \
-         with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title sprintf("v = %g √(E/ρ)", v[shown[k]])
-unset multiplot
+         with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title sprintf("v = %g √(E/ρ)", v[shown[k]]), \
+     for [k = 1:4] csv using (int($0) == shown[k] - 1 ? 0 : NaN):($5/$3) skip 1 with points pt 7 ps 0.8 \
+         lc rgb colour[k] notitle
 set output

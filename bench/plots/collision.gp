@@ -17,14 +17,14 @@ set format xy power
 set xlabel "time, one core (ms)"
 set multiplot layout 1,2 title "a collision of a disk with a wall, ν = 0.33, v = 0.1 √(E/ρ)" \
     margins 0.07,0.985,0.32,0.88 spacing 0.085
-set title "940 modes, α = 500/R"
+set title "one disk and wall, tolerances 1e-2 to 1e-12: 940 modes, α = 500/R"
 set ylabel "error of ε" offset 0.5
 set xrange [0.8:100]
 set yrange [1e-14:1e-2]
 unset key
 plot csv using (ms($6)):(y("collision", "cor")) skip 1 with linespoints pt 7 ps 0.8 lw 2.4 lc rgb blue
 
-set title "α = 125, 250, ... 2000/R along each line"
+set title "modes left out and a soft wall: α = 125, 250, ... 2000/R along a line"
 set ylabel "distance of ε to all modes and a rigid wall" offset 0.5
 set xrange [1e-5:2000]
 set yrange [3e-6:1]

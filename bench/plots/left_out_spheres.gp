@@ -11,7 +11,7 @@ set xrange [0.05:6]
 set yrange [1e-15:30]
 set format y power
 set xtics (0.05, 0.1, 0.2, 0.5, 1, 2, 5)
-set xlabel "β = (impact speed/g*)^{1/5}"
+set xlabel "β = 0.867 (impact speed/g*)^{1/5}"
 set ylabel "relative error of ε" offset 1
 set multiplot layout 1,2 title "models of ε of viscoelastic spheres; constant and power law fitted to this range of β" \
     margins 0.08,0.985,0.3,0.88 spacing 0.09

@@ -19,6 +19,13 @@ static double mueller_poeschel(double v)
     return (1 + 0.501086 * v) / (1 + v * (0.501086 + v * (1.15345 + v * (0.577977 + v * 0.532178))));
 }
 
+/* Their [3/6] approximant, which YADE evaluates for en. */
+static double mueller_poeschel_of_yade(double v)
+{
+    return (1 + v * (1.07232 + v * (0.574198 + v * 0.141552))) /
+           (1 + v * (1.07232 + v * (1.72765 + v * (1.37842 + v * (1.19449 + v * (0.467273 + v * 0.235585))))));
+}
+
 /* Velocity Verlet: steps of a fixed length, so many in a contact without dissipation, the damping at the half-step's
  * velocity; the contact ends with the step that finds it ended. */
 static double verlet(double beta, enum end end, int steps)
@@ -46,6 +53,9 @@ SCALAR_METHOD_OF(double, published_beta, , published(-COR_SPHERE_C1 *g))
 SCALAR_METHOD_OF(double, mueller_poeschel, const double unit = sqrt(scene->contact.beta_per_root),
                  mueller_poeschel(pow(g, 0.1) * unit))
 SCALAR_METHOD_OF(double, mueller_poeschel_beta, , mueller_poeschel(sqrt(g)))
+SCALAR_METHOD_OF(double, of_yade, const double unit = sqrt(scene->contact.beta_per_root),
+                 mueller_poeschel_of_yade(pow(g, 0.1) * unit))
+SCALAR_METHOD_OF(double, of_yade_beta, , mueller_poeschel_of_yade(sqrt(g)))
 SCALAR_METHOD_OF(double, simple_beta, , cor_sphere_eps_simple(g))
 SCALAR_METHOD_OF(double, verlet, UNIT, verlet(pow(g, 0.2) * unit, method->end, method->number))
 SCALAR_METHOD_OF(double, verlet_beta, , verlet(g, method->end, method->number))
@@ -74,6 +84,8 @@ void add_published(struct methods *methods)
         METHOD("published", "[1/4] of Table I", ZERO_OVERLAP, FROM_BETA, 0, published_beta),
         METHOD("published", "Müller & Pöschel [1/4]", ZERO_FORCE, FROM_SPEED, 0, mueller_poeschel),
         METHOD("published", "Müller & Pöschel [1/4]", ZERO_FORCE, FROM_BETA, 0, mueller_poeschel_beta),
+        METHOD("published", "Müller & Pöschel [3/6]", ZERO_FORCE, FROM_SPEED, 0, of_yade),
+        METHOD("published", "Müller & Pöschel [3/6]", ZERO_FORCE, FROM_BETA, 0, of_yade_beta),
         METHOD("published", "simple theory (27)", ZERO_OVERLAP, FROM_BETA, 0, simple_beta),
         {.curve = "copy", .setting = "loop", .end = NO_END, .flags = ARRAY | LARGE, .each = loop_each},
         {.curve = "copy", .setting = "memcpy", .end = NO_END, .flags = ARRAY | LARGE, .each = memcpy_each},

@@ -291,7 +291,7 @@ static void no_resonance(const struct cor_disk_modes *modes, size_t n, double al
 /* n = 0, omega up to 4000: no resonance of the step with fast modes, and as the reference says */
 TEST(radial)
 {
-    leave_to_turn(0, 3);
+    leave_to_turn(1, 3);
     const struct cor_disk_modes modes = radial_modes(0.33, N_0);
     for (size_t i = 0, k = 0; i < TABLE; i++) /* as the table has them */
         if (cor_disk_modes_nu033.mode[i].n == 0) {

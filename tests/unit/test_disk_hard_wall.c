@@ -141,6 +141,7 @@ TEST(errors)
  * the result is that of the levels made, with their estimate, as from modes that end there. */
 TEST(budgets)
 {
+    leave_to_turn(2, 3);
     struct random_state random = random_start();
     int ended = 0;
     double worst = 0;
