@@ -27,7 +27,7 @@ set yrange [-0.06:0.28]
 set key off
 set lmargin 9
 set label "LAMMPS tsuji to July 2026, limit\\_damping" at 0.25, 0.238 left tc rgb amber
-set label "LAMMPS tsuji to July 2026" at 0.37, 0.147 left tc rgb red
+set label "LAMMPS tsuji to July 2026" at 0.19, 0.152 left tc rgb red
 set label "zero-overlap formula,\nforce cut off: Chrono" at 0.2, 0.095 right tc rgb blue
 set label "MFiX Hertz" at 0.25, 0.053 center tc rgb green
 set label "Flores: Chrono multicore" at 0.42, -0.046 left tc rgb violet
