@@ -97,6 +97,7 @@ function method(scenes, title, curve, what, end,    t, s, n, line, i, k) {
         line = line " | " (!i ? "" : cell[t, i, 9] > 1e4 ? "diverges" : short(cell[t, i, 9]))
     }
     i = row_of(t, "ordinary", end, "scalar", curve, what)
+    if (!i) return # not measured yet
     k = row_of(t, "ordinary", end, "array", curve, what, "AVX2")
     printf "| %s%s | %s | %s |\n", title, line, plain(cell[t, i, 7]), plain(k ? cell[t, k, 7] : "")
 }
