@@ -29,6 +29,9 @@ from ._evaluate import Array, Elementwise, Init, Record, Struct, pointer, string
 '''
 
 
+# "double cor_f(double x), cor_g(double y): " in a comment
+PROTOTYPE = re.compile(r"\bdouble cor_([\w<>]+)\([^)]*\)(?:,\s+cor_\w+(?:\([^)]*\))?)*(?::\s+|(?=,))")
+
 DIR = """
 
 def __dir__() -> "list[str]":
@@ -224,8 +227,16 @@ class _Module:
         body = f"_{short}({self._split(call, names)}{last})"
         if call.kind == "init":
             body = f"{class_name(self.declared, call.out)}._of({body})"
-        text += f"def {short}({', '.join(typed)}) -> {returned}:\n{_docstring(function.doc + self._forms(call), 4)}"
+        doc = self._without_prototypes(function.doc) + self._forms(call)
+        text += f"def {short}({', '.join(typed)}) -> {returned}:\n{_docstring(doc, 4)}"
         return text + f"    return {body}\n"
+
+    def _without_prototypes(self, doc: str) -> str:
+        """help() has the Python signature: a comment begins with what it says, or, of several functions, their names."""
+        if len(PROTOTYPE.findall(doc)) == 1:
+            doc = PROTOTYPE.sub("", doc, count=1)
+            return doc[0].upper() + doc[1:]
+        return PROTOTYPE.sub(lambda found: re.sub(f"^{self.name}_", "", found[1]) + (": " if found[0][-1].isspace() else ""), doc)
 
     def _forms(self, call: Call) -> str:
         forms = [f.name for f in (call.function, call.array, call.float_function, call.float_array) if f]

@@ -74,6 +74,15 @@ def test_docstrings_are_the_comments_of_the_headers():
                 assert len(inspect.getdoc(getattr(module, name)) or "") > 20, name
 
 
+def test_docstrings_have_no_prototypes_of_c():
+    modules = (cor.contact, cor.disk, cor.law, cor.sphere)
+    docs = {name: getattr(module, name).__doc__ or "" for module in modules for name in dir(module)}
+    assert [name for name, doc in docs.items() if "double cor_" in doc] == []
+    assert docs["eps_zero_force"].startswith("Restitution coefficient")
+    assert docs["hertz_dashpot_max_overlap"].startswith("hertz_dashpot_max_overlap: largest overlap")
+
+
+
 # ---- the parser: a header that grows, and one that it cannot read ----
 
 
@@ -96,7 +105,7 @@ COR_API void cor_spring_time_array(const double *zeta, const double *mass_kg, do
     assert found["cor_spring_eps"].kind == "elementwise" and found["cor_spring_eps"].float_array is not None
     assert found["cor_spring_time"].array is not None and "cor_spring_time_array" not in found
     module = python_source.modules(declared)["law"]
-    assert "def spring_eps(zeta: ArrayLike, /, *, out" in module and "of a new law." in module
+    assert "def spring_eps(zeta: ArrayLike, /, *, out" in module and "Of a new law." in module
     loop = cffi_source.source(declared)
     assert "if (count && (count == 1 || (zeta_step == 1 && mass_kg_step == 1)))" in loop
 
