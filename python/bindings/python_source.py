@@ -29,8 +29,8 @@ from ._evaluate import Array, Elementwise, Init, Record, Struct, pointer, string
 '''
 
 
-# "double cor_f(double x), cor_g(double y): " in a comment
-PROTOTYPE = re.compile(r"\bdouble cor_([\w<>]+)\([^)]*\)(?:,\s+cor_\w+(?:\([^)]*\))?)*(?::\s+|(?=,))")
+# "double cor_f(double x), cor_g(double y): " in a comment, or the first of these alone
+PROTOTYPE = re.compile(r"\bdouble cor_([\w<>]+)\([^)]*\)((?:,\s+\w+(?:\([^)]*\))?)*:\s+)?")
 
 DIR = """
 
@@ -233,10 +233,11 @@ class _Module:
 
     def _without_prototypes(self, doc: str) -> str:
         """help() has the Python signature: a comment begins with what it says, or, of several functions, their names."""
-        if len(PROTOTYPE.findall(doc)) == 1:
-            doc = PROTOTYPE.sub("", doc, count=1)
-            return doc[0].upper() + doc[1:]
-        return PROTOTYPE.sub(lambda found: re.sub(f"^{self.name}_", "", found[1]) + (": " if found[0][-1].isspace() else ""), doc)
+        doc = re.sub("^---- (.*) ----\n", r"\1.\n", doc)
+        found = list(PROTOTYPE.finditer(doc))
+        if len(found) == 1 and found[0].start() == 0 and found[0][2]:
+            return doc[found[0].end()].upper() + doc[found[0].end() + 1 :]
+        return PROTOTYPE.sub(lambda f: re.sub(f"^{self.name}_", "", f[1]) + (": " if f[2] else ""), doc)
 
     def _forms(self, call: Call) -> str:
         forms = [f.name for f in (call.function, call.array, call.float_function, call.float_array) if f]

@@ -82,7 +82,6 @@ def test_docstrings_have_no_prototypes_of_c():
     assert docs["hertz_dashpot_max_overlap"].startswith("hertz_dashpot_max_overlap: largest overlap")
 
 
-
 # ---- the parser: a header that grows, and one that it cannot read ----
 
 
