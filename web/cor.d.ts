@@ -37,6 +37,7 @@ export interface ContactOptions {
     /** body 2 is flat and held fast */
     wall?: boolean;
     plate_thickness?: number;
+    duration?: number;
     stiffness?: number; effective_mass?: number;
     dissipation_time?: number; dissipation_time_2?: number;
     /** "ETA1,ETA2", Pa s */

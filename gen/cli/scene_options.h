@@ -18,6 +18,7 @@
     "  --wall           the second is flat and held fast\n"                                                            \
     "  --plate-thickness H   the second is a large plate (--law plate), m\n"                                           \
     "or a spring K x^a: --stiffness K --effective-mass M, M = m_1 m_2/(m_1 + m_2)\n"                                   \
+    "  --duration T     s, of a contact at the speed --at, instead of --stiffness; linear without --at\n"              \
     "\nDissipation, one of:\n"                                                                                         \
     "  --dissipation-time A      s, and --dissipation-time-2, of viscoelastic spheres\n"                               \
     "  --viscosity ETA1,ETA2     Pa s, twice the shear and the bulk viscosity; --viscosity-2\n"                        \
@@ -60,6 +61,7 @@
         SCENE_NUMBER(TYPE, "plate-thickness", COR_SCENE_PLATE_THICKNESS, &option_positive, "m", APART),                \
         SCENE_NUMBER(TYPE, "stiffness", COR_SCENE_STIFFNESS, &option_positive, "N/m^a", APART),                        \
         SCENE_NUMBER(TYPE, "effective-mass", COR_SCENE_EFFECTIVE_MASS, &option_positive, "kg", APART),                 \
+        SCENE_NUMBER(TYPE, "duration", COR_SCENE_DURATION, &option_positive, "s", APART),                              \
         SCENE_NUMBER(TYPE, "dissipation-time", COR_SCENE_DISSIPATION_TIME, &option_not_negative, "s", APART),          \
         SCENE_NUMBER(TYPE, "dissipation-time-2", COR_SCENE_DISSIPATION_TIME_2, &option_not_negative, "s", APART),      \
         SCENE_TEXT(TYPE, "viscosity", viscosity[0], APART), SCENE_TEXT(TYPE, "viscosity-2", viscosity[1], APART),      \

@@ -211,6 +211,7 @@ enum cor_scene_number {
     COR_SCENE_RESTITUTION, /* eps at the speed COR_SCENE_AT, 0 < eps <= 1 */
     COR_SCENE_ZETA,
     COR_SCENE_PLATE_THICKNESS, /* m */
+    COR_SCENE_DURATION,        /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness */
     COR_SCENE_NUMBERS,
     COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
 };
@@ -221,7 +222,7 @@ struct cor_scene {
     struct cor_exponents law;
     int plate;                /* body 2 is a large plate; its density may be COR_SCENE_DENSITY_2 */
     int wall;                 /* body 2 is flat and held fast */
-    int end;                  /* at which the restitution was measured, or COR_BOTH_ENDS */
+    int end;                  /* at which restitution and duration were measured, or COR_BOTH_ENDS */
     cor_scene_solver *solver; /* of the contact, may be NULL */
 };
 
@@ -257,7 +258,8 @@ enum cor_fault {
     COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, that of body 1 */
     COR_FAULT_NO_SECOND_BODY, /* number is that of a second viscoelastic body, and there is none */
     COR_FAULT_RANGE,          /* the damping is beyond a double */
-    COR_FAULT_STEP            /* of the functions of the time step */
+    COR_FAULT_STEP,           /* of the functions of the time step */
+    COR_FAULT_NO_STIFFNESS    /* no stiffness makes the contact last as long as the duration says */
 };
 struct cor_scene_fault {
     int fault;         /* enum cor_fault */
@@ -287,9 +289,9 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
 /* Fills *contacts, and sets *count to 1; or to 2 where a restitution is given whose end is not and matters: one contact
- * for each end at which it may have been measured. Returns COR_OK, the fault, or what the solver returned; then *fault
+ * for each end at which it may have been measured; likewise with a duration. Returns COR_OK, the fault, or what the solver returned; then *fault
  * says more, and *count is 0.
- * Accuracy of `damping`: 1e-14 relative, sampled in tests/gen/test_contact.c. */
+ * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in tests/gen/test_contact.c. */
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);
 

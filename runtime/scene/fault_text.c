@@ -62,8 +62,8 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
         return snprintf(text, size, "--stiffness with --effective-mass and bodies exclude each other; %s", bodies);
     case COR_FAULT_SPRING:
         return snprintf(text, size,
-                        "--%s is missing: a spring has --stiffness K in N/m^a and --effective-mass m_1 m_2/(m_1 + "
-                        "m_2) in kg, as --stiffness 1e5 --effective-mass 1e-3",
+                        "--%s is missing: a spring has --stiffness K in N/m^a, or the --duration T of its contacts in "
+                        "s, and --effective-mass m_1 m_2/(m_1 + m_2) in kg, as --stiffness 1e5 --effective-mass 1e-3",
                         number);
     case COR_FAULT_NOT_HERTZ:
         return snprintf(text, size,
@@ -97,12 +97,17 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
     case COR_FAULT_NO_SCALES:
         return snprintf(text, size, "--%s needs bodies, or --stiffness and --effective-mass: %s", number, bodies);
     case COR_FAULT_NO_SPEED:
+        if (fault->number == COR_SCENE_DURATION)
+            return snprintf(text, size,
+                            "--duration needs --at SPEED in m/s, as --at 1: durations of the law %s depend on the "
+                            "speed (those of linear do not)",
+                            law);
         return snprintf(text, size,
                         "--%s needs --at SPEED in m/s, as --at 1: eps of the law %s depends on the speed (that of "
                         "linear and tsuji does not)",
                         number, law);
     case COR_FAULT_SPEED_ALONE:
-        return snprintf(text, size, "--at is the speed of --restitution or --beta, and neither is given");
+        return snprintf(text, size, "--at is the speed of --restitution, --beta or --duration, and none is given");
     case COR_FAULT_FIRST_MISSING:
         return snprintf(text, size, "--%s needs --%s, that of the first body", number, other);
     case COR_FAULT_NO_SECOND_BODY:
@@ -111,6 +116,10 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
         return snprintf(text, size,
                         "the damping of this contact is beyond a double: the numbers of its bodies or of its "
                         "dissipation are too far apart");
+    case COR_FAULT_NO_STIFFNESS:
+        return snprintf(text, size,
+                        "no stiffness makes the contact last for the --duration: with this damping its bodies never "
+                        "part, or the stiffness is beyond a double");
     default:
         return snprintf(text, size, "%s", "");
     }

@@ -17,7 +17,8 @@ static int refuse(struct cor_scene_fault *fault, int what, int number, int other
 /* Anything of a body but its dissipation. A spring may end at a wall. */
 static int has_bodies(const struct cor_scene *scene)
 {
-    const int spring = cor_scene_given(scene, COR_SCENE_STIFFNESS) || cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS);
+    const int spring = cor_scene_given(scene, COR_SCENE_STIFFNESS) ||
+                       cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS) || cor_scene_given(scene, COR_SCENE_DURATION);
     int any = (scene->wall && !spring) || cor_scene_given(scene, COR_SCENE_PLATE_THICKNESS);
     for (int number = COR_SCENE_YOUNG; number < COR_SCENE_DISSIPATION_TIME; number++)
         any = any || cor_scene_given(scene, number) || cor_scene_given(scene, number + COR_SCENE_BODY);
@@ -96,7 +97,10 @@ static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fau
 static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     const int bodies = has_bodies(scene), stiff = cor_scene_given(scene, COR_SCENE_STIFFNESS),
-              massive = cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS);
+              massive = cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS),
+              timed = cor_scene_given(scene, COR_SCENE_DURATION);
+    if (timed && (bodies || stiff))
+        return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_DURATION, stiff ? COR_SCENE_STIFFNESS : COR_SCENE_YOUNG);
     if (bodies && (stiff || massive))
         return refuse(fault, COR_FAULT_TWO_CONTACTS, COR_SCENE_STIFFNESS, COR_SCENE_YOUNG);
     if (scene->plate && !bodies)
@@ -105,8 +109,8 @@ static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault 
         return refuse(fault, COR_FAULT_NOT_HERTZ, COR_SCENE_YOUNG, COR_SCENE_STIFFNESS);
     if (bodies)
         return set_materials(contact, fault, scene);
-    if (stiff != massive)
-        return refuse(fault, COR_FAULT_SPRING, stiff ? COR_SCENE_EFFECTIVE_MASS : COR_SCENE_STIFFNESS, 0);
+    if ((stiff || timed) != massive)
+        return refuse(fault, COR_FAULT_SPRING, massive ? COR_SCENE_STIFFNESS : COR_SCENE_EFFECTIVE_MASS, 0);
     contact->stiffness = scene->number[COR_SCENE_STIFFNESS];
     contact->mass_kg = scene->number[COR_SCENE_EFFECTIVE_MASS];
     return COR_FAULT_NONE;
@@ -145,7 +149,7 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
 {
     const int constant = cor_law_is_constant(&scene->law), bodies = has_bodies(scene);
     const int needs_at = way == COR_SCENE_RESTITUTION || way == COR_SCENE_BETA;
-    const int at = cor_scene_given(scene, COR_SCENE_AT);
+    const int at = cor_scene_given(scene, COR_SCENE_AT), timed = cor_scene_given(scene, COR_SCENE_DURATION);
     if (scene->plate && way >= 0 && !is_material(way))
         return refuse(fault, COR_FAULT_PLATE_DAMPING, way, 0);
     if (is_material(way) && !cor_law_is(&scene->law, 3, 1))
@@ -161,7 +165,9 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
         return refuse(fault, COR_FAULT_NO_SCALES, way, 0);
     if (needs_at && !constant && !at)
         return refuse(fault, COR_FAULT_NO_SPEED, way, COR_SCENE_AT);
-    if (at && !needs_at)
+    if (timed && scene->law.elastic != scene->law.denominator && !at)
+        return refuse(fault, COR_FAULT_NO_SPEED, COR_SCENE_DURATION, COR_SCENE_AT);
+    if (at && !needs_at && !timed)
         return refuse(fault, COR_FAULT_SPEED_ALONE, COR_SCENE_AT, 0);
     static const int second[] = {COR_SCENE_VISCOSITY, COR_SCENE_DISSIPATION_TIME};
     for (int i = 0; i < 2; i++)
@@ -172,7 +178,21 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
     return COR_FAULT_NONE;
 }
 
-/* A restitution without its end is that of either end, in a contact for each. */
+/* K for the duration: times are (m/K)^(1/(a+1)) times those of a contact with m = K = 1. */
+static int set_stiffness(struct cor_scene_contact *contact, double duration_s, double speed_m_s, int end)
+{
+    struct cor_scene_contact unit = *contact;
+    struct cor_scene_impact impact;
+    unit.mass_kg = unit.stiffness = 1;
+    impact.duration_s[end] = cor_scene_elastic_duration_s(&unit, speed_m_s);
+    const int status = contact->damping > 0 ? cor_scene_impact(&impact, &unit, speed_m_s) : COR_FAULT_NONE;
+    if (status != COR_FAULT_NONE)
+        return status;
+    contact->stiffness = contact->mass_kg * pow(impact.duration_s[end] / duration_s, cor_elastic(&contact->law) + 1);
+    return contact->stiffness > 0 && contact->stiffness < INFINITY ? COR_FAULT_NONE : COR_FAULT_NO_STIFFNESS;
+}
+
+/* A restitution or a duration without its end is that of either end, in a contact for each. */
 static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {
@@ -182,12 +202,17 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
         return status; /* set_materials has set it */
     const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT] : 1;
-    const int any = scene->end == COR_BOTH_ENDS;
-    *count = way == COR_SCENE_RESTITUTION && any && cor_scene_ends_differ(&contacts[0]) ? COR_SCENE_ENDS : 1;
+    const int any = scene->end == COR_BOTH_ENDS, timed = cor_scene_given(scene, COR_SCENE_DURATION);
+    *count = (way == COR_SCENE_RESTITUTION || timed) && any && cor_scene_ends_differ(&contacts[0]) ? COR_SCENE_ENDS : 1;
     contacts[1] = contacts[0];
-    for (int i = 0; i < *count && status == COR_FAULT_NONE; i++)
-        status = cor_scene_set_damping(&contacts[i], way, scene->number[way], speed, any ? i : scene->end);
-    fault->fault = status > 0 ? status : COR_FAULT_NONE;
+    for (int i = 0; i < *count && status == COR_FAULT_NONE; i++) {
+        const int end = any ? i : scene->end;
+        status = cor_scene_set_damping(&contacts[i], way, scene->number[way], speed, end);
+        if (status == COR_FAULT_NONE && timed)
+            status = set_stiffness(&contacts[i], scene->number[COR_SCENE_DURATION], speed, end);
+    }
+    if (status > 0)
+        refuse(fault, status, way, COR_SCENE_AT);
     return status;
 }
 

@@ -8,6 +8,7 @@
 #include "contact/contact_host.h"
 #include "contact/contact_rows.h"
 #include "cor/hertz_dashpot.h"
+#include "cor/law.h"
 #include "cor/sphere.h"
 
 /* ---- the force in SI units, integrated ---- */
@@ -307,6 +308,53 @@ static void every_way_of_a_sphere(void **state)
     close_to("g*", 1 - eps, pow(1e-20 / cor_scene_damping(&contact, COR_SCENE_G_STAR), 0.2), 1e-4);
 }
 
+/* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. Integration of
+ * the force in SI units lasts as long. */
+static void stiffness_from_a_duration(void **state)
+{
+    (void)state;
+    static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
+                                                {1, 1, 1}, {2, 1, 1}, {4, 1, 2}, {2, 1, 2}, {5, 1, 4}};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+        for (int k = 0; k < 6; k++) {
+            const int end = k % COR_SCENE_ENDS;
+            const double speed = pow(10, k - 3), eps = 0.95 - 0.15 * k, duration = 3e-4 * (k + 1);
+            struct cor_scene_fault fault;
+            struct cor_scene scene = {.law = laws[i], .end = end, .solver = contact_enclosed};
+            struct cor_scene_contact got[COR_SCENE_ENDS], want = {laws[i], 0, 2e-3, 4e6, NAN, NAN, contact_enclosed};
+            struct cor_scene_impact impact;
+            int count;
+            for (int n = 0; n < COR_SCENE_NUMBERS; n++)
+                scene.number[n] = (double)NAN;
+            scene.number[COR_SCENE_AT] = speed;
+            scene.number[COR_SCENE_EFFECTIVE_MASS] = want.mass_kg;
+            assert_int_equal(cor_scene_set_damping(&want, COR_SCENE_RESTITUTION, eps, speed, end), 0);
+            assert_int_equal(cor_scene_impact(&impact, &want, speed), 0);
+            scene.number[COR_SCENE_RESTITUTION] = impact.eps[end];
+            scene.number[COR_SCENE_DURATION] = impact.duration_s[end];
+            assert_int_equal(cor_scene_contacts(got, &count, &fault, &scene), 0);
+            close_to("K", got[0].stiffness, want.stiffness, 1e-11);
+            close_to("C", cor_scene_damping(&got[0], COR_SCENE_DAMPING_COEFFICIENT),
+                     cor_scene_damping(&want, COR_SCENE_DAMPING_COEFFICIENT), 1e-11);
+            if (!in_turn(6 * i + (size_t)k, 12) || 2 * laws[i].damping > laws[i].elastic)
+                continue;
+            scene.number[COR_SCENE_DURATION] = duration;
+            assert_int_equal(cor_scene_contacts(got, &count, &fault, &scene), 0);
+            impact = (struct cor_scene_impact){.max_overlap_m = NAN};
+            assert_int_equal(cor_scene_impact(&impact, &got[0], speed), 0);
+            impact.eps[1 - end] = impact.duration_s[1 - end] = 0;
+            impact.duration_s[end] = duration;
+            against_integration(&impact, cor_scene_force_max_n(&got[0], speed), &got[0], speed, 1e-11, 1e-5);
+        }
+    /* without damping, and without --end: a contact for each end, which lasts as long at its own */
+    const double a = 1.5, elastic = cor_hunt_crossley_duration(0, a);
+    const struct contacts tsuji =
+        contacts_of(COR_LAW_TSUJI, COR_BOTH_ENDS, GIVEN({COR_SCENE_EFFECTIVE_MASS, 2e-3}, {COR_SCENE_DURATION, 1e-3}),
+                    GIVEN({COR_SCENE_ZETA, 0}, {COR_SCENE_AT, 3}));
+    assert_int_equal(tsuji.count, COR_SCENE_ENDS);
+    close_to("elastic K", tsuji.contact[1].stiffness, 2e-3 * pow(elastic / 1e-3, 2.5) / sqrt(3), 1e-13);
+}
+
 static void other_laws(void **state)
 {
     (void)state;
@@ -543,10 +591,15 @@ static void chrono_finds_the_radius(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(impacts_against_integration),     cmocka_unit_test(reference_collisions),
-        cmocka_unit_test(every_way_of_a_sphere),           cmocka_unit_test(other_laws),
-        cmocka_unit_test(the_time_step_is_for_all_speeds), cmocka_unit_test(errors_of_steps),
-        cmocka_unit_test(hosts_realise_what_is_wished),    cmocka_unit_test(chrono_finds_the_radius),
+        cmocka_unit_test(impacts_against_integration),
+        cmocka_unit_test(reference_collisions),
+        cmocka_unit_test(every_way_of_a_sphere),
+        cmocka_unit_test(other_laws),
+        cmocka_unit_test(stiffness_from_a_duration),
+        cmocka_unit_test(the_time_step_is_for_all_speeds),
+        cmocka_unit_test(errors_of_steps),
+        cmocka_unit_test(hosts_realise_what_is_wished),
+        cmocka_unit_test(chrono_finds_the_radius),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
