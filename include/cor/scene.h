@@ -288,10 +288,11 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
  * is 0. */
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
-/* Fills *contacts, and sets *count to 1; or to 2 where a restitution is given whose end is not and matters: one contact
- * for each end at which it may have been measured; likewise with a duration. Returns COR_OK, the fault, or what the solver returned; then *fault
- * says more, and *count is 0.
- * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in tests/gen/test_contact.c. */
+/* Fills *contacts, and sets *count to 1; or to 2 where a restitution or a duration is given whose end is not and
+ * matters: one contact for each end at which it may have been measured. Returns COR_OK, the fault, or what the solver
+ * returned; then *fault says more, and *count is 0.
+ * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in
+ * tests/gen/test_contact.c. */
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);
 
