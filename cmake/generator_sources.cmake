@@ -116,5 +116,6 @@ set(COR_GENERATOR_CALLERS
   gen/fit/report.c
   gen/plan/disks.c
   gen/plan/plan.c
+  gen/plan/pressing.c
   gen/plan/spheres.c
   gen/plan/waves.c)

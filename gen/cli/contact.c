@@ -39,6 +39,10 @@ static int check_step(const struct contact_arguments *o, const struct contacts *
                            option);
     if (o->step_corrected && !o->host && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
+    if (!o->host && contacts->contact[0].force_n > 0 && step_of(o).errors)
+        return usage_error(
+            "the error of a time step is known without --gravity and --adhesion alone; leave out --steps, "
+            "--time-step, --step-tolerance, --step-corrected and --integrator, or the force");
     return STATUS_OK;
 }
 

@@ -29,11 +29,17 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
         if (status != STATUS_OK)
             return status;
     }
-    struct contacts contacts;
-    const int status = contacts_of_request(&contacts, &o->scene);
+    /* the models are those of the contact without a constant force */
+    struct embed_request scene = o->scene;
+    struct contacts contacts, pressed;
+    int status = contacts_of_request(&pressed, &scene);
+    scene.number[COR_SCENE_GRAVITY].text = scene.number[COR_SCENE_ADHESION].text = NULL;
+    scene.adhesion_model = COR_ADHESION_NONE;
+    if (status == STATUS_OK)
+        status = contacts_of_request(&contacts, &scene);
     if (status != STATUS_OK)
         return status;
-    const struct plan_spheres_request request = {o->scene, contacts.contact[0], o->points};
+    const struct plan_spheres_request request = {scene, contacts.contact[0], pressed.contact[0], o->points};
     return plan_spheres(plan, &request);
 }
 

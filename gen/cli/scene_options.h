@@ -28,7 +28,10 @@
     "  --beta B --at G  or, linear and tsuji, --zeta Z\n"                                                              \
     "\nThe law:\n"                                                                                                     \
     "  --law NAME       viscoelastic (default), plate, linear, tsuji, hunt-crossley, hertz-dashpot (docs/laws.md)\n"   \
-    "  --elastic A --damping B   instead, any exponents as 3/2 and 1/2\n"
+    "  --elastic A --damping B   instead, any exponents as 3/2 and 1/2\n"                                              \
+    "\nA constant force that presses the bodies together:\n"                                                           \
+    "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
+    "  --adhesion W --adhesion-model dmt   work of adhesion, J/m^2: the force 2 pi W R\n"
 
 #define SCENE_NUMBER(TYPE, NAME, NUMBER, NUMBERS, UNIT, APART)                                                         \
     {                                                                                                                  \
@@ -59,6 +62,15 @@
         SCENE_BODY(TYPE, "-2", _2, &option_positive, &option_sphere_poisson, APART, APART),                            \
         {.name = "wall", .kind = OPTION_FLAG, .offset = offsetof(TYPE, scene.wall), .excludes = (APART)},              \
         SCENE_NUMBER(TYPE, "plate-thickness", COR_SCENE_PLATE_THICKNESS, &option_positive, "m", APART),                \
+        SCENE_NUMBER(TYPE, "gravity", COR_SCENE_GRAVITY, &option_positive, "m/s^2", APART),                            \
+        SCENE_NUMBER(TYPE, "adhesion", COR_SCENE_ADHESION, &option_positive, "J/m^2", APART),                          \
+        {.name = "adhesion-model",                                                                                     \
+         .kind = OPTION_WORD,                                                                                          \
+         .offset = offsetof(TYPE, scene.adhesion_model),                                                               \
+         .range.words = embed_adhesion_names,                                                                          \
+         .why = "a model of adhesion",                                                                                 \
+         .excludes = (APART),                                                                                          \
+         .needs = "adhesion"},                                                                                         \
         SCENE_NUMBER(TYPE, "stiffness", COR_SCENE_STIFFNESS, &option_positive, "N/m^a", APART),                        \
         SCENE_NUMBER(TYPE, "effective-mass", COR_SCENE_EFFECTIVE_MASS, &option_positive, "kg", APART),                 \
         SCENE_NUMBER(TYPE, "duration", COR_SCENE_DURATION, &option_positive, "s", APART),                              \

@@ -46,6 +46,8 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
 
 int contact_status(int status)
 {
+    if (status == COR_FAULT_PRESSED)
+        return fail("the damping of an impact is too strong to be integrated under gravity or adhesion");
     return status < 0 ? -status : status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
 }
 

@@ -11,6 +11,8 @@
 const char *const embed_purpose_names[] = {
     [PURPOSE_BALANCED] = "balanced", [PURPOSE_SCALAR] = "scalar", [PURPOSE_ARRAY] = "array", NULL};
 const char *const embed_type_names[] = {[EMBED_DOUBLE] = "double", [EMBED_FLOAT] = "float", NULL};
+const char *const embed_adhesion_names[] = {
+    [COR_ADHESION_NONE] = "none", [COR_ADHESION_DMT] = "dmt", [COR_ADHESION_JKR] = "jkr", NULL};
 
 bool embed_given(const struct embed_request *request, int number)
 {
@@ -132,7 +134,8 @@ int embed_request_scene(struct cor_scene *scene, const struct embed_request *req
     *scene = (struct cor_scene){.law = {(int)law.ad, (int)law.bd, (int)law.d},
                                 .plate = request->law == COR_LAW_PLATE,
                                 .wall = request->wall,
-                                .end = request->end};
+                                .end = request->end,
+                                .adhesion_model = request->adhesion_model};
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
         scene->number[i] = embed_given(request, i) ? embed_number(request, i) : (double)NAN;
     for (int i = 0; i < 4; i++) {

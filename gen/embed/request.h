@@ -18,6 +18,7 @@ extern const char *const embed_purpose_names[]; /* these two end with NULL */
 
 enum embed_type { EMBED_DOUBLE, EMBED_FLOAT };
 extern const char *const embed_type_names[];
+extern const char *const embed_adhesion_names[]; /* of enum cor_adhesion, as options have them; ends with NULL */
 
 struct embed_request {
     struct decimal number[EMBED_NUMBERS]; /* text NULL: not given; none for viscosities */
@@ -29,6 +30,7 @@ struct embed_request {
     const char *elastic, *damping; /* the exponents as written; NULL: those of the law */
     bool wall;                     /* body 2 is flat and held fast */
     const char *name;              /* name of the function; NULL: cor_scene_eps */
+    int adhesion_model;            /* enum cor_adhesion */
 };
 
 bool embed_given(const struct embed_request *request, int number);

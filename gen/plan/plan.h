@@ -17,8 +17,8 @@ enum plan_quantity { PLAN_EPS, PLAN_CONTACT_TIME, PLAN_COMPRESSION };
 extern const char *const plan_quantity_names[]; /* ends with NULL */
 
 struct plan_spheres_request {
-    struct embed_request scene; /* its tolerance is from 1e-15 to below 1 */
-    struct cor_scene_contact contact;
+    struct embed_request scene;                /* its tolerance is from 1e-15 to below 1 */
+    struct cor_scene_contact contact, pressed; /* without and with the constant force */
     slong points;
 };
 

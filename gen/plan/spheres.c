@@ -15,6 +15,7 @@
 #include "embed/choose.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
+#include "plan/pressing.h"
 #include "plan/waves.h"
 #include "support/console.h"
 #include "support/decimal.h"
@@ -40,7 +41,7 @@ static const struct cost {
 
 struct spheres {
     struct embed_scene scene;
-    struct cor_scene_contact contact;
+    struct cor_scene_contact contact, pressed; /* without and with the constant force */
     struct embed_form form[FAMILIES];
     double pade[16][PADE_COEFFICIENTS];
     int pades;
@@ -503,6 +504,14 @@ static void add_models(struct plan *plan, struct spheres *s, const struct embed_
     const struct law *const law = &s->scene.law;
     plan->title = spheres_title(plan, scene, law);
     plan->remark = plan_wave_remark(scene, plan->speed[plan->points - 1], plan->truth[plan->points - 1]);
+    if (s->pressed.force_n > 0) {
+        char *const waves = plan->remark;
+        char *const pressing =
+            plan_pressing_remark(&s->pressed, scene->end, s->scene.speed_min, s->scene.speed_max, plan->tolerance);
+        plan->remark = plan_text("%s%s", waves ? waves : "", pressing);
+        free(pressing);
+        free(waves);
+    }
     add_constants(plan, s, scene);
     if (!s->scene.constant) {
         add_power_law(plan, s, scene);
@@ -534,6 +543,7 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     embed_series_begin(&series, &law, (enum contact_end)scene->end);
     profile_step("scene, series");
     s->contact = request->contact;
+    s->pressed = request->pressed;
     int status = embed_scene_init(&s->scene, embed, &s->contact);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);

@@ -100,6 +100,7 @@ struct cor_scene_contact {
     double radius_m;          /* effective radius; only simulators need it */
     double damping;           /* beta g^-q, (m/s)^-q; where q = 0 zeta */
     cor_scene_solver *solver; /* for all other laws; NULL: the functions below return COR_FAULT_SOLVER */
+    double force_n;           /* constant force that presses the bodies together, N: gravity, adhesion; 0: none */
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
@@ -123,6 +124,17 @@ struct cor_scene_impact {
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
+
+/* With force_n > 0 the equation is m x'' + C x^b x' + K x^a = force_n: gravity on a ball above a wall, or DMT adhesion.
+ * For one contact eps is still a function of the speed, for every law, and no solver is needed; it is 0, and the
+ * durations infinite, up to the sticking speed of that end: the motion then goes to rest in contact, because the energy
+ * never grows (docs/theory.md, 10). The largest force is that of spring and damper.
+ * Accuracy: COR_SCENE_PRESSED_ERROR, absolute for eps^2, relative for durations while eps > 0.01 and for overlap and
+ * force; sampled in tests/unit/test_scene_pressed.c.
+ * The sticking speed is in m/s: 0 without force or damping, infinite where the bodies stick at every speed up to 1e9
+ * times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. */
+#define COR_SCENE_PRESSED_ERROR 1e-10
+double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
 
 /* ---- time step ---- */
 
@@ -164,8 +176,8 @@ struct cor_step_error {
  * microseconds at 12 steps for spheres. Bodies that would part with less than 1e-8 of the impact speed have eps = 0.
  * Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the scatter, sampled in
  * tests/unit/test_scene_step.c.
- * Returns COR_OK; COR_FAULT_STEP where steps, end or integrator are not in their range, a collision takes over 4194304
- * steps, or the motion leaves the doubles; or what cor_scene_eps returns. *error is NaN then. */
+ * Returns COR_OK; COR_FAULT_STEP where steps, end or integrator are not in their range, a constant force presses, a
+ * collision takes over 4194304 steps, or the motion leaves the doubles; or what cor_scene_eps returns. *error is NaN then. */
 #define COR_SCENE_STEP_ERROR 0.02
 int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_contact *contact, double speed_m_s,
                          int end, double steps, int integrator);
@@ -211,11 +223,16 @@ enum cor_scene_number {
     COR_SCENE_RESTITUTION, /* eps at the speed COR_SCENE_AT, 0 < eps <= 1 */
     COR_SCENE_ZETA,
     COR_SCENE_PLATE_THICKNESS, /* m */
+    COR_SCENE_GRAVITY,         /* m/s^2, presses body 1 to a wall or a plate */
+    COR_SCENE_ADHESION,        /* work of adhesion w, J/m^2, with an adhesion model */
     COR_SCENE_DURATION,        /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness */
     COR_SCENE_NUMBERS,
     COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
 };
 extern const char *const cor_scene_number_names[COR_SCENE_NUMBERS]; /* "young", "young-2" */
+
+/* The force between spheres that adhere: DMT 2 pi w R, constant during the contact; JKR depends on the overlap. */
+enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
 
 struct cor_scene {
     double number[COR_SCENE_NUMBERS]; /* NaN: not known */
@@ -224,6 +241,7 @@ struct cor_scene {
     int wall;                 /* body 2 is flat and held fast */
     int end;                  /* at which restitution and duration were measured, or COR_BOTH_ENDS */
     cor_scene_solver *solver; /* of the contact, may be NULL */
+    int adhesion_model;       /* enum cor_adhesion; goes with COR_SCENE_ADHESION */
 };
 
 /* What is wrong with a scene: `number` and `other` are the numbers that are to blame. */
@@ -259,7 +277,11 @@ enum cor_fault {
     COR_FAULT_NO_SECOND_BODY, /* number is that of a second viscoelastic body, and there is none */
     COR_FAULT_RANGE,          /* the damping is beyond a double */
     COR_FAULT_STEP,           /* of the functions of the time step */
-    COR_FAULT_NO_STIFFNESS    /* no stiffness makes the contact last as long as the duration says */
+    COR_FAULT_NO_STIFFNESS,   /* no stiffness makes the contact last as long as the duration says */
+    COR_FAULT_PRESSED,        /* a constant force, and a damping too strong to be integrated */
+    COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it presses no free bodies together */
+    COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
+    COR_FAULT_ADHESION_MODEL  /* the adhesion model is none, or has no contact of this law */
 };
 struct cor_scene_fault {
     int fault;         /* enum cor_fault */
@@ -303,14 +325,19 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
-/* What corgen contact prints of a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q), unit; and the value of
- * such a number, NaN where it is not known */
+/* What corgen contact prints of a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q) or one of the next three,
+ * unit; and the value of such a number, NaN where it is not known or, of the next three, where no force presses */
+enum {
+    COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
+    COR_SCENE_STICKING_ZERO_OVERLAP,
+    COR_SCENE_STICKING_ZERO_FORCE
+};
 struct cor_scene_quantity {
     const char *name;
     int number;
     const char *unit;
 };
-enum { COR_SCENE_QUANTITIES = 9 };
+enum { COR_SCENE_QUANTITIES = 12 };
 extern const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES];
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 

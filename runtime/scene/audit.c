@@ -209,7 +209,7 @@ static struct outcome solve(const struct audit *a, const struct cor_simulator_mo
                         (double)NAN,
                         (double)NAN,
                         (double)NAN,
-                        {cor_law_exponents[model->law], 0, 0, 0, 0, (double)NAN, a->options->solver}};
+                        {.law = cor_law_exponents[model->law], .damping = (double)NAN, .solver = a->options->solver}};
     if (model->law == COR_LAW_TSUJI && contact->spring != AUDIT_NO_SPRING && is_linear(contact))
         o.scene.law = cor_law_exponents[COR_LAW_LINEAR];
     set_scales(&o.scene, contact, pair);

@@ -7,6 +7,7 @@
 #include "cor/scene.h"
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/pressed.h"
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
 {
@@ -88,7 +89,10 @@ const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES] = {
     {"g_star", COR_SCENE_G_STAR, "m/s"},
     {"zeta", COR_SCENE_ZETA, "1"},
     {"beta_factor", COR_SCENE_BETA, "(m/s)^(-q)"},
-    {"q", COR_SCENE_NUMBERS, "1"}};
+    {"q", COR_SCENE_NUMBERS, "1"},
+    {"pressing_force", COR_SCENE_PRESSING_FORCE, "N"},
+    {"sticking_speed_zero_overlap", COR_SCENE_STICKING_ZERO_OVERLAP, "m/s"},
+    {"sticking_speed_zero_force", COR_SCENE_STICKING_ZERO_FORCE, "m/s"}};
 
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 {
@@ -101,6 +105,11 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
         return contact->stiffness;
     case COR_SCENE_NUMBERS:
         return cor_scene_speed_exponent(contact);
+    case COR_SCENE_PRESSING_FORCE:
+        return contact->force_n > 0 ? contact->force_n : NAN;
+    case COR_SCENE_STICKING_ZERO_OVERLAP:
+    case COR_SCENE_STICKING_ZERO_FORCE:
+        return contact->force_n > 0 ? cor_scene_sticking_speed(contact, number - COR_SCENE_STICKING_ZERO_OVERLAP) : NAN;
     default:
         return cor_scene_damping(contact, number);
     }
@@ -152,7 +161,7 @@ static const struct functions *functions_of(const struct cor_exponents *law)
 int cor_scene_needs_solver(const struct cor_scene_contact *contact)
 {
     const struct functions *const f = functions_of(&contact->law);
-    return !f || f == &constant;
+    return !(contact->force_n > 0) && (!f || f == &constant);
 }
 
 static double parameter_of(const struct cor_scene_contact *contact, double speed_m_s)
@@ -201,13 +210,6 @@ static int eps_of(double *eps, const struct cor_scene_contact *contact, double p
     return status;
 }
 
-int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
-{
-    *eps = NAN;
-    return cor_scene_has_end(contact, end) ? eps_of(eps, contact, parameter_of(contact, speed_m_s), end)
-                                           : COR_FAULT_NONE;
-}
-
 /* The unit of time at a speed */
 static double time_unit(const struct cor_scene_contact *contact, double speed_m_s)
 {
@@ -215,11 +217,53 @@ static double time_unit(const struct cor_scene_contact *contact, double speed_m_
     return time_factor(contact) * pow(speed_m_s, (1 - a) / (1 + a));
 }
 
+/* The collision under the constant force of the contact; `damping` is beta */
+static int pressed_impact(struct cor_pressed_impact *impact, const struct cor_scene_contact *contact, double damping,
+                          double speed_m_s)
+{
+    const double force = contact->force_n * time_unit(contact, speed_m_s) / (contact->mass_kg * speed_m_s);
+    return cor_pressed_solve(impact, &contact->law, damping, force);
+}
+
+double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end)
+{
+    const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), force = contact->force_n;
+    if (!cor_scene_has_end(contact, end))
+        return NAN;
+    if (!(force > 0))
+        return 0;
+    const double length = pow(force / contact->stiffness, 1 / a), time = sqrt(contact->mass_kg * length / force);
+    const double coefficient = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT);
+    return length / time *
+           cor_pressed_sticking_speed(&contact->law, coefficient * pow(length, b + 1) / (time * force), end);
+}
+
+int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
+{
+    *eps = NAN;
+    if (contact->force_n > 0 && cor_scene_has_end(contact, end)) {
+        struct cor_pressed_impact impact;
+        const int status = pressed_impact(&impact, contact, cor_scene_beta(contact, speed_m_s), speed_m_s);
+        *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;
+        return status;
+    }
+    return cor_scene_has_end(contact, end) ? eps_of(eps, contact, parameter_of(contact, speed_m_s), end)
+                                           : COR_FAULT_NONE;
+}
+
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double time = time_unit(contact, speed_m_s);
     struct cor_scaled_impact scaled;
-    const int status = scaled_impact(&scaled, contact, parameter_of(contact, speed_m_s));
+    int status;
+    if (contact->force_n > 0) {
+        struct cor_pressed_impact pressed;
+        status = pressed_impact(&pressed, contact, cor_scene_beta(contact, speed_m_s), speed_m_s);
+        scaled = (struct cor_scaled_impact){
+            {pressed.eps[0], pressed.eps[1]}, {pressed.duration[0], pressed.duration[1]}, pressed.max_overlap};
+    } else {
+        status = scaled_impact(&scaled, contact, parameter_of(contact, speed_m_s));
+    }
     impact->beta = cor_scene_beta(contact, speed_m_s);
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         const int defined = status == COR_FAULT_NONE && cor_scene_has_end(contact, end);
@@ -232,17 +276,24 @@ int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_con
 
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double parameter = parameter_of(contact, speed_m_s);
+    const double parameter = parameter_of(contact, speed_m_s),
+                 unit = contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s);
+    if (contact->force_n > 0) {
+        struct cor_pressed_impact impact;
+        if (pressed_impact(&impact, contact, cor_scene_beta(contact, speed_m_s), speed_m_s) != COR_FAULT_NONE)
+            return NAN;
+        return unit * (contact->plate ? pow(impact.max_overlap, cor_elastic(&contact->law)) : impact.force_max);
+    }
     /* The plate takes up K x^a; the other term of the equation of motion is its own motion. */
     const double force = contact->plate ? pow(cor_sphere_max_overlap(parameter), cor_elastic(&contact->law))
                                         : cor_law_force_max(&contact->law, parameter);
-    return contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s) * force;
+    return unit * force;
 }
 
 /* ---- the damping from other quantities ---- */
 
 /* Solves eps(beta) = eps where eps falls with beta, by the Illinois method on ln(beta) and ln(eps). */
-static int solved_beta(double *beta, const struct cor_scene_contact *contact, double eps, int end)
+static int solved_beta(double *beta, const struct cor_scene_contact *contact, double eps, double speed_m_s, int end)
 {
     enum { MOST_STEPS = 400 };
     const double wanted = log(eps);
@@ -251,7 +302,11 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
     for (int k = 0; k < MOST_STEPS; k++) {
         double got;
         *beta = exp(x);
-        const int status = eps_of(&got, contact, *beta, end);
+        struct cor_pressed_impact pressed;
+        const int status = contact->force_n > 0 ? pressed_impact(&pressed, contact, *beta, speed_m_s)
+                                                : eps_of(&got, contact, *beta, end);
+        if (contact->force_n > 0)
+            got = pressed.eps[end];
         if (status != COR_FAULT_NONE)
             return status;
         const double rest = got > 0 ? log(got) - wanted : -1;
@@ -300,11 +355,14 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
         contact->damping = is_constant ? value : NAN;
         return status;
     case COR_SCENE_RESTITUTION: {
+        const int pressed = contact->force_n > 0 && !isnan(speed_m_s);
         double parameter = 0;
-        if (f)
+        if (f && !pressed)
             parameter = f->damping[end](value);
         else if (value < 1)
-            status = solved_beta(&parameter, contact, value, end);
+            status = solved_beta(&parameter, contact, value, speed_m_s, end);
+        if (pressed && is_constant)
+            parameter /= beta_per_damping(contact);
         contact->damping = is_constant ? parameter : parameter * pow(speed_m_s, -q);
         return status;
     }

@@ -93,7 +93,11 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                         "--at SPEED or --damping-coefficient C",
                         law);
     case COR_FAULT_NO_BODIES:
-        return snprintf(text, size, "--viscosity needs bodies, whose elasticity divides it: %s", bodies);
+        return snprintf(text, size,
+                        fault->number == COR_SCENE_ADHESION
+                            ? "--adhesion needs bodies, whose radii multiply it: %s"
+                            : "--viscosity needs bodies, whose elasticity divides it: %s",
+                        bodies);
     case COR_FAULT_NO_SCALES:
         return snprintf(text, size, "--%s needs bodies, or --stiffness and --effective-mass: %s", number, bodies);
     case COR_FAULT_NO_SPEED:
@@ -120,6 +124,19 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
         return snprintf(text, size,
                         "no stiffness makes the contact last for the --duration: with this damping its bodies never "
                         "part, or the stiffness is beyond a double");
+    case COR_FAULT_PRESSED:
+        return snprintf(text, size,
+                        "the damping of the law %s is too strong to be integrated under gravity or adhesion", law);
+    case COR_FAULT_GRAVITY:
+        return snprintf(text, size,
+                        "--gravity presses a ball to a --wall or a plate; two free bodies fall together, and their "
+                        "contact knows nothing of it");
+    case COR_FAULT_ADHESION:
+        return snprintf(text, size,
+                        "--adhesion W, in J/m^2, and --adhesion-model go together, as --adhesion 0.05 "
+                        "--adhesion-model dmt");
+    case COR_FAULT_ADHESION_MODEL:
+        return snprintf(text, size, "--adhesion-model: only dmt, the constant force 2 pi W R, is available");
     default:
         return snprintf(text, size, "%s", "");
     }

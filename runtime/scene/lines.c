@@ -881,6 +881,10 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
                  request->version, task.simulator->title);
         return refuse(text, size, refusal);
     }
+    if (request->contacts[0].force_n > 0)
+        return refuse(text, size,
+                      "lines hold without a constant force, and the simulator adds its own; leave out --gravity and "
+                      "--adhesion, and see docs/contact.md for the eps that it then realises");
     task.types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
         task.has_law = task.has_law || suits(&cor_simulator_models[i], &task, 1);

@@ -38,6 +38,8 @@ const char *const cor_scene_number_names[COR_SCENE_NUMBERS] = {[COR_SCENE_G_STAR
                                                                [COR_SCENE_RESTITUTION] = "restitution",
                                                                [COR_SCENE_ZETA] = "zeta",
                                                                [COR_SCENE_PLATE_THICKNESS] = "plate-thickness",
+                                                               [COR_SCENE_GRAVITY] = "gravity",
+                                                               [COR_SCENE_ADHESION] = "adhesion",
                                                                [COR_SCENE_DURATION] = "duration"};
 
 int cor_scene_given(const struct cor_scene *scene, int number)

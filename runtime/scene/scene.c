@@ -116,6 +116,32 @@ static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault 
     return COR_FAULT_NONE;
 }
 
+/* The constant force F = m G + 2 pi w R */
+static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
+{
+    static const double pi = 3.14159265358979323846;
+    const int heavy = cor_scene_given(scene, COR_SCENE_GRAVITY), sticky = cor_scene_given(scene, COR_SCENE_ADHESION);
+    if (sticky != (scene->adhesion_model != COR_ADHESION_NONE))
+        return refuse(fault, COR_FAULT_ADHESION, COR_SCENE_ADHESION, 0);
+    if (sticky && scene->adhesion_model != COR_ADHESION_DMT)
+        return refuse(fault, COR_FAULT_ADHESION_MODEL, COR_SCENE_ADHESION, 0);
+    if (cor_scene_given(scene, COR_SCENE_DURATION))
+        return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_DURATION, heavy ? COR_SCENE_GRAVITY : COR_SCENE_ADHESION);
+    if (heavy && !scene->wall && !scene->plate)
+        return refuse(fault, COR_FAULT_GRAVITY, COR_SCENE_GRAVITY, 0);
+    if (heavy && isnan(contact->mass_kg))
+        return refuse(fault, COR_FAULT_NO_SCALES, COR_SCENE_GRAVITY, 0);
+    if (sticky && isnan(contact->radius_m))
+        return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_ADHESION, 0);
+    if (heavy)
+        contact->force_n += contact->mass_kg * scene->number[COR_SCENE_GRAVITY];
+    if (sticky)
+        contact->force_n += 2 * pi * scene->number[COR_SCENE_ADHESION] * contact->radius_m;
+    return contact->force_n >= 0 && contact->force_n < INFINITY
+               ? COR_FAULT_NONE
+               : refuse(fault, COR_FAULT_RANGE, heavy ? COR_SCENE_GRAVITY : COR_SCENE_ADHESION, 0);
+}
+
 /* ---- the damping ---- */
 
 /* The numbers that give the damping, in the order in which they are refused */
@@ -201,7 +227,10 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
         status = check_way(fault, scene, &contacts[0], way);
     if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
         return status; /* set_materials has set it */
-    const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT] : 1;
+    /* A restitution without a speed, of a law with q = 0, is that without a constant force. */
+    const double speed = cor_scene_given(scene, COR_SCENE_AT)                      ? scene->number[COR_SCENE_AT]
+                         : way == COR_SCENE_RESTITUTION && contacts[0].force_n > 0 ? (double)NAN
+                                                                                   : 1;
     const int any = scene->end == COR_BOTH_ENDS, timed = cor_scene_given(scene, COR_SCENE_DURATION);
     *count = (way == COR_SCENE_RESTITUTION || timed) && any && cor_scene_ends_differ(&contacts[0]) ? COR_SCENE_ENDS : 1;
     contacts[1] = contacts[0];
@@ -219,13 +248,22 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {
-    const struct cor_scene_contact none = {scene->law, scene->plate, NAN, NAN, NAN, NAN, scene->solver};
+    const struct cor_scene_contact none = {.law = scene->law,
+                                           .plate = scene->plate,
+                                           .mass_kg = NAN,
+                                           .stiffness = NAN,
+                                           .radius_m = NAN,
+                                           .damping = NAN,
+                                           .solver = scene->solver};
     refuse(fault, COR_FAULT_NONE, 0, 0);
     *count = 0;
     contacts[0] = contacts[1] = none;
     if (scene->plate && scene->end == COR_END_ZERO_FORCE)
         return refuse(fault, COR_FAULT_PLATE_END, 0, 0);
     int contacts_set = 1, status = set_scales(&contacts[0], fault, scene);
+    if (status == COR_FAULT_NONE && (cor_scene_given(scene, COR_SCENE_GRAVITY) ||
+                                     cor_scene_given(scene, COR_SCENE_ADHESION) || scene->adhesion_model))
+        status = set_force(&contacts[0], fault, scene);
     if (status == COR_FAULT_NONE)
         status = set_damping(contacts, &contacts_set, fault, scene);
     for (int i = 0; i < contacts_set && status == COR_FAULT_NONE; i++)

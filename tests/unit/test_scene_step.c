@@ -10,7 +10,8 @@
 
 static struct cor_scene_contact contact_with(enum cor_law law, double eps, int end)
 {
-    struct cor_scene_contact contact = {cor_law_exponents[law], 0, 2e-3, 3e8, 1e-2, 0, NULL};
+    struct cor_scene_contact contact = {
+        .law = cor_law_exponents[law], .mass_kg = 2e-3, .stiffness = 3e8, .radius_m = 1e-2};
     cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, eps, 1, end);
     return contact;
 }

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* The collision x'' + beta x^b x' + x^a = f, x(0) = 0, x'(0) = 1, under a constant force f > 0 that presses the bodies
+ * together (docs/theory.md, 10) */
+#ifndef COR_RUNTIME_SCENE_PRESSED_H
+#define COR_RUNTIME_SCENE_PRESSED_H
+
+#include "cor/scene.h"
+
+/* `force_max` is the largest value of x^a + beta x^b x'. eps = 0 and an infinite duration: the bodies stay together. */
+struct cor_pressed_impact {
+    double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max;
+};
+
+/* Returns COR_OK, or COR_FAULT_PRESSED where the motion takes too many steps. */
+int cor_pressed_solve(struct cor_pressed_impact *impact, const struct cor_exponents *law, double beta, double f);
+
+/* x'' + damping x^b x' + x^a = 1: the impact speed up to which the bodies stay together; infinite: every speed, or
+ * those up to 1e9 and more */
+double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end);
+
+#endif
