@@ -321,7 +321,12 @@ static void stiffness_from_a_duration(void **state)
             const double speed = pow(10, k - 3), eps = 0.95 - 0.15 * k, duration = 3e-4 * (k + 1);
             struct cor_scene_fault fault;
             struct cor_scene scene = {.law = laws[i], .end = end, .solver = contact_enclosed};
-            struct cor_scene_contact got[COR_SCENE_ENDS], want = {laws[i], 0, 2e-3, 4e6, NAN, NAN, contact_enclosed};
+            struct cor_scene_contact got[COR_SCENE_ENDS], want = {.law = laws[i],
+                                                                  .mass_kg = 2e-3,
+                                                                  .stiffness = 4e6,
+                                                                  .radius_m = NAN,
+                                                                  .damping = NAN,
+                                                                  .solver = contact_enclosed};
             struct cor_scene_impact impact;
             int count;
             for (int n = 0; n < COR_SCENE_NUMBERS; n++)
