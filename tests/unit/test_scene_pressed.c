@@ -125,7 +125,8 @@ TEST(impacts)
                     cor_scene_eps(&eps, &c, 1, end);
                     assert_true(eps == impact.eps[end]);
                     stuck += eps == 0;
-                    close_to(cor_law_names[laws[l]], impact.eps[end] * impact.eps[end], (double)(r.eps[at] * r.eps[at]), 1e-10);
+                    close_to(cor_law_names[laws[l]], impact.eps[end] * impact.eps[end], (double)(r.eps[at] * r.eps[at]),
+                             1e-10);
                     if (eps > 0)
                         close_to("duration", impact.duration_s[end], (double)r.duration[at], 1e-9);
                     else
