@@ -177,7 +177,8 @@ struct cor_step_error {
  * Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the scatter, sampled in
  * tests/unit/test_scene_step.c.
  * Returns COR_OK; COR_FAULT_STEP where steps, end or integrator are not in their range, a constant force presses, a
- * collision takes over 4194304 steps, or the motion leaves the doubles; or what cor_scene_eps returns. *error is NaN then. */
+ * collision takes over 4194304 steps, or the motion leaves the doubles; or what cor_scene_eps returns. *error is
+ * NaN then. */
 #define COR_SCENE_STEP_ERROR 0.02
 int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_contact *contact, double speed_m_s,
                          int end, double steps, int integrator);
