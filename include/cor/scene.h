@@ -32,12 +32,13 @@ struct cor_exponents {
 };
 
 enum cor_law {
-    COR_LAW_VISCOELASTIC,  /* 3/2, 1/2 */
-    COR_LAW_LINEAR,        /* 1, 0 */
-    COR_LAW_TSUJI,         /* 3/2, 1/4 */
-    COR_LAW_HUNT_CROSSLEY, /* a, a; by name 3/2, 3/2 */
-    COR_LAW_HERTZ_DASHPOT, /* 3/2, 0 */
-    COR_LAW_PLATE,         /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
+    COR_LAW_VISCOELASTIC,    /* 3/2, 1/2 */
+    COR_LAW_LINEAR,          /* 1, 0 */
+    COR_LAW_TSUJI,           /* 3/2, 1/4 */
+    COR_LAW_HUNT_CROSSLEY,   /* a, a; by name 3/2, 3/2 */
+    COR_LAW_HERTZ_DASHPOT,   /* 3/2, 0 */
+    COR_LAW_PLATE,           /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
+    COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: 3/2, without damping */
     /* of simulators alone */
     COR_LAW_LINEAR_ROOT, /* 1, 1/2 */
     COR_LAW_IMPULSE,     /* no force: the rebound speed is e times the impact speed, and the damping is 1 - e */
@@ -76,6 +77,30 @@ double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
 #define COR_LAW_FORCE_MAX_ERROR 1e-12
 double cor_law_force_max(const struct cor_exponents *law, double damping);
 
+/* ---- spheres that yield, spheres in a liquid ---- */
+
+/* eps of elastic-plastic spheres (Thornton 1997) at x = v/v_y, the impact speed over the yield speed, 1 - eps, and x of
+ * an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <= 1.
+ * Accuracy: units of the last place; of eps by counting roundings (docs/theory.md, 21), of the others sampled in
+ * tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not in [0, 1] -> NaN;
+ * eps = 0 -> x = +inf, which also stands for an x beyond a double. */
+#define COR_ELASTIC_PLASTIC_EPS_MAX_ULP 4.5
+#define COR_ELASTIC_PLASTIC_LOSS_MAX_ULP 12.0
+#define COR_ELASTIC_PLASTIC_SPEED_RATIO_MAX_ULP 16.0
+double cor_elastic_plastic_eps(double speed_ratio);
+double cor_elastic_plastic_loss(double speed_ratio);
+double cor_elastic_plastic_speed_ratio(double eps);
+
+/* The bodies yield at the pressure p_y = COR_YIELD_PRESSURE times the yield stress, from the impact speed
+ * v_y = COR_YIELD_FACTOR (p_y/E*)^2 (R^3 p_y/m)^(1/2) on, COR_YIELD_FACTOR = (pi^5/30)^(1/2). */
+#define COR_YIELD_PRESSURE 1.6
+#define COR_YIELD_FACTOR 3.1938466086381453
+
+/* eps of a contact in a liquid that takes the speed s from the bodies on the way in, and on the way out: `eps` is that
+ * of the dry contact at the speed v - s. (eps (v - s) - s)/v, and 0 where that is negative.
+ * Accuracy: 4 units of the last place of 1. Special values: s = 0 -> eps; a negative number or NaN -> NaN. */
+double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s);
+
 /* ---- a contact ---- */
 
 /* Bound on the relative error of eps, durations, overlap and force of the functions below, with the damping parameter
@@ -101,6 +126,9 @@ struct cor_scene_contact {
     double damping;           /* beta g^-q, (m/s)^-q; where q = 0 zeta */
     cor_scene_solver *solver; /* for all other laws; NULL: the functions below return COR_FAULT_SOLVER */
     double force_n;           /* constant force that presses the bodies together, N: gravity, adhesion; 0: none */
+    int plastic;              /* elastic-plastic spheres; `damping` is 0 */
+    double yield_speed_m_s;   /* v_y; 0: not known */
+    double liquid_speed_m_s;  /* s, which a liquid takes on the way in and on the way out; 0: a dry contact */
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
@@ -124,6 +152,21 @@ struct cor_scene_impact {
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
+/* In a liquid eps is that of the whole, with the error of cor_wet_eps; the rest is that of the dry contact, at the
+ * speed that the liquid leaves. Where it leaves none, nothing touches: beta and durations are NaN, overlap and force
+ * are 0. */
+
+/* Of spheres whose effective radius is known, NaN otherwise. v_y of a yield stress and back; radius of the contact and
+ * pressure in its middle at an overlap, by Hertz, or p_y of elastic-plastic spheres beyond v_y; the largest overlap of
+ * a contact without damping; s of a liquid of a viscosity in Pa s between two distances of the surfaces,
+ * 6 pi eta R^2 ln(outer/inner)/m. Accuracy: 1e-14, relative. */
+double cor_scene_yield_speed(const struct cor_scene_contact *contact, double yield_stress_pa);
+double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yield_speed_m_s);
+double cor_scene_contact_radius(const struct cor_scene_contact *contact, double overlap_m);
+double cor_scene_pressure(const struct cor_scene_contact *contact, double overlap_m);
+double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double speed_m_s);
+double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,
+                              double gap_inner_m);
 
 /* With force_n > 0 the equation is m x'' + C x^b x' + K x^a = force_n: gravity on a ball above a wall, or DMT adhesion.
  * For one contact eps is still a function of the speed, for every law, and no solver is needed; it is 0, and the
@@ -131,7 +174,7 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
  * never grows (docs/theory.md, 10). The largest force is that of spring and damper.
  * Accuracy: COR_SCENE_PRESSED_ERROR, absolute for eps^2, relative for durations while eps > 0.01 and for overlap and
  * force; sampled in tests/unit/test_scene_pressed.c.
- * The sticking speed is in m/s: 0 without force or damping, infinite where the bodies stick at every speed up to 1e9
+ * The sticking speed is in m/s: 0 without force or damping; with a liquid that below which eps is 0; infinite where the bodies stick at every speed up to 1e9
  * times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. */
 #define COR_SCENE_PRESSED_ERROR 1e-10
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
@@ -223,10 +266,14 @@ enum cor_scene_number {
     COR_SCENE_EFFECTIVE_MASS,
     COR_SCENE_RESTITUTION, /* eps at the speed COR_SCENE_AT, 0 < eps <= 1 */
     COR_SCENE_ZETA,
-    COR_SCENE_PLATE_THICKNESS, /* m */
-    COR_SCENE_GRAVITY,         /* m/s^2, presses body 1 to a wall or a plate */
-    COR_SCENE_ADHESION,        /* work of adhesion w, J/m^2, with an adhesion model */
-    COR_SCENE_DURATION,        /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness */
+    COR_SCENE_PLATE_THICKNESS,  /* m */
+    COR_SCENE_GRAVITY,          /* m/s^2, presses body 1 to a wall or a plate */
+    COR_SCENE_ADHESION,         /* work of adhesion w, J/m^2, with an adhesion model */
+    COR_SCENE_YIELD_STRESS,     /* Pa, of the body that yields first */
+    COR_SCENE_LIQUID_VISCOSITY, /* Pa s, of a liquid between the bodies, with both gaps */
+    COR_SCENE_GAP_OUTER,        /* m, distance of the surfaces at which the liquid begins to act */
+    COR_SCENE_GAP_INNER,        /* m, distance at which the bodies touch: their roughness */
+    COR_SCENE_DURATION,         /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness */
     COR_SCENE_NUMBERS,
     COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
 };
@@ -243,6 +290,7 @@ struct cor_scene {
     int end;                  /* at which restitution and duration were measured, or COR_BOTH_ENDS */
     cor_scene_solver *solver; /* of the contact, may be NULL */
     int adhesion_model;       /* enum cor_adhesion; goes with COR_SCENE_ADHESION */
+    int plastic;              /* elastic-plastic spheres, with a yield stress, or a restitution that gives v_y */
 };
 
 /* What is wrong with a scene: `number` and `other` are the numbers that are to blame. */
@@ -277,12 +325,17 @@ enum cor_fault {
     COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, that of body 1 */
     COR_FAULT_NO_SECOND_BODY, /* number is that of a second viscoelastic body, and there is none */
     COR_FAULT_RANGE,          /* the damping is beyond a double */
-    COR_FAULT_STEP,           /* of the functions of the time step */
+    COR_FAULT_STEP,           /* of the functions of the time step, which have no yield, liquid or constant force */
     COR_FAULT_NO_STIFFNESS,   /* no stiffness makes the contact last as long as the duration says */
     COR_FAULT_PRESSED,        /* a constant force, and a damping too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it presses no free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
-    COR_FAULT_ADHESION_MODEL  /* the adhesion model is none, or has no contact of this law */
+    COR_FAULT_ADHESION_MODEL, /* the adhesion model is none, or has no contact of this law */
+    COR_FAULT_PRESSED_LAW,    /* elastic-plastic spheres, or a liquid (number), and gravity or adhesion */
+    COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
+    COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres take no number */
+    COR_FAULT_LIQUID,         /* number is missing: viscosity and both gaps go together */
+    COR_FAULT_GAPS            /* the outer gap is not larger than the inner one */
 };
 struct cor_scene_fault {
     int fault;         /* enum cor_fault */
@@ -326,8 +379,9 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
-/* What corgen contact prints of a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q) or one of the next three,
- * unit; and the value of such a number, NaN where it is not known or, of the next three, where no force presses */
+/* What corgen contact prints of a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS:
+ * v_y; COR_SCENE_LIQUID_VISCOSITY: s) or one of the next three, unit; and the value of such a number, NaN where it is
+ * not known or, of the next three, where no force presses and no liquid holds */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
     COR_SCENE_STICKING_ZERO_OVERLAP,
@@ -338,7 +392,7 @@ struct cor_scene_quantity {
     int number;
     const char *unit;
 };
-enum { COR_SCENE_QUANTITIES = 12 };
+enum { COR_SCENE_QUANTITIES = 14 };
 extern const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES];
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 

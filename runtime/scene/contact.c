@@ -7,6 +7,7 @@
 #include "cor/scene.h"
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/plastic.h"
 #include "runtime/scene/pressed.h"
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
@@ -22,7 +23,7 @@ int cor_scene_has_end(const struct cor_scene_contact *contact, int end)
 
 int cor_scene_ends_differ(const struct cor_scene_contact *contact)
 {
-    return !contact->plate && contact->law.elastic > contact->law.damping;
+    return !contact->plate && !contact->plastic && contact->law.elastic > contact->law.damping;
 }
 
 /* ---- the damping ---- */
@@ -61,6 +62,8 @@ double cor_scene_beta(const struct cor_scene_contact *contact, double speed_m_s)
 double cor_scene_damping(const struct cor_scene_contact *contact, int number)
 {
     const int constant = cor_law_is_constant(&contact->law);
+    if (contact->plastic)
+        return NAN;
     const double coefficient = contact->damping * beta_per_damping(contact) / beta_per_coefficient(contact);
     switch (number) {
     case COR_SCENE_DAMPING_COEFFICIENT:
@@ -92,7 +95,9 @@ const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES] = {
     {"q", COR_SCENE_NUMBERS, "1"},
     {"pressing_force", COR_SCENE_PRESSING_FORCE, "N"},
     {"sticking_speed_zero_overlap", COR_SCENE_STICKING_ZERO_OVERLAP, "m/s"},
-    {"sticking_speed_zero_force", COR_SCENE_STICKING_ZERO_FORCE, "m/s"}};
+    {"sticking_speed_zero_force", COR_SCENE_STICKING_ZERO_FORCE, "m/s"},
+    {"yield_speed", COR_SCENE_YIELD_STRESS, "m/s"},
+    {"liquid_speed", COR_SCENE_LIQUID_VISCOSITY, "m/s"}};
 
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 {
@@ -104,12 +109,18 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
     case COR_SCENE_STIFFNESS:
         return contact->stiffness;
     case COR_SCENE_NUMBERS:
-        return cor_scene_speed_exponent(contact);
+        return contact->plastic ? NAN : cor_scene_speed_exponent(contact);
     case COR_SCENE_PRESSING_FORCE:
         return contact->force_n > 0 ? contact->force_n : NAN;
     case COR_SCENE_STICKING_ZERO_OVERLAP:
     case COR_SCENE_STICKING_ZERO_FORCE:
-        return contact->force_n > 0 ? cor_scene_sticking_speed(contact, number - COR_SCENE_STICKING_ZERO_OVERLAP) : NAN;
+        return contact->force_n > 0 || contact->liquid_speed_m_s > 0
+                   ? cor_scene_sticking_speed(contact, number - COR_SCENE_STICKING_ZERO_OVERLAP)
+                   : NAN;
+    case COR_SCENE_YIELD_STRESS:
+        return contact->yield_speed_m_s > 0 ? contact->yield_speed_m_s : NAN;
+    case COR_SCENE_LIQUID_VISCOSITY:
+        return contact->liquid_speed_m_s > 0 ? contact->liquid_speed_m_s : NAN;
     default:
         return cor_scene_damping(contact, number);
     }
@@ -230,6 +241,8 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
     const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), force = contact->force_n;
     if (!cor_scene_has_end(contact, end))
         return NAN;
+    if (contact->liquid_speed_m_s > 0)
+        return cor_wet_sticking_speed(contact, end);
     if (!(force > 0))
         return 0;
     const double length = pow(force / contact->stiffness, 1 / a), time = sqrt(contact->mass_kg * length / force);
@@ -238,9 +251,27 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
            cor_pressed_sticking_speed(&contact->law, coefficient * pow(length, b + 1) / (time * force), end);
 }
 
+/* Whether the spheres yield at this speed */
+static int yields(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    return contact->plastic && speed_m_s > contact->yield_speed_m_s;
+}
+
 int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
 {
     *eps = NAN;
+    if (contact->liquid_speed_m_s > 0) {
+        const struct cor_scene_contact dry = cor_dry_contact(contact);
+        const double left = speed_m_s - contact->liquid_speed_m_s;
+        *eps = 0;
+        const int status = left > 0 ? cor_scene_eps(eps, &dry, left, end) : COR_FAULT_NONE;
+        *eps = cor_scene_has_end(contact, end) ? cor_wet_eps(*eps, speed_m_s, contact->liquid_speed_m_s) : (double)NAN;
+        return status;
+    }
+    if (yields(contact, speed_m_s)) {
+        *eps = cor_elastic_plastic_eps(speed_m_s / contact->yield_speed_m_s);
+        return COR_FAULT_NONE;
+    }
     if (contact->force_n > 0 && cor_scene_has_end(contact, end)) {
         struct cor_pressed_impact impact;
         const int status = pressed_impact(&impact, contact, cor_scene_beta(contact, speed_m_s), speed_m_s);
@@ -251,8 +282,28 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
                                            : COR_FAULT_NONE;
 }
 
+static int wet_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const struct cor_scene_contact dry = cor_dry_contact(contact);
+    const double s = contact->liquid_speed_m_s;
+    int status = COR_FAULT_NONE;
+    *impact = (struct cor_scene_impact){NAN, {0, 0}, {NAN, NAN}, 0};
+    if (speed_m_s > s)
+        status = cor_scene_impact(impact, &dry, speed_m_s - s);
+    for (int end = 0; end < COR_SCENE_ENDS; end++)
+        impact->eps[end] = cor_scene_has_end(contact, end) ? cor_wet_eps(impact->eps[end], speed_m_s, s) : (double)NAN;
+    return status;
+}
+
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
+    if (contact->liquid_speed_m_s > 0)
+        return wet_impact(impact, contact, speed_m_s);
+    if (yields(contact, speed_m_s)) {
+        impact->beta = 0;
+        cor_plastic_impact(impact, contact, speed_m_s);
+        return COR_FAULT_NONE;
+    }
     const double time = time_unit(contact, speed_m_s);
     struct cor_scaled_impact scaled;
     int status;
@@ -276,6 +327,13 @@ int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_con
 
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s)
 {
+    if (contact->liquid_speed_m_s > 0) {
+        const struct cor_scene_contact dry = cor_dry_contact(contact);
+        const double left = speed_m_s - contact->liquid_speed_m_s;
+        return left > 0 ? cor_scene_force_max_n(&dry, left) : 0;
+    }
+    if (yields(contact, speed_m_s))
+        return cor_plastic_force_max_n(contact, speed_m_s);
     const double parameter = parameter_of(contact, speed_m_s),
                  unit = contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s);
     if (contact->force_n > 0) {

@@ -93,10 +93,10 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                         "--at SPEED or --damping-coefficient C",
                         law);
     case COR_FAULT_NO_BODIES:
-        return snprintf(text, size,
-                        fault->number == COR_SCENE_ADHESION
-                            ? "--adhesion needs bodies, whose radii multiply it: %s"
-                            : "--viscosity needs bodies, whose elasticity divides it: %s",
+        return snprintf(text, size, "--%s needs bodies%s: %s", number,
+                        fault->number == COR_SCENE_ADHESION    ? ", whose radii multiply it"
+                        : fault->number == COR_SCENE_VISCOSITY ? ", whose elasticity divides it"
+                                                               : "",
                         bodies);
     case COR_FAULT_NO_SCALES:
         return snprintf(text, size, "--%s needs bodies, or --stiffness and --effective-mass: %s", number, bodies);
@@ -137,6 +137,25 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                         "--adhesion-model dmt");
     case COR_FAULT_ADHESION_MODEL:
         return snprintf(text, size, "--adhesion-model: only dmt, the constant force 2 pi W R, is available");
+    case COR_FAULT_PRESSED_LAW:
+        return snprintf(text, size, "--gravity and --adhesion have no answer for %s",
+                        fault->number == COR_SCENE_YIELD_STRESS ? "--law elastic-plastic" : "a contact in a liquid");
+    case COR_FAULT_NO_YIELD:
+        return snprintf(text, size,
+                        "--law elastic-plastic needs --yield-stress Y in Pa, as --yield-stress 1e9, or --restitution E "
+                        "--at SPEED, measured where the bodies yield");
+    case COR_FAULT_YIELD_DAMPING:
+        return snprintf(text, size,
+                        "--%s: the law elastic-plastic has no damping; it takes --yield-stress Y, or --restitution E "
+                        "--at SPEED",
+                        number);
+    case COR_FAULT_LIQUID:
+        return snprintf(text, size,
+                        "--%s is missing: a liquid has --viscosity-liquid ETA in Pa s and --gap-outer and --gap-inner "
+                        "in m, as --viscosity-liquid 1e-3 --gap-outer 1e-4 --gap-inner 1e-6",
+                        number);
+    case COR_FAULT_GAPS:
+        return snprintf(text, size, "--%s is not larger than --%s", number, other);
     default:
         return snprintf(text, size, "%s", "");
     }

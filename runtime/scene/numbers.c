@@ -4,12 +4,13 @@
 
 #include "cor/scene.h"
 
-const char *const cor_law_names[COR_LAWS] = {COR_LAW_NAMES, "plate", "linear spring, dashpot x^(1/2)", "impulse"};
+const char *const cor_law_names[COR_LAWS] = {COR_LAW_NAMES, "plate", "elastic-plastic",
+                                             "linear spring, dashpot x^(1/2)", "impulse"};
 
 const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE] = {
-    [COR_LAW_VISCOELASTIC] = {3, 1, 2},  [COR_LAW_LINEAR] = {1, 0, 1},        [COR_LAW_TSUJI] = {6, 1, 4},
-    [COR_LAW_HUNT_CROSSLEY] = {3, 3, 2}, [COR_LAW_HERTZ_DASHPOT] = {3, 0, 2}, [COR_LAW_PLATE] = {3, 1, 2},
-    [COR_LAW_LINEAR_ROOT] = {2, 1, 2}};
+    [COR_LAW_VISCOELASTIC] = {3, 1, 2},    [COR_LAW_LINEAR] = {1, 0, 1},        [COR_LAW_TSUJI] = {6, 1, 4},
+    [COR_LAW_HUNT_CROSSLEY] = {3, 3, 2},   [COR_LAW_HERTZ_DASHPOT] = {3, 0, 2}, [COR_LAW_PLATE] = {3, 1, 2},
+    [COR_LAW_ELASTIC_PLASTIC] = {3, 1, 2}, [COR_LAW_LINEAR_ROOT] = {2, 1, 2}};
 
 const char *const cor_end_names[COR_ENDS] = {"zero overlap", "zero force", "limited", "approach only", "an instant"};
 
@@ -40,6 +41,10 @@ const char *const cor_scene_number_names[COR_SCENE_NUMBERS] = {[COR_SCENE_G_STAR
                                                                [COR_SCENE_PLATE_THICKNESS] = "plate-thickness",
                                                                [COR_SCENE_GRAVITY] = "gravity",
                                                                [COR_SCENE_ADHESION] = "adhesion",
+                                                               [COR_SCENE_YIELD_STRESS] = "yield-stress",
+                                                               [COR_SCENE_LIQUID_VISCOSITY] = "viscosity-liquid",
+                                                               [COR_SCENE_GAP_OUTER] = "gap-outer",
+                                                               [COR_SCENE_GAP_INNER] = "gap-inner",
                                                                [COR_SCENE_DURATION] = "duration"};
 
 int cor_scene_given(const struct cor_scene *scene, int number)

@@ -219,6 +219,67 @@ static int set_stiffness(struct cor_scene_contact *contact, double duration_s, d
 }
 
 /* A restitution or a duration without its end is that of either end, in a contact for each. */
+/* ---- yield, and a liquid ---- */
+
+/* Sets v_y, where a yield stress or the restitution of elastic-plastic spheres is given. */
+static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
+{
+    const double *const number = scene->number;
+    const int stress = cor_scene_given(scene, COR_SCENE_YIELD_STRESS), at = cor_scene_given(scene, COR_SCENE_AT);
+    if (stress && isnan(contact->radius_m))
+        return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_YIELD_STRESS, 0);
+    if (stress)
+        contact->yield_speed_m_s = cor_scene_yield_speed(contact, number[COR_SCENE_YIELD_STRESS]);
+    if (!scene->plastic)
+        return COR_FAULT_NONE;
+    int way;
+    if (find_way(&way, fault, scene) == COR_FAULT_TWO_WAYS)
+        return fault->fault;
+    if (way >= 0 && way != COR_SCENE_RESTITUTION)
+        return refuse(fault, COR_FAULT_YIELD_DAMPING, way, 0);
+    if (cor_scene_given(scene, COR_SCENE_DURATION))
+        return refuse(fault, COR_FAULT_YIELD_DAMPING, COR_SCENE_DURATION, 0);
+    if (contact->force_n > 0)
+        return refuse(fault, COR_FAULT_PRESSED_LAW, COR_SCENE_YIELD_STRESS, 0);
+    if (way >= 0 && stress)
+        return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_YIELD_STRESS, way);
+    if (way < 0 && !stress)
+        return refuse(fault, COR_FAULT_NO_YIELD, COR_SCENE_YIELD_STRESS, COR_SCENE_RESTITUTION);
+    if (at != (way >= 0))
+        return refuse(fault, at ? COR_FAULT_SPEED_ALONE : COR_FAULT_NO_SPEED, at ? COR_SCENE_AT : way, COR_SCENE_AT);
+    if (at)
+        contact->yield_speed_m_s = number[COR_SCENE_AT] / cor_elastic_plastic_speed_ratio(number[way]);
+    refuse(fault, COR_FAULT_NONE, 0, 0);
+    contact->plastic = 1;
+    contact->damping = 0;
+    return contact->yield_speed_m_s > 0 && contact->yield_speed_m_s < INFINITY ? COR_FAULT_NONE
+                                                                               : refuse(fault, COR_FAULT_RANGE, 0, 0);
+}
+
+static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
+{
+    int given = 0, missing = 0;
+    for (int number = COR_SCENE_LIQUID_VISCOSITY; number <= COR_SCENE_GAP_INNER; number++) {
+        given = cor_scene_given(scene, number) ? number : given;
+        missing = cor_scene_given(scene, number) ? missing : number;
+    }
+    if (!given)
+        return COR_FAULT_NONE;
+    if (missing)
+        return refuse(fault, COR_FAULT_LIQUID, missing, 0);
+    if (isnan(contact->radius_m))
+        return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_LIQUID_VISCOSITY, 0);
+    if (contact->force_n > 0)
+        return refuse(fault, COR_FAULT_PRESSED_LAW, COR_SCENE_LIQUID_VISCOSITY, 0);
+    const double outer = scene->number[COR_SCENE_GAP_OUTER], inner = scene->number[COR_SCENE_GAP_INNER];
+    if (!(outer > inner))
+        return refuse(fault, COR_FAULT_GAPS, COR_SCENE_GAP_OUTER, COR_SCENE_GAP_INNER);
+    contact->liquid_speed_m_s =
+        cor_scene_liquid_speed(contact, scene->number[COR_SCENE_LIQUID_VISCOSITY], outer, inner);
+    return contact->liquid_speed_m_s < INFINITY ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
+}
+
+/* A restitution without its end is that of either end, in a contact for each. */
 static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {
@@ -265,6 +326,10 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
                                      cor_scene_given(scene, COR_SCENE_ADHESION) || scene->adhesion_model))
         status = set_force(&contacts[0], fault, scene);
     if (status == COR_FAULT_NONE)
+        status = set_yield(&contacts[0], fault, scene);
+    if (status == COR_FAULT_NONE)
+        status = set_liquid(&contacts[0], fault, scene);
+    if (status == COR_FAULT_NONE && !scene->plastic)
         status = set_damping(contacts, &contacts_set, fault, scene);
     for (int i = 0; i < contacts_set && status == COR_FAULT_NONE; i++)
         if (!(contacts[i].damping >= 0 && contacts[i].damping < INFINITY))

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+/* Spheres that yield: Hertz's contact up to the pressure p_y, a linear spring of stiffness pi R p_y above it, and
+ * Hertz's contact of a larger radius on the way back (docs/theory.md, 21). With r = v_y/v, the ratio of the yield force
+ * to the largest force
+ *
+ *     t = r sqrt(5/(6 - r^2))
+ *
+ * makes eps^4 = 108 t/((t + 2) (t^2 + 5)^2) rational, and 1 - eps^4 = (1 - t)^2 (t^3 + 4 t^2 + 17 t + 50)/(...) free of
+ * cancellation. */
+#include "runtime/scene/plastic.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* ---- eps ---- */
+
+/* 1 - t from x = 1/r: t^2 - 1 = 6 (r^2 - 1)/(6 - r^2) */
+static double force_gap(double x, double t)
+{
+    const double r = 1 / x;
+    return 6 * ((x - 1) / x) * (1 + r) / ((6 - r * r) * (1 + t));
+}
+
+static double force_ratio(double x)
+{
+    const double r = 1 / x;
+    return r * sqrt(5 / (6 - r * r));
+}
+
+/* (t + 2) (t^2 + 5)^2 */
+static double denominator(double t)
+{
+    const double square = t * t + 5;
+    return (t + 2) * (square * square);
+}
+
+/* (t^3 + 4 t^2 + 17 t + 50)/((t + 2) (t^2 + 5)^2) */
+static double loss_factor(double t)
+{
+    return (((t + 4) * t + 17) * t + 50) / denominator(t);
+}
+
+/* 1 - eps^4 */
+static double loss_of_fourth(double t, double gap)
+{
+    return gap * gap * loss_factor(t);
+}
+
+double cor_elastic_plastic_eps(double speed_ratio)
+{
+    if (!(speed_ratio > 1))
+        return speed_ratio >= 0 ? 1 : (double)NAN;
+    const double t = force_ratio(speed_ratio);
+    if (t < 0.75)
+        return sqrt(sqrt(108 * t / denominator(t)));
+    return sqrt(sqrt(1 - loss_of_fourth(t, force_gap(speed_ratio, t)))); /* never above 1, and 1 next to v_y */
+}
+
+double cor_elastic_plastic_loss(double speed_ratio)
+{
+    if (!(speed_ratio > 1))
+        return speed_ratio >= 0 ? 0 : (double)NAN;
+    const double eps = cor_elastic_plastic_eps(speed_ratio);
+    if (eps < 0.5)
+        return 1 - eps;
+    const double t = force_ratio(speed_ratio);
+    return loss_of_fourth(t, force_gap(speed_ratio, t)) / ((1 + eps) * (1 + eps * eps));
+}
+
+/* t of eps. Near 1 Newton's method solves sqrt(1 - eps^4) = u sqrt(P/D) for u = 1 - t, elsewhere eps^4 = 108 t/D for
+ * ln t. Both start on the side from which they converge without crossing the root. */
+static double force_ratio_of_eps(double eps)
+{
+    const double fourth = eps * eps * (eps * eps);
+    if (eps < 0.9) {
+        double t = fourth * (50.0 / 108), step = 1;
+        for (int i = 0; i < 60 && step > 0x1p-54; i++) {
+            const double square = t * t + 5, slope = 2 * (1 - t) * ((2 * t + 5) * t + 5) / ((t + 2) * square);
+            step = (fourth / (108 * t / denominator(t)) - 1) / slope;
+            t *= 1 + step;
+        }
+        return t;
+    }
+    const double root = sqrt((1 - eps) * (1 + eps) * (1 + eps * eps));
+    double u = sqrt(1.5) * root, step = 1;
+    for (int i = 0; i < 60 && step > 0x1p-54 * u; i++) {
+        const double t = 1 - u, d = denominator(t), factor = sqrt(loss_factor(t));
+        step = (u * factor - root) * factor * (t + 2) * (t * t + 5) * d / (108 * ((2 * t + 5) * t + 5));
+        u -= step;
+    }
+    return 1 - u;
+}
+
+double cor_elastic_plastic_speed_ratio(double eps)
+{
+    if (!(eps >= 0 && eps <= 1))
+        return NAN;
+    const double t = force_ratio_of_eps(eps);
+    return t > 0 ? sqrt((t * t + 5) / 6) / t : INFINITY;
+}
+
+/* ---- v_y and the yield stress ---- */
+
+/* sqrt(pi^5/30) (p_y/E*)^2 sqrt(R^3 p_y/m), from K = (4/3) E* sqrt(R) */
+double cor_scene_yield_speed(const struct cor_scene_contact *contact, double yield_stress_pa)
+{
+    const double pressure = COR_YIELD_PRESSURE * yield_stress_pa, radius = contact->radius_m;
+    const double ratio = pressure / (0.75 * contact->stiffness / sqrt(radius));
+    return COR_YIELD_FACTOR * ratio * ratio * sqrt(radius * radius * radius * pressure / contact->mass_kg);
+}
+
+double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yield_speed_m_s)
+{
+    return cor_scene_pressure(contact, cor_scene_elastic_overlap(contact, yield_speed_m_s)) / COR_YIELD_PRESSURE;
+}
+
+/* ---- contact radius and pressure ---- */
+
+double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double a = (double)contact->law.elastic / contact->law.denominator;
+    return pow((a + 1) / 2 * contact->mass_kg / contact->stiffness * speed_m_s * speed_m_s, 1 / (a + 1));
+}
+
+double cor_scene_contact_radius(const struct cor_scene_contact *contact, double overlap_m)
+{
+    return sqrt(contact->radius_m * overlap_m);
+}
+
+/* (3/2) K x^(3/2)/(pi R x), and no more than the pressure at which the spheres yield */
+double cor_scene_pressure(const struct cor_scene_contact *contact, double overlap_m)
+{
+    const double yields = contact->plastic ? cor_scene_elastic_overlap(contact, contact->yield_speed_m_s) : INFINITY;
+    return 1.5 * contact->stiffness * sqrt(fmin(overlap_m, yields)) / (pi * contact->radius_m);
+}
+
+/* ---- an impact above the yield speed ----
+ *
+ * In units of overlap, force and speed at the onset of yield: the largest force is 1/t and the largest overlap
+ * (2 + t)/(3 t). Loading takes Hertz's time up to the onset and acos(t)/sqrt(15/8) beyond it, unloading half of an
+ * elastic contact of the rebound speed. */
+
+enum { TERMS = 30 };
+
+/* The integral of (1 - r^2 u^(5/2))^(-1/2) from 0 to 1. With r u^(5/4) = sin(theta) it is (theta_1/r)^(4/5) times
+ * sum c_k theta_1^(2k)/(5k/2 + 1), sin(theta_1) = r, where c_k are the coefficients of (sin(theta)/theta)^(-1/5) in
+ * powers of theta^2; they fall like pi^(-2k). */
+static double hertz_time(double r, double gap)
+{
+    const double angle = pi / 2 - 2 * asin(sqrt(gap / 2)), square = angle * angle;
+    double a[TERMS], c[TERMS], sum = 1, power = 1;
+    a[0] = c[0] = 1;
+    for (int n = 1; n < TERMS; n++) {
+        a[n] = -a[n - 1] / (2 * n * (2 * n + 1));
+        c[n] = 0;
+        for (int k = 1; k <= n; k++)
+            c[n] += (-0.2 * k - n + k) * a[k] * c[n - k];
+        c[n] /= n;
+        power *= square;
+        sum += c[n] * power / (2.5 * n + 1);
+    }
+    return pow(angle / r, 0.8) * sum;
+}
+
+#define HERTZ_TIME 1.4716375921623523 /* hertz_time of r = 1: (2/5) B(2/5, 1/2) */
+
+void cor_plastic_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double x = speed_m_s / contact->yield_speed_m_s, t = force_ratio(x);
+    const double overlap = cor_scene_elastic_overlap(contact, contact->yield_speed_m_s);
+    const double time = overlap / contact->yield_speed_m_s, eps = cor_elastic_plastic_eps(x);
+    const double loading = hertz_time(1 / x, (x - 1) / x) / x + 2 * asin(sqrt(force_gap(x, t) / 2)) / sqrt(15.0 / 8);
+    const double unloading = HERTZ_TIME * sqrt(3 / (t * (2 + t))) / (eps * x);
+    impact->eps[0] = impact->eps[1] = eps;
+    impact->duration_s[0] = impact->duration_s[1] = time * (loading + unloading);
+    impact->max_overlap_m = overlap * (2 + t) / (3 * t);
+}
+
+double cor_plastic_force_max_n(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double overlap = cor_scene_elastic_overlap(contact, contact->yield_speed_m_s);
+    return contact->stiffness * overlap * sqrt(overlap) / force_ratio(speed_m_s / contact->yield_speed_m_s);
+}
