@@ -174,8 +174,8 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
  * never grows (docs/theory.md, 10). The largest force is that of spring and damper.
  * Accuracy: COR_SCENE_PRESSED_ERROR, absolute for eps^2, relative for durations while eps > 0.01 and for overlap and
  * force; sampled in tests/unit/test_scene_pressed.c.
- * The sticking speed is in m/s: 0 without force or damping; with a liquid that below which eps is 0; infinite where the bodies stick at every speed up to 1e9
- * times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. */
+ * The sticking speed is in m/s: 0 without force or damping, infinite where the bodies stick at every speed up to 1e9
+ * times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m; with a liquid that below which eps is 0. */
 #define COR_SCENE_PRESSED_ERROR 1e-10
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
 
