@@ -98,7 +98,7 @@ static void choose_stretch(struct search *s, const arb_t wanted)
 {
     const struct interpolant *f = s->f;
     const struct interpolant_layout *layout = f->layout;
-    const enum quantity eps = interpolant_end(f, s->eps);
+    const enum quantity eps = s->eps == EPS_APPROACH_ONLY ? MAX_OVERLAP : interpolant_end(f, s->eps);
     s->variable = INTERVAL_ROOT;
     s->lo = 0;
     s->hi = last_sampled_root(f, eps);
@@ -123,7 +123,12 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
     struct search s = {.f = f,
                        .eps = force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP,
                        .loss_quotient = force ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP,
-                       .of_loss = quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE};
+                       .of_loss = quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE ||
+                                  quantity == BETA_QUOTIENT_APPROACH_ONLY};
+    if (quantity >= EPS_APPROACH_ONLY) {
+        s.eps = EPS_APPROACH_ONLY;
+        s.loss_quotient = LOSS_QUOTIENT_APPROACH_ONLY;
+    }
     LOCAL(arb, w, wanted);
     if (s.of_loss)
         arb_root_ui(wanted, x, (ulong)f->layout->root, INTERPOLANT_BITS);

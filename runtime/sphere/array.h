@@ -20,7 +20,11 @@
     X(duration_zero_overlap)                                                                                           \
     X(duration_zero_force)                                                                                             \
     X(max_overlap)                                                                                                     \
-    X(time_of_max_overlap)
+    X(time_of_max_overlap)                                                                                             \
+    X(eps_approach_only)                                                                                               \
+    X(loss_approach_only)                                                                                              \
+    X(beta_approach_only)                                                                                              \
+    X(duration_approach_only)
 #define COR_FLOAT_QUANTITIES(X)                                                                                        \
     X(eps_zero_overlap)                                                                                                \
     X(eps_zero_force)                                                                                                  \

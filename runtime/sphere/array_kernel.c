@@ -121,21 +121,45 @@ KERNEL struct table table_time_of_max_overlap(void)
     return table;
 }
 
+KERNEL struct table table_eps_approach_only(void)
+{
+    const struct table table = TABLE(eps_approach_only, EPS_APPROACH_ONLY, 0, 0, 0, form_plain);
+    return table;
+}
+
+KERNEL struct table table_loss_approach_only(void)
+{
+    const struct table table = TABLE(loss_approach_only, LOSS_APPROACH_ONLY, COR_INLINE_2_M900, 0, 0, form_m);
+    return table;
+}
+
+KERNEL struct table table_duration_approach_only(void)
+{
+    const struct table table = TABLE(duration_approach_only, DURATION_APPROACH_ONLY, 0, 0, 0, form_plain);
+    return table;
+}
+
 #define INVERSE_TABLE(end, END, root)                                                                                  \
     {                                                                                                                  \
-        cor_rows_near_beta_zero_##end(0), cor_rows_beta_zero_##end(0), COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_##END), \
-            COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_##END), root                                                         \
+        cor_rows_near_beta_##end(0), cor_rows_beta_##end(0), COR_INLINE_GRID(COR_ROWS_NEAR_BETA_##END),                \
+            COR_INLINE_OCTAVES(COR_ROWS_BETA_##END), root                                                              \
     }
 
 KERNEL struct inverse_table table_beta_zero_overlap(void)
 {
-    const struct inverse_table table = INVERSE_TABLE(overlap, OVERLAP, 0);
+    const struct inverse_table table = INVERSE_TABLE(zero_overlap, ZERO_OVERLAP, 0);
     return table;
 }
 
 KERNEL struct inverse_table table_beta_zero_force(void)
 {
-    const struct inverse_table table = INVERSE_TABLE(force, FORCE, 1);
+    const struct inverse_table table = INVERSE_TABLE(zero_force, ZERO_FORCE, 1);
+    return table;
+}
+
+KERNEL struct inverse_table table_beta_approach_only(void)
+{
+    const struct inverse_table table = INVERSE_TABLE(approach_only, APPROACH_ONLY, 0);
     return table;
 }
 
@@ -325,6 +349,10 @@ ARRAY_FROM_BETA(duration_zero_overlap)
 ARRAY_FROM_BETA(duration_zero_force)
 ARRAY_FROM_BETA(max_overlap)
 ARRAY_FROM_BETA(time_of_max_overlap)
+ARRAY_FROM_BETA(eps_approach_only)
+ARRAY_FROM_BETA(loss_approach_only)
+ARRAY_FROM_BETA(duration_approach_only)
+ARRAY_FROM_EPS(beta_approach_only)
 ARRAY_FROM_EPS(beta_zero_overlap)
 ARRAY_FROM_EPS(beta_zero_force)
 ARRAY_EPS_FROM_SPEED(overlap, OVERLAP, cor_inline_eps_overlap_far_root)

@@ -565,6 +565,50 @@ TEST(documented_errors_of_1999)
     check(fabs(cor_sphere_eps_published_pade(3) / cor_sphere_eps_zero_overlap(3) - 3.3) < 0.05, "beta = 3");
 }
 
+/* ---- damping during the approach only ---- */
+
+static void check_approach_only(long double beta)
+{
+    const double b = (double)beta;
+    const long double y = cor_sphere_max_overlap(b), eps = sqrtl(0.8L) * powl(y, 1.25L);
+    const long double t = cor_sphere_time_of_max_overlap(b) + cor_sphere_time_of_max_overlap(0) * powl(eps, -0.2L);
+    /* the overlap's own error counts 5/4 times; 1 - eps loses bits, and is compared from 1/2 on */
+    const double relative = 4.5 * DBL_EPSILON;
+    check(relative_error(cor_sphere_eps_approach_only(b), (double)eps) < relative, "eps at %a", b);
+    check(relative_error(cor_sphere_duration_approach_only(b), (double)t) < relative, "duration at %a", b);
+    check(eps > 0.5L || relative_error(cor_sphere_loss_approach_only(b), (double)(1 - eps)) < 2 * relative,
+          "loss at %a", b);
+    const double from_eps = cor_sphere_beta_approach_only(cor_sphere_eps_approach_only(b)),
+                 from_loss = cor_sphere_beta_of_loss_approach_only(cor_sphere_loss_approach_only(b));
+    /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
+    check(relative_error(from_eps, b) < relative * (double)fmaxl(2, 1 / (1 - eps)), "beta of eps at %a", b);
+    check(relative_error(from_loss, b) < relative * (double)fmaxl(2, 1 / eps), "beta of 1 - eps at %a", b);
+}
+
+/* Every row, and both sides of every border, by another table: eps = sqrt(4/5) Y^(5/4) */
+TEST(damped_approach)
+{
+    for (int i = 1; i < 200; i++)
+        for (int side = -1; side <= 1; side++) {
+            check_approach_only(nextafter(0.0625 * i, 0.0625 * i + side));
+            check_approach_only(cor_sphere_beta_approach_only(nextafter(i / 256.0, i / 256.0 + side)));
+        }
+    for (double beta = 12; beta < 1e6; beta *= 1.37)
+        check_approach_only(beta);
+    for (double beta = 0.06; beta > 1e-300; beta *= 0.37)
+        check(relative_error(cor_sphere_loss_approach_only(beta), -COR_SPHERE_C1 / 2 * beta) <
+                      0.7 * beta + DBL_EPSILON &&
+                  relative_error(cor_sphere_beta_of_loss_approach_only(cor_sphere_loss_approach_only(beta)), beta) <
+                      4 * DBL_EPSILON,
+              "1 - eps at %a", beta);
+    assert_true(cor_sphere_eps_approach_only(0) == 1 && cor_sphere_eps_approach_only(INFINITY) == 0);
+    assert_true(cor_sphere_loss_approach_only(-0.0) == 0 && cor_sphere_loss_approach_only(INFINITY) == 1);
+    assert_true(cor_sphere_beta_of_loss_approach_only(0) == 0 && cor_sphere_beta_approach_only(1) == 0);
+    assert_true(cor_sphere_beta_of_loss_approach_only(1) == INFINITY && cor_sphere_beta_approach_only(0) == INFINITY);
+    assert_true(isnan(cor_sphere_beta_of_loss_approach_only(nextafter(1, 2))) &&
+                isnan(cor_sphere_beta_approach_only(-smallest)) && isnan(cor_sphere_duration_approach_only(NAN)));
+}
+
 RUN_TESTS(known_answers, reference_is_right, against_the_equation_of_motion, strong_damping, infinitely_strong_damping,
           loss_of_small_beta, inverse, special_values, float_exceptions, falls_at_powers_of_two, derivatives, constants,
-          simple_theory, simple_theory_special_values, documented_errors_of_1999)
+          simple_theory, simple_theory_special_values, documented_errors_of_1999, damped_approach)
