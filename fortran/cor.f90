@@ -66,6 +66,10 @@ module cor
   integer(c_int), parameter, public :: COR_LAW_MAX_STACK = 24576
   real(c_double), parameter, public :: COR_HUNT_CROSSLEY_TIME_MAX_ERROR = 1e-14_c_double
   real(c_double), parameter, public :: COR_HUNT_CROSSLEY_MAX_EXPONENT = 100.0_c_double
+  real(c_double), parameter, public :: COR_NO_SLIP_MAX_ULP = 0.51_c_double
+  real(c_double), parameter, public :: COR_NO_SLIP_MAX_KAPPA = 1e6_c_double
+  real(c_double), parameter, public :: COR_NO_SLIP_MIN_EXPONENT = 1e-6_c_double
+  real(c_double), parameter, public :: COR_NO_SLIP_MAX_EXPONENT = 100.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_EPS_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_LOSS_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_MAX_OVERLAP_MAX_ULP = 1.0_c_double
@@ -306,6 +310,15 @@ module cor
       bind(c, name="cor_dissipation_time_s")
       import; real(c_double), value :: eta1_pa_s; real(c_double), value :: eta2_pa_s
       real(c_double), value :: young_modulus_pa; real(c_double), value :: poisson_ratio
+    end function
+    pure real(c_double) function c_cor_tangential_kappa(young_modulus_1_pa, poisson_ratio_1, young_modulus_2_pa, &
+      poisson_ratio_2) bind(c, name="cor_tangential_kappa")
+      import; real(c_double), value :: young_modulus_1_pa; real(c_double), value :: poisson_ratio_1
+      real(c_double), value :: young_modulus_2_pa; real(c_double), value :: poisson_ratio_2
+    end function
+    pure real(c_double) function c_cor_tangential_stick_angle(kappa, friction) bind(c, &
+      name="cor_tangential_stick_angle")
+      import; real(c_double), value :: kappa; real(c_double), value :: friction
     end function
     integer(c_int) function cor_plate_contact_init(contact, sphere, plate) bind(c)
       import; type(cor_sphere_contact_t), intent(inout) :: contact; type(cor_body_t), intent(in) :: sphere
@@ -957,6 +970,13 @@ module cor
     end function
     pure real(c_float) function cor_hunt_crossley_time_of_max_overlapf(beta, elastic_exponent) bind(c)
       import; real(c_float), value :: beta; real(c_float), value :: elastic_exponent
+    end function
+    pure real(c_double) function c_cor_tangential_no_slip(kappa, elastic_exponent) bind(c, &
+      name="cor_tangential_no_slip")
+      import; real(c_double), value :: kappa; real(c_double), value :: elastic_exponent
+    end function
+    pure real(c_float) function cor_tangential_no_slipf(kappa, elastic_exponent) bind(c)
+      import; real(c_float), value :: kappa; real(c_float), value :: elastic_exponent
     end function
     pure real(c_double) function c_cor_sphere_eps_zero_overlap(x) bind(c, name="cor_sphere_eps_zero_overlap")
       import; real(c_double), value :: x
@@ -1995,6 +2015,21 @@ module cor
       real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
   end interface
+  interface cor_tangential_no_slip
+    module procedure cor_tangential_no_slip_double, cor_tangential_no_slip_float
+  end interface
+  interface cor_tangential_no_slip_array
+    subroutine c_cor_tangential_no_slip_array(kappa, elastic_exponent, y, n) bind(c, &
+      name="cor_tangential_no_slip_array")
+      import; real(c_double), intent(in) :: kappa(*); real(c_double), value :: elastic_exponent
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    subroutine c_cor_tangential_no_slip_arrayf(kappa, elastic_exponent, y, n) bind(c, &
+      name="cor_tangential_no_slip_arrayf")
+      import; real(c_float), intent(in) :: kappa(*); real(c_float), value :: elastic_exponent
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+  end interface
   interface cor_sphere_eps_zero_overlap
     module procedure cor_sphere_eps_zero_overlap_double, cor_sphere_eps_zero_overlap_float
   end interface
@@ -2173,19 +2208,19 @@ module cor
     cor_contact_duration_s_zero_force_array, cor_contact_max_overlap_m, cor_contact_max_overlap_m_array, &
     cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_overlap_array, &
     cor_contact_dissipation_time_s_zero_force, cor_contact_dissipation_time_s_zero_force_array, &
-    cor_dissipation_time_viscous_s, cor_dissipation_time_s, cor_plate_contact_init, cor_plate_lambda, &
-    cor_plate_contact_radius_ratio, cor_plate_shear_crossings, cor_plate_sphere_crossings, &
-    cor_plate_least_half_width_m, cor_half_space_wave_factor, cor_half_space_wave_coefficient, cor_contact_wave_loss, &
-    cor_disk_modes_read, cor_disk_modes_compute, cor_disk_modes_below, cor_disk_load_limit, &
-    cor_disk_compression_limit, cor_disk_energy_limit, cor_disk_speed_limit, cor_disk_load, cor_disk_compression, &
-    cor_disk_energy, cor_disk_load_of_energy, cor_disk_max_load, cor_disk_max_compression, cor_disk_contact_time, &
-    cor_disk_compression_leading_log, cor_disk_load_leading_log, cor_disk_energy_leading_log, &
-    cor_disk_max_compression_leading_log, cor_disk_contact_time_leading_log, cor_disk_rayleigh, &
-    cor_disk_rayleigh_array, cor_disk_rayleigh_tolerance, cor_disk_collision, cor_disk_collision_array, &
-    cor_disk_collision_workspace, cor_disk_collision_in, cor_disk_hard_wall, cor_disk_hard_wall_nu, &
-    cor_disk_hard_wall_workspace, cor_disk_hard_wall_in, cor_disk_eps, cor_disk_eps_uncertainty, &
-    cor_disk_one_minus_eps2, cor_disk_one_minus_eps2_uncertainty, cor_hertz_dashpot_eps_zero_overlap, &
-    cor_hertz_dashpot_eps_zero_overlap_array, cor_hertz_dashpot_eps_zero_force, &
+    cor_dissipation_time_viscous_s, cor_dissipation_time_s, cor_tangential_kappa, cor_tangential_stick_angle, &
+    cor_plate_contact_init, cor_plate_lambda, cor_plate_contact_radius_ratio, cor_plate_shear_crossings, &
+    cor_plate_sphere_crossings, cor_plate_least_half_width_m, cor_half_space_wave_factor, &
+    cor_half_space_wave_coefficient, cor_contact_wave_loss, cor_disk_modes_read, cor_disk_modes_compute, &
+    cor_disk_modes_below, cor_disk_load_limit, cor_disk_compression_limit, cor_disk_energy_limit, &
+    cor_disk_speed_limit, cor_disk_load, cor_disk_compression, cor_disk_energy, cor_disk_load_of_energy, &
+    cor_disk_max_load, cor_disk_max_compression, cor_disk_contact_time, cor_disk_compression_leading_log, &
+    cor_disk_load_leading_log, cor_disk_energy_leading_log, cor_disk_max_compression_leading_log, &
+    cor_disk_contact_time_leading_log, cor_disk_rayleigh, cor_disk_rayleigh_array, cor_disk_rayleigh_tolerance, &
+    cor_disk_collision, cor_disk_collision_array, cor_disk_collision_workspace, cor_disk_collision_in, &
+    cor_disk_hard_wall, cor_disk_hard_wall_nu, cor_disk_hard_wall_workspace, cor_disk_hard_wall_in, cor_disk_eps, &
+    cor_disk_eps_uncertainty, cor_disk_one_minus_eps2, cor_disk_one_minus_eps2_uncertainty, &
+    cor_hertz_dashpot_eps_zero_overlap, cor_hertz_dashpot_eps_zero_overlap_array, cor_hertz_dashpot_eps_zero_force, &
     cor_hertz_dashpot_eps_zero_force_array, cor_hertz_dashpot_loss_zero_overlap, &
     cor_hertz_dashpot_loss_zero_overlap_array, cor_hertz_dashpot_loss_zero_force, &
     cor_hertz_dashpot_loss_zero_force_array, cor_hertz_dashpot_beta_zero_overlap, &
@@ -2241,16 +2276,16 @@ module cor
     cor_hunt_crossley_max_overlap, cor_hunt_crossley_max_overlap_array, cor_hunt_crossley_duration, &
     cor_hunt_crossley_duration_array, cor_hunt_crossley_duration_approach_only, &
     cor_hunt_crossley_duration_approach_only_array, cor_hunt_crossley_time_of_max_overlap, &
-    cor_hunt_crossley_time_of_max_overlap_array, cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_overlap_array, &
-    cor_sphere_eps_zero_force, cor_sphere_eps_zero_force_array, cor_sphere_loss_zero_overlap, &
-    cor_sphere_loss_zero_overlap_array, cor_sphere_loss_zero_force, cor_sphere_loss_zero_force_array, &
-    cor_sphere_beta_zero_overlap, cor_sphere_beta_zero_overlap_array, cor_sphere_beta_zero_force, &
-    cor_sphere_beta_zero_force_array, cor_sphere_duration_zero_overlap, cor_sphere_duration_zero_overlap_array, &
-    cor_sphere_duration_zero_force, cor_sphere_duration_zero_force_array, cor_sphere_max_overlap, &
-    cor_sphere_max_overlap_array, cor_sphere_time_of_max_overlap, cor_sphere_time_of_max_overlap_array, &
-    cor_sphere_eps_zero_overlap_fastf, cor_sphere_eps_zero_overlap_fast_arrayf, cor_sphere_eps_zero_force_fastf, &
-    cor_sphere_eps_zero_force_fast_arrayf, cor_sphere_loss_zero_overlap_fastf, &
-    cor_sphere_loss_zero_overlap_fast_arrayf, cor_sphere_loss_zero_force_fastf, &
+    cor_hunt_crossley_time_of_max_overlap_array, cor_tangential_no_slip, cor_tangential_no_slip_array, &
+    cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_overlap_array, cor_sphere_eps_zero_force, &
+    cor_sphere_eps_zero_force_array, cor_sphere_loss_zero_overlap, cor_sphere_loss_zero_overlap_array, &
+    cor_sphere_loss_zero_force, cor_sphere_loss_zero_force_array, cor_sphere_beta_zero_overlap, &
+    cor_sphere_beta_zero_overlap_array, cor_sphere_beta_zero_force, cor_sphere_beta_zero_force_array, &
+    cor_sphere_duration_zero_overlap, cor_sphere_duration_zero_overlap_array, cor_sphere_duration_zero_force, &
+    cor_sphere_duration_zero_force_array, cor_sphere_max_overlap, cor_sphere_max_overlap_array, &
+    cor_sphere_time_of_max_overlap, cor_sphere_time_of_max_overlap_array, cor_sphere_eps_zero_overlap_fastf, &
+    cor_sphere_eps_zero_overlap_fast_arrayf, cor_sphere_eps_zero_force_fastf, cor_sphere_eps_zero_force_fast_arrayf, &
+    cor_sphere_loss_zero_overlap_fastf, cor_sphere_loss_zero_overlap_fast_arrayf, cor_sphere_loss_zero_force_fastf, &
     cor_sphere_loss_zero_force_fast_arrayf, cor_sphere_duration_zero_overlap_fastf, &
     cor_sphere_duration_zero_overlap_fast_arrayf, cor_sphere_duration_zero_force_fastf, &
     cor_sphere_duration_zero_force_fast_arrayf, cor_sphere_max_overlap_fastf, cor_sphere_max_overlap_fast_arrayf, &
@@ -2311,6 +2346,15 @@ contains
     result(value)
     real(c_double), intent(in) :: eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio
     value = c_cor_dissipation_time_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio)
+  end function
+  elemental real(c_double) function cor_tangential_kappa(young_modulus_1_pa, poisson_ratio_1, young_modulus_2_pa, &
+    poisson_ratio_2) result(value)
+    real(c_double), intent(in) :: young_modulus_1_pa, poisson_ratio_1, young_modulus_2_pa, poisson_ratio_2
+    value = c_cor_tangential_kappa(young_modulus_1_pa, poisson_ratio_1, young_modulus_2_pa, poisson_ratio_2)
+  end function
+  elemental real(c_double) function cor_tangential_stick_angle(kappa, friction) result(value)
+    real(c_double), intent(in) :: kappa, friction
+    value = c_cor_tangential_stick_angle(kappa, friction)
   end function
   elemental real(c_double) function cor_plate_lambda(contact, speed_m_s) result(value)
     type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
@@ -3028,6 +3072,14 @@ contains
   elemental real(c_float) function cor_hunt_crossley_time_of_max_overlap_float(beta, elastic_exponent) result(value)
     real(c_float), intent(in) :: beta, elastic_exponent
     value = cor_hunt_crossley_time_of_max_overlapf(beta, elastic_exponent)
+  end function
+  elemental real(c_double) function cor_tangential_no_slip_double(kappa, elastic_exponent) result(value)
+    real(c_double), intent(in) :: kappa, elastic_exponent
+    value = c_cor_tangential_no_slip(kappa, elastic_exponent)
+  end function
+  elemental real(c_float) function cor_tangential_no_slip_float(kappa, elastic_exponent) result(value)
+    real(c_float), intent(in) :: kappa, elastic_exponent
+    value = cor_tangential_no_slipf(kappa, elastic_exponent)
   end function
   elemental real(c_double) function cor_sphere_eps_zero_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta

@@ -8,6 +8,7 @@
  *     A from one measured eps     cor_contact_dissipation_time_s_zero_overlap, _zero_force
  *     arrays                      the functions of a speed with _array at their end: cor_contact_eps_zero_force_array
  *     A from viscosities          cor_dissipation_time_viscous_s; as published in 1999: cor_dissipation_time_s
+ *     oblique impacts             cor_tangential_kappa, cor_tangential_stick_angle
  *     thin plates                 cor_plate_contact_init, cor_plate_lambda, cor_plate_contact_radius_ratio,
  *                                 _shear_crossings, _sphere_crossings, _least_half_width_m
  *     elastic waves               cor_contact_wave_loss, cor_half_space_wave_factor, _wave_coefficient
@@ -197,6 +198,31 @@ COR_API double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s
  * its domain, infinite or NaN -> NaN. */
 COR_API double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa,
                                       double poisson_ratio);
+
+/* ---- oblique impacts ---- */
+
+/* kappa of cor_tangential_no_slip (law.h) for two homogeneous spheres, or such a sphere and a wall, by Mindlin's
+ * stiffness without slip:
+ *
+ *     kappa = 21 G* /E*,   1/E* = (1 - nu_1^2)/Y_1 + (1 - nu_2^2)/Y_2,
+ *                          1/G* = 2 (2 - nu_1)(1 + nu_1)/Y_1 + 2 (2 - nu_2)(1 + nu_2)/Y_2
+ *
+ * For equal Poisson's ratios this is 21 (1 - nu)/(2 (2 - nu)), from 7 at nu = -1 to 7/2 at nu = 1/2; 9/2 at nu = 1/4.
+ * Domain: Y > 0, one of them may be infinite, -1 < nu <= 1/2. Accuracy: COR_CONTACT_MAX_ULP.
+ * Special values: any argument outside its domain, NaN, or two rigid bodies -> NaN.
+ * Source: Mindlin, J. Appl. Mech. 16, 259 (1949); docs/theory.md, 10. */
+COR_API double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, double young_modulus_2_pa,
+                                    double poisson_ratio_2);
+
+/* The largest angle, rad, between the velocity of the contact point and the normal at which spheres stick when they
+ * touch: atan((7/2) friction/kappa). Beyond it they slide from the first instant on. Up to it they stick until the
+ * normal force has nearly vanished, and docs/theory.md, 10, says how much the slip of these last moments changes u'/u;
+ * with Hertz's force none follows at kappa = 9/2 alone. A contact whose tangential force, not its displacement, is
+ * remembered has the angle of kappa/a instead.
+ * Domain: kappa > 0 and friction >= 0, either may be infinite. Accuracy: COR_CONTACT_MAX_ULP if that of atan is below
+ * 2 ulp and friction/kappa is a normal double.
+ * Special values: friction 0 -> 0, +inf -> pi/2; outside the domain, NaN, or both infinite -> NaN. */
+COR_API double cor_tangential_stick_angle(double kappa, double friction);
 
 /* ---- A sphere on a thin plate (Zener) ----
  *

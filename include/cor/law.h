@@ -25,6 +25,8 @@
  *     cor_linear_max_overlap             cor_tsuji_max_overlap              cor_hunt_crossley_max_overlap
  *     cor_linear_time_of_max_overlap     cor_tsuji_time_of_max_overlap      cor_hunt_crossley_time_of_max_overlap
  *
+ * and, of oblique impacts, for cor_tangential_no_slip.
+ *
  * Those of Hunt and Crossley but the last two also end in _approach_only. hertz_dashpot.h, which this header includes,
  * has Hertz's force with a constant dashpot, and sphere.h the viscoelastic sphere.
  *
@@ -229,6 +231,35 @@ COR_LAW_DECLARE_WITH_EXPONENT_(hunt_crossley_max_overlap)
 COR_LAW_DECLARE_WITH_EXPONENT_(hunt_crossley_duration)
 COR_LAW_DECLARE_WITH_EXPONENT_(hunt_crossley_duration_approach_only)
 COR_LAW_DECLARE_WITH_EXPONENT_(hunt_crossley_time_of_max_overlap)
+
+/* ---- Oblique impact without slip ----
+ *
+ * A tangential spring with the stiffness k_t x^(a-1) at the overlap x acts beside an elastic force K x^a without
+ * damping. The displacement s of the contact point obeys s'' + kappa x^(a-1) s = 0 beside x'' = -x^a. Here kappa is
+ * k_t/K times the effective mass over the mass that the contact point feels: (7/2) k_t/K for homogeneous spheres
+ * (cor_tangential_kappa of contact.h). */
+
+/* double cor_tangential_no_slip(double kappa, double elastic_exponent): the tangential velocity of the contact point
+ * after the collision over that before,
+ *
+ *     u'/u = cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1)))
+ *
+ * -1 is a full reversal, 1 means that the spring gave back what it took. The same holds where the force, not the
+ * displacement, is what the contact remembers: f' = kappa x^(a-1) s'. Friction is assumed to be strong enough;
+ * cor_tangential_stick_angle says where it is not.
+ * Domain: 0 <= kappa <= COR_NO_SLIP_MAX_KAPPA, COR_NO_SLIP_MIN_EXPONENT <= a <= COR_NO_SLIP_MAX_EXPONENT.
+ * Accuracy: COR_NO_SLIP_MAX_ULP, next to the zeros of the cosine, too; proved in runtime/law/tangential.c, sampled in
+ * tests/accuracy/test_laws.c. That of the float variants is COR_LAW_FLOAT_MAX_ULP.
+ * Special values: kappa = 0 -> 1; kappa = 1 and kappa = a -> -1; a zero of the cosine -> 0; outside the domain and
+ * NaN -> NaN. Source: docs/theory.md, 10. */
+#define COR_NO_SLIP_MAX_ULP 0.51
+#define COR_NO_SLIP_MAX_KAPPA 1e6
+#define COR_NO_SLIP_MIN_EXPONENT 1e-6
+#define COR_NO_SLIP_MAX_EXPONENT 100.0
+COR_API double cor_tangential_no_slip(double kappa, double elastic_exponent);
+COR_API float cor_tangential_no_slipf(float kappa, float elastic_exponent);
+COR_API void cor_tangential_no_slip_array(const double *kappa, double elastic_exponent, double *y, size_t n);
+COR_API void cor_tangential_no_slip_arrayf(const float *kappa, float elastic_exponent, float *y, size_t n);
 
 #undef COR_LAW_DECLARE_
 #undef COR_LAW_DECLARE_WITH_EXPONENT_

@@ -341,6 +341,40 @@ double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_m
     return time;
 }
 
+static double kappa_of(double young_1, double nu_1, double young_2, double nu_2)
+{
+    if (!(young_1 > 0 && nu_1 > -1 && nu_1 <= 0.5 && young_2 > 0 && nu_2 > -1 && nu_2 <= 0.5))
+        return NAN;
+    /* 1/Y in units of the larger one, so that nothing overflows; two infinite moduli give NaN */
+    const double young = young_1 < young_2 ? young_1 : young_2;
+    const double weight_1 = young / young_1 * (1 + nu_1), weight_2 = young / young_2 * (1 + nu_2);
+    const double sum = weight_1 * (1 - nu_1) + weight_2 * (1 - nu_2);
+    return 10.5 * sum / (weight_1 * (2 - nu_1) + weight_2 * (2 - nu_2));
+}
+
+double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, double young_modulus_2_pa,
+                            double poisson_ratio_2)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double young_1 = young_modulus_1_pa, nu_1 = poisson_ratio_1, young_2 = young_modulus_2_pa,
+                          nu_2 = poisson_ratio_2;
+    const volatile double kappa = kappa_of(young_1, nu_1, young_2, nu_2);
+    cor_environment_leave(&caller);
+    return kappa;
+}
+
+static double stick_angle(const struct cor_sphere_contact *unused, double kappa, double friction)
+{
+    (void)unused;
+    /* the quotient comes first: where it underflows or overflows the angle does */
+    return kappa > 0 && friction >= 0 ? atan(3.5 * (friction / kappa)) : (double)NAN;
+}
+
+double cor_tangential_stick_angle(double kappa, double friction)
+{
+    return in_environment(stick_angle, NULL, kappa, friction);
+}
+
 static double mass_of(const struct cor_sphere_contact *unused, double radius_m, double density_kg_m3)
 {
     (void)unused;

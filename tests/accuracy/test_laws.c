@@ -602,6 +602,70 @@ static bool crossley_times_are_enclosed(const struct search_options *o)
     return good;
 }
 
+/* ---- oblique impacts ---- */
+
+enum { NO_SLIP_BITS = 600 };
+
+/* cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1))), where 300 bits may cancel */
+static long double no_slip_mpfr(double kappa, double a)
+{
+    mpfr_t d, e, plus, pi;
+    mpfr_inits2(NO_SLIP_BITS, d, e, plus, pi, NULL);
+    mpfr_set_d(e, a, MPFR_RNDN);
+    mpfr_add_ui(plus, e, 1, MPFR_RNDN);
+    mpfr_sub_ui(e, e, 1, MPFR_RNDN);
+    mpfr_mul_d(d, plus, kappa, MPFR_RNDN);
+    mpfr_mul_ui(d, d, 8, MPFR_RNDN);
+    mpfr_fma(d, e, e, d, MPFR_RNDN);
+    mpfr_sqrt(d, d, MPFR_RNDN);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_div(pi, pi, plus, MPFR_RNDN);
+    mpfr_div_ui(pi, pi, 2, MPFR_RNDN);
+    mpfr_mul(d, d, pi, MPFR_RNDN);
+    mpfr_mul(e, e, pi, MPFR_RNDN);
+    mpfr_cos(d, d, MPFR_RNDN);
+    mpfr_cos(e, e, MPFR_RNDN);
+    mpfr_div(d, d, e, MPFR_RNDN);
+    const long double value = mpfr_get_ld(d, MPFR_RNDN);
+    mpfr_clears(d, e, plus, pi, NULL);
+    return value;
+}
+
+/* kappa of every size, and the doubles next to the zeros of the cosine: what is computed exactly 0 must be a zero. */
+static bool no_slip_is_good(const struct search_options *o)
+{
+    struct random_state r = random_seeded(o->seed);
+    double worst = 0, least = 1;
+    bool good = true;
+    for (uint64_t i = 0; i < o->points; i++) {
+        static const double exponents[] = {1, 1.5, 0.5, 3, 1.25, COR_NO_SLIP_MIN_EXPONENT, COR_NO_SLIP_MAX_EXPONENT};
+        const double a = i % 2 == 0 ? random_log(&r, COR_NO_SLIP_MIN_EXPONENT, COR_NO_SLIP_MAX_EXPONENT)
+                                    : exponents[random_below(&r, sizeof exponents / sizeof *exponents)];
+        const double n = (double)random_below(&r, i % 3 == 0 ? 1400 : 4);
+        const double zero = a / (2 * (a + 1)) + n * (n + 1) / 2 * (a + 1);
+        double kappa = i % 5 == 0 ? random_uniform(&r, 0, 10) : random_log(&r, 1e-320, COR_NO_SLIP_MAX_KAPPA);
+        if (i % 4 != 0 && zero <= COR_NO_SLIP_MAX_KAPPA)
+            kappa = zero * (1 + ((double)random_below(&r, 7) - 3) * DBL_EPSILON / 2);
+        const double y = cor_tangential_no_slip(kappa, a);
+        const long double exact = no_slip_mpfr(kappa, a);
+        const bool is_zero = fabsl(exact) < 1e-60L;
+        const double error =
+            is_zero ? (y == 0 ? 0 : HUGE_VAL) : ulp_error((double)fabsl(y), fabsl(exact), format_double);
+        const double of_floats = cor_tangential_no_slip((double)(float)kappa, (double)(float)a);
+        const double narrow = fabs((double)cor_tangential_no_slipf((float)kappa, (float)a) - of_floats);
+        if (!is_zero)
+            least = fmin(least, fabs(y));
+        worst = fmax(worst, error);
+        if (error <= COR_NO_SLIP_MAX_ULP && (y > 0) == (exact > 0 && !is_zero) &&
+            !(narrow > 0x1p-24 * fabs(of_floats) + 1e-45))
+            continue;
+        printf("FAIL  no slip at kappa = %.17g, a = %.17g: %.17g, exact %.20Lg\n", kappa, a, y, exact);
+        good = false;
+    }
+    printf("tangential_no_slip: %.4f ulp at most, bound %.2f, down to %.1e\n", worst, COR_NO_SLIP_MAX_ULP, least);
+    return good;
+}
+
 /* ---- the run ---- */
 
 static bool function_is_good(const struct function *f, const struct search_options *o)
@@ -636,6 +700,8 @@ int main(int argc, char **argv)
             good = function_is_good(&functions[i], &o) && good;
     if (search_wants(&o, "hunt_crossley_times_by_quadrature"))
         good = crossley_times_are_enclosed(&o) && good;
+    if (search_wants(&o, "tangential_no_slip"))
+        good = no_slip_is_good(&o) && good;
     mpfr_free_cache();
     return good ? 0 : 1;
 }

@@ -407,6 +407,34 @@ TEST(dissipation_time)
     }
 }
 
+/* kappa of equal materials and of glass on steel, and the angle at which friction just holds */
+TEST(oblique_impacts)
+{
+    for (double nu = -0.95; nu <= 0.5; nu += 0.05)
+        in_doubles(cor_tangential_kappa(7e10, nu, 7e10, nu), 10.5L * (1 - (long double)nu) / (2 - (long double)nu),
+                   COR_CONTACT_MAX_ULP);
+    assert_true(cor_tangential_kappa(1, 0.25, 1, 0.25) == 4.5 && cor_tangential_kappa(1e-300, 0.5, 1e-300, 0.5) == 3.5);
+    static const double young[][2] = {{7e10, 2.1e11}, {1e-300, 1e300}, {1e-310, 2e-310}, {INFINITY, 1e9}};
+    for (size_t i = 0; i < sizeof young / sizeof *young; i++) {
+        const long double y1 = young[i][0], y2 = young[i][1], nu_1 = 0.2, nu_2 = -0.3;
+        const long double compliance = (1 - nu_1 * nu_1) / y1 + (1 - nu_2 * nu_2) / y2;
+        const long double shear = 2 * (2 - nu_1) * (1 + nu_1) / y1 + 2 * (2 - nu_2) * (1 + nu_2) / y2;
+        in_doubles(cor_tangential_kappa(young[i][0], 0.2, young[i][1], -0.3), 21 * compliance / shear,
+                   COR_CONTACT_MAX_ULP);
+    }
+    assert_true(isnan(cor_tangential_kappa(0, 0.2, 1, 0.2)) && isnan(cor_tangential_kappa(1, 0.6, 1, 0.2)) &&
+                isnan(cor_tangential_kappa(1, 0.2, NAN, 0.2)) && isnan(cor_tangential_kappa(1, 0.2, 1, -1)) &&
+                isnan(cor_tangential_kappa(INFINITY, 0.2, INFINITY, 0.2)));
+    for (double friction = 1e-300; friction < 1e300; friction *= 1e7)
+        in_doubles(cor_tangential_stick_angle(4.3, friction), atanl(3.5L * friction / 4.3), COR_CONTACT_MAX_ULP);
+    assert_true(cor_tangential_stick_angle(4.5, 0) == 0 && cor_tangential_stick_angle(INFINITY, 1) == 0);
+    in_doubles(cor_tangential_stick_angle(1e-300, 1e300), acosl(0), COR_CONTACT_MAX_ULP);
+    in_doubles(cor_tangential_stick_angle(4.5, INFINITY), acosl(0), COR_CONTACT_MAX_ULP);
+    assert_true(isnan(cor_tangential_stick_angle(0, 1)) && isnan(cor_tangential_stick_angle(4.5, -1)) &&
+                isnan(cor_tangential_stick_angle(NAN, 1)) && isnan(cor_tangential_stick_angle(1, NAN)) &&
+                isnan(cor_tangential_stick_angle(INFINITY, INFINITY)));
+}
+
 /* By hand: R = 1 cm of ice, 917 kg/m^3: 4.18879e-6 * 917 = 3.84112e-3 kg. */
 TEST(mass_of_a_sphere)
 {
@@ -710,6 +738,6 @@ TEST(version)
 }
 
 RUN_TESTS(two_glass_spheres, sphere_and_wall, different_materials, against_long_double, speeds, characteristic_speed,
-          wrong_inputs, status_texts, dissipation_time, mass_of_a_sphere, eps_at_a_speed, extreme_contacts,
-          without_dissipation, special_values_of_dimensions, dimensions_against_long_double, dissipation_time_from_eps,
-          arrays, version)
+          wrong_inputs, status_texts, dissipation_time, mass_of_a_sphere, oblique_impacts, eps_at_a_speed,
+          extreme_contacts, without_dissipation, special_values_of_dimensions, dimensions_against_long_double,
+          dissipation_time_from_eps, arrays, version)

@@ -609,6 +609,90 @@ TEST(crossley_rows)
     }
 }
 
+/* ---- oblique impacts ---- */
+
+/* x'' = -x^a, and from the turning point on an even and an odd solution of two linear systems beside it: displacements
+ * s'' = -kappa x^(a-1) s, and velocities u' = -f with forces f' = kappa x^(a-1) u. State: x, x', then s, s' twice, then
+ * f, u twice, the even one first. */
+enum { OBLIQUE = 10 };
+
+static void oblique_slope(long double *dy, const long double *y, long double a, long double kappa)
+{
+    const long double x = fmaxl(y[0], 0), k = kappa * powl(x, a - 1);
+    dy[0] = y[1];
+    dy[1] = -powl(x, a);
+    for (int i = 2; i < OBLIQUE; i += 2) {
+        dy[i] = (i < 6 ? 1 : k) * y[i + 1];
+        dy[i + 1] = -(i < 6 ? k : 1) * y[i];
+    }
+}
+
+/* u'/u of both systems by the classical Runge-Kutta method in r, where r^4 is the time until the contact ends: x^(a-1)
+ * is smooth in r for exponents of quarters. */
+static void oblique_ratios(long double ratio[2], long double a, long double kappa)
+{
+    enum { STEPS = 4000 };
+    const long double share = 1 / (a + 1), top = powl((a + 1) / 2, share);
+    const long double half = top * sqrtl(acosl(-1)) * tgammal(1 + share) / tgammal(0.5L + share);
+    const long double h = -powl(half, 0.25L) / STEPS;
+    /* even s = 1, odd s' = 1; even u = 1, where the force is odd, and f = 1 */
+    long double y[OBLIQUE] = {top, 0, 1, 0, 0, 1, 0, 1, 1, 0};
+    for (int i = 0; i < STEPS; i++) {
+        long double d[4][OBLIQUE], z[OBLIQUE];
+        for (int k = 0; k < 4; k++) {
+            const long double part = k == 0 ? 0 : k == 3 ? h : h / 2, r = (i - STEPS) * h + part;
+            for (int j = 0; j < OBLIQUE; j++)
+                z[j] = y[j] + (k == 0 ? 0 : part * d[k - 1][j]);
+            oblique_slope(d[k], z, a, kappa);
+            for (int j = 0; j < OBLIQUE; j++)
+                d[k][j] *= -4 * r * r * r;
+        }
+        for (int j = 0; j < OBLIQUE; j++)
+            y[j] += h * (d[0][j] + 2 * d[1][j] + 2 * d[2][j] + d[3][j]) / 6;
+    }
+    /* the combination that vanishes at the start, where the even one has the value at the end and the odd one minus it */
+    ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
+    ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
+}
+
+TEST(oblique_impacts)
+{
+    static const double exponents[] = {1, 1.25, 1.5, 2, 3}, kappas[] = {0.2, 1, 3.5, 4.5, 7, 30};
+    for (size_t i = 0; i < sizeof exponents / sizeof *exponents; i++)
+        for (size_t j = 0; j < sizeof kappas / sizeof *kappas; j++) {
+            const double a = exponents[i], y = cor_tangential_no_slip(kappas[j], a);
+            long double ratio[2];
+            oblique_ratios(ratio, a, kappas[j]);
+            for (int k = 0; k < 2; k++)
+                check(fabsl(ratio[k] - y) < 1e-9L, "kappa = %g, a = %g: %.12g, integrated %.12Lg", kappas[j], a, y,
+                      ratio[k]);
+        }
+    for (double a = 1.0 / 1024; a < 100; a *= 1.7) {
+        assert_true(cor_tangential_no_slip(0, a) == 1 && cor_tangential_no_slip(1, a) == -1);
+        assert_true(cor_tangential_no_slip(a, a) == -1);
+    }
+    assert_true(cor_tangential_no_slip(4.5, 1.5) == 1);
+    /* the zeros of cos(pi sqrt(kappa)), and one double beside the first: pi^2 d/(-pi) */
+    for (double n = 0.5; n < 900; n++)
+        assert_true(cor_tangential_no_slip(n * n, 1) == 0);
+    check_value(cor_tangential_no_slip(0.25 * (1 + DBL_EPSILON), 1),
+                -acosl(-1) * (DBL_EPSILON / 4) * (1 - 0.25L * DBL_EPSILON), COR_NO_SLIP_MAX_ULP);
+    /* digits of mpfr next to zeros */
+    check_value(cor_tangential_no_slip(0.00031801765149485283, 0.0006364401013624106), 1.4691851383330200549e-16L,
+                COR_NO_SLIP_MAX_ULP);
+    check_value(cor_tangential_no_slip(543421.90086554212, 0.03145269842658744), 6.9979058592045206601e-12L,
+                COR_NO_SLIP_MAX_ULP);
+    const double wrong[][2] = {{-1e-9, 1}, {NAN, 1}, {1, NAN}, {1, 0}, {1, -1}, {1, 101}, {1.1e6, 1}, {1, INFINITY}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_true(isnan(cor_tangential_no_slip(wrong[i][0], wrong[i][1])));
+    double y[2];
+    float yf[2];
+    cor_tangential_no_slip_array((const double[]){4.3, 5}, 1.5, y, 2);
+    cor_tangential_no_slip_arrayf((const float[]){4.3F, 5}, 1.5F, yf, 2);
+    assert_true(y[0] == cor_tangential_no_slip(4.3, 1.5) && y[1] == cor_tangential_no_slip(5, 1.5));
+    assert_true(yf[0] == cor_tangential_no_slipf(4.3F, 1.5F) && yf[1] == (float)y[1]);
+}
+
 RUN_TESTS(critical_damping, special_ratio, special_crossley, special_sphere_approach, exponentials_of_pairs,
           logarithms_of_pairs, every_size, near_critical_damping, identities, against_the_equation_of_motion,
-          crossley_times, tsuji_times, tsuji_rows, crossley_rows)
+          crossley_times, tsuji_times, tsuji_rows, crossley_rows, oblique_impacts)
