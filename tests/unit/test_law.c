@@ -650,7 +650,7 @@ static void oblique_ratios(long double ratio[2], long double a, long double kapp
         for (int j = 0; j < OBLIQUE; j++)
             y[j] += h * (d[0][j] + 2 * d[1][j] + 2 * d[2][j] + d[3][j]) / 6;
     }
-    /* the combination that vanishes at the start: there the odd one is minus, the even one plus what it is at the end */
+    /* the combination that vanishes at the start, where the odd solution has minus its value at the end */
     ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
     ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
 }
