@@ -72,6 +72,60 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats)
 
 /* ---- beyond the rows ---- */
 
+/* ---- damping during the approach only ---- */
+
+/* beta from 0 to 8, 1 - eps up to 1/2, and eps from there to 1/64 in 16 cells to an octave. c_0 of a row that is
+ * multiplied has HEAD_BITS bits, so that its products with halves of a double are exact. */
+enum { HEAD_BITS = 26, BETA_ROWS = 65, LOSS_ROWS = 17, EPS_FIRST = -6, EPS_ROWS = 80 };
+#define IN_BETA(of, head)                                                                                              \
+    .quantity = (of), .variable = VARIABLE_BETA, .step = 0.125, .end = 8, .rows = BETA_ROWS, .head_bits = (head)
+static const struct {
+    const char *stem, *title;
+    struct pieces rows;
+} approach_tables[] = {
+    {"eps", "eps", {IN_BETA(EPS_APPROACH_ONLY, 0)}},
+    {"loss", "(1 - eps)/beta", {IN_BETA(LOSS_QUOTIENT_APPROACH_ONLY, HEAD_BITS)}},
+    {"duration", "duration", {IN_BETA(DURATION_APPROACH_ONLY, 0)}},
+    {"near_beta",
+     "beta/(1 - eps)",
+     {.quantity = BETA_QUOTIENT_APPROACH_ONLY,
+      .variable = VARIABLE_LOSS,
+      .step = 0.03125,
+      .end = 0.5,
+      .rows = LOSS_ROWS,
+      .head_bits = HEAD_BITS}},
+    {"beta",
+     "beta",
+     {.quantity = BETA_APPROACH_ONLY,
+      .variable = VARIABLE_EPS_OCTAVES,
+      .first = EPS_FIRST,
+      .end = 0.5,
+      .octave_bits = 4,
+      .rows = EPS_ROWS}},
+};
+
+int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const char *prefix)
+{
+    int status = STATUS_OK;
+    for (size_t i = 0; i < sizeof approach_tables / sizeof *approach_tables && status == STATUS_OK; i++) {
+        struct pieces p = approach_tables[i].rows;
+        char name[LAW_TABLE_NAME_MAX], title[LAW_TABLE_NAME_MAX];
+        snprintf(name, sizeof name, "%s_%s_approach_only", prefix, approach_tables[i].stem);
+        snprintf(title, sizeof title, "damped approach: %s", approach_tables[i].title);
+        p.name = name;
+        p.title = title;
+        p.root = 1;
+        p.plain = p.rows;
+        p.degree = 10;
+        p.least_bits = 55;
+        status = pieces_make(&p, pieces_of_collision(t->f));
+        if (status == STATUS_OK)
+            status = pieces_emit(e, &p);
+        pieces_clear(&p);
+    }
+    return status;
+}
+
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity)
 {
     const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;

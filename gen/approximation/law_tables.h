@@ -25,6 +25,9 @@ void law_tables_clear(struct law_tables *t);
  * that is too wide. */
 int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats);
 
+/* Writes the rows of eps, loss, duration and inverse with damping during the approach only; sampled. */
+int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const char *prefix);
+
 /* Whether the quantity has coefficients beyond the rows, and whether it has a further term there
  * (interpolant_far_fall) */
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);

@@ -95,6 +95,10 @@ static int collision_at(arb_t value, const void *interpolant, const struct piece
     switch (p->variable) {
     case VARIABLE_BETA:
     case VARIABLE_ROOT_BETA:
+        if (p->quantity >= EPS_APPROACH_ONLY) { /* through all variables of the interpolant */
+            interpolant_at_beta(value, f, p->quantity, y, WORKING_BITS);
+            break;
+        }
         root_of_beta(x, p, f, y);
         interpolant_value(value, f, p->quantity, x, WORKING_BITS);
         break;

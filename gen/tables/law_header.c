@@ -301,6 +301,8 @@ int hertz_dashpot_tables_write(FILE *file)
         emit_open(&e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);
         fprintf(file, "\n#include \"runtime/table/law.h\"\n#include \"runtime/table/rows.h\"\n");
         status = emit_law(&e, t, "hertz_dashpot", "cor_inline_hertz_dashpot");
+        if (status == STATUS_OK)
+            status = law_tables_emit_approach(&e, t, "cor_rows_hertz_dashpot");
         emit_close(&e);
     }
     law_tables_clear(t);

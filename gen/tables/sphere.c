@@ -26,9 +26,8 @@ enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS 
 #define IN_ROOT(n, plain_rows) .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .rows = (n), .plain = (plain_rows)
 #define IN_LOG(width, n) .variable = VARIABLE_LOG_BETA, .first = 2 + (width) / 2, .step = (width), .end = 10, ROWS(n)
 #define IN_LOSS(of, width, n) .variable = (of), .step = (width), .end = 0.5, ROWS(n), .head_bits = HEAD_BITS
-#define BY_CELLS(of, from, to, bits)                                                                                   \
-    .variable = (of), .first = (from), .octave_bits = (bits), ROWS(((to) - (from) + 1) << (bits))
-#define BY_OCTAVES(of, from, to) BY_CELLS(of, from, to, PIECES_OCTAVE_BITS)
+#define BY_OCTAVES(of, from, to)                                                                                       \
+    .variable = (of), .first = (from), .octave_bits = PIECES_OCTAVE_BITS, ROWS(((to) - (from) + 1) * PIECES_PER_OCTAVE)
 /* Floats: 27 bits limit the approximation to an eighth of a unit of the last place. c_0 of a row that is multiplied by
  * beta has 19 bits, so that its product with the first 5 bits of beta is exact. */
 #define FLOATS(name, words, of, from, to, bits, head)                                                                  \
@@ -90,20 +89,6 @@ static const struct law_table layout_tables[] = {
     FLOATS("time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, -6, 4, 5, 0),
 };
 enum { TABLES = sizeof layout_tables / sizeof *layout_tables };
-
-/* Damping during the approach only: of the library alone, and sampled, while the tables above are proved */
-#define APPROACH "damped approach: "
-static const struct law_table approach_tables[] = {
-    TABLE("eps_approach_only", APPROACH "eps", EPS_APPROACH_ONLY, IN_BETA(65), .end = 8, .least_bits = 56),
-    TABLE("loss_approach_only", APPROACH "(1 - eps)/beta", LOSS_QUOTIENT_APPROACH_ONLY, IN_BETA(65), .end = 8,
-          .least_bits = 56, .head_bits = HEAD_BITS),
-    TABLE("duration_approach_only", APPROACH "duration", DURATION_APPROACH_ONLY, IN_BETA(65), .end = 8,
-          .least_bits = 56),
-    TABLE("near_beta_approach_only", APPROACH "beta/(1 - eps)", BETA_QUOTIENT_APPROACH_ONLY,
-          IN_LOSS(VARIABLE_LOSS, 0.03125, 17), .least_bits = 56),
-    TABLE("beta_approach_only", APPROACH "beta", BETA_APPROACH_ONLY, BY_CELLS(VARIABLE_EPS_OCTAVES, -6, -2, 4),
-          .end = 0.5, .least_bits = 55),
-};
 
 static const struct {
     enum quantity quantity;
@@ -252,23 +237,6 @@ static const char tables_banner[] =
     "polynomials of high degree through collisions enclosed to 76 bits or more (proved). Errors of\n"
     "evaluation: include/cor/sphere.h.\n";
 
-static int emit_approach_tables(struct emit *e)
-{
-    int status = STATUS_OK;
-    for (size_t i = 0; i < sizeof approach_tables / sizeof *approach_tables && status == STATUS_OK; i++) {
-        struct pieces p = approach_tables[i].rows;
-        char name[LAW_TABLE_NAME_MAX];
-        snprintf(name, sizeof name, "cor_rows_%s", approach_tables[i].stem);
-        p.name = name;
-        p.title = approach_tables[i].title;
-        status = pieces_make(&p, pieces_of_collision(data.tables.f));
-        if (status == STATUS_OK)
-            status = pieces_emit(e, &p);
-        pieces_clear(&p);
-    }
-    return status;
-}
-
 int sphere_tables_write(FILE *file)
 {
     if (sphere_data_make())
@@ -278,7 +246,7 @@ int sphere_tables_write(FILE *file)
     fprintf(file, "\n#include \"runtime/table/rows.h\"\n");
     int status = emit_tables(&e);
     if (status == STATUS_OK)
-        status = emit_approach_tables(&e);
+        status = law_tables_emit_approach(&e, &data.tables, "cor_rows");
     emit_close(&e);
     return status;
 }

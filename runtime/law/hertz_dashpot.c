@@ -91,19 +91,7 @@ COR_DASHPOT_LOOPS(WITH_LOOP, WITH_LOOP, WITH_LOOP, WITH_LOOP)
 ONE_BY_ONE(beta_of_loss_zero_overlap, cor_inline_hertz_dashpot_beta_of_loss_zero_overlap)
 ONE_BY_ONE(beta_of_loss_zero_force, cor_inline_hertz_dashpot_beta_of_loss_zero_force)
 
-#define APPROACH_ONLY(quantity)                                                                                        \
-    static float dashpot_##quantity##_approach_onlyf(float x)                                                          \
-    {                                                                                                                  \
-        return (float)dashpot_##quantity##_approach_only((double)x);                                                   \
-    }                                                                                                                  \
-    COR_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_approach_only, dashpot_##quantity##_approach_only,       \
-                       (double x), (x))                                                                                \
-    COR_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_approach_onlyf, dashpot_##quantity##_approach_onlyf,      \
-                       (float x), (x))                                                                                 \
-    COR_ARRAY_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_approach_only_array,                               \
-                             dashpot_##quantity##_approach_only)                                                       \
-    COR_ARRAY_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_approach_only_arrayf,                               \
-                             dashpot_##quantity##_approach_onlyf)
+#define APPROACH_ONLY(quantity) ONE_BY_ONE(quantity##_approach_only, dashpot_##quantity##_approach_only)
 APPROACH_ONLY(eps)
 APPROACH_ONLY(loss)
 APPROACH_ONLY(beta)

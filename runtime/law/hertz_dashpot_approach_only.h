@@ -1,46 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Hertz's contact with a constant dashpot and damping while approaching only, from the largest overlap Y
- * (runtime/core/hertz_approach_only.h). */
+/* Hertz's contact with a constant dashpot and damping while approaching only: rows for beta below 8 and for eps from
+ * 2^-6 on. Beyond them from the largest overlap Y (runtime/core/hertz_approach_only.h). */
 #ifndef COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 #define COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 
 #include "generated/hertz_dashpot_tables.h"
 #include "runtime/core/hertz_approach_only.h"
 
-/* 1 - eps = a_1 beta + a_2 beta^2 + ..., beta < 1/16: from (Y/Y_0)^(5/4) with Y = sum y_k beta^k as
- * `corgen series --elastic 3/2 --damping 0` prints it; a_1 = |C_1|/2. What follows is below 2^-80 of the first term. */
-#define DASHPOT_LOSS_END 0.0625
-#define DASHPOT_LOSS_FIRST 8.93907072144178638240e-01
-#define DASHPOT_LOSS_FIRST_TAIL (-3.64665022819206819441e-18)
-static const double dashpot_loss[] = {
-    -5.8528141361565022560142779e-01, 3.1522933147088516570022421e-01,  -1.4487216762933627367537781e-01,
-    5.7317348085966092485765699e-02,  -1.9290227194934360388511863e-02, 5.2810232778576944590032127e-03,
-    -1.0158664061217864086478224e-03, 3.5329941352194646887827784e-05,  7.4097510376513897752646931e-05,
-    -3.7403401370311960261443723e-05, 9.6663458259147513190745471e-06,  -4.0686534308513632461599160e-07,
-    -9.4389915307904042914412344e-07, 5.1615705838644407112722305e-07,
-};
-
-/* (1 - eps)/beta, beta < DASHPOT_LOSS_END */
-static inline struct cor_inline_pair dashpot_loss_per_beta(double beta)
-{
-    double sum = 0;
-    for (int k = (int)(sizeof dashpot_loss / sizeof *dashpot_loss) - 1; k >= 0; k--)
-        sum = dashpot_loss[k] + beta * sum;
-    return cor_inline_sum(DASHPOT_LOSS_FIRST, DASHPOT_LOSS_FIRST_TAIL + beta * sum);
-}
-
-/* Y = pair 2^(4 *fourth), beta finite */
+/* Y = pair 2^(4 *fourth), beta finite and beyond the rows */
 static inline struct cor_inline_pair dashpot_overlap(double beta, int *fourth)
 {
-    const struct cor_inline_law_quantity q = cor_law_hertz_dashpot_max_overlap();
-    *fourth = 0;
-    if (beta < q.middle.end) {
-        const struct cor_inline_place place =
-            beta < q.near.end ? cor_inline_law_near(q.near, beta) : cor_inline_law_octave(q.middle, beta);
-        return cor_inline_sum(place.row[0], cor_inline_row(place));
-    }
     int exponent;
-    const struct cor_inline_pair value = cor_inline_law_tail(q, beta, &exponent);
+    const struct cor_inline_pair value = cor_inline_law_tail(cor_law_hertz_dashpot_max_overlap(), beta, &exponent);
     const int more = ((exponent % 4) + 4) % 4;
     *fourth = (exponent - more) / 4;
     return cor_pair_scaled(value, cor_kernel_power_of_two(more));
@@ -54,27 +25,33 @@ static inline struct cor_inline_pair dashpot_eps(double beta, int *exponent)
     return cor_hertz_eps_approach_only(y);
 }
 
-static inline double dashpot_eps_approach_only(double beta)
+#define DASHPOT_ROW(x, quantity, QUANTITY)                                                                             \
+    cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_##QUANTITY), x, cor_rows_hertz_dashpot_##quantity)
+
+static inline double dashpot_eps_beyond(double beta)
 {
-    if (!(beta >= 0))
+    if (cor_inline_is_refused(beta))
         return NAN;
-    if (isinf(beta))
-        return 0;
+    if (beta < 1 || isinf(beta)) /* below 2^-60, where a row rounded upward exceeds 1 */
+        return beta < 1;
     int exponent;
     const struct cor_inline_pair eps = dashpot_eps(beta, &exponent);
     return cor_inline_pair_scaled(eps, exponent);
 }
 
-static inline double dashpot_loss_approach_only(double beta)
+static inline double dashpot_eps_approach_only(double beta)
 {
-    if (!(beta >= 0))
+    if (cor_inline_between(beta, COR_INLINE_2_M60, COR_ROWS_HERTZ_DASHPOT_EPS_APPROACH_ONLY_END))
+        return cor_inline_row_value(DASHPOT_ROW(beta, eps_approach_only, EPS_APPROACH_ONLY));
+    return cor_in_environment(dashpot_eps_beyond, beta);
+}
+
+static inline double dashpot_loss_beyond(double beta)
+{
+    if (cor_inline_is_refused(beta))
         return NAN;
-    if (beta < DASHPOT_LOSS_END) { /* a tiny beta in units of 2^-200, so that the product loses no bits */
-        const double unit = beta < COR_INLINE_2_M500 ? COR_INLINE_2_M200 : 1, scale = unit < 1 ? COR_INLINE_2_200 : 1;
-        return cor_inline_pair_times(dashpot_loss_per_beta(beta), cor_pair(beta * scale, 0)).hi * unit;
-    }
-    if (isinf(beta))
-        return 1;
+    if (cor_inline_is_zero(beta) || isinf(beta))
+        return beta > 0;
     int exponent;
     struct cor_inline_pair eps = dashpot_eps(beta, &exponent);
     if (exponent < -200)
@@ -83,26 +60,27 @@ static inline double dashpot_loss_approach_only(double beta)
     return (1 - eps.hi) - eps.lo;
 }
 
-/* beta = loss/quotient, until the quotient no longer changes */
-static inline double dashpot_beta_of_small_loss(struct cor_inline_pair loss)
+/* x times a row; a tiny x is scaled, because the halves of the products would be subnormal */
+static inline double dashpot_product(struct cor_inline_place place, double x)
 {
-    double beta = loss.hi / DASHPOT_LOSS_FIRST;
-    for (int k = 0; k < 20; k++) {
-        const double next = loss.hi / dashpot_loss_per_beta(beta).hi, step = next - beta;
-        beta = next;
-        if (fabs(step) <= 1e-17 * beta)
-            break;
-    }
-    return cor_pair_over(loss, dashpot_loss_per_beta(beta)).hi;
+    if (cor_inline_below(x, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, x * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, x);
 }
 
-/* ln(eps(beta)/eps) to first order where it is small; eps as a pair */
-static inline double dashpot_excess(double beta, struct cor_inline_pair eps)
+static inline double dashpot_loss_approach_only(double beta)
+{
+    if (cor_inline_below(beta, COR_ROWS_HERTZ_DASHPOT_LOSS_APPROACH_ONLY_END))
+        return dashpot_product(DASHPOT_ROW(beta, loss_approach_only, LOSS_APPROACH_ONLY), beta);
+    return cor_in_environment(dashpot_loss_beyond, beta);
+}
+
+/* ln(eps(beta)/eps) to first order where it is small */
+static inline double dashpot_excess(double beta, double eps)
 {
     int exponent;
     const struct cor_inline_pair at = dashpot_eps(beta, &exponent);
-    const double hi = ldexp(eps.hi, -exponent), lo = ldexp(eps.lo, -exponent);
-    const double ratio = at.hi / hi, x = ((at.hi - hi) + (at.lo - lo)) / hi;
+    const double hi = ldexp(eps, -exponent), ratio = at.hi / hi, x = ((at.hi - hi) + at.lo) / hi;
     return fabs(x) < 0x1p-10 ? x * (1 - x * (0.5 - x / 3)) : ratio < 0.5 || ratio > 2 ? log(ratio) : log1p(x);
 }
 
@@ -114,9 +92,9 @@ static const double dashpot_start[] = {
 
 /* Newton's method for ln(eps) of ln(beta) with the slope of the polynomial, then of the last two values; the residual
  * is a pair's. Three values suffice. */
-static inline double dashpot_beta_of_eps(struct cor_inline_pair eps)
+static inline double dashpot_beta_of_eps(double eps)
 {
-    const double s = exp2(0.8 * log2(eps.hi));
+    const double s = exp2(0.8 * log2(eps));
     double g = 0, derivative = 0, last_beta = 0, last = 0;
     for (int k = (int)(sizeof dashpot_start / sizeof *dashpot_start) - 1; k >= 0; k--) {
         derivative = g + s * derivative;
@@ -137,35 +115,38 @@ static inline double dashpot_beta_of_eps(struct cor_inline_pair eps)
     return beta;
 }
 
-/* eps and 1 - eps, both as pairs */
-static inline double dashpot_beta_of_pairs(struct cor_inline_pair eps, struct cor_inline_pair loss)
-{
-    return loss.hi < 0.05 ? dashpot_beta_of_small_loss(loss) : dashpot_beta_of_eps(eps);
-}
-
-static inline double dashpot_beta_approach_only(double eps)
+static inline double dashpot_beta_beyond(double eps)
 {
     if (!(eps >= 0 && eps <= 1))
         return NAN;
-    if (eps == 0)
-        return INFINITY;
-    const double loss = 1 - eps;
-    return eps == 1 ? 0 : dashpot_beta_of_pairs(cor_pair(eps, 0), cor_pair(loss, (1 - loss) - eps));
+    return eps == 0 ? INFINITY : dashpot_beta_of_eps(eps);
+}
+
+static inline double dashpot_beta_of_loss_approach_only(double loss);
+
+static inline double dashpot_beta_approach_only(double eps)
+{
+    if (cor_inline_between(eps, 0.5, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
+        return dashpot_beta_of_loss_approach_only(1 - eps);
+    if (cor_inline_between(eps, COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY_FIRST, 0.5))
+        return cor_inline_row_value(
+            cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY), eps,
+                                     cor_rows_hertz_dashpot_beta_approach_only));
+    return cor_in_environment(dashpot_beta_beyond, eps);
 }
 
 static inline double dashpot_beta_of_loss_approach_only(double loss)
 {
-    if (!(loss >= 0 && loss <= 1))
-        return NAN;
-    if (loss < COR_INLINE_2_M500) /* in units of 2^-200, so that the quotient's remainder loses no bits */
-        return dashpot_beta_of_small_loss(cor_pair(loss * COR_INLINE_2_200, 0)) * COR_INLINE_2_M200;
-    const double eps = 1 - loss;
-    return loss == 1 ? INFINITY : dashpot_beta_of_pairs(cor_pair(eps, (1 - eps) - loss), cor_pair(loss, 0));
+    if (cor_inline_between(loss, 0, 0.5) || loss == 0.5)
+        return dashpot_product(DASHPOT_ROW(loss, near_beta_approach_only, NEAR_BETA_APPROACH_ONLY), loss);
+    if (cor_inline_is_zero(loss))
+        return 0;
+    return cor_inline_is_refused(loss) ? NAN : dashpot_beta_approach_only(1 - loss); /* exact from 1/2 to 1 */
 }
 
-static inline double dashpot_duration_approach_only(double beta)
+static inline double dashpot_duration_beyond(double beta)
 {
-    if (!(beta >= 0))
+    if (cor_inline_is_refused(beta))
         return NAN;
     if (isinf(beta))
         return INFINITY;
@@ -173,6 +154,13 @@ static inline double dashpot_duration_approach_only(double beta)
     const struct cor_inline_pair y = dashpot_overlap(beta, &fourth);
     const double time = cor_inline_hertz_dashpot_time_of_max_overlap(beta);
     return ldexp(cor_hertz_duration_approach_only(y, ldexp(time, fourth)), -fourth);
+}
+
+static inline double dashpot_duration_approach_only(double beta)
+{
+    if (cor_inline_below(beta, COR_ROWS_HERTZ_DASHPOT_DURATION_APPROACH_ONLY_END) || cor_inline_is_zero(beta))
+        return cor_inline_row_value(DASHPOT_ROW(beta, duration_approach_only, DURATION_APPROACH_ONLY));
+    return cor_in_environment(dashpot_duration_beyond, beta);
 }
 
 #endif

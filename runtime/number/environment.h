@@ -63,6 +63,16 @@ static inline void cor_environment_leave(const struct cor_environment *caller)
 }
 #endif
 
+/* function(x) in the default environment; the pointer is volatile, so that no compiler looks into the function */
+static inline double cor_in_environment(double (*function)(double), double x)
+{
+    double (*const volatile in_environment)(double) = function;
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double value = in_environment(x);
+    cor_environment_leave(&caller);
+    return value;
+}
+
 /* Defines the function `name`, which returns formula(arguments) in the default environment. The pointer is volatile, so
  * that no compiler looks into the formula. */
 #define COR_IN_ENVIRONMENT(type, name, formula, parameters, arguments)                                                 \

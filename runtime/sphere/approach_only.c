@@ -16,16 +16,6 @@ static struct cor_inline_pair overlap_far(double beta)
     return cor_pair_scaled(value, cor_kernel_power_of_two(exponent));
 }
 
-/* function(x) in the default environment. Rows need none. */
-static double in_environment(double (*function)(double), double x)
-{
-    double (*const volatile hidden)(double) = function;
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile double value = hidden(x);
-    cor_environment_leave(&caller);
-    return value;
-}
-
 #define ROW_AT(beta, quantity, QUANTITY)                                                                               \
     cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_##QUANTITY), beta, cor_rows_##quantity)
 
@@ -42,7 +32,7 @@ static double eps_approach_only(double beta)
 {
     if (cor_inline_between(beta, COR_INLINE_EPS_LEAST, COR_ROWS_EPS_APPROACH_ONLY_END))
         return cor_inline_row_value(ROW_AT(beta, eps_approach_only, EPS_APPROACH_ONLY));
-    return in_environment(eps_beyond, beta);
+    return cor_in_environment(eps_beyond, beta);
 }
 
 static double loss_beyond(double beta)
@@ -59,7 +49,7 @@ static double loss_approach_only(double beta)
 {
     if (cor_inline_below(beta, COR_ROWS_LOSS_APPROACH_ONLY_END))
         return cor_inline_loss_product(ROW_AT(beta, loss_approach_only, LOSS_APPROACH_ONLY), beta);
-    return in_environment(loss_beyond, beta);
+    return cor_in_environment(loss_beyond, beta);
 }
 
 static double duration_beyond(double beta)
@@ -75,7 +65,7 @@ static double duration_approach_only(double beta)
 {
     if (cor_inline_below(beta, COR_ROWS_DURATION_APPROACH_ONLY_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(ROW_AT(beta, duration_approach_only, DURATION_APPROACH_ONLY));
-    return in_environment(duration_beyond, beta);
+    return cor_in_environment(duration_beyond, beta);
 }
 
 /* beta from an eps below the rows by Newton's method: eps beta^(5/6) changes little there. The residual is computed
@@ -112,7 +102,7 @@ static double beta_approach_only(double eps)
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_APPROACH_ONLY), 0,
                                   cor_rows_near_beta_approach_only, COR_INLINE_OCTAVES(COR_ROWS_BETA_APPROACH_ONLY),
                                   cor_rows_beta_approach_only);
-    return in_environment(beta_beyond, eps);
+    return cor_in_environment(beta_beyond, eps);
 }
 
 static double beta_of_loss_approach_only(double loss)

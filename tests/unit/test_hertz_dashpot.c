@@ -239,10 +239,18 @@ TEST(test_approach_only)
         assert_true(isnan(inverse[i](-1e-300)) && isnan(inverse[i](1.5)) && isnan(inverse[i](NAN)));
     check(relative_error(cor_hertz_dashpot_duration_approach_only(0), 3.21806545971904308454L) < 3e-16, "elastic");
     check(relative_error(cor_hertz_dashpot_loss_approach_only(1e-300), 8.93907072144178638e-301L) < 3e-16, "tiny beta");
-    /* the series meets the rows */
-    check(relative_error(cor_hertz_dashpot_loss_approach_only(nextafter(0.0625, 0)),
-                         (long double)cor_hertz_dashpot_loss_approach_only(0.0625)) < 1e-15,
-          "beta = 1/16");
+    /* every row and the borders between, by another table: eps = sqrt(4/5) Y^(5/4) */
+    for (int k = 1; k < 200; k++)
+        for (int side = -1; side <= 1; side++) {
+            const double beta = nextafter(0.0625 * k, 0.0625 * k + side);
+            const long double e = sqrtl(0.8L) * powl(cor_hertz_dashpot_max_overlap(beta), 1.25L),
+                              t = cor_hertz_dashpot_time_of_max_overlap(beta) +
+                                  1.60903272985952150442L * powl(e, -0.2L);
+            check(relative_error(cor_hertz_dashpot_eps_approach_only(beta), e) < 1e-15, "eps at %a", beta);
+            check(relative_error(cor_hertz_dashpot_loss_approach_only(beta), 1 - e) < 1e-15 * (double)(1 / (1 - e)),
+                  "loss at %a", beta);
+            check(relative_error(cor_hertz_dashpot_duration_approach_only(beta), t) < 1e-15, "duration at %a", beta);
+        }
     /* sqrt(4/5) beta^(-5/4), (1 + (5/4) ln(beta) beta^-5/2...) is nothing there; a subnormal eps */
     check(relative_error(cor_hertz_dashpot_eps_approach_only(1e200), 8.94427190999915878564e-251L) < 3e-16,
           "large beta");
