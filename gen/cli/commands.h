@@ -95,7 +95,7 @@ struct contact_arguments {
     struct option_common common;
     struct embed_request scene;
     struct values speed;
-    struct decimal steps, time_step, step_tolerance;
+    struct decimal steps, time_step, step_tolerance, friction;
     int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the host */
     bool step_corrected;
     const char *host, *plot; /* NULL: not given */

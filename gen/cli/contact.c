@@ -30,13 +30,16 @@ static struct contact_step step_of(const struct contact_arguments *o)
     return step;
 }
 
-/* Refuses a step in seconds of a contact that has no seconds, and a correction for two ends. */
-static int check_step(const struct contact_arguments *o, const struct contacts *contacts)
+/* Refuses a step in seconds of a contact that has none, a correction for two ends, and friction without bodies. */
+static int check_options(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const char *const option = o->time_step.text ? "time-step" : o->step_tolerance.text ? "step-tolerance" : NULL;
     if (option && isnan(contacts->contact[0].mass_kg))
         return usage_error("--%s: mass and stiffness are not known; give bodies, or --stiffness and --effective-mass",
                            option);
+    if (o->friction.text && (contacts->scene.plate || isnan(contacts->contact[0].radius_m)))
+        return usage_error("--friction needs two spheres, or a sphere and a wall, with --poisson NU, as --young 7e10 "
+                           "--poisson 0.2 --radius 1e-3 --density 2500: their stiffness against sliding is Mindlin's");
     if (o->step_corrected && !o->host && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
     if (!o->host && contacts->contact[0].force_n > 0 && step_of(o).errors)
@@ -48,10 +51,15 @@ static int check_step(const struct contact_arguments *o, const struct contacts *
 
 /* ---- the tables ---- */
 
-static void print_summary(FILE *file, const struct contacts *contacts, enum output_format format)
+/* friction: NULL if not given */
+static void print_summary(FILE *file, const struct contacts *contacts, const double *friction,
+                          enum output_format format)
 {
     struct table table;
-    contact_summary(&table, contacts, format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
+    const int digits = format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS;
+    contact_summary(&table, contacts, digits);
+    if (friction)
+        contact_oblique(&table, contacts, *friction, digits);
     if (format == FORMAT_TEXT)
         fprintf(file, "%s%s\n\n", law_equation(&contacts->law).text, contacts->scene.plate ? ", a plate" : "");
     table_print(&table, format, file);
@@ -62,6 +70,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
 {
     const enum output_format format = (enum output_format)o->common.format;
     const struct contact_step step = step_of(o);
+    const double friction = o->friction.text ? decimal_value(&o->friction) : 0;
     struct table rows;
     struct output out;
     int status = o->speed.count == 0 ? STATUS_OK
@@ -71,7 +80,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
         if (o->speed.count == 0 || format == FORMAT_TEXT)
-            print_summary(out.file, contacts, format);
+            print_summary(out.file, contacts, o->friction.text ? &friction : NULL, format);
         if (o->speed.count > 0) {
             if (format == FORMAT_TEXT)
                 fputs("\n", out.file);
@@ -157,7 +166,7 @@ static int run_contact(const void *arguments)
         return print_for_host(o, NULL);
     int status = contacts_of_request(&contacts, &o->scene);
     if (status == STATUS_OK)
-        status = check_step(o, &contacts);
+        status = check_options(o, &contacts);
     if (status != STATUS_OK)
         return status;
     if (o->host)
@@ -186,6 +195,8 @@ static const char help[] =
     "                   symplectic-euler, verlet-full-step; with --for that of the simulator\n"
     "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
     "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
+    "  --friction MU    of spheres: kappa, the tangential velocity of the contact point after over before\n"
+    "                   an elastic impact without slip, and the angle up to which it sticks when they touch\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
@@ -236,6 +247,11 @@ static const struct option_rule options[] = {
      .range.words = contact_host_names,
      .excludes = "format plot"},
     {.name = "simulator-version", .kind = OPTION_TEXT, .offset = AT(version), .needs = "for"},
+    {.name = "friction",
+     .kind = OPTION_REAL,
+     .offset = AT(friction),
+     .range.number = &option_not_negative,
+     .excludes = "for speed"},
     {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot), .needs = "speed"},
     OPTION_FORMAT(struct contact_arguments, option_formats),
     OPTION_COMMON(struct contact_arguments),

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cor/law.h"
+
 #include "support/console.h"
 
 char *contact_number_text(double x, int digits)
@@ -30,6 +32,27 @@ void contact_summary(struct table *table, const struct contacts *contacts, int d
             table_add(table, contact_number_text(
                                  cor_scene_quantity(&contacts->contact[k], cor_scene_quantities[i].number), digits));
         table_add(table, xstrdup(cor_scene_quantities[i].unit));
+    }
+}
+
+void contact_oblique(struct table *table, const struct contacts *contacts, double friction, int digits)
+{
+    const struct cor_body body[2] = {cor_scene_body(&contacts->scene, 1), cor_scene_body(&contacts->scene, 2)};
+    const double degree = 57.29577951308232;
+    const double kappa = cor_tangential_kappa(body[0].young_modulus_pa, body[0].poisson_ratio, body[1].young_modulus_pa,
+                                              body[1].poisson_ratio);
+    const struct {
+        const char *name;
+        double value;
+        const char *unit;
+    } row[] = {{"tangential_kappa", kappa, "1"},
+               {"no_slip", cor_tangential_no_slip(kappa, 1.5), "1"},
+               {"stick_angle", cor_tangential_stick_angle(kappa, friction) * degree, "degrees"}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        table_add(table, xstrdup(row[i].name));
+        for (int k = 0; k < contacts->count; k++)
+            table_add(table, contact_number_text(row[i].value, digits));
+        table_add(table, xstrdup(row[i].unit));
     }
 }
 

@@ -16,6 +16,10 @@ char *contact_number_text(double x, int digits); /* malloc'ed */
  * which eps may have been measured. Quantities that are not known have no row. */
 void contact_summary(struct table *table, const struct contacts *contacts, int digits);
 
+/* Adds rows of two spheres, or a sphere and a wall: kappa, u'/u without slip, and the angle up to which they stick when
+ * they touch, in degrees. */
+void contact_oblique(struct table *table, const struct contacts *contacts, double friction, int digits);
+
 /* A time step, by one of three numbers; the others are 0. */
 struct contact_step {
     double steps;       /* in the shortest contact of all rows */

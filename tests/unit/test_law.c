@@ -693,6 +693,59 @@ TEST(oblique_impacts)
     assert_true(yf[0] == cor_tangential_no_slipf(4.3F, 1.5F) && yf[1] == (float)y[1]);
 }
 
+/* u'/u of a displacement that friction limits, |kappa x^(1/2) s| <= kappa x^(3/2)/u for the limit L = 1 of u/v; *first
+ * is the overlap at which it slips first, negative on the way back. The classical Runge-Kutta method in time. */
+static double slipping_ratio(double kappa, double u, double *first)
+{
+    enum { STEPS = 20000 };
+    const double h = 3.3 / STEPS;
+    double y[4] = {0, 1, 0, 1}; /* x, x', s, s' in units of its first value */
+    *first = 0;
+    for (int i = 0; i < STEPS; i++) {
+        double d[4][4], z[4], last = y[3];
+        for (int k = 0; k < 4; k++) {
+            const double part = k == 0 ? 0 : k == 3 ? h : h / 2;
+            for (int j = 0; j < 4; j++)
+                z[j] = y[j] + (k == 0 ? 0 : part * d[k - 1][j]);
+            const double root = sqrt(fmax(z[0], 0));
+            d[k][0] = z[1];
+            d[k][1] = -root * root * root;
+            d[k][2] = z[3];
+            d[k][3] = -kappa * root * z[2];
+        }
+        for (int j = 0; j < 4; j++)
+            y[j] += h * (d[0][j] + 2 * d[1][j] + 2 * d[2][j] + d[3][j]) / 6;
+        if (y[0] <= 0)
+            return last;
+        if (fabs(y[2]) > y[0] / u * (1 + 1e-9)) {
+            *first = *first == 0 ? (y[1] < 0 ? -y[0] : y[0]) : *first;
+            y[2] = copysign(y[0] / u, y[2]);
+        }
+    }
+    return (double)NAN;
+}
+
+/* The table of docs/theory.md, 11, and the angle of sticking: just below it nothing slips while the spheres approach,
+ * just above it they slip at once. */
+TEST(slip_in_oblique_impacts)
+{
+    static const double nus[] = {0, 0.2, 0.25, 0.3, 0.4, 0.5}, parts[] = {1, 0.5, 0.25, 0.1};
+    static const double changes[][4] = {
+        {0.0249, 0.0138, 0.0065, 0.0020},     {0.0007, 0.0004, 0.0002, 0.0001},    {0, 0, 0, 0},
+        {-0.0578, -0.0023, -0.0005, -0.0001}, {-0.210, -0.0328, -0.0077, -0.0016}, {-0.329, -0.0929, -0.0266, -0.0059}};
+    for (size_t i = 0; i < sizeof nus / sizeof *nus; i++) {
+        const double kappa = 10.5 * (1 - nus[i]) / (2 - nus[i]), stuck = cor_tangential_no_slip(kappa, 1.5);
+        double first;
+        for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
+            const double change = slipping_ratio(kappa, parts[k], &first) - stuck;
+            check(fabs(change - changes[i][k]) < 7e-4, "nu = %g, L %g: %.5f", nus[i], parts[k], change);
+            assert_true(first <= 0);
+        }
+        slipping_ratio(kappa, 1.001, &first);
+        assert_true(first > 0 && first < 1e-3);
+    }
+}
+
 RUN_TESTS(critical_damping, special_ratio, special_crossley, special_sphere_approach, exponentials_of_pairs,
           logarithms_of_pairs, every_size, near_critical_damping, identities, against_the_equation_of_motion,
-          crossley_times, tsuji_times, tsuji_rows, crossley_rows, oblique_impacts)
+          crossley_times, tsuji_times, tsuji_rows, crossley_rows, oblique_impacts, slip_in_oblique_impacts)
