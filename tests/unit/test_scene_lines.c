@@ -97,6 +97,21 @@ TEST(pairs_of_two_sizes)
             1e-11);
 }
 
+/* The stiffness of a contact of which the duration at zero force is known, 2 A(zeta) sqrt(m/K): kn of two equal bodies
+ * in series is twice as large. */
+TEST(stiffness_of_a_duration)
+{
+    const double zeta = 0.1, mass_kg = 2e-3, duration_s = 5e-4;
+    const double phase = 2 * acos(zeta) / sqrt(1 - zeta * zeta);
+    struct cor_scene scene = empty_scene(COR_LAW_LINEAR);
+    scene.end = COR_END_ZERO_FORCE;
+    scene.number[COR_SCENE_EFFECTIVE_MASS] = mass_kg;
+    scene.number[COR_SCENE_ZETA] = zeta;
+    scene.number[COR_SCENE_DURATION] = duration_s;
+    is_near(found(text_for("yade", NULL, &scene, 0), "kn="), 2 * mass_kg * phase * phase / (duration_s * duration_s),
+            1e-11);
+}
+
 TEST(walls)
 {
     /* The wall has the sphere's mass, and here its elasticity. */
@@ -289,5 +304,5 @@ TEST(corrected_for_a_step)
     corrected_step_s = 0;
 }
 
-RUN_TESTS(corrected_for_a_step, pairs_of_two_sizes, walls, ends, active_lines_are_one_block, buffer_of_any_size,
-          versions)
+RUN_TESTS(corrected_for_a_step, stiffness_of_a_duration, pairs_of_two_sizes, walls, ends, active_lines_are_one_block,
+          buffer_of_any_size, versions)
