@@ -30,7 +30,8 @@ def constant_type(constant: Constant) -> str:
 def declarations(declared: Declarations) -> str:
     """What cffi is given to read."""
     lines = list(declared.types)
-    lines += [f"{_prototype(call.function)};" for call in calls(declared).values() if call.kind == "other"]
+    called = [c for c in calls(declared).values() if c.kind == "other" or is_of_doubles(c)]
+    lines += [f"{_prototype(call.function)};" for call in called]
     lines += [f"extern {o.type} {o.name};" for o in declared.objects.values()]
     for constant in declared.constants.values():
         c_type = {"str": "char *const", "int": "const int", "float": "const double"}[constant_type(constant)]
@@ -139,6 +140,12 @@ def _loop(call: Call, scalar: Function, array: Optional[Function], real: str) ->
 def has_float(call: Call) -> bool:
     """Whether a loop takes and returns float: C has the function in float, or its double results can be rounded."""
     return call.float_function is not None or call.function.result == "double" and any(map(_is_real, call.values))
+
+
+def is_of_doubles(call: Call) -> bool:
+    """Whether one number is computed by a call of the function itself, without a loop."""
+    types = [p.type for p in call.values] + [call.function.result]
+    return call.kind == "elementwise" and len(types) > 1 and set(types) == {"double"}
 
 
 def _is_real(p: Parameter) -> bool:

@@ -22,6 +22,8 @@ _POINTER = {
 _INTEGER = {"i": np.dtype(np.intc), "n": np.dtype(np.uintp)}
 _FLOAT64: "np.dtype[Any]" = np.dtype(np.float64)
 _FLOAT32: "np.dtype[Any]" = np.dtype(np.float32)
+_number = np.float64
+_NUMBERS = frozenset((float, int, _number))
 
 
 class CorError(ValueError):
@@ -202,8 +204,18 @@ class Elementwise(_Loop):
         self._loop = getattr(lib, loop)
         self._float_loop = getattr(lib, loop + "f") if has_float else None
         self._result = _FLOAT64 if result == "d" else _INTEGER[result]
+        self._scalar = getattr(lib, name, None)
 
     def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...], out: Optional[Array] = None) -> Any:
+        if out is None and self._scalar is not None:
+            for value in values:
+                if type(value) not in _NUMBERS:
+                    break
+            else:  # numbers alone: no arrays are made
+                try:
+                    return _number(self._scalar(*structs, *values))
+                except OverflowError:  # an integer beyond the doubles
+                    pass
         arrays, narrow = self._arrays(values, self._float_loop is not None)
         shape = _shape(arrays) if arrays else ()
         in_float = narrow and self._float_loop is not None
