@@ -33,6 +33,7 @@ static struct contact_step step_of(const struct contact_arguments *o)
 /* Refuses a step in seconds of a contact that has none, a correction for two ends, and friction without bodies. */
 static int check_options(const struct contact_arguments *o, const struct contacts *contacts)
 {
+    const struct cor_scene_contact *const c = &contacts->contact[0];
     const char *const option = o->time_step.text ? "time-step" : o->step_tolerance.text ? "step-tolerance" : NULL;
     if (option && isnan(contacts->contact[0].mass_kg))
         return usage_error("--%s: mass and stiffness are not known; give bodies, or --stiffness and --effective-mass",
@@ -40,12 +41,15 @@ static int check_options(const struct contact_arguments *o, const struct contact
     if (o->friction.text && (contacts->scene.plate || isnan(contacts->contact[0].radius_m)))
         return usage_error("--friction needs two spheres, or a sphere and a wall, with --poisson NU, as --young 7e10 "
                            "--poisson 0.2 --radius 1e-3 --density 2500: their stiffness against sliding is Mindlin's");
+    if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
+        return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
     if (o->step_corrected && !o->host && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
-    if (!o->host && contacts->contact[0].force_n > 0 && step_of(o).errors)
+    if (!o->host && (c->force_n > 0 || c->liquid_speed_m_s > 0 || c->plastic) && step_of(o).errors)
         return usage_error(
-            "the error of a time step is known without --gravity and --adhesion alone; leave out --steps, "
-            "--time-step, --step-tolerance, --step-corrected and --integrator, or the force");
+            "the error of a time step is known without --gravity, --adhesion, --viscosity-liquid and --law "
+            "elastic-plastic alone; leave out --steps, --time-step, --step-tolerance, --step-corrected and "
+            "--integrator, or those");
     return STATUS_OK;
 }
 
@@ -56,12 +60,14 @@ static void print_summary(FILE *file, const struct contacts *contacts, const dou
                           enum output_format format)
 {
     struct table table;
+    char text[CONTACT_LAW_TEXT];
     const int digits = format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS;
     contact_summary(&table, contacts, digits);
     if (friction)
         contact_oblique(&table, contacts, *friction, digits);
     if (format == FORMAT_TEXT)
-        fprintf(file, "%s%s\n\n", law_equation(&contacts->law).text, contacts->scene.plate ? ", a plate" : "");
+        fprintf(file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0], &contacts->law),
+                contacts->scene.plate ? ", a plate" : "");
     table_print(&table, format, file);
     table_clear(&table);
 }
@@ -169,6 +175,10 @@ static int run_contact(const void *arguments)
         status = check_options(o, &contacts);
     if (status != STATUS_OK)
         return status;
+    if (o->speed.count > 0)
+        contact_warn_yield(&contacts, values_largest(&o->speed));
+    else if (embed_given(&o->scene, COR_SCENE_AT))
+        contact_warn_yield(&contacts, embed_number(&o->scene, COR_SCENE_AT));
     if (o->host)
         return print_for_host(o, &contacts);
     if (o->plot)
@@ -202,7 +212,8 @@ static const char help[] =
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
     "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; step_bias,step_scatter of the end,\n"
     "or of both; damping_correction and the corrected damping; measured_end where eps was measured\n"
-    "and --end is not given. Without --speed csv and json have quantity,value,unit.\n"
+    "and --end is not given; contact_radius_m,max_pressure_pa of bodies. Without --speed csv and json have "
+    "quantity,value,unit.\n"
     "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 

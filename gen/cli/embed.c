@@ -40,8 +40,13 @@ static int run_embed(const void *arguments)
         status = contacts_of_request(&contacts, &o->scene);
     if (status == STATUS_OK && contacts.contact[0].force_n > 0)
         status = usage_error("headers hold without --gravity and --adhesion; corgen sample tabulates eps with them");
+    if (status == STATUS_OK && contacts.contact[0].liquid_speed_m_s > 0)
+        status = usage_error("headers hold without a liquid; corgen sample tabulates eps with it");
+    if (status == STATUS_OK && contacts.contact[0].plastic)
+        status = usage_error("headers hold without yield; corgen sample tabulates eps of --law elastic-plastic");
     if (status != STATUS_OK)
         return status;
+    contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));
     profile_step("collisions, series");
     embed_series_begin(&series, &contacts.law, (enum contact_end)o->scene.end);
     status = embed_scene_init(&scene, &o->scene, &contacts.contact[0]);

@@ -37,8 +37,12 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     scene.adhesion_model = COR_ADHESION_NONE;
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &scene);
+    if (status == STATUS_OK && (contacts.contact[0].plastic || contacts.contact[0].liquid_speed_m_s > 0))
+        status = usage_error("the models are those of dry contacts that do not yield; corgen contact, sample and embed "
+                             "have --law elastic-plastic and --viscosity-liquid");
     if (status != STATUS_OK)
         return status;
+    contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
     const struct plan_spheres_request request = {scene, contacts.contact[0], pressed.contact[0], o->points};
     return plan_spheres(plan, &request);
 }

@@ -61,6 +61,8 @@ static int run_sample(const void *arguments)
     if (status == STATUS_OK && o->duration && isnan(contacts.contact[0].mass_kg))
         status = usage_error("--duration needs bodies, or --stiffness and --effective-mass, which set the unit of "
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
+    if (status == STATUS_OK)
+        contact_warn_yield(&contacts, request.speed_max);
     return status == STATUS_OK ? write_sample(o, &request) : status;
 }
 

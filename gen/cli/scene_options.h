@@ -28,7 +28,11 @@
     "  --beta B --at G  or, linear and tsuji, --zeta Z\n"                                                              \
     "\nThe law:\n"                                                                                                     \
     "  --law NAME       viscoelastic (default), plate, linear, tsuji, hunt-crossley, hertz-dashpot (docs/laws.md)\n"   \
+    "                   or elastic-plastic, spheres that yield, with --yield-stress or --restitution E --at G\n"       \
     "  --elastic A --damping B   instead, any exponents as 3/2 and 1/2\n"                                              \
+    "\nYield, and a liquid between the bodies:\n"                                                                      \
+    "  --yield-stress Y   Pa: the speed from which the bodies yield, and a warning above it\n"                         \
+    "  --viscosity-liquid ETA --gap-outer H --gap-inner h   Pa s, m: lubrication between these distances\n"            \
     "\nA constant force that presses the bodies together:\n"                                                           \
     "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
     "  --adhesion W --adhesion-model dmt   work of adhesion, J/m^2: the force 2 pi W R\n"
@@ -71,6 +75,10 @@
          .why = "a model of adhesion",                                                                                 \
          .excludes = (APART),                                                                                          \
          .needs = "adhesion"},                                                                                         \
+        SCENE_NUMBER(TYPE, "yield-stress", COR_SCENE_YIELD_STRESS, &option_positive, "Pa", APART),                     \
+        SCENE_NUMBER(TYPE, "viscosity-liquid", COR_SCENE_LIQUID_VISCOSITY, &option_positive, "Pa s", APART),           \
+        SCENE_NUMBER(TYPE, "gap-outer", COR_SCENE_GAP_OUTER, &option_positive, "m", APART),                            \
+        SCENE_NUMBER(TYPE, "gap-inner", COR_SCENE_GAP_INNER, &option_positive, "m", APART),                            \
         SCENE_NUMBER(TYPE, "stiffness", COR_SCENE_STIFFNESS, &option_positive, "N/m^a", APART),                        \
         SCENE_NUMBER(TYPE, "effective-mass", COR_SCENE_EFFECTIVE_MASS, &option_positive, "kg", APART),                 \
         SCENE_NUMBER(TYPE, "duration", COR_SCENE_DURATION, &option_positive, "s", APART),                              \

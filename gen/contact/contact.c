@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "contact/contact.h"
 
+#include <stdio.h>
+
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/local.h"
 
-const char *const contact_law_names[] = {COR_LAW_NAMES, "plate", NULL};
+const char *const contact_law_names[] = {COR_LAW_NAMES, "plate", "elastic-plastic", NULL};
 
 /* ---- enclosed collisions ---- */
 
@@ -77,4 +79,30 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     contacts->scene.solver = contact_enclosed;
     status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
     return status < 0 ? STATUS_FAILED : status == COR_FAULT_NONE ? STATUS_OK : refuse(&fault, request, &contacts->law);
+}
+
+const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene_contact *contact,
+                             const struct law *law)
+{
+    int length = contact->plastic ? snprintf(text, CONTACT_LAW_TEXT, "elastic-plastic spheres, v_y = %.6g m/s",
+                                             contact->yield_speed_m_s)
+                                  : snprintf(text, CONTACT_LAW_TEXT, "%s", law_equation(law).text);
+    if (contact->liquid_speed_m_s > 0)
+        snprintf(text + length, (size_t)(CONTACT_LAW_TEXT - length),
+                 ", in a liquid that takes %.6g m/s on the way in and on the way out", contact->liquid_speed_m_s);
+    return text;
+}
+
+void contact_warn_yield(const struct contacts *contacts, double speed_m_s)
+{
+    const struct cor_scene_contact *const c = &contacts->contact[0];
+    const double speed = speed_m_s - c->liquid_speed_m_s;
+    if (c->plastic || !(c->yield_speed_m_s > 0) || !(speed > c->yield_speed_m_s))
+        return;
+    fprintf(stderr,
+            "corgen: warning: at %g m/s the largest Hertzian pressure would be %.4g Pa, above 1.6 times the yield "
+            "stress, %.4g Pa. The bodies yield from %.4g m/s on, and this law does not describe them there; "
+            "--law elastic-plastic does.\n",
+            speed_m_s, cor_scene_pressure(c, cor_scene_elastic_overlap(c, speed)),
+            cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)), c->yield_speed_m_s);
 }

@@ -137,16 +137,17 @@ static int timed_fill(struct timed *t, const struct contacts *contacts, const st
 
 /* ---- the impacts ---- */
 
-/* The quantity that is corrected */
+/* The quantity that is corrected; NULL: a contact without damping */
 static const struct cor_scene_quantity *corrected_quantity(const struct contacts *contacts)
 {
     static const int wanted[] = {COR_SCENE_ZETA, COR_SCENE_DISSIPATION_TIME, COR_SCENE_DAMPING_COEFFICIENT,
                                  COR_SCENE_BETA};
-    for (size_t k = 0;; k++)
+    for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++)
         for (int i = 0; i < COR_SCENE_QUANTITIES; i++)
             if (cor_scene_quantities[i].number == wanted[k] &&
                 !isnan(cor_scene_quantity(&contacts->contact[0], wanted[k])))
                 return &cor_scene_quantities[i];
+    return NULL;
 }
 
 enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6, NAME = 64 };
@@ -203,9 +204,12 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
                                          "step_scatter_zero_overlap",
                                          "step_bias_zero_force",
                                          "step_scatter_zero_force"};
+    static const char *const area[] = {"contact_radius_m", "max_pressure_pa"};
+    enum { AREA = sizeof area / sizeof *area };
+    const bool spheres = !isnan(contacts->contact[0].radius_m);
     /* the table keeps no copies */
-    static const char *column[BASE + 6];
-    static char corrected[NAME], kinds[BASE + 7];
+    static const char *column[BASE + 7 + AREA];
+    static char corrected[NAME], kinds[BASE + 8 + AREA];
     int columns = 0;
     struct timed t = {.speed_m_s = speed_m_s, .rows = (size_t)contacts->count * speeds, .speeds = speeds};
     t.impact = xmalloc(t.rows * sizeof *t.impact);
@@ -230,6 +234,8 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
         kinds[columns] = 't';
         column[columns++] = "measured_end";
     }
+    for (int k = 0; spheres && k < AREA; k++)
+        column[columns++] = area[k];
     table_init(table, column, columns);
     table->kinds = kinds;
     for (size_t i = 0; i < t.rows && status == STATUS_OK; i++) {
@@ -251,6 +257,11 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
             status = add_step(table, &t, i, step, quantity);
         if (contacts->count > 1)
             table_add(table, xstrdup(i < speeds ? "zero-overlap" : "zero-force"));
+        for (int k = 0; spheres && k < AREA; k++)
+            table_add_number(table,
+                             (k ? cor_scene_pressure : cor_scene_contact_radius)(&contacts->contact[i / speeds],
+                                                                                 t.impact[i].max_overlap_m),
+                             digits);
     }
     free(t.impact);
     progress_end();

@@ -13,6 +13,7 @@
 
 /* Step of the difference in ln(speed), and how many steps it reaches on either side */
 #define SLOPE_STEP 0.01
+#define SLOPE_LEAST 1e-5
 enum { SLOPE_REACH = 3 };
 
 /* Chebyshev points of a piece, and the error of the interpolation that ends its division */
@@ -200,17 +201,29 @@ static double function_value(const struct function *f, int quantity, double x)
     return function_at_speed(f, quantity, function_speed(f, x));
 }
 
+/* The step in ln(speed) of a difference that does not reach beyond the onset of yield, where the second derivative
+ * jumps; next to it the slope is off by SLOPE_LEAST times that jump. */
+static double slope_step(const struct function *f, double speed_m_s)
+{
+    const struct cor_scene_contact *const c = f->contact;
+    if (!c->plastic)
+        return SLOPE_STEP;
+    const double away = fabs(log(speed_m_s / (c->yield_speed_m_s + c->liquid_speed_m_s)));
+    return fmin(SLOPE_STEP, fmax(SLOPE_LEAST, away / (1.01 * SLOPE_REACH)));
+}
+
 /* d value/dx at a speed, by a central difference of order 6 in ln(speed); relative error below 1e-12 */
 static double function_slope(const struct function *f, int quantity, double speed_m_s)
 {
     static const double weight[SLOPE_REACH] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
+    const double step = slope_step(f, speed_m_s);
     double sum = 0;
     for (int k = 1; k <= SLOPE_REACH; k++) {
-        const double factor = exp(k * SLOPE_STEP);
+        const double factor = exp(k * step);
         sum += weight[k - 1] * (function_at_speed(f, quantity, speed_m_s * factor) -
                                 function_at_speed(f, quantity, speed_m_s / factor));
     }
-    return sum / SLOPE_STEP / (f->log ? 1 : speed_m_s);
+    return sum / step / (f->log ? 1 : speed_m_s);
 }
 
 /* ---- segments ---- */

@@ -48,7 +48,8 @@ static void print_promise(FILE *file, const char *before, const struct sample *s
 {
     fprintf(file, "%s%zu points; %s gives %s with a relative error of %.4g at most.%s\n", before, sample->best.count,
             interpolation_name(request), request->duration ? "eps and duration" : "eps", sample->best.error, after);
-    fprintf(file, "%s%s, contact ends at %s.%s\n", before, law_equation(request->law).text,
+    char law[CONTACT_LAW_TEXT];
+    fprintf(file, "%s%s, contact ends at %s.%s\n", before, contact_law_text(law, request->contact, request->law),
             request->end == END_ZERO_FORCE ? "zero force" : "zero overlap", after);
 }
 

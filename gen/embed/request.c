@@ -133,6 +133,7 @@ int embed_request_scene(struct cor_scene *scene, const struct embed_request *req
         return status;
     *scene = (struct cor_scene){.law = {(int)law.ad, (int)law.bd, (int)law.d},
                                 .plate = request->law == COR_LAW_PLATE,
+                                .plastic = request->law == COR_LAW_ELASTIC_PLASTIC,
                                 .wall = request->wall,
                                 .end = request->end,
                                 .adhesion_model = request->adhesion_model};

@@ -26,7 +26,7 @@ struct embed_request {
     int end;                              /* enum contact_end or COR_BOTH_ENDS */
     enum embed_purpose purpose;
     enum embed_type type;
-    int law;                       /* enum cor_law up to COR_LAW_PLATE */
+    int law;                       /* enum cor_law up to COR_LAW_ELASTIC_PLASTIC */
     const char *elastic, *damping; /* the exponents as written; NULL: those of the law */
     bool wall;                     /* body 2 is flat and held fast */
     const char *name;              /* name of the function; NULL: cor_scene_eps */

@@ -885,6 +885,10 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
         return refuse(text, size,
                       "lines hold without a constant force, and the simulator adds its own; leave out --gravity and "
                       "--adhesion, and see docs/contact.md for the eps that it then realises");
+    if (request->contacts[0].liquid_speed_m_s > 0)
+        return refuse(text, size,
+                      "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a host "
+                      "that calls a function of the speed");
     task.types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
         task.has_law = task.has_law || suits(&cor_simulator_models[i], &task, 1);
