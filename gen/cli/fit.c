@@ -153,7 +153,8 @@ static const char help[] =
     "  --decimal-comma  numbers have a decimal comma, not a point\n"
     "  --gravity G      m/s^2, for bounces (default 9.80665)\n\n"
     "  --law NAMES      all (default), or several of viscoelastic, plate, constant, linear, tsuji,\n"
-    "                   hunt-crossley, hertz-dashpot, power-law, as viscoelastic,power-law\n"
+    "                   hunt-crossley, hertz-dashpot, power-law, elastic-plastic, adhesive,\n"
+    "                   adhesive-viscoelastic, wet, wet-viscoelastic, as viscoelastic,power-law\n"
     "  --end E          zero-overlap or zero-force: only this end of contact (default: both)\n"
     "  --robust         Huber's function, linear beyond 1.345 sigma, not squares: outliers have little weight\n"
     "  --plot FILE      a picture of data, fits and residuals, .svg, .png or .pdf (needs gnuplot)\n"
@@ -161,7 +162,10 @@ static const char help[] =
     "\nParameters: g_star_m_s, from eps = 1 - (speed/g*)^(1/5) + ...; zener_lambda_at_1_m_s of a thin plate;\n"
     "eps, zeta (damping ratio); dissipation_s_m, d of the force F(x) (1 + d x'); beta_at_1_m_s of a Hertzian\n"
     "contact with a dashpot; eps_at_1_m_s and exponent of min(1, eps_at_1_m_s (speed/(1 m/s))^exponent).\n"
-    "With BODIES instead dissipation_time_s, A; plate_thickness_m (with --wall); damping_coefficient_n_s_m:\n"
+    "yield_speed_m_s, from which spheres yield; eps_dry or g_star_m_s with adhesion_speed_m_s v_s of\n"
+    "sqrt(eps^2 - (v_s/v)^2), or with liquid_speed_m_s s of (eps (v - s) - s)/v.\n"
+    "With BODIES instead yield_stress_pa; dissipation_time_s, A; plate_thickness_m (with --wall); "
+    "damping_coefficient_n_s_m:\n"
     "  --young Y, --poisson NU, --radius R, --density D or --mass M     SI units\n"
     "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2        where the second body differs\n"
     "  --young-2 inf    the second is rigid\n"
@@ -174,8 +178,10 @@ static const char help[] =
 
 #define AT(FIELD) offsetof(struct fit_arguments, FIELD)
 /* Single models only: a shell need not offer lists of them. */
-static const char *const law_words[] = {"all",   "viscoelastic",  "plate",         "constant",  "linear",
-                                        "tsuji", "hunt-crossley", "hertz-dashpot", "power-law", NULL};
+static const char *const law_words[] = {
+    "all",      "viscoelastic",          "plate",         "constant",         "linear",
+    "tsuji",    "hunt-crossley",         "hertz-dashpot", "power-law",        "elastic-plastic",
+    "adhesive", "adhesive-viscoelastic", "wet",           "wet-viscoelastic", NULL};
 
 static const struct option_rule options[] = {
     {.name = "data", .kind = OPTION_FILE, .offset = AT(data), .required = true, .operand = "DATA.csv"},

@@ -5,7 +5,7 @@
 
 #include "fit/likelihood.h"
 
-enum { FIT_MAX_MODELS = 16, FIT_MAX_OUTLIERS = 8 };
+enum { FIT_MAX_MODELS = 24, FIT_MAX_OUTLIERS = 8 };
 
 struct fit_request {
     bool wanted[FIT_MAX_MODELS]; /* by index in fit_models */

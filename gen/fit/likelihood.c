@@ -204,6 +204,60 @@ static double minimise_by_scan(double *theta, const struct problem *p)
     return best;
 }
 
+static double minimise(double *theta, const struct problem *p);
+
+/* The problem of the dry curve of a curve with a loss */
+static struct problem dry_problem(const struct problem *p)
+{
+    struct problem dry = *p;
+    dry.curve = fit_curve_dry(p->curve);
+    dry.parameters = fit_curve_parameters(dry.curve);
+    return dry;
+}
+
+/* The least of a coarse grid of both coordinates in each third of the second, which ranges from no loss to all of it */
+static double minimise_on_grid(double *theta, const struct problem *p)
+{
+    enum { FIRST = 60, SECOND = 45, PARTS = 3, POINTS = 250 };
+    struct problem thin = *p;
+    const size_t stride = (p->points + POINTS - 1) / POINTS;
+    double *const list = xmalloc(4 * (size_t)POINTS * sizeof *list), best = INFINITY;
+    double *const eps = list + POINTS, *const sigma = eps + POINTS;
+    thin.points = 0;
+    for (size_t i = 0; i < p->points; i += stride, thin.points++) {
+        list[thin.points] = p->log_speed[i];
+        eps[thin.points] = p->eps[i];
+        sigma[thin.points] = p->sigma ? p->sigma[i] : 0;
+    }
+    thin.bounce = NULL; /* starts need no covariance */
+    thin.robust = p->robust && !p->bounce;
+    thin.log_speed = list;
+    thin.eps = eps;
+    thin.sigma = p->sigma ? sigma : NULL;
+    thin.buffer = sigma + POINTS;
+    for (int part = 0; part < PARTS; part++) {
+        double least = INFINITY, start[FIT_MAX_PARAMETERS] = {p->low[0], p->low[1]};
+        for (int k = part * SECOND / PARTS; k < (part + 1) * SECOND / PARTS; k++)
+            for (int i = 0; i <= FIRST; i++) {
+                const double at[FIT_MAX_PARAMETERS] = {p->low[0] + (p->high[0] - p->low[0]) * i / FIRST,
+                                                       p->low[1] + (p->high[1] - p->low[1]) * k / SECOND};
+                const double sum = objective(&thin, at);
+                if (sum < least) {
+                    least = sum;
+                    memcpy(start, at, sizeof start);
+                }
+            }
+        keep_better(&best, theta, p, start);
+    }
+    free(list);
+    const struct problem dry = dry_problem(p);
+    double start[FIT_MAX_PARAMETERS] = {0, p->low[1]};
+    minimise(start, &dry);
+    start[1] = p->low[1];
+    keep_better(&best, theta, p, start);
+    return best;
+}
+
 /* The straight line of ln eps over ln g, each point weighted by eps^2 as in least squares of eps, and the mean */
 static double minimise_power_law(double *theta, const struct problem *p)
 {
@@ -247,7 +301,7 @@ static double minimise(double *theta, const struct problem *p)
         return minimise_constant(theta, p);
     if (p->curve == FIT_POWER_LAW)
         return minimise_power_law(theta, p);
-    return minimise_by_scan(theta, p);
+    return p->parameters == 2 ? minimise_on_grid(theta, p) : minimise_by_scan(theta, p);
 }
 
 /* ---- the scale, and the ratio of bounces ---- */
@@ -360,11 +414,19 @@ static double minimise_with_noise(double *theta, struct problem *p)
     double other_theta[FIT_MAX_PARAMETERS];
     memcpy(other_theta, theta, sizeof other_theta);
     settle(theta, p);
-    for (int start = 0; bounce && !robust && start < 2; start++) { /* errors of the times alone, and scatter alone */
+    /* errors of the times alone, scatter alone, and, of a curve with a loss, the fit without it */
+    const int starts = fit_curve_dry(p->curve) != p->curve ? 3 : 2;
+    for (int start = 0; bounce && !robust && start < starts; start++) {
         struct problem q = other;
         double from[FIT_MAX_PARAMETERS];
         memcpy(from, other_theta, sizeof from);
         q.ratio = start == 0 ? 0 : 1e8;
+        if (start == 2) {
+            struct problem dry = dry_problem(&other);
+            minimise_with_noise(from, &dry);
+            from[1] = p->low[1];
+            q.ratio = dry.ratio;
+        }
         settle(from, &q);
         if (q.scale < p->scale) {
             *p = q;
@@ -411,7 +473,9 @@ static double interval_end(struct problem *p, const double *theta, int j, int si
         near = far;
         near_height = far_height;
         if (near == limit)
-            return p->curve == FIT_CONSTANT ? limit : copysign((double)INFINITY, sign);
+            return fit_coordinate_is_logarithm(p->curve, j) || p->curve == FIT_POWER_LAW
+                       ? copysign((double)INFINITY, sign)
+                       : limit;
         far = sign > 0 ? fmin(theta[j] + step, limit) : fmax(theta[j] - step, limit);
         far_height = sqrt(fmax(profile(p, j, far, &rest) - minimum, 0)) - target;
     }
@@ -531,23 +595,25 @@ static void judge(struct fit_estimate *e, struct problem *p)
                               : groups_p_value(r, p->points, (size_t)p->parameters);
 }
 
-/* A beta at an end of its range stands for 0 or infinity: eps is 1, or 0, at all speeds. So do ends of intervals. */
+/* A logarithm at an end of its range stands for 0 or infinity. So do ends of intervals. */
 static void set_limit(struct fit_estimate *e, const struct problem *p)
 {
     const double near = 1e-6;
-    if (p->curve == FIT_CONSTANT || p->curve == FIT_POWER_LAW)
-        return;
-    const bool least = e->theta[0] - p->low[0] < near, most = !least && p->high[0] - e->theta[0] < near;
-    if (least || most)
-        e->theta[0] = most ? INFINITY : -INFINITY;
-    for (int level = 0; level < LEVELS; level++) {
-        struct fit_interval *const interval = &e->interval[0][level];
-        if (least) {
-            interval->low = -INFINITY;
-            interval->high = interval->high - p->low[0] < near ? -INFINITY : interval->high;
-        } else if (most) {
-            interval->high = INFINITY;
-            interval->low = p->high[0] - interval->low < near ? INFINITY : interval->low;
+    for (int j = 0; j < e->parameters; j++) {
+        if (!fit_coordinate_is_logarithm(p->curve, j) || p->curve == FIT_POWER_LAW)
+            continue;
+        const bool least = e->theta[j] - p->low[j] < near, most = !least && p->high[j] - e->theta[j] < near;
+        if (least || most)
+            e->theta[j] = most ? INFINITY : -INFINITY;
+        for (int level = 0; level < LEVELS; level++) {
+            struct fit_interval *const interval = &e->interval[j][level];
+            if (least) {
+                interval->low = -INFINITY;
+                interval->high = interval->high - p->low[j] < near ? -INFINITY : interval->high;
+            } else if (most) {
+                interval->high = INFINITY;
+                interval->low = p->high[j] - interval->low < near ? INFINITY : interval->low;
+            }
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include <cor/law.h>
+#include <cor/scene.h>
 #include <cor/sphere.h>
 #include <cor/status.h>
 
@@ -12,19 +13,33 @@
 
 typedef void curve_array(const double *beta, double *eps, size_t n);
 
-/* array: eps of n values of beta; NULL: not a function of one beta */
+/* array: eps of n values of beta; NULL: not a function of one beta. A curve with a loss has a dry one and x. */
+enum loss { LOSS_NONE, LOSS_ADHESION, LOSS_LIQUID };
 static const struct {
     int parameters;
     double exponent; /* q */
     curve_array *array;
+    enum loss loss;
+    enum fit_curve dry;
 } curves[FIT_CURVES] = {
-    [FIT_SPHERE_ZERO_OVERLAP] = {1, 0.2, cor_sphere_eps_zero_overlap_array},
-    [FIT_SPHERE_ZERO_FORCE] = {1, 0.2, cor_sphere_eps_zero_force_array},
-    [FIT_CONSTANT] = {1, 0, NULL},
-    [FIT_HUNT_CROSSLEY] = {1, 1, cor_hunt_crossley_eps_array},
-    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {1, -0.2, cor_hertz_dashpot_eps_zero_overlap_array},
-    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {1, -0.2, cor_hertz_dashpot_eps_zero_force_array},
-    [FIT_POWER_LAW] = {2, 0, NULL},
+    [FIT_SPHERE_ZERO_OVERLAP] = {.parameters = 1, .exponent = 0.2, .array = cor_sphere_eps_zero_overlap_array},
+    [FIT_SPHERE_ZERO_FORCE] = {.parameters = 1, .exponent = 0.2, .array = cor_sphere_eps_zero_force_array},
+    [FIT_CONSTANT] = {.parameters = 1},
+    [FIT_HUNT_CROSSLEY] = {.parameters = 1, .exponent = 1, .array = cor_hunt_crossley_eps_array},
+    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {.parameters = 1,
+                                        .exponent = -0.2,
+                                        .array = cor_hertz_dashpot_eps_zero_overlap_array},
+    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {.parameters = 1,
+                                      .exponent = -0.2,
+                                      .array = cor_hertz_dashpot_eps_zero_force_array},
+    [FIT_POWER_LAW] = {.parameters = 2},
+    [FIT_ELASTIC_PLASTIC] = {.parameters = 1},
+    [FIT_ADHESIVE] = {.parameters = 2, .loss = LOSS_ADHESION, .dry = FIT_CONSTANT},
+    [FIT_ADHESIVE_SPHERE_ZERO_OVERLAP] = {.parameters = 2, .loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_OVERLAP},
+    [FIT_ADHESIVE_SPHERE_ZERO_FORCE] = {.parameters = 2, .loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_FORCE},
+    [FIT_WET] = {.parameters = 2, .loss = LOSS_LIQUID, .dry = FIT_CONSTANT},
+    [FIT_WET_SPHERE_ZERO_OVERLAP] = {.parameters = 2, .loss = LOSS_LIQUID, .dry = FIT_SPHERE_ZERO_OVERLAP},
+    [FIT_WET_SPHERE_ZERO_FORCE] = {.parameters = 2, .loss = LOSS_LIQUID, .dry = FIT_SPHERE_ZERO_FORCE},
 };
 
 int fit_curve_parameters(enum fit_curve curve)
@@ -32,25 +47,54 @@ int fit_curve_parameters(enum fit_curve curve)
     return curves[curve].parameters;
 }
 
+enum fit_curve fit_curve_dry(enum fit_curve curve)
+{
+    return curves[curve].loss == LOSS_NONE ? curve : curves[curve].dry;
+}
+
+bool fit_coordinate_is_logarithm(enum fit_curve curve, int parameter)
+{
+    return parameter == 0 ? fit_curve_dry(curve) != FIT_CONSTANT : curve != FIT_POWER_LAW;
+}
+
+enum { BLOCK = 256 };
+
+/* At most BLOCK values */
+static void lossy_eps(enum fit_curve curve, const double *theta, const double *log_speed, double *eps, size_t n)
+{
+    const double x = exp(theta[1]);
+    double at[BLOCK];
+    for (size_t i = 0; i < n; i++) {
+        const double left = exp(log_speed[i]) - x;
+        at[i] = curves[curve].loss == LOSS_ADHESION ? log_speed[i] : left > 0 ? log(left) : log_speed[i];
+    }
+    fit_curve_eps(curves[curve].dry, theta, at, eps, n);
+    for (size_t i = 0; i < n; i++) {
+        const double ratio = exp(theta[1] - log_speed[i]);
+        eps[i] = curves[curve].loss == LOSS_ADHESION ? sqrt(fmax((eps[i] - ratio) * (eps[i] + ratio), 0))
+                                                     : cor_wet_eps(eps[i], 1, ratio);
+    }
+}
+
 void fit_curve_eps(enum fit_curve curve, const double *theta, const double *log_speed, double *eps, size_t n)
 {
-    enum { BLOCK = 256 };
-    if (curve == FIT_CONSTANT) {
-        for (size_t i = 0; i < n; i++)
-            eps[i] = theta[0];
-        return;
-    }
-    if (curve == FIT_POWER_LAW) {
-        for (size_t i = 0; i < n; i++)
-            eps[i] = exp(fmin(theta[0] + theta[1] * log_speed[i], 0));
-        return;
-    }
     double beta[BLOCK];
     for (size_t first = 0; first < n; first += BLOCK) {
         const size_t count = n - first < BLOCK ? n - first : BLOCK;
+        const double *const place = log_speed + first;
+        if (curves[curve].loss != LOSS_NONE) {
+            lossy_eps(curve, theta, place, eps + first, count);
+            continue;
+        }
         for (size_t i = 0; i < count; i++)
-            beta[i] = exp(theta[0] + curves[curve].exponent * log_speed[first + i]);
-        curves[curve].array(beta, eps + first, count);
+            beta[i] = curve == FIT_CONSTANT          ? theta[0]
+                      : curve == FIT_POWER_LAW       ? exp(fmin(theta[0] + theta[1] * place[i], 0))
+                      : curve == FIT_ELASTIC_PLASTIC ? cor_elastic_plastic_eps(exp(place[i] - theta[0]))
+                                                     : exp(theta[0] + curves[curve].exponent * place[i]);
+        if (curves[curve].array)
+            curves[curve].array(beta, eps + first, count);
+        else
+            memcpy(eps + first, beta, count * sizeof *beta);
     }
 }
 
@@ -58,8 +102,15 @@ void fit_curve_range(enum fit_curve curve, int parameter, double least_log_speed
                      double *high)
 {
     const double weakest = log(1e-9), strongest = log(1e9); /* beta */
-    const double a = curves[curve].exponent * least_log_speed, b = curves[curve].exponent * most_log_speed;
-    if (curve == FIT_CONSTANT) {
+    const enum fit_curve dry = fit_curve_dry(curve);
+    const double a = curves[dry].exponent * least_log_speed, b = curves[dry].exponent * most_log_speed;
+    if (parameter == 1 && curve != FIT_POWER_LAW) { /* from a loss of 1e-12 of eps at all speeds to all of it */
+        *low = least_log_speed + (curves[curve].loss == LOSS_ADHESION ? log(1e-6) : log(1e-12));
+        *high = most_log_speed;
+    } else if (dry == FIT_ELASTIC_PLASTIC) { /* eps = 1.2 (v_y/g)^(1/4) */
+        *low = least_log_speed + 4 * log(1e-9);
+        *high = most_log_speed;
+    } else if (dry == FIT_CONSTANT) {
         *low = 0;
         *high = 1;
     } else if (curve == FIT_POWER_LAW) {
@@ -126,6 +177,17 @@ static double damping_coefficient_kg_s(double theta, const struct fit_bodies *bo
     return exp(theta) * contact.effective_mass_kg / contact.scale;
 }
 
+/* The yield stress of the yield speed exp(theta) */
+static double yield_stress_pa(double theta, const struct fit_bodies *bodies)
+{
+    const struct cor_sphere_contact sphere = contact_of_unit_time(bodies);
+    const struct cor_scene_contact contact = {.law = cor_law_exponents[COR_LAW_ELASTIC_PLASTIC],
+                                              .mass_kg = sphere.effective_mass_kg,
+                                              .stiffness = sphere.elastic_constant_n_m15,
+                                              .radius_m = sphere.effective_radius_m};
+    return cor_scene_yield_stress(&contact, exp(theta));
+}
+
 static double zeta_zero_overlap(double eps)
 {
     return cor_linear_zeta_zero_overlap(eps);
@@ -142,6 +204,7 @@ static double zeta_zero_force(double eps)
 #define ZERO_FORCE "zero-force"
 #define BOTH_ENDS "both"
 #define NO_BODIES NULL
+#define SPHERE_AND(SECOND) true, {"g_star_m_s", SECOND}, "dissipation_time_s", g_star_m_s, dissipation_time_s
 const struct fit_model fit_models[] = {
     {"viscoelastic",
      ZERO_OVERLAP,
@@ -190,6 +253,20 @@ const struct fit_model fit_models[] = {
      exp,
      damping_coefficient_kg_s},
     {"power-law", BOTH_ENDS, FIT_POWER_LAW, false, {"eps_at_1_m_s", "exponent"}, NULL, exp, NULL},
+    {"elastic-plastic",
+     BOTH_ENDS,
+     FIT_ELASTIC_PLASTIC,
+     true,
+     {"yield_speed_m_s"},
+     "yield_stress_pa",
+     exp,
+     yield_stress_pa},
+    {"adhesive", BOTH_ENDS, FIT_ADHESIVE, true, {"eps_dry", "adhesion_speed_m_s"}, NO_BODIES, identity, NULL},
+    {"adhesive-viscoelastic", ZERO_OVERLAP, FIT_ADHESIVE_SPHERE_ZERO_OVERLAP, SPHERE_AND("adhesion_speed_m_s")},
+    {"adhesive-viscoelastic", ZERO_FORCE, FIT_ADHESIVE_SPHERE_ZERO_FORCE, SPHERE_AND("adhesion_speed_m_s")},
+    {"wet", BOTH_ENDS, FIT_WET, true, {"eps_dry", "liquid_speed_m_s"}, NO_BODIES, identity, NULL},
+    {"wet-viscoelastic", ZERO_OVERLAP, FIT_WET_SPHERE_ZERO_OVERLAP, SPHERE_AND("liquid_speed_m_s")},
+    {"wet-viscoelastic", ZERO_FORCE, FIT_WET_SPHERE_ZERO_FORCE, SPHERE_AND("liquid_speed_m_s")},
 };
 const size_t fit_model_count = sizeof fit_models / sizeof *fit_models;
 
@@ -209,7 +286,7 @@ const char *fit_parameter_name(const struct fit_model *model, int parameter, con
 double fit_parameter_value(const struct fit_model *model, int parameter, double theta, const struct fit_bodies *bodies)
 {
     if (parameter > 0)
-        return theta;
+        return fit_coordinate_is_logarithm(model->curve, parameter) ? exp(theta) : theta;
     return bodies_matter(model, bodies) ? model->value_with_bodies(theta, bodies) : model->value(theta);
 }
 

@@ -11,8 +11,13 @@
 #include <cor/contact.h>
 
 /* eps is a function of beta = exp(theta_0) (g/(m/s))^q, or constant, theta_0, or min(1, exp(theta_0)
- * (g/(m/s))^theta_1).
- */
+ * (g/(m/s))^theta_1), or that of elastic-plastic spheres with the yield speed exp(theta_0). Of such a dry eps, with
+ * x = exp(theta_1) in m/s, the rest is
+ *
+ *     adhesive: (eps(g)^2 - (x/g)^2)^(1/2), the work of parting taken from the rebound
+ *     wet:      (eps(g - x) (g - x) - x)/g, the speed x taken by a liquid on both ways
+ *
+ * and 0 where that is negative. */
 enum fit_curve {
     FIT_SPHERE_ZERO_OVERLAP, /* q = 1/5 */
     FIT_SPHERE_ZERO_FORCE,   /* q = 1/5 */
@@ -21,12 +26,25 @@ enum fit_curve {
     FIT_HERTZ_DASHPOT_ZERO_OVERLAP, /* q = -1/5 */
     FIT_HERTZ_DASHPOT_ZERO_FORCE,   /* q = -1/5 */
     FIT_POWER_LAW,
+    FIT_ELASTIC_PLASTIC,
+    FIT_ADHESIVE, /* of a constant */
+    FIT_ADHESIVE_SPHERE_ZERO_OVERLAP,
+    FIT_ADHESIVE_SPHERE_ZERO_FORCE,
+    FIT_WET,
+    FIT_WET_SPHERE_ZERO_OVERLAP,
+    FIT_WET_SPHERE_ZERO_FORCE,
     FIT_CURVES
 };
 
 enum { FIT_MAX_PARAMETERS = 2 };
 
 int fit_curve_parameters(enum fit_curve curve);
+
+/* The dry curve of a curve with a loss, which has theta_0 alone; other curves themselves */
+enum fit_curve fit_curve_dry(enum fit_curve curve);
+
+/* Whether a coordinate is a logarithm: at an end of its range it stands for 0 or infinity. */
+bool fit_coordinate_is_logarithm(enum fit_curve curve, int parameter);
 
 /* eps[i] at the speeds exp(log_speed[i]), for i < n */
 void fit_curve_eps(enum fit_curve curve, const double *theta, const double *log_speed, double *eps, size_t n);

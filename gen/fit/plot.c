@@ -21,6 +21,13 @@ static const struct {
     [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {"Hertz, dashpot, zero overlap", "amber", "1"},
     [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {"Hertz, dashpot, zero force", "'#d9a441'", "(8,5)"},
     [FIT_POWER_LAW] = {"power law", "violet", "1"},
+    [FIT_ELASTIC_PLASTIC] = {"elastic-plastic", "'#8c564b'", "1"},
+    [FIT_ADHESIVE] = {"adhesive", "'#17becf'", "1"},
+    [FIT_ADHESIVE_SPHERE_ZERO_OVERLAP] = {"adhesive, viscoelastic, zero overlap", "'#0e7c86'", "1"},
+    [FIT_ADHESIVE_SPHERE_ZERO_FORCE] = {"adhesive, viscoelastic, zero force", "'#0e7c86'", "(8,5)"},
+    [FIT_WET] = {"wet", "'#bcbd22'", "1"},
+    [FIT_WET_SPHERE_ZERO_OVERLAP] = {"wet, viscoelastic, zero overlap", "'#7f7f22'", "1"},
+    [FIT_WET_SPHERE_ZERO_FORCE] = {"wet, viscoelastic, zero force", "'#7f7f22'", "(8,5)"},
 };
 
 /* Of very many points only every so many-th is drawn. */

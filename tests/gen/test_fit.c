@@ -11,10 +11,11 @@
 
 #include <cor/cor.h>
 
+#include "cor/scene.h"
 #include "fit/compare.h"
 #include "fit/least_squares.h"
 
-enum { POINTS_MAX = 400, MODELS = 12 };
+enum { POINTS_MAX = 400, MODELS = 19 };
 static struct random_state random_state, *const r = &random_state; /* of every test */
 
 /* ---- distributions ---- */
@@ -68,7 +69,33 @@ static const double truth[FIT_CURVES][FIT_MAX_PARAMETERS] = {[FIT_SPHERE_ZERO_OV
                                                              [FIT_HUNT_CROSSLEY] = {-2.3},
                                                              [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {-1.5},
                                                              [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {-1.3},
-                                                             [FIT_POWER_LAW] = {-0.4, -0.1}};
+                                                             [FIT_POWER_LAW] = {-0.4, -0.1},
+                                                             [FIT_ELASTIC_PLASTIC] = {-1.2},
+                                                             [FIT_ADHESIVE] = {0.7, -3},
+                                                             [FIT_ADHESIVE_SPHERE_ZERO_OVERLAP] = {-1.2, -3},
+                                                             [FIT_ADHESIVE_SPHERE_ZERO_FORCE] = {-1, -3},
+                                                             [FIT_WET] = {0.8, -3.9},
+                                                             [FIT_WET_SPHERE_ZERO_OVERLAP] = {-1.2, -3.9},
+                                                             [FIT_WET_SPHERE_ZERO_FORCE] = {-1, -3.9}};
+
+/* The curve that another is without its second parameter */
+static enum fit_curve curve_inside(enum fit_curve curve)
+{
+    switch (curve) {
+    case FIT_POWER_LAW:
+    case FIT_ADHESIVE:
+    case FIT_WET:
+        return FIT_CONSTANT;
+    case FIT_ADHESIVE_SPHERE_ZERO_OVERLAP:
+    case FIT_WET_SPHERE_ZERO_OVERLAP:
+        return FIT_SPHERE_ZERO_OVERLAP;
+    case FIT_ADHESIVE_SPHERE_ZERO_FORCE:
+    case FIT_WET_SPHERE_ZERO_FORCE:
+        return FIT_SPHERE_ZERO_FORCE;
+    default:
+        return curve;
+    }
+}
 
 struct sample {
     double speed[POINTS_MAX], eps[POINTS_MAX], sigma[POINTS_MAX];
@@ -152,6 +179,14 @@ static double eps_of_parameter(const struct fit_model *model, const char *name, 
         return zero_force ? cor_hertz_dashpot_eps_zero_force(beta) : cor_hertz_dashpot_eps_zero_overlap(beta);
     } else if (strcmp(name, "zener_lambda_at_1_m_s") == 0) {
         return cor_sphere_eps_zero_overlap(1.5 * value * pow(speed, 0.2));
+    } else if (strcmp(name, "yield_speed_m_s") == 0) {
+        return cor_elastic_plastic_eps(speed / value);
+    } else if (strcmp(name, "yield_stress_pa") == 0) { /* Thornton's v_y of two bodies */
+        cor_sphere_contact_init(&contact, &body, &wall);
+        const double r = contact.effective_radius_m, modulus = 0.75 * contact.elastic_constant_n_m15 / sqrt(r);
+        const double pi = acos(-1), limit = 1.6 * value;
+        return cor_elastic_plastic_eps(speed / (pow(pi / (2 * modulus), 2) * pow(limit, 2.5) *
+                                                sqrt(8 * pi * r * r * r / (15 * contact.effective_mass_kg))));
     } else if (strcmp(name, "dissipation_s_m") == 0) {
         return cor_hunt_crossley_eps(value * speed);
     } else if (strcmp(name, "zeta") == 0) {
@@ -211,7 +246,7 @@ TEST(a_scan_finds_the_same_minimum_and_intervals)
             const struct fit_model *const model = &fit_models[i];
             struct sample s;
             struct fit_estimate e;
-            if (model->curve == FIT_POWER_LAW)
+            if (fit_curve_parameters(model->curve) > 1)
                 continue;
             draw_sample(&s, model->curve, 15, 0.02, with_sigma, r);
             fit_estimate_curve(&e, model->curve, &s.data, false);
@@ -246,6 +281,40 @@ TEST(ice_has_the_g_star_of_a_golden_section)
     }
 }
 
+static long double eps_of_theta(enum fit_curve curve, const double *theta, double speed);
+
+/* The sum of squares of a curve of two parameters by another formula is the fit's, no point of a grid around it has a
+ * lower one, and the intervals are where the least sum over the other parameter reaches the threshold. */
+TEST(losses_have_the_least_squares)
+{
+    for (enum fit_curve curve = FIT_ADHESIVE; curve < FIT_CURVES; curve++) {
+        struct sample s;
+        struct fit_estimate e;
+        draw_sample(&s, curve, 25, 0.01, true, r);
+        fit_estimate_curve(&e, curve, &s.data, false);
+        long double least[2] = {INFINITY, INFINITY}; /* near the fit; where theta_1 is the end of its interval */
+        for (int i = -60; i <= 60; i++)
+            for (int k = 0; k <= 61; k++) {
+                const double half = (e.interval[0][LEVEL_68].high - e.interval[0][LEVEL_68].low) / 2;
+                const double theta[FIT_MAX_PARAMETERS] = {e.theta[0] + 0.05 * i * half,
+                                                          k == 61 ? e.interval[1][LEVEL_68].high
+                                                                  : e.theta[1] + 0.01 * (k - 30)};
+                long double sum = 0;
+                for (size_t point = 0; point < s.data.points; point++) {
+                    const long double residual = s.eps[point] - eps_of_theta(curve, theta, s.speed[point]);
+                    sum += weight(&s, point) * (double)(residual * residual);
+                }
+                if (i == 0 && k == 30)
+                    check_close(e.chi2, (double)sum, 1e-9);
+                least[k == 61] = fminl(least[k == 61], sum);
+            }
+        check(least[0] > e.chi2 * (1 - 1e-9), "curve %d: %Lg below %g", (int)curve, least[0], e.chi2);
+        check(fabsl(least[1] - e.chi2 - 1) < 0.01, "curve %d: the interval ends at %Lg", (int)curve, least[1] - e.chi2);
+        for (int j = 0; j < 2; j++)
+            check(fabs(e.theta[j] - truth[curve][j]) < 0.4, "curve %d: theta_%d = %g", (int)curve, j, e.theta[j]);
+    }
+}
+
 /* ---- ranks ---- */
 
 static void compare_all(struct fit_comparison *c, const struct sample *s, bool robust)
@@ -267,8 +336,8 @@ TEST(the_true_curve_ranks_first)
             compare_all(&c, &s, way & 2);
             assert_int_equal(c.models, MODELS);
             const enum fit_curve first = fit_models[c.ranked[0]].curve;
-            /* The constant is a power law of exponent 0. */
-            check(first == (enum fit_curve)curve || (curve == FIT_CONSTANT && first == FIT_POWER_LAW),
+            /* A second parameter may fit the noise. */
+            check(first == (enum fit_curve)curve || curve_inside(first) == (enum fit_curve)curve,
                   "data of curve %d, the first is curve %d", curve, (int)first);
             check(c.estimate[curve].p_value > 1e-7, "p = %g", c.estimate[curve].p_value);
             assert_true(curve == FIT_CONSTANT || !fit_is_accepted(&c.estimate[FIT_CONSTANT]));
@@ -629,17 +698,32 @@ struct trajectory {
     long double residual[DROP_TIMES], of_first_flight[DROP_TIMES], of_scatter[DROP_TIMES][DROP_TIMES];
 };
 
+/* eps of a curve; that of a loss by the energy, or the speed, that it takes */
+static long double eps_of_theta(enum fit_curve curve, const double *theta, double speed)
+{
+    const struct fit_model *model = fit_models;
+    const enum fit_curve inside = curve_inside(curve);
+    if (curve == FIT_POWER_LAW)
+        return fminl(1, expl(theta[0]) * powl(speed, theta[1]));
+    if (curve == FIT_WET || curve == FIT_WET_SPHERE_ZERO_OVERLAP || curve == FIT_WET_SPHERE_ZERO_FORCE) {
+        const double left = speed - exp(theta[1]);
+        const long double back = left > 0 ? left * eps_of_theta(inside, theta, left) - expl(theta[1]) : 0;
+        return fmaxl(back, 0) / speed;
+    }
+    if (inside != curve) {
+        const long double back = eps_of_theta(inside, theta, speed) * speed;
+        return sqrtl(fmaxl(back * back - expl(2 * theta[1]), 0)) / speed;
+    }
+    while (model->curve != curve)
+        model++;
+    return eps_of_parameter(model, fit_parameter_name(model, 0, NULL), fit_parameter_value(model, 0, theta[0], NULL),
+                            speed);
+}
+
 /* T eps(g T/2), by the scalar functions of the library */
 static long double next_flight(enum fit_curve curve, const double *theta, long double flight)
 {
-    const double speed = (double)(FIT_GRAVITY_M_S2 * flight / 2);
-    const struct fit_model *model = fit_models;
-    if (curve == FIT_POWER_LAW)
-        return flight * fminl(1, expl(theta[0]) * powl(speed, theta[1]));
-    while (model->curve != curve)
-        model++;
-    return flight * eps_of_parameter(model, fit_parameter_name(model, 0, NULL),
-                                     fit_parameter_value(model, 0, theta[0], NULL), speed);
+    return flight * eps_of_theta(curve, theta, (double)(FIT_GRAVITY_M_S2 * flight / 2));
 }
 
 static void find_trajectory(struct trajectory *y, enum fit_curve curve, const double *theta, long first_line)
@@ -851,7 +935,8 @@ static void check_fit(const struct fit_data *data, enum fit_curve curve, struct 
             for (int l = 0; l < e.parameters; l++)
                 other.theta[l] += width * random_uniform(r, -3, 3);
             const double q = q_at_ratio(other, p.log_ratio + random_uniform(r, -5, 5));
-            check(!(q < least * (1 - 1e-8)), "%g is below %g", q, least);
+            check(!(q < least * (1 - 1e-8)), "curve %d: %g at %g, %g is below %g at %g, %g", (int)curve, q,
+                  other.theta[0], other.theta[1], least, e.theta[0], e.theta[1]);
         }
     }
     for (int end = 0; end < 4 * e.parameters; end++) {
@@ -890,7 +975,8 @@ TEST(times_agree_with_dense_matrices)
         draw_bounces(&data, &b, 3, 0, 0, r);
         for (int i = 0; i < 5; i++)
             check_likelihood(&data, b.curve, r);
-        check_fit(&data, b.curve, r);
+        if (fit_curve_dry(b.curve) == b.curve) /* a loss of about 0 has many minima in lambda */
+            check_fit(&data, b.curve, r);
         fit_data_clear(&data);
     }
 }
@@ -1055,6 +1141,7 @@ int main(void)
                                        tails_have_closed_forms,
                                        the_power_law_satisfies_the_normal_equations,
                                        a_scan_finds_the_same_minimum_and_intervals,
+                                       losses_have_the_least_squares,
                                        ice_has_the_g_star_of_a_golden_section,
                                        the_true_curve_ranks_first,
                                        aic_is_that_of_the_likelihood,
