@@ -215,10 +215,19 @@ static struct problem dry_problem(const struct problem *p)
     return dry;
 }
 
-/* The least of a coarse grid of both coordinates in each third of the second, which ranges from no loss to all of it */
+/* The least of a grid of both coordinates in each third of the second, which ranges from no loss to all of it. Beside a
+ * loss the damping is weaker than without: of a logarithm a range below that of the dry curve is enough. */
 static double minimise_on_grid(double *theta, const struct problem *p)
 {
-    enum { FIRST = 60, SECOND = 45, PARTS = 3, POINTS = 250 };
+    enum { FIRST = 60, SECOND = 75, PARTS = 3, POINTS = 250 };
+    const struct problem dry = dry_problem(p);
+    double dry_theta[FIT_MAX_PARAMETERS] = {0, p->low[1]}, low = p->low[0], high = p->high[0];
+    minimise(dry_theta, &dry);
+    dry_theta[1] = p->low[1];
+    if (fit_coordinate_is_logarithm(p->curve, 0)) {
+        low = fmax(low, dry_theta[0] - 4);
+        high = fmin(high, dry_theta[0] + 0.5);
+    }
     struct problem thin = *p;
     const size_t stride = (p->points + POINTS - 1) / POINTS;
     double *const list = xmalloc(4 * (size_t)POINTS * sizeof *list), best = INFINITY;
@@ -239,7 +248,7 @@ static double minimise_on_grid(double *theta, const struct problem *p)
         double least = INFINITY, start[FIT_MAX_PARAMETERS] = {p->low[0], p->low[1]};
         for (int k = part * SECOND / PARTS; k < (part + 1) * SECOND / PARTS; k++)
             for (int i = 0; i <= FIRST; i++) {
-                const double at[FIT_MAX_PARAMETERS] = {p->low[0] + (p->high[0] - p->low[0]) * i / FIRST,
+                const double at[FIT_MAX_PARAMETERS] = {low + (high - low) * i / FIRST,
                                                        p->low[1] + (p->high[1] - p->low[1]) * k / SECOND};
                 const double sum = objective(&thin, at);
                 if (sum < least) {
@@ -250,11 +259,7 @@ static double minimise_on_grid(double *theta, const struct problem *p)
         keep_better(&best, theta, p, start);
     }
     free(list);
-    const struct problem dry = dry_problem(p);
-    double start[FIT_MAX_PARAMETERS] = {0, p->low[1]};
-    minimise(start, &dry);
-    start[1] = p->low[1];
-    keep_better(&best, theta, p, start);
+    keep_better(&best, theta, p, dry_theta);
     return best;
 }
 
