@@ -188,8 +188,8 @@ static int run_contact(const void *arguments)
 
 static const char help[] =
     "Usage: corgen contact BODIES DISSIPATION [--law L] [--speed LIST] [OPTION]...\n\n"
-    "One contact of two bodies in SI units, from what is known of it: dissipation time A, g*, beta\n"
-    "or zeta, and for each impact speed eps, durations, largest overlap and force, and a time step.\n"
+    "One contact of two bodies, from what is known of it: dissipation time A, g*, beta or zeta, and\n"
+    "for each impact speed eps, durations, largest overlap and force, and a time step.\n"
     "eps is the rebound speed over the impact speed. A contact ends at zero overlap, or at zero\n"
     "force, where the force would become attractive.\n" HELP_CONTACT "\nOutput:\n"
     "  --speed LIST     impact speeds, m/s: values and ranges such as 0.1,1,10 or 0.01:10:log:7\n"
@@ -198,8 +198,8 @@ static const char help[] =
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
     "  --time-step DT   time_step_s is DT, s\n"
     "  --step-tolerance T   time_step_s is the largest at which bias and scatter stay below T\n"
-    "                   each of the three adds the error of eps by this time step: step_bias, its mean\n"
-    "                   over the phases of the first step, and step_scatter, its standard deviation\n"
+    "                   each of the three adds step_bias, the mean error of eps over the phases of the\n"
+    "                   first step, and step_scatter, its standard deviation\n"
     "  --step-corrected   also the damping that makes the mean exact, and the factor to it\n"
     "  --integrator I   verlet-half-step (default, LAMMPS; the next two give the same), leapfrog,\n"
     "                   symplectic-euler, verlet-full-step; with --for that of the simulator\n"
@@ -212,8 +212,8 @@ static const char help[] =
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
     "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; step_bias,step_scatter of the end,\n"
     "or of both; damping_correction and the corrected damping; measured_end where eps was measured\n"
-    "and --end is not given; contact_radius_m,max_pressure_pa of bodies. Without --speed csv and json have "
-    "quantity,value,unit.\n"
+    "and --end is not given; of bodies contact_radius_m,max_pressure_pa.\n"
+    "Without --speed csv and json have quantity,value,unit.\n"
     "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 

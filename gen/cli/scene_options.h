@@ -28,11 +28,11 @@
     "  --beta B --at G  or, linear and tsuji, --zeta Z\n"                                                              \
     "\nThe law:\n"                                                                                                     \
     "  --law NAME       viscoelastic (default), plate, linear, tsuji, hunt-crossley, hertz-dashpot (docs/laws.md)\n"   \
-    "                   or elastic-plastic, spheres that yield, with --yield-stress or --restitution E --at G\n"       \
+    "                   elastic-plastic\n"                                                                             \
     "  --elastic A --damping B   instead, any exponents as 3/2 and 1/2\n"                                              \
-    "\nYield, and a liquid between the bodies:\n"                                                                      \
-    "  --yield-stress Y   Pa: the speed from which the bodies yield, and a warning above it\n"                         \
-    "  --viscosity-liquid ETA --gap-outer H --gap-inner h   Pa s, m: lubrication between these distances\n"            \
+    "\nYield, or a liquid:\n"                                                                                          \
+    "  --yield-stress Y   Pa: the yield speed, and a warning above it\n"                                               \
+    "  --viscosity-liquid ETA --gap-outer H --gap-inner h   Pa s, m: lubrication between both\n"                       \
     "\nA constant force that presses the bodies together:\n"                                                           \
     "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
     "  --adhesion W --adhesion-model dmt   work of adhesion, J/m^2: the force 2 pi W R\n"
