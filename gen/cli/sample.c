@@ -59,7 +59,7 @@ static int run_sample(const void *arguments)
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &scene);
     if (status == STATUS_OK && o->duration && isnan(contacts.contact[0].mass_kg))
-        status = usage_error("--duration needs bodies, or --stiffness and --effective-mass, which set the unit of "
+        status = usage_error("--durations needs bodies, or --stiffness and --effective-mass, which set the unit of "
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
     if (status == STATUS_OK)
         contact_warn_yield(&contacts, request.speed_max);
@@ -74,12 +74,12 @@ static const char help[] =
     "  --tolerance T    relative error of the interpolated eps, 1e-10 to 0.1\n"
     "  --log            interpolation in the logarithm of the speed\n"
     "  --cubic          cubic Hermite interpolation, with a column of slopes; otherwise linear\n"
-    "  --duration       the duration of contact in s, too, within the same tolerance\n"
+    "  --durations      the duration of contact in s, too, within the same tolerance\n"
     "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"
     "  --format F       text (default; with the evenly spaced table beside it), csv, json, c, python,\n"
     "                   modelica (CombiTable1Ds), openfoam (Function1 table)\n" HELP_CONTACT "\n" HELP_COMMON
     "\nColumns: speed_m_s,eps; then eps_slope_s_m, or eps_slope_per_log with --log, where --cubic is\n"
-    "given; then duration_s with --duration, and its slope.\n"
+    "given; then duration_s with --durations, and its slope.\n"
     "\nExample: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
 
 #define AT(FIELD) offsetof(struct sample_arguments, FIELD)
@@ -87,7 +87,7 @@ static const struct option_rule options[] = {
     SCENE_RANGE(struct sample_arguments),
     {.name = "log", .kind = OPTION_FLAG, .offset = AT(log)},
     {.name = "cubic", .kind = OPTION_FLAG, .offset = AT(cubic)},
-    {.name = "duration", .kind = OPTION_FLAG, .offset = AT(duration)},
+    {.name = "durations", .kind = OPTION_FLAG, .offset = AT(duration)},
     SCENE_OPTIONS(struct sample_arguments, &option_sphere_poisson, NULL, ""),
     OPTION_FORMAT(struct sample_arguments, sample_format_names),
     OPTION_COMMON(struct sample_arguments),

@@ -5,8 +5,8 @@ and the error of a time step. The functions are those of cor/scene.h and cor/aud
 A contact is a cor.Contact, one cor.Body for two equal bodies, or a pair of bodies of which the second may be a wall
 (infinite radius and mass). What is not said by it follows as keywords, with the names of corgen's options and _ for
 each hyphen: restitution and at, g_star, beta, zeta, damping_coefficient, dissipation_time, young, poisson, radius,
-density, mass, young_2, ..., stiffness and effective_mass, all in SI units. A damping among the keywords replaces that
-of the bodies.
+density, mass, young_2, ..., stiffness or duration, effective_mass, all in SI units. A damping among the keywords
+replaces that of the bodies.
 """
 
 import math
