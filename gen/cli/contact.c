@@ -45,7 +45,12 @@ static int check_options(const struct contact_arguments *o, const struct contact
         return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
     if (o->step_corrected && !o->host && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
-    if (!o->host && (c->force_n > 0 || c->liquid_speed_m_s > 0 || c->plastic) && step_of(o).errors)
+    if (c->adhesion_j_m2 > 0 && o->scene.end != OPTIONS_NOT_GIVEN)
+        return usage_error(
+            "--end: a contact that adheres as in JKR ends with its tail or at the largest pull; leave it "
+            "out, and both are printed");
+    if (!o->host && (c->force_n > 0 || c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0 || c->plastic) &&
+        step_of(o).errors)
         return usage_error(
             "the error of a time step is known without --gravity, --adhesion, --viscosity-liquid and --law "
             "elastic-plastic alone; leave out --steps, --time-step, --step-tolerance, --step-corrected and "

@@ -38,6 +38,8 @@ static int run_embed(const void *arguments)
     int status = embed_request_check(&o->scene);
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &o->scene);
+    if (status == STATUS_OK)
+        status = contacts_refuse_jkr(&contacts);
     if (status == STATUS_OK && contacts.contact[0].force_n > 0)
         status = usage_error("headers hold without --gravity and --adhesion; corgen sample tabulates eps with them");
     if (status == STATUS_OK && contacts.contact[0].liquid_speed_m_s > 0)

@@ -33,6 +33,8 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
     int status = contacts_of_request(&pressed, &scene);
+    if (status == STATUS_OK)
+        status = contacts_refuse_jkr(&pressed);
     scene.number[COR_SCENE_GRAVITY].text = scene.number[COR_SCENE_ADHESION].text = NULL;
     scene.adhesion_model = COR_ADHESION_NONE;
     if (status == STATUS_OK)

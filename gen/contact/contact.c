@@ -46,6 +46,15 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
     return status == 0 ? STATUS_OK : -STATUS_FAILED;
 }
 
+int contacts_refuse_jkr(const struct contacts *contacts)
+{
+    return contacts->contact[0].adhesion_j_m2 > 0
+               ? usage_error(
+                     "--adhesion-model jkr: corgen contact has its numbers, at any list of speeds; allowed here: "
+                     "dmt")
+               : STATUS_OK;
+}
+
 int contact_status(int status)
 {
     if (status == COR_FAULT_PRESSED)

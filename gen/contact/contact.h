@@ -28,6 +28,9 @@ const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene
 /* Warns on stderr where the spheres of a law without yield would yield at this impact speed. */
 void contact_warn_yield(const struct contacts *contacts, double speed_m_s);
 
+/* Refuses a contact that adheres as in JKR, whose ends are others, for commands but corgen contact. */
+int contacts_refuse_jkr(const struct contacts *contacts);
+
 /* The exit status of a function of cor/scene.h for such a contact */
 int contact_status(int status);
 

@@ -18,16 +18,42 @@ char *contact_number_text(double x, int digits)
 
 /* ---- the contact ---- */
 
+static bool is_jkr(const struct contacts *contacts)
+{
+    return contacts->contact[0].adhesion_j_m2 > 0;
+}
+
+/* The name of a quantity or column, which ends like an end of contact; not to be freed */
+static const char *name_of_end(const struct contacts *contacts, const char *name)
+{
+    static const struct {
+        const char *end, *jkr;
+    } names[] = {{"zero_overlap", "tail"}, {"zero_force", "largest_pull"}};
+    static char text[16][64];
+    static int next;
+    for (int i = 0; i < 2 && is_jkr(contacts); i++) {
+        const size_t length = strlen(name), end = strlen(names[i].end);
+        if (length < end || strcmp(name + length - end, names[i].end) != 0)
+            continue;
+        char *const copy = text[next++ % 16];
+        snprintf(copy, sizeof text[0], "%.*s%s", (int)(length - end), name, names[i].jkr);
+        return copy;
+    }
+    return name;
+}
+
 void contact_summary(struct table *table, const struct contacts *contacts, int digits)
 {
     static const char *const one[] = {"quantity", "value", "unit"};
-    static const char *const two[] = {"quantity", "value_zero_overlap", "value_zero_force", "unit"};
+    static const char *two[] = {"quantity", NULL, NULL, "unit"}; /* the table keeps no copies */
+    two[1] = name_of_end(contacts, "value_zero_overlap");
+    two[2] = name_of_end(contacts, "value_zero_force");
     table_init(table, contacts->count == 1 ? one : two, 2 + contacts->count);
     table->kinds = contacts->count == 1 ? "tnt" : "tnnt";
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
         if (isnan(cor_scene_quantity(&contacts->contact[0], cor_scene_quantities[i].number)))
             continue;
-        table_add(table, xstrdup(cor_scene_quantities[i].name));
+        table_add(table, xstrdup(name_of_end(contacts, cor_scene_quantities[i].name)));
         for (int k = 0; k < contacts->count; k++)
             table_add(table, contact_number_text(
                                  cor_scene_quantity(&contacts->contact[k], cor_scene_quantities[i].number), digits));
@@ -206,7 +232,7 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
                                          "step_scatter_zero_force"};
     static const char *const area[] = {"contact_radius_m", "max_pressure_pa"};
     enum { AREA = sizeof area / sizeof *area };
-    const bool spheres = !isnan(contacts->contact[0].radius_m);
+    const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* by Hertz */
     /* the table keeps no copies */
     static const char *column[BASE + 7 + AREA];
     static char corrected[NAME], kinds[BASE + 8 + AREA];
@@ -216,7 +242,7 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
     int status = timed_fill(&t, contacts, step);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     while (columns < BASE) {
-        column[columns] = base[columns];
+        column[columns] = name_of_end(contacts, base[columns]);
         columns++;
     }
     if (step->errors) {
@@ -256,7 +282,9 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
         if (step->errors)
             status = add_step(table, &t, i, step, quantity);
         if (contacts->count > 1)
-            table_add(table, xstrdup(i < speeds ? "zero-overlap" : "zero-force"));
+            table_add(table, xstrdup(is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull")
+                                     : i < speeds     ? "zero-overlap"
+                                                      : "zero-force"));
         for (int k = 0; spheres && k < AREA; k++)
             table_add_number(table,
                              (k ? cor_scene_pressure : cor_scene_contact_radius)(&contacts->contact[i / speeds],

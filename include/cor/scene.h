@@ -129,6 +129,7 @@ struct cor_scene_contact {
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
     double yield_speed_m_s;   /* v_y; 0: not known */
     double liquid_speed_m_s;  /* s, which a liquid takes on the way in and on the way out; 0: a dry contact */
+    double adhesion_j_m2;     /* work of adhesion w of JKR; 0: none. The ends are then those of enum cor_jkr_end. */
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
@@ -281,6 +282,14 @@ extern const char *const cor_scene_number_names[COR_SCENE_NUMBERS]; /* "young", 
 
 /* The force between spheres that adhere: DMT 2 pi w R, constant during the contact; JKR depends on the overlap. */
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
+
+/* Spheres that adhere as in JKR pull each other beyond zero overlap, and part where the tail ends, or, in LAMMPS, at the
+ * largest pull, with half of the loss. These ends have the places of zero overlap and of zero force in arrays. The
+ * damping force is C (c^2/R)^b x' with the radius c of the contact, which for w -> 0 is that of the law.
+ * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute, and durations relative, if eps > 1e-3; sampled in
+ * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. */
+enum cor_jkr_end { COR_JKR_TAIL = COR_END_ZERO_OVERLAP, COR_JKR_LARGEST_PULL = COR_END_ZERO_FORCE };
+#define COR_JKR_EPS2_MAX_ERROR 1e-12
 
 struct cor_scene {
     double number[COR_SCENE_NUMBERS]; /* NaN: not known */

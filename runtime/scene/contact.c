@@ -7,6 +7,7 @@
 #include "cor/scene.h"
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/jkr.h"
 #include "runtime/scene/plastic.h"
 #include "runtime/scene/pressed.h"
 
@@ -23,7 +24,8 @@ int cor_scene_has_end(const struct cor_scene_contact *contact, int end)
 
 int cor_scene_ends_differ(const struct cor_scene_contact *contact)
 {
-    return !contact->plate && !contact->plastic && contact->law.elastic > contact->law.damping;
+    return !contact->plate && !contact->plastic &&
+           (contact->adhesion_j_m2 > 0 || contact->law.elastic > contact->law.damping);
 }
 
 /* ---- the damping ---- */
@@ -114,7 +116,7 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
         return contact->force_n > 0 ? contact->force_n : NAN;
     case COR_SCENE_STICKING_ZERO_OVERLAP:
     case COR_SCENE_STICKING_ZERO_FORCE:
-        return contact->force_n > 0 || contact->liquid_speed_m_s > 0
+        return contact->force_n > 0 || contact->liquid_speed_m_s > 0 || contact->adhesion_j_m2 > 0
                    ? cor_scene_sticking_speed(contact, number - COR_SCENE_STICKING_ZERO_OVERLAP)
                    : NAN;
     case COR_SCENE_YIELD_STRESS:
@@ -172,7 +174,7 @@ static const struct functions *functions_of(const struct cor_exponents *law)
 int cor_scene_needs_solver(const struct cor_scene_contact *contact)
 {
     const struct functions *const f = functions_of(&contact->law);
-    return !(contact->force_n > 0) && (!f || f == &constant);
+    return !(contact->force_n > 0) && !(contact->adhesion_j_m2 > 0) && (!f || f == &constant);
 }
 
 static double parameter_of(const struct cor_scene_contact *contact, double speed_m_s)
@@ -236,6 +238,11 @@ static int pressed_impact(struct cor_pressed_impact *impact, const struct cor_sc
     return cor_pressed_solve(impact, &contact->law, damping, force);
 }
 
+static int adhesive_impact(struct cor_jkr_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+{
+    return cor_jkr_impact(impact, contact, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), speed_m_s);
+}
+
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end)
 {
     const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), force = contact->force_n;
@@ -243,10 +250,12 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
         return NAN;
     if (contact->liquid_speed_m_s > 0)
         return cor_wet_sticking_speed(contact, end);
+    const double coefficient = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT);
+    if (contact->adhesion_j_m2 > 0)
+        return cor_jkr_sticking_speed(contact, coefficient, end);
     if (!(force > 0))
         return 0;
     const double length = pow(force / contact->stiffness, 1 / a), time = sqrt(contact->mass_kg * length / force);
-    const double coefficient = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT);
     return length / time *
            cor_pressed_sticking_speed(&contact->law, coefficient * pow(length, b + 1) / (time * force), end);
 }
@@ -271,6 +280,12 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
     if (yields(contact, speed_m_s)) {
         *eps = cor_elastic_plastic_eps(speed_m_s / contact->yield_speed_m_s);
         return COR_FAULT_NONE;
+    }
+    if (contact->adhesion_j_m2 > 0) {
+        struct cor_jkr_impact impact;
+        const int status = adhesive_impact(&impact, contact, speed_m_s);
+        *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;
+        return status;
     }
     if (contact->force_n > 0 && cor_scene_has_end(contact, end)) {
         struct cor_pressed_impact impact;
@@ -304,6 +319,15 @@ int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_con
         cor_plastic_impact(impact, contact, speed_m_s);
         return COR_FAULT_NONE;
     }
+    if (contact->adhesion_j_m2 > 0) {
+        struct cor_jkr_impact adhesive;
+        const int status = adhesive_impact(&adhesive, contact, speed_m_s);
+        *impact = (struct cor_scene_impact){cor_scene_beta(contact, speed_m_s),
+                                            {adhesive.eps[0], adhesive.eps[1]},
+                                            {adhesive.duration[0], adhesive.duration[1]},
+                                            adhesive.max_overlap};
+        return status;
+    }
     const double time = time_unit(contact, speed_m_s);
     struct cor_scaled_impact scaled;
     int status;
@@ -334,6 +358,10 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
     }
     if (yields(contact, speed_m_s))
         return cor_plastic_force_max_n(contact, speed_m_s);
+    if (contact->adhesion_j_m2 > 0) {
+        struct cor_jkr_impact impact;
+        return adhesive_impact(&impact, contact, speed_m_s) == COR_FAULT_NONE ? impact.force_max : NAN;
+    }
     const double parameter = parameter_of(contact, speed_m_s),
                  unit = contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s);
     if (contact->force_n > 0) {
@@ -350,6 +378,26 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
 
 /* ---- the damping from other quantities ---- */
 
+/* eps at a trial beta */
+static int eps_at(double *eps, const struct cor_scene_contact *contact, double beta, double speed_m_s, int end)
+{
+    struct cor_pressed_impact pressed;
+    struct cor_jkr_impact adhesive;
+    int status;
+    if (contact->adhesion_j_m2 > 0) {
+        struct cor_scene_contact trial = *contact;
+        trial.damping = beta / beta_per_damping(contact) * pow(speed_m_s, -cor_scene_speed_exponent(contact));
+        status = adhesive_impact(&adhesive, &trial, speed_m_s);
+        *eps = adhesive.eps[end];
+    } else if (contact->force_n > 0) {
+        status = pressed_impact(&pressed, contact, beta, speed_m_s);
+        *eps = pressed.eps[end];
+    } else {
+        status = eps_of(eps, contact, beta, end);
+    }
+    return status;
+}
+
 /* Solves eps(beta) = eps where eps falls with beta, by the Illinois method on ln(beta) and ln(eps). */
 static int solved_beta(double *beta, const struct cor_scene_contact *contact, double eps, double speed_m_s, int end)
 {
@@ -360,11 +408,7 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
     for (int k = 0; k < MOST_STEPS; k++) {
         double got;
         *beta = exp(x);
-        struct cor_pressed_impact pressed;
-        const int status = contact->force_n > 0 ? pressed_impact(&pressed, contact, *beta, speed_m_s)
-                                                : eps_of(&got, contact, *beta, end);
-        if (contact->force_n > 0)
-            got = pressed.eps[end];
+        const int status = eps_at(&got, contact, *beta, speed_m_s, end);
         if (status != COR_FAULT_NONE)
             return status;
         const double rest = got > 0 ? log(got) - wanted : -1;
@@ -413,7 +457,7 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
         contact->damping = is_constant ? value : NAN;
         return status;
     case COR_SCENE_RESTITUTION: {
-        const int pressed = contact->force_n > 0 && !isnan(speed_m_s);
+        const int pressed = (contact->force_n > 0 || contact->adhesion_j_m2 > 0) && !isnan(speed_m_s);
         double parameter = 0;
         if (f && !pressed)
             parameter = f->damping[end](value);

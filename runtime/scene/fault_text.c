@@ -136,7 +136,9 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                         "--adhesion W, in J/m^2, and --adhesion-model go together, as --adhesion 0.05 "
                         "--adhesion-model dmt");
     case COR_FAULT_ADHESION_MODEL:
-        return snprintf(text, size, "--adhesion-model: only dmt, the constant force 2 pi W R, is available");
+        return snprintf(text, size,
+                        "--adhesion-model jkr is for spheres alone, without gravity and yield, and for the laws "
+                        "viscoelastic, tsuji, hunt-crossley and hertz-dashpot; dmt is the constant force 2 pi W R");
     case COR_FAULT_PRESSED_LAW:
         return snprintf(text, size, "--gravity and --adhesion have no answer for %s",
                         fault->number == COR_SCENE_YIELD_STRESS ? "--law elastic-plastic" : "a contact in a liquid");

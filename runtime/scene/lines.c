@@ -881,7 +881,7 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
                  request->version, task.simulator->title);
         return refuse(text, size, refusal);
     }
-    if (request->contacts[0].force_n > 0)
+    if (request->contacts[0].force_n > 0 || request->contacts[0].adhesion_j_m2 > 0)
         return refuse(text, size,
                       "lines hold without a constant force, and the simulator adds its own; leave out --gravity and "
                       "--adhesion, and see docs/contact.md for the eps that it then realises");

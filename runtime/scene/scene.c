@@ -5,6 +5,7 @@
 #include "cor/scene.h"
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/jkr.h"
 
 static int refuse(struct cor_scene_fault *fault, int what, int number, int other)
 {
@@ -123,8 +124,9 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
     const int heavy = cor_scene_given(scene, COR_SCENE_GRAVITY), sticky = cor_scene_given(scene, COR_SCENE_ADHESION);
     if (sticky != (scene->adhesion_model != COR_ADHESION_NONE))
         return refuse(fault, COR_FAULT_ADHESION, COR_SCENE_ADHESION, 0);
-    if (sticky && scene->adhesion_model != COR_ADHESION_DMT)
-        return refuse(fault, COR_FAULT_ADHESION_MODEL, COR_SCENE_ADHESION, 0);
+    const int jkr = scene->adhesion_model == COR_ADHESION_JKR;
+    if (jkr && (scene->plate || scene->plastic || heavy || !cor_jkr_has_law(&scene->law)))
+        return refuse(fault, COR_FAULT_ADHESION_MODEL, COR_SCENE_ADHESION, heavy ? COR_SCENE_GRAVITY : 0);
     if (cor_scene_given(scene, COR_SCENE_DURATION))
         return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_DURATION, heavy ? COR_SCENE_GRAVITY : COR_SCENE_ADHESION);
     if (heavy && !scene->wall && !scene->plate)
@@ -135,7 +137,9 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
         return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_ADHESION, 0);
     if (heavy)
         contact->force_n += contact->mass_kg * scene->number[COR_SCENE_GRAVITY];
-    if (sticky)
+    if (jkr)
+        contact->adhesion_j_m2 = scene->number[COR_SCENE_ADHESION];
+    else if (sticky)
         contact->force_n += 2 * pi * scene->number[COR_SCENE_ADHESION] * contact->radius_m;
     return contact->force_n >= 0 && contact->force_n < INFINITY
                ? COR_FAULT_NONE
@@ -269,7 +273,7 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
         return refuse(fault, COR_FAULT_LIQUID, missing, 0);
     if (isnan(contact->radius_m))
         return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_LIQUID_VISCOSITY, 0);
-    if (contact->force_n > 0)
+    if (contact->force_n > 0 || contact->adhesion_j_m2 > 0)
         return refuse(fault, COR_FAULT_PRESSED_LAW, COR_SCENE_LIQUID_VISCOSITY, 0);
     const double outer = scene->number[COR_SCENE_GAP_OUTER], inner = scene->number[COR_SCENE_GAP_INNER];
     if (!(outer > inner))
@@ -289,9 +293,10 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
         return status; /* set_materials has set it */
     /* A restitution without a speed, of a law with q = 0, is that without a constant force. */
-    const double speed = cor_scene_given(scene, COR_SCENE_AT)                      ? scene->number[COR_SCENE_AT]
-                         : way == COR_SCENE_RESTITUTION && contacts[0].force_n > 0 ? (double)NAN
-                                                                                   : 1;
+    const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT]
+                         : way == COR_SCENE_RESTITUTION && (contacts[0].force_n > 0 || contacts[0].adhesion_j_m2 > 0)
+                             ? (double)NAN
+                             : 1;
     const int any = scene->end == COR_BOTH_ENDS, timed = cor_scene_given(scene, COR_SCENE_DURATION);
     *count = (way == COR_SCENE_RESTITUTION || timed) && any && cor_scene_ends_differ(&contacts[0]) ? COR_SCENE_ENDS : 1;
     contacts[1] = contacts[0];

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: MIT */
+/* Spheres that adhere as in JKR, by other routes: the energy of the tail by quadrature of the force over the overlap, a
+ * motion in time and contact radius by Runge and Kutta in long double, and the spheres without adhesion. */
+#include "check.h"
+#include "cor/scene.h"
+#include "cor/status.h"
+
+static const long double pi = 3.141592653589793238463L;
+
+/* Two spheres of 20 um, E = 1 GPa, nu = 1/4, w = 0.1 J/m^2, with the dissipation time A */
+static struct cor_scene_contact spheres(double dissipation_time_s, double adhesion_j_m2)
+{
+    struct cor_scene_contact contact = {.law = {3, 1, 2},
+                                        .mass_kg = 5.2359877559829887e-12,
+                                        .stiffness = 1590092.6,
+                                        .radius_m = 5e-6,
+                                        .adhesion_j_m2 = adhesion_j_m2};
+    assert_int_equal(cor_scene_set_damping(&contact, COR_SCENE_DISSIPATION_TIME, dissipation_time_s, 1, COR_JKR_TAIL),
+                     COR_OK);
+    return contact;
+}
+
+/* Overlap, its slope over the contact radius, and the force, as the theory has them */
+static long double overlap_of(const struct cor_scene_contact *s, long double c, long double *slope, long double *force)
+{
+    const long double modulus = 0.75L * (long double)s->stiffness / sqrtl(s->radius_m), w = s->adhesion_j_m2,
+                      R = s->radius_m, part = sqrtl(2 * pi * w * c / modulus);
+    *slope = 2 * c / R - part / (2 * c);
+    *force = 4 * modulus * c * c * c / (3 * R) - sqrtl(8 * pi * w * modulus * c * c * c);
+    return c * c / R - part;
+}
+
+static long double first_radius(const struct cor_scene_contact *s)
+{
+    const long double modulus = 0.75L * (long double)s->stiffness / sqrtl(s->radius_m), R = s->radius_m;
+    return cbrtl(2 * pi * (long double)s->adhesion_j_m2 * R * R / modulus);
+}
+
+/* Contact radius of the end, by bisection of the slope of overlap or force over the radius */
+static long double last_radius(const struct cor_scene_contact *s, int end)
+{
+    const long double c_0 = first_radius(s), h = 1e-5L;
+    long double low = 0.1L * c_0, high = c_0;
+    for (int k = 0; k < 60; k++) {
+        const long double c = (low + high) / 2;
+        long double slope, force, above, below;
+        overlap_of(s, c, &slope, &force);
+        overlap_of(s, c * (1 + h), &above, &below);
+        const long double larger = below;
+        overlap_of(s, c * (1 - h), &above, &below);
+        if ((end == COR_JKR_TAIL ? slope : larger - below) > 0)
+            high = c;
+        else
+            low = c;
+    }
+    return high;
+}
+
+/* The energy from the first touch to the end: Simpson's rule for the force over the overlap */
+TEST(elastic)
+{
+    struct cor_scene_contact s = spheres(0, 0.1);
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        enum { N = 20000 };
+        const long double from = first_radius(&s), to = last_radius(&s, end), h = (to - from) / N;
+        long double sum = 0, slope, force;
+        for (int i = 0; i <= N; i++) {
+            overlap_of(&s, from + i * h, &slope, &force);
+            sum += force * slope * (i == 0 || i == N ? 1 : i % 2 ? 4 : 2);
+        }
+        const long double lost = sum * h / 3, speed = sqrtl(2 * lost / (long double)s.mass_kg);
+        check(relative_error(cor_scene_sticking_speed(&s, end), speed) < (end == COR_JKR_TAIL ? 1e-12 : 1e-9),
+              "sticking speed of end %d", end);
+        for (double g = 1.001; g < 1e4; g *= 3) {
+            double eps;
+            const double v = cor_scene_sticking_speed(&s, end);
+            assert_int_equal(cor_scene_eps(&eps, &s, g * v, end), COR_OK);
+            check(relative_error(eps, sqrtl(1 - 1 / ((long double)g * g))) < 1e-12 / (g - 1), "eps at %g v_s", g);
+            assert_int_equal(cor_scene_eps(&eps, &s, v * (1 - 1e-15), end), COR_OK);
+            assert_true(eps == 0);
+        }
+    }
+    /* Johnson and Pollock's coefficient, and that of the largest pull */
+    static const double k[] = {7.09219597186395882715, 3.50260197183529038835};
+    const double modulus = 0.75 * s.stiffness / sqrt(s.radius_m), w = s.adhesion_j_m2, R = s.radius_m;
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        const double lost = k[end] * cbrt(pow(w, 5) * pow(R, 4) / (modulus * modulus));
+        check(relative_error(cor_scene_sticking_speed(&s, end), sqrt(2 * lost / s.mass_kg)) < 1e-14, "k of end %d",
+              end);
+    }
+}
+
+/* m x'' = -F - d c x' by steps in t that shrink with the slope of the overlap over c, which is 0 at the end of the tail */
+static long double moved_eps(const struct cor_scene_contact *s, double speed, int end)
+{
+    const long double damper = (long double)cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) / sqrtl(s->radius_m);
+    const long double unit = first_radius(s), last = last_radius(s, end) / unit;
+    long double y[2] = {1, speed}; /* c/unit and the speed */
+    long double h = 1e-3L * unit / (long double)speed;
+    for (long i = 0; i < 4000000; i++) {
+        long double k[4][2], at[2];
+        for (int stage = 0; stage < 4; stage++) {
+            const long double part = stage == 0 ? 0 : stage == 3 ? 1 : 0.5L;
+            for (int j = 0; j < 2; j++)
+                at[j] = y[j] + (stage == 0 ? 0 : part * h * k[stage - 1][j]);
+            long double slope, force;
+            overlap_of(s, at[0] * unit, &slope, &force);
+            k[stage][0] = at[1] / unit;
+            k[stage][1] = -slope * (force + damper * at[0] * unit * at[1]) / (long double)s->mass_kg;
+        }
+        long double next[2];
+        for (int j = 0; j < 2; j++)
+            next[j] = y[j] + h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
+        const long double part = (y[0] - last) / (y[0] - next[0]);
+        if (next[0] <= last && next[1] < 0 && part < 1 - 1e-9L) { /* again, to the end */
+            h *= part;
+            continue;
+        }
+        const long double fast = y[1];
+        y[0] = next[0];
+        y[1] = next[1];
+        if (y[0] <= last && y[1] < 0)
+            return -y[1] / (long double)speed;
+        if (fast < 0 && y[1] > 0)
+            return 0;
+    }
+    return NAN;
+}
+
+TEST(damped)
+{
+    static const double times[] = {1e-9, 5e-9, 5e-8}, over[] = {1.02, 1.5, 6};
+    for (int i = 0; i < 3; i++)
+        for (int end = 0; end < COR_SCENE_ENDS; end++) {
+            const struct cor_scene_contact s = spheres(times[i], 0.1);
+            const double stick = cor_scene_sticking_speed(&s, end);
+            assert_true(stick > cor_scene_sticking_speed(&(struct cor_scene_contact){.law = s.law,
+                                                                                     .mass_kg = s.mass_kg,
+                                                                                     .stiffness = s.stiffness,
+                                                                                     .radius_m = s.radius_m,
+                                                                                     .adhesion_j_m2 = 0.1},
+                                                         end));
+            for (int k = 0; k < 3; k++) {
+                double eps;
+                assert_int_equal(cor_scene_eps(&eps, &s, over[k] * stick, end), COR_OK);
+                const double moved = (double)moved_eps(&s, over[k] * stick, end);
+                check(fabs(eps * eps - moved * moved) < 2e-7, "A = %g, %g v_s, end %d: %.12g, moved %.12g", times[i],
+                      over[k], end, eps, moved);
+            }
+            double eps;
+            assert_int_equal(cor_scene_eps(&eps, &s, stick * (1 - 1e-12), end), COR_OK);
+            assert_true(eps == 0);
+            assert_int_equal(cor_scene_eps(&eps, &s, stick * (1 + 1e-9), end), COR_OK);
+            assert_true(eps > 0 && eps < 1e-3);
+        }
+}
+
+/* Without adhesion: the viscoelastic sphere at zero overlap, in eps, duration, overlap and force */
+TEST(little_adhesion)
+{
+    for (double time = 1e-9; time < 1e-6; time *= 7) {
+        const struct cor_scene_contact s = spheres(time, 1e-11), free = spheres(time, 0);
+        struct cor_scene_impact impact, without;
+        assert_int_equal(cor_scene_impact(&impact, &s, 2), COR_OK);
+        assert_int_equal(cor_scene_impact(&without, &free, 2), COR_OK);
+        for (int end = 0; end < COR_SCENE_ENDS; end++) {
+            check(fabs(impact.eps[end] - without.eps[COR_END_ZERO_OVERLAP]) < 1e-5, "eps at A = %g", time);
+            check(relative_error(impact.duration_s[end], without.duration_s[COR_END_ZERO_OVERLAP]) < 1e-3, "duration");
+        }
+        check(relative_error(impact.max_overlap_m, without.max_overlap_m) < 1e-5, "overlap at A = %g: %.9g, %.9g", time,
+              impact.max_overlap_m, without.max_overlap_m);
+        check(relative_error(cor_scene_force_max_n(&s, 2), cor_scene_force_max_n(&free, 2)) < 1e-5, "force");
+    }
+}
+
+/* A restitution gives the damping, and the damping the restitution. */
+TEST(round_trip)
+{
+    static const struct cor_exponents laws[] = {{3, 1, 2}, {6, 1, 4}, {3, 0, 2}, {3, 3, 2}};
+    for (int i = 0; i < 4; i++)
+        for (int end = 0; end < COR_SCENE_ENDS; end++) {
+            struct cor_scene_contact s = spheres(0, 0.1);
+            double eps;
+            s.law = laws[i];
+            assert_int_equal(cor_scene_set_damping(&s, COR_SCENE_RESTITUTION, 0.4, 0.3, end), COR_OK);
+            assert_int_equal(cor_scene_eps(&eps, &s, 0.3, end), COR_OK);
+            check(fabs(eps - 0.4) < 1e-12, "law %d, end %d: %.15g", i, end, eps);
+        }
+}
+
+RUN_TESTS(elastic, damped, little_adhesion, round_trip)
