@@ -35,9 +35,7 @@
     "  --viscosity-liquid ETA --gap-outer H --gap-inner h   Pa s, m: lubrication between both\n"                       \
     "\nA constant force that presses the bodies together:\n"                                                           \
     "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
-    "  --adhesion W --adhesion-model dmt   work of adhesion, J/m^2: the force 2 pi W R; jkr (corgen contact):\n"   \
-    "                   spheres that pull beyond zero overlap, and part where that tail ends or, as in LAMMPS,\n"     \
-    "                   at the largest pull: columns _tail and _largest_pull\n"
+    "  --adhesion W --adhesion-model M   J/m^2; dmt: the force 2 pi W R; jkr: columns _tail, _largest_pull\n"
 
 #define SCENE_NUMBER(TYPE, NAME, NUMBER, NUMBERS, UNIT, APART)                                                         \
     {                                                                                                                  \
