@@ -283,8 +283,8 @@ extern const char *const cor_scene_number_names[COR_SCENE_NUMBERS]; /* "young", 
 /* The force between spheres that adhere: DMT 2 pi w R, constant during the contact; JKR depends on the overlap. */
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
 
-/* Spheres that adhere as in JKR pull each other beyond zero overlap, and part where the tail ends, or, in LAMMPS, at the
- * largest pull, with half of the loss. These ends have the places of zero overlap and of zero force in arrays. The
+/* Spheres that adhere as in JKR pull each other beyond zero overlap, and part where the tail ends, or, in LAMMPS, at
+ * the largest pull, with half of the loss. These ends have the places of zero overlap and of zero force in arrays. The
  * damping force is C (c^2/R)^b x' with the radius c of the contact, which for w -> 0 is that of the law.
  * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute, and durations relative, if eps > 1e-3; sampled in
  * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. */

@@ -4,8 +4,8 @@
  *     contact radius  c = c_0 u^2, c_0^3 = 2 pi w R^2/E*     overlap  (c_0^2/R) (u^4 - u)     force  pi w R
  *     time  T = (m c_0^2/(pi w R^2))^(1/2)                   speed  V = c_0^2/(R T)
  *
- * With x = u^4 - u the force is f = (8/3) u^6 - 4 u^3 and the motion x'' + kappa u^power x' + f = 0. The bodies touch at
- * x = 0 with the speed 1/V, where the contact jumps to u = 1. */
+ * With x = u^4 - u the force is f = (8/3) u^6 - 4 u^3 and the motion x'' + kappa u^power x' + f = 0. The bodies touch
+ * at x = 0 with the speed 1/V, where the contact jumps to u = 1. */
 #ifndef COR_RUNTIME_SCENE_JKR_H
 #define COR_RUNTIME_SCENE_JKR_H
 

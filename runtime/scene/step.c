@@ -121,10 +121,10 @@ static int motion_init(struct motion *m, const struct cor_scene_contact *contact
     m->ahead = integrator == COR_VERLET_FULL_STEP ? 0.5 : 0;
     m->roots = whole ? roots[law->denominator] : -1;
     m->no_pull = end == COR_END_ZERO_FORCE;
-    return !(contact->force_n > 0) && !(contact->adhesion_j_m2 > 0) && !contact->plastic && !(contact->liquid_speed_m_s > 0) &&
-           (end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE) && cor_scene_has_end(contact, end) &&
-           integrator >= 0 && integrator < COR_INTEGRATORS && steps >= COR_SCENE_STEPS_MIN &&
-           steps <= COR_SCENE_STEPS_MAX && m->beta >= 0 && m->beta < HUGE_VAL;
+    return !(contact->force_n > 0) && !(contact->adhesion_j_m2 > 0) && !contact->plastic &&
+           !(contact->liquid_speed_m_s > 0) && (end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE) &&
+           cor_scene_has_end(contact, end) && integrator >= 0 && integrator < COR_INTEGRATORS &&
+           steps >= COR_SCENE_STEPS_MIN && steps <= COR_SCENE_STEPS_MAX && m->beta >= 0 && m->beta < HUGE_VAL;
 }
 
 /* Where between two phases the number of steps changes, as a fraction of their distance, less the middle */

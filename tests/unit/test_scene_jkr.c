@@ -90,7 +90,7 @@ TEST(elastic)
     }
 }
 
-/* m x'' = -F - d c x' by steps in t that shrink with the slope of the overlap over c, which is 0 at the end of the tail */
+/* m x'' = -F - d c x' by steps in t that shrink with the slope of the overlap over c, 0 at the end of the tail */
 static long double moved_eps(const struct cor_scene_contact *s, double speed, int end)
 {
     const long double damper = (long double)cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) / sqrtl(s->radius_m);
