@@ -33,7 +33,7 @@ struct cor_audit_finding {
     int end;             /* enum cor_end, or -1: not known */
     double speed_m_s;    /* NaN: every speed */
     double realised;     /* eps with a time step of zero */
-    double damping;      /* cor's parameter: zeta where `law` has q = 0, otherwise beta at the speed */
+    double damping;      /* cor's parameter: zeta where eps does not depend on the speed, otherwise beta */
     int law;             /* enum cor_law, or -1 */
     double duration_s;   /* of the contact */
     double time_step_s;  /* of the text or the options */
@@ -70,7 +70,7 @@ struct cor_audit_options {
     void *context; /* of both */
 };
 
-/* What cor_audit writes to; its contents mean nothing to the caller, and one at a time may use it. */
+/* What cor_audit writes to; its contents mean nothing to the caller, and only one call at a time may use it. */
 struct cor_audit_memory {
     double memory[20480];
 };

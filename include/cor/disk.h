@@ -28,7 +28,7 @@
  * opens a file, for which the C library may allocate a buffer.)
  *
  * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/theory-disks.md, 11 to 17,
- * derives them again and lists where the print is wrong. */
+ * derives them again, and docs/errata.md lists where the print is wrong. */
 #ifndef COR_DISK_H
 #define COR_DISK_H
 

@@ -7,9 +7,8 @@
  * Slow impacts are the strongly damped ones. eps = -x' when the contact ends, by one of two definitions:
  *
  *     zero_overlap    x = 0 again; the force is attractive just before. From beta = COR_HERTZ_DASHPOT_BETA_C on
- *                     the bodies never part: eps is exactly 0 and the duration infinite, as for every impact slower
- *                     than
- *                     C^5/(COR_HERTZ_DASHPOT_BETA_C^5 m^3 K^2)
+ *                     the bodies never part: eps is exactly 0 and the duration infinite. These are the impacts with
+ *                     g <= C^5/(COR_HERTZ_DASHPOT_BETA_C^5 m^3 K^2)
  *     zero_force      x'' = 0; no attraction
  *
  * Each name below stands for four functions, NAME, NAMEf, NAME_array and NAME_arrayf; <end> is zero_overlap, zero_force
@@ -54,7 +53,8 @@ extern "C" {
 
 /* double cor_hertz_dashpot_eps_<end>(double beta): restitution coefficient.
  * Domain: 0 <= beta <= inf. Accuracy: COR_HERTZ_DASHPOT_EPS_MAX_ULP. 0 <= eps <= 1.
- * Large beta: beta^(-5/2) at zero force. Just below beta_c, d = beta_c - beta: 0.206987698804... d (1 + pi sqrt(...)).
+ * Large beta: beta^(-5/2) at zero force. Just below beta_c, d = beta_c - beta: s d (1 + pi sqrt(s d/beta_c^5)),
+ * s = 0.206987698804...
  * Special values: +-0 -> 1, +inf -> 0; at zero overlap 0 above beta_c; negative and NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(eps_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(eps_zero_force)

@@ -24,11 +24,11 @@
  * approximations: cor_sphere_eps_simple, cor_sphere_eps_simple_fraction, cor_sphere_eps_published_pade.
  *
  * cor.h says what holds of threads, memory, the floating-point environment and arrays. No function uses more bytes of
- * stack than COR_SPHERE_MAX_STACK (4 kB, if it is not of arrays). Beyond beta = 8, or 16 for eps at zero force, the
- * functions call cbrt and log of the C library, and its bits are theirs.
+ * stack than COR_SPHERE_MAX_STACK (4 kB, if it is not of arrays). Beyond beta = 8, or 16 for eps and
+ * loss at zero force, the functions call cbrt and log of the C library, and its bits are theirs.
  *
  * Equation numbers (n) are those of Ramirez, Poeschel, Brilliantov and Schwager, Phys. Rev. E 60,
- * 4465 (1999); docs/theory.md derives them again and lists where the print is wrong. */
+ * 4465 (1999); docs/theory.md derives them again, and docs/errata.md lists where the print is wrong. */
 #ifndef COR_SPHERE_H
 #define COR_SPHERE_H
 
@@ -218,7 +218,7 @@ COR_API double cor_sphere_eps_simple_fraction(double beta, int depth);
  *     (1 + d_1 s)/(1 + d_2 s + d_3 s^2 + d_4 s^3 + d_5 s^4),     s = (g/g*)^(1/5) = |C_1| beta,
  *     d_1 ... d_5 = 2.5839, 3.5839, 2.9839, 1.1487, 0.3265
  *
- * It is inaccurate for two reasons: the published a_3 and a_4 are wrong (docs/theory.md), and the series behind it
+ * It is inaccurate for two reasons: the published a_3 and a_4 are wrong (docs/errata.md), and the series behind it
  * ends after a_4. Against eps at zero overlap it is 0.6 % too large at beta = 0.5, 5 % at 1, 51 % at 2, a factor 3.3 at
  * 3, and falls like beta^(-3) instead of beta^(-5). Call it to reproduce old simulations and figures only, and
  * cor_sphere_eps_zero_overlap for the restitution itself.
