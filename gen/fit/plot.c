@@ -9,26 +9,34 @@
 #include "support/console.h"
 #include "support/gnuplot.h"
 
-enum { CURVE_POINTS = 201, WIDTH = 960, HEIGHT = 640, WIDE_RANGE = 10, MAX_POINTS = 4000 };
-
-static const struct {
-    const char *name, *colour, *dash;
-} styles[FIT_CURVES] = {
-    [FIT_SPHERE_ZERO_OVERLAP] = {"viscoelastic, zero overlap", "blue", "1"},
-    [FIT_SPHERE_ZERO_FORCE] = {"viscoelastic, zero force", "red", "(8,5)"},
-    [FIT_CONSTANT] = {"constant", "grey", "1"},
-    [FIT_HUNT_CROSSLEY] = {"Hunt-Crossley", "green", "1"},
-    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {"Hertz, dashpot, zero overlap", "amber", "1"},
-    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {"Hertz, dashpot, zero force", "'#d9a441'", "(8,5)"},
-    [FIT_POWER_LAW] = {"power law", "violet", "1"},
-    [FIT_ELASTIC_PLASTIC] = {"elastic-plastic", "'#8c564b'", "1"},
-    [FIT_ADHESIVE] = {"adhesive", "'#17becf'", "1"},
-    [FIT_ADHESIVE_SPHERE_ZERO_OVERLAP] = {"adhesive, viscoelastic, zero overlap", "'#0e7c86'", "1"},
-    [FIT_ADHESIVE_SPHERE_ZERO_FORCE] = {"adhesive, viscoelastic, zero force", "'#0e7c86'", "(8,5)"},
-    [FIT_WET] = {"wet", "'#bcbd22'", "1"},
-    [FIT_WET_SPHERE_ZERO_OVERLAP] = {"wet, viscoelastic, zero overlap", "'#7f7f22'", "1"},
-    [FIT_WET_SPHERE_ZERO_FORCE] = {"wet, viscoelastic, zero force", "'#7f7f22'", "(8,5)"},
+enum {
+    CURVE_POINTS = 201,
+    PANEL_WIDTH = 330,
+    PANEL_HEIGHT = 325,
+    HEAD = 62,
+    FOOT = 36,
+    MOST_COLUMNS = 3,
+    MAX_POINTS = 4000
 };
+#define WIDE_RANGE 10.0
+
+/* A model to a panel: its curve, or those of both ends of contact */
+static const struct {
+    const char *title;
+    enum fit_curve first, last;
+} panels[] = {
+    {"viscoelastic", FIT_SPHERE_ZERO_OVERLAP, FIT_SPHERE_ZERO_FORCE},
+    {"constant", FIT_CONSTANT, FIT_CONSTANT},
+    {"Hunt-Crossley", FIT_HUNT_CROSSLEY, FIT_HUNT_CROSSLEY},
+    {"Hertz, dashpot", FIT_HERTZ_DASHPOT_ZERO_OVERLAP, FIT_HERTZ_DASHPOT_ZERO_FORCE},
+    {"power law", FIT_POWER_LAW, FIT_POWER_LAW},
+    {"elastic-plastic", FIT_ELASTIC_PLASTIC, FIT_ELASTIC_PLASTIC},
+    {"adhesive", FIT_ADHESIVE, FIT_ADHESIVE},
+    {"adhesive, viscoelastic", FIT_ADHESIVE_SPHERE_ZERO_OVERLAP, FIT_ADHESIVE_SPHERE_ZERO_FORCE},
+    {"wet", FIT_WET, FIT_WET},
+    {"wet, viscoelastic", FIT_WET_SPHERE_ZERO_OVERLAP, FIT_WET_SPHERE_ZERO_FORCE},
+};
+enum { PANELS = sizeof panels / sizeof *panels };
 
 /* Of very many points only every so many-th is drawn. */
 static size_t points_step(const struct fit_data *data)
@@ -44,6 +52,14 @@ static void write_points(FILE *script, const struct fit_data *data)
     fputs("END\n", script);
 }
 
+static double residual(const struct fit_estimate *e, const struct fit_data *data, size_t point)
+{
+    const double x = log(data->speed_m_s[point]);
+    double eps;
+    fit_curve_eps(e->curve, e->theta, &x, &eps, 1);
+    return data->eps[point] - eps;
+}
+
 /* The curve, and the residuals of the points */
 static void write_curve(FILE *script, const struct fit_estimate *e, const struct fit_data *data)
 {
@@ -56,58 +72,89 @@ static void write_curve(FILE *script, const struct fit_estimate *e, const struct
         fprintf(script, "%.9g %.9g\n", exp(x), eps);
     }
     fprintf(script, "END\n$residual%d << END\n", (int)e->curve);
-    for (size_t i = 0; i < data->points; i += points_step(data)) {
-        const double x = log(data->speed_m_s[i]);
-        double eps;
-        fit_curve_eps(e->curve, e->theta, &x, &eps, 1);
-        fprintf(script, "%.9g %.9g %.9g\n", data->speed_m_s[i], data->eps[i] - eps, data->sigma ? data->sigma[i] : 0);
-    }
+    for (size_t i = 0; i < data->points; i += points_step(data))
+        fprintf(script, "%.9g %.9g %.9g\n", data->speed_m_s[i], residual(e, data, i), data->sigma ? data->sigma[i] : 0);
     fputs("END\n", script);
 }
 
-static void plot_upper(FILE *script, const struct fit_comparison *c, const struct fit_data *data, const char *title)
+static bool is_drawn(const struct fit_comparison *c, int panel)
 {
-    fputs("set title ", script);
-    gnuplot_quote(script, title);
-    fputs(" noenhanced\nset ylabel 'coefficient of restitution ε'\nset format x ''\nset key outside right top\nplot ",
-          script);
-    for (int curve = 0; curve < FIT_CURVES; curve++)
-        if (c->used[curve])
-            fprintf(script, "$curve%d using 1:2 with lines lw 2 dt %s lc rgb %s title '%s', ", curve,
-                    styles[curve].dash, styles[curve].colour, styles[curve].name);
-    fprintf(script, "$data using 1:2%s pt 7 ps 0.45 lc rgb black title 'data'\n",
-            data->sigma ? ":3 with yerrorbars" : " with points");
+    return c->used[panels[panel].first] || c->used[panels[panel].last];
 }
 
-static void plot_lower(FILE *script, const struct fit_comparison *c, const struct fit_data *data)
+/* Zero overlap, or the only curve, is a full line in blue; zero force is dashed in red. */
+static const char *colour(int curve, int panel)
 {
-    fputs(
-        "unset title\nset ylabel 'residual'\nset xlabel 'impact speed g (m/s)'\nset format x '%g'\nset format y '%g'\n"
-        "set yrange [*:*]\nset key off\nplot 0 lc rgb black lw 0.7 notitle",
-        script);
-    for (int curve = 0; curve < FIT_CURVES; curve++)
-        if (c->used[curve])
-            fprintf(script, ", $residual%d using 1:2%s pt 7 ps 0.35 lc rgb %s notitle", curve,
-                    data->sigma ? ":3 with yerrorbars" : " with points", styles[curve].colour);
+    return curve > (int)panels[panel].first ? "red" : "blue";
+}
+
+/* `row` 0: curves and points; 1: what the points are off by */
+static void plot_panel(FILE *script, const struct fit_comparison *c, const struct fit_data *data, int panel, int row)
+{
+    const char *const points = data->sigma ? ":3 with yerrorbars" : " with points";
+    fprintf(script, row == 0 ? "plot $data using 1:2%s pt 7 ps 0.35 lc rgb grey notitle" : "plot 0 lc rgb black lw 0.7",
+            points);
+    for (int curve = (int)panels[panel].first; curve <= (int)panels[panel].last; curve++)
+        if (c->used[curve] && row == 0)
+            fprintf(script, ", $curve%d using 1:2 with lines lw 2 dt %s lc rgb %s", curve,
+                    curve > (int)panels[panel].first ? "(8,5)" : "1", colour(curve, panel));
+        else if (c->used[curve])
+            fprintf(script, ", $residual%d using 1:2%s pt 7 ps 0.3 lc rgb %s", curve, points, colour(curve, panel));
     fputs("\n", script);
+}
+
+/* A distance of marks that leaves three to five of them on the axis of the residuals */
+static double residual_marks(const struct fit_comparison *c, const struct fit_data *data, int panel)
+{
+    double low = 0, high = 0;
+    for (int curve = (int)panels[panel].first; curve <= (int)panels[panel].last; curve++)
+        for (size_t i = 0; i < data->points && c->used[curve]; i += points_step(data)) {
+            const double rest = residual(&c->estimate[curve], data, i);
+            low = fmin(low, rest);
+            high = fmax(high, rest);
+        }
+    const double unit = pow(10, floor(log10(fmax((high - low) / 2, 1e-15))));
+    const double units = (high - low) / 2 / unit;
+    return unit * (units < 2 ? 1 : units < 5 ? 2 : 5);
 }
 
 static void write_script(FILE *script, const struct fit_comparison *c, const struct fit_data *data, const char *title)
 {
-    gnuplot_style(script, WIDTH, HEIGHT);
+    int drawn = 0, place = 0;
+    for (int i = 0; i < PANELS; i++)
+        drawn += is_drawn(c, i);
+    const int columns = drawn < MOST_COLUMNS ? drawn : MOST_COLUMNS, rows = (drawn + columns - 1) / columns;
+    const double height = rows * PANEL_HEIGHT + HEAD + FOOT;
+    gnuplot_style(script, columns * PANEL_WIDTH, (int)height);
     write_points(script, data);
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve])
             write_curve(script, &c->estimate[curve], data);
-    const double least = data->speed_m_s[0], most = data->speed_m_s[data->points - 1];
-    if (most > (double)WIDE_RANGE * least)
+    if (data->speed_m_s[data->points - 1] > WIDE_RANGE * data->speed_m_s[0])
         fputs("set logscale x\n", script);
-    fputs("set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.71\n"
-          "set tmargin at screen 0.93\nset bmargin at screen 0.44\n",
+    fputs("set key off\nset multiplot title ", script);
+    gnuplot_quote(script, title);
+    fputs(" noenhanced\nset tics font ',10'\nset label 1 \"ε and residual over the impact speed (m/s)\\nblue: zero "
+          "overlap or only; red: zero force\" at screen 0.5,",
           script);
-    plot_upper(script, c, data, title);
-    fputs("set tmargin at screen 0.39\nset bmargin at screen 0.1\n", script);
-    plot_lower(script, c, data);
+    fprintf(script, "%.4f center\n", 0.8 * FOOT / height);
+    for (int i = 0; i < PANELS; i++) {
+        if (!is_drawn(c, i))
+            continue;
+        const double left = (place % columns + 0.17) / columns, right = (place % columns + 0.97) / columns;
+        const double top = (place / columns) * (double)PANEL_HEIGHT + HEAD, unit = 1 / height;
+        fprintf(script,
+                "set lmargin at screen %.4f\nset rmargin at screen %.4f\nset tmargin at screen %.4f\n"
+                "set bmargin at screen %.4f\nset title '%s' offset 0,-0.7\nset format x ''\nset ytics autofreq\n",
+                left, right, 1 - (top - 6) * unit, 1 - (top + 165) * unit, panels[i].title);
+        plot_panel(script, c, data, i, 0);
+        fprintf(script,
+                "unset label 1\nunset title\nset tmargin at screen %.4f\nset bmargin at screen %.4f\nset format '%%g'\n"
+                "set ytics %g\n",
+                1 - (top + 177) * unit, 1 - (top + 260) * unit, residual_marks(c, data, i));
+        plot_panel(script, c, data, i, 1);
+        place++;
+    }
     fputs("unset multiplot\nset output\n", script);
 }
 
