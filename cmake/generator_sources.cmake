@@ -54,6 +54,7 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/expansion.c
   gen/enclosure/far_motion.c
   gen/enclosure/motion.c
+  gen/enclosure/pressed.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c
   gen/enclosure/threshold.c

@@ -17,6 +17,13 @@ static const char *const column[][8] = {
      "duration_s_zero_force", "max_force_n"}};
 enum { T_MAX = 2, EPS_ZERO_FORCE_COLUMN = 5, FORCE_COLUMN = 7, COLUMNS = sizeof *column / sizeof **column };
 
+/* --threshold: for each end */
+static const char *const threshold_column[] = {"beta", "sticking_force_zero_overlap", "sticking_force_zero_force"};
+static const char *const threshold_meaning[] = {"damping, the one parameter",
+                                                "force from which on the overlap never vanishes again",
+                                                "force from which on the contact force never vanishes"};
+enum { THRESHOLD_COLUMNS = sizeof threshold_column / sizeof *threshold_column };
+
 static const char *const meaning[COLUMNS] = {
     "damping, the one parameter",  "largest overlap",
     "time of the largest overlap", "coefficient of restitution, contact ends at zero overlap",
@@ -37,13 +44,36 @@ struct problem {
 /* Whether column i is printed: those of an end that is not asked for are not even computed. */
 static bool is_printed(int i, const struct problem *problem)
 {
+    if (i == FORCE_COLUMN && problem->given->force.text)
+        return false; /* under a constant force its one peak is not proved */
     if (i <= T_MAX || i == FORCE_COLUMN)
         return column[problem->in_si][i] != NULL;
     return problem->end == OPTIONS_NOT_GIVEN || (i >= EPS_ZERO_FORCE_COLUMN) == (problem->end == END_ZERO_FORCE);
 }
 
-static int problem_solve(struct collision *c, const arb_t beta, const struct problem *problem, slong bits)
+/* f = F T/(m g) in SI units; 0: none */
+static void pressing_force(arb_t force, const struct problem *problem, const arb_t time_unit, slong prec)
 {
+    const struct collide_arguments *const o = problem->given;
+    LOCAL(arb, x);
+    arb_zero(force);
+    if (!o->force.text)
+        return;
+    arb_set_fmpq(force, o->force.value, prec);
+    if (!problem->in_si)
+        return;
+    arb_mul(force, force, time_unit, prec);
+    arb_set_fmpq(x, o->effective_mass.value, prec);
+    arb_div(force, force, x, prec);
+    arb_set_fmpq(x, o->speed.value, prec);
+    arb_div(force, force, x, prec);
+}
+
+static int problem_solve(struct collision *c, const arb_t beta, const arb_t force, const struct problem *problem,
+                         slong bits)
+{
+    if (!arb_is_zero(force))
+        return collision_solve_pressed(c, beta, force, &problem->law, problem->end, bits);
     if (problem->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
         return collision_solve(c, beta, &problem->law, bits);
     return (problem->end == END_ZERO_FORCE ? collision_solve_force : collision_solve_overlap)(c, beta, &problem->law,
@@ -100,7 +130,7 @@ static int to_si(struct collision *c, arb_t force, const struct problem *problem
     const slong prec = 3 * bits + 256;
     arb_ptr times[] = {c->t_max, c->t_zero_overlap, c->t_zero_force};
     LOCAL(arb, speed, mass);
-    const int status = collision_force_max(force, beta, &problem->law, bits);
+    const int status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &problem->law, bits);
     arb_set_fmpq(speed, o->speed.value, prec);
     arb_set_fmpq(mass, o->effective_mass.value, prec);
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
@@ -125,7 +155,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
             printed[columns++] = column[problem->in_si][i];
     table_init(table, printed, columns);
     table->kinds = "dddddddd";
-    LOCAL(arb, beta, time_unit, force);
+    LOCAL(arb, beta, time_unit, force, pressing);
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
     if (problem->in_si)
         scales(beta, time_unit, problem, 3 * bits + 256);
@@ -133,7 +163,8 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
         arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
-    int status = problem_solve(&collision, beta, problem, bits);
+    pressing_force(pressing, problem, time_unit, 3 * bits + 256);
+    int status = problem_solve(&collision, beta, pressing, problem, bits);
     if (status == STATUS_OK && problem->in_si)
         status = to_si(&collision, force, problem, beta, time_unit, bits);
     profile_step("digits");
@@ -158,6 +189,41 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     }
     collision_clear(&collision);
     return status;
+}
+
+/* Fills the table of --threshold. */
+static int fill_thresholds(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
+{
+    const struct problem *const problem = arguments;
+    static const char *printed[THRESHOLD_COLUMNS];
+    int columns = 0, status = STATUS_OK;
+    for (int i = 0; i < THRESHOLD_COLUMNS; i++)
+        if (i == 0 || problem->end == OPTIONS_NOT_GIVEN || problem->end == i - 1)
+            printed[columns++] = threshold_column[i];
+    table_init(table, printed, columns);
+    table->kinds = "ddd";
+    LOCAL(arb, beta, force);
+    arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
+    table_add(table, beta_text(problem, beta));
+    for (int end = 0; end < THRESHOLD_COLUMNS - 1 && status == STATUS_OK && !*undecided; end++) {
+        if (problem->end != OPTIONS_NOT_GIVEN && problem->end != end)
+            continue;
+        status = collision_sticking_force(force, beta, &problem->law, end, bits);
+        char *text = status == STATUS_OK ? digits_of_ball(force, problem->digits) : NULL;
+        if (text)
+            table_add(table, text);
+        else
+            snprintf(undecided, PROVED_TABLE_NAME, "%s", threshold_column[end + 1]);
+    }
+    return status;
+}
+
+static void print_thresholds(FILE *file, const struct table *table)
+{
+    for (int k = 0; k < table->columns; k++)
+        for (int i = 0; i < THRESHOLD_COLUMNS; i++)
+            if (table->column[k] == threshold_column[i])
+                fprintf(file, "%-27s  %s  (%s)\n", table->column[k], table->cell[k], threshold_meaning[i]);
 }
 
 static bool is_si(const struct table *table)
@@ -191,7 +257,10 @@ static int run_collide(const void *arguments)
             return usage_error("beta of this collision is %.3g; allowed: up to %g",
                                arf_get_d(arb_midref(beta), ARF_RND_NEAR), BETA_MAX);
     }
-    const struct proved_table table = {o->digits, &problem, fill_table, print_text};
+    if (o->threshold && fmpq_is_zero(o->beta.value))
+        return usage_error("--threshold: without damping no force keeps the bodies together; --beta must be above 0");
+    const struct proved_table table = {o->digits, &problem, o->threshold ? fill_thresholds : fill_table,
+                                       o->threshold ? print_thresholds : print_text};
     return proved_table_write(&table, &o->common);
 }
 
@@ -203,13 +272,17 @@ static const char help[] =
     "  --stiffness K --effective-mass M --damping-coefficient C --speed G\n"
     "                   instead, a collision in SI units: the force K x^(3/2) + C sqrt(x) x' between bodies\n"
     "                   with M = m_1 m_2/(m_1 + m_2), at the impact speed G; prints the largest force, too\n"
+    "  --force F        a constant force that presses the bodies together, 0 or more: in units of m g/T,\n"
+    "                   in SI units newtons; bodies that stay together have eps 0 and t inf, proved\n"
+    "  --threshold      instead the force from which on they do, in units of m g/T\n"
     "  --end E          compute only zero-overlap or zero-force, without waiting for the other end\n"
     "                   (default: both)\n" HELP_DIGITS
     "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
     "with --end, without the columns of the other end. In SI units beta,max_overlap_m,\n"
     "time_of_max_overlap_s,eps_zero_overlap,duration_s_zero_overlap,eps_zero_force,\n"
-    "duration_s_zero_force,max_force_n.\n"
+    "duration_s_zero_force,max_force_n, with --force without the last. With --threshold beta,\n"
+    "sticking_force_zero_overlap,sticking_force_zero_force.\n"
     "\nExample: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
@@ -227,6 +300,8 @@ static const struct option_rule options[] = {
     SI("effective-mass", effective_mass, &option_positive, "damping-coefficient"),
     SI("damping-coefficient", damping_coefficient, &option_not_negative, "speed"),
     SI("speed", speed, &option_positive, "stiffness"),
+    {.name = "force", .kind = OPTION_REAL, .offset = AT(force), .range.number = &option_not_negative},
+    {.name = "threshold", .kind = OPTION_FLAG, .offset = AT(threshold), .excludes = "force stiffness", .needs = "beta"},
     OPTION_DIGITS(struct collide_arguments),
     OPTION_END(struct collide_arguments, end),
     OPTION_FORMAT(struct collide_arguments, option_formats),

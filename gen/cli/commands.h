@@ -38,8 +38,10 @@ struct pade_arguments {
 struct collide_arguments {
     struct option_common common;
     struct decimal beta, stiffness, effective_mass, damping_coefficient,
-        speed; /* of beta and the others, one is given */
-    int end;   /* enum contact_end; OPTIONS_NOT_GIVEN: both */
+        speed;            /* of beta and the others, one is given */
+    struct decimal force; /* text NULL: none */
+    bool threshold;
+    int end; /* enum contact_end; OPTIONS_NOT_GIVEN: both */
     slong digits;
     struct option_law law;
 };

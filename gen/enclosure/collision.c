@@ -7,6 +7,7 @@
 #include "enclosure/motion.h"
 #include "enclosure/slow_manifold.h"
 #include "enclosure/taylor.h"
+#include "series/series.h"
 #include "series/turning_point.h"
 #include "support/console.h"
 
@@ -144,6 +145,34 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct la
     if (!arb_is_finite(beta) || !arb_is_positive(beta))
         return fail("the damping beta of a collision that ends without force must be a number > 0");
     return ends_solve(c, beta, law, ENDS_ZERO_FORCE, bits);
+}
+
+int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct law *law, int end,
+                            slong bits)
+{
+    enum { MOST_BITS = 1 << 14 };
+    const bool elastic = arb_is_zero(beta), alone = end == END_ZERO_FORCE && law_force_ends(law) && !elastic;
+    const enum ends ends = alone ? ENDS_ZERO_FORCE : end == END_ZERO_OVERLAP ? ENDS_ZERO_OVERLAP : ENDS_BOTH;
+    if (!arb_is_finite(beta) || !arb_is_nonnegative(beta) || !arb_is_positive(force))
+        return fail("the damping beta of a collision must be a number >= 0, its constant force one > 0");
+    for (slong prec = bits + 2 * GUARD_BITS; prec < MOST_BITS + 2 * bits; prec += prec / 2) {
+        arb_indeterminate(c->eps_zero_overlap);
+        arb_indeterminate(c->t_zero_overlap);
+        const enum motion_outcome outcome =
+            motion_solve_pressed(c, beta, force, law, alone ? MOTION_ZERO_FORCE : MOTION_ZERO_OVERLAP, prec);
+        progress_end();
+        if (outcome == MOTION_ENDLESS)
+            break;
+        if (elastic) {
+            arb_one(c->eps_zero_overlap);
+            arb_one(c->eps_zero_force);
+        }
+        if (outcome == MOTION_DONE && accuracy(c, ends) >= bits)
+            return STATUS_OK;
+    }
+    return fail("the collision under a constant force could not be enclosed to %ld bits: the force is too near to the "
+                "threshold from which on the bodies stay together, or the damping is too strong",
+                (long)bits);
 }
 
 int collision_force_max(arb_t force, const arb_t beta, const struct law *law, slong bits)

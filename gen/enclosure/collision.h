@@ -17,6 +17,20 @@ int collision_solve_overlap(struct collision *c, const arb_t beta, const struct 
  * complete unloading and is cheap for any damping; otherwise the two ends coincide. */
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
+/* The collision x'' + beta x^b x' + x^a = force > 0 (docs/theory.md, 10), at one end, an enum contact_end, or both, -1;
+ * the fields of the other end are undefined. Bodies that stay together have eps exactly 0 and t = +inf, proved. Fails
+ * too near to the threshold, and where the damping is too strong to be integrated. */
+int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct law *law, int end,
+                            slong bits);
+
+/* The force from which on the bodies stay together, for beta > 0; for q >= 0 it is the only one, and falls with beta.
+ * Fails where the bodies never part without a force, either. */
+int collision_sticking_force(arb_t force, const arb_t beta, const struct law *law, int end, slong bits);
+
+/* The impact speed up to which the bodies stay together in x'' + damping x^b x' + x^a = 1. Fails where there is none
+ * up to 1e9: they stay together at every speed. */
+int collision_sticking_speed(arb_t speed, const arb_t damping, const struct law *law, int end, slong bits);
+
 /* The largest value of x^a + beta x^b x'. Fails for the few laws of which law_force_has_one_peak does not hold. */
 int collision_force_max(arb_t force, const arb_t beta, const struct law *law, slong bits);
 

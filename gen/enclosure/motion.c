@@ -16,6 +16,16 @@ struct scales {
     arb_t length, c1, c2;
 };
 
+/* What a constant force adds */
+struct pressing {
+    bool any;         /* whether there is one */
+    bool held, stuck; /* the contact force never vanishes; the overlap never vanishes */
+    bool has_release; /* the contact force can vanish at w >= release only: 2 (a - b) > 1 */
+    bool cut;         /* the last step ended there */
+    arb_t release;    /* w */
+    arb_t least;      /* below this energy the contact force never vanishes */
+};
+
 static void scales_init(struct scales *s, const arb_t beta, const struct law *law, bool strong, slong prec)
 {
     FOR_ALL(arb, init, s->length, s->c1, s->c2);
@@ -44,6 +54,7 @@ struct motion {
     struct taylor y;
     bool force_ends; /* whether the force vanishes before the overlap; never without damping or for a <= b */
     bool turned, released, parted;
+    struct pressing pressing;
     arb_t begin; /* begin of the part of the current step after the turning point */
 };
 
@@ -58,14 +69,15 @@ static void motion_init(struct motion *m, struct collision *c, const arb_t beta,
     arb_one(m->y.v);
     m->force_ends = law_force_ends(law) && !arb_is_zero(beta);
     m->turned = m->released = m->parted = false;
-    arb_init(m->begin);
+    m->pressing = (struct pressing){.any = false};
+    FOR_ALL(arb, init, m->begin, m->pressing.release, m->pressing.least);
 }
 
 static void motion_clear(struct motion *m)
 {
     taylor_clear(&m->y);
     scales_clear(&m->s);
-    arb_clear(m->begin);
+    FOR_ALL(arb, clear, m->begin, m->pressing.release, m->pressing.least);
 }
 
 static void motion_record(arb_t eps, arb_t time, const struct motion *m, const arb_t root)
@@ -115,11 +127,40 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
     return decided;
 }
 
+/* Under a constant force, within one approach to x = 0, the contact force can vanish and grow again; the first at
+ * overlaps above that of release, the second below. Where a step passes this overlap, it is shortened to end just
+ * above, so that signs at both ends of a step show whether the force vanishes in it. Returns whether `end` moved. */
+static bool cut_at_release(struct motion *m, arb_t end)
+{
+    struct taylor *y = &m->y;
+    struct pressing *const p = &m->pressing;
+    LOCAL(arb, w, middle);
+    taylor_value(w, y, TAYLOR_W, end);
+    if (!p->has_release || p->cut || m->parted || arb_gt(w, p->release) || !arb_gt(y->w, p->release))
+        return false;
+    LOCAL(arb, low, high);
+    arb_set(low, m->begin);
+    arb_set(high, end);
+    for (slong i = 0; i < y->prec / 2; i++) {
+        arb_add(middle, low, high, y->prec);
+        arb_mul_2exp_si(middle, middle, -1);
+        arb_get_mid_arb(middle, middle);
+        taylor_value(w, y, TAYLOR_W, middle);
+        arb_set(arb_gt(w, p->release) ? low : high, middle);
+    }
+    arb_get_mid_arb(end, low);
+    arb_set(y->step, end);
+    return p->cut = true;
+}
+
 /* Searches before `end`. If the overlap vanishes in the same step, the two events may be too close to be separated. */
-static bool find_zero_force(struct motion *m, const arb_t end)
+static bool find_zero_force(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
     LOCAL(arb, value, root);
+    const bool passed = m->pressing.cut;
+    if (m->pressing.any && !cut_at_release(m, end) && passed)
+        return false; /* at release, and the energy has not decided */
     taylor_value(value, y, TAYLOR_FORCE, end);
     bool decided = arb_is_positive(value) || m->parted;
     if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_FORCE, m->begin, end)) {
@@ -187,6 +228,111 @@ static bool creeps(const struct taylor *y)
     return never;
 }
 
+/* ---- a constant force: docs/theory.md, 10 ---- */
+
+/* v^2/2 + c2 X^(a+1)/(a+1) - c3 X, X = w^d, which never grows */
+static void energy(arb_t e, const struct taylor *y, const arb_t w, const arb_t v)
+{
+    LOCAL(arb, x, term);
+    arb_pow_ui(x, w, (ulong)y->law.d, y->prec);
+    arb_pow_ui(e, w, (ulong)y->law.ad, y->prec);
+    arb_mul(e, e, y->c2, y->prec);
+    arb_mul_si(e, e, y->law.d, y->prec);
+    arb_div_si(e, e, y->law.ad + y->law.d, y->prec);
+    arb_sub(e, e, y->c3, y->prec);
+    arb_mul(e, e, x, y->prec);
+    arb_sqr(term, v, y->prec);
+    arb_mul_2exp_si(term, term, -1);
+    arb_add(e, e, term, y->prec);
+}
+
+/* Sets the constant force, in the scales of the motion, and what follows from it. */
+static void press(struct motion *m, const arb_t force)
+{
+    struct taylor *const y = &m->y;
+    struct pressing *const p = &m->pressing;
+    const slong difference = y->law.ad - y->law.bd, power = 2 * difference - y->law.d;
+    LOCAL(arb, ratio, v);
+    p->any = true;
+    arb_mul(y->c3, force, m->s.length, y->prec);
+    if (!m->force_ends)
+        return;
+    p->has_release = power > 0;
+    if (power <= 0)
+        return; /* below E = 0, the least value of the energy where the force vanishes */
+    /* (a - b) (c2/c1)^2 X^(2(a-b)-1) = c3 */
+    arb_div(ratio, y->c1, y->c2, y->prec);
+    arb_sqr(v, ratio, y->prec);
+    arb_mul(v, v, y->c3, y->prec);
+    arb_mul_si(v, v, y->law.d, y->prec);
+    arb_div_si(v, v, difference, y->prec);
+    arb_root_ui(p->release, v, (ulong)power, y->prec);
+    arb_pow_ui(v, p->release, (ulong)difference, y->prec);
+    arb_div(v, v, ratio, y->prec);
+    energy(p->least, y, p->release, v);
+}
+
+/* Whether the overlap rises to that of rest, X_e, and never beyond: for v < k (X_e - X), k half of the damping
+ * coefficient at X, this stays so if k^2 is at least the largest slope of c2 X^a up to X_e. */
+static bool creeps_up(arb_t rest, const struct taylor *y)
+{
+    const struct ratio a = {y->law.ad, y->law.d}, one = {1, 1};
+    const slong prec = y->prec;
+    LOCAL(arb, x, k, slope, other);
+    arb_div(rest, y->c3, y->c2, prec);
+    arb_pow_ratio(rest, rest, ratio_div(one, a), prec);
+    arb_pow_ui(x, y->w, (ulong)y->law.d, prec);
+    arb_pow_ui(k, y->w, (ulong)y->law.bd, prec);
+    arb_mul(k, k, y->c1, prec);
+    arb_mul_2exp_si(k, k, -1);
+    arb_pow_ratio(slope, rest, ratio_sub(a, one), prec);
+    arb_pow_ratio(other, x, ratio_sub(a, one), prec);
+    arb_max(slope, slope, other, prec);
+    arb_mul(slope, slope, y->c2, prec);
+    arb_mul_si(slope, slope, a.num, prec);
+    arb_div_si(slope, slope, a.den, prec);
+    arb_sqr(other, k, prec);
+    if (!arb_lt(x, rest) || !arb_gt(other, slope))
+        return false;
+    arb_sub(x, rest, x, prec);
+    arb_mul(k, k, x, prec);
+    return arb_is_positive(y->v) && arb_lt(y->v, k);
+}
+
+static void stay(arb_t eps, arb_t time)
+{
+    arb_zero(eps);
+    arb_pos_inf(time);
+}
+
+/* Whether everything is known that the goal asks for, because the energy has fallen low enough */
+static bool stays(struct motion *m, enum motion_goal goal)
+{
+    struct collision *const c = m->c;
+    struct pressing *const p = &m->pressing;
+    LOCAL(arb, level);
+    if (!m->turned && creeps_up(level, &m->y)) {
+        arb_mul(c->x_max, level, m->s.length, m->y.prec);
+        arb_pos_inf(c->t_max);
+        m->turned = true;
+    }
+    if (!m->turned)
+        return false;
+    energy(level, &m->y, m->y.w, m->y.v);
+    if (!p->stuck && arb_is_negative(level)) {
+        p->stuck = true;
+        stay(c->eps_zero_overlap, c->t_zero_overlap);
+        if (!m->force_ends)
+            stay(c->eps_zero_force, c->t_zero_force);
+    }
+    if (m->force_ends && !m->released && !p->held && arb_lt(level, p->least)) {
+        p->held = true;
+        stay(c->eps_zero_force, c->t_zero_force);
+    }
+    const bool force_known = !m->force_ends || m->released || p->held;
+    return force_known && (p->stuck || goal == MOTION_ZERO_FORCE);
+}
+
 /* The place y = mu X^-n and slope p = -X'/(mu X^(a-b)) of slow_manifold.h, of a state in strong scales, w^d = X. */
 static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
 {
@@ -202,12 +348,14 @@ static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
 }
 
 /* Whether the motion goes on after the current state. If not, sets the outcome. */
-static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m, const struct slow_manifold *manifold,
-                           slong bits)
+static bool motion_goes_on(enum motion_outcome *outcome, struct motion *m, enum motion_goal goal,
+                           const struct slow_manifold *manifold, slong bits)
 {
     bool ends = false;
     *outcome = MOTION_DONE;
-    if (manifold && m->turned && (m->released || !m->force_ends)) {
+    if (m->pressing.any) {
+        ends = stays(m, goal);
+    } else if (manifold && m->turned && (m->released || !m->force_ends)) {
         LOCAL(arb, place, slope);
         manifold_state(place, slope, &m->y);
         ends = slow_manifold_reached(manifold, place, slope, bits);
@@ -228,17 +376,22 @@ static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m,
 static bool motion_step(enum motion_outcome *outcome, struct motion *m, enum motion_goal goal)
 {
     struct taylor *y = &m->y;
+    struct pressing *const p = &m->pressing;
     LOCAL(arb, end);
     *outcome = MOTION_IMPRECISE;
     taylor_expand(y);
     bool decided = taylor_choose_step(y) && (m->turned || find_turning_point(m));
     bool reached = m->turned && goal == MOTION_TURNING_POINT;
     if (decided && m->turned && !reached) {
-        decided = find_zero_overlap(m, end);
-        if (decided && m->force_ends && !m->released)
+        decided = p->stuck || find_zero_overlap(m, end);
+        if (p->stuck)
+            arb_set(end, y->step);
+        if (decided && m->force_ends && !m->released && !p->held)
             decided = find_zero_force(m, end);
-        if (decided && m->parted && !m->released)
+        if (decided && m->parted && !m->released) {
+            decided = !p->any || !m->force_ends;
             release_at_end(m);
+        }
         reached = m->parted || (m->released && goal == MOTION_ZERO_FORCE);
     }
     if (decided && reached)
@@ -257,7 +410,7 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
     enum motion_outcome outcome;
     for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
         progress("collision", step, 0);
-        if (!motion_step(&outcome, m, goal) || !motion_goes_on(&outcome, m, manifold, bits))
+        if (!motion_step(&outcome, m, goal) || !motion_goes_on(&outcome, m, goal, manifold, bits))
             return outcome;
     }
     return MOTION_ENDLESS;
@@ -267,6 +420,21 @@ enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const st
                                  slong prec)
 {
     LOCAL_INIT(motion, m, (&m, c, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
+    const enum motion_outcome outcome = motion_follow(&m, goal, NULL, 0);
+    return outcome;
+}
+
+enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
+                                         const struct law *law, enum motion_goal goal, slong prec)
+{
+    struct law even = *law;
+    if (law->d == 1) { /* w = v = 0 is a place of rest only if d > 1 */
+        even.d = 2;
+        even.ad *= 2;
+        even.bd *= 2;
+    }
+    LOCAL_INIT(motion, m, (&m, c, beta, &even, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
+    press(&m, force);
     const enum motion_outcome outcome = motion_follow(&m, goal, NULL, 0);
     return outcome;
 }

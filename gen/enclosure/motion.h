@@ -21,6 +21,12 @@ enum motion_outcome {
 enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,
                                  slong prec);
 
+/* The same under a constant force > 0, for zero force (a > b, beta > 0) or both ends. Bodies that stay together have
+ * eps exactly 0 and t = +inf; if the overlap never exceeds that of rest, x_max is that and t_max = +inf: all proved
+ * (docs/theory.md, 10). */
+enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
+                                         const struct law *law, enum motion_goal goal, slong prec);
+
 /* Solves to zero overlap at strong damping, n > 0, if the motion reaches the slow manifold to 2^-bits. The function
  * integrates loading, turning point and zero force; the manifold gives the rest (slow_manifold.h). */
 enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,

@@ -74,7 +74,7 @@ void taylor_init(struct taylor *y, const struct law *law, slong degree, slong pr
     y->node_damping = node_of(y, law->bd - m);
     y->node_elastic = node_of(y, law->ad - m);
     FOR_ALL(mag, init, y->error_w, y->error_v, y->error_t);
-    FOR_ALL(arb, init, y->c1, y->c2, y->step);
+    FOR_ALL(arb, init, y->c1, y->c2, y->c3, y->step);
 }
 
 void taylor_clear(struct taylor *y)
@@ -86,7 +86,7 @@ void taylor_clear(struct taylor *y)
         _arb_vec_clear(y->power[i].c, y->degree + 1);
     flint_free(y->power);
     FOR_ALL(mag, clear, y->error_w, y->error_v, y->error_t);
-    FOR_ALL(arb, clear, y->c1, y->c2, y->step);
+    FOR_ALL(arb, clear, y->c1, y->c2, y->c3, y->step);
 }
 
 /* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g: the sum over i + j = n. If
@@ -133,6 +133,7 @@ static void force_coefficient(struct taylor *y, slong n, slong first)
 /* Coefficients first to end - 1 of all products, then first + 1 to end of w, v and t */
 static void expand_block(struct taylor *y, slong first, slong end)
 {
+    LOCAL(arb, pressing);
     for (slong n = first; n < end; n++) {
         for (int i = 0; i < y->powers; i++)
             convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, first, y);
@@ -141,6 +142,11 @@ static void expand_block(struct taylor *y, slong first, slong end)
             convolve(y->product, node_block(y, y->node_outer), y->force, n, first, y);
         arb_div_si(y->w + n + 1, y->v + n, y->law.d * (n + 1), y->prec);
         arb_div_si(y->v + n + 1, (y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product) + n, -(n + 1), y->prec);
+        if (!arb_is_zero(y->c3)) {
+            arb_mul(pressing, y->c3, node_block(y, y->node_t) + n, y->prec);
+            arb_div_si(pressing, pressing, n + 1, y->prec);
+            arb_add(y->v + n + 1, y->v + n + 1, pressing, y->prec);
+        }
         if (y->node_t == TAYLOR_NODE_ONE)
             arb_set_si(y->t + n + 1, n == 0);
         else
@@ -238,7 +244,7 @@ struct step_proof {
     const struct taylor *y;
     mag_t h_mag;
     arb_t h;
-    arb_t c1, c2;                             /* |c1|, |c2| */
+    arb_t c1, c2, c3;                         /* |c1|, |c2|, |c3| */
     arb_t w_max, v_max;                       /* largest |w| and |v| in the tube */
     arb_t residual_w, residual_v, residual_t; /* residuals of the three equations of motion */
     arb_t kappa, lipschitz;                   /* weight of e_w; L */
@@ -246,7 +252,7 @@ struct step_proof {
 };
 
 #define STEP_PROOF_NUMBERS(action, p)                                                                                  \
-    FOR_ALL(arb, action, p->h, p->c1, p->c2, p->w_max, p->v_max, p->residual_w, p->residual_v, p->residual_t,          \
+    FOR_ALL(arb, action, p->h, p->c1, p->c2, p->c3, p->w_max, p->v_max, p->residual_w, p->residual_v, p->residual_t,   \
             p->kappa, p->lipschitz, p->error_w, p->error_v, p->error_t)
 
 static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
@@ -261,6 +267,8 @@ static void step_proof_init(struct step_proof *p, const struct taylor *y, const 
     arb_set_upper(p->c1, size);
     arb_get_mag(size, y->c2);
     arb_set_upper(p->c2, size);
+    arb_get_mag(size, y->c3);
+    arb_set_upper(p->c3, size);
 }
 
 static void step_proof_clear(struct step_proof *p)
@@ -290,6 +298,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_p
     monomial(term, 1, p->c2, w, law->d - 1 + law->ad);
     arb_add(residual_v, residual_v, term, NORM_BITS);
     arb_div(residual_v, residual_v, shrink, NORM_BITS);
+    arb_addmul(residual_v, p->c3, residual_t, NORM_BITS);
 }
 
 /* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
@@ -334,6 +343,8 @@ static void lipschitz(struct step_proof *p)
     arb_mul(by_w, by_w, p->v_max, NORM_BITS);
     monomial(term, d - 1 + ad, p->c2, p->w_max, d - 2 + ad);
     arb_add(by_w, by_w, term, NORM_BITS);
+    monomial(term, d - 1, p->c3, p->w_max, d - 2);
+    arb_add(by_w, by_w, term, NORM_BITS);
     monomial(by_v, 1, p->c1, p->w_max, d - 1 + bd);
 
     arb_mul_si(p->kappa, by_w, d, NORM_BITS);
@@ -377,7 +388,7 @@ static bool gronwall(struct step_proof *p)
 
 /* (6.5): whether w has no pair of zeros inside the step, which its signs at both ends would not show. One of two
  * conditions suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed
- * v_max/d. */
+ * v_max/d. Under a constant force only the first one shows that v has no such pair, either (10). */
 static bool no_hidden_zero(const struct step_proof *p)
 {
     LOCAL(arb, x);
@@ -385,7 +396,7 @@ static bool no_hidden_zero(const struct step_proof *p)
     arb_mul_2exp_si(x, x, 1);
     arb_sub_si(x, x, 3, NORM_BITS);
     bool none = arb_is_negative(x);
-    if (!none) {
+    if (!none && arb_is_zero(p->c3)) {
         arb_mul(x, p->v_max, p->h, NORM_BITS);
         arb_div_si(x, x, p->y->law.d, NORM_BITS);
         none = arb_gt(p->y->w, x);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Enclosed Taylor steps on the polynomial form of the equation of motion (docs/theory.md, 6),
  *
- *   x = w^d, dt = w^(d-1) dsigma:   dw/dsigma = v/d,  dv/dsigma = -w^(d-1) (c1 w^(bd) v + c2 w^(ad)),
+ *   x = w^d, dt = w^(d-1) dsigma:   dw/dsigma = v/d,  dv/dsigma = -w^(d-1) (c1 w^(bd) v + c2 w^(ad) - c3),
  *                                   dt/dsigma = w^(d-1),
  *
- * where every number is an interval (Arb ball) that contains the exact one. */
+ * where every number is an interval (Arb ball) that contains the exact one. The constant force c3 is 0 unless the
+ * caller sets it, and then d > 1. */
 #ifndef COR_GEN_ENCLOSURE_TAYLOR_H
 #define COR_GEN_ENCLOSURE_TAYLOR_H
 
@@ -18,7 +19,7 @@ enum { TAYLOR_NODE_W = -1, TAYLOR_NODE_ONE = -2 };
 struct taylor {
     struct law law;
     slong degree, prec;
-    arb_t c1, c2;
+    arb_t c1, c2, c3;
     arb_ptr w, v, t;        /* degree + 1 Taylor coefficients each */
     arb_ptr force, product; /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
     struct taylor_power *power;

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+/* The threshold of a constant force (docs/theory.md, 10). In units in which the force is 1 the law is
+ *
+ *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
+ *
+ * At the threshold the motion just reaches X = 0 with no speed; at the end of zero force, with 2 (a - b) > 1, the curve
+ * of zero force just touches it, at X_t with (a - b) X_t^(2(a-b)-1) = B^2. Backward in time from there it arrives at X =
+ * 0 with the speed V: one motion for each B, which gives f = V^(-2a/(a+1)) and beta = B V^q. */
+#include <math.h>
+
+#include "enclosure/collision.h"
+#include "enclosure/taylor.h"
+#include "series/series.h"
+#include "support/console.h"
+#include "support/local.h"
+
+enum { GUARD_BITS = 60, SEARCH_BITS = 128, SEARCH_STEPS = 200, ATTEMPTS = 6, FAR_BITS = 30 };
+
+/* The state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v. With
+ * u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
+static void start(struct taylor *y, const arb_t damping, bool touches)
+{
+    const struct law *const law = &y->law;
+    const slong d = law->d, difference = law->ad - law->bd, prec = y->prec;
+    LOCAL(arb, x, lost, gained, ball);
+    if (touches) {
+        arb_sqr(x, damping, prec);
+        arb_mul_si(x, x, d, prec);
+        arb_div_si(x, x, difference, prec);
+        arb_root_ui(y->w, x, (ulong)(2 * difference - d), prec);
+        arb_pow_ui(y->v, y->w, (ulong)difference, prec);
+        arb_div(y->v, y->v, damping, prec);
+        return;
+    }
+    /* delta^a and B delta^(b+1/2) are below 2^-k, and so are |r| and, by far, what |r| R leaves */
+    const double size = fmax(arf_get_d(arb_midref(damping), ARF_RND_UP), 1);
+    const double k = (double)prec / 2 + 4, a = (double)law->ad / (double)d, b = (double)law->bd / (double)d;
+    const slong power = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */
+    arb_one(y->w);
+    arb_mul_2exp_si(y->w, y->w, power);
+    arb_one(x);
+    arb_mul_2exp_si(x, x, d * power);
+    arb_pow_ui(lost, y->w, (ulong)law->ad, prec); /* X^a/(a+1) */
+    arb_mul_si(lost, lost, d, prec);
+    arb_div_si(lost, lost, law->ad + d, prec);
+    arb_pow_ui(gained, y->w, (ulong)(2 * law->bd + d), prec); /* B sqrt(2 (1 + r)) X^(b+1/2)/(b+3/2) */
+    arb_sqrt(gained, gained, prec);
+    arb_mul(gained, gained, damping, prec);
+    arb_mul_si(gained, gained, 2 * d, prec);
+    arb_div_si(gained, gained, 2 * law->bd + 3 * d, prec);
+    arb_set_ui(ball, 3);
+    arb_mul_2exp_si(ball, ball, -(slong)k); /* R >= 2 2^-k + 2^-k */
+    LOCAL(arb, root);
+    arb_one(root);
+    arb_add_error(root, ball);
+    arb_mul_2exp_si(root, root, 1);
+    arb_sqrt(root, root, prec);
+    arb_mul(gained, gained, root, prec);
+    arb_sub(gained, gained, lost, prec);
+    arb_add_ui(gained, gained, 1, prec);
+    arb_mul(x, x, gained, prec);
+    arb_mul_2exp_si(x, x, 1);
+    arb_sqrt(y->v, x, prec);
+}
+
+enum backward { FOUND, IMPRECISE, ESCAPED };
+
+/* V of B */
+static enum backward impact_speed(arb_t speed, const arb_t damping, const struct law *law, int end, slong prec)
+{
+    struct law even = *law;
+    if (law->d == 1) {
+        even.d = 2;
+        even.ad *= 2;
+        even.bd *= 2;
+    }
+    LOCAL_INIT(taylor, y, (&y, &even, taylor_degree(prec), prec));
+    LOCAL(arb, value, root, begin);
+    bool turned = false;
+    arb_neg(y.c1, damping);
+    arb_one(y.c2);
+    arb_one(y.c3);
+    start(&y, damping, end == END_ZERO_FORCE && 2 * (even.ad - even.bd) > even.d);
+    for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
+        progress("threshold of the force", step, 0);
+        taylor_expand(&y);
+        if (!taylor_choose_step(&y))
+            return IMPRECISE;
+        arb_zero(begin);
+        if (!turned) {
+            taylor_value(value, &y, TAYLOR_V, y.step);
+            if (arb_is_negative(value) && taylor_root(root, &y, TAYLOR_V, begin, y.step)) {
+                arb_get_ubound_arf(arb_midref(begin), root, prec);
+                turned = true;
+            } else if (!arb_is_positive(value)) {
+                return IMPRECISE;
+            }
+        }
+        if (turned) {
+            taylor_value(value, &y, TAYLOR_W, y.step);
+            if (arb_is_negative(value) && taylor_root(root, &y, TAYLOR_W, begin, y.step)) {
+                taylor_value(speed, &y, TAYLOR_V, root);
+                arb_neg(speed, speed);
+                return FOUND;
+            }
+            if (!arb_is_positive(value))
+                return IMPRECISE;
+        }
+        taylor_advance(&y, y.step);
+        if (arf_cmpabs_2exp_si(arb_midref(y.w), FAR_BITS) > 0)
+            return ESCAPED;
+        if (arb_rel_accuracy_bits(y.w) < 8)
+            return IMPRECISE;
+    }
+    return ESCAPED;
+}
+
+int collision_sticking_speed(arb_t speed, const arb_t damping, const struct law *law, int end, slong bits)
+{
+    slong prec = bits + GUARD_BITS;
+    for (int i = 0; i < ATTEMPTS; i++, prec += prec / 2) {
+        const enum backward outcome = impact_speed(speed, damping, law, end, prec);
+        progress_end();
+        if (outcome == ESCAPED)
+            return fail("the bodies stay together at every speed up to 1e9");
+        if (outcome == FOUND && arb_rel_accuracy_bits(speed) >= bits)
+            return STATUS_OK;
+    }
+    return fail("the sticking speed could not be enclosed to %ld bits", (long)bits);
+}
+
+/* ---- the threshold at a given beta ---- */
+
+/* ln(beta) - ln(B V^q), and f; an escaping motion is one of infinite V, whose sign is that of -q */
+static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct law *law, int end,
+                  slong prec)
+{
+    const struct ratio one = {1, 1}, two = {2, 1}, a1 = ratio_add(law->a, one);
+    const struct ratio q = law_speed_exponent(law);
+    LOCAL(arb, speed, x);
+    const enum backward outcome = impact_speed(speed, damping, law, end, prec);
+    if (outcome == ESCAPED) {
+        arb_zero(force);
+        arb_neg_inf(rest);
+        return true;
+    }
+    if (outcome == IMPRECISE)
+        return false;
+    arb_log(speed, speed, prec);
+    arb_set_ratio(x, ratio_div(ratio_mul(two, law->a), a1), prec);
+    arb_mul(force, speed, x, prec);
+    arb_neg(force, force);
+    arb_exp(force, force, prec);
+    arb_set_ratio(x, q, prec);
+    arb_mul(speed, speed, x, prec);
+    arb_div(x, beta, damping, prec);
+    arb_log(rest, x, prec);
+    arb_sub(rest, rest, speed, prec);
+    return true;
+}
+
+/* B of beta to some bits: a bracket by factors of 2, halved in ln(B), then by the Illinois method */
+static int find_damping(arb_t damping, const arb_t beta, const struct law *law, int end)
+{
+    enum { DOUBLINGS = 60, ENOUGH = 40 };
+    LOCAL(bracket, b);
+    LOCAL(arb, rest, force, middle);
+    double low = 0, high = 0;
+    bool below = false, above = false;
+    double place = log2(fmin(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0.5)), stride = 1;
+    for (int i = 0; i < SEARCH_STEPS; i++) {
+        arb_set_d(damping, exp2(place));
+        if (!curve(rest, force, beta, damping, law, end, SEARCH_BITS))
+            return fail("the threshold of the force could not be bracketed");
+        const bool is_low = arf_sgn(arb_midref(rest)) > 0, finite = arb_is_finite(rest);
+        *(is_low ? &low : &high) = place;
+        *(is_low ? &below : &above) = true;
+        arb_get_mid_arb(is_low ? b->low : b->high, damping);
+        arb_get_mid_arb(is_low ? b->f_low : b->f_high, rest);
+        if (below && above && finite && arb_is_finite(b->f_high))
+            break;
+        if (below && above && high - low < 1e-12)
+            break;
+        if (place > DOUBLINGS || place < -1000)
+            break;
+        if (below && above)
+            place = (low + high) / 2;
+        else
+            place += is_low ? stride : -stride;
+    }
+    if (!(below && above && arb_is_finite(b->f_high)))
+        return fail("there is no threshold: at this damping the bodies never part, even without a force");
+    for (int i = 0; i < SEARCH_STEPS; i++) {
+        bracket_guess(damping, b, SEARCH_BITS);
+        if (!curve(rest, force, beta, damping, law, end, SEARCH_BITS))
+            return fail("the threshold of the force could not be found");
+        if (arb_contains_zero(rest) || arf_cmpabs_2exp_si(arb_midref(rest), -ENOUGH) < 0)
+            return STATUS_OK;
+        bracket_shrink(b, damping, rest);
+    }
+    return fail("the threshold of the force could not be found");
+}
+
+int collision_sticking_force(arb_t force, const arb_t beta, const struct law *law, int end, slong bits)
+{
+    LOCAL(arb, damping, low, high, f_low, f_high, other, slope, at);
+    slong prec = bits + GUARD_BITS, width = 30;
+    arb_get_mid_arb(at, beta);
+    const int status = find_damping(damping, at, law, end);
+    if (status != STATUS_OK)
+        return status;
+    /* secants over ever narrower intervals, until the signs at both ends prove one of 2^-bits */
+    for (int i = 0; i < SEARCH_STEPS; i++) {
+        arb_get_mid_arb(damping, damping);
+        arb_mul_2exp_si(slope, damping, -width);
+        arb_sub(low, damping, slope, prec);
+        arb_add(high, damping, slope, prec);
+        arb_get_mid_arb(low, low);
+        arb_get_mid_arb(high, high);
+        if (!curve(f_low, force, beta, low, law, end, prec) || !curve(f_high, other, beta, high, law, end, prec) ||
+            !arb_is_finite(f_low) || !arb_is_finite(f_high)) {
+            prec += prec / 2;
+            if (prec > 20 * (bits + GUARD_BITS))
+                break;
+            continue;
+        }
+        progress_end();
+        const bool proved = arb_is_positive(f_low) && arb_is_negative(f_high);
+        arb_union(force, force, other, prec);
+        if (proved && arb_rel_accuracy_bits(force) >= bits)
+            return STATUS_OK;
+        if (proved)
+            width = FLINT_MIN(2 * width - 6, bits + GUARD_BITS / 3);
+        else if (i > 8)
+            prec += prec / 4;
+        arb_sub(slope, f_high, f_low, prec);
+        arb_sub(high, high, low, prec);
+        arb_mul(high, high, f_low, prec);
+        arb_div(high, high, slope, prec);
+        arb_sub(damping, low, high, prec);
+    }
+    return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);
+}
