@@ -150,7 +150,7 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct la
 int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct law *law, int end,
                             slong bits)
 {
-    enum { MOST_BITS = 1 << 14 };
+    enum { MOST_BITS = 1 << 11 };
     const bool elastic = arb_is_zero(beta), alone = end == END_ZERO_FORCE && law_force_ends(law) && !elastic;
     const enum ends ends = alone ? ENDS_ZERO_FORCE : end == END_ZERO_OVERLAP ? ENDS_ZERO_OVERLAP : ENDS_BOTH;
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta) || !arb_is_positive(force))

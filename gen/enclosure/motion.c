@@ -6,8 +6,9 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* The motion ends as imprecise if w or t has fewer bits. */
-enum { LEAST_BITS = 8 };
+/* The motion ends as imprecise if w or t has fewer bits. Under a constant force more steps, of stiff motion, would take
+ * minutes. */
+enum { LEAST_BITS = 8, PRESSED_STEPS = 2000 };
 
 /* The scales in which the equation of motion is integrated: x = length X, t = length s,
  * X'' + c1 X^b X' + c2 X^a = 0. Weak scales are 1, beta, 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2
@@ -408,7 +409,8 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
                                          slong bits)
 {
     enum motion_outcome outcome;
-    for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
+    const slong most = m->pressing.any ? PRESSED_STEPS : TAYLOR_MAX_STEPS;
+    for (slong step = 0; step < most; step++) {
         progress("collision", step, 0);
         if (!motion_step(&outcome, m, goal) || !motion_goes_on(&outcome, m, goal, manifold, bits))
             return outcome;

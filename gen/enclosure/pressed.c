@@ -171,7 +171,7 @@ static int find_damping(arb_t damping, const arb_t beta, const struct law *law, 
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_set_d(damping, exp2(place));
         if (!curve(rest, force, beta, damping, law, end, SEARCH_BITS))
-            return fail("the threshold of the force could not be bracketed");
+            return fail("the damping is too strong for the threshold of the force to be enclosed");
         const bool is_low = arf_sgn(arb_midref(rest)) > 0, finite = arb_is_finite(rest);
         *(is_low ? &low : &high) = place;
         *(is_low ? &below : &above) = true;
@@ -220,7 +220,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
         if (!curve(f_low, force, beta, low, law, end, prec) || !curve(f_high, other, beta, high, law, end, prec) ||
             !arb_is_finite(f_low) || !arb_is_finite(f_high)) {
             prec += prec / 2;
-            if (prec > 20 * (bits + GUARD_BITS))
+            if (prec > 4 * (bits + GUARD_BITS))
                 break;
             continue;
         }

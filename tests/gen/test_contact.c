@@ -10,6 +10,8 @@
 #include "cor/hertz_dashpot.h"
 #include "cor/law.h"
 #include "cor/sphere.h"
+#include "enclosure/collision.h"
+#include "support/local.h"
 
 /* ---- the force in SI units, integrated ---- */
 
@@ -398,6 +400,89 @@ static void other_laws(void **state)
 }
 
 /* The time step is the least duration of all impacts over their number of steps, in whatever order they come. */
+/* ---- a constant force: collisions enclosed, against the integration in doubles ---- */
+
+static double middle(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+static void collisions_under_a_constant_force(void **state)
+{
+    (void)state;
+    static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
+                                                {2, 1, 1}, {2, 1, 2}, {8, 7, 4}, {1, 0, 2}};
+    static const double betas[] = {0, 0.05, 0.5, 2}, forces[] = {1e-4, 0.1, 0.5, 2};
+    int stuck = 0, held = 0;
+    LOCAL(arb, beta, force);
+    for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
+        for (size_t i = 0; i < sizeof betas / sizeof *betas; i++)
+            for (size_t k = 0; k < sizeof forces / sizeof *forces; k++) {
+                const struct law law = contact_law(&laws[l]);
+                struct cor_scene_contact contact = {
+                    .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = forces[k]};
+                struct cor_scene_impact impact;
+                struct collision c;
+                cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, betas[i], 1, 0);
+                assert_int_equal(cor_scene_impact(&impact, &contact, 1), COR_FAULT_NONE);
+                collision_init(&c);
+                arb_set_d(beta, betas[i]);
+                arb_set_d(force, forces[k]);
+                assert_int_equal(collision_solve_pressed(&c, beta, force, &law, COR_BOTH_ENDS, 60), 0);
+                const double eps[] = {middle(c.eps_zero_overlap), middle(c.eps_zero_force)};
+                const double time[] = {middle(c.t_zero_overlap), middle(c.t_zero_force)};
+                close_to("largest overlap", impact.max_overlap_m, middle(c.x_max), 1e-12);
+                for (int end = 0; end < COR_SCENE_ENDS; end++) {
+                    check(fabs(impact.eps[end] * impact.eps[end] - eps[end] * eps[end]) < COR_SCENE_PRESSED_ERROR,
+                          "law %zu, beta %g, force %g, end %d: %.17g, not %.17g", l, betas[i], forces[k], end,
+                          impact.eps[end], eps[end]);
+                    if (isfinite(time[end]))
+                        close_to("duration", impact.duration_s[end], time[end], COR_SCENE_PRESSED_ERROR);
+                    else
+                        assert_true(isinf(impact.duration_s[end]) && impact.eps[end] == 0);
+                }
+                stuck += isinf(time[0]);
+                held += isinf(time[1]);
+                if (betas[i] == 0)
+                    assert_true(arb_is_one(c.eps_zero_overlap) && arb_is_one(c.eps_zero_force));
+                collision_clear(&c);
+            }
+    assert_true(stuck > held && held > 20 && stuck < 90);
+}
+
+/* On both sides of the threshold, an ulp of 60 bits away, the enclosed collisions differ; the backward integration in
+ * doubles finds it, too. */
+static void thresholds_of_a_constant_force(void **state)
+{
+    (void)state;
+    static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 0, 2}, {2, 1, 2}};
+    LOCAL(arb, beta, force, nearby);
+    for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
+        for (int end = 0; end < COR_SCENE_ENDS; end++)
+            for (double b = 0.05; b < 1; b *= 10) {
+                const struct law law = contact_law(&laws[l]);
+                struct collision c;
+                arb_set_d(beta, b);
+                assert_int_equal(collision_sticking_force(force, beta, &law, end, 70), 0);
+                collision_init(&c);
+                for (int sign = -1; sign <= 1; sign += 2) {
+                    arb_set_si(nearby, sign);
+                    arb_mul_2exp_si(nearby, nearby, -60);
+                    arb_add_ui(nearby, nearby, 1, 200);
+                    arb_mul(nearby, nearby, force, 200);
+                    arb_get_mid_arb(nearby, nearby);
+                    assert_int_equal(collision_solve_pressed(&c, beta, nearby, &law, end, 10), 0);
+                    const arb_srcptr eps = end == COR_END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force;
+                    check(sign > 0 ? arb_is_zero(eps) : arb_is_positive(eps), "law %zu, end %d, beta %g", l, end, b);
+                }
+                collision_clear(&c);
+                struct cor_scene_contact contact = {
+                    .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = middle(force)};
+                cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, b, 1, 0);
+                close_to("sticking speed", cor_scene_sticking_speed(&contact, end), 1, 1e-12);
+            }
+}
+
 static void the_time_step_is_for_all_speeds(void **state)
 {
     (void)state;
@@ -601,6 +686,8 @@ int main(void)
         cmocka_unit_test(every_way_of_a_sphere),
         cmocka_unit_test(other_laws),
         cmocka_unit_test(stiffness_from_a_duration),
+        cmocka_unit_test(collisions_under_a_constant_force),
+        cmocka_unit_test(thresholds_of_a_constant_force),
         cmocka_unit_test(the_time_step_is_for_all_speeds),
         cmocka_unit_test(errors_of_steps),
         cmocka_unit_test(hosts_realise_what_is_wished),
