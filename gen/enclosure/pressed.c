@@ -4,8 +4,8 @@
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *
  * At the threshold the motion just reaches X = 0 with no speed; at the end of zero force, with 2 (a - b) > 1, the curve
- * of zero force just touches it, at X_t with (a - b) X_t^(2(a-b)-1) = B^2. Backward in time from there it arrives at X =
- * 0 with the speed V: one motion for each B, which gives f = V^(-2a/(a+1)) and beta = B V^q. */
+ * of zero force just touches it, at X_t with (a - b) X_t^(2(a-b)-1) = B^2. Backward in time from there it arrives at
+ * X = 0 with the speed V: one motion for each B, which gives f = V^(-2a/(a+1)) and beta = B V^q. */
 #include <math.h>
 
 #include "enclosure/collision.h"

@@ -412,7 +412,7 @@ static void collisions_under_a_constant_force(void **state)
     (void)state;
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
                                                 {2, 1, 1}, {2, 1, 2}, {8, 7, 4}, {1, 0, 2}};
-    static const double betas[] = {0, 0.05, 0.5, 2}, forces[] = {1e-4, 0.1, 0.5, 2};
+    static const double betas[] = {0, 0.05, 0.5, 2.6}, forces[] = {1e-4, 0.1, 0.5, 2};
     int stuck = 0, held = 0;
     LOCAL(arb, beta, force);
     for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
