@@ -58,7 +58,7 @@ def test_every_public_constant_is_reached():
     assert cor.sphere.C1 == -1.15344885809528879913
     assert cor.disk.MAX_STACK == 65536 and isinstance(cor.disk.MAX_STACK, int)
     assert cor.contact.EPS_MAX_ERROR(1.5) == 5 * 2.0**-53
-    assert cor.__version__ == "0.1.0"
+    assert f'#define COR_VERSION_STRING "{cor.__version__}"' in (ROOT / "include" / "cor" / "cor.h").read_text()
     assert cor.status.Status.ERROR_RADIUS == 5 and cor.disk.Datum.PRINTED == 2
 
 
