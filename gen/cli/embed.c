@@ -42,10 +42,6 @@ static int run_embed(const void *arguments)
         status = contacts_refuse_jkr(&contacts);
     if (status == STATUS_OK && contacts.contact[0].force_n > 0)
         status = usage_error("headers hold without --gravity and --adhesion; corgen sample tabulates eps with them");
-    if (status == STATUS_OK && contacts.contact[0].liquid_speed_m_s > 0)
-        status = usage_error("headers hold without a liquid; corgen sample tabulates eps with it");
-    if (status == STATUS_OK && contacts.contact[0].plastic)
-        status = usage_error("headers hold without yield; corgen sample tabulates eps of --law elastic-plastic");
     if (status != STATUS_OK)
         return status;
     contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));

@@ -32,6 +32,7 @@ static struct embed_form form_blank(const struct embed_scene *s, enum embed_fami
     struct embed_form f = {.family = family,
                            .variable = variable,
                            .single = s->single,
+                           .onset = s->onset,
                            .speed_min = s->speed_min,
                            .speed_max = s->speed_max};
     if (variable >= FIFTH_ROOT_OF_SPEED) /* the refinement that the tolerance needs */
@@ -247,8 +248,9 @@ static void search_family(void *context, slong family)
             try_rational(form, s, SPEED, 0, 0);
         return;
     }
-    if (family <= FAMILY_TWO_POINT && !law_is_sphere(&s->law)) {
-        snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only");
+    if (family <= FAMILY_TWO_POINT && (!law_is_sphere(&s->law) || !arb_is_zero(s->liquid_speed))) {
+        snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only%s",
+                 arb_is_zero(s->liquid_speed) ? "" : ", dry ones");
         return;
     }
     switch (form->family) {

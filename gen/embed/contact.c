@@ -284,3 +284,126 @@ int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request 
     }
     return STATUS_OK;
 }
+
+/* ---- yield, and a liquid ---- */
+
+/* R of 1/R = 1/R_1 + 1/R_2 */
+static void radius_of(arb_t radius, const struct embed_request *request, slong prec)
+{
+    LOCAL(fmpq, inverse, x);
+    for (int body = 1; body <= (request->wall || request->law == COR_LAW_PLATE ? 1 : 2); body++) {
+        fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
+        fmpq_add(inverse, inverse, x);
+    }
+    fmpq_inv(x, inverse);
+    arb_set_fmpq(radius, x, prec);
+}
+
+/* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) */
+static void yield_speed_of_stress(arb_t speed, const struct embed_request *request, slong prec)
+{
+    LOCAL(arb, mass, stiffness, unused, radius, x);
+    bodies_of(mass, stiffness, unused, request, prec);
+    radius_of(radius, request, prec);
+    arb_set_fmpq(speed, request->number[COR_SCENE_YIELD_STRESS].value, prec);
+    arb_mul_ui(speed, speed, 8, prec); /* 1.6 */
+    arb_div_ui(speed, speed, 5, prec);
+    arb_const_pi(x, prec);
+    arb_mul(speed, speed, x, prec);
+    arb_pow_ui(speed, speed, 5, prec);
+    arb_div_ui(speed, speed, 30, prec);
+    arb_mul_ui(stiffness, stiffness, 3, prec);
+    arb_mul_2exp_si(stiffness, stiffness, -2);
+    arb_pow_ui(stiffness, stiffness, 4, prec); /* E*^4 R^2 */
+    arb_pow_ui(radius, radius, 5, prec);
+    arb_mul(speed, speed, radius, prec);
+    arb_div(speed, speed, stiffness, prec);
+    arb_div(speed, speed, mass, prec);
+    arb_sqrt(speed, speed, prec);
+}
+
+void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_speed, slong prec)
+{
+    LOCAL(arb, t, x, y);
+    arb_div(t, yield_speed, speed, prec);
+    arb_mul(x, t, t, prec);
+    arb_sub_ui(x, x, 6, prec);
+    arb_neg(x, x);
+    arb_set_ui(y, 5);
+    arb_div(x, y, x, prec);
+    arb_sqrt(x, x, prec);
+    arb_mul(t, t, x, prec);
+    arb_mul(x, t, t, prec);
+    arb_add_ui(x, x, 5, prec);
+    arb_mul(x, x, x, prec);
+    arb_add_ui(y, t, 2, prec);
+    arb_mul(x, x, y, prec);
+    arb_mul_ui(t, t, 108, prec);
+    arb_div(eps, t, x, prec);
+    arb_root_ui(eps, eps, 4, prec);
+}
+
+/* v_y between two speeds that the double determines, on whose sides eps(at) lies */
+static int yield_speed_of_restitution(arb_t speed, const struct embed_request *request, double guess, slong prec)
+{
+    LOCAL(arb, at, wanted, low, high, eps);
+    arb_set_fmpq(at, request->number[COR_SCENE_AT].value, prec);
+    arb_set_fmpq(wanted, request->number[COR_SCENE_RESTITUTION].value, prec);
+    if (fmpq_is_one(request->number[COR_SCENE_RESTITUTION].value)) {
+        arb_set(speed, at);
+        return STATUS_OK;
+    }
+    arb_set_d(low, guess * (1 - 1e-12));
+    arb_set_d(high, guess * (1 + 1e-12));
+    for (int sign = -1; sign <= 1; sign += 2) {
+        embed_elastic_plastic_eps(eps, at, sign < 0 ? low : high, prec);
+        if (!(sign < 0 ? arb_lt(eps, wanted) : arb_gt(eps, wanted) && arb_lt(high, at)))
+            return fail("the yield speed of --restitution cannot be enclosed: eps is too near to 1");
+    }
+    for (slong i = 0; i < prec / 2; i++) { /* eps grows with v_y */
+        arb_add(speed, low, high, prec);
+        arb_mul_2exp_si(speed, speed, -1);
+        arb_get_mid_arb(speed, speed);
+        embed_elastic_plastic_eps(eps, at, speed, prec);
+        if (arb_lt(eps, wanted))
+            arb_set(low, speed);
+        else if (arb_gt(eps, wanted))
+            arb_set(high, speed);
+        else
+            break;
+    }
+    arb_union(speed, low, high, prec);
+    return STATUS_OK;
+}
+
+int embed_contact_yield_speed(arb_t speed, const struct embed_request *request, const struct cor_scene_contact *contact,
+                              slong prec)
+{
+    if (embed_given(request, COR_SCENE_RESTITUTION))
+        return yield_speed_of_restitution(speed, request, contact->yield_speed_m_s, prec);
+    yield_speed_of_stress(speed, request, prec);
+    return STATUS_OK;
+}
+
+/* 6 pi eta R^2 ln(outer/inner)/m */
+void embed_contact_liquid_speed(arb_t speed, const struct embed_request *request, slong prec)
+{
+    LOCAL(arb, mass, stiffness, unused, radius);
+    LOCAL(fmpq, x);
+    arb_zero(speed);
+    if (!embed_given(request, COR_SCENE_LIQUID_VISCOSITY))
+        return;
+    bodies_of(mass, stiffness, unused, request, prec);
+    radius_of(radius, request, prec);
+    fmpq_div(x, request->number[COR_SCENE_GAP_OUTER].value, request->number[COR_SCENE_GAP_INNER].value);
+    arb_set_fmpq(speed, x, prec);
+    arb_log(speed, speed, prec);
+    arb_mul(radius, radius, radius, prec);
+    arb_mul(speed, speed, radius, prec);
+    arb_div(speed, speed, mass, prec);
+    fmpq_mul_ui(x, request->number[COR_SCENE_LIQUID_VISCOSITY].value, 6);
+    arb_set_fmpq(radius, x, prec);
+    arb_mul(speed, speed, radius, prec);
+    arb_const_pi(radius, prec);
+    arb_mul(speed, speed, radius, prec);
+}

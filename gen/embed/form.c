@@ -198,7 +198,7 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
         value = form_split_polynomial(f, number, f->numerator, x, fused);
     if (f->denominator > 0)
         value = form_rounded(f, value / form_split_polynomial(f, number + f->numerator + 1, f->denominator, x, fused));
-    return speed >= 0 ? value : (double)NAN;
+    return !(speed >= 0) ? (double)NAN : speed <= f->onset ? 1 : value;
 }
 
 void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride)
@@ -232,7 +232,7 @@ void embed_form_price(struct embed_form *f)
 {
     int *n = f->operations;
     memset(n, 0, sizeof f->operations);
-    n[OP_COMPARE] = 3;
+    n[OP_COMPARE] = f->onset > 0 ? 4 : 3;
     switch (f->variable) {
     case SPEED:
         break;

@@ -70,6 +70,7 @@ struct embed_form {
     enum embed_family family;
     enum embed_variable variable;
     double speed_min, speed_max;
+    double onset; /* up to this speed the value is 1; 0: there is none */
     slong numerator, denominator;
     slong rows;     /* rows of a table of polynomials of degree `numerator`; 0: no table */
     double *number; /* p_0, ..., p_m, q_0, ..., q_n; or the rows. Malloc'ed */

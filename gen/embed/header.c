@@ -102,14 +102,17 @@ static const char *rule_of_purpose(enum embed_purpose purpose)
 static void append_title(struct text *t, const struct embed_scene *s, const char *name)
 {
     const char *type = s->single ? "float" : "double";
-    if (law_is_sphere(&s->law))
+    if (s->plastic)
+        text_append(t, "Restitution coefficient of elastic-plastic spheres that collide at an impact speed, for one "
+                       "scene:\n");
+    else if (law_is_sphere(&s->named))
         text_append(
             t, "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n");
     else
         text_append(t,
                     "Restitution coefficient of bodies that collide at an impact speed by the contact law\n"
                     "%s, x(0) = 0, x'(0) = 1, for one scene:\n",
-                    law_equation(&s->law).text);
+                    law_equation(&s->named).text);
     text_append(t, "    %s %s(%s speed);\n\n", type, name, type);
 }
 
@@ -129,16 +132,27 @@ static void append_scene(struct text *t, const struct embed_request *request, co
                          const struct embed_proof *proof)
 {
     char known[EVIDENCE];
-    char *beta = arb_get_str(s->beta_per_root, 20, ARB_STR_NO_RADIUS);
+    char *beta = arb_get_str(s->plastic ? s->yield_speed : s->beta_per_root, 20, ARB_STR_NO_RADIUS);
+    char *liquid = arb_get_str(s->liquid_speed, 20, ARB_STR_NO_RADIUS);
+    text_append(t, "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n", request->number[EMBED_SPEED_MIN].text,
+                request->number[EMBED_SPEED_MAX].text,
+                request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)");
+    if (s->plastic)
+        text_append(t, "v_y = %s m/s, the impact speed from which they yield%s.\n", beta,
+                    s->onset > 0 || s->constant ? "; eps = 1 up to it" : "");
+    else if (!s->by_speed)
+        text_append(t, "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n", beta,
+                    ratio_power(law_speed_exponent(&s->law)).text, s->beta_min, s->beta_max);
+    if (!arb_is_zero(s->liquid_speed))
+        text_append(t,
+                    "A liquid takes s = %s m/s on the way in and on the way out: with dry eps(v - s)\n"
+                    "at the speed v - s, eps = (eps(v - s) (v - s) - s)/v.\n",
+                    liquid);
     text_append(t,
-                "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n"
-                "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n"
                 "Accuracy: relative error of eps at most %s, approximation and rounding together (%s).\n"
                 "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
-                request->number[EMBED_SPEED_MIN].text, request->number[EMBED_SPEED_MAX].text,
-                request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta,
-                ratio_power(law_speed_exponent(&s->law)).text, s->beta_min, s->beta_max,
                 request->number[EMBED_TOLERANCE].text, evidence(known, s, proof));
+    flint_free(liquid);
     flint_free(beta);
 }
 
@@ -178,6 +192,12 @@ static void append_choice(struct text *t, const struct embed_request *request, c
 
 static void append_provenance(struct text *t, const struct embed_scene *s, const struct embed_proof *proof)
 {
+    if (s->by_speed) {
+        text_append(t,
+                    "\nFitted to and compared with a closed form in interval arithmetic; coefficients rounded once to "
+                    "the type.\nC99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n");
+        return;
+    }
     if (s->constant) {
         text_append(t,
                     "\neps is that of one collision %s, enclosed (proved), or is given.\n"
@@ -238,6 +258,16 @@ static void emit_long_polynomial(struct emit *e, const char *name, const char *x
         emit_let_split_polynomial(e, name, x, "xx", c, degree);
 }
 
+/* eps is 1 up to the onset of yield. */
+static void emit_close_at_onset(struct emit *e, const struct embed_form *f, const char *numerator,
+                                const char *denominator, bool vector)
+{
+    if (f->onset > 0)
+        emit_let_above(e, "above_onset", "speed", f->onset, numerator, denominator);
+    emit_function_close(e, "speed", f->onset > 0 ? "above_onset" : numerator, f->onset > 0 ? NULL : denominator,
+                        vector);
+}
+
 static void emit_form(struct emit *e, const char *name, const struct embed_form *f, bool vector)
 {
     emit_function_open(e, name, "speed");
@@ -253,7 +283,7 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
         else
             emit_let_row_of_grid(e, "i", "t", x, f->slope, f->shift);
         emit_let_row_polynomial(e, "eps", "row", "i", "t", f->numerator);
-        emit_function_close(e, "speed", "eps", NULL, vector);
+        emit_close_at_onset(e, f, "eps", NULL, vector);
     } else {
         const bool quotient = f->denominator > 0;
         if (FLINT_MAX(f->numerator, f->denominator) >= EMBED_SPLIT)
@@ -261,7 +291,7 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
         emit_long_polynomial(e, quotient ? "p" : "eps", x, f->number, f->numerator);
         if (quotient)
             emit_long_polynomial(e, "q", x, f->number + f->numerator + 1, f->denominator);
-        emit_function_close(e, "speed", quotient ? "p" : "eps", quotient ? "q" : NULL, vector);
+        emit_close_at_onset(e, f, quotient ? "p" : "eps", quotient ? "q" : NULL, vector);
     }
 }
 

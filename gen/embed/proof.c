@@ -45,7 +45,8 @@ struct prover {
     enum quantity quantity;
     struct far_proof far; /* for beta >= exp(10) at zero force */
     bool far_known;
-    arb_t factor; /* variable = factor beta^(1/(q root)), q = 1/5 for spheres */
+    arb_t speed_factor; /* of a wet contact: dry speed = speed_factor beta^(1/q) */
+    arb_t factor;       /* variable = factor beta^(1/(q root)), q = 1/5 for spheres */
     double enough;
     struct part *part;
     slong parts;
@@ -82,11 +83,49 @@ static void far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prove
     }
 }
 
+/* Dry eps of a closed form; x = ln(speed) */
+static bool closed_eps(arb_poly_t eps, arb_poly_t x, const struct embed_scene *s, const struct part *part)
+{
+    LOCAL(arb_poly, t, y);
+    LOCAL(arb, c);
+    enclosed_variable(x, part->lo, part->hi);
+    if (!s->plastic) {
+        arb_poly_set_arb(eps, s->eps);
+        return true;
+    }
+    enclosed_exponential(t, -1, 1, x);
+    arb_poly_scalar_mul(t, t, s->yield_speed, ENCLOSED_BITS);
+    enclosed_multiply(y, t, t);
+    arb_poly_neg(y, y);
+    enclosed_add_double(y, 6);
+    if (!enclosed_inverse(eps, y))
+        return false;
+    arb_set_ui(c, 5);
+    arb_poly_scalar_mul(eps, eps, c, ENCLOSED_BITS);
+    if (!enclosed_square_root(y, eps))
+        return false;
+    enclosed_multiply(t, t, y); /* r sqrt(5/(6 - r^2)) */
+    enclosed_multiply(y, t, t);
+    enclosed_add_double(y, 5);
+    enclosed_multiply(y, y, y);
+    arb_poly_set(eps, t);
+    enclosed_add_double(eps, 2);
+    enclosed_multiply(y, y, eps);
+    if (!enclosed_inverse(eps, y))
+        return false;
+    enclosed_multiply(y, t, eps);
+    arb_set_ui(c, 108);
+    arb_poly_scalar_mul(y, y, c, ENCLOSED_BITS);
+    return enclosed_square_root(t, y) && enclosed_square_root(eps, t);
+}
+
 /* x, beta and eps as functions of t; for laws other than the sphere's x = ln(beta), and not beta. Returns false without
  * a proof. */
 static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
                            const struct part *part)
 {
+    if (w->s->by_speed)
+        return closed_eps(eps, x, w->s, part);
     if (w->law)
         return law_proof_eps(eps, x, w->law, part->interval, part->lo, part->hi);
     if (part->interval != FAR) {
@@ -143,6 +182,43 @@ static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t 
     return done;
 }
 
+/* The variable in a liquid: a root of v = v_d + s, where v_d is the dry speed. eps becomes eps v = eps_d v_d - s. */
+static bool wet_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
+                         const struct prover *w, bool by_log)
+{
+    const struct ratio power = ratio_div((struct ratio){1, 1}, law_speed_exponent(&w->s->law));
+    LOCAL(arb, lost);
+    if (by_log) {
+        enclosed_exponential(v, (double)power.num, power.den, x);
+    } else { /* beta^5 */
+        enclosed_multiply(v, beta, beta);
+        enclosed_multiply(v, v, v);
+        enclosed_multiply(v, v, beta);
+    }
+    arb_poly_scalar_mul(v, v, w->speed_factor, ENCLOSED_BITS);
+    enclosed_multiply(eps, eps, v);
+    arb_neg(lost, w->s->liquid_speed);
+    enclosed_add_number(eps, lost);
+    enclosed_add_number(v, w->s->liquid_speed);
+    arb_poly_set(y, v);
+    LOCAL(arb_poly, z);
+    switch (w->f->variable) {
+    case SPEED:
+        return true;
+    case SQRT_OF_SPEED:
+        return enclosed_square_root(y, v);
+    case FOURTH_ROOT_OF_SPEED:
+        return enclosed_square_root(z, v) && enclosed_square_root(y, z);
+    default:
+        if (!enclosed_logarithm(z, v))
+            return false;
+        arb_set_si(lost, w->f->variable == FIFTH_ROOT_OF_SPEED ? 5 : 10);
+        arb_poly_scalar_div(z, z, lost, ENCLOSED_BITS);
+        enclosed_exp(y, z);
+        return true;
+    }
+}
+
 /* The argument of the polynomials of a row: its distance from the start of the row */
 static void part_place(arb_poly_t y, const struct prover *w, slong row)
 {
@@ -174,13 +250,17 @@ static double part_error(const struct prover *w, const struct part *part, int de
 {
     const struct embed_form *const f = w->f;
     const double *const c = f->number + (f->rows > 0 ? part->row * (f->numerator + 1) : 0);
-    const bool by_log =
-        w->law || part->interval == FAR || interpolant_sphere_proof.interval[part->interval].variable == INTERVAL_LOG;
-    LOCAL(arb_poly, eps, beta, x, y, p);
+    const bool by_log = w->s->by_speed || w->law || part->interval == FAR ||
+                        interpolant_sphere_proof.interval[part->interval].variable == INTERVAL_LOG;
+    const bool wet = !arb_is_zero(w->s->liquid_speed);
+    LOCAL(arb_poly, eps, beta, x, y, p, v);
     double error = HUGE_VAL, known = 0;
-    if (part_functions(eps, beta, x, w, part) && part_variable(y, beta, x, w, by_log)) {
+    if (part_functions(eps, beta, x, w, part) &&
+        (wet ? wet_variable(y, eps, v, beta, x, w, by_log) : part_variable(y, beta, x, w, by_log))) {
         part_place(y, w, part->row);
         part_polynomial(p, c, f->numerator, y);
+        if (wet)
+            enclosed_multiply(p, p, v);
         if (f->denominator > 0) { /* |p - q eps|/|q eps| */
             part_polynomial(x, c + f->numerator + 1, f->denominator, y);
             enclosed_multiply(eps, eps, x);
@@ -255,6 +335,10 @@ static bool cover_law_range(struct prover *w, slong row, double lo, double hi)
 /* Adds parts that cover all speeds from lo to hi. Returns false if there is a gap. */
 static bool cover_range(struct prover *w, slong row, double lo, double hi)
 {
+    if (w->s->by_speed) {
+        add_parts(w, 0, row, place_of_speed(w, lo, true, false), place_of_speed(w, hi, true, true), LOG_PART);
+        return true;
+    }
     if (w->law)
         return cover_law_range(w, row, lo, hi);
     const double last = interpolant_sphere_proof.interval[interpolant_sphere_proof.intervals - 1].hi;
@@ -352,7 +436,9 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     struct prover w = {
         .f = f, .s = s, .quantity = overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, .enough = f->error * NEAR_SAMPLED};
     int status = STATUS_OK;
-    if (!law_is_sphere(&s->law)) {
+    if (s->by_speed) {
+        status = STATUS_OK;
+    } else if (!law_is_sphere(&s->law)) {
         w.law = law_proof_new(s->interpolant, w.quantity, s->beta_min, s->beta_max, LAW_PART_OF_ERROR * f->error);
         status = w.law ? STATUS_OK : STATUS_FAILED;
     } else if (s->interpolant) {
@@ -366,10 +452,14 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
         w.far_known = false;
     if (status == STATUS_OK) {
         arb_init(w.factor);
+        arb_init(w.speed_factor);
+        const struct ratio speed_power = ratio_div((struct ratio){1, 1}, law_speed_exponent(&s->law));
+        arb_pow_ratio(w.speed_factor, s->beta_enclosed, ratio_make(-speed_power.num, speed_power.den), EMBED_BITS);
         const struct ratio power = variable_power(s, f);
         arb_pow_ratio(w.factor, s->beta_enclosed, ratio_make(-power.num, power.den), EMBED_BITS);
         prove_formula(proof, &w, &rounding);
         arb_clear(w.factor);
+        arb_clear(w.speed_factor);
     }
     if (w.far_known)
         far_proof_clear(&w.far);

@@ -75,8 +75,18 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     /* The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 }
 
-static void beta_of_speed(arb_t beta, const struct embed_scene *s, const arb_t speed, const arb_t beta_per_root)
+static bool is_wet(const struct embed_scene *s)
 {
+    return !arb_is_zero(s->liquid_speed);
+}
+
+/* `whole` is the impact speed, of which a liquid leaves less */
+static void beta_of_speed(arb_t beta, const struct embed_scene *s, const arb_t whole, const arb_t beta_per_root)
+{
+    LOCAL(arb, speed);
+    arb_set(speed, whole);
+    if (is_wet(s))
+        arb_sub(speed, speed, s->liquid_speed, EMBED_BITS);
     if (law_is_sphere(&s->law))
         arb_root_ui(beta, speed, 5, EMBED_BITS);
     else
@@ -103,12 +113,20 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 {
     LOCAL(arb, beta);
     embed_scene_beta(beta, s, speed);
-    if (s->constant)
+    if (s->by_speed && s->plastic && !arb_le(beta, s->yield_speed))
+        embed_elastic_plastic_eps(eps, beta, s->yield_speed, EMBED_BITS);
+    else if (s->constant || s->by_speed)
         arb_set(eps, s->eps);
     else if (law_is_sphere(&s->law))
         eps_of_beta(eps, s, beta);
     else
         interpolant_at_beta(eps, s->interpolant, quantity_of(s), beta, EMBED_BITS);
+    if (is_wet(s)) { /* (eps (v - s) - s)/v */
+        arb_sub(beta, speed, s->liquid_speed, EMBED_BITS);
+        arb_mul(eps, eps, beta, EMBED_BITS);
+        arb_sub(eps, eps, s->liquid_speed, EMBED_BITS);
+        arb_div(eps, eps, speed, EMBED_BITS);
+    }
 }
 
 /* ---- the scene ---- */
@@ -223,12 +241,14 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
 {
     const double per_root = arf_get_d(arb_midref(s->beta_per_root), ARF_RND_NEAR);
     const double q = (double)law_speed_exponent(&s->law).num / (double)law_speed_exponent(&s->law).den;
-    const double slow = per_root * pow(s->speed_min, q), fast = per_root * pow(s->speed_max, q);
+    const double lost = arf_get_d(arb_midref(s->liquid_speed), ARF_RND_NEAR);
+    const double slow = per_root * pow(s->speed_min - lost, q), fast = per_root * pow(s->speed_max - lost, q);
     s->beta_min = fmin(slow, fast);
     s->beta_max = fmax(slow, fast);
     if (!s->constant && !(s->beta_min > 1e-60 && s->beta_max < 1e60))
         return fail("beta from %.3g to %.3g: no material is like that", s->beta_min, s->beta_max);
-    const int status = s->constant              ? scene_collide_once(s, request)
+    const int status = s->by_speed              ? STATUS_OK
+                       : s->constant            ? scene_collide_once(s, request)
                        : law_is_sphere(&s->law) ? scene_collide(s)
                                                 : scene_collide_law(s);
     if (status != STATUS_OK)
@@ -242,6 +262,46 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
     return STATUS_OK;
 }
 
+/* Of elastic-plastic spheres, and of a constant eps in a liquid, dry eps is a closed form of the speed. */
+static int scene_by_speed(struct embed_scene *s, const struct embed_request *request,
+                          const struct cor_scene_contact *contact)
+{
+    int status = STATUS_OK;
+    arb_one(s->eps);
+    if (s->plastic)
+        status = embed_contact_yield_speed(s->yield_speed, request, contact, EMBED_BITS);
+    else
+        status = scene_collide_once(s, request);
+    s->by_speed = true;
+    s->law = law_sphere;
+    s->law.b = s->law.a; /* q = 1 */
+    s->law.bd = s->law.ad;
+    arb_one(s->beta_per_root);
+    arb_one(s->beta_enclosed);
+    if (status != STATUS_OK || !s->plastic)
+        return status;
+    LOCAL(arb, onset);
+    LOCAL(arf, end);
+    arb_add(onset, s->yield_speed, s->liquid_speed, EMBED_BITS);
+    arb_get_lbound_arf(end, onset, EMBED_BITS);
+    const double below = arf_get_d(end, ARF_RND_FLOOR);
+    if (is_wet(s))
+        return s->speed_min > below * (1 + 1e-15) ? STATUS_OK
+                                                  : usage_error("in a liquid a header of --law elastic-plastic begins "
+                                                                "above the onset of yield, %.6g m/s; --speed-min does "
+                                                                "not",
+                                                                below);
+    s->constant = s->speed_max <= below;
+    if (s->speed_min > below || s->constant)
+        return STATUS_OK;
+    s->onset = s->single && (double)(float)below > below ? (double)nextafterf((float)below, 0)
+               : s->single                               ? (double)(float)below
+                                                         : below;
+    s->speed_min = s->single ? (double)nextafterf((float)s->onset, FLT_MAX) : nextafter(s->onset, DBL_MAX);
+    return s->speed_min < s->speed_max ? STATUS_OK
+                                       : usage_error("--speed-max is next to the yield speed, %.17g m/s", below);
+}
+
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact)
 {
@@ -250,6 +310,8 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     arb_init(s->beta_enclosed);
     arb_init(s->eps);
     arb_init(s->h_star_5);
+    arb_init(s->yield_speed);
+    arb_init(s->liquid_speed);
     int status = embed_request_check(request);
     if (status == STATUS_OK)
         status = embed_request_law(&s->law, request);
@@ -258,11 +320,28 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     s->speed_min = embed_rounded(s, embed_number(request, EMBED_SPEED_MIN));
     s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
     s->tolerance = embed_number(request, EMBED_TOLERANCE);
-    s->constant = law_is_linear(&s->law) || contact->damping == 0;
+    s->named = s->law;
+    s->plastic = contact->plastic;
+    s->constant = (law_is_linear(&s->law) || contact->damping == 0) && !s->plastic;
+    embed_contact_liquid_speed(s->liquid_speed, request, EMBED_BITS);
+    if (is_wet(s)) {
+        const double sticking = cor_scene_sticking_speed(contact, request->end);
+        if (!(s->speed_min > sticking))
+            return usage_error("up to %.6g m/s the liquid holds the bodies, and eps is 0; --speed-min is not above it",
+                               sticking);
+    }
+    if (s->plastic) {
+        status = scene_by_speed(s, request, contact);
+        return status == STATUS_OK ? scene_prepare(s, request) : status;
+    }
     status = embed_contact_beta_per_root(s->beta_enclosed, request, contact, &s->law, EMBED_BITS);
     arb_set(s->beta_per_root, s->beta_enclosed);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);
+    if (status == STATUS_OK && s->constant && is_wet(s)) {
+        s->constant = false;
+        status = scene_by_speed(s, request, contact);
+    }
     return status == STATUS_OK ? scene_prepare(s, request) : status;
 }
 
@@ -272,6 +351,8 @@ void embed_scene_clear(struct embed_scene *s)
     arb_clear(s->beta_enclosed);
     arb_clear(s->eps);
     arb_clear(s->h_star_5);
+    arb_clear(s->yield_speed);
+    arb_clear(s->liquid_speed);
     free(s->samples.speed);
     interpolant_free(s->interpolant);
     law_layout_clear(&s->layout);

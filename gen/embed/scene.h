@@ -18,7 +18,12 @@ struct embed_scene {
     enum contact_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
-    struct law law;
+    struct law law, named; /* of beta, and of the request: see by_speed */
+    bool plastic;
+    bool by_speed;       /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
+    arb_t yield_speed;   /* of elastic-plastic spheres */
+    arb_t liquid_speed;  /* what a liquid takes on each way; 0: a dry contact */
+    double onset;        /* eps = 1 up to this speed, and the forms begin above it; 0: there is no such speed */
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
     arb_t eps;           /* that eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */

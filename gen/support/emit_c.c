@@ -413,6 +413,16 @@ void emit_let_clamped(struct emit *e, const char *name, const char *x, double lo
     fprintf(e->file, "    %s %s;\n    memcpy(&%s, &inside, sizeof %s);\n", real_type(e), name, name, name);
 }
 
+void emit_let_above(struct emit *e, const char *name, const char *x, double end, const char *numerator,
+                    const char *denominator)
+{
+    char number[NUMBER_MAX], one[NUMBER_MAX];
+    real(number, e, end);
+    real(one, e, 1);
+    let(e, real_type(e), name, "%s <= %s ? %s : %s%s%s", x, number, one, numerator, denominator ? " / " : "",
+        denominator ? denominator : "");
+}
+
 void emit_let_sqrt(struct emit *e, const char *name, const char *x)
 {
     let(e, real_type(e), name, "sqrt%s(%s)", e->single ? "f" : "", x);

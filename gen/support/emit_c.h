@@ -95,6 +95,9 @@ void emit_function_open(struct emit *e, const char *name, const char *argument);
  * Comparing the bits as integers lets compilers vectorise; comparisons of real numbers that might trap become branches.
  * A NaN becomes a number in the range. */
 void emit_let_clamped(struct emit *e, const char *name, const char *x, double low, double high, bool vector);
+/* 1 for x <= end, numerator/denominator above it; denominator NULL: 1 */
+void emit_let_above(struct emit *e, const char *name, const char *x, double end, const char *numerator,
+                    const char *denominator);
 void emit_let_sqrt(struct emit *e, const char *name, const char *x);
 void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree);
 /* Evaluates a polynomial as two polynomials in x^2, one of the even and one of the odd powers; square is the name of
