@@ -49,8 +49,8 @@ static int check_options(const struct contact_arguments *o, const struct contact
         return usage_error(
             "--end: a contact that adheres as in JKR ends with its tail or at the largest pull; leave it "
             "out, and both are printed");
-    if (!o->host && (c->force_n > 0 || c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0 || c->plastic) &&
-        step_of(o).errors)
+    const bool forced = c->force_n > 0 || c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
+    if ((c->plastic || (!o->host && forced)) && step_of(o).errors)
         return usage_error(
             "the error of a time step is known without --gravity, --adhesion, --viscosity-liquid and --law "
             "elastic-plastic alone; leave out --steps, --time-step, --step-tolerance, --step-corrected and "

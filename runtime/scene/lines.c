@@ -440,11 +440,17 @@ static void put_embed(struct text *t, const struct task *task)
             snprintf(name, sizeof name, "%s%s", i == COR_LAW_VISCOELASTIC ? "" : " --law ",
                      i == COR_LAW_VISCOELASTIC ? "" : cor_law_names[i]);
     }
+    char damping[160];
+    snprintf(damping, sizeof damping, "%s --g-star %s", name,
+             number_text(cor_scene_damping(request->contacts, COR_SCENE_G_STAR), 15).text);
+    if (request->contacts->plastic) /* any eps and its speed name v_y */
+        snprintf(damping, sizeof damping, " --law elastic-plastic --restitution 0.5 --at %s",
+                 number_text(request->contacts->yield_speed_m_s * cor_elastic_plastic_speed_ratio(0.5), 15).text);
     snprintf(line, sizeof line,
-             "corgen embed%s --g-star %s --speed-min %s --speed-max %s --tolerance 1e-6 --end %s --name cor_eps "
+             "corgen embed%s --speed-min %s --speed-max %s --tolerance 1e-6 --end %s --name cor_eps "
              "--output cor_eps.h",
-             name, number_text(cor_scene_damping(request->contacts, COR_SCENE_G_STAR), 15).text, TEXT(least),
-             TEXT(most), request->scene->end == COR_END_ZERO_FORCE ? "zero-force" : "zero-overlap");
+             damping, TEXT(least), TEXT(most),
+             request->scene->end == COR_END_ZERO_FORCE ? "zero-force" : "zero-overlap");
     put(t, line);
 }
 
@@ -683,6 +689,65 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     return known;
 }
 
+/* ---- spheres that yield ---- */
+
+/* Luding's contact loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p of the largest overlap x, so that
+ * eps = sqrt(k_1/k_2). k_1 gives the largest overlap of the contact at its speed; x_p is twice that overlap. */
+static void put_luding(struct text *t, const struct task *task, double speed_m_s, double eps)
+{
+    const struct cor_scene_contact *const contact = task->request->contacts;
+    const int yade = strcmp(task->simulator->name, "yade") == 0;
+    struct cor_scene_impact impact;
+    if (isnan(contact->mass_kg) || isnan(contact->radius_m) || (yade && task->request->scene->wall) ||
+        cor_scene_impact(&impact, contact, speed_m_s) != COR_FAULT_NONE || !(eps < 1))
+        return;
+    const double x = impact.max_overlap_m, k = contact->mass_kg * speed_m_s * speed_m_s / (x * x);
+    const double ratio = 2 / (eps * eps) - 1, depth = x * (1 - 1 / ratio) / contact->radius_m;
+    comment(t, "Instead, %s (run): Luding's linear hysteresis loads with k_1 and unloads with k_2,",
+            yade ? "YADE, LudingMat" : "LIGGGHTS, luding");
+    comment(t,
+            "eps = sqrt(k_1/k_2). These numbers of the pair realise eps = %s and the largest overlap, %s m, at %s m/s.",
+            TEXT(eps), TEXT(x), TEXT(speed_m_s));
+    comment(t, "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster than eps of the spheres.",
+            TEXT((1 / (eps * eps) - 1) / speed_m_s));
+    if (yade) {
+        comment(t, "cor_material = LudingMat(frictionAngle=0, density=2500, k1=%s, kp=%s, kc=0, ks=0, PhiF=%s, G0=0)",
+                number_text(k, INPUT_DIGITS).text, number_text(ratio * k, INPUT_DIGITS).text,
+                number_text(depth, INPUT_DIGITS).text);
+        comment(t,
+                "cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_LudingMat_LudingMat_LudingPhys()], "
+                "[Law2_ScGeom_LudingPhys_Basic()])");
+        return;
+    }
+    const struct {
+        const char *name;
+        double value;
+    } property[] = {{"LoadingStiffness", k},
+                    {"UnloadingStiffness", ratio},
+                    {"coefficientAdhesionStiffness", 0},
+                    {"coefficientPlasticityDepth", depth},
+                    {"pullOffForce", 0},
+                    {"coefficientRestitution", 1}};
+    comment(t, "pair_style gran model luding tangential history");
+    for (size_t i = 0; i < sizeof property / sizeof *property; i++)
+        comment(t, "fix cor_luding_%d all property/global %s peratomtypepair 1 %s", (int)i, property[i].name,
+                number_text(property[i].value, INPUT_DIGITS).text);
+}
+
+/* What a simulator has for spheres that yield, beside the lines that hold at one speed */
+static void put_plastic(struct text *t, const struct task *task)
+{
+    const struct cor_simulator_wish *const wish = &task->wish[PAIR];
+    const char *const name = task->simulator->name;
+    if (strcmp(name, "lammps") == 0)
+        comment(t, "LAMMPS of 2025 and later has mdr, which takes E, nu and the yield stress: elastic-plastic with "
+                   "another yield criterion, so that its eps is another one. It was not run.");
+    else if (strcmp(name, "liggghts") == 0 || strcmp(name, "yade") == 0)
+        put_luding(t, task, wish->speed_m_s, wish->eps);
+    else if (!task->has_law) /* by a function of the speed */
+        comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
+}
+
 /* ---- choice ---- */
 
 /* How well a model suits: first the end that is asked for, then the version */
@@ -807,13 +872,16 @@ static int put_all(struct text *t, char refusal[COR_SIMULATOR_REASON], const str
 
 /* ---- the text ---- */
 
-static void law_text(char text[NUMBER], const struct cor_exponents *law)
+static void law_text(char text[NUMBER], const struct cor_scene *scene)
 {
+    const struct cor_exponents *const law = &scene->law;
     snprintf(text, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping, law->denominator);
     for (int i = 0; i < COR_LAW_PLATE; i++)
         if (cor_law_exponents[i].elastic * law->denominator == law->elastic * cor_law_exponents[i].denominator &&
             cor_law_exponents[i].damping * law->denominator == law->damping * cor_law_exponents[i].denominator)
             snprintf(text, NUMBER, "%s", cor_law_names[i]);
+    if (scene->plastic)
+        snprintf(text, NUMBER, "%s", cor_law_names[COR_LAW_ELASTIC_PLASTIC]);
 }
 
 /* The one speed, and eps there, at which a simulator without the law of the contact is to agree. Returns whether the
@@ -826,7 +894,7 @@ static int find_speed(struct task *task, char refusal[COR_SIMULATOR_REASON])
     const double at = scene->number[COR_SCENE_AT], speed = request->speeds == 1 ? request->speed_m_s[0] : at;
     char law[NUMBER];
     double eps = NAN;
-    law_text(law, &scene->law);
+    law_text(law, scene);
     if (!task->has_law && isnan(speed)) {
         snprintf(refusal, COR_SIMULATOR_REASON,
                  "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as --speed 1",
@@ -901,9 +969,12 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
     if (!find_speed(&task, refusal))
         return refuse(text, size, refusal);
     struct text t = {text, size, 0, task.simulator, 0, 1, 1};
-    if (put_all(&t, refusal, &task))
+    if (put_all(&t, refusal, &task)) {
+        if (request->contacts[0].plastic)
+            put_plastic(&t, &task);
         return (long)t.length;
-    law_text(law, &request->scene->law);
+    }
+    law_text(law, request->scene);
     if (!*refusal)
         snprintf(refusal, sizeof refusal, "%s has no model for the law %s%s", task.simulator->name, law,
                  request->version ? " in this version" : "");

@@ -243,7 +243,7 @@ static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *
         return refuse(fault, COR_FAULT_YIELD_DAMPING, way, 0);
     if (cor_scene_given(scene, COR_SCENE_DURATION))
         return refuse(fault, COR_FAULT_YIELD_DAMPING, COR_SCENE_DURATION, 0);
-    if (contact->force_n > 0)
+    if (contact->force_n > 0 || contact->adhesion_j_m2 > 0)
         return refuse(fault, COR_FAULT_PRESSED_LAW, COR_SCENE_YIELD_STRESS, 0);
     if (way >= 0 && stress)
         return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_YIELD_STRESS, way);

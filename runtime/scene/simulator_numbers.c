@@ -21,6 +21,8 @@ int cor_simulator_has_law(const struct cor_simulator_model *model, const struct 
 {
     const struct cor_exponents *const law = &contact->law;
     const int linear = cor_law_is(law, 2, 0);
+    if (contact->plastic)
+        return model->law == COR_LAW_IMPULSE && cor_simulator_has_function(model);
     switch (model->law) {
     case COR_LAW_LINEAR:
         return linear;

@@ -219,6 +219,58 @@ TEST(yield_speed_of_a_restitution)
     }
 }
 
+/* ---- Luding's contact ---- */
+
+/* The force in LIGGGHTS without adhesion: stiffness k, unloading up to k ratio, plasticity depth; R effective radius */
+static double luding_force(const double number[3], double radius, double x, double largest)
+{
+    const double k = number[0], most = k * number[1], limit = most / (most - k) * number[2] * 2 * radius;
+    const double back = k + (most - k) * largest / limit;
+    return x >= largest ? k * x : fmax(back * (x - largest) + k * largest, 0);
+}
+
+/* The lines for LIGGGHTS, integrated: eps and overlap of the spheres at the speed of the lines, and the eps that they
+ * state at others. Lines for a host without such a model say so. */
+TEST(lines_of_luding)
+{
+    static const char *const names[] = {"LoadingStiffness", "UnloadingStiffness", "coefficientPlasticityDepth"};
+    const struct cor_scene scene = scene_of_steel();
+    const struct cor_scene_contact contact = contact_of(&scene);
+    const double speed = 0.5;
+    struct cor_simulator_request request = {
+        .simulator = "liggghts", .scene = &scene, .contacts = &contact, .count = 1, .speed_m_s = &speed, .speeds = 1};
+    char text[8000];
+    double number[3];
+    struct cor_scene_impact impact;
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(sscanf(strstr(text, names[i]) + strlen(names[i]), " peratomtypepair 1 %lf", &number[i]), 1);
+    assert_int_equal(cor_scene_impact(&impact, &contact, speed), COR_FAULT_NONE);
+    for (double factor = 0.25; factor <= 1; factor *= 2) {
+        const double g = factor * speed, h = 1e-5 * impact.max_overlap_m / speed;
+        double x = 0, v = g, largest = 0;
+        while (x > 0 || v > 0) {
+            v -= h * luding_force(number, contact.radius_m, x, largest) / contact.mass_kg;
+            x += h * v;
+            largest = fmax(largest, x);
+        }
+        const double wanted = 1 / sqrt(1 + (1 / (impact.eps[0] * impact.eps[0]) - 1) * factor);
+        check(fabs(-v / g - wanted) < 2e-5, "at %g m/s: %.12g, not %.12g", g, -v / g, wanted);
+        if (factor == 1)
+            near("overlap", 1, largest, impact.max_overlap_m, 2e-5);
+    }
+    request.simulator = "lammps";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0 && strstr(text, "mdr") &&
+                strstr(text, "Right at 0.5 m/s alone"));
+    request.simulator = "chrono";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0 && strstr(text, "knows no model of Chrono"));
+    request.simulator = "rebound";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0 && strstr(text, "embed --law elastic-plastic"));
+    request.simulator = "lammps";
+    request.speeds = 0;
+    assert_true(cor_simulator_lines(text, sizeof text, &request) < 0 && strstr(text, "hold at one impact speed"));
+}
+
 /* ---- a liquid ---- */
 
 /* The speed that is left of v after the gap has changed from `from` to `to`; second-order steps in the logarithm of
@@ -345,5 +397,5 @@ TEST(no_bodies)
     assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &scene), COR_FAULT_NO_BODIES);
 }
 
-RUN_TESTS(eps_of_the_speed, onset_and_limits, piecewise_contact, yield_speed_of_a_restitution, wet_contact, refusals,
-          no_bodies)
+RUN_TESTS(eps_of_the_speed, onset_and_limits, piecewise_contact, yield_speed_of_a_restitution, lines_of_luding,
+          wet_contact, refusals, no_bodies)
