@@ -14,8 +14,8 @@ int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request 
 /* eps of one collision, enclosed to `bits` bits; `end` is that of contact. Returns the same. */
 int embed_contact_eps(arb_t eps, const arb_t beta, const struct law *law, int end, slong bits);
 
-/* v_y of elastic-plastic spheres in m/s, and the speed that a liquid takes on each way, 0 without one. The first returns
- * STATUS_OK, or STATUS_FAILED after a message. */
+/* v_y of elastic-plastic spheres in m/s, and the speed that a liquid takes on each way, 0 without one. The first
+ * returns STATUS_OK, or STATUS_FAILED after a message. */
 int embed_contact_yield_speed(arb_t speed, const struct embed_request *request, const struct cor_scene_contact *contact,
                               slong prec);
 void embed_contact_liquid_speed(arb_t speed, const struct embed_request *request, slong prec);
