@@ -210,13 +210,13 @@ COR_API double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double
  * For equal Poisson's ratios this is 21 (1 - nu)/(2 (2 - nu)), from 7 at nu = -1 to 7/2 at nu = 1/2; 9/2 at nu = 1/4.
  * Domain: Y > 0, one of them may be infinite, -1 < nu <= 1/2. Accuracy: COR_CONTACT_MAX_ULP.
  * Special values: any argument outside its domain, NaN, or two rigid bodies -> NaN.
- * Source: Mindlin, J. Appl. Mech. 16, 259 (1949); docs/theory.md, 11. */
+ * Source: Mindlin, J. Appl. Mech. 16, 259 (1949); docs/theory.md, 20. */
 COR_API double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, double young_modulus_2_pa,
                                     double poisson_ratio_2);
 
 /* The largest angle, rad, between the velocity of the contact point and the normal at which spheres stick when they
  * touch: atan((7/2) friction/kappa). Beyond it they slide from the first instant on. Up to it they stick while they
- * approach, and slip on the way back where the normal force has become too small: docs/theory.md, 11, says by how much
+ * approach, and slip on the way back where the normal force has become too small: docs/theory.md, 20, says by how much
  * that changes u'/u. With Hertz's force nothing slips at kappa = 9/2 alone. Where the contact remembers its tangential
  * force, not its displacement, the angle is that of kappa/a.
  * Domain: kappa > 0 and friction >= 0, either may be infinite. Accuracy: COR_CONTACT_MAX_ULP if that of atan is below

@@ -251,7 +251,7 @@ COR_LAW_DECLARE_WITH_EXPONENT_(hunt_crossley_time_of_max_overlap)
  * Accuracy: COR_NO_SLIP_MAX_ULP, next to the zeros of the cosine, too; proved in runtime/law/tangential.c, sampled in
  * tests/accuracy/test_laws.c. That of the float variants is COR_LAW_FLOAT_MAX_ULP.
  * Special values: kappa = 0 -> 1; kappa = 1 and kappa = a -> -1; a zero of the cosine -> 0; outside the domain and
- * NaN -> NaN. Source: docs/theory.md, 11. */
+ * NaN -> NaN. Source: docs/theory.md, 20. */
 #define COR_NO_SLIP_MAX_ULP 0.51
 #define COR_NO_SLIP_MAX_KAPPA 1e6
 #define COR_NO_SLIP_MIN_EXPONENT 1e-6
