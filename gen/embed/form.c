@@ -198,7 +198,7 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
         value = form_split_polynomial(f, number, f->numerator, x, fused);
     if (f->denominator > 0)
         value = form_rounded(f, value / form_split_polynomial(f, number + f->numerator + 1, f->denominator, x, fused));
-    return !(speed >= 0) ? (double)NAN : speed <= f->onset ? 1 : value;
+    return !(speed >= 0) ? (double)NAN : f->onset > 0 && speed <= f->onset ? 1 : value;
 }
 
 void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride)
