@@ -229,7 +229,7 @@ static bool creeps(const struct taylor *y)
     return never;
 }
 
-/* ---- a constant force: docs/theory.md, 10 ---- */
+/* ---- a constant force: docs/theory.md, 24 ---- */
 
 /* v^2/2 + c2 X^(a+1)/(a+1) - c3 X, X = w^d, which never grows */
 static void energy(arb_t e, const struct taylor *y, const arb_t w, const arb_t v)

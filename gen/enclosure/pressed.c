@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The threshold of a constant force (docs/theory.md, 10). In units in which the force is 1 the law is
+/* The threshold of a constant force (docs/theory.md, 24). In units in which the force is 1 the law is
  *
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *

@@ -388,7 +388,7 @@ static bool gronwall(struct step_proof *p)
 
 /* (6.5): whether w has no pair of zeros inside the step, which its signs at both ends would not show. One of two
  * conditions suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed
- * v_max/d. Under a constant force only the first one shows that v has no such pair, either (10). */
+ * v_max/d. Under a constant force only the first one shows that v has no such pair, either (24). */
 static bool no_hidden_zero(const struct step_proof *p)
 {
     LOCAL(arb, x);

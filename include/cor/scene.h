@@ -172,7 +172,7 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
 /* With force_n > 0 the equation is m x'' + C x^b x' + K x^a = force_n: gravity on a ball above a wall, or DMT adhesion.
  * For one contact eps is still a function of the speed, for every law, and no solver is needed; it is 0, and the
  * durations infinite, up to the sticking speed of that end: the motion then goes to rest in contact, because the energy
- * never grows (docs/theory.md, 10). The largest force is that of spring and damper.
+ * never grows (docs/theory.md, 24). The largest force is that of spring and damper.
  * Accuracy: COR_SCENE_PRESSED_ERROR, absolute for eps^2, relative for durations while eps > 0.01 and for overlap and
  * force; sampled in tests/unit/test_scene_pressed.c.
  * The sticking speed is in m/s: 0 without force or damping, infinite where the bodies stick at every speed up to 1e9

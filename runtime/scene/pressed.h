@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The collision x'' + beta x^b x' + x^a = f, x(0) = 0, x'(0) = 1, under a constant force f > 0 that presses the bodies
- * together (docs/theory.md, 10) */
+ * together (docs/theory.md, 24) */
 #ifndef COR_RUNTIME_SCENE_PRESSED_H
 #define COR_RUNTIME_SCENE_PRESSED_H
 
