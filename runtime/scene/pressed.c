@@ -280,11 +280,85 @@ static int goes_on(struct cor_pressed_impact *impact, struct events *e, const st
     return !((e->released || e->held) && (e->parted || e->stuck));
 }
 
+/* ---- the linear dashpot, x'' + 2 zeta x' + x = f: elementary motion, of which only the ends of contact need a search.
+ * x - f and its derivatives are oscillations y'' + 2 zeta y' + y = 0. ---- */
+
+struct oscillation {
+    double zeta, frequency; /* sqrt(|1 - zeta^2|) */
+};
+
+static const double pi = 3.14159265358979323846;
+
+/* y(time) of y(0) = value, y'(0) = slope */
+static double oscillation_at(const struct oscillation *o, double value, double slope, double time)
+{
+    const double w = o->frequency, rest = slope + o->zeta * value;
+    if (o->zeta > 1) {
+        const double slow = exp(-time / (o->zeta + w)), fast = exp(-time * (o->zeta + w));
+        return value * (slow + fast) / 2 + rest * (slow - fast) / (2 * w);
+    }
+    return exp(-o->zeta * time) * (w > 0 ? value * cos(w * time) + rest * sin(w * time) / w : value + rest * time);
+}
+
+/* The first zero after the start; infinite: there is none */
+static double oscillation_zero(const struct oscillation *o, double value, double slope)
+{
+    const double w = o->frequency, rest = slope + o->zeta * value, ratio = -value / rest;
+    if (o->zeta < 1) {
+        const double phase = atan2(w * value, -rest);
+        return (phase > 0 ? phase : phase + pi) / w;
+    }
+    if (!(ratio > 0))
+        return INFINITY;
+    return w == 0 ? ratio : ratio * w < 1 ? atanh(ratio * w) / w : INFINITY;
+}
+
+/* Where sign (y - level) falls through zero between two times */
+static double oscillation_root(const struct oscillation *o, double value, double slope, double level, int sign,
+                               double low, double high)
+{
+    for (int k = 0; k < BISECTIONS; k++) {
+        const double middle = low + (high - low) / 2;
+        *(sign * (oscillation_at(o, value, slope, middle) - level) > 0 ? &low : &high) = middle;
+    }
+    return high;
+}
+
+static void linear_solve(struct cor_pressed_impact *impact, double beta, double f)
+{
+    const struct oscillation o = {beta / 2, sqrt(fabs((1 - beta / 2) * (1 + beta / 2)))};
+    const double a = f - beta, jerk = -beta * a - 1; /* the second and the third derivative of x at first */
+    const double half = o.zeta < 1 ? pi / o.frequency : INFINITY;
+    const double turn = oscillation_zero(&o, 1, a), peak = oscillation_zero(&o, jerk, -beta * jerk - a);
+    const double back = turn + half; /* the second turning point */
+    impact->max_overlap = isinf(turn) ? f : f + oscillation_at(&o, -f, 1, turn);
+    /* the contact force is f less the acceleration */
+    impact->force_max =
+        jerk < 0 && peak < turn ? f - oscillation_at(&o, a, jerk, peak) : fmax(beta, impact->max_overlap);
+    stay(impact, COR_END_ZERO_OVERLAP);
+    stay(impact, COR_END_ZERO_FORCE);
+    if (!isinf(back) && f + oscillation_at(&o, -f, 1, back) < 0) {
+        const double time = oscillation_root(&o, -f, 1, -f, 1, turn, back);
+        impact->duration[COR_END_ZERO_OVERLAP] = time;
+        impact->eps[COR_END_ZERO_OVERLAP] = -oscillation_at(&o, 1, a, time);
+    }
+    const double least = jerk < 0 ? peak + half : peak; /* of the contact force */
+    if (!isinf(least) && !isinf(turn) && oscillation_at(&o, a, jerk, least) > f) {
+        const double time = oscillation_root(&o, a, jerk, f, -1, turn, least);
+        impact->duration[COR_END_ZERO_FORCE] = time;
+        impact->eps[COR_END_ZERO_FORCE] = -oscillation_at(&o, 1, a, time);
+    }
+}
+
 int cor_pressed_solve(struct cor_pressed_impact *impact, const struct cor_exponents *law, double beta, double f)
 {
     struct motion m;
     struct events e = {1, 1, 0, 0, 0, 0, 0, -1, 0};
     const int ends_differ = law->elastic > law->damping && beta > 0;
+    if (cor_law_is(law, 2, 0)) {
+        linear_solve(impact, beta, f);
+        return COR_FAULT_NONE;
+    }
     if (beta > 1) { /* x = length X, t = length s: the damping sets the scales */
         const double a1 = cor_elastic(law) + 1, b1 = cor_damping(law) + 1;
         e.length = e.time = pow(beta, -1 / b1);

@@ -7,7 +7,7 @@
 
 /* x'' + beta x^b x' + x^a = f with x = w^d, dt = d w^(d-1) ds, by the classical method with steps of 1/4000 */
 struct reference {
-    long double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap;
+    long double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max; /* the last of the steps */
 };
 
 static long double power(long double x, int n)
@@ -62,10 +62,11 @@ static void event(long double at[3], const struct cor_exponents *law, long doubl
 static struct reference reference(const struct cor_exponents *law, double beta, double f)
 {
     const long double h = 1.0L / 4000;
-    struct reference r = {{0, 0}, {HUGE_VALL, HUGE_VALL}, 0};
+    struct reference r = {{0, 0}, {HUGE_VALL, HUGE_VALL}, 0, 0};
     long double y[3] = {0, 1, 0}, next[3], at[3];
     for (int k = 0; k < 1000000; k++, memcpy(y, next, sizeof y)) {
         step(next, law, beta, f, y, h);
+        r.force_max = fmaxl(r.force_max, force(law, beta, y));
         if (y[1] > 0 && next[1] <= 0) {
             if (r.max_overlap > 0)
                 return r;
@@ -119,6 +120,7 @@ TEST(impacts)
                          r.max_overlap > 0 ? (double)r.max_overlap
                                            : pow(forces[k], (double)law->denominator / law->elastic), /* x^a = f */
                          1e-11);
+                close_to("largest force", cor_scene_force_max_n(&c, 1), (double)r.force_max, 1e-6);
                 for (int end = 0; end < COR_SCENE_ENDS; end++) {
                     const int at = cor_scene_ends_differ(&c) ? end : 0;
                     double eps;
