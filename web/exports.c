@@ -214,14 +214,15 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     enum { STEP_DIGITS = 4 };
     static double y[COR_SCENE_ENDS * COLUMNS * WEB_SPEEDS], error[2 * COR_SCENE_ENDS * WEB_SPEEDS];
     const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)web_step_ends() : 0;
+    const int spheres = !isnan(web_now.contact[0].radius_m);
     web_text_clear();
     web_put("speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,duration_s_zero_force,"
-            "max_overlap_m,max_force_n,time_step_s%s%s\n",
+            "max_overlap_m,max_force_n,time_step_s%s%s%s\n",
             more == 4   ? ",step_bias_zero_overlap,step_scatter_zero_overlap,"
                           "step_bias_zero_force,step_scatter_zero_force"
             : more == 2 ? ",step_bias,step_scatter"
                         : "",
-            contacts > 1 ? ",measured_end" : "");
+            contacts > 1 ? ",measured_end" : "", spheres ? ",contact_radius_m,max_pressure_pa" : "");
     if (n > 0)
         web_impacts(web_now.speed_m_s, y, n);
     if (n > 0 && errors)
@@ -237,7 +238,15 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
             web_put(",");
             web_put_number(error[(more * k + c) * n + i], STEP_DIGITS);
         }
-        web_put("%s\n", contacts == 1 ? "" : k == 0 ? ",zero-overlap" : ",zero-force");
+        web_put("%s", contacts == 1 ? "" : k == 0 ? ",zero-overlap" : ",zero-force");
+        if (spheres) {
+            const double overlap = y[(k * COLUMNS + OVERLAP) * n + i];
+            web_put(",");
+            web_put_number(cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
+            web_put(",");
+            web_put_number(cor_scene_pressure(&web_now.contact[k], overlap), digits);
+        }
+        web_put("\n");
     }
     return web_text();
 }

@@ -9,6 +9,7 @@ const HEADS = {
     speed_m_s: "speed, m/s", eps_zero_overlap: "eps, zero overlap", eps_zero_force: "eps, zero force",
     duration_s_zero_overlap: "duration, zero overlap, s", duration_s_zero_force: "duration, zero force, s",
     max_overlap_m: "largest overlap, m", max_force_n: "largest force, N", time_step_s: "time step, s",
+    contact_radius_m: "contact radius, m", max_pressure_pa: "largest pressure, Pa",
     step_bias: "mean error of eps by the step", step_scatter: "its scatter",
     step_bias_zero_overlap: "mean error by the step, zero overlap", step_scatter_zero_overlap: "its scatter",
     step_bias_zero_force: "mean error by the step, zero force", step_scatter_zero_force: "its scatter", measured_end: "eps measured at",
