@@ -725,7 +725,7 @@ static double slipping_ratio(double kappa, double u, double *first)
     return (double)NAN;
 }
 
-/* The table of docs/theory.md, 11, and the angle of sticking: just below it nothing slips while the spheres approach,
+/* The table of docs/theory.md, 20, and the angle of sticking: just below it nothing slips while the spheres approach,
  * just above it they slip at once. */
 TEST(slip_in_oblique_impacts)
 {
