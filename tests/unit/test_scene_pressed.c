@@ -110,6 +110,8 @@ TEST(impacts)
     for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
         for (size_t i = 0; i < sizeof betas / sizeof *betas; i++)
             for (size_t k = 0; k < sizeof forces / sizeof *forces; k++) {
+                if (!in_turn(l + i + k, 3))
+                    continue;
                 const struct cor_exponents *const law = &cor_law_exponents[laws[l]];
                 const struct reference r = reference(law, betas[i], forces[k]);
                 const struct cor_scene_contact c = contact_of(law, betas[i], forces[k]);

@@ -53,7 +53,7 @@ TEST(test_impacts_are_those_of_a_contact)
         assert_near(y[14 + i] / (cor_contact_duration_s_zero_force(&contact, 3) / 20), 1, 1e-13);
     }
     assert_non_null(strstr(web_table(6, 1), "time_step_s,step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_"
-                                            "zero_force,step_scatter_zero_force\n3,"));
+                                            "zero_force,step_scatter_zero_force,contact_radius_m,max_pressure_pa\n3,"));
     assert_string_equal(web_command(), "corgen contact --young 7e10 --poisson 0.25 --radius 5e-3 --density 2500 "
                                        "--dissipation-time 4e-7 --speed 3,0.1 --steps 20");
 }
