@@ -139,9 +139,9 @@ async function saved(button, file) {
 const impacts = await saved("#save-impacts", "impacts.csv");
 // the page has the errors of the time step, too
 const rowsOf = (csv) => csv.trim().split("\n").map((row) => row.split(","));
-const [head, ...rows] = rowsOf(impacts), [wanted, ...right] = rowsOf(byCorgen(glass).table);
-check("impacts.csv has the numbers of corgen contact --format csv", rows.length === right.length &&
-    wanted.every((name, i) => right.every((row, k) => rows[k][head.indexOf(name)] === row[i])), impacts);
+const [head, ...rows] = rowsOf(impacts), [wanted, ...exact] = rowsOf(byCorgen(glass).table);
+check("impacts.csv has the numbers of corgen contact --format csv", rows.length === exact.length &&
+    wanted.every((name, i) => exact.every((row, k) => rows[k][head.indexOf(name)] === row[i])), impacts);
 const svg = await saved("#save-svg", "restitution.svg"), curves = await saved("#save-curves", "curves.csv");
 check("restitution.svg is a picture of its own", svg.startsWith("<svg xmlns=") && svg.includes("<style>") &&
     await page.evaluate((text) => new DOMParser().parseFromString(text, "image/svg+xml")
