@@ -8,12 +8,10 @@
  * motion that turns just before x = 0 turns there slowly, and no step hides that. */
 #include "runtime/scene/pressed.h"
 
-#include <float.h>
-#include <math.h>
-
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/series.h"
 
-enum { ORDER = 24, NODES = 40, MOST_STEPS = 100000, BISECTIONS = 80 };
+enum { ORDER = SERIES_ORDER, NODES = 40, MOST_STEPS = SERIES_MOST_STEPS, BISECTIONS = 80 };
 enum { NODE_ONE = -2, NODE_W = -1 };
 
 /* A power of w, the product of two others */
@@ -80,7 +78,7 @@ static double product(const struct motion *m, int node, const double *other, int
 /* The coefficients of w, v and t, and a step at which the last ones do not matter */
 static void motion_expand(struct motion *m)
 {
-    double rest[ORDER + 1], least = INFINITY;
+    double rest[ORDER + 1];
     for (int n = 0; n < ORDER; n++) {
         for (int i = 0; i < m->nodes; i++) {
             struct node *const p = &m->node[i];
@@ -94,34 +92,12 @@ static void motion_expand(struct motion *m)
         m->t[n + 1] = scale * coefficient(m, m->of_time, n);
     }
     m->force[ORDER] = 0;
-    const double size = DBL_EPSILON / 8 * fmax(fabs(m->w[0]), fabs(m->v[0]));
-    for (int n = ORDER - 2; n <= ORDER; n++) {
-        const double last = fmax(fabs(m->w[n]), fabs(m->v[n]));
-        if (last > 0)
-            least = fmin(least, pow(size / last, 1.0 / n));
-    }
-    m->step = isfinite(least) ? 0.9 * least : 1;
-}
-
-static double at(const double *c, double s)
-{
-    double y = c[ORDER];
-    for (int n = ORDER - 1; n >= 0; n--)
-        y = y * s + c[n];
-    return y;
-}
-
-static double slope_at(const double *c, double s)
-{
-    double y = ORDER * c[ORDER];
-    for (int n = ORDER - 1; n > 0; n--)
-        y = y * s + n * c[n];
-    return y;
+    m->step = series_step(m->w, m->v);
 }
 
 static void motion_advance(struct motion *m)
 {
-    const double w = at(m->w, m->step), v = at(m->v, m->step), t = at(m->t, m->step);
+    const double w = series_at(m->w, m->step), v = series_at(m->v, m->step), t = series_at(m->t, m->step);
     m->w[0] = w;
     m->v[0] = v;
     m->t[0] = t;
@@ -141,24 +117,24 @@ typedef double function(const struct motion *m, double s, double level);
 
 static double velocity(const struct motion *m, double s, double level)
 {
-    return at(m->v, s) - level;
+    return series_at(m->v, s) - level;
 }
 
 static double height(const struct motion *m, double s, double level)
 {
-    return at(m->w, s) - level;
+    return series_at(m->w, s) - level;
 }
 
 static double contact_force(const struct motion *m, double s, double level)
 {
-    const double w = at(m->w, s);
-    return m->elastic * whole_power(w, m->ad - m->low) + m->damper * whole_power(w, m->bd - m->low) * at(m->v, s) -
-           level;
+    const double w = series_at(m->w, s);
+    return m->elastic * whole_power(w, m->ad - m->low) +
+           m->damper * whole_power(w, m->bd - m->low) * series_at(m->v, s) - level;
 }
 
 static double force_slope(const struct motion *m, double s, double level)
 {
-    return slope_at(m->force, s) - level;
+    return series_slope(m->force, s) - level;
 }
 
 /* Where the function falls to zero between two places */
@@ -222,8 +198,8 @@ struct events {
 
 static void record(struct cor_pressed_impact *impact, int end, const struct motion *m, const struct events *e, double s)
 {
-    impact->eps[end] = -at(m->v, s);
-    impact->duration[end] = at(m->t, s) * e->time;
+    impact->eps[end] = -series_at(m->v, s);
+    impact->duration[end] = series_at(m->t, s) * e->time;
 }
 
 /* Events of one step */
@@ -232,23 +208,23 @@ static void find_events(struct cor_pressed_impact *impact, struct events *e, str
     double begin = 0, end = m->step;
     if (!e->turned) {
         if (force_slope(m, 0, 0) > 0 && force_slope(m, end, 0) < 0)
-            impact->force_max = fmax(impact->force_max, at(m->force, root(m, force_slope, 0, end, 0)));
+            impact->force_max = fmax(impact->force_max, series_at(m->force, root(m, force_slope, 0, end, 0)));
         impact->force_max = fmax(impact->force_max, m->force[0]);
-        if (at(m->v, end) > 0)
+        if (series_at(m->v, end) > 0)
             return;
         begin = root(m, velocity, 0, end, 0);
         e->turned = 1;
-        impact->max_overlap = overlap(m, at(m->w, begin)) * e->length;
-        impact->force_max = fmax(impact->force_max, at(m->force, begin));
+        impact->max_overlap = overlap(m, series_at(m->w, begin)) * e->length;
+        impact->force_max = fmax(impact->force_max, series_at(m->force, begin));
     }
-    if (!e->parted && !e->stuck && at(m->w, end) <= 0) {
+    if (!e->parted && !e->stuck && series_at(m->w, end) <= 0) {
         end = root(m, height, begin, end, 0);
         record(impact, COR_END_ZERO_OVERLAP, m, e, end);
         e->parted = 1;
     }
     if (e->released || e->held)
         return;
-    const double last = e->release > 0 && at(m->w, begin) > e->release && at(m->w, end) < e->release
+    const double last = e->release > 0 && series_at(m->w, begin) > e->release && series_at(m->w, end) < e->release
                             ? root(m, height, begin, end, e->release)
                             : end;
     if (contact_force(m, last, 0) < 0) {
@@ -421,10 +397,10 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
     int turned = 0;
     for (int k = 0; k < MOST_STEPS && m.w[0] < FAR_OVERLAP; k++) {
         motion_expand(&m);
-        const double begin = turned || at(m.v, m.step) > 0 ? 0 : root(&m, velocity, 0, m.step, 0);
+        const double begin = turned || series_at(m.v, m.step) > 0 ? 0 : root(&m, velocity, 0, m.step, 0);
         turned = turned || begin > 0;
-        if (turned && at(m.w, m.step) <= 0)
-            return -at(m.v, root(&m, height, begin, m.step, 0));
+        if (turned && series_at(m.w, m.step) <= 0)
+            return -series_at(m.v, root(&m, height, begin, m.step, 0));
         motion_advance(&m);
     }
     return INFINITY;
