@@ -222,7 +222,6 @@ static int set_stiffness(struct cor_scene_contact *contact, double duration_s, d
     return contact->stiffness > 0 && contact->stiffness < INFINITY ? COR_FAULT_NONE : COR_FAULT_NO_STIFFNESS;
 }
 
-/* A restitution or a duration without its end is that of either end, in a contact for each. */
 /* ---- yield, and a liquid ---- */
 
 /* Sets v_y, where a yield stress or the restitution of elastic-plastic spheres is given. */
@@ -283,7 +282,9 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
     return contact->liquid_speed_m_s < INFINITY ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
 }
 
-/* A restitution without its end is that of either end, in a contact for each. */
+/* ---- a damping from what was measured ---- */
+
+/* A restitution or a duration without its end is that of either end, in a contact for each. */
 static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {
