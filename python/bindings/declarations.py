@@ -7,11 +7,26 @@ SyntaxError at any other text, so that no declaration is skipped in silence.
 """
 
 import re
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, Iterator, List, Optional, Tuple
 
 NOT_READ = ("export.h",)  # defines COR_API alone
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def write_or_check(path: Path, text: str, arguments: List[str], usage: str) -> int:
+    """Writes a file made from the headers, or with --check fails if it is another; the exit status."""
+    if arguments not in ([], ["--check"]):
+        print(usage, file=sys.stderr)
+        return 2
+    if not arguments:
+        path.write_text(text, encoding="utf-8")
+    elif path.read_text(encoding="utf-8") != text:
+        print(f"{path.relative_to(ROOT)} is not what the headers give: run python3 {sys.argv[0]}")
+        return 1
+    return 0
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,16 @@ if __package__ in (None, ""):
 
 from bindings.calls import Call, argument_names, calls, is_input, is_value  # noqa: E402
 from bindings.cffi_source import constant_type  # noqa: E402
-from bindings.declarations import Constant, Declarations, Function, Parameter, Struct  # noqa: E402
+from bindings.declarations import (  # noqa: E402
+    ROOT,
+    Constant,
+    Declarations,
+    Function,
+    Parameter,
+    Struct,
+    write_or_check,
+)
 
-ROOT = Path(__file__).resolve().parents[2]
 WIDTH = 118
 KINDS = {"double": "real(c_double)", "float": "real(c_float)", "int": "integer(c_int)", "size_t": "integer(c_size_t)"}
 
@@ -180,20 +187,6 @@ def _elemental(call: Call, function: Function, name: str, binding: str, real: st
     )
 
 
-def main() -> int:
-    path = ROOT / "fortran" / "cor.f90"
-    text = module(Declarations(ROOT / "include" / "cor"))
-    if sys.argv[1:] == ["--check"]:
-        if path.read_text(encoding="utf-8") != text:
-            print("fortran/cor.f90 is not what the headers give: run python3 python/bindings/fortran_source.py")
-            return 1
-    elif sys.argv[1:]:
-        print(__doc__, file=sys.stderr)
-        return 2
-    else:
-        path.write_text(text, encoding="utf-8")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    MADE = module(Declarations(ROOT / "include" / "cor"))
+    sys.exit(write_or_check(ROOT / "fortran" / "cor.f90", MADE, sys.argv[1:], __doc__))

@@ -12,10 +12,8 @@ if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from bindings.calls import argument_names, calls, input_struct, is_input, is_value  # noqa: E402
-from bindings.declarations import Declarations, Function, Parameter  # noqa: E402
+from bindings.declarations import ROOT, Declarations, Function, Parameter, write_or_check  # noqa: E402
 
-ROOT = Path(__file__).resolve().parents[2]
-LIST = ROOT / "generated" / "public_functions.inc"
 REALS = ("double", "float")
 
 MACROS = {
@@ -91,24 +89,12 @@ def lines(declared: Declarations) -> List[str]:
     return [f"NUMBER({name})" for name in sorted(numbers)] + found
 
 
-def main() -> int:
-    text = HEAD + "".join(f" *     {macro:<40}{meaning}\n" for macro, meaning in MACROS.items()) + " */\n"
-    text += "".join(f"#ifndef {macro.split('(')[0]}\n#define {macro}\n#endif\n" for macro in MACROS)
-    text += "\n".join(lines(Declarations(ROOT / "include" / "cor"))) + "\n"
-    text += "".join(f"#undef {macro.split('(')[0]}\n" for macro in MACROS)
-    if sys.argv[1:] == ["--check"]:
-        if LIST.read_text(encoding="utf-8") != text:
-            print(
-                f"{LIST.relative_to(ROOT)} is not what the headers give: run python3 python/bindings/function_list.py"
-            )
-            return 1
-    elif sys.argv[1:]:
-        print(__doc__, file=sys.stderr)
-        return 2
-    else:
-        LIST.write_text(text, encoding="utf-8")
-    return 0
+def text() -> str:
+    made = HEAD + "".join(f" *     {macro:<40}{meaning}\n" for macro, meaning in MACROS.items()) + " */\n"
+    made += "".join(f"#ifndef {macro.split('(')[0]}\n#define {macro}\n#endif\n" for macro in MACROS)
+    made += "\n".join(lines(Declarations(ROOT / "include" / "cor"))) + "\n"
+    return made + "".join(f"#undef {macro.split('(')[0]}\n" for macro in MACROS)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(write_or_check(ROOT / "generated" / "public_functions.inc", text(), sys.argv[1:], __doc__))
