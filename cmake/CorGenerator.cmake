@@ -41,26 +41,13 @@ if(FLINT_FOUND AND Cminpack_FOUND)
       ${PROJECT_SOURCE_DIR}/runtime/table/row.h ${PROJECT_SOURCE_DIR}/runtime/table/law.h
       ${PROJECT_SOURCE_DIR}/runtime/sphere/eval.h
     VERBATIM)
-  # the processes of one mpirun share the rows of a sweep, or there is but one process
-  set(ranks gen/sweep/ranks_alone.c)
-  if(COR_WITH_MPI)
-    include(CorMPI)
-    if(NOT COR_HAVE_MPI)
-      message(FATAL_ERROR "COR_WITH_MPI=ON, but no MPI can be compiled with: mpi.h or its library is missing. "
-        "On Debian: apt-get install libopenmpi-dev openmpi-bin")
-    endif()
-    set(ranks gen/sweep/ranks_mpi.c)
-  endif()
   set(THREADS_PREFER_PTHREAD_FLAG ON)
   find_package(Threads REQUIRED)
-  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES} ${ranks} ${evaluator}
+  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES} ${evaluator}
     ${tables} $<TARGET_OBJECTS:cor_scene_without_tables> ${cor_without_tables_objects})
   target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE Cminpack::Cminpack cor_defaults)
-  if(COR_WITH_MPI)
-    target_link_libraries(corgen_core PUBLIC MPI::MPI_C)
-  endif()
   set_target_properties(corgen_core PROPERTIES C_STANDARD 11)
 
   add_executable(corgen ${PROJECT_SOURCE_DIR}/gen/cli/main.c)

@@ -80,7 +80,7 @@ static const char help[] =
     "                   in 1 - eps^2, 1e-7 to below 1 (default " DEFAULT_HARD_WALL_TOLERANCE ")\n"
     "  --phi-points M   angles on a quadrant where the wall's force is evaluated, 1 to 16384\n"
     "                   (default: as many as the tolerance needs)\n"
-    "  --threads K      1 to 1024 (default: as many as processors; under mpirun 1 for each rank)\n"
+    "  --threads K      1 to 1024 (default: as many as processors)\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot; up to 12 curves\n"
     "  --format F       text (default), csv or json\n"
     "  --output FILE    write to FILE (default: standard output). FILE.part keeps the rows until all are\n"
@@ -134,5 +134,4 @@ const struct subcommand command_disk_collide = {.name = "disk-collide",
                                                 .options = options,
                                                 .size = sizeof defaults,
                                                 .defaults = &defaults,
-                                                .run = run_disk_collide,
-                                                .on_all_ranks = true};
+                                                .run = run_disk_collide};

@@ -9,7 +9,6 @@
 #include "cli/overview.h"
 #include "support/console.h"
 #include "support/words.h"
-#include "sweep/ranks.h"
 
 static int print_whole(const char *text)
 {
@@ -115,8 +114,7 @@ static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, ch
     return status;
 }
 
-/* Runs the command line in one process. */
-static int run_alone(const struct subcommand *const *table, const char *version, int argc, char **argv)
+int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
 {
     const char *const name = argc < 2 ? NULL : argv[1];
     if (word_is(name, "--help") || word_is(name, "-h"))
@@ -129,33 +127,4 @@ static int run_alone(const struct subcommand *const *table, const char *version,
         return print_completion(table, argc - 2, argv + 2);
     const struct subcommand *const cmd = subcommand_named(table, name);
     return cmd ? subcommand_parse_and_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
-}
-
-static const struct subcommand *command_on_all_ranks(const struct subcommand *const *table, const char *name)
-{
-    for (; name && *table; table++)
-        if ((*table)->on_all_ranks && strcmp((*table)->name, name) == 0)
-            return *table;
-    return NULL;
-}
-
-int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
-{
-    if (ranks_start() != STATUS_OK)
-        return STATUS_FAILED;
-    const struct subcommand *const shared = command_on_all_ranks(table, argc < 2 ? NULL : argv[1]);
-    int status = STATUS_OK;
-    if (shared) {
-        console_show_usage_errors(ranks_mine() == 0);
-        status = subcommand_parse_and_start(shared, argc - 1, argv + 1);
-    } else if (ranks_mine() > 0) {
-        size_t size;
-        ranks_receive(0, RANKS_TAG_MAIN, &size);
-    } else {
-        status = run_alone(table, version, argc, argv);
-        for (int rank = 1; rank < ranks_count(); rank++)
-            ranks_send(rank, RANKS_TAG_MAIN, NULL, 0);
-    }
-    ranks_stop();
-    return status;
 }

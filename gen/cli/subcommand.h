@@ -13,8 +13,6 @@ struct subcommand {
     size_t size;                       /* size of its struct of arguments, which begins with struct option_common */
     const void *defaults;              /* values of that struct for options that are not given */
     int (*run)(const void *arguments); /* exit status */
-    bool on_all_ranks;                 /* every process of an mpirun runs it; otherwise one process runs it and the
-                                        * others wait */
 };
 
 /* Parts of help texts */

@@ -9,81 +9,36 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "runtime/disk/mode_file.h"
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/output.h"
 
-/* A line ends with a space and a check sum of everything before the sum, as in a mode file. A changed byte therefore
- * shows in its own line and in every later one. */
-enum { CHECK_LENGTH = 9, PENDING_MAX = 1 << 20, SYNC_SECONDS = 30 };
+static const double SYNC_SECONDS = 30;
 
 static int journal_failure(const char *verb, const struct journal *journal)
 {
     return fail("cannot %s %s: %s", verb, journal->path, errno ? strerror(errno) : "write error");
 }
 
-static uint32_t line_check(uint32_t check, const char *line, size_t n)
+int journal_add(struct journal *journal, const char *line)
 {
-    return cor_mode_file_check(cor_mode_file_check(check, line, n), " ", 1);
-}
-
-/* Cuts the check sum off the end of the line, if it is right, and updates *check. Otherwise neither changes. */
-static bool line_accept(uint32_t *check, char *line)
-{
-    const size_t n = strlen(line);
-    if (n < CHECK_LENGTH + 1)
-        return false;
-    char expected[CHECK_LENGTH + 2];
-    const size_t length = n - CHECK_LENGTH - 1;
-    const uint32_t so_far = line_check(*check, line, length);
-    snprintf(expected, sizeof expected, " %08" PRIx32 "\n", so_far);
-    if (strcmp(line + length, expected) != 0)
-        return false;
-    *check = cor_mode_file_check(so_far, expected + 1, CHECK_LENGTH);
-    line[length] = '\0';
-    return true;
-}
-
-void journal_add(struct journal *journal, const char *line)
-{
-    const size_t n = strlen(line), size = n + CHECK_LENGTH + 1;
-    const uint32_t check = line_check(journal->check, line, n);
-    if (journal->pending_size + size + 1 > journal->pending_capacity) {
-        journal->pending_capacity = 2 * (journal->pending_size + size + 1);
-        journal->pending = xrealloc(journal->pending, journal->pending_capacity);
-    }
-    char *at = journal->pending + journal->pending_size;
-    snprintf(at, size + 1, "%s %08" PRIx32 "\n", line, check);
-    journal->check = cor_mode_file_check(check, at + n + 1, CHECK_LENGTH);
-    journal->pending_size += size;
+    if (fprintf(journal->stream, "%s\n", line) < 0)
+        return journal_failure("write", journal);
     journal->lines++;
-    if (journal->pending_size > PENDING_MAX)
-        journal_flush(journal); /* the caller's next journal_flush reports an error again */
+    return STATUS_OK;
+}
+
+static int journal_sync(struct journal *journal)
+{
+    journal->synced = clock_seconds();
+    return fsync(fileno(journal->stream)) == 0 || errno == EINVAL ? STATUS_OK : journal_failure("write", journal);
 }
 
 int journal_flush(struct journal *journal)
 {
-    size_t done = 0;
-    while (done < journal->pending_size) {
-        const ssize_t n = write(journal->fd, journal->pending + done, journal->pending_size - done);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0) {
-            /* keep what is not written, so that the file stays a prefix of the journal */
-            memmove(journal->pending, journal->pending + done, journal->pending_size - done);
-            journal->pending_size -= done;
-            return journal_failure("write", journal);
-        }
-        done += (size_t)n;
-    }
-    journal->pending_size = 0;
-    if (done > 0 && clock_seconds() - journal->synced > (double)SYNC_SECONDS) {
-        if (fsync(journal->fd) != 0 && errno != EINVAL)
-            return journal_failure("write", journal);
-        journal->synced = clock_seconds();
-    }
-    return STATUS_OK;
+    if (fflush(journal->stream) != 0)
+        return journal_failure("write", journal);
+    return clock_seconds() - journal->synced > SYNC_SECONDS ? journal_sync(journal) : STATUS_OK;
 }
 
 /* ---- opening ---- */
@@ -91,43 +46,28 @@ int journal_flush(struct journal *journal)
 static int journal_lock(struct journal *journal)
 {
     struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    if (fcntl(journal->fd, F_SETLK, &region) == 0)
+    if (fcntl(fileno(journal->stream), F_SETLK, &region) == 0)
         return STATUS_OK;
-    if (errno != EACCES && errno != EAGAIN) { /* the file system has no locks */
-        journal_failure("lock", journal);
-        fail("continuing without a lock; make sure that no other corgen writes to the same --output");
-        return STATUS_OK;
-    }
-    if (fcntl(journal->fd, F_GETLK, &region) == 0 && region.l_type != F_UNLCK)
-        return fail("%s is in use by process %ld; wait for it or choose another --output", journal->path,
-                    (long)region.l_pid);
-    return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
+    if (errno == EACCES || errno == EAGAIN)
+        return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
+    journal_failure("lock", journal); /* the file system has no locks */
+    fail("continuing without a lock; make sure that no other corgen writes to the same --output");
+    return STATUS_OK;
 }
 
-/* Opens and locks the file. Another process may finish the journal and remove it between open and lock; then the name
- * belongs to another file or to none, and the file is opened again. */
 static int journal_open_locked(struct journal *journal)
 {
-    for (;;) {
-        struct stat opened, named;
-        /* a symbolic link could lead anywhere, so it is not followed */
-        journal->fd = open(journal->path, O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-        if (journal->fd < 0 && errno == ELOOP)
-            return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
-        if (journal->fd < 0 || fstat(journal->fd, &opened) != 0)
-            return journal_failure("write", journal);
-        journal->stream = fdopen(journal->fd, "r");
-        if (!journal->stream)
-            return journal_failure("read", journal);
-        if (!S_ISREG(opened.st_mode))
-            return fail("cannot write %s: it is not a regular file", journal->path);
-        if (journal_lock(journal) != STATUS_OK)
-            return STATUS_FAILED;
-        if (stat(journal->path, &named) == 0 && named.st_ino == opened.st_ino && named.st_dev == opened.st_dev)
-            return STATUS_OK;
-        fclose(journal->stream);
-        journal->stream = NULL;
-    }
+    struct stat opened;
+    /* a symbolic link could lead anywhere, so it is not followed */
+    const int fd = open(journal->path, O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd < 0 && errno == ELOOP)
+        return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
+    journal->stream = fd < 0 ? NULL : fdopen(fd, "a+");
+    if (!journal->stream || fstat(fd, &opened) != 0)
+        return journal_failure("write", journal);
+    if (!S_ISREG(opened.st_mode))
+        return fail("cannot write %s: it is not a regular file", journal->path);
+    return journal_lock(journal);
 }
 
 static int journal_refuse_foreign(const struct journal *journal, const char *title)
@@ -150,87 +90,76 @@ static bool same_sweep(const char *title, const char *other)
     return colon ? strncmp(title, other, (size_t)(colon - title) + 1) == 0 : strcmp(title, other) == 0;
 }
 
-/* Reads the first line, or the next one, into journal->line and cuts off its check sum. False at the end, or if the
- * line is incomplete or its check is wrong. */
-static bool read_line(struct journal *journal, bool first, uint32_t *check)
+/* Reads a line and cuts off its end; *line is malloc'ed. False at the end, or if the line is incomplete. */
+static bool read_line(struct journal *journal, char **line)
 {
-    if (first) {
-        *check = COR_MODE_FILE_CHECK_START;
-        fflush(journal->stream); /* forgets what was read before rows were added */
-        rewind(journal->stream);
+    size_t size = 0;
+    free(*line);
+    *line = NULL;
+    const ssize_t n = getline(line, &size, journal->stream);
+    if (n < 0) {
+        free(*line);
+        *line = xstrdup("");
     }
-    journal->line[0] = '\0';
-    return fgets(journal->line, (int)journal->line_size, journal->stream) && line_accept(check, journal->line);
+    char *const end = strchr(*line, '\n');
+    if (end)
+        *end = '\0';
+    return end && end == *line + n - 1;
 }
 
-/* Finds the good lines, and returns their size in bytes, or -1 after a message. */
+/* Finds the complete lines, and returns their size in bytes, or -1 after a message. */
 static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
-    struct stat status;
-    const size_t n = strlen(title);
     off_t good = 0;
-    if (!read_line(journal, true, &journal->check)) {
+    char *line = NULL;
+    rewind(journal->stream);
+    if (!read_line(journal, &line)) {
         /* a prefix of the title was cut off while it was written; any other first line is from another program */
-        const size_t size = strlen(journal->line);
-        const bool beginning = fstat(journal->fd, &status) == 0 && status.st_size == (off_t)size &&
-                               size <= n + CHECK_LENGTH && memcmp(journal->line, title, size < n ? size : n) == 0;
-        if (ferror(journal->stream))
-            return journal_failure("read", journal), -1;
-        if (!beginning)
-            journal_refuse_foreign(journal, "");
-        return beginning ? 0 : -1;
-    }
-    if (!same_sweep(title, journal->line)) {
-        journal_refuse_foreign(journal, journal->line);
-        return -1;
-    }
-    for (uint32_t check = journal->check;; journal->lines++) {
-        journal->check = check;
+        const size_t n = strlen(line);
+        struct stat status;
+        const bool beginning =
+            fstat(fileno(journal->stream), &status) == 0 && status.st_size == (off_t)n && strncmp(line, title, n) == 0;
+        good = ferror(journal->stream) ? (journal_failure("read", journal), -1)
+               : beginning             ? 0
+                                       : (journal_refuse_foreign(journal, ""), -1);
+    } else if (!same_sweep(title, line)) {
+        journal_refuse_foreign(journal, line);
+        good = -1;
+    } else {
         good = ftello(journal->stream);
-        if (journal->lines == most || !read_line(journal, false, &check))
-            break;
-        free(journal->last);
-        journal->last = xstrdup(journal->line);
+        for (; journal->lines < most && read_line(journal, &line); journal->lines++) {
+            good = ftello(journal->stream);
+            free(journal->last);
+            journal->last = xstrdup(line);
+        }
+        if (ferror(journal->stream))
+            good = (journal_failure("read", journal), -1);
     }
-    return ferror(journal->stream) ? journal_failure("read", journal), -1 : good;
-}
-
-/* A power cut can lose the name of a new file until its folder is synced. */
-static void sync_folder(const char *path)
-{
-    char *const folder = output_folder(path);
-    const int fd = open(folder, O_RDONLY | O_CLOEXEC);
-    if (fd >= 0) {
-        fsync(fd);
-        close(fd);
-    }
-    free(folder);
+    free(line);
+    return good;
 }
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
-    enum { LINE = 1 << 16 };
     static const char extension[] = ".part";
-    *journal = (struct journal){.fd = -1, .synced = clock_seconds(), .line_size = strlen(title) + LINE};
-    journal->line = xmalloc(journal->line_size);
     const size_t size = strlen(file) + sizeof extension;
-    journal->path = xmalloc(size);
+    *journal = (struct journal){.path = xmalloc(size), .synced = clock_seconds()};
     snprintf(journal->path, size, "%s%s", file, extension);
     output_report_size_limit();
-    off_t good = -1;
-    if (journal_open_locked(journal) == STATUS_OK)
-        good = journal_recover(journal, title, most);
-    int status = good >= 0 ? STATUS_OK : STATUS_FAILED;
-    if (status == STATUS_OK && ftruncate(journal->fd, good) != 0)
+    int status = journal_open_locked(journal);
+    const off_t good = status == STATUS_OK ? journal_recover(journal, title, most) : -1;
+    if (good < 0)
+        status = STATUS_FAILED;
+    else if (fflush(journal->stream) != 0 || ftruncate(fileno(journal->stream), good) != 0 ||
+             fseek(journal->stream, 0, SEEK_END) != 0)
         status = journal_failure("write", journal);
     if (status == STATUS_OK && good == 0) {
-        journal->check = COR_MODE_FILE_CHECK_START;
-        journal_add(journal, title);
+        status = journal_add(journal, title);
         journal->lines = 0;
-        status = journal_flush(journal);
-        if (status == STATUS_OK && fsync(journal->fd) != 0 && errno != EINVAL)
-            status = journal_failure("write", journal);
-        sync_folder(journal->path);
+        if (status == STATUS_OK)
+            status = journal_flush(journal);
+        if (status == STATUS_OK)
+            status = journal_sync(journal);
     }
     if (status != STATUS_OK)
         journal_close(journal, false);
@@ -241,11 +170,13 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
 {
     if (journal_flush(journal) != STATUS_OK)
         return STATUS_FAILED;
-    uint32_t check;
+    char *line = NULL;
     uint64_t number = 0;
-    for (; number <= journal->lines && read_line(journal, number == 0, &check); number++)
+    rewind(journal->stream);
+    for (; number <= journal->lines && read_line(journal, &line); number++)
         if (number > 0)
-            visit(context, journal->line);
+            visit(context, line);
+    free(line);
     if (number == journal->lines + 1)
         return STATUS_OK;
     if (ferror(journal->stream))
@@ -260,10 +191,8 @@ void journal_close(struct journal *journal, bool done)
     if (journal->stream)
         fclose(journal->stream);
     free(journal->path);
-    free(journal->line);
     free(journal->last);
-    free(journal->pending);
-    *journal = (struct journal){.fd = -1};
+    *journal = (struct journal){0};
 }
 
 /* ---- interruptions ---- */

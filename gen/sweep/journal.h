@@ -1,40 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-/* The rows of an unfinished sweep, kept in FILE.part until FILE can be written. Whenever the program ends, FILE.part
- * holds the first rows of the sweep; only its last line may be incomplete. docs/disks.md. */
+/* The rows of an unfinished sweep, kept in FILE.part until FILE can be written: a line that identifies the sweep, then
+ * the rows. Whenever the program ends, FILE.part holds the first rows of the sweep; only its last line may be
+ * incomplete. docs/disks.md. */
 #ifndef COR_GEN_SWEEP_JOURNAL_H
 #define COR_GEN_SWEEP_JOURNAL_H
 
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
 struct journal {
-    int fd; /* locked against other processes */
+    FILE *stream; /* locked against other processes; writes go to its end */
     char *path;
-    FILE *stream; /* reads it; writes go through fd, to its end */
-    char *line;   /* the line read last */
-    size_t line_size;
-    uint32_t check;
     uint64_t lines; /* rows, without the title */
-    char *last;     /* the last row that journal_open found, without its check sum; NULL if it found none */
-    char *pending;  /* bytes that are not written yet */
-    size_t pending_size, pending_capacity;
+    char *last;     /* the last row that journal_open found; NULL if it found none */
     double synced;
     char *interrupted; /* the message of journal_say_on_interrupt */
 };
 
 /* Opens or creates FILE.part, whose first line is `title` (given without its line end). A file whose title differs
- * before the first colon is refused. Of the right file, up to `most` rows with correct check sums are kept, and
- * everything after them is cut off. Returns STATUS_OK, or STATUS_FAILED after a message. */
+ * before the first colon is refused. Of the right file, up to `most` complete rows are kept, and everything after them
+ * is cut off. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
 /* Adds a row, given without its line end. A row is safe from the end of this process once journal_flush has returned,
  * and from a power cut half a minute later. */
-void journal_add(struct journal *journal, const char *line);
+int journal_add(struct journal *journal, const char *line);
 int journal_flush(struct journal *journal);
 
-/* Calls visit() for every row, without check sums. */
+/* Calls visit() for every row. */
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context);
 
 /* Starts and stops a message about the journal, which SIGINT, SIGTERM and SIGHUP print before they end the program. */

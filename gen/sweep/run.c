@@ -15,7 +15,6 @@
 #include "support/eps_plot.h"
 #include "support/parallel.h"
 #include "sweep/journal.h"
-#include "sweep/ranks.h"
 #include "sweep/threads.h"
 
 /* Memory for each mode while the modes are found, measured. */
@@ -31,15 +30,13 @@ struct collide {
     struct cor_disk_modes modes;    /* soft walls: modes of the present material */
     struct hard_wall_tables tables; /* the hard wall: modes of the present material, as many as the rows need */
 
-    /* Rank 0: lines go to the journal if there is one, otherwise to the printer. */
-    struct journal journal;
+    struct journal journal; /* lines go there if it has a path, otherwise to the printer */
     struct sweep_printer printer;
     const char *again; /* last line of an earlier run, computed again as a check; NULL if there is none */
     uint64_t again_row;
 
-    double started, modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
-    double cost_done, cost_found; /* of rows finished in this run, and of rows found in the journal */
-    uint64_t finished;
+    double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
+    uint64_t finished, done;                          /* rows in all, and rows of this run */
     size_t materials_left;
 };
 
@@ -78,33 +75,6 @@ static int find_modes(struct collide *run, size_t material)
     profile_step(NULL);
     run->modes_seconds = clock_seconds() - start;
     return status;
-}
-
-/* Sends the modes to the other ranks. */
-static void send_modes(const struct collide *run)
-{
-    const size_t bytes = run->sweep.hard_wall ? 0 : run->modes.count * sizeof *run->mode;
-    unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
-    memcpy(message, run->sweep.hard_wall ? &run->tables.nu : &run->modes.nu, sizeof run->modes.nu);
-    if (bytes > 0)
-        memcpy(message + sizeof run->modes.nu, run->mode, bytes);
-    for (int rank = 1; rank < ranks_count(); rank++)
-        ranks_send(rank, RANKS_TAG_MAIN, message, sizeof run->modes.nu + bytes);
-    free(message);
-}
-
-static void receive_modes(struct collide *run, const void *bytes, size_t n)
-{
-    const size_t size = n - sizeof run->modes.nu;
-    memcpy(&run->modes.nu, bytes, sizeof run->modes.nu);
-    if (run->sweep.hard_wall) {
-        hard_wall_tables_set(&run->tables, run->modes.nu);
-        return;
-    }
-    run->mode = xrealloc(run->mode, size);
-    memcpy(run->mode, (const char *)bytes + sizeof run->modes.nu, size);
-    run->modes.count = size / sizeof *run->mode;
-    run->modes.mode = run->mode;
 }
 
 /* Asks the integrator at every corner of the sweep whether it refuses the parameters or needs too much memory. */
@@ -170,25 +140,22 @@ static int row_finished(void *context, uint64_t number, const void *bytes)
                         run->journal.path, number + 1);
         return STATUS_OK;
     }
-    run->cost_done += sweep_cost(&run->sweep, number);
     run->finished++;
-    if (run->journal.path) {
-        journal_add(&run->journal, line);
-    } else {
-        sweep_print(&run->printer, line);
-        if (ferror(run->printer.file))
-            return STATUS_FAILED; /* output_commit reports the reason */
-    }
-    return STATUS_OK;
+    run->done++;
+    if (run->journal.path)
+        return journal_add(&run->journal, line);
+    sweep_print(&run->printer, line);
+    return ferror(run->printer.file) ? STATUS_FAILED : STATUS_OK; /* output_commit reports the reason */
 }
 
+/* If a row that is left takes as long as a row of this run */
 static double seconds_left(const struct collide *run)
 {
-    if (run->cost_done <= 0)
+    if (run->done == 0)
         return -1;
     const double seconds = run->rows_seconds + clock_seconds() - run->rows_started;
-    const double rows = seconds * (run->sweep.cost - run->cost_found - run->cost_done) / run->cost_done;
-    return fmax(rows, 0) + run->modes_seconds * (double)run->materials_left;
+    const double rows = seconds * (double)(run->sweep.rows - run->finished) / (double)run->done;
+    return rows + run->modes_seconds * (double)run->materials_left;
 }
 
 static int sweep_tick(void *context)
@@ -204,7 +171,6 @@ static int collide_all(struct collide *run, uint64_t first)
     const struct threads_work work = {run, sizeof(struct sweep_result), collide_row, row_finished, sweep_tick};
     const uint64_t each = sweep_rows_of_material(&run->sweep);
     bool checked = false;
-    run->started = clock_seconds();
     run->finished = first;
     if (first > 0 && first < run->sweep.rows && run->journal.last) {
         run->again = run->journal.last;
@@ -220,14 +186,13 @@ static int collide_all(struct collide *run, uint64_t first)
         if (status != STATUS_OK)
             return status;
         checked = true;
-        send_modes(run);
         profile_step("collisions");
         run->rows_started = clock_seconds();
         status = threads_run(&work, run->threads, first, (first / each + 1) * each);
         run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
-        if (run->journal.path && journal_flush(&run->journal) != STATUS_OK)
-            return STATUS_FAILED;
+        if (status == STATUS_OK && run->journal.path)
+            status = journal_flush(&run->journal);
         if (status != STATUS_OK)
             return status;
     }
@@ -309,8 +274,6 @@ static int collide_to_file(struct collide *run, const struct sweep_request *requ
     free(title);
     if (status != STATUS_OK)
         return status;
-    for (uint64_t i = 0; i < run->journal.lines; i++)
-        run->cost_found += sweep_cost(&run->sweep, i);
     journal_say_on_interrupt(&run->journal);
     status = collide_all(run, run->journal.lines);
     journal_silent_on_interrupt(&run->journal);
@@ -376,19 +339,7 @@ static int draw(const struct sweep *sweep, const char *path)
                     "impact speed in units of (E/ρ)^{1/2}", (double)NAN, curve, curves);
 }
 
-/* Another rank: does the rows of rank 0, one material after the other, until an empty message. */
-static int serve(struct collide *run)
-{
-    const struct threads_work work = {run, sizeof(struct sweep_result), collide_row, NULL, NULL};
-    size_t size;
-    for (void *modes; (modes = ranks_receive(0, RANKS_TAG_MAIN, &size)); free(modes)) {
-        receive_modes(run, modes, size);
-        threads_serve(&work, run->threads);
-    }
-    return STATUS_OK;
-}
-
-static int run_as_rank_0(struct collide *run, const struct sweep_request *request)
+static int run_checked(struct collide *run, const struct sweep_request *request)
 {
     int status = run->sweep.hard_wall ? STATUS_OK : refuse_memory(&run->sweep);
     if (status == STATUS_OK && is_soft(&run->sweep))
@@ -397,8 +348,6 @@ static int run_as_rank_0(struct collide *run, const struct sweep_request *reques
         status = refuse_curves(run);
     if (status == STATUS_OK)
         status = (output_is_direct(request->output) ? collide_to_stream : collide_to_file)(run, request);
-    for (int rank = 1; rank < ranks_count(); rank++)
-        ranks_send(rank, RANKS_TAG_MAIN, NULL, 0);
     if (run->sweep.eps && run->printer.rows == run->sweep.rows) {
         const int drawn = draw(&run->sweep, request->plot);
         status = status == STATUS_OK ? drawn : status;
@@ -409,14 +358,12 @@ static int run_as_rank_0(struct collide *run, const struct sweep_request *reques
 
 int sweep_run(const struct sweep_request *request)
 {
-    struct collide run = {.sweep = request->sweep, .journal = {.fd = -1}};
-    int status = ranks_check();
-    if (status == STATUS_OK)
-        status = sweep_count(&run.sweep);
-    run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
+    struct collide run = {.sweep = request->sweep};
+    run.threads = request->threads > 0 ? request->threads : parallel_processors();
     hard_wall_tables_init(&run.tables);
+    int status = sweep_count(&run.sweep);
     if (status == STATUS_OK)
-        status = ranks_mine() > 0 ? serve(&run) : run_as_rank_0(&run, request);
+        status = run_checked(&run, request);
     free(run.mode);
     hard_wall_tables_clear(&run.tables);
     return status;

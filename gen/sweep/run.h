@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs a sweep on threads and ranks and writes its file. docs/disks.md. */
+/* Runs a sweep on threads and writes its file. docs/disks.md. */
 #ifndef COR_GEN_SWEEP_RUN_H
 #define COR_GEN_SWEEP_RUN_H
 
@@ -7,7 +7,7 @@
 
 struct sweep_request {
     struct sweep sweep; /* its lists, tolerance and angles; sweep_run computes the other fields */
-    int threads;        /* 0: one for each processor, or one for each rank if there are several ranks */
+    int threads;        /* 0: one for each processor */
     enum output_format format;
     const char *output; /* file; NULL: standard output */
     const char *plot;   /* a picture of eps over the speed; NULL: none */

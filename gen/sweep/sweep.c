@@ -31,51 +31,6 @@ const struct values_rule sweep_modes = {
     {"1", TEXT_OF(DISK_MODES_MAX), true, true, true, "a whole number from 1 to " TEXT_OF(DISK_MODES_MAX)},
     true};
 
-/* ---- cost ---- */
-
-/* The cost of a row, fitted to 13 rows at tolerance 1e-8: within a factor of 1.8 of their times, and of 2.5 at six
- * other rows (sampled). A step costs in proportion to modes and angles together. The number of steps grows with the
- * duration of the contact, with alpha v, where collisions become chaotic, and for slow disks. Each of the three parts
- * is a product of functions of one parameter, so that the sum over all rows is a product of sums. */
-enum { COST_PARTS = 3 };
-
-static double cost_of_modes(double modes)
-{
-    return modes + 100;
-}
-
-static double cost_of_alpha(int part, double alpha)
-{
-    return part == 1 ? pow(alpha / 25, 1.6) : 1;
-}
-
-static double cost_of_speed(int part, double speed)
-{
-    return part == 0 ? 1 : part == 1 ? pow(speed, 1.6) : 0.01 / speed;
-}
-
-static double sum_of(double (*cost)(int part, double value), int part, const struct values *values)
-{
-    double sum = 0;
-    for (size_t i = 0; i < values->count; i++)
-        sum += cost(part, values->nearest[i]);
-    return sum;
-}
-
-/* At the hard wall a row takes about the same time at any speed and nu. Rows in which waves return while the contact
- * ends or splits take up to ten times as long. */
-double sweep_cost(const struct sweep *sweep, uint64_t number)
-{
-    struct sweep_row row;
-    sweep_row(&row, sweep, number);
-    double cost = 0;
-    if (sweep->hard_wall || sweep->rayleigh)
-        return 1;
-    for (int part = 0; part < COST_PARTS; part++)
-        cost += cost_of_alpha(part, row.alpha) * cost_of_speed(part, row.speed);
-    return cost * cost_of_modes((double)row.modes);
-}
-
 /* ---- rows ---- */
 
 /* Sets the lists of a sweep; returns their number. */
@@ -103,17 +58,6 @@ int sweep_count(struct sweep *sweep)
         return usage_error("the lists make %.4g rows; up to %" PRIu64
                            " are allowed, because more take weeks; split the sweep",
                            product, SWEEP_MAX_ROWS);
-    if (sweep->hard_wall || sweep->rayleigh) {
-        sweep->cost = (double)sweep->rows;
-        return STATUS_OK;
-    }
-    double of_modes = 0;
-    for (size_t i = 0; i < sweep->modes.count; i++)
-        of_modes += cost_of_modes(sweep->modes.nearest[i]);
-    sweep->cost = 0;
-    for (int part = 0; part < COST_PARTS; part++)
-        sweep->cost += (double)sweep->poisson.count * of_modes * sum_of(cost_of_alpha, part, &sweep->alpha) *
-                       sum_of(cost_of_speed, part, &sweep->speed);
     return STATUS_OK;
 }
 
@@ -206,8 +150,72 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
 
 /* ---- lines ---- */
 
-/* Digits of errors and of the energy's drift */
-enum { SMALL_DIGITS = 2 };
+/* The kinds of columns, and their text in a line: */
+enum column_kind {
+    COLUMN_LIST,   /* a number of a list, unchanged */
+    COLUMN_COUNT,  /* number of modes, also from a list */
+    COLUMN_PLACES, /* a result, up to the second digit of its error */
+    COLUMN_DIGITS, /* a result taken during the contact: as many digits as eps has decimals */
+    COLUMN_WHOLE,  /* a result with all digits */
+    COLUMN_SMALL,  /* a result of which SMALL_DIGITS suffice */
+    COLUMN_STEPS,
+    COLUMN_ERROR, /* SMALL_DIGITS, rounded up */
+    COLUMN_STATUS /* the last one */
+};
+enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
+
+struct column {
+    const char *name;
+    enum column_kind kind;
+};
+static const struct column soft_columns[] = {{"speed", COLUMN_LIST},           {"nu", COLUMN_LIST},
+                                             {"alpha", COLUMN_LIST},           {"modes", COLUMN_COUNT},
+                                             {"eps", COLUMN_PLACES},           {"one_minus_eps2", COLUMN_PLACES},
+                                             {"contact_time", COLUMN_DIGITS},  {"max_compression", COLUMN_DIGITS},
+                                             {"energy_drift", COLUMN_SMALL},   {"steps", COLUMN_STEPS},
+                                             {"error_estimate", COLUMN_ERROR}, {"status", COLUMN_STATUS}};
+static const struct column hard_columns[] = {{"speed", COLUMN_LIST},
+                                             {"nu", COLUMN_LIST},
+                                             {"one_minus_eps2", COLUMN_PLACES},
+                                             {"eps", COLUMN_PLACES},
+                                             {"contact_time", COLUMN_DIGITS},
+                                             {"max_compression", COLUMN_DIGITS},
+                                             {"error_estimate", COLUMN_ERROR},
+                                             {"status", COLUMN_STATUS}};
+static const struct column rayleigh_columns[] = {
+    {"speed", COLUMN_LIST},   {"nu", COLUMN_LIST},    {"modes", COLUMN_COUNT},        {"fraction", COLUMN_PLACES},
+    {"tail", COLUMN_PLACES},  {"eps", COLUMN_PLACES}, {"contact_time", COLUMN_WHOLE}, {"error_estimate", COLUMN_ERROR},
+    {"status", COLUMN_STATUS}};
+
+static const struct column *columns_of(const struct sweep *sweep)
+{
+    return sweep->hard_wall ? hard_columns : sweep->rayleigh ? rayleigh_columns : soft_columns;
+}
+
+/* The numbers of a row in the order of its columns, and its error */
+static double row_values(double value[SWEEP_COLUMNS], const struct sweep *sweep, const struct sweep_row *row,
+                         const struct sweep_result *result)
+{
+    const struct cor_disk_collision *const c = &result->collision;
+    const struct cor_disk_hard_wall *const h = &result->hard_wall;
+    const struct cor_disk_rayleigh *const r = &result->rayleigh;
+    const double modes = (double)row->modes, left = r->fraction + r->tail;
+    const double soft[] = {row->speed,      row->nu,           row->alpha,       modes,
+                           c->eps,          c->one_minus_eps2, c->contact_time,  c->max_compression,
+                           c->energy_drift, (double)c->steps,  c->error_estimate};
+    const double hard[] = {row->speed,         row->nu,          h->one_minus_eps2, h->eps, h->contact_time,
+                           h->max_compression, h->error_estimate};
+    const double rayleigh[] = {row->speed,      row->nu,          modes,
+                               r->fraction,     r->tail,          left <= 1 ? sqrt(1 - left) : (double)NAN,
+                               r->contact_time, r->error_estimate};
+    if (sweep->hard_wall)
+        memcpy(value, hard, sizeof hard);
+    else if (sweep->rayleigh)
+        memcpy(value, rayleigh, sizeof rayleigh);
+    else
+        memcpy(value, soft, sizeof soft);
+    return sweep->hard_wall ? h->error_estimate : sweep->rayleigh ? r->error_estimate : c->error_estimate;
+}
 
 static const char *status_word(char text[DECIMAL_TEXT], int status)
 {
@@ -239,123 +247,52 @@ static const char *error_text(char text[DECIMAL_TEXT], double error)
     return decimal_text(text, strtod(text, NULL));
 }
 
-/* Decimals up to the second digit of the error; all where it is not known */
-static int decimals_known(double error)
-{
-    return error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), DECIMAL_TEXT / 2) : DECIMAL_TEXT / 2;
-}
-
 /* A number with so many decimals, or significant digits, or a shorter text that reads back to the same double */
 static const char *known_text(char text[DECIMAL_TEXT], bool decimals, int digits, double x)
 {
     char whole[DECIMAL_TEXT];
     decimal_text(whole, x);
-    const int length =
-        decimals ? snprintf(text, DECIMAL_TEXT, "%.*f", digits, x) : snprintf(text, DECIMAL_TEXT, "%.*g", digits, x);
+    const int length = snprintf(text, DECIMAL_TEXT, decimals ? "%.*f" : "%.*g", digits, x);
     if (!isfinite(x) || (size_t)length >= strlen(whole))
         snprintf(text, DECIMAL_TEXT, "%s", whole);
     return text;
 }
 
-/* The numbers taken during the contact get as many digits as eps has decimals. */
-static void hard_wall_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
+static const char *cell_text(char text[DECIMAL_TEXT], enum column_kind kind, int decimals, double x)
 {
-    const struct cor_disk_hard_wall *h = &result->hard_wall;
-    const int known = decimals_known(h->error_estimate);
-    char text[7][DECIMAL_TEXT], word[DECIMAL_TEXT];
-    snprintf(line, SWEEP_LINE, "%s,%s,%s,%s,%s,%s,%s,%s", decimal_text(text[0], row->speed),
-             decimal_text(text[1], row->nu), known_text(text[2], true, known, h->one_minus_eps2),
-             known_text(text[3], true, known, h->eps), known_text(text[4], false, known, h->contact_time),
-             known_text(text[5], false, known, h->max_compression), error_text(text[6], h->error_estimate),
-             status_word(word, result->status));
-}
-
-static void rayleigh_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
-{
-    const struct cor_disk_rayleigh *r = &result->rayleigh;
-    const double sum = r->fraction + r->tail, eps = sum <= 1 ? sqrt(1 - sum) : (double)NAN;
-    const int known = decimals_known(r->error_estimate);
-    char text[7][DECIMAL_TEXT], word[DECIMAL_TEXT];
-    snprintf(line, SWEEP_LINE, "%s,%s,%zu,%s,%s,%s,%s,%s,%s", decimal_text(text[0], row->speed),
-             decimal_text(text[1], row->nu), row->modes, known_text(text[2], true, known, r->fraction),
-             known_text(text[3], true, known, r->tail), known_text(text[4], true, known, eps),
-             decimal_text(text[5], r->contact_time), error_text(text[6], r->error_estimate),
-             status_word(word, result->status));
+    switch (kind) {
+    case COLUMN_PLACES:
+    case COLUMN_DIGITS:
+        return known_text(text, kind == COLUMN_PLACES, decimals, x);
+    case COLUMN_SMALL:
+        return known_text(text, false, SMALL_DIGITS, x);
+    case COLUMN_ERROR:
+        return error_text(text, x);
+    case COLUMN_COUNT:
+    case COLUMN_STEPS:
+        snprintf(text, DECIMAL_TEXT, "%.0f", x);
+        return text;
+    default:
+        return decimal_text(text, x);
+    }
 }
 
 void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
                 const struct sweep_result *result)
 {
-    if (sweep->hard_wall) {
-        hard_wall_line(line, row, result);
-        return;
-    }
-    if (sweep->rayleigh) {
-        rayleigh_line(line, row, result);
-        return;
-    }
-    const struct cor_disk_collision *c = &result->collision;
-    const int known = decimals_known(c->error_estimate);
-    char text[9][DECIMAL_TEXT], word[DECIMAL_TEXT];
-    snprintf(line, SWEEP_LINE, "%s,%s,%s,%zu,%s,%s,%s,%s,%s,%zu,%s,%s", decimal_text(text[0], row->speed),
-             decimal_text(text[1], row->nu), decimal_text(text[2], row->alpha), row->modes,
-             known_text(text[3], true, known, c->eps), known_text(text[4], true, known, c->one_minus_eps2),
-             known_text(text[5], false, known, c->contact_time), known_text(text[6], false, known, c->max_compression),
-             known_text(text[7], false, SMALL_DIGITS, c->energy_drift), c->steps,
-             error_text(text[8], c->error_estimate), status_word(word, result->status));
+    double value[SWEEP_COLUMNS];
+    char text[DECIMAL_TEXT];
+    const double error = row_values(value, sweep, row, result);
+    /* decimals up to the second digit of the error; all where it is not known */
+    const int decimals = error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), DECIMAL_TEXT / 2) : DECIMAL_TEXT / 2;
+    const struct column *column = columns_of(sweep);
+    size_t at = 0;
+    for (int j = 0; column[j].kind != COLUMN_STATUS; j++)
+        at += (size_t)snprintf(line + at, SWEEP_LINE - at, "%s,", cell_text(text, column[j].kind, decimals, value[j]));
+    snprintf(line + at, SWEEP_LINE - at, "%s", status_word(text, result->status));
 }
 
 /* ---- tables ---- */
-
-/* The kinds of columns in text format */
-enum column_kind {
-    COLUMN_LIST,  /* a number of a list, unchanged */
-    COLUMN_COUNT, /* number of modes, also from a list */
-    COLUMN_RESULT,
-    COLUMN_SMALL, /* a result of which two digits suffice */
-    COLUMN_STEPS,
-    COLUMN_STATUS
-};
-enum { LEAST_DIGITS = 4 };
-
-struct layout {
-    const char *header;
-    int columns, eps; /* eps: its column */
-    enum column_kind kind[SWEEP_COLUMNS];
-};
-static const struct layout soft_layout = {SWEEP_HEADER,
-                                          SWEEP_COLUMNS,
-                                          4,
-                                          {COLUMN_LIST, COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT,
-                                           COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT, COLUMN_SMALL, COLUMN_STEPS,
-                                           COLUMN_SMALL, COLUMN_STATUS}};
-static const struct layout hard_layout = {SWEEP_HARD_WALL_HEADER,
-                                          8,
-                                          3,
-                                          {COLUMN_LIST, COLUMN_LIST, COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT,
-                                           COLUMN_RESULT, COLUMN_SMALL, COLUMN_STATUS}};
-
-static const struct layout rayleigh_layout = {SWEEP_RAYLEIGH_HEADER,
-                                              9,
-                                              5,
-                                              {COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT, COLUMN_RESULT,
-                                               COLUMN_RESULT, COLUMN_RESULT, COLUMN_SMALL, COLUMN_STATUS}};
-
-static const struct layout *layout_of(const struct sweep *sweep)
-{
-    return sweep->hard_wall ? &hard_layout : sweep->rayleigh ? &rayleigh_layout : &soft_layout;
-}
-
-/* Cuts a line at its commas; the cells point into `line`. */
-static void line_cut(char *cell[SWEEP_COLUMNS], char *line, int columns)
-{
-    for (int j = 0; j < columns; j++) {
-        cell[j] = line;
-        line += strcspn(line, ",");
-        if (*line)
-            *line++ = '\0';
-    }
-}
 
 static int column_width(const char *name, const struct values *values)
 {
@@ -368,90 +305,88 @@ static int column_width(const char *name, const struct values *values)
     return (int)width;
 }
 
-/* Prints as many digits as the tolerance justifies. */
-static void print_text(const struct sweep_printer *p, char *const cell[SWEEP_COLUMNS])
+/* A cell of the text format: results with as many digits as the tolerance justifies. The status ends the line. */
+static void print_text(const struct sweep_printer *p, int j, enum column_kind kind, const char *text)
 {
-    const struct layout *const layout = layout_of(p->sweep);
-    for (int j = 0; j + 1 < layout->columns; j++) {
-        const enum column_kind kind = layout->kind[j];
-        char rounded[DECIMAL_TEXT];
-        const char *text = cell[j];
-        char *end;
-        const double x = strtod(text, &end);
-        if ((kind == COLUMN_RESULT || kind == COLUMN_SMALL) && end != text && *end == '\0' && !isnan(x)) {
-            snprintf(rounded, sizeof rounded, "%.*g", kind == COLUMN_SMALL ? SMALL_DIGITS : p->digits, x);
-            text = rounded;
-        }
-        fprintf(p->file, kind == COLUMN_COUNT || kind == COLUMN_STEPS ? "%*s  " : "%-*s  ", p->width[j], text);
+    char rounded[DECIMAL_TEXT], *end;
+    const double x = strtod(text, &end);
+    const bool small = kind == COLUMN_SMALL || kind == COLUMN_ERROR;
+    const bool result = small || kind == COLUMN_PLACES || kind == COLUMN_DIGITS || kind == COLUMN_WHOLE;
+    if (result && end != text && *end == '\0' && !isnan(x)) {
+        snprintf(rounded, sizeof rounded, "%.*g", small ? SMALL_DIGITS : p->digits, x);
+        text = rounded;
     }
-    fprintf(p->file, "%s\n", cell[layout->columns - 1]);
+    if (kind == COLUMN_STATUS)
+        fprintf(p->file, "%s\n", text);
+    else
+        fprintf(p->file, kind == COLUMN_COUNT || kind == COLUMN_STEPS ? "%*s  " : "%-*s  ", p->width[j], text);
 }
 
-static void print_json(const struct sweep_printer *p, char *const name[SWEEP_COLUMNS], char *const cell[SWEEP_COLUMNS])
+static void print_json(const struct sweep_printer *p, int j, const struct column *column, const char *text)
 {
-    const int columns = layout_of(p->sweep)->columns;
-    fputs(p->rows ? ",\n  {" : "\n  {", p->file);
-    for (int j = 0; j < columns; j++) {
-        const char *quote = j + 1 == columns ? "\"" : "";
-        const bool finite = j + 1 == columns || (strcmp(cell[j], "nan") != 0 && !strstr(cell[j], "inf"));
-        fprintf(p->file, "%s\"%s\": %s%s%s", j ? ", " : "", name[j], quote, finite ? cell[j] : "null", quote);
-    }
-    fputs("}", p->file);
+    const bool status = column->kind == COLUMN_STATUS;
+    const bool finite = status || (strcmp(text, "nan") != 0 && !strstr(text, "inf"));
+    fprintf(p->file, "%s\"%s\": %s%s%s",
+            j         ? ", "
+            : p->rows ? ",\n  {"
+                      : "\n  {",
+            column->name, status ? "\"" : "", finite ? text : "null", status ? "\"}" : "");
 }
 
 void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum output_format format, FILE *file)
 {
     *p = (struct sweep_printer){.file = file, .format = format, .sweep = sweep};
-    const struct layout *const layout = layout_of(p->sweep);
-    char header[sizeof SWEEP_HEADER];
-    char *name[SWEEP_COLUMNS];
-    snprintf(header, sizeof header, "%s", layout->header);
-    line_cut(name, header, layout->columns);
     const struct values *list[SWEEP_LISTS];
     lists_of(sweep, list);
     p->digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
-    for (int j = 0; j < layout->columns; j++) {
-        const enum column_kind kind = layout->kind[j];
-        const int number = (int)(sizeof "-0.e-100" - 1) + (kind == COLUMN_SMALL ? SMALL_DIGITS : p->digits);
-        const int named = (int)strlen(name[j]);
+    if (format == FORMAT_JSON)
+        fputs("[", file);
+    enum column_kind kind = COLUMN_LIST;
+    for (int j = 0; kind != COLUMN_STATUS; j++) {
+        const struct column *const column = columns_of(sweep) + j;
+        kind = column->kind;
+        const bool small = kind == COLUMN_SMALL || kind == COLUMN_ERROR;
+        const int number = (int)(sizeof "-0.e-100" - 1) + (small ? SMALL_DIGITS : p->digits);
+        const int named = (int)strlen(column->name);
         if (kind == COLUMN_LIST || kind == COLUMN_COUNT)
-            p->width[j] = column_width(name[j], list[j]);
+            p->width[j] = column_width(column->name, list[j]);
         else if (kind == COLUMN_STEPS)
             p->width[j] = (int)sizeof TEXT_OF(COR_DISK_COLLISION_MAX_STEPS) - 1;
         else
             p->width[j] = number > named ? number : named;
+        if (format == FORMAT_CSV)
+            fprintf(file, "%s%s", column->name, kind == COLUMN_STATUS ? "\n" : ",");
+        else if (format == FORMAT_TEXT)
+            print_text(p, j, kind, column->name);
     }
-    if (format == FORMAT_CSV)
-        fprintf(file, "%s\n", layout->header);
-    else if (format == FORMAT_JSON)
-        fputs("[", file);
-    else
-        print_text(p, name);
 }
 
 void sweep_print(struct sweep_printer *p, const char *line)
 {
-    const struct layout *const layout = layout_of(p->sweep);
+    char copy[SWEEP_LINE], *cell = copy;
+    snprintf(copy, sizeof copy, "%s", line);
     if (p->format == FORMAT_CSV)
         fprintf(p->file, "%s\n", line);
-    char header[sizeof SWEEP_HEADER], copy[SWEEP_LINE];
-    char *name[SWEEP_COLUMNS], *cell[SWEEP_COLUMNS];
-    snprintf(header, sizeof header, "%s", layout->header);
-    snprintf(copy, sizeof copy, "%s", line);
-    line_cut(name, header, layout->columns);
-    line_cut(cell, copy, layout->columns);
-    if (p->format == FORMAT_JSON)
-        print_json(p, name, cell);
-    else if (p->format == FORMAT_TEXT)
-        print_text(p, cell);
-    if (p->sweep->eps)
-        p->sweep->eps[p->rows] = strtod(cell[layout->eps], NULL);
+    const struct column *const column = columns_of(p->sweep);
+    for (int j = 0;; j++) {
+        char *const end = cell + strcspn(cell, ",");
+        const bool last = column[j].kind == COLUMN_STATUS;
+        *end = '\0';
+        if (p->format == FORMAT_JSON)
+            print_json(p, j, &column[j], cell);
+        else if (p->format == FORMAT_TEXT)
+            print_text(p, j, column[j].kind, cell);
+        if (p->sweep->eps && strcmp(column[j].name, "eps") == 0)
+            p->sweep->eps[p->rows] = strtod(cell, NULL);
+        if (last)
+            break;
+        cell = end + 1;
+    }
     p->rows++;
-    const char *status = cell[layout->columns - 1];
-    p->tolerance_not_reached += strcmp(status, "tolerance_not_reached") == 0;
-    p->beyond_theory += strcmp(status, "beyond_theory") == 0;
-    p->failed += strcmp(status, "ok") != 0 && strcmp(status, "tolerance_not_reached") != 0 &&
-                 strcmp(status, "beyond_theory") != 0;
+    const bool coarse = strcmp(cell, "tolerance_not_reached") == 0, beyond = strcmp(cell, "beyond_theory") == 0;
+    p->tolerance_not_reached += coarse;
+    p->beyond_theory += beyond;
+    p->failed += strcmp(cell, "ok") != 0 && !coarse && !beyond;
 }
 
 void sweep_print_end(struct sweep_printer *p)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of elastic disks for every combination of lists: the rows, their cost, and their lines of output. A sweep
+/* Collisions of elastic disks for every combination of lists: the rows and their lines of output. A sweep
  * of soft walls (cor_disk_collision) has four lists. A sweep of the rigid wall (cor_disk_hard_wall) has no alpha and
  * all modes: the lists of alpha and modes are then empty, count 0. A sweep of Rayleigh's energy (cor_disk_rayleigh) has
  * no alpha. */
@@ -16,10 +16,6 @@
 #include "sweep/values.h"
 
 #define SWEEP_MAX_ROWS UINT64_C(1000000000)
-#define SWEEP_HEADER                                                                                                   \
-    "speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,error_estimate,status"
-#define SWEEP_HARD_WALL_HEADER "speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status"
-#define SWEEP_RAYLEIGH_HEADER "speed,nu,modes,fraction,tail,eps,contact_time,error_estimate,status"
 
 enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 
@@ -30,7 +26,6 @@ struct sweep {
     double tolerance; /* of eps; for the hard wall of 1 - eps^2 */
     size_t phi_points;
     uint64_t rows;
-    double cost; /* sum over all rows */
     double *eps; /* NULL, or an element for each row that is printed */
 };
 
@@ -48,7 +43,7 @@ struct sweep_result {
 
 extern const struct values_rule sweep_speed, sweep_poisson, sweep_alpha, sweep_modes;
 
-/* Computes rows and cost from the lists. STATUS_OK, or STATUS_USAGE after a message if there are too many rows. */
+/* Computes the rows from the lists. STATUS_OK, or STATUS_USAGE after a message if there are too many rows. */
 int sweep_count(struct sweep *sweep);
 void sweep_clear(struct sweep *sweep);
 
@@ -57,9 +52,6 @@ uint64_t sweep_rows_of_material(const struct sweep *sweep);
 
 /* A hash of all rows, tolerance and angles. Two spellings of the same lists have the same hash. */
 uint64_t sweep_identity(const struct sweep *sweep);
-
-/* The cost of a row in an arbitrary unit of time; sweep->cost is the sum. */
-double sweep_cost(const struct sweep *sweep, uint64_t number);
 
 /* modes: for soft walls; tables: for the rigid wall */
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,

@@ -9,13 +9,8 @@
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/parallel.h"
-#include "sweep/ranks.h"
 
 static const double TICK_SECONDS = 0.2;
-
-/* Each thread of another rank has a thread of rank 0 that takes tasks from the queue in its place. The two exchange
- * messages with a tag of their own: a task, then its result; an empty message ends the run. */
-enum { TAG_FIRST = 1 };
 
 struct run {
     const struct threads_work *work;
@@ -24,14 +19,6 @@ struct run {
     uint64_t next, finished, end; /* the next task to begin, the first whose result is not handed back */
     bool *ready;
     unsigned char *result; /* a ring of THREADS_AHEAD */
-};
-
-struct worker {
-    struct run *run; /* rank 0 only */
-    const struct threads_work *work;
-    pthread_t thread;
-    bool started;
-    int rank, tag;
 };
 
 void *workspace_reserve(struct workspace *workspace, size_t size)
@@ -43,24 +30,9 @@ void *workspace_reserve(struct workspace *workspace, size_t size)
     return workspace->bytes;
 }
 
-static void do_task(const struct worker *worker, struct workspace *workspace, uint64_t task, void *result)
-{
-    const struct threads_work *const work = worker->work;
-    if (worker->rank == 0) {
-        work->work(work->context, workspace, task, result);
-        return;
-    }
-    size_t size;
-    ranks_send(worker->rank, worker->tag, &task, sizeof task);
-    void *const message = ranks_receive(worker->rank, worker->tag, &size);
-    memcpy(result, message, size);
-    free(message);
-}
-
 static void *work_in_order(void *argument)
 {
-    struct worker *const worker = argument;
-    struct run *const r = worker->run;
+    struct run *const r = argument;
     struct workspace workspace = {NULL, 0};
     pthread_mutex_lock(&r->mutex);
     for (;;) {
@@ -71,7 +43,7 @@ static void *work_in_order(void *argument)
         const uint64_t task = r->next++;
         const size_t slot = task % THREADS_AHEAD;
         pthread_mutex_unlock(&r->mutex);
-        do_task(worker, &workspace, task, r->result + slot * r->work->result_size);
+        r->work->work(r->work->context, &workspace, task, r->result + slot * r->work->result_size);
         pthread_mutex_lock(&r->mutex);
         r->ready[slot] = true;
         if (task == r->finished)
@@ -112,34 +84,10 @@ static int finish_in_order(struct run *r)
     return status;
 }
 
-/* Starts the workers and returns how many could be started; sets *reason if not all could. */
-static int start_workers(struct worker *worker, int count, void *(*start)(void *), int *reason)
-{
-    int started = 0;
-    for (int i = 0; i < count; i++) {
-        const int error = parallel_start_thread(&worker[i].thread, start, &worker[i]);
-        worker[i].started = error == 0;
-        started += error == 0;
-        *reason = error ? error : *reason;
-    }
-    return started;
-}
-
-static void join_workers(struct worker *worker, int count)
-{
-    for (int i = 0; i < count; i++)
-        if (worker[i].started)
-            pthread_join(worker[i].thread, NULL);
-    free(worker);
-}
-
 int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end)
 {
     struct run run = {.work = work, .next = first, .finished = first, .end = end};
-    const int workers = count * ranks_count();
-    struct worker *const worker = xmalloc((size_t)workers * sizeof *worker);
-    for (int i = 0; i < workers; i++)
-        worker[i] = (struct worker){.run = &run, .work = work, .rank = i / count, .tag = TAG_FIRST + i % count};
+    pthread_t *const thread = xmalloc((size_t)count * sizeof *thread);
     run.result = xmalloc(THREADS_AHEAD * work->result_size);
     run.ready = xmalloc(THREADS_AHEAD * sizeof *run.ready);
     memset(run.ready, 0, THREADS_AHEAD * sizeof *run.ready);
@@ -147,8 +95,9 @@ int threads_run(const struct threads_work *work, int count, uint64_t first, uint
     pthread_cond_init(&run.may_begin, NULL);
     parallel_condition_init(&run.has_result);
 
-    int reason = 0;
-    const int started = start_workers(worker, workers, work_in_order, &reason);
+    int started = 0, reason = 0;
+    while (started < count && (reason = parallel_start_thread(&thread[started], work_in_order, &run)) == 0)
+        started++;
     int status = started > 0 ? 0 : fail("cannot start a thread: %s", strerror(reason));
     pthread_mutex_lock(&run.mutex);
     if (started > 0)
@@ -156,45 +105,14 @@ int threads_run(const struct threads_work *work, int count, uint64_t first, uint
     run.end = run.finished;
     pthread_cond_broadcast(&run.may_begin);
     pthread_mutex_unlock(&run.mutex);
-    join_workers(worker, workers);
-    for (int i = count; i < workers; i++)
-        ranks_send(i / count, TAG_FIRST + i % count, NULL, 0);
+    while (started > 0)
+        pthread_join(thread[--started], NULL);
 
     pthread_cond_destroy(&run.has_result);
     pthread_cond_destroy(&run.may_begin);
     pthread_mutex_destroy(&run.mutex);
+    free(thread);
     free(run.result);
     free(run.ready);
     return status;
-}
-
-/* ---- the other ranks ---- */
-
-static void *work_for_rank_0(void *argument)
-{
-    const struct worker *const worker = argument;
-    const struct threads_work *const work = worker->work;
-    unsigned char *const result = xmalloc(work->result_size);
-    struct workspace workspace = {NULL, 0};
-    size_t size;
-    for (uint64_t *task; (task = ranks_receive(0, worker->tag, &size)); free(task)) {
-        work->work(work->context, &workspace, *task, result);
-        ranks_send(0, worker->tag, result, work->result_size);
-    }
-    free(workspace.bytes);
-    free(result);
-    return NULL;
-}
-
-void threads_serve(const struct threads_work *work, int count)
-{
-    struct worker *const worker = xmalloc((size_t)count * sizeof *worker);
-    for (int i = 0; i < count; i++)
-        worker[i] = (struct worker){.work = work, .tag = TAG_FIRST + i};
-    int reason = 0;
-    if (start_workers(worker, count, work_for_rank_0, &reason) < count) { /* rank 0 would wait for ever */
-        fail("cannot start a thread: %s", strerror(reason));
-        exit(STATUS_FAILED);
-    }
-    join_workers(worker, count);
 }

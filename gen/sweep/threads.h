@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs many numbered tasks on threads, and on the other ranks of an mpirun if there are any, and hands their results
- * back in order. */
+/* Runs many numbered tasks on threads, and hands their results back in order. */
 #ifndef COR_GEN_SWEEP_THREADS_H
 #define COR_GEN_SWEEP_THREADS_H
 
@@ -29,13 +28,9 @@ struct threads_work {
     int (*tick)(void *context);
 };
 
-/* Runs tasks first, first + 1, ..., end - 1 on `count` threads of each rank; the other ranks are in threads_serve.
- * Returns 0, or the value other than 0 that finish() or tick() returned, or STATUS_FAILED after a message if no thread
- * can be started. Memory holds THREADS_AHEAD results for any number of tasks: a task begins only if it is less than
- * THREADS_AHEAD behind the first unfinished one. */
+/* Runs tasks first, first + 1, ..., end - 1 on `count` threads. Returns 0, or the value other than 0 that finish() or
+ * tick() returned, or STATUS_FAILED after a message if no thread can be started. Memory holds THREADS_AHEAD results for
+ * any number of tasks: a task begins only if it is less than THREADS_AHEAD behind the first unfinished one. */
 int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end);
-
-/* Another rank than 0: does the tasks that one threads_run of rank 0 gives to it, on as many threads. */
-void threads_serve(const struct threads_work *work, int count);
 
 #endif
