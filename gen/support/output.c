@@ -50,36 +50,26 @@ void output_report_size_limit(void)
 
 /* ---- the file of a path ---- */
 
-enum { LINKS_MAX = 40, NOT_A_DESCRIPTOR = -1 };
+enum { NOT_A_DESCRIPTOR = -1 };
 
-char *output_folder(const char *path)
+/* The descriptor of this process that a path names, or NOT_A_DESCRIPTOR */
+static int descriptor_named(const char *path)
 {
-    const char *const slash = strrchr(path, '/');
-    char *const folder = xstrdup(slash ? path : ".");
-    if (slash)
-        folder[slash == path ? 1 : slash - path] = '\0';
-    return folder;
+    static const char *const folder[] = {"/dev/fd/", "/proc/self/fd/"};
+    if (strcmp(path, "/dev/stdout") == 0)
+        return STDOUT_FILENO;
+    for (size_t i = 0; i < sizeof folder / sizeof *folder; i++) {
+        const size_t n = strlen(folder[i]), digits = strncmp(path, folder[i], n) == 0 ? strlen(path + n) : 0;
+        if (digits > 0 && digits < 7 && strspn(path + n, "0123456789") == digits)
+            return (int)strtol(path + n, NULL, 10);
+    }
+    return NOT_A_DESCRIPTOR;
 }
 
 static const char *last_part(const char *path)
 {
     const char *const slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
-}
-
-/* The descriptor of this process that a path names, as /dev/fd/3 and /proc/self/fd/3 do, or NOT_A_DESCRIPTOR. */
-static int descriptor_named(const char *path)
-{
-    const char *const digits = last_part(path);
-    if (!*digits || digits == path || strspn(digits, "0123456789") != strlen(digits) || strlen(digits) > 6)
-        return NOT_A_DESCRIPTOR;
-    char *const folder = output_folder(path), *const real = realpath(folder, NULL),
-                *const own = realpath("/dev/fd", NULL);
-    const bool is = real && own && strcmp(real, own) == 0;
-    free(folder);
-    free(real);
-    free(own);
-    return is ? (int)strtol(digits, NULL, 10) : NOT_A_DESCRIPTOR;
 }
 
 /* The name beside the path: its folder and `last`, malloc'ed */
@@ -92,51 +82,28 @@ static char *beside(const char *path, const char *last)
     return name;
 }
 
-/* The target of a link, malloc'ed, or NULL. A relative target replaces the last part of `link`. */
-static char *link_target(const char *link)
+/* The file to be made or replaced, links resolved, malloc'ed; NULL: the path is written directly */
+static char *target_of(const char *path)
 {
-    char text[4096];
-    const ssize_t n = readlink(link, text, sizeof text - 1);
-    if (n < 0)
+    struct stat status;
+    if (descriptor_named(path) != NOT_A_DESCRIPTOR)
         return NULL;
-    text[n] = '\0';
-    return *text == '/' ? xstrdup(text) : beside(link, text);
-}
-
-/* The name behind all symbolic links, whether that file exists or not, malloc'ed. Returns NULL and sets *descriptor or
- * errno if no such name exists. */
-static char *follow_links(const char *path, int *descriptor)
-{
-    char *name = xstrdup(path);
-    *descriptor = NOT_A_DESCRIPTOR;
-    for (int links = 0; name && (*descriptor = descriptor_named(name)) == NOT_A_DESCRIPTOR; links++) {
-        struct stat status;
-        if (lstat(name, &status) != 0 || !S_ISLNK(status.st_mode))
-            return name;
-        char *const next = links < LINKS_MAX ? link_target(name) : NULL;
-        if (links == LINKS_MAX)
-            errno = ELOOP;
-        free(name);
-        name = next;
-    }
-    free(name);
-    return NULL;
+    if (stat(path, &status) == 0)
+        return S_ISREG(status.st_mode) ? realpath(path, NULL) : NULL;
+    return lstat(path, &status) == 0 ? NULL : xstrdup(path);
 }
 
 bool output_is_direct(const char *path)
 {
-    struct stat status;
-    int descriptor = NOT_A_DESCRIPTOR;
-    if (!path || (stat(path, &status) == 0 && !S_ISREG(status.st_mode)))
-        return true;
-    free(follow_links(path, &descriptor));
-    return descriptor != NOT_A_DESCRIPTOR;
+    char *const target = path ? target_of(path) : NULL;
+    free(target);
+    return !target;
 }
 
 /* The file system's number of the folder in which a name stands */
 static bool folder_status(struct stat *folder, const char *name)
 {
-    char *const path = output_folder(name);
+    char *const path = beside(name, ".");
     const bool found = stat(path, folder) == 0;
     free(path);
     return found;
@@ -158,13 +125,8 @@ bool output_same_file(const char *path, const char *other)
     const bool exists = status_of(&x, path) == 0, other_exists = status_of(&y, other) == 0;
     if (exists || other_exists || !path || !other)
         return exists && other_exists && S_ISREG(x.st_mode) && same_inode(&x, &y);
-    int descriptor;
-    char *const name = follow_links(path, &descriptor), *const other_name = follow_links(other, &descriptor);
-    const bool same = name && other_name && folder_status(&x, name) && folder_status(&y, other_name) &&
-                      same_inode(&x, &y) && strcmp(last_part(name), last_part(other_name)) == 0;
-    free(name);
-    free(other_name);
-    return same;
+    return folder_status(&x, path) && folder_status(&y, other) && same_inode(&x, &y) &&
+           strcmp(last_part(path), last_part(other)) == 0;
 }
 
 /* ---- opening ---- */
@@ -193,7 +155,7 @@ static bool may_write(const char *target)
 {
     if (access(target, F_OK) == 0 ? access(target, W_OK) != 0 : errno != ENOENT)
         return false;
-    char *const folder = output_folder(target);
+    char *const folder = beside(target, ".");
     const bool writable = access(folder, W_OK | X_OK) == 0;
     free(folder);
     return writable;
@@ -201,8 +163,6 @@ static bool may_write(const char *target)
 
 int output_open(struct output *out, const char *path)
 {
-    int descriptor;
-    struct stat status;
     *out = (struct output){.path = path};
     output_report_size_limit();
     errno = 0;
@@ -210,19 +170,21 @@ int output_open(struct output *out, const char *path)
         out->file = stdout;
         return STATUS_OK;
     }
-    char *const target = follow_links(path, &descriptor);
-    if (descriptor != NOT_A_DESCRIPTOR) {
-        const int copy = dup(descriptor);
+    const int descriptor = descriptor_named(path), copy = descriptor < 0 ? -1 : dup(descriptor);
+    char *const target = target_of(path);
+    if (descriptor >= 0)
         out->file = copy < 0 ? NULL : fdopen(copy, "w");
-    } else if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    else if (!target)
         out->file = fopen(path, "w");
-    } else if (target && may_write(target)) {
+    else if (may_write(target))
         out->file = open_memstream(&out->bytes, &out->size);
-        out->target = out->file ? xstrdup(target) : NULL;
+    if (out->file) {
+        out->target = target;
+        return STATUS_OK;
     }
     const int reason = errno;
     free(target);
-    return out->file ? STATUS_OK : fail("cannot write %s: %s", path, strerror(reason));
+    return fail("cannot write %s: %s", path, strerror(reason));
 }
 
 /* ---- committing ---- */
@@ -253,7 +215,7 @@ static bool write_and_close(int fd, const struct output *out)
         good = n >= 0 || errno == EINTR;
         done += n > 0 ? (size_t)n : 0;
     }
-    good = good && ftruncate(fd, (off_t)out->size) == 0 && fsync(fd) == 0;
+    good = good && fsync(fd) == 0;
     const int reason = errno;
     const bool closed = close(fd) == 0;
     errno = good ? errno : reason;
@@ -299,30 +261,13 @@ static int output_prepare(struct output *out)
     return write_and_close(fd, out) ? STATUS_OK : output_failure("write", out);
 }
 
-/* Writes the bytes over the target. Space is reserved first, so that a full disk leaves the old text. */
-static bool overwrite(const struct output *out)
-{
-    const int fd = open(out->target, O_WRONLY | O_CLOEXEC);
-    struct stat old;
-    int reason = fd < 0 || fstat(fd, &old) != 0 ? errno : 0;
-    if (reason == 0 && (off_t)out->size > old.st_size) {
-        reason = posix_fallocate(fd, old.st_size, (off_t)out->size - old.st_size);
-        if (reason == EINVAL || reason == EOPNOTSUPP) /* the file system cannot reserve */
-            reason = 0;
-        else if (reason != 0 && ftruncate(fd, old.st_size) != 0)
-            reason = errno;
-    }
-    if (reason == 0)
-        return write_and_close(fd, out);
-    if (fd >= 0)
-        close(fd);
-    errno = reason;
-    return false;
-}
-
 static int output_replace(struct output *out)
 {
-    const bool good = out->temporary ? rename(out->temporary, out->target) == 0 : overwrite(out);
+    bool good = out->temporary && rename(out->temporary, out->target) == 0;
+    if (!out->temporary) {
+        const int fd = open(out->target, O_WRONLY | O_TRUNC | O_CLOEXEC);
+        good = fd >= 0 && write_and_close(fd, out);
+    }
     if (!good)
         return output_failure("replace", out);
     free(out->temporary);

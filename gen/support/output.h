@@ -12,10 +12,10 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * syncs a temporary file beside the file and renames it over it, while signals wait. So nothing but SIGKILL within this
  * moment leaves a temporary file, .corgen-XXXXXX. The new file has the mode, owner and group of the file that it
  * replaces. A file with several names, or with an owner that this process cannot set, is overwritten, so that every
- * name shows the new text. A symbolic link stays: its target is written, even if the target does not exist yet.
+ * name shows the new text. A symbolic link stays: the file that it names is replaced.
  *
- * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, and an open
- * descriptor such as /dev/stdout or /dev/fd/3, which keeps its position and its append mode. */
+ * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, a link to no file,
+ * and a descriptor by the name /dev/stdout, /dev/fd/N or /proc/self/fd/N, which keeps its position and append mode. */
 struct output {
     FILE *file;
     const char *path; /* as given, for messages; NULL = standard output */
@@ -32,14 +32,11 @@ void output_report_size_limit(void);
 /* What SIGINT, SIGTERM and SIGHUP print before they end the process, kept by the caller; NULL: nothing. */
 void output_say_on_interrupt(const char *text);
 
-/* The folder of a path, malloc'ed */
-char *output_folder(const char *path);
-
 /* Whether the path, or NULL, is written directly, so that no file can be kept beside it. */
 bool output_is_direct(const char *path);
 
-/* Whether two paths name one regular file: by links, by two names of one folder, or by two names of one file. NULL is
- * standard output. */
+/* Whether two paths name one regular file: by links to a file that exists, by two names of one folder, or by two names
+ * of one file. NULL is standard output. */
 bool output_same_file(const char *path, const char *other);
 
 /* Each function returns STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
