@@ -307,31 +307,21 @@ static const char help[] =
 static const struct values_rule speed_rule = {
     "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
 
-#define AT(FIELD) offsetof(struct audit_arguments, FIELD)
+#define ARGUMENTS struct audit_arguments
 static const struct option_rule options[] = {
-    {.name = "files", .kind = OPTION_FILES, .offset = AT(files), .required = true, .operand = "FILE"},
-    {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &speed_rule},
-    {.name = "radius", .kind = OPTION_REAL, .offset = AT(radius), .range.number = &option_positive},
-    {.name = "density", .kind = OPTION_REAL, .offset = AT(density), .range.number = &option_positive},
-    {.name = "time-step", .kind = OPTION_REAL, .offset = AT(time_step), .range.number = &option_positive},
-    {.name = "tolerance", .kind = OPTION_REAL, .offset = AT(tolerance), .range.number = &option_positive},
-    {.name = "for",
-     .kind = OPTION_WORD,
-     .offset = AT(simulator),
-     .range.words = cor_audit_simulators,
-     .why = "a simulator"},
-    {.name = "simulator-version", .kind = OPTION_TEXT, .offset = AT(version)},
-    OPTION_FORMAT(struct audit_arguments, option_formats),
-    OPTION_COMMON(struct audit_arguments),
+    OPTION("files", FILES, files, .required = true, .operand = "FILE"),
+    OPTION("speed", LIST, speed, .range.values = &speed_rule),
+    OPTION("radius", REAL, radius, .range.number = &option_positive),
+    OPTION("density", REAL, density, .range.number = &option_positive),
+    OPTION("time-step", REAL, time_step, .range.number = &option_positive),
+    OPTION("tolerance", REAL, tolerance, .range.number = &option_positive),
+    OPTION("for", WORD, simulator, .range.words = cor_audit_simulators, .why = "a simulator"),
+    OPTION_PLAIN("simulator-version", TEXT, version),
+    OPTION_FORMAT(option_formats),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct audit_arguments defaults = {.simulator = OPTIONS_NOT_GIVEN};
 
-const struct subcommand command_audit = {.name = "audit",
-                                         .summary = "the restitution that the input of a simulator really gives",
-                                         .help = help,
-                                         .options = options,
-                                         .size = sizeof defaults,
-                                         .defaults = &defaults,
-                                         .run = run_audit};
+SUBCOMMAND(audit, "audit", "the restitution that the input of a simulator really gives");

@@ -288,35 +288,26 @@ static const char help[] =
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
                                                    .forms = DECIMAL_RATIO};
 
-#define AT(FIELD) offsetof(struct collide_arguments, FIELD)
+#define ARGUMENTS struct collide_arguments
 #define SI(NAME, FIELD, NUMBERS, NEEDS)                                                                                \
-    {                                                                                                                  \
-        .name = (NAME), .kind = OPTION_REAL, .offset = AT(FIELD), .range.number = (NUMBERS), .excludes = "beta",       \
-        .needs = (NEEDS)                                                                                               \
-    }
+    OPTION(NAME, REAL, FIELD, .range.number = (NUMBERS), .excludes = "beta", .needs = (NEEDS))
 static const struct option_rule options[] = {
-    {.name = "beta", .kind = OPTION_REAL, .offset = AT(beta), .range.number = &beta_numbers},
+    OPTION("beta", REAL, beta, .range.number = &beta_numbers),
     SI("stiffness", stiffness, &option_positive, "effective-mass"),
     SI("effective-mass", effective_mass, &option_positive, "damping-coefficient"),
     SI("damping-coefficient", damping_coefficient, &option_not_negative, "speed"),
     SI("speed", speed, &option_positive, "stiffness"),
-    {.name = "force", .kind = OPTION_REAL, .offset = AT(force), .range.number = &option_not_negative},
-    {.name = "threshold", .kind = OPTION_FLAG, .offset = AT(threshold), .excludes = "force stiffness", .needs = "beta"},
-    OPTION_DIGITS(struct collide_arguments),
-    OPTION_END(struct collide_arguments, end),
-    OPTION_FORMAT(struct collide_arguments, option_formats),
-    OPTION_JSON_STRINGS(struct collide_arguments),
-    OPTION_LAW(struct collide_arguments),
-    OPTION_COMMON(struct collide_arguments),
+    OPTION("force", REAL, force, .range.number = &option_not_negative),
+    OPTION("threshold", FLAG, threshold, .excludes = "force stiffness", .needs = "beta"),
+    OPTION_DIGITS,
+    OPTION_END(end),
+    OPTION_FORMAT(option_formats),
+    OPTION_JSON_STRINGS,
+    OPTION_LAW,
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct collide_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS, .end = OPTIONS_NOT_GIVEN};
 
-const struct subcommand command_collide = {.name = "collide",
-                                           .summary = "one collision to any number of digits",
-                                           .help = help,
-                                           .options = options,
-                                           .size = sizeof defaults,
-                                           .defaults = &defaults,
-                                           .run = run_collide};
+SUBCOMMAND(collide, "collide", "one collision to any number of digits");

@@ -98,40 +98,24 @@ static const char help[] =
     "status is then 1.\n"
     "\nExample: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 100\n";
 
-#define AT(FIELD) offsetof(struct disk_collide_arguments, FIELD)
+#define ARGUMENTS struct disk_collide_arguments
 static const struct option_rule options[] = {
-    {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &sweep_speed, .required = true},
-    {.name = "poisson", .kind = OPTION_LIST, .offset = AT(poisson), .range.values = &sweep_poisson, .required = true},
-    {.name = "alpha", .kind = OPTION_LIST, .offset = AT(alpha), .range.values = &sweep_alpha},
-    {.name = "modes", .kind = OPTION_LIST, .offset = AT(modes), .range.values = &sweep_modes},
-    {.name = "tolerance", .kind = OPTION_REAL, .offset = AT(tolerance), .range.number = &tolerance_numbers},
-    {.name = "phi-points",
-     .kind = OPTION_WHOLE,
-     .offset = AT(phi_points),
-     .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
-     .why = "walls that need more are not computed"},
-    {.name = "hard-wall", .kind = OPTION_FLAG, .offset = AT(hard_wall), .excludes = "alpha modes phi-points"},
-    {.name = "rayleigh",
-     .kind = OPTION_FLAG,
-     .offset = AT(rayleigh),
-     .excludes = "alpha tolerance phi-points hard-wall"},
-    {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot)},
-    {.name = "threads",
-     .kind = OPTION_WHOLE,
-     .offset = AT(threads),
-     .range.whole = {1, PARALLEL_MAX_THREADS},
-     .why = "no machine has use for more"},
-    OPTION_FORMAT(struct disk_collide_arguments, option_formats),
-    OPTION_COMMON(struct disk_collide_arguments),
+    OPTION("speed", LIST, speed, .range.values = &sweep_speed, .required = true),
+    OPTION("poisson", LIST, poisson, .range.values = &sweep_poisson, .required = true),
+    OPTION("alpha", LIST, alpha, .range.values = &sweep_alpha),
+    OPTION("modes", LIST, modes, .range.values = &sweep_modes),
+    OPTION("tolerance", REAL, tolerance, .range.number = &tolerance_numbers),
+    OPTION("phi-points", WHOLE, phi_points, .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
+           .why = "walls that need more are not computed"),
+    OPTION("hard-wall", FLAG, hard_wall, .excludes = "alpha modes phi-points"),
+    OPTION("rayleigh", FLAG, rayleigh, .excludes = "alpha tolerance phi-points hard-wall"),
+    OPTION_PLAIN("plot", FILE, plot),
+    OPTION("threads", WHOLE, threads, .range.whole = {1, PARALLEL_MAX_THREADS}, .why = "no machine has use for more"),
+    OPTION_FORMAT(option_formats),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct disk_collide_arguments defaults = {0};
 
-const struct subcommand command_disk_collide = {.name = "disk-collide",
-                                                .summary = "collisions of elastic disks, over lists of parameters",
-                                                .help = help,
-                                                .options = options,
-                                                .size = sizeof defaults,
-                                                .defaults = &defaults,
-                                                .run = run_disk_collide};
+SUBCOMMAND(disk_collide, "disk-collide", "collisions of elastic disks, over lists of parameters");

@@ -96,32 +96,17 @@ static const char help[] =
     "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_COMMON "\nColumns: n,l,omega,C,S.\n"
     "\nExample: corgen disk-modes --poisson 0.33 --count 10\n";
 
-#define AT(FIELD) offsetof(struct disk_modes_arguments, FIELD)
+#define ARGUMENTS struct disk_modes_arguments
 static const struct option_rule options[] = {
-    {.name = "poisson",
-     .kind = OPTION_REAL,
-     .offset = AT(poisson),
-     .range.number = &option_disk_poisson,
-     .required = true},
-    {.name = "count",
-     .kind = OPTION_WHOLE,
-     .offset = AT(count),
-     .range.whole = {1, DISK_MODES_MAX},
-     .why = OPTION_COUNT_WHY,
-     .required = true},
-    OPTION_DIGITS(struct disk_modes_arguments),
-    OPTION_FORMAT(struct disk_modes_arguments, option_formats),
-    OPTION_JSON_STRINGS(struct disk_modes_arguments),
-    OPTION_COMMON(struct disk_modes_arguments),
+    OPTION("poisson", REAL, poisson, .range.number = &option_disk_poisson, .required = true),
+    OPTION("count", WHOLE, count, .range.whole = {1, DISK_MODES_MAX}, .why = OPTION_COUNT_WHY, .required = true),
+    OPTION_DIGITS,
+    OPTION_FORMAT(option_formats),
+    OPTION_JSON_STRINGS,
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct disk_modes_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_disk_modes = {.name = "disk-modes",
-                                              .summary = "the free modes of an elastic disk",
-                                              .help = help,
-                                              .options = options,
-                                              .size = sizeof defaults,
-                                              .defaults = &defaults,
-                                              .run = run_disk_modes};
+SUBCOMMAND(disk_modes, "disk-modes", "the free modes of an elastic disk");

@@ -76,23 +76,17 @@ static const char help[] =
     "\n" HELP_COMMON
     "\nExample: corgen embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6 --output cor_scene_eps.h\n";
 
-#define AT(FIELD) offsetof(struct embed_arguments, FIELD)
+#define ARGUMENTS struct embed_arguments
 static const struct option_rule options[] = {
-    SCENE_RANGE(struct embed_arguments),
-    SCENE_OPTIONS(struct embed_arguments, &option_sphere_poisson, NULL, ""),
-    SCENE_PURPOSE(struct embed_arguments, NULL),
-    {.name = "type", .kind = OPTION_WORD, .offset = AT(scene.type), .range.words = embed_type_names, .why = "a type"},
-    {.name = "name", .kind = OPTION_C_NAME, .offset = AT(scene.name)},
-    OPTION_COMMON(struct embed_arguments),
+    SCENE_RANGE,
+    SCENE_OPTIONS(&option_sphere_poisson, NULL, ""),
+    SCENE_PURPOSE(NULL),
+    OPTION("type", WORD, scene.type, .range.words = embed_type_names, .why = "a type"),
+    OPTION_PLAIN("name", C_NAME, scene.name),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct embed_arguments defaults = {0};
 
-const struct subcommand command_embed = {.name = "embed",
-                                         .summary = "a C header with eps of the impact speed for one scene",
-                                         .help = help,
-                                         .options = options,
-                                         .size = sizeof defaults,
-                                         .defaults = &defaults,
-                                         .run = run_embed};
+SUBCOMMAND(embed, "embed", "a C header with eps of the impact speed for one scene");

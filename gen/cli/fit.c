@@ -176,7 +176,7 @@ static const char help[] =
     "--robust, of the means of neighbouring residuals. As csv and json, these remarks go to standard error.\n"
     "\nExample: corgen fit measured.csv --law viscoelastic,constant --plot measured.svg\n";
 
-#define AT(FIELD) offsetof(struct fit_arguments, FIELD)
+#define ARGUMENTS struct fit_arguments
 /* Single models only: a shell need not offer lists of them. */
 static const char *const law_words[] = {
     "all",      "viscoelastic",          "plate",         "constant",         "linear",
@@ -184,29 +184,23 @@ static const char *const law_words[] = {
     "adhesive", "adhesive-viscoelastic", "wet",           "wet-viscoelastic", NULL};
 
 static const struct option_rule options[] = {
-    {.name = "data", .kind = OPTION_FILE, .offset = AT(data), .required = true, .operand = "DATA.csv"},
-    {.name = "unit", .kind = OPTION_WORD, .offset = AT(unit), .range.words = fit_unit_names, .why = "a unit"},
-    {.name = "gravity", .kind = OPTION_REAL, .offset = AT(gravity), .range.number = &option_positive, .unit = "m/s^2"},
-    {.name = "law", .kind = OPTION_TEXT, .offset = AT(law), .range.words = law_words},
-    OPTION_END(struct fit_arguments, end),
-    {.name = "separator", .kind = OPTION_TEXT, .offset = AT(separator), .range.words = separator_names},
-    {.name = "decimal-comma", .kind = OPTION_FLAG, .offset = AT(decimal_comma)},
-    {.name = "robust", .kind = OPTION_FLAG, .offset = AT(robust)},
-    {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot)},
-    SCENE_BODY(struct fit_arguments, "", , &option_positive, &option_sphere_poisson, NULL, NULL),
-    SCENE_BODY(struct fit_arguments, "-2", _2, &option_positive_or_infinite, &option_sphere_poisson, NULL, NULL),
-    {.name = "wall", .kind = OPTION_FLAG, .offset = AT(scene.wall)},
-    OPTION_FORMAT(struct fit_arguments, option_formats),
-    OPTION_COMMON(struct fit_arguments),
+    OPTION("data", FILE, data, .required = true, .operand = "DATA.csv"),
+    OPTION("unit", WORD, unit, .range.words = fit_unit_names, .why = "a unit"),
+    OPTION("gravity", REAL, gravity, .range.number = &option_positive, .unit = "m/s^2"),
+    OPTION("law", TEXT, law, .range.words = law_words),
+    OPTION_END(end),
+    OPTION("separator", TEXT, separator, .range.words = separator_names),
+    OPTION_PLAIN("decimal-comma", FLAG, decimal_comma),
+    OPTION_PLAIN("robust", FLAG, robust),
+    OPTION_PLAIN("plot", FILE, plot),
+    SCENE_BODY("", , &option_positive, &option_sphere_poisson, NULL, NULL),
+    SCENE_BODY("-2", _2, &option_positive_or_infinite, &option_sphere_poisson, NULL, NULL),
+    OPTION_PLAIN("wall", FLAG, scene.wall),
+    OPTION_FORMAT(option_formats),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct fit_arguments defaults = {.law = "all", .end = OPTIONS_NOT_GIVEN, .unit = FIT_UNIT_OF_COLUMN};
 
-const struct subcommand command_fit = {.name = "fit",
-                                       .summary = "models of restitution fitted to measured points",
-                                       .help = help,
-                                       .options = options,
-                                       .size = sizeof defaults,
-                                       .defaults = &defaults,
-                                       .run = run_fit};
+SUBCOMMAND(fit, "fit", "models of restitution fitted to measured points");

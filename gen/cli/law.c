@@ -40,20 +40,14 @@ static const char help[] =
     "  --name NAME      the beginning of the functions' names, an identifier of C\n" HELP_COMMON
     "\nExample: corgen law --elastic 1 --damping 1/2 --name hooke --output hooke.h\n";
 
-#define AT(FIELD) offsetof(struct law_arguments, FIELD)
+#define ARGUMENTS struct law_arguments
 static const struct option_rule options[] = {
-    OPTION_LAW(struct law_arguments),
-    {.name = "name", .kind = OPTION_C_NAME, .offset = AT(name), .required = true},
-    OPTION_COMMON(struct law_arguments),
+    OPTION_LAW,
+    OPTION("name", C_NAME, name, .required = true),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct law_arguments defaults = {0};
 
-const struct subcommand command_law = {.name = "law",
-                                       .summary = "a C header with every quantity of one contact law",
-                                       .help = help,
-                                       .options = options,
-                                       .size = sizeof defaults,
-                                       .defaults = &defaults,
-                                       .run = run_law};
+SUBCOMMAND(law, "law", "a C header with every quantity of one contact law");

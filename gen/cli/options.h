@@ -64,36 +64,22 @@ struct option_common {
     bool profile;
 };
 
-/* Rules that several subcommands share. TYPE is their struct of arguments, whose first member is `common`. */
-#define OPTION_COMMON(TYPE)                                                                                            \
-    {.name = "output", .kind = OPTION_FILE, .offset = offsetof(TYPE, common.output)},                                  \
+/* A rule, with further members of option_rule, and one without. ARGUMENTS is the struct of arguments of the subcommand,
+ * whose first member is `common`. */
+#define OPTION(NAME, KIND, FIELD, ...)                                                                                 \
     {                                                                                                                  \
-        .name = "profile", .kind = OPTION_FLAG, .offset = offsetof(TYPE, common.profile)                               \
+        .name = (NAME), .kind = OPTION_##KIND, .offset = offsetof(ARGUMENTS, FIELD), __VA_ARGS__                       \
     }
-#define OPTION_FORMAT(TYPE, WORDS)                                                                                     \
-    {                                                                                                                  \
-        .name = "format", .kind = OPTION_WORD, .offset = offsetof(TYPE, common.format), .range.words = (WORDS),        \
-        .why = "a format"                                                                                              \
-    }
-#define OPTION_JSON_STRINGS(TYPE)                                                                                      \
-    {                                                                                                                  \
-        .name = "json-strings", .kind = OPTION_FLAG, .offset = offsetof(TYPE, common.json_strings), .needs = "format"  \
-    }
-#define OPTION_DIGITS(TYPE)                                                                                            \
-    {                                                                                                                  \
-        .name = "digits", .kind = OPTION_WHOLE, .offset = offsetof(TYPE, digits),                                      \
-        .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits would take too long"                               \
-    }
-#define OPTION_END(TYPE, FIELD)                                                                                        \
-    {                                                                                                                  \
-        .name = "end", .kind = OPTION_WORD, .offset = offsetof(TYPE, FIELD), .range.words = option_ends,               \
-        .why = "an end of contact"                                                                                     \
-    }
-#define OPTION_LAW(TYPE)                                                                                               \
-    {.name = "elastic", .kind = OPTION_TEXT, .offset = offsetof(TYPE, law.elastic)},                                   \
-    {                                                                                                                  \
-        .name = "damping", .kind = OPTION_TEXT, .offset = offsetof(TYPE, law.damping)                                  \
-    }
+#define OPTION_PLAIN(NAME, KIND, FIELD) OPTION(NAME, KIND, FIELD, .why = NULL)
+
+/* Rules that several subcommands share */
+#define OPTION_COMMON OPTION_PLAIN("output", FILE, common.output), OPTION_PLAIN("profile", FLAG, common.profile)
+#define OPTION_FORMAT(WORDS) OPTION("format", WORD, common.format, .range.words = (WORDS), .why = "a format")
+#define OPTION_JSON_STRINGS OPTION("json-strings", FLAG, common.json_strings, .needs = "format")
+#define OPTION_DIGITS                                                                                                  \
+    OPTION("digits", WHOLE, digits, .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits would take too long")
+#define OPTION_END(FIELD) OPTION("end", WORD, FIELD, .range.words = option_ends, .why = "an end of contact")
+#define OPTION_LAW OPTION_PLAIN("elastic", TEXT, law.elastic), OPTION_PLAIN("damping", TEXT, law.damping)
 #define OPTION_COUNT_WHY "the time grows like the power 3/2 of it, past ten hours"
 
 #define OPTIONS_MAX_DIGITS 10000000

@@ -275,38 +275,26 @@ static const char help[] =
     "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nExample: corgen pade --numerator 4 --denominator 7 --digits 20\n";
 
-#define AT(FIELD) offsetof(struct pade_arguments, FIELD)
+#define ARGUMENTS struct pade_arguments
 static const struct option_rule options[] = {
-    {.name = "numerator",
-     .kind = OPTION_WHOLE,
-     .offset = AT(numerator),
-     .range.whole = {0, MAX_DEGREE},
-     .why = "a degree needs a linear system of that size"},
-    {.name = "denominator",
-     .kind = OPTION_WHOLE,
-     .offset = AT(denominator),
-     .range.whole = {0, MAX_DEGREE},
-     .why = "a degree needs a linear system of that size"},
-    {.name = "two-point", .kind = OPTION_FLAG, .offset = AT(two_point), .excludes = "as-published"},
-    {.name = "as-published", .kind = OPTION_FLAG, .offset = AT(as_published)},
-    OPTION_DIGITS(struct pade_arguments),
-    OPTION_END(struct pade_arguments, end),
-    {.name = "header", .kind = OPTION_FILE, .offset = AT(header)},
-    {.name = "force", .kind = OPTION_FLAG, .offset = AT(force), .needs = "header"},
-    OPTION_FORMAT(struct pade_arguments, option_formats),
-    OPTION_JSON_STRINGS(struct pade_arguments),
-    OPTION_LAW(struct pade_arguments),
-    OPTION_COMMON(struct pade_arguments),
+    OPTION("numerator", WHOLE, numerator, .range.whole = {0, MAX_DEGREE},
+           .why = "a degree needs a linear system of that size"),
+    OPTION("denominator", WHOLE, denominator, .range.whole = {0, MAX_DEGREE},
+           .why = "a degree needs a linear system of that size"),
+    OPTION("two-point", FLAG, two_point, .excludes = "as-published"),
+    OPTION_PLAIN("as-published", FLAG, as_published),
+    OPTION_DIGITS,
+    OPTION_END(end),
+    OPTION_PLAIN("header", FILE, header),
+    OPTION("force", FLAG, force, .needs = "header"),
+    OPTION_FORMAT(option_formats),
+    OPTION_JSON_STRINGS,
+    OPTION_LAW,
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct pade_arguments defaults = {
     .numerator = OPTIONS_NOT_GIVEN, .denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_pade = {.name = "pade",
-                                        .summary = "Pade approximants of eps(beta)",
-                                        .help = help,
-                                        .options = options,
-                                        .size = sizeof defaults,
-                                        .defaults = &defaults,
-                                        .run = run_pade};
+SUBCOMMAND(pade, "pade", "Pade approximants of eps(beta)");

@@ -90,34 +90,20 @@ static const char help[] =
     "Exit status 1 if no model meets the tolerance.\n"
     "\nExample: corgen plan --speed-min 0.01 --speed-max 1 --g-star 20 --end zero-force --tolerance 1e-4 --points 9\n";
 
-#define AT(FIELD) offsetof(struct plan_arguments, FIELD)
+#define ARGUMENTS struct plan_arguments
 static const struct option_rule options[] = {
-    SCENE_RANGE(struct plan_arguments),
-    SCENE_OPTIONS(struct plan_arguments, &option_disk_poisson, NULL, "disks"),
-    SCENE_PURPOSE(struct plan_arguments, "disks"),
-    {.name = "disks", .kind = OPTION_FLAG, .offset = AT(disks)},
-    {.name = "quantity",
-     .kind = OPTION_WORD,
-     .offset = AT(quantity),
-     .range.words = plan_quantity_names,
-     .why = "a quantity",
-     .needs = "disks"},
-    {.name = "points",
-     .kind = OPTION_WHOLE,
-     .offset = AT(points),
-     .range.whole = {PLAN_MIN_POINTS, PLAN_MAX_POINTS},
-     .why = "every point takes collisions"},
-    OPTION_FORMAT(struct plan_arguments, option_formats),
-    OPTION_COMMON(struct plan_arguments),
+    SCENE_RANGE,
+    SCENE_OPTIONS(&option_disk_poisson, NULL, "disks"),
+    SCENE_PURPOSE("disks"),
+    OPTION_PLAIN("disks", FLAG, disks),
+    OPTION("quantity", WORD, quantity, .range.words = plan_quantity_names, .why = "a quantity", .needs = "disks"),
+    OPTION("points", WHOLE, points, .range.whole = {PLAN_MIN_POINTS, PLAN_MAX_POINTS},
+           .why = "every point takes collisions"),
+    OPTION_FORMAT(option_formats),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct plan_arguments defaults = {0};
 
-const struct subcommand command_plan = {.name = "plan",
-                                        .summary = "which model a scene needs, what it costs and leaves out",
-                                        .help = help,
-                                        .options = options,
-                                        .size = sizeof defaults,
-                                        .defaults = &defaults,
-                                        .run = run_plan};
+SUBCOMMAND(plan, "plan", "which model a scene needs, what it costs and leaves out");

@@ -84,24 +84,18 @@ static const char help[] =
     "given; then duration_s with --durations, and its slope.\n"
     "\nExample: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
 
-#define AT(FIELD) offsetof(struct sample_arguments, FIELD)
+#define ARGUMENTS struct sample_arguments
 static const struct option_rule options[] = {
-    SCENE_RANGE(struct sample_arguments),
-    {.name = "log", .kind = OPTION_FLAG, .offset = AT(log)},
-    {.name = "cubic", .kind = OPTION_FLAG, .offset = AT(cubic)},
-    {.name = "durations", .kind = OPTION_FLAG, .offset = AT(duration)},
-    SCENE_OPTIONS(struct sample_arguments, &option_sphere_poisson, NULL, ""),
-    OPTION_FORMAT(struct sample_arguments, sample_format_names),
-    OPTION_COMMON(struct sample_arguments),
+    SCENE_RANGE,
+    OPTION_PLAIN("log", FLAG, log),
+    OPTION_PLAIN("cubic", FLAG, cubic),
+    OPTION_PLAIN("durations", FLAG, duration),
+    SCENE_OPTIONS(&option_sphere_poisson, NULL, ""),
+    OPTION_FORMAT(sample_format_names),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct sample_arguments defaults = {.scene.end = OPTIONS_NOT_GIVEN};
 
-const struct subcommand command_sample = {.name = "sample",
-                                          .summary = "eps over speeds as the fewest points of a table",
-                                          .help = help,
-                                          .options = options,
-                                          .size = sizeof defaults,
-                                          .defaults = &defaults,
-                                          .run = run_sample};
+SUBCOMMAND(sample, "sample", "eps over speeds as the fewest points of a table");

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The options that describe one contact, as rows of a table of options: SCENE_OPTIONS of contact, sample, embed and
- * plan, of which fit has SCENE_BODY alone. TYPE is their struct of arguments, with a member `scene`. APART lists
- * options that contradict all of them, or is NULL. POISSON and POISSON_APART are range and contradiction of
- * --poisson. */
+ * plan, of which fit has SCENE_BODY alone. ARGUMENTS has a member `scene`. APART lists options that contradict all of
+ * them, or is NULL. POISSON and POISSON_APART are range and contradiction of --poisson. */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 
@@ -37,75 +36,50 @@
     "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
     "  --adhesion W --adhesion-model M   J/m^2; dmt: the force 2 pi W R; jkr: columns _tail, _largest_pull\n"
 
-#define SCENE_NUMBER(TYPE, NAME, NUMBER, NUMBERS, UNIT, APART)                                                         \
-    {                                                                                                                  \
-        .name = (NAME), .kind = OPTION_REAL, .offset = offsetof(TYPE, scene.number[NUMBER]),                           \
-        .range.number = (NUMBERS), .unit = (UNIT), .excludes = (APART)                                                 \
-    }
-#define SCENE_RANGE_NUMBER(TYPE, NAME, NUMBER, UNIT)                                                                   \
-    {                                                                                                                  \
-        .name = (NAME), .kind = OPTION_REAL, .offset = offsetof(TYPE, scene.number[NUMBER]),                           \
-        .range.number = &option_positive, .unit = (UNIT), .required = true                                             \
-    }
-#define SCENE_RANGE(TYPE)                                                                                              \
-    SCENE_RANGE_NUMBER(TYPE, "speed-min", EMBED_SPEED_MIN, "m/s"),                                                     \
-        SCENE_RANGE_NUMBER(TYPE, "speed-max", EMBED_SPEED_MAX, "m/s"),                                                 \
-        SCENE_RANGE_NUMBER(TYPE, "tolerance", EMBED_TOLERANCE, NULL)
-#define SCENE_TEXT(TYPE, NAME, FIELD, APART)                                                                           \
-    {                                                                                                                  \
-        .name = (NAME), .kind = OPTION_TEXT, .offset = offsetof(TYPE, scene.FIELD), .excludes = (APART)                \
-    }
-#define SCENE_BODY(TYPE, SUFFIX, NUMBER_SUFFIX, YOUNG, POISSON, POISSON_APART, APART)                                  \
-    SCENE_NUMBER(TYPE, "young" SUFFIX, COR_SCENE_YOUNG##NUMBER_SUFFIX, YOUNG, "Pa", APART),                            \
-        SCENE_NUMBER(TYPE, "poisson" SUFFIX, COR_SCENE_POISSON##NUMBER_SUFFIX, POISSON, NULL, POISSON_APART),          \
-        SCENE_NUMBER(TYPE, "radius" SUFFIX, COR_SCENE_RADIUS##NUMBER_SUFFIX, &option_positive, "m", APART),            \
-        SCENE_NUMBER(TYPE, "density" SUFFIX, COR_SCENE_DENSITY##NUMBER_SUFFIX, &option_positive, "kg/m^3", APART),     \
-        SCENE_NUMBER(TYPE, "mass" SUFFIX, COR_SCENE_MASS##NUMBER_SUFFIX, &option_positive, "kg", APART)
-#define SCENE_OPTIONS(TYPE, POISSON, POISSON_APART, APART)                                                             \
-    SCENE_BODY(TYPE, "", , &option_positive, POISSON, POISSON_APART, APART),                                           \
-        SCENE_BODY(TYPE, "-2", _2, &option_positive, &option_sphere_poisson, APART, APART),                            \
-        {.name = "wall", .kind = OPTION_FLAG, .offset = offsetof(TYPE, scene.wall), .excludes = (APART)},              \
-        SCENE_NUMBER(TYPE, "plate-thickness", COR_SCENE_PLATE_THICKNESS, &option_positive, "m", APART),                \
-        SCENE_NUMBER(TYPE, "gravity", COR_SCENE_GRAVITY, &option_positive, "m/s^2", APART),                            \
-        SCENE_NUMBER(TYPE, "adhesion", COR_SCENE_ADHESION, &option_positive, "J/m^2", APART),                          \
-        {.name = "adhesion-model",                                                                                     \
-         .kind = OPTION_WORD,                                                                                          \
-         .offset = offsetof(TYPE, scene.adhesion_model),                                                               \
-         .range.words = embed_adhesion_names,                                                                          \
-         .why = "a model of adhesion",                                                                                 \
-         .excludes = (APART),                                                                                          \
-         .needs = "adhesion"},                                                                                         \
-        SCENE_NUMBER(TYPE, "yield-stress", COR_SCENE_YIELD_STRESS, &option_positive, "Pa", APART),                     \
-        SCENE_NUMBER(TYPE, "viscosity-liquid", COR_SCENE_LIQUID_VISCOSITY, &option_positive, "Pa s", APART),           \
-        SCENE_NUMBER(TYPE, "gap-outer", COR_SCENE_GAP_OUTER, &option_positive, "m", APART),                            \
-        SCENE_NUMBER(TYPE, "gap-inner", COR_SCENE_GAP_INNER, &option_positive, "m", APART),                            \
-        SCENE_NUMBER(TYPE, "stiffness", COR_SCENE_STIFFNESS, &option_positive, "N/m^a", APART),                        \
-        SCENE_NUMBER(TYPE, "effective-mass", COR_SCENE_EFFECTIVE_MASS, &option_positive, "kg", APART),                 \
-        SCENE_NUMBER(TYPE, "duration", COR_SCENE_DURATION, &option_positive, "s", APART),                              \
-        SCENE_NUMBER(TYPE, "dissipation-time", COR_SCENE_DISSIPATION_TIME, &option_not_negative, "s", APART),          \
-        SCENE_NUMBER(TYPE, "dissipation-time-2", COR_SCENE_DISSIPATION_TIME_2, &option_not_negative, "s", APART),      \
-        SCENE_TEXT(TYPE, "viscosity", viscosity[0], APART), SCENE_TEXT(TYPE, "viscosity-2", viscosity[1], APART),      \
-        SCENE_NUMBER(TYPE, "g-star", COR_SCENE_G_STAR, &option_positive, "m/s", APART),                                \
-        SCENE_NUMBER(TYPE, "restitution", COR_SCENE_RESTITUTION, &option_restitution, NULL, APART),                    \
-        SCENE_NUMBER(TYPE, "damping-coefficient", COR_SCENE_DAMPING_COEFFICIENT, &option_positive, NULL, APART),       \
-        SCENE_NUMBER(TYPE, "beta", COR_SCENE_BETA, &option_positive, NULL, APART),                                     \
-        SCENE_NUMBER(TYPE, "zeta", COR_SCENE_ZETA, &option_not_negative, NULL, APART),                                 \
-        SCENE_NUMBER(TYPE, "at", COR_SCENE_AT, &option_positive, "m/s", APART),                                        \
-        {.name = "law",                                                                                                \
-         .kind = OPTION_WORD,                                                                                          \
-         .offset = offsetof(TYPE, scene.law),                                                                          \
-         .range.words = contact_law_names,                                                                             \
-         .why = "a law",                                                                                               \
-         .excludes = (APART)},                                                                                         \
-        SCENE_TEXT(TYPE, "elastic", elastic, "law " APART), SCENE_TEXT(TYPE, "damping", damping, "law " APART),        \
-    {                                                                                                                  \
-        .name = "end", .kind = OPTION_WORD, .offset = offsetof(TYPE, scene.end), .range.words = option_ends,           \
-        .why = "an end of contact", .excludes = (APART)                                                                \
-    }
-#define SCENE_PURPOSE(TYPE, APART)                                                                                     \
-    {                                                                                                                  \
-        .name = "for", .kind = OPTION_WORD, .offset = offsetof(TYPE, scene.purpose),                                   \
-        .range.words = embed_purpose_names, .why = "a use", .excludes = (APART)                                        \
-    }
+#define SCENE_NUMBER(NAME, NUMBER, NUMBERS, UNIT, APART)                                                               \
+    OPTION(NAME, REAL, scene.number[NUMBER], .range.number = (NUMBERS), .unit = (UNIT), .excludes = (APART))
+#define SCENE_POSITIVE(NAME, NUMBER, UNIT, APART) SCENE_NUMBER(NAME, NUMBER, &option_positive, UNIT, APART)
+#define SCENE_RANGE_NUMBER(NAME, NUMBER, UNIT)                                                                         \
+    OPTION(NAME, REAL, scene.number[NUMBER], .range.number = &option_positive, .unit = (UNIT), .required = true)
+#define SCENE_RANGE                                                                                                    \
+    SCENE_RANGE_NUMBER("speed-min", EMBED_SPEED_MIN, "m/s"), SCENE_RANGE_NUMBER("speed-max", EMBED_SPEED_MAX, "m/s"),  \
+        SCENE_RANGE_NUMBER("tolerance", EMBED_TOLERANCE, NULL)
+#define SCENE_TEXT(NAME, FIELD, APART) OPTION(NAME, TEXT, scene.FIELD, .excludes = (APART))
+#define SCENE_WORD(NAME, FIELD, WORDS, WHY, APART)                                                                     \
+    OPTION(NAME, WORD, scene.FIELD, .range.words = (WORDS), .why = (WHY), .excludes = (APART))
+#define SCENE_BODY(SUFFIX, NUMBER_SUFFIX, YOUNG, POISSON, POISSON_APART, APART)                                        \
+    SCENE_NUMBER("young" SUFFIX, COR_SCENE_YOUNG##NUMBER_SUFFIX, YOUNG, "Pa", APART),                                  \
+        SCENE_NUMBER("poisson" SUFFIX, COR_SCENE_POISSON##NUMBER_SUFFIX, POISSON, NULL, POISSON_APART),                \
+        SCENE_POSITIVE("radius" SUFFIX, COR_SCENE_RADIUS##NUMBER_SUFFIX, "m", APART),                                  \
+        SCENE_POSITIVE("density" SUFFIX, COR_SCENE_DENSITY##NUMBER_SUFFIX, "kg/m^3", APART),                           \
+        SCENE_POSITIVE("mass" SUFFIX, COR_SCENE_MASS##NUMBER_SUFFIX, "kg", APART)
+#define SCENE_OPTIONS(POISSON, POISSON_APART, APART)                                                                   \
+    SCENE_BODY("", , &option_positive, POISSON, POISSON_APART, APART),                                                 \
+        SCENE_BODY("-2", _2, &option_positive, &option_sphere_poisson, APART, APART),                                  \
+        OPTION("wall", FLAG, scene.wall, .excludes = (APART)),                                                         \
+        SCENE_POSITIVE("plate-thickness", COR_SCENE_PLATE_THICKNESS, "m", APART),                                      \
+        SCENE_POSITIVE("gravity", COR_SCENE_GRAVITY, "m/s^2", APART),                                                  \
+        SCENE_POSITIVE("adhesion", COR_SCENE_ADHESION, "J/m^2", APART),                                                \
+        OPTION("adhesion-model", WORD, scene.adhesion_model, .range.words = embed_adhesion_names,                      \
+               .why = "a model of adhesion", .excludes = (APART), .needs = "adhesion"),                                \
+        SCENE_POSITIVE("yield-stress", COR_SCENE_YIELD_STRESS, "Pa", APART),                                           \
+        SCENE_POSITIVE("viscosity-liquid", COR_SCENE_LIQUID_VISCOSITY, "Pa s", APART),                                 \
+        SCENE_POSITIVE("gap-outer", COR_SCENE_GAP_OUTER, "m", APART),                                                  \
+        SCENE_POSITIVE("gap-inner", COR_SCENE_GAP_INNER, "m", APART),                                                  \
+        SCENE_POSITIVE("stiffness", COR_SCENE_STIFFNESS, "N/m^a", APART),                                              \
+        SCENE_POSITIVE("effective-mass", COR_SCENE_EFFECTIVE_MASS, "kg", APART),                                       \
+        SCENE_POSITIVE("duration", COR_SCENE_DURATION, "s", APART),                                                    \
+        SCENE_NUMBER("dissipation-time", COR_SCENE_DISSIPATION_TIME, &option_not_negative, "s", APART),                \
+        SCENE_NUMBER("dissipation-time-2", COR_SCENE_DISSIPATION_TIME_2, &option_not_negative, "s", APART),            \
+        SCENE_TEXT("viscosity", viscosity[0], APART), SCENE_TEXT("viscosity-2", viscosity[1], APART),                  \
+        SCENE_POSITIVE("g-star", COR_SCENE_G_STAR, "m/s", APART),                                                      \
+        SCENE_NUMBER("restitution", COR_SCENE_RESTITUTION, &option_restitution, NULL, APART),                          \
+        SCENE_POSITIVE("damping-coefficient", COR_SCENE_DAMPING_COEFFICIENT, NULL, APART),                             \
+        SCENE_POSITIVE("beta", COR_SCENE_BETA, NULL, APART),                                                           \
+        SCENE_NUMBER("zeta", COR_SCENE_ZETA, &option_not_negative, NULL, APART),                                       \
+        SCENE_POSITIVE("at", COR_SCENE_AT, "m/s", APART), SCENE_WORD("law", law, contact_law_names, "a law", APART),   \
+        SCENE_TEXT("elastic", elastic, "law " APART), SCENE_TEXT("damping", damping, "law " APART),                    \
+        SCENE_WORD("end", end, option_ends, "an end of contact", APART)
+#define SCENE_PURPOSE(APART) SCENE_WORD("for", purpose, embed_purpose_names, "a use", APART)
 
 #endif

@@ -144,30 +144,20 @@ static const char help[] =
     "with --exact power_of_w,G,T.\n"
     "\nExample: corgen series --order 5 --digits 30\n";
 
-#define AT(FIELD) offsetof(struct series_arguments, FIELD)
+#define ARGUMENTS struct series_arguments
 static const struct option_rule options[] = {
-    {.name = "order",
-     .kind = OPTION_WHOLE,
-     .offset = AT(order),
-     .range.whole = {0, MAX_ORDER},
-     .why = "an order needs all below it, and their cost grows faster than its cube",
-     .required = true},
-    OPTION_DIGITS(struct series_arguments),
-    OPTION_END(struct series_arguments, end),
-    {.name = "exact", .kind = OPTION_FLAG, .offset = AT(exact), .excludes = "digits"},
-    OPTION_FORMAT(struct series_arguments, option_formats),
-    OPTION_JSON_STRINGS(struct series_arguments),
-    OPTION_LAW(struct series_arguments),
-    OPTION_COMMON(struct series_arguments),
+    OPTION("order", WHOLE, order, .range.whole = {0, MAX_ORDER},
+           .why = "an order needs all below it, and their cost grows faster than its cube", .required = true),
+    OPTION_DIGITS,
+    OPTION_END(end),
+    OPTION("exact", FLAG, exact, .excludes = "digits"),
+    OPTION_FORMAT(option_formats),
+    OPTION_JSON_STRINGS,
+    OPTION_LAW,
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct series_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_series = {.name = "series",
-                                          .summary = "coefficients of x_max, t_max and eps in powers of beta",
-                                          .help = help,
-                                          .options = options,
-                                          .size = sizeof defaults,
-                                          .defaults = &defaults,
-                                          .run = run_series};
+SUBCOMMAND(series, "series", "coefficients of x_max, t_max and eps in powers of beta");

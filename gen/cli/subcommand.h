@@ -15,6 +15,10 @@ struct subcommand {
     int (*run)(const void *arguments); /* exit status */
 };
 
+/* The subcommand of a file that defines ARGUMENTS, help, options, defaults and run_NAME */
+#define SUBCOMMAND(NAME, WORD, SUMMARY)                                                                                \
+    const struct subcommand command_##NAME = {WORD, SUMMARY, help, options, sizeof defaults, &defaults, run_##NAME}
+
 /* Parts of help texts */
 #define HELP_LAW                                                                                                       \
     "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, from 0 to 24, such as 3/2\n"               \

@@ -65,32 +65,18 @@ static const char help[] =
     "  --profile        seconds per step and peak memory on standard error\n"
     "\nExample: corgen tables --poisson 0.3 --modes 10\n";
 
-#define AT(FIELD) offsetof(struct tables_arguments, FIELD)
+#define ARGUMENTS struct tables_arguments
 static const struct option_rule options[] = {
-    {.name = "poisson", .kind = OPTION_REAL, .offset = AT(poisson), .range.number = &option_disk_poisson},
-    {.name = "modes",
-     .kind = OPTION_WHOLE,
-     .offset = AT(modes),
-     .range.whole = {1, DISK_MODES_MAX},
-     .why = OPTION_COUNT_WHY},
-    {.name = "check", .kind = OPTION_FLAG, .offset = AT(check)},
-    {.name = "all", .kind = OPTION_FLAG, .offset = AT(all)},
-    {.name = "digits", .kind = OPTION_FLAG, .offset = AT(digits)},
-    {.name = "seed",
-     .kind = OPTION_WHOLE,
-     .offset = AT(seed),
-     .range.whole = {0, TABLES_MAX_SEED},
-     .why = "there are no more samples than that"},
-    OPTION_COMMON(struct tables_arguments),
+    OPTION("poisson", REAL, poisson, .range.number = &option_disk_poisson),
+    OPTION("modes", WHOLE, modes, .range.whole = {1, DISK_MODES_MAX}, .why = OPTION_COUNT_WHY),
+    OPTION_PLAIN("check", FLAG, check),
+    OPTION_PLAIN("all", FLAG, all),
+    OPTION_PLAIN("digits", FLAG, digits),
+    OPTION("seed", WHOLE, seed, .range.whole = {0, TABLES_MAX_SEED}, .why = "there are no more samples than that"),
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct tables_arguments defaults = {.modes = OPTIONS_NOT_GIVEN, .seed = OPTIONS_NOT_GIVEN};
 
-const struct subcommand command_tables = {.name = "tables",
-                                          .summary = "write or check the generated C tables",
-                                          .help = help,
-                                          .options = options,
-                                          .size = sizeof defaults,
-                                          .defaults = &defaults,
-                                          .run = run_tables};
+SUBCOMMAND(tables, "tables", "write or check the generated C tables");

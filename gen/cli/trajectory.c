@@ -159,33 +159,19 @@ static const char help[] =
     "\nColumns of csv and json: k,j,numerator,denominator.\n"
     "\nExample: corgen trajectory --order 3 --terms 4\n";
 
-#define AT(FIELD) offsetof(struct trajectory_arguments, FIELD)
+#define ARGUMENTS struct trajectory_arguments
 static const struct option_rule options[] = {
-    {.name = "order",
-     .kind = OPTION_WHOLE,
-     .offset = AT(order),
-     .range.whole = {0, MAX_ORDER},
-     .why = "an order needs all below it, and their cost grows faster than its cube",
-     .required = true},
-    {.name = "terms",
-     .kind = OPTION_WHOLE,
-     .offset = AT(terms),
-     .range.whole = {0, MAX_TERMS},
-     .why = "the exact rationals of more terms outgrow any memory",
-     .required = true},
-    OPTION_FORMAT(struct trajectory_arguments, option_formats_latex),
-    OPTION_JSON_STRINGS(struct trajectory_arguments),
-    OPTION_LAW(struct trajectory_arguments),
-    OPTION_COMMON(struct trajectory_arguments),
+    OPTION("order", WHOLE, order, .range.whole = {0, MAX_ORDER},
+           .why = "an order needs all below it, and their cost grows faster than its cube", .required = true),
+    OPTION("terms", WHOLE, terms, .range.whole = {0, MAX_TERMS},
+           .why = "the exact rationals of more terms outgrow any memory", .required = true),
+    OPTION_FORMAT(option_formats_latex),
+    OPTION_JSON_STRINGS,
+    OPTION_LAW,
+    OPTION_COMMON,
     {.name = NULL},
 };
 
 static const struct trajectory_arguments defaults = {0};
 
-const struct subcommand command_trajectory = {.name = "trajectory",
-                                              .summary = "exact rational coefficients of x(t), any order",
-                                              .help = help,
-                                              .options = options,
-                                              .size = sizeof defaults,
-                                              .defaults = &defaults,
-                                              .run = run_trajectory};
+SUBCOMMAND(trajectory, "trajectory", "exact rational coefficients of x(t), any order");
