@@ -12,6 +12,7 @@
 #include <cor/sphere.h>
 
 #include "runtime/sphere/array.h"
+#include "runtime/sphere/fast_float.h"
 #include "support/table.h"
 #include "support/timing.h"
 
@@ -23,6 +24,8 @@ static const double least_beta = 0.3, most_beta = 1.9;
 struct quantity {
     const char *name;
     double bound;
+    enum cor_sphere_number number;
+    struct float_table (*table)(void);
     double (*value)(double);
     float (*valuef)(float), (*fastf)(float);
     void (*array)(const double *, double *, size_t);
@@ -31,8 +34,9 @@ struct quantity {
 };
 #define QUANTITY(name, bound)                                                                                          \
     {                                                                                                                  \
-#name, bound, cor_sphere_##name, cor_sphere_##name##f, cor_sphere_##name##_fastf, cor_sphere_##name##_array,   \
-            cor_sphere_##name##_arrayf, cor_sphere_##name##_fast_arrayf                                                \
+#name, bound, COR_SPHERE_##name, float_table_##name, cor_sphere_##name, cor_sphere_##name##f,                  \
+            cor_sphere_##name##_fastf, cor_sphere_##name##_array, cor_sphere_##name##_arrayf,                          \
+            cor_sphere_##name##_fast_arrayf                                                                            \
     }
 static const struct quantity quantities[] = {
     QUANTITY(eps_zero_overlap, COR_SPHERE_EPS_MAX_ULP),       QUANTITY(eps_zero_force, COR_SPHERE_EPS_MAX_ULP),
@@ -53,8 +57,7 @@ struct line {
     const struct quantity *quantity;
     enum form form;
     const char *set;
-    void (*array)(const double *, double *, size_t);
-    void (*arrayf)(const float *, float *, size_t);
+    const struct cor_row_loops *loops; /* NULL: as shipped */
 };
 
 static void run_line(void *closure)
@@ -68,17 +71,24 @@ static void run_line(void *closure)
         float (*const value)(float) = line->form == FAST_SCALAR ? line->quantity->fastf : line->quantity->valuef;
         for (int i = 0; i < COUNT; i++)
             yf[i] = value(xf[i]);
-    } else if (line->array) {
-        line->array(x, y, COUNT);
+    } else if (line->form == ARRAY && line->loops) {
+        const struct cor_sphere_rows *const rows = &cor_sphere_rows[line->quantity->number];
+        const struct cor_row_call call = {&rows->table, rows->one, NULL, NULL, NULL, 0};
+        line->loops->doubles(&call, x, y, COUNT);
+    } else if (line->form == FAST_ARRAY && line->loops) {
+        const struct float_table table = line->quantity->table();
+        line->loops->fast_floats(&table, line->quantity->valuef, xf, yf, COUNT);
+    } else if (line->form == ARRAY) {
+        line->quantity->array(x, y, COUNT);
     } else {
-        line->arrayf(xf, yf, COUNT);
+        (line->form == FAST_ARRAY ? line->quantity->fast : line->quantity->arrayf)(xf, yf, COUNT);
     }
 }
 
 static double worst_error(struct line *line)
 {
     double worst = 0;
-    if (line->form == SCALAR || line->array)
+    if (line->form == SCALAR || line->form == ARRAY)
         return line->quantity->bound;
     run_line(line);
     for (int i = 0; i < COUNT; i++) {
@@ -90,33 +100,18 @@ static double worst_error(struct line *line)
     return worst;
 }
 
-static int add_lines(struct line *line, const struct quantity *q)
-{
-    int n = 0;
-    line[n++] = (struct line){q, SCALAR, "", NULL, NULL};
-    line[n++] = (struct line){q, FLOAT_SCALAR, "", NULL, NULL};
-    line[n++] = (struct line){q, FAST_SCALAR, "", NULL, NULL};
-    line[n++] = (struct line){q, ARRAY, "as shipped", q->array, NULL};
-    line[n++] = (struct line){q, FLOAT_ARRAY, "as shipped", NULL, q->arrayf};
-    line[n++] = (struct line){q, FAST_ARRAY, "as shipped", NULL, q->fast};
-    return n;
-}
-
-static int add_sets(struct line *line)
+static int add_lines(struct line *line)
 {
     static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
     int n = 0;
-    for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
-        const struct cor_array_set *const set = cor_array_set(s);
-        int k = 0;
-        if (set == NULL)
-            continue;
-#define SET_LINES(name)                                                                                                \
-    line[n++] = (struct line){&quantities[k], ARRAY, set_name[s], set->sphere_##name, NULL};                           \
-    line[n++] = (struct line){&quantities[k++], FAST_ARRAY, set_name[s], NULL, set->float_##name};
-        COR_FLOAT_QUANTITIES(SET_LINES)
-#undef SET_LINES
-    }
+    for (int k = 0; k < QUANTITIES; k++)
+        for (enum form form = SCALAR; form <= FAST_ARRAY; form++)
+            line[n++] = (struct line){&quantities[k], form, form < ARRAY ? "" : "as shipped", NULL};
+    for (int s = 0; s < COR_INSTRUCTION_SETS; s++)
+        for (int k = 0; cor_row_loops(s) && k < QUANTITIES; k++) {
+            line[n++] = (struct line){&quantities[k], ARRAY, set_name[s], cor_row_loops(s)};
+            line[n++] = (struct line){&quantities[k], FAST_ARRAY, set_name[s], cor_row_loops(s)};
+        }
     return n;
 }
 
@@ -143,10 +138,7 @@ int main(int argc, char **argv)
         xf[i] = (float)(least_beta + (most_beta - least_beta) * fmod(0.61803398874989485 * (i + 1), 1));
         x[i] = (double)xf[i];
     }
-    int n = 0;
-    for (int k = 0; k < QUANTITIES; k++)
-        n += add_lines(lines + n, &quantities[k]);
-    n += add_sets(lines + n);
+    const int n = add_lines(lines);
     for (int i = 0; i < n; i++)
         jobs[i] = (struct job){run_line, &lines[i], COUNT, NAN};
     timing_measure(jobs, (size_t)n, (struct timing){2e5, quick ? 20 : 200, 4});

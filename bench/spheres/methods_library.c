@@ -14,12 +14,17 @@ SCALAR_METHOD_OF(float, float_force, , cor_sphere_eps_zero_forcef(g))
 
 static void array_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
 {
-    const struct cor_array_set *const set = cor_array_set(method->number);
-    if (method->input == FROM_SPEED)
-        (method->end == ZERO_OVERLAP ? set->contact_eps_zero_overlap : set->contact_eps_zero_force)(&scene->contact, in,
-                                                                                                    out, n);
-    else
-        (method->end == ZERO_OVERLAP ? set->sphere_eps_zero_overlap : set->sphere_eps_zero_force)(in, out, n);
+    const int is_overlap = method->end == ZERO_OVERLAP;
+    if (method->input == FROM_SPEED) {
+        cor_contact_loops(method->number)
+            ->run(&cor_contact_functions[is_overlap ? COR_CONTACT_eps_zero_overlap : COR_CONTACT_eps_zero_force],
+                  &scene->contact, in, NULL, out, n);
+    } else {
+        const struct cor_sphere_rows *const rows =
+            &cor_sphere_rows[is_overlap ? COR_SPHERE_eps_zero_overlap : COR_SPHERE_eps_zero_force];
+        const struct cor_row_call call = {&rows->table, rows->one, NULL, NULL, NULL, 0};
+        cor_row_loops(method->number)->doubles(&call, in, out, n);
+    }
 }
 
 static void float_array_each(const struct method *method, const struct scene *scene, const double *in, double *out,
@@ -54,7 +59,7 @@ void add_library(struct methods *methods)
         array.curve = "cor";
         array.each = array_each;
         for (array.number = COR_PORTABLE; array.number < COR_INSTRUCTION_SETS; array.number++)
-            for (array.input = FROM_SPEED; array.input <= FROM_BETA && cor_array_set(array.number); array.input++) {
+            for (array.input = FROM_SPEED; array.input <= FROM_BETA && cor_row_loops(array.number); array.input++) {
                 array.instructions = set_name[array.number];
                 array.flags = ARRAY | (array.input == FROM_SPEED ? LARGE : 0);
                 methods_add(methods, &array);

@@ -4,21 +4,13 @@
  * vectorises processes blocks of numbers. Numbers outside the kernel's interval are then computed one by one. */
 #include "cor/law.h"
 #include "runtime/law/array.h"
+#include "runtime/number/kernel.h"
 
 /* LANES: a multiple of the vector length of every set */
 enum { BLOCK = 128, LANES = 8 };
 
 /* The least multiple of LANES from n on. A compiler that sees it leaves out the loop over what is no whole vector. */
 #define WHOLE(n) (((n) + LANES - 1) / LANES * LANES)
-
-/* Called once for each block, so that the library has them once */
-#if defined(__clang__)
-#define SHARED static __attribute__((noinline))
-#elif defined(__GNUC__)
-#define SHARED static __attribute__((noinline, noclone))
-#else
-#define SHARED static
-#endif
 
 typedef double law_function(double x);
 

@@ -12,47 +12,86 @@
 #endif
 
 #include "runtime/law/dashpot_array.h"
-#include "runtime/law/define.h"
 #include "runtime/law/hertz_dashpot_approach_only.h"
+#include "runtime/number/environment.h"
+#include "runtime/table/row_loops.h"
 
-/* ---- arrays by loops ---- */
+/* ---- tables of the loops ---- */
 
 static const double *first_row(struct cor_inline_law_table table)
 {
     return table.kind ? table.rows(0) : NULL;
 }
 
-#define ROWS_OF_QUANTITY(function, tables)                                                                             \
-    case COR_DASHPOT_##function: {                                                                                     \
-        const struct cor_inline_law_quantity q = cor_law_hertz_dashpot_##tables();                                     \
-        const struct cor_dashpot_rows rows = {first_row(q.near), first_row(q.middle), first_row(q.below)};             \
-        return rows;                                                                                                   \
-    }
-#define ROWS_OF_INVERSE(function, tables)                                                                              \
-    case COR_DASHPOT_##function: {                                                                                     \
-        const struct cor_inline_law_inverse inverse = cor_law_hertz_dashpot_##tables();                                \
-        const struct cor_dashpot_rows rows = {first_row(inverse.near), first_row(inverse.rows), NULL};                 \
-        return rows;                                                                                                   \
-    }
-
-static struct cor_dashpot_rows dashpot_rows(enum cor_dashpot_number function)
+/* The least beta > 0 of a product with beta; rows near 0 in a cube root of beta are left to the scalar function. */
+static inline struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
-    const struct cor_dashpot_rows none = {NULL, NULL, NULL};
-    switch (function) {
-        COR_DASHPOT_LOOPS(ROWS_OF_QUANTITY, ROWS_OF_QUANTITY, ROWS_OF_QUANTITY, ROWS_OF_INVERSE)
-    default:
-        return none;
-    }
+    const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;
+    const struct cor_row_table table = {has_near ? COR_ROW_PARTS : COR_ROW_OCTAVES,
+                                        has_near || value == COR_ROW_LOSS ? value : COR_ROW_SUM,
+                                        !has_near              ? q.near.end
+                                        : value == COR_ROW_SUM ? 0
+                                                               : COR_INLINE_2_M900,
+                                        has_below ? q.threshold.hi : q.middle.end,
+                                        has_near ? 0 : q.near.end,
+                                        first_row(q.near),
+                                        first_row(q.middle),
+                                        first_row(q.below),
+                                        q.near.grid.step,
+                                        q.near.grid.per_unit,
+                                        q.near.end,
+                                        q.middle.end,
+                                        q.middle.octaves,
+                                        q.below.octaves,
+                                        q.threshold};
+    return table;
 }
 
-int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n)
+#define DASHPOT_PARTS(function, tables, value)                                                                         \
+    case COR_DASHPOT_##function:                                                                                       \
+        return table_of_quantity(cor_law_hertz_dashpot_##tables(), value);
+#define DASHPOT_GRID(function, FUNCTION, value, least)                                                                 \
+    case COR_DASHPOT_##function: {                                                                                     \
+        const struct cor_row_table table = COR_ROW_TABLE_OF_GRID(                                                      \
+            cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION, COR_ROW_GRID, value, least, 0);      \
+        return table;                                                                                                  \
+    }
+#define DASHPOT_INVERSE(function, FUNCTION)                                                                            \
+    case COR_DASHPOT_##function: {                                                                                     \
+        const struct cor_row_table table = COR_ROW_TABLE_OF_INVERSE(                                                   \
+            COR_ROW_INVERSE, cor_rows_hertz_dashpot_near_##function, COR_ROWS_HERTZ_DASHPOT_NEAR_##FUNCTION,           \
+            cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION);                                     \
+        return table;                                                                                                  \
+    }
+#define DASHPOT_OCTAVES(function, FUNCTION)                                                                            \
+    case COR_DASHPOT_##function: {                                                                                     \
+        const struct cor_row_table table =                                                                             \
+            COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION);            \
+        return table;                                                                                                  \
+    }
+
+static struct cor_row_table dashpot_table(enum cor_dashpot_number function)
 {
-    const struct cor_dashpot_loops *const loops = cor_dashpot_loops(set);
-    if (loops == NULL)
-        return 0;
-    const struct cor_dashpot_rows rows = dashpot_rows(function);
-    loops->of[function](&rows, in, out, n);
-    return 1;
+    switch (function) {
+        DASHPOT_PARTS(eps_zero_overlap, eps_zero_overlap, COR_ROW_EPS)
+        DASHPOT_PARTS(eps_zero_force, eps_zero_force, COR_ROW_EPS)
+        DASHPOT_PARTS(loss_zero_overlap, eps_zero_overlap, COR_ROW_LOSS)
+        DASHPOT_PARTS(loss_zero_force, eps_zero_force, COR_ROW_LOSS)
+        DASHPOT_PARTS(duration_zero_overlap, duration_zero_overlap, COR_ROW_SUM)
+        DASHPOT_PARTS(duration_zero_force, duration_zero_force, COR_ROW_SUM)
+        DASHPOT_PARTS(max_overlap, max_overlap, COR_ROW_SUM)
+        DASHPOT_PARTS(time_of_max_overlap, time_of_max_overlap, COR_ROW_SUM)
+        DASHPOT_INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP)
+        DASHPOT_OCTAVES(beta_zero_force, BETA_ZERO_FORCE) /* from 1/2 on the rows are in a cube root */
+        DASHPOT_GRID(eps_approach_only, EPS_APPROACH_ONLY, COR_ROW_SUM, 0)
+        DASHPOT_GRID(loss_approach_only, LOSS_APPROACH_ONLY, COR_ROW_PRODUCT, COR_INLINE_2_M900)
+        DASHPOT_GRID(duration_approach_only, DURATION_APPROACH_ONLY, COR_ROW_SUM, 0)
+        DASHPOT_INVERSE(beta_approach_only, BETA_APPROACH_ONLY)
+    default:
+        break;
+    }
+    const struct cor_row_table none = {0};
+    return none;
 }
 
 /* ---- the functions of hertz_dashpot.h ---- */
@@ -66,34 +105,68 @@ int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const do
     {                                                                                                                  \
         return (float)cor_hertz_dashpot_##quantity((double)x);                                                         \
     }
-
-#define WITH_LOOP(quantity, tables)                                                                                    \
-    SCALARS(quantity, cor_inline_hertz_dashpot_##quantity)                                                             \
-    static void loop_##quantity(const double *x, double *y, size_t n)                                                  \
-    {                                                                                                                  \
-        cor_dashpot_array_of_set(cor_widest_set(), COR_DASHPOT_##quantity, x, y, n);                                   \
-    }                                                                                                                  \
-    void cor_hertz_dashpot_##quantity##_array(const double *x, double *y, size_t n)                                    \
-    {                                                                                                                  \
-        cor_law_array_by(loop_##quantity, x, y, n);                                                                    \
-    }                                                                                                                  \
-    void cor_hertz_dashpot_##quantity##_arrayf(const float *x, float *y, size_t n)                                     \
-    {                                                                                                                  \
-        cor_law_arrayf_by(loop_##quantity, x, y, n);                                                                   \
-    }
-COR_DASHPOT_LOOPS(WITH_LOOP, WITH_LOOP, WITH_LOOP, WITH_LOOP)
-
-/* Arrays of these are computed one number after the other. */
-#define ONE_BY_ONE(quantity, inline_function)                                                                          \
-    SCALARS(quantity, inline_function)                                                                                 \
-    COR_ARRAY_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_array, cor_hertz_dashpot_##quantity)               \
-    COR_ARRAY_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_arrayf, cor_hertz_dashpot_##quantity##f)
-ONE_BY_ONE(beta_of_loss_zero_overlap, cor_inline_hertz_dashpot_beta_of_loss_zero_overlap)
-ONE_BY_ONE(beta_of_loss_zero_force, cor_inline_hertz_dashpot_beta_of_loss_zero_force)
-
-#define APPROACH_ONLY(quantity) ONE_BY_ONE(quantity##_approach_only, dashpot_##quantity##_approach_only)
+#define OF_BOTH_ENDS(quantity) SCALARS(quantity, cor_inline_hertz_dashpot_##quantity)
+#define APPROACH_ONLY(quantity) SCALARS(quantity##_approach_only, dashpot_##quantity##_approach_only)
+OF_BOTH_ENDS(eps_zero_overlap)
+OF_BOTH_ENDS(eps_zero_force)
+OF_BOTH_ENDS(loss_zero_overlap)
+OF_BOTH_ENDS(loss_zero_force)
+OF_BOTH_ENDS(duration_zero_overlap)
+OF_BOTH_ENDS(duration_zero_force)
+OF_BOTH_ENDS(max_overlap)
+OF_BOTH_ENDS(time_of_max_overlap)
+OF_BOTH_ENDS(beta_zero_overlap)
+OF_BOTH_ENDS(beta_zero_force)
+OF_BOTH_ENDS(beta_of_loss_zero_overlap)
+OF_BOTH_ENDS(beta_of_loss_zero_force)
 APPROACH_ONLY(eps)
 APPROACH_ONLY(loss)
 APPROACH_ONLY(beta)
 APPROACH_ONLY(beta_of_loss)
 APPROACH_ONLY(duration)
+
+/* ---- arrays ---- */
+
+#define SCALAR_(function) cor_hertz_dashpot_##function,
+#define SCALARF_(function) cor_hertz_dashpot_##function##f,
+static double (*const scalar[])(double) = {COR_DASHPOT_LOOPS(SCALAR_, SCALAR_)};
+static float (*const scalarf[])(float) = {COR_DASHPOT_LOOPS(SCALARF_, SCALARF_)};
+
+int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n)
+{
+    const struct cor_row_loops *const loops = cor_row_loops(set);
+    const struct cor_row_table table = dashpot_table(function);
+    const struct cor_row_call call = {&table, scalar[function], NULL, NULL, NULL, 0};
+    const struct cor_environment caller = cor_environment_enter();
+    if (loops)
+        loops->doubles(&call, in, out, n);
+    cor_environment_leave(&caller);
+    return loops != NULL;
+}
+
+static void dashpot_floats(enum cor_dashpot_number function, const float *in, float *out, size_t n)
+{
+    const struct cor_row_table table = dashpot_table(function);
+    const struct cor_environment caller = cor_environment_enter();
+    cor_row_loops(cor_widest_set())->floats(&table, scalarf[function], NAN, in, out, n);
+    cor_environment_leave(&caller);
+}
+
+#define ARRAYS(function)                                                                                               \
+    void cor_hertz_dashpot_##function##_array(const double *x, double *y, size_t n)                                    \
+    {                                                                                                                  \
+        cor_dashpot_array_of_set(cor_widest_set(), COR_DASHPOT_##function, x, y, n);                                   \
+    }                                                                                                                  \
+    void cor_hertz_dashpot_##function##_arrayf(const float *x, float *y, size_t n)                                     \
+    {                                                                                                                  \
+        dashpot_floats(COR_DASHPOT_##function, x, y, n);                                                               \
+    }
+COR_DASHPOT_LOOPS(ARRAYS, ARRAYS)
+
+/* Arrays of these are computed one number after the other. */
+#define ONE_BY_ONE(quantity)                                                                                           \
+    COR_ARRAY_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_array, cor_hertz_dashpot_##quantity)               \
+    COR_ARRAY_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_arrayf, cor_hertz_dashpot_##quantity##f)
+ONE_BY_ONE(beta_of_loss_zero_overlap)
+ONE_BY_ONE(beta_of_loss_zero_force)
+ONE_BY_ONE(beta_of_loss_approach_only)

@@ -6,6 +6,7 @@
 
 #include "generated/hertz_dashpot_tables.h"
 #include "runtime/core/hertz_approach_only.h"
+#include "runtime/number/environment.h"
 
 /* Y = pair 2^(4 *fourth), beta finite and beyond the rows */
 static inline struct cor_inline_pair dashpot_overlap(double beta, int *fourth)

@@ -3,15 +3,7 @@
 #ifndef COR_RUNTIME_KERNEL_EXP_H
 #define COR_RUNTIME_KERNEL_EXP_H
 
-#include <stdint.h>
-#include <string.h>
-
-/* A function call in a loop would prevent the vectorisation of the loop. */
-#ifdef __GNUC__
-#define KERNEL static inline __attribute__((always_inline))
-#else
-#define KERNEL static inline
-#endif
+#include "runtime/number/kernel.h"
 
 /* x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer, |x| < 2^51. */
 #define ROUND_TO_INTEGER 6755399441055744.0

@@ -2,6 +2,7 @@
 #include "runtime/sphere/fast_float.h"
 
 #include "cor/sphere.h"
+#include "runtime/number/environment.h"
 #include "runtime/sphere/array.h"
 
 #ifdef __AVX2__ /* a build for such a machine: one number in a vector */
@@ -15,5 +16,12 @@
     {                                                                                                                  \
         const struct float_table table = float_table_##quantity();                                                     \
         return float_is_outside(&table, x) ? cor_sphere_##quantity##f(x) : ONE_FLOAT(&table, x);                       \
+    }                                                                                                                  \
+    void cor_sphere_##quantity##_fast_arrayf(const float *x, float *y, size_t n)                                       \
+    {                                                                                                                  \
+        const struct float_table table = float_table_##quantity();                                                     \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        cor_row_loops(cor_widest_set())->fast_floats(&table, cor_sphere_##quantity##f, x, y, n);                       \
+        cor_environment_leave(&caller);                                                                                \
     }
 COR_FLOAT_QUANTITIES(SPHERE_FASTF)

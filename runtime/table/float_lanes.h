@@ -8,7 +8,11 @@
 #ifndef COR_RUNTIME_FLOAT_LANES_H
 #define COR_RUNTIME_FLOAT_LANES_H
 
-#include "runtime/table/row_lanes.h" /* KERNEL */
+#include "runtime/number/kernel.h"
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
 
 /* ---- vectors of floats, and of words: their bits as signed integers ---- */
 
@@ -147,6 +151,8 @@ KERNEL floats float_values(const struct float_table *table, floats x)
 
 typedef float float_scalar(float x);
 
+enum { FLOAT_BLOCK = 256 };
+
 KERNEL int float_is_outside(const struct float_table *table, float x)
 {
     const uint32_t word = (uint32_t)word_of_float(x);
@@ -158,16 +164,16 @@ KERNEL int float_is_outside(const struct float_table *table, float x)
 KERNEL void floats_from_beta(const float *in, float *out, size_t n, const struct float_table *table, float_scalar *one)
 {
     for (size_t i = 0, m; i < n; i += m) {
-        float last[FLOATS], value[BLOCK];
+        float last[FLOATS], value[FLOAT_BLOCK];
         words outside = WORDS_ALL(0);
-        m = n - i < BLOCK ? n - i : BLOCK;
+        m = n - i < FLOAT_BLOCK ? n - i : FLOAT_BLOCK;
         const size_t whole = m - m % FLOATS;
         for (size_t j = 0; j < whole; j += FLOATS) {
             const floats x = FLOATS_LOAD(in + i + j);
             outside = WORDS_OR(outside, float_outside(table, WORDS_OF_FLOATS(x)));
             FLOATS_STORE(value + j, float_values(table, x));
         }
-        if (whole < m) { /* BLOCK is a multiple of FLOATS, so that value has room for a whole vector */
+        if (whole < m) { /* FLOAT_BLOCK is a multiple of FLOATS, so that value has room for a whole vector */
             for (size_t j = 0; j < FLOATS; j++)
                 last[j] = in[i + (whole + j < m ? whole + j : whole)];
             const floats x = FLOATS_LOAD(last);

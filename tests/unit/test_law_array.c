@@ -86,10 +86,9 @@ static const struct {
     double (*value)(double);
     double seam[4]; /* where the rows change */
 } dashpots[] = {
-#define OF_BETA(function, tables)                                                                                      \
-    {#function, cor_hertz_dashpot_##function, {0.125, COR_HERTZ_DASHPOT_BETA_C, 0.628, 8}},
-#define OF_EPS(function, tables) {#function, cor_hertz_dashpot_##function, {0.5, 0x1p-60, 1, 0x1p-24}},
-    COR_DASHPOT_LOOPS(OF_BETA, OF_BETA, OF_BETA, OF_EPS)};
+#define OF_BETA(function) {#function, cor_hertz_dashpot_##function, {0.125, COR_HERTZ_DASHPOT_BETA_C, 0.628, 8}},
+#define OF_EPS(function) {#function, cor_hertz_dashpot_##function, {0.5, 0x1p-60, 1, 0x1p-24}},
+    COR_DASHPOT_LOOPS(OF_BETA, OF_EPS)};
 
 /* Numbers of every kind of row: near 0, by octaves, next to the threshold or eps = 1, at the seams, and beyond */
 static double dashpot_argument(struct random_state *r, const double seam[4])

@@ -5,6 +5,10 @@
 #include <cor/cor.h>
 
 #include "runtime/sphere/array.h"
+#include "runtime/sphere/fast_float.h"
+
+typedef void contact_loop(const struct cor_contact_function *f, const struct cor_sphere_contact *contact,
+                          const double *speed, const double *eps, double *out, size_t n);
 
 enum { COUNT = 1003 };
 
@@ -23,9 +27,10 @@ struct function {
     }
 
 static const struct function functions[] = {
-    ROW(eps_zero_overlap),  ROW(eps_zero_force),      ROW(loss_zero_overlap),     ROW(loss_zero_force),
-    ROW(beta_zero_overlap), ROW(beta_zero_force),     ROW(duration_zero_overlap), ROW(duration_zero_force),
-    ROW(max_overlap),       ROW(time_of_max_overlap),
+    ROW(eps_zero_overlap),   ROW(eps_zero_force),         ROW(loss_zero_overlap),     ROW(loss_zero_force),
+    ROW(beta_zero_overlap),  ROW(beta_zero_force),        ROW(duration_zero_overlap), ROW(duration_zero_force),
+    ROW(max_overlap),        ROW(time_of_max_overlap),    ROW(eps_approach_only),     ROW(loss_approach_only),
+    ROW(beta_approach_only), ROW(duration_approach_only),
 };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
@@ -130,37 +135,52 @@ static void fill_contacts(struct cor_sphere_contact contact[CONTACTS])
     assert_int_equal(cor_sphere_contact_init(&contact[5], NULL, NULL), COR_ERROR_NULL); /* all NaN */
 }
 
-static void check_sphere(const char *set, const char *name, cor_sphere_array *array, double (*value)(double),
+static void check_sphere(const struct cor_row_loops *loops, const char *name, const struct cor_sphere_rows *rows,
                          const struct arguments *a)
 {
     static double y[MANY + 1];
+    static float xf[MANY], yf[MANY];
+    const char *const set = loops->name;
+    double (*const value)(double) = rows->one;
+    const struct cor_row_call call = {&rows->table, value, NULL, NULL, NULL, 0};
     for (size_t n = MANY; n > MANY - 140; n -= 67) {
         y[n] = 7;
-        array(a->x, y, n);
+        loops->doubles(&call, a->x, y, n);
         for (size_t i = 0; i < n; i++)
             check(same(y[i], value(a->x[i])), "%s, %s(%a)", set, name, a->x[i]);
         check(y[n] == 7, "%s, %s wrote past the end", set, name);
     }
-    array(a->inside, y, MANY); /* blocks without a number to compute alone */
+    loops->doubles(&call, a->inside, y, MANY); /* blocks without a number to compute alone */
     for (size_t i = 0; i < MANY; i++)
         check(same(y[i], value(a->inside[i])), "%s, %s(%a)", set, name, a->inside[i]);
     for (size_t n = 1; n < 20; n++) { /* short ones, in place */
         memcpy(y, a->x, sizeof a->x);
-        array(y + n, y + n, n);
+        loops->doubles(&call, y + n, y + n, n);
         for (size_t i = 0; i < n; i++)
             check(same(y[n + i], value(a->x[n + i])), "%s, %s, %zu", set, name, n);
         check(same(y[2 * n], a->x[2 * n]), "%s, %s wrote past %zu", set, name, n);
     }
+    /* floats: the double rounded, but for one number */
+    const float apart[2] = {rows->exception.x, rows->exception.second_x};
+    for (size_t i = 0; i < MANY; i++)
+        xf[i] =
+            i % 531 < 2 && !isnan(apart[i % 531]) ? apart[i % 531] : (float)(i % 1062 < 600 ? a->x[i] : a->inside[i]);
+    loops->floats(&rows->table, rows->onef, apart[0], xf, yf, MANY);
+    for (size_t i = 0; i < MANY; i++)
+        check(same_float(yf[i], rows->onef(xf[i])), "%s, %sf(%a)", set, name, (double)xf[i]);
+    loops->floats(&rows->table, rows->onef, apart[0], xf, xf, MANY);
+    assert_memory_equal(xf, yf, sizeof yf);
 }
 
-static void check_contact(const char *set, const char *name, cor_contact_array *array,
-                          double (*value)(const struct cor_sphere_contact *, double), const struct arguments *a)
+static void check_contact(const char *set, contact_loop *array, const char *name, const struct cor_contact_function *f,
+                          const struct arguments *a)
 {
+    double (*const value)(const struct cor_sphere_contact *, double) = f->one;
     static double y[MANY + 1];
     for (int k = 0; k < CONTACTS; k++) {
         const size_t n = MANY - 67 * (size_t)k;
         y[n] = 7;
-        array(&a->contact[k], a->x, y, n);
+        array(f, &a->contact[k], a->x, NULL, y, n);
         for (size_t i = 0; i < n; i++)
             check(same(y[i], value(&a->contact[k], a->x[i])), "%s, %s, contact %d, speed %a: %a", set, name, k, a->x[i],
                   y[i]);
@@ -168,22 +188,22 @@ static void check_contact(const char *set, const char *name, cor_contact_array *
     }
     for (size_t n = 1; n < 20; n++) {
         memcpy(y, a->x, sizeof a->x);
-        array(&a->contact[1], y + n, y + n, n);
+        array(f, &a->contact[1], y + n, NULL, y + n, n);
         for (size_t i = 0; i < n; i++)
             check(same(y[n + i], value(&a->contact[1], a->x[n + i])), "%s, %s, %zu", set, name, n);
         check(same(y[2 * n], a->x[2 * n]), "%s, %s wrote past %zu", set, name, n);
     }
 }
 
-static void check_dissipation(const char *set, const char *name, cor_dissipation_array *array,
-                              double (*value)(const struct cor_sphere_contact *, double, double),
-                              const struct arguments *a)
+static void check_dissipation(const char *set, contact_loop *array, const char *name,
+                              const struct cor_contact_function *f, const struct arguments *a)
 {
+    double (*const value)(const struct cor_sphere_contact *, double, double) = f->of_eps;
     static double y[MANY + 1];
     for (int k = 0; k < CONTACTS; k++) {
         const size_t n = MANY - 67 * (size_t)k;
         y[n] = 7;
-        array(&a->contact[k], a->x, a->eps, y, n);
+        array(f, &a->contact[k], a->x, a->eps, y, n);
         for (size_t i = 0; i < n; i++)
             check(same(y[i], value(&a->contact[k], a->x[i], a->eps[i])), "%s, %s, contact %d, speed %a, eps %a", set,
                   name, k, a->x[i], a->eps[i]);
@@ -191,11 +211,11 @@ static void check_dissipation(const char *set, const char *name, cor_dissipation
     }
     /* in place of the speeds, and of eps */
     memcpy(y, a->x, sizeof a->x);
-    array(&a->contact[0], y, a->eps, y, 300);
+    array(f, &a->contact[0], y, a->eps, y, 300);
     for (size_t i = 0; i < 300; i++)
         check(same(y[i], value(&a->contact[0], a->x[i], a->eps[i])), "%s, %s in place of speeds", set, name);
     memcpy(y, a->eps, sizeof a->eps);
-    array(&a->contact[0], a->x, y, y, 300);
+    array(f, &a->contact[0], a->x, y, y, 300);
     for (size_t i = 0; i < 300; i++)
         check(same(y[i], value(&a->contact[0], a->x[i], a->eps[i])), "%s, %s in place of eps", set, name);
 }
@@ -212,39 +232,41 @@ TEST(every_set)
         a.inside[i] = random_uniform(&random, 0.01, 0.99);
     fill_contacts(a.contact);
     for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
-        const struct cor_array_set *set = cor_array_set(s);
-        if (set == NULL) {
+        const struct cor_row_loops *const loops = cor_row_loops(s);
+        const struct cor_contact_loops *const contacts = cor_contact_loops(s);
+        if (loops == NULL) {
             print_message("set %d is not in this build or processor\n", s);
             continue;
         }
         sets++;
-        print_message("set %s\n", set->name);
-#define CHECK(quantity) check_sphere(set->name, #quantity, set->sphere_##quantity, cor_sphere_##quantity, &a);
+        print_message("set %s\n", loops->name);
+#define CHECK(quantity) check_sphere(loops, #quantity, &cor_sphere_rows[COR_SPHERE_##quantity], &a);
         COR_SPHERE_QUANTITIES(CHECK)
 #undef CHECK
-#define CHECK(quantity) check_contact(set->name, #quantity, set->contact_##quantity, cor_contact_##quantity, &a);
-        COR_CONTACT_QUANTITIES(CHECK)
-#undef CHECK
-#define CHECK(quantity) check_dissipation(set->name, #quantity, set->contact_##quantity, cor_contact_##quantity, &a);
-        COR_DISSIPATION_QUANTITIES(CHECK)
+#define CHECK(kind, quantity)                                                                                          \
+    check_##kind(loops->name, contacts->run, #quantity, &cor_contact_functions[COR_CONTACT_##quantity], &a);
+#define CHECK_CONTACT(quantity) CHECK(contact, quantity)
+#define CHECK_DISSIPATION(quantity) CHECK(dissipation, quantity)
+        COR_CONTACT_QUANTITIES(CHECK_CONTACT)
+        COR_DISSIPATION_QUANTITIES(CHECK_DISSIPATION)
 #undef CHECK
     }
     assert_true(sets >= 1);
-    assert_null(cor_array_set(COR_INSTRUCTION_SETS));
-    assert_null(cor_array_set(-1));
+    assert_null(cor_row_loops(COR_INSTRUCTION_SETS));
+    assert_null(cor_row_loops(-1));
     /* the public names */
-    static double y[100], z[100];
+    static double y[100];
 #define CHECK(quantity)                                                                                                \
     cor_contact_##quantity##_array(&a.contact[0], a.x, y, 100);                                                        \
-    cor_array_set(cor_widest_set())->contact_##quantity(&a.contact[0], a.x, z, 100);                                   \
-    assert_memory_equal(y, z, sizeof y);                                                                               \
+    for (int i = 0; i < 100; i++)                                                                                      \
+        check(same(y[i], cor_contact_##quantity(&a.contact[0], a.x[i])), "%s of %a", #quantity, a.x[i]);               \
     cor_contact_##quantity##_array(&a.contact[0], NULL, NULL, 0);
     COR_CONTACT_QUANTITIES(CHECK)
 #undef CHECK
 #define CHECK(quantity)                                                                                                \
     cor_contact_##quantity##_array(&a.contact[0], a.x, a.eps, y, 100);                                                 \
-    cor_array_set(cor_widest_set())->contact_##quantity(&a.contact[0], a.x, a.eps, z, 100);                            \
-    assert_memory_equal(y, z, sizeof y);                                                                               \
+    for (int i = 0; i < 100; i++)                                                                                      \
+        check(same(y[i], cor_contact_##quantity(&a.contact[0], a.x[i], a.eps[i])), "%s of %a", #quantity, a.x[i]);     \
     cor_contact_##quantity##_array(&a.contact[0], NULL, NULL, NULL, 0);
     COR_DISSIPATION_QUANTITIES(CHECK)
 #undef CHECK
@@ -255,14 +277,14 @@ TEST(every_set)
 struct fast_function {
     const char *name;
     double (*value)(double);
-    float (*fast)(float);
-    cor_float_array *array;
+    float (*valuef)(float), (*fast)(float);
+    void (*array)(const float *, float *, size_t);
     float at_zero, at_infinity;
 };
 #define FAST_ROW(quantity, at_zero, at_infinity)                                                                       \
     {                                                                                                                  \
-#quantity, cor_sphere_##quantity, cor_sphere_##quantity##_fastf, cor_sphere_##quantity##_fast_arrayf, at_zero, \
-            at_infinity                                                                                                \
+#quantity, cor_sphere_##quantity, cor_sphere_##quantity##f, cor_sphere_##quantity##_fastf,                     \
+            cor_sphere_##quantity##_fast_arrayf, at_zero, at_infinity                                                  \
     }
 
 /* In the order of COR_FLOAT_QUANTITIES */
@@ -327,35 +349,45 @@ TEST(fast_around_each_branch)
     }
 }
 
+static struct float_table float_tables(int function)
+{
+    int k = 0;
+#define TABLE(quantity)                                                                                                \
+    if (k++ == function)                                                                                               \
+        return float_table_##quantity();
+    COR_FLOAT_QUANTITIES(TABLE)
+#undef TABLE
+    return float_table_eps_zero_overlap();
+}
+
+static void fast(const struct cor_row_loops *loops, const struct float_table *table, const struct fast_function *f,
+                 const float *x, float *y, size_t n)
+{
+    if (loops)
+        loops->fast_floats(table, f->valuef, x, y, n);
+    else
+        f->array(x, y, n);
+}
+
 /* Each set, length and place gives the bits of the scalar function. */
-static void check_fast(const char *set, cor_float_array *array, const struct fast_function *f, const float *x,
-                       const float *expected)
+static void check_fast(const struct cor_row_loops *loops, const struct float_table *table,
+                       const struct fast_function *f, const float *x, const float *expected)
 {
     static float y[MANY + 8];
+    const char *const set = loops ? loops->name : "public";
     for (size_t n = 0; n <= MANY; n += n < 40 ? 1 : n < 530 ? 61 : 6489)
         for (size_t at = 0; at < 3; at++) {
             y[at + n] = 7;
-            array(x + at, y + at, n < MANY - at ? n : MANY - at);
+            fast(loops, table, f, x + at, y + at, n < MANY - at ? n : MANY - at);
             for (size_t i = 0; i < n && i < MANY - at; i++)
                 check(same_float(y[at + i], expected[at + i]), "%s, %s(%a), %zu of %zu", set, f->name,
                       (double)x[at + i], i, n);
             check(y[at + n] == 7, "%s, %s wrote past %zu", set, f->name, n);
         }
     memcpy(y, x, MANY * sizeof *y);
-    array(y, y, MANY);
+    fast(loops, table, f, y, y, MANY);
     for (size_t i = 0; i < MANY; i++)
         check(same_float(y[i], expected[i]), "%s, %s(%a) in place", set, f->name, (double)x[i]);
-}
-
-static cor_float_array *fast_array_of(const struct cor_array_set *set, int function)
-{
-    int k = 0;
-#define ARRAY(quantity)                                                                                                \
-    if (k++ == function)                                                                                               \
-        return set->float_##quantity;
-    COR_FLOAT_QUANTITIES(ARRAY)
-#undef ARRAY
-    return NULL;
 }
 
 TEST(fast_every_set)
@@ -377,12 +409,11 @@ TEST(fast_every_set)
                               COR_SPHERE_FAST_FLOAT_MAX_ULP,
                           "%s(%a) = %a", fast_functions[k].name, (double)x[kind][i], (double)expected[i]);
             }
-            check_fast("public", fast_functions[k].array, &fast_functions[k], x[kind], expected);
+            const struct float_table table = float_tables(k);
+            check_fast(NULL, &table, &fast_functions[k], x[kind], expected);
             for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
-                const struct cor_array_set *set = cor_array_set(s);
-                if (set == NULL)
-                    continue;
-                check_fast(set->name, fast_array_of(set, k), &fast_functions[k], x[kind], expected);
+                if (cor_row_loops(s))
+                    check_fast(cor_row_loops(s), &table, &fast_functions[k], x[kind], expected);
             }
         }
 }

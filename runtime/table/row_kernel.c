@@ -1,0 +1,465 @@
+/* SPDX-License-Identifier: MIT */
+/* Array functions that evaluate a row of a table for each number (row_loops.h), for one instruction set (sets.h). No
+ * set may fuse a multiplication with an addition, so all sets and the scalar functions give the same bits.
+ *
+ * Three loops process each block of numbers. The first replaces the numbers that are not in the table. The second finds
+ * the row and the variables of every number. The third loads the columns of several rows into vectors and evaluates
+ * them. A compiler vectorises the first two. At last the numbers that were replaced are computed one by one. */
+#include "runtime/table/row_loops.h"
+
+/* Vectors have four elements even where AVX-512 offers eight. Measured on a Zen 4, which computes 512 bits in two
+ * halves, an eps takes 1.64 ns with four, 1.71 with eight whose rows are inserted, 2.09 with eight whose rows are
+ * loaded by masks, and 6.4 with gathers. */
+#if defined(__AVX2__)
+enum { LANES = 4 };
+typedef __m256d lanes;
+#define LANES_LOAD(p) _mm256_loadu_pd(p)
+#define LANES_STORE(p, v) _mm256_storeu_pd(p, v)
+#define LANES_STREAM(p, v) _mm256_stream_pd(p, v)
+#define LANES_ALL(x) _mm256_set1_pd(x)
+/* x < y ? if_true : if_false */
+#define LANES_CHOOSE_LESS(x, y, if_true, if_false) _mm256_blendv_pd(if_false, if_true, _mm256_cmp_pd(x, y, _CMP_LT_OQ))
+
+/* Columns k to k + 3 of four rows, transposed */
+KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
+{
+#define TWO(i, j, k)                                                                                                   \
+    _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(row[i] + (k))), _mm_loadu_pd(row[j] + (k)), 1)
+    const lanes p = TWO(0, 2, k), q = TWO(1, 3, k), r = TWO(0, 2, k + 2), s = TWO(1, 3, k + 2);
+    c[0] = _mm256_unpacklo_pd(p, q);
+    c[1] = _mm256_unpackhi_pd(p, q);
+    c[2] = _mm256_unpacklo_pd(r, s);
+    c[3] = _mm256_unpackhi_pd(r, s);
+#undef TWO
+}
+
+KERNEL lanes lanes_head(lanes x)
+{
+    return _mm256_and_pd(x, _mm256_castsi256_pd(_mm256_set1_epi64x((long long)UINT64_C(0xfffffffff8000000))));
+}
+#else
+enum { LANES = 1 };
+typedef double lanes;
+#define LANES_LOAD(p) (*(p))
+#define LANES_STORE(p, v) (*(p) = (v))
+#define LANES_ALL(x) (x)
+#define LANES_CHOOSE_LESS(x, y, if_true, if_false) ((x) < (y) ? (if_true) : (if_false))
+
+KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
+{
+    for (int l = 0; l < 4; l++)
+        c[l] = row[0][k + l];
+}
+
+KERNEL lanes lanes_head(lanes x)
+{
+    return cor_inline_head(x);
+}
+#endif
+
+/* The loops process this many numbers together. The last block of an array is filled up to whole vectors. */
+enum { BLOCK = COR_ROW_BLOCK };
+
+KERNEL size_t whole(size_t m)
+{
+    return (m + LANES - 1) / LANES * LANES;
+}
+
+/* ---- first loop: numbers in the table ---- */
+
+/* The table has `also` too. */
+KERNEL mask has(const struct cor_row_table *table, double x)
+{
+    return holds(x, table->least, table->end) | is_same(x, table->also);
+}
+
+/* Copies m numbers to x; `also` replaces those that are not in the table, and fills x up to whole vectors. Returns how
+ * many were replaced. */
+SHARED size_t take(double *restrict x, const struct cor_row_table *table, const double *restrict in, size_t m)
+{
+    const struct cor_row_table t = *table;
+    mask inside = 0;
+    for (size_t j = 0; j < m; j++) {
+        const mask is_inside = has(&t, in[j]);
+        x[j] = choose(is_inside, in[j], t.also);
+        inside -= is_inside;
+    }
+    for (size_t j = m; j < whole(m); j++)
+        x[j] = t.also;
+    return m - (size_t)inside;
+}
+
+/* ---- second loop: rows and variables ---- */
+
+/* For the third loop, which computes m (c_0 + row(s, t)) */
+struct reduced {
+    const double *m; /* x, or `factor` */
+    double s[BLOCK], t[BLOCK], factor[BLOCK];
+    uint64_t row[BLOCK]; /* its address */
+};
+
+KERNEL uint64_t address_of(const double *rows, uint64_t i)
+{
+    return (uint64_t)(uintptr_t)rows + i * (COR_INLINE_COLUMNS * sizeof *rows);
+}
+
+KERNEL void reduce_grid(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count, int root,
+                        int has_s)
+{
+    const struct cor_inline_grid grid = {0, table->step, table->per_unit};
+    const double *const rows = table->near;
+    const double plain_end = table->near_end;
+    r->m = x;
+    for (size_t j = 0; j < count; j++) {
+        const double y = root ? sqrt(x[j]) : x[j];
+        const int i = cor_inline_grid_row(grid, y);
+        const double node = i * grid.step, t = y - node;
+        r->row[j] = address_of(rows, (uint64_t)i);
+        r->t[j] = t;
+        if (has_s)
+            r->s[j] = choose(mask_of(node < plain_end), t, x[j] - node * node);
+    }
+}
+
+KERNEL void reduce_octaves(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count)
+{
+    const struct cor_inline_octaves octaves = table->octaves;
+    const double *const rows = table->middle;
+    r->m = r->factor;
+    for (size_t j = 0; j < count; j++) {
+        r->row[j] = address_of(rows, cor_inline_octaves_row(octaves, x[j]));
+        r->t[j] = cor_inline_octaves_t(octaves, x[j]);
+    }
+}
+
+KERNEL void reduce_inverse(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
+                           int root)
+{
+    const struct cor_inline_grid grid = {0, table->step, table->per_unit};
+    const struct cor_inline_octaves octaves = table->octaves;
+    const double *const near_rows = table->near, *const rows = table->middle;
+    for (size_t j = 0; j < count; j++) {
+        const mask near = holds(x[j], 0.5, 2);
+        const double loss = choose(near, 1 - x[j], 0), y = root ? sqrt(loss) : loss;
+        const int i = cor_inline_grid_row(grid, y);
+        r->row[j] = choose_bits(near, address_of(near_rows, (uint64_t)i),
+                                address_of(rows, cor_inline_octaves_row(octaves, x[j])));
+        r->t[j] = choose(near, y - i * grid.step, cor_inline_octaves_t(octaves, x[j]));
+        r->factor[j] = choose(near, loss, 1);
+    }
+    r->m = r->factor;
+}
+
+/* Returns whether some number has a near row. */
+KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
+                        int has_below)
+{
+    const struct cor_inline_grid grid = {0, table->step, table->per_unit};
+    const struct cor_inline_octaves octaves = table->octaves, below_octaves = table->below_octaves;
+    const double *const near_rows = table->near, *const rows = table->middle, *const below_rows = table->below;
+    const double near_end = table->near_end, middle_end = table->middle_end;
+    const struct cor_inline_pair threshold = table->threshold;
+    mask some_near = 0;
+    for (size_t j = 0; j < count; j++) {
+        const mask is_middle = holds(x[j], near_end, middle_end);
+        const double of_middle = choose(is_middle, x[j], near_end);
+        uint64_t row = address_of(rows, cor_inline_octaves_row(octaves, of_middle));
+        double t = cor_inline_octaves_t(octaves, of_middle);
+        const mask is_near = holds(x[j], 0, near_end);
+        const double near_x = choose(is_near, x[j], 0);
+        const int i = cor_inline_grid_row(grid, near_x);
+        row = choose_bits(is_near, address_of(near_rows, (uint64_t)i), row);
+        t = choose(is_near, near_x - i * grid.step, t);
+        some_near |= is_near;
+        if (has_below) { /* threshold - x exactly, as cor_inline_law_octave_row takes it */
+            const mask is_below = holds(x[j], middle_end, threshold.hi);
+            const double y = choose(is_below, x[j], middle_end);
+            const struct cor_inline_pair rest = cor_pair_two_sum(threshold.hi - y, threshold.lo);
+            const uint64_t sign_less = UINT64_C(0x7ff0000000000000), twice_bias = UINT64_C(0x7fe0000000000000);
+            const double unit = cor_inline_from_bits(twice_bias - (cor_inline_bits(rest.hi) & sign_less));
+            row = choose_bits(is_below, address_of(below_rows, cor_inline_octaves_row(below_octaves, rest.hi)), row);
+            t = choose(is_below, cor_inline_octaves_t(below_octaves, rest.hi) + rest.lo * unit, t);
+        }
+        r->row[j] = row;
+        r->t[j] = t;
+        r->factor[j] = choose(is_near, near_x, 1);
+    }
+    r->m = r->factor;
+    return some_near != 0;
+}
+
+/* ---- third loop ---- */
+
+/* The operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, with the last columns first. Fewer vectors are alive at
+ * a time, and the processor computes with the last columns while it loads the first. */
+KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, enum cor_row_value kind)
+{
+    const double *row[LANES];
+    lanes c[4], rest;
+    for (size_t l = 0; l < LANES; l++)
+        row[l] = (const double *)(uintptr_t)r->row[j + l];
+    const lanes t = LANES_LOAD(r->t + j), p2 = t * t, p4 = p2 * p2, p6 = p4 * p2, p8 = p4 * p4;
+    lanes_columns(c, row, 8);
+    if (has_s) {
+        const lanes last = p8 * (c[2] + c[3] * t), upper = p6 * (c[0] + c[1] * t);
+        lanes_columns(c, row, 4);
+        const lanes lower = p2 * (c[0] + c[1] * t) + (p4 * (c[2] + c[3] * t) + upper);
+        lanes_columns(c, row, 0);
+        rest = c[1] + LANES_LOAD(r->s + j) * (((c[2] + c[3] * t) + last) + lower);
+    } else {
+        const lanes last = (p6 * p4) * c[3], upper = p8 * (c[1] + c[2] * t), c8 = c[0];
+        lanes_columns(c, row, 4);
+        const lanes middle = p6 * (c[3] + c8 * t) + upper, lower = p4 * (c[1] + c[2] * t), c4 = c[0];
+        lanes_columns(c, row, 0);
+        rest = ((c[1] + t * c[2]) + last) + ((p2 * (c[3] + c4 * t) + lower) + middle);
+    }
+    if (kind == COR_ROW_SUM)
+        return c[0] + rest;
+    const lanes m = LANES_LOAD(r->m + j), head = lanes_head(m), one = LANES_ALL(1.0);
+    const lanes product = head * c[0] + ((m - head) * c[0] + m * rest);
+    if (kind == COR_ROW_EPS) /* m = 1: the product is c_0 + row to the last bit */
+        return LANES_CHOOSE_LESS(m, one, one - product, product);
+    if (kind == COR_ROW_LOSS) { /* 1 - c_0 exactly, in two parts */
+        const lanes hi = one - c[0], part = hi - one;
+        return LANES_CHOOSE_LESS(m, one, product, hi + (((one - (hi - part)) + (-c[0] - part)) - rest));
+    }
+    return product;
+}
+
+KERNEL void evaluate(double *out, const struct reduced *r, size_t count, int has_s, enum cor_row_value kind)
+{
+    for (size_t j = 0; j < count; j += LANES)
+        LANES_STORE(out + j, evaluate_lanes(r, j, has_s, kind));
+}
+
+/* The values of `count` numbers in the table, whole vectors */
+SHARED void evaluate_block(double *out, const struct cor_row_table *table, const double *x, size_t count)
+{
+    struct reduced r;
+    enum cor_row_value kind = table->value;
+    switch (table->kind) {
+    case COR_ROW_NONE:
+        memcpy(out, x, count * sizeof *out);
+        return;
+    case COR_ROW_GRID:
+        reduce_grid(&r, table, x, count, 0, 0);
+        break;
+    case COR_ROW_ROOT:
+        reduce_grid(&r, table, x, count, 1, 0);
+        break;
+    case COR_ROW_ROOT_S:
+        reduce_grid(&r, table, x, count, 1, 1);
+        if (kind == COR_ROW_SUM)
+            evaluate(out, &r, count, 1, COR_ROW_SUM);
+        else
+            evaluate(out, &r, count, 1, COR_ROW_PRODUCT);
+        return;
+    case COR_ROW_OCTAVES:
+        reduce_octaves(&r, table, x, count);
+        for (size_t j = 0; kind != COR_ROW_SUM && j < count; j++)
+            r.factor[j] = 1;
+        break;
+    case COR_ROW_INVERSE:
+        reduce_inverse(&r, table, x, count, 0);
+        break;
+    case COR_ROW_INVERSE_ROOT:
+        reduce_inverse(&r, table, x, count, 1);
+        break;
+    case COR_ROW_PARTS:
+        if (!(table->below ? reduce_parts(&r, table, x, count, 1) : reduce_parts(&r, table, x, count, 0)) &&
+            kind == COR_ROW_EPS)
+            kind = COR_ROW_SUM; /* m = 1 */
+        break;
+    }
+    switch (kind) {
+    case COR_ROW_SUM:
+        evaluate(out, &r, count, 0, COR_ROW_SUM);
+        return;
+    case COR_ROW_PRODUCT:
+        evaluate(out, &r, count, 0, COR_ROW_PRODUCT);
+        return;
+    case COR_ROW_EPS:
+        evaluate(out, &r, count, 0, COR_ROW_EPS);
+        return;
+    case COR_ROW_LOSS:
+        evaluate(out, &r, count, 0, COR_ROW_LOSS);
+        return;
+    }
+}
+
+/* ---- arrays of doubles ---- */
+
+/* An array that is too large for the caches is stored past them. The processor then does not read the lines that it
+ * overwrites. */
+enum { STREAM_FROM = 1 << 22 /* numbers: 32 MiB */, CACHE_LINE = 64 };
+
+/* Whether results are stored past the caches; doubles at unaligned addresses cannot be. */
+KERNEL int streams(const double *out, size_t n)
+{
+    return n >= STREAM_FROM && (uintptr_t)out % sizeof *out == 0;
+}
+
+/* Length of the block that begins at i. If results are stored past the caches, the first block only reaches to the next
+ * cache line. */
+KERNEL size_t block_length(const double *out, size_t i, size_t n, int stream)
+{
+    const size_t aside = (size_t)((uintptr_t)out % CACHE_LINE) / sizeof *out;
+    const size_t length = stream && i == 0 && aside != 0 ? CACHE_LINE / sizeof *out - aside : BLOCK;
+    return n - i < length ? n - i : length;
+}
+
+/* Prefetches the numbers four blocks ahead. Memory delivers them in about the time that four blocks take to compute. */
+KERNEL void look_ahead(const double *in, size_t i, size_t n)
+{
+#ifdef LANES_STREAM
+    if (n - i > 5 * (size_t)BLOCK)
+        for (int k = 0; k < BLOCK; k += CACHE_LINE / 8)
+            _mm_prefetch((const char *)(in + i + 4 * BLOCK + k), _MM_HINT_T0);
+#endif
+    (void)in;
+    (void)i;
+    (void)n;
+}
+
+SHARED void put(double *restrict out, const double *restrict value, size_t m, int stream)
+{
+#ifdef LANES_STREAM
+    if (stream && m == BLOCK) {
+        for (size_t j = 0; j < BLOCK; j += LANES)
+            LANES_STREAM(out + j, LANES_LOAD(value + j));
+        return;
+    }
+#endif
+    (void)stream;
+    memcpy(out, value, m * sizeof *out);
+}
+
+static void loop_doubles(const struct cor_row_call *call, const double *in, double *out, size_t n)
+{
+    const struct cor_row_table *const table = call->table;
+    const int stream = streams(out, n);
+    if (LANES == 1 && table->kind == COR_ROW_PARTS) { /* without vectors the scalar function is faster */
+        for (size_t i = 0; i < n; i++)
+            out[i] = call->one(in[i]);
+        return;
+    }
+    for (size_t i = 0, m; i < n; i += m) {
+        double given[BLOCK], taken[BLOCK], value[BLOCK];
+        m = block_length(out, i, n, stream);
+        if (stream)
+            look_ahead(in, i, n);
+        if (call->before)
+            call->before(call->context, in + i, given, m);
+        const double *const x = call->before ? given : in + i;
+        const size_t outside = take(taken, table, x, m);
+        const int to_complete = outside || call->always_after, final = !to_complete && !stream && m == whole(m);
+        if (outside < m)
+            evaluate_block(final ? out + i : value, table, taken, whole(m));
+        if (final)
+            continue;
+        if (to_complete && call->after) {
+            const struct cor_row_block block = {i, m, outside, in + i, x, taken};
+            call->after(call->context, &block, value);
+        } else if (to_complete) {
+            for (size_t j = 0; j < m; j++)
+                if (!is_same(x[j], taken[j]))
+                    value[j] = call->one(x[j]);
+        }
+        put(out + i, value, m, stream);
+    }
+#ifdef LANES_STREAM
+    if (stream)
+        _mm_sfence();
+#endif
+}
+
+static void one_block(const struct cor_row_table *table, const double *x, double *taken, double *value, size_t m)
+{
+    double all[BLOCK], result[BLOCK];
+    take(all, table, x, m);
+    evaluate_block(result, table, all, whole(m));
+    memcpy(taken, all, m * sizeof *taken);
+    memcpy(value, result, m * sizeof *value);
+}
+
+/* ---- arrays of floats ---- */
+
+/* The numbers of a table that are floats, but for one `apart`, as words */
+struct float_interval {
+    int32_t least, end, also, apart;
+};
+
+/* The least float from x on */
+KERNEL int32_t word_from(double x)
+{
+    const float nearest = (float)x;
+    return word_of_float(nearest) + ((double)nearest < x);
+}
+
+KERNEL int32_t float_has(const struct float_interval *t, int32_t x)
+{
+    return -(int32_t)(((x >= t->least) & (x < t->end)) | (x == t->also)) & -(int32_t)(x != t->apart);
+}
+
+SHARED size_t take_floats(double *restrict x, struct float_interval interval, const float *restrict in, size_t m)
+{
+    const double fill = (double)float_of_word(interval.also);
+    int32_t inside = 0;
+    for (size_t j = 0; j < m; j++) {
+        const int32_t word = word_of_float(in[j]), is_inside = float_has(&interval, word);
+        x[j] = (double)float_of_word((word & is_inside) | (interval.also & ~is_inside));
+        inside -= is_inside;
+    }
+    for (size_t j = m; j < whole(m); j++)
+        x[j] = fill;
+    return m - (size_t)inside;
+}
+
+static void loop_floats(const struct cor_row_table *table, float (*one)(float), float apart, const float *in,
+                        float *out, size_t n)
+{
+    const struct float_interval interval = {word_from(table->least), word_from(table->end),
+                                            word_of_float((float)table->also), word_of_float(apart)};
+    if (LANES == 1 && table->kind == COR_ROW_PARTS) {
+        for (size_t i = 0; i < n; i++)
+            out[i] = one(in[i]);
+        return;
+    }
+    for (size_t i = 0, m; i < n; i += m) {
+        double x[BLOCK], value[BLOCK];
+        float narrow[BLOCK];
+        m = n - i < BLOCK ? n - i : BLOCK;
+        const size_t outside = take_floats(x, interval, in + i, m);
+        evaluate_block(value, table, x, whole(m));
+        for (size_t j = 0; j < m; j++)
+            narrow[j] = (float)value[j];
+        for (size_t j = 0; outside && j < m; j++)
+            if (!is_same((double)in[i + j], x[j]))
+                narrow[j] = one(in[i + j]);
+        memcpy(out + i, narrow, m * sizeof *out);
+    }
+}
+
+SHARED void loop_fast_sums(const struct float_table *table, float (*one)(float), const float *in, float *out, size_t n)
+{
+    struct float_table sums = *table;
+    sums.product = 0;
+    floats_from_beta(in, out, n, &sums, one);
+}
+
+SHARED void loop_fast_products(const struct float_table *table, float (*one)(float), const float *in, float *out,
+                               size_t n)
+{
+    struct float_table products = *table;
+    products.product = 1;
+    floats_from_beta(in, out, n, &products, one);
+}
+
+static void loop_fast_floats(const struct float_table *table, float (*one)(float), const float *in, float *out,
+                             size_t n)
+{
+    (table->product ? loop_fast_products : loop_fast_sums)(table, one, in, out, n);
+}
+
+const struct cor_row_loops COR_OF_SET(cor_row_loops) = {COR_SET_NAME, loop_doubles, loop_floats, loop_fast_floats,
+                                                        one_block};

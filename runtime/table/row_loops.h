@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* Array functions that evaluate a row of a table (row.h) for each number, by instruction set: row_kernel.c. A table is
+ * data, so that all quantities and laws share the loops. */
+#ifndef COR_RUNTIME_ROW_LOOPS_H
+#define COR_RUNTIME_ROW_LOOPS_H
+
+#include <stddef.h>
+
+#include "runtime/number/sets.h"
+#include "runtime/table/float_lanes.h"
+#include "runtime/table/row.h"
+
+/* Where the row of x stands */
+enum cor_row_kind {
+    COR_ROW_NONE,         /* no rows: the value is x */
+    COR_ROW_GRID,         /* near: on the grid of x */
+    COR_ROW_ROOT,         /* near: on the grid of sqrt(x) */
+    COR_ROW_ROOT_S,       /* the same; s = x - node^2 in rows whose node is near_end or beyond */
+    COR_ROW_OCTAVES,      /* middle: by octaves of x */
+    COR_ROW_INVERSE,      /* near: on the grid of 1 - x from x = 1/2 on; middle: by octaves of x below */
+    COR_ROW_INVERSE_ROOT, /* near: on the grid of sqrt(1 - x); middle: likewise */
+    COR_ROW_PARTS         /* near: on the grid of x up to near_end; middle: by octaves of x up to middle_end; below: by
+                           * octaves of threshold - x. `near` and `below` may be missing: NULL. */
+};
+
+/* What a row c_0 + row is multiplied by: 1, or m, which is x for grids and the near part, 1 - x for the near rows of
+ * an inverse, and 1 in other rows. The near part may have rows of the loss 1 - eps beside rows of eps; then EPS gives
+ * eps and LOSS the loss for every x. */
+enum cor_row_value { COR_ROW_SUM, COR_ROW_PRODUCT, COR_ROW_EPS, COR_ROW_LOSS };
+
+/* The table has least <= x < end, and `also`, which is a float. */
+struct cor_row_table {
+    enum cor_row_kind kind;
+    enum cor_row_value value;
+    double least, end, also;
+    const double *near, *middle, *below; /* first rows */
+    double step, per_unit;               /* of the grid, whose first node is 0 */
+    double near_end, middle_end;
+    struct cor_inline_octaves octaves, below_octaves;
+    struct cor_inline_pair threshold;
+};
+
+#define COR_ROW_TABLE_OF_GRID(rows, ROWS, kind, value, least, near_end)                                                \
+    {                                                                                                                  \
+        kind, value, least, ROWS##_END, 0, rows##_row[0], NULL, NULL, ROWS##_STEP, ROWS##_PER_UNIT, near_end, 0,       \
+            {1, 0}, {1, 0},                                                                                            \
+        {                                                                                                              \
+            0, 0                                                                                                       \
+        }                                                                                                              \
+    }
+#define COR_ROW_TABLE_OF_OCTAVES(rows, ROWS)                                                                           \
+    {                                                                                                                  \
+        COR_ROW_OCTAVES, COR_ROW_SUM, ROWS##_FIRST, ROWS##_END, ROWS##_FIRST, NULL, rows##_row[0], NULL, 1, 1, 0, 0,   \
+            {ROWS##_FIRST, ROWS##_OCTAVE_BITS}, {1, 0},                                                                \
+        {                                                                                                              \
+            0, 0                                                                                                       \
+        }                                                                                                              \
+    }
+#define COR_ROW_TABLE_OF_INVERSE(kind, near, NEAR, rows, ROWS)                                                         \
+    {                                                                                                                  \
+        kind, COR_ROW_PRODUCT, ROWS##_FIRST, 1, 1, near##_row[0], rows##_row[0], NULL, NEAR##_STEP, NEAR##_PER_UNIT,   \
+            0.5, 0, {ROWS##_FIRST, ROWS##_OCTAVE_BITS}, {1, 0},                                                        \
+        {                                                                                                              \
+            0, 0                                                                                                       \
+        }                                                                                                              \
+    }
+
+/* One block of m numbers, the first of which is number i of the array: `in` as given, `x` the arguments of the table,
+ * `taken` the same, but for the `outside` ones of them that the table does not have, which differ from x. */
+struct cor_row_block {
+    size_t i, m, outside;
+    const double *in, *x, *taken;
+};
+
+/* Block by block: `before` makes the arguments of the table from m numbers; `after` completes the values, if some
+ * argument is not in the table, or always. Without `after`, `one` computes the numbers that are not in the table. */
+struct cor_row_call {
+    const struct cor_row_table *table;
+    double (*one)(double x);
+    void *context;
+    void (*before)(void *context, const double *in, double *x, size_t m); /* NULL: the numbers themselves */
+    void (*after)(void *context, const struct cor_row_block *block, double *value);
+    int always_after;
+};
+
+/* The loops of a set: doubles; floats, each the double result rounded once, but for the number `apart`, which `one`
+ * computes; floats in float arithmetic; and the values of at most COR_ROW_BLOCK numbers x. Where the table does not
+ * have a number, `taken` differs from x, and the value is of no use. */
+enum { COR_ROW_BLOCK = 256 };
+struct cor_row_loops {
+    const char *name;
+    void (*doubles)(const struct cor_row_call *call, const double *in, double *out, size_t n);
+    void (*floats)(const struct cor_row_table *table, float (*one)(float), float apart, const float *in, float *out,
+                   size_t n);
+    void (*fast_floats)(const struct float_table *table, float (*one)(float), const float *in, float *out, size_t n);
+    void (*block)(const struct cor_row_table *table, const double *x, double *taken, double *value, size_t m);
+};
+COR_TABLES(struct cor_row_loops, cor_row_loops, cor_row_loops)
+
+#endif
