@@ -59,9 +59,7 @@ static void clear_texts(struct texts *texts)
 
 /* ---- findings ---- */
 
-static const char *const columns[] = {"line",      "simulator", "model",     "pair",         "asked", "end",
-                                      "speed_m_s", "realised",  "step_bias", "step_scatter", "advice"};
-enum { COLUMNS = sizeof columns / sizeof *columns };
+static const char columns[] = "line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,advice";
 
 struct audit_run {
     struct texts texts;
@@ -92,19 +90,6 @@ static int open_included(void *context, struct cor_audit_text *included, const c
     return 1;
 }
 
-static void add_text(struct table *table, const char *text)
-{
-    table_add(table, xstrdup(text));
-}
-
-static void add_number(struct table *table, double x)
-{
-    if (isnan(x))
-        add_text(table, "");
-    else
-        table_add(table, contact_number_text(x, CONTACT_DIGITS));
-}
-
 static void add_row(struct audit_run *run, const struct cor_audit_finding *f)
 {
     struct table *const table = &run->table;
@@ -113,17 +98,17 @@ static void add_row(struct audit_run *run, const struct cor_audit_finding *f)
     snprintf(line, sizeof line, "%s%s%ld", named ? f->file : "", named ? ":" : "", f->line);
     snprintf(advice, sizeof advice, "%s%s%s%s", f->advice, *f->advice && *f->instead ? " " : "",
              *f->instead ? "Write: " : "", f->instead);
-    add_text(table, line);
-    add_text(table, f->simulator);
-    add_text(table, f->model ? f->model : "");
-    add_text(table, f->pair);
-    add_number(table, f->asked);
-    add_text(table, f->end < 0 ? "" : cor_end_names[f->end]);
-    add_number(table, f->speed_m_s);
-    add_number(table, f->realised);
-    add_number(table, f->step_bias);
-    add_number(table, f->step_scatter);
-    add_text(table, advice);
+    table_add_text(table, line);
+    table_add_text(table, f->simulator);
+    table_add_text(table, f->model ? f->model : "");
+    table_add_text(table, f->pair);
+    table_add_known(table, f->asked, CONTACT_DIGITS);
+    table_add_text(table, f->end < 0 ? "" : cor_end_names[f->end]);
+    table_add_known(table, f->speed_m_s, CONTACT_DIGITS);
+    table_add_known(table, f->realised, CONTACT_DIGITS);
+    table_add_known(table, f->step_bias, CONTACT_DIGITS);
+    table_add_known(table, f->step_scatter, CONTACT_DIGITS);
+    table_add_text(table, advice);
 }
 
 static void print_finding(FILE *file, const struct cor_audit_finding *f)
@@ -252,8 +237,7 @@ static int run_audit(const void *arguments)
         return usage_error("--simulator-version: '%s' is no version; allowed: as '29 Sep 2021' or 3.8.1", o->version);
     struct cor_audit_memory *const memory = xmalloc(sizeof *memory);
     run.file = open_memstream(&text, &size);
-    table_init(&run.table, columns, COLUMNS);
-    run.table.kinds = o->files.count == 1 ? "ntttntnnnnt" : "ttttntnnnnt";
+    table_init(&run.table, columns, o->files.count == 1 ? "ntttntnnnnt" : "ttttntnnnnt");
     for (int i = 0; i < o->files.count && status != STATUS_USAGE; i++) {
         const int found = audit_file(&run, o, memory, o->files.name[i]);
         status = found > status ? found : status;

@@ -10,25 +10,25 @@
 #include "support/digits.h"
 #include "support/local.h"
 
-/* The dimensionless collision, and in SI units */
-static const char *const column[][8] = {
-    {"beta", "x_max", "t_max", "eps_zero_overlap", "t_zero_overlap", "eps_zero_force", "t_zero_force", NULL},
-    {"beta", "max_overlap_m", "time_of_max_overlap_s", "eps_zero_overlap", "duration_s_zero_overlap", "eps_zero_force",
-     "duration_s_zero_force", "max_force_n"}};
-enum { T_MAX = 2, EPS_ZERO_FORCE_COLUMN = 5, FORCE_COLUMN = 7, COLUMNS = sizeof *column / sizeof **column };
-
-/* --threshold: for each end */
-static const char *const threshold_column[] = {"beta", "sticking_force_zero_overlap", "sticking_force_zero_force"};
-static const char *const threshold_meaning[] = {"damping, the one parameter",
-                                                "force from which on the overlap never vanishes again",
-                                                "force from which on the contact force never vanishes"};
-enum { THRESHOLD_COLUMNS = sizeof threshold_column / sizeof *threshold_column };
-
-static const char *const meaning[COLUMNS] = {
-    "damping, the one parameter",  "largest overlap",
-    "time of the largest overlap", "coefficient of restitution, contact ends at zero overlap",
-    "duration of that contact",    "coefficient of restitution, contact ends at zero force",
-    "duration of that contact",    "largest force between the bodies"};
+/* The columns: names of the dimensionless collision and in SI units, NULL: none; the end at which the number holds */
+enum { BETA, X_MAX, T_MAX, EPS_OVERLAP, T_OVERLAP, EPS_FORCE, T_FORCE, FORCE_MAX, STICKING, COLUMNS = STICKING + 2 };
+static const struct {
+    const char *name[2], *meaning;
+    int end; /* OPTIONS_NOT_GIVEN: none */
+} column[COLUMNS] = {
+    {{"beta", "beta"}, "damping, the one parameter", OPTIONS_NOT_GIVEN},
+    {{"x_max", "max_overlap_m"}, "largest overlap", OPTIONS_NOT_GIVEN},
+    {{"t_max", "time_of_max_overlap_s"}, "time of the largest overlap", OPTIONS_NOT_GIVEN},
+    {{"eps_zero_overlap", "eps_zero_overlap"},
+     "coefficient of restitution, contact ends at zero overlap",
+     END_ZERO_OVERLAP},
+    {{"t_zero_overlap", "duration_s_zero_overlap"}, "duration of that contact", END_ZERO_OVERLAP},
+    {{"eps_zero_force", "eps_zero_force"}, "coefficient of restitution, contact ends at zero force", END_ZERO_FORCE},
+    {{"t_zero_force", "duration_s_zero_force"}, "duration of that contact", END_ZERO_FORCE},
+    {{NULL, "max_force_n"}, "largest force between the bodies", OPTIONS_NOT_GIVEN},
+    /* --threshold */
+    {{"sticking_force_zero_overlap", NULL}, "force from which on the overlap never vanishes again", END_ZERO_OVERLAP},
+    {{"sticking_force_zero_force", NULL}, "force from which on the contact force never vanishes", END_ZERO_FORCE}};
 
 #define BETA_MAX 1e6
 
@@ -41,14 +41,15 @@ struct problem {
     bool in_si;
 };
 
-/* Whether column i is printed: those of an end that is not asked for are not even computed. */
+/* Whether column i is printed: those of an end that is not asked for are not even computed. Under a constant force the
+ * one peak of the force is not proved. */
 static bool is_printed(int i, const struct problem *problem)
 {
-    if (i == FORCE_COLUMN && problem->given->force.text)
-        return false; /* under a constant force its one peak is not proved */
-    if (i <= T_MAX || i == FORCE_COLUMN)
-        return column[problem->in_si][i] != NULL;
-    return problem->end == OPTIONS_NOT_GIVEN || (i >= EPS_ZERO_FORCE_COLUMN) == (problem->end == END_ZERO_FORCE);
+    const struct collide_arguments *const o = problem->given;
+    const int end = column[i].end;
+    return column[i].name[problem->in_si] && (i == BETA || (i >= STICKING) == o->threshold) &&
+           !(i == FORCE_MAX && o->force.text) &&
+           (end == OPTIONS_NOT_GIVEN || problem->end == OPTIONS_NOT_GIVEN || problem->end == end);
 }
 
 /* f = F T/(m g) in SI units; 0: none */
@@ -143,28 +144,38 @@ static int to_si(struct collision *c, arb_t force, const struct problem *problem
     return status;
 }
 
+/* The forces of --threshold */
+static int find_thresholds(arb_ptr sticking, const arb_t beta, const struct problem *problem, slong bits)
+{
+    int status = STATUS_OK;
+    for (int end = 0; end < 2 && status == STATUS_OK; end++)
+        if (is_printed(STICKING + end, problem))
+            status = collision_sticking_force(sticking + end, beta, &problem->law, end, bits);
+    return status;
+}
+
 /* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct problem *const problem = arguments;
-    profile_step("collision");
-    static const char *printed[COLUMNS];
-    int columns = 0;
+    char header[COLUMNS * 32] = "";
     for (int i = 0; i < COLUMNS; i++)
         if (is_printed(i, problem))
-            printed[columns++] = column[problem->in_si][i];
-    table_init(table, printed, columns);
-    table->kinds = "dddddddd";
+            snprintf(header + strlen(header), sizeof header - strlen(header), i ? ",%s" : "%s",
+                     column[i].name[problem->in_si]);
+    profile_step("collision");
+    table_init(table, header, "dddddddd");
     LOCAL(arb, beta, time_unit, force, pressing);
+    LOCAL_VECTOR(sticking, 2);
+    LOCAL_INIT(collision, collision, (&collision));
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
     if (problem->in_si)
         scales(beta, time_unit, problem, 3 * bits + 256);
     else
         arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
-    struct collision collision;
-    collision_init(&collision);
     pressing_force(pressing, problem, time_unit, 3 * bits + 256);
-    int status = problem_solve(&collision, beta, pressing, problem, bits);
+    int status = problem->given->threshold ? find_thresholds(sticking, beta, problem, bits)
+                                           : problem_solve(&collision, beta, pressing, problem, bits);
     if (status == STATUS_OK && problem->in_si)
         status = to_si(&collision, force, problem, beta, time_unit, bits);
     profile_step("digits");
@@ -175,68 +186,31 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
                                               collision.t_zero_overlap,
                                               collision.eps_zero_force,
                                               collision.t_zero_force,
-                                              force};
-    if (!problem->in_si)
-        table_add(table, beta_text(problem, beta));
-    for (int i = problem->in_si ? 0 : 1; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
+                                              force,
+                                              sticking,
+                                              sticking + 1};
+    for (int i = BETA; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
         if (!is_printed(i, problem))
             continue;
-        char *text = digits_of_ball(value[i], problem->digits);
+        char *text =
+            i == BETA && !problem->in_si ? beta_text(problem, beta) : digits_of_ball(value[i], problem->digits);
         if (text)
             table_add(table, text);
         else
-            snprintf(undecided, PROVED_TABLE_NAME, "%s", column[problem->in_si][i]);
+            snprintf(undecided, PROVED_TABLE_NAME, "%s", column[i].name[problem->in_si]);
     }
-    collision_clear(&collision);
     return status;
 }
 
-/* Fills the table of --threshold. */
-static int fill_thresholds(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
+static void print_text(FILE *file, const struct table *table, const void *arguments)
 {
     const struct problem *const problem = arguments;
-    static const char *printed[THRESHOLD_COLUMNS];
-    int columns = 0, status = STATUS_OK;
-    for (int i = 0; i < THRESHOLD_COLUMNS; i++)
-        if (i == 0 || problem->end == OPTIONS_NOT_GIVEN || problem->end == i - 1)
-            printed[columns++] = threshold_column[i];
-    table_init(table, printed, columns);
-    table->kinds = "ddd";
-    LOCAL(arb, beta, force);
-    arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
-    table_add(table, beta_text(problem, beta));
-    for (int end = 0; end < THRESHOLD_COLUMNS - 1 && status == STATUS_OK && !*undecided; end++) {
-        if (problem->end != OPTIONS_NOT_GIVEN && problem->end != end)
-            continue;
-        status = collision_sticking_force(force, beta, &problem->law, end, bits);
-        char *text = status == STATUS_OK ? digits_of_ball(force, problem->digits) : NULL;
-        if (text)
-            table_add(table, text);
-        else
-            snprintf(undecided, PROVED_TABLE_NAME, "%s", threshold_column[end + 1]);
-    }
-    return status;
-}
-
-static void print_thresholds(FILE *file, const struct table *table)
-{
-    for (int k = 0; k < table->columns; k++)
-        for (int i = 0; i < THRESHOLD_COLUMNS; i++)
-            if (table->column[k] == threshold_column[i])
-                fprintf(file, "%-27s  %s  (%s)\n", table->column[k], table->cell[k], threshold_meaning[i]);
-}
-
-static bool is_si(const struct table *table)
-{
-    return table->column[1] == column[1][1];
-}
-
-static void print_text(FILE *file, const struct table *table)
-{
-    for (int k = 0; k < table->columns; k++)
-        for (int i = 0; i < COLUMNS; i++)
-            if (table->column[k] == column[0][i] || table->column[k] == column[1][i])
-                fprintf(file, "%-*s  %s  (%s)\n", is_si(table) ? 23 : 16, table->column[k], table->cell[k], meaning[i]);
+    const int width = problem->given->threshold ? 27 : problem->in_si ? 23 : 16;
+    for (int i = 0, k = 0; i < COLUMNS; i++)
+        if (is_printed(i, problem)) {
+            fprintf(file, "%-*s  %s  (%s)\n", width, table->column[k], table->cell[k], column[i].meaning);
+            k++;
+        }
 }
 
 static int run_collide(const void *arguments)
@@ -259,8 +233,7 @@ static int run_collide(const void *arguments)
     }
     if (o->threshold && fmpq_is_zero(o->beta.value))
         return usage_error("--threshold: without damping no force keeps the bodies together; --beta must be above 0");
-    const struct proved_table table = {o->digits, &problem, o->threshold ? fill_thresholds : fill_table,
-                                       o->threshold ? print_thresholds : print_text};
+    const struct proved_table table = {o->digits, &problem, fill_table, print_text};
     return proved_table_write(&table, &o->common);
 }
 

@@ -34,11 +34,9 @@ static void spell_mode(void *context, slong i)
 
 static void fill_table(struct table *table, const struct disk_modes *modes, slong digits)
 {
-    static const char *const column[] = {"n", "l", "omega", "C", "S"};
     struct spelling work = {modes, digits, xmalloc((size_t)(NUMBERS * modes->count) * sizeof *work.text)};
     parallel_for(spell_mode, &work, modes->count, "digits of modes");
-    table_init(table, column, sizeof column / sizeof *column);
-    table->kinds = "nnddd";
+    table_init(table, "n,l,omega,C,S", "nnddd");
     for (slong i = 0; i < modes->count; i++) {
         table_add_integer(table, modes->mode[i].n);
         table_add_integer(table, modes->mode[i].l);

@@ -26,8 +26,6 @@ enum {
     MAX_DEGREE = 2000
 };
 
-static const char *const columns[] = {"polynomial", "power", "coefficient"};
-
 static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p, slong degree, slong digits)
 {
     LOCAL(arb, x);
@@ -37,7 +35,7 @@ static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p
         char *text = digits_of_ball(x, digits);
         certain = text != NULL;
         if (certain) {
-            table_add(t, xstrdup(name));
+            table_add_text(t, name);
             table_add_integer(t, (long)i);
             table_add(t, text);
         }
@@ -54,8 +52,7 @@ static int compute_coefficients(struct pade *f, struct pade_analysis *a, struct 
         const int status = pade_compute(f, a, request, precision.bits);
         if (status)
             return status;
-        table_init(t, columns, 3);
-        t->kinds = "tnd";
+        table_init(t, "polynomial,power,coefficient", "tnd");
         if (add_polynomial(t, "numerator", f->p, f->numerator, digits) &&
             add_polynomial(t, "denominator", f->q, f->denominator, digits))
             return STATUS_OK;

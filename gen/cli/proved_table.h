@@ -13,7 +13,8 @@ struct proved_table {
     /* Initialises a table and fills it, computing with `bits` bits. Returns STATUS_OK or STATUS_FAILED. `undecided`
      * stays empty, or becomes the name of the first number whose digits are undecided. */
     int (*fill)(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits);
-    void (*print_text)(FILE *file, const struct table *table); /* prints FORMAT_TEXT; NULL: the common text format */
+    /* prints FORMAT_TEXT; NULL: the common text format */
+    void (*print_text)(FILE *file, const struct table *table, const void *arguments);
 };
 
 /* Returns the exit status. */

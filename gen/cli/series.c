@@ -29,12 +29,10 @@ struct problem {
 
 static int fill_zero_overlap(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
-    static const char *const column[] = {"k", "y_k", "tau_k", "C_k"};
     const struct problem *const problem = arguments;
     const slong order = problem->arguments->order, digits = problem->arguments->digits;
     profile_step("series");
-    table_init(table, column, sizeof column / sizeof *column);
-    table->kinds = "nddd";
+    table_init(table, "k,y_k,tau_k,C_k", "nddd");
     struct series series;
     series_init(&series);
     const int status = series_compute(&series, order, &problem->law, bits);
@@ -51,22 +49,19 @@ static int fill_zero_overlap(struct table *table, char undecided[PROVED_TABLE_NA
 
 static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
-    static char power[64];
-    static const char *column[] = {power, "coefficient"};
+    char header[64];
     const struct problem *const problem = arguments;
     const slong order = problem->arguments->order;
     profile_step("series");
     slong root = 1;
     LOCAL(arb_poly, eps);
     const int status = series_eps(eps, &root, END_ZERO_FORCE, order, &problem->law, bits);
-    if (root == 1)
-        snprintf(power, sizeof power, "power_of_beta");
-    else if (root == 2)
-        snprintf(power, sizeof power, "power_of_sqrt_beta");
-    else
-        snprintf(power, sizeof power, "power_of_beta_root_%ld", (long)root);
-    table_init(table, column, sizeof column / sizeof *column);
-    table->kinds = "nd";
+    snprintf(header, sizeof header,
+             root == 1   ? "power_of_beta,coefficient"
+             : root == 2 ? "power_of_sqrt_beta,coefficient"
+                         : "power_of_beta_root_%ld,coefficient",
+             (long)root);
+    table_init(table, header, "nd");
     profile_step("digits");
     for (slong k = 0; k <= order && status == STATUS_OK && !*undecided; k++) {
         table_add_integer(table, k);
@@ -79,9 +74,7 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
 /* G and T of docs/theory.md, 5. They are exact rationals, so that the precision loop is not needed. */
 static void fill_exact(struct table *table, slong order, const struct law *law)
 {
-    static const char *const column[] = {"power_of_w", "G", "T"};
-    table_init(table, column, sizeof column / sizeof *column);
-    table->kinds = "ntt"; /* fractions */
+    table_init(table, "power_of_w,G,T", "ntt"); /* fractions */
     fmpq_poly_t f[2];
     LOCAL(fmpq, c);
     fmpq_poly_init(f[0]);
@@ -93,7 +86,7 @@ static void fill_exact(struct table *table, slong order, const struct law *law)
         for (int i = 0; i < 2; i++) {
             fmpq_poly_get_coeff_fmpq(c, f[i], k);
             char *text = fmpq_get_str(NULL, 10, c);
-            table_add(table, xstrdup(text));
+            table_add_text(table, text);
             flint_free(text);
         }
     }

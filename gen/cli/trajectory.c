@@ -98,10 +98,8 @@ static void print_rows(FILE *file, const fmpq_poly_struct *row, const struct tra
 
 static void print_table(FILE *file, const fmpq_poly_struct *row, const struct trajectory_arguments *o)
 {
-    static const char *const column[] = {"k", "j", "numerator", "denominator"};
     struct table table;
-    table_init(&table, column, sizeof column / sizeof *column);
-    table.kinds = "nndd";
+    table_init(&table, "k,j,numerator,denominator", "nndd");
     table.json_strings = o->common.json_strings;
     LOCAL(fmpq, c);
     for (slong k = 0; k <= o->order; k++) {

@@ -9,12 +9,7 @@
 
 #include "support/console.h"
 
-char *contact_number_text(double x, int digits)
-{
-    char text[DECIMAL_TEXT];
-    snprintf(text, sizeof text, isnan(x) ? "nan" : "%.*g", digits, x);
-    return xstrdup(text);
-}
+enum { NAME = 64, HEADER = 512 };
 
 /* ---- the contact ---- */
 
@@ -23,41 +18,36 @@ static bool is_jkr(const struct contacts *contacts)
     return contacts->contact[0].adhesion_j_m2 > 0;
 }
 
-/* The name of a quantity or column, which ends like an end of contact; not to be freed */
-static const char *name_of_end(const struct contacts *contacts, const char *name)
+/* The name of a quantity or column. Where it ends like an end of contact, that of the contact takes its place. */
+static const char *name_of_end(char text[NAME], const struct contacts *contacts, const char *name)
 {
-    static const struct {
-        const char *end, *jkr;
-    } names[] = {{"zero_overlap", "tail"}, {"zero_force", "largest_pull"}};
-    static char text[16][64];
-    static int next;
+    static const char *const ends[] = {"zero_overlap", "zero_force"}, *const jkr[] = {"tail", "largest_pull"};
+    snprintf(text, NAME, "%s", name);
     for (int i = 0; i < 2 && is_jkr(contacts); i++) {
-        const size_t length = strlen(name), end = strlen(names[i].end);
-        if (length < end || strcmp(name + length - end, names[i].end) != 0)
-            continue;
-        char *const copy = text[next++ % 16];
-        snprintf(copy, sizeof text[0], "%.*s%s", (int)(length - end), name, names[i].jkr);
-        return copy;
+        char *const end = strstr(text, ends[i]);
+        if (end)
+            snprintf(end, NAME - (size_t)(end - text), "%s", jkr[i]);
     }
-    return name;
+    return text;
 }
 
 void contact_summary(struct table *table, const struct contacts *contacts, int digits)
 {
-    static const char *const one[] = {"quantity", "value", "unit"};
-    static const char *two[] = {"quantity", NULL, NULL, "unit"}; /* the table keeps no copies */
-    two[1] = name_of_end(contacts, "value_zero_overlap");
-    two[2] = name_of_end(contacts, "value_zero_force");
-    table_init(table, contacts->count == 1 ? one : two, 2 + contacts->count);
-    table->kinds = contacts->count == 1 ? "tnt" : "tnnt";
+    char name[NAME];
+    if (contacts->count == 1)
+        table_init(table, "quantity,value,unit", "tnt");
+    else
+        table_init(table,
+                   is_jkr(contacts) ? "quantity,value_tail,value_largest_pull,unit"
+                                    : "quantity,value_zero_overlap,value_zero_force,unit",
+                   "tnnt");
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
         if (isnan(cor_scene_quantity(&contacts->contact[0], cor_scene_quantities[i].number)))
             continue;
-        table_add(table, xstrdup(name_of_end(contacts, cor_scene_quantities[i].name)));
+        table_add_text(table, name_of_end(name, contacts, cor_scene_quantities[i].name));
         for (int k = 0; k < contacts->count; k++)
-            table_add(table, contact_number_text(
-                                 cor_scene_quantity(&contacts->contact[k], cor_scene_quantities[i].number), digits));
-        table_add(table, xstrdup(cor_scene_quantities[i].unit));
+            table_add_number(table, cor_scene_quantity(&contacts->contact[k], cor_scene_quantities[i].number), digits);
+        table_add_text(table, cor_scene_quantities[i].unit);
     }
 }
 
@@ -75,10 +65,10 @@ void contact_oblique(struct table *table, const struct contacts *contacts, doubl
                {"no_slip", cor_tangential_no_slip(kappa, 1.5), "1"},
                {"stick_angle", cor_tangential_stick_angle(kappa, friction) * degree, "degrees"}};
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        table_add(table, xstrdup(row[i].name));
+        table_add_text(table, row[i].name);
         for (int k = 0; k < contacts->count; k++)
-            table_add(table, contact_number_text(row[i].value, digits));
-        table_add(table, xstrdup(row[i].unit));
+            table_add_number(table, row[i].value, digits);
+        table_add_text(table, row[i].unit);
     }
 }
 
@@ -176,12 +166,7 @@ static const struct cor_scene_quantity *corrected_quantity(const struct contacts
     return NULL;
 }
 
-enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6, NAME = 64 };
-
-static void table_add_number(struct table *table, double value, int digits)
-{
-    table_add(table, contact_number_text(value, digits));
-}
+enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6 };
 
 /* Bias and scatter of a row, and its corrected damping; NaN where the step is too long or too short */
 static int add_step(struct table *table, const struct timed *t, size_t row, const struct contact_step *step,
@@ -211,6 +196,13 @@ static int add_step(struct table *table, const struct timed *t, size_t row, cons
     return STATUS_OK;
 }
 
+/* Adds names to those of columns. */
+static void put_name(char header[HEADER], const char *name)
+{
+    const size_t length = strlen(header);
+    snprintf(header + length, HEADER - length, length ? ",%s" : "%s", name);
+}
+
 int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,
                  const struct contact_step *step, int digits)
 {
@@ -223,47 +215,34 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
                                        "max_overlap_m",
                                        "max_force_n",
                                        "time_step_s"};
-    enum { BASE = sizeof base / sizeof *base };
-    static const char *const errors[] = {"step_bias",
-                                         "step_scatter",
-                                         "step_bias_zero_overlap",
-                                         "step_scatter_zero_overlap",
-                                         "step_bias_zero_force",
-                                         "step_scatter_zero_force"};
-    static const char *const area[] = {"contact_radius_m", "max_pressure_pa"};
-    enum { AREA = sizeof area / sizeof *area };
     const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* by Hertz */
-    /* the table keeps no copies */
-    static const char *column[BASE + 7 + AREA];
-    static char corrected[NAME], kinds[BASE + 8 + AREA];
-    int columns = 0;
+    char header[HEADER] = "", name[NAME], kinds[] = "nnnnnnnnnnnnnnnnnn";
+    int columns = sizeof base / sizeof *base;
     struct timed t = {.speed_m_s = speed_m_s, .rows = (size_t)contacts->count * speeds, .speeds = speeds};
     t.impact = xmalloc(t.rows * sizeof *t.impact);
     int status = timed_fill(&t, contacts, step);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
-    while (columns < BASE) {
-        column[columns] = name_of_end(contacts, base[columns]);
-        columns++;
-    }
+    for (int k = 0; k < columns; k++)
+        put_name(header, name_of_end(name, contacts, base[k]));
     if (step->errors) {
         const bool both = t.end[0] == COR_BOTH_ENDS;
-        for (int k = 0; k < (both ? 4 : 2); k++)
-            column[columns++] = errors[(both ? 2 : 0) + k];
+        put_name(header, both ? "step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_zero_force,"
+                                "step_scatter_zero_force"
+                              : "step_bias,step_scatter");
+        columns += both ? 4 : 2;
     }
     if (step->corrected) {
-        snprintf(corrected, sizeof corrected, "corrected_%s", quantity->name);
-        column[columns++] = "damping_correction";
-        column[columns++] = corrected;
+        snprintf(name, sizeof name, "damping_correction,corrected_%s", quantity->name);
+        put_name(header, name);
+        columns += 2;
     }
-    memset(kinds, 'n', sizeof kinds - 1);
     if (contacts->count > 1) {
+        put_name(header, "measured_end");
         kinds[columns] = 't';
-        column[columns++] = "measured_end";
     }
-    for (int k = 0; spheres && k < AREA; k++)
-        column[columns++] = area[k];
-    table_init(table, column, columns);
-    table->kinds = kinds;
+    if (spheres)
+        put_name(header, "contact_radius_m,max_pressure_pa");
+    table_init(table, header, kinds);
     for (size_t i = 0; i < t.rows && status == STATUS_OK; i++) {
         const double known = t.known ? 1 : (double)NAN;
         const double value[] = {t.impact[i].beta,
@@ -276,20 +255,20 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
                                 t.time_step * known};
         char text[DECIMAL_TEXT];
         progress("impacts", (long)i, (long)t.rows);
-        table_add(table, xstrdup(decimal_text(text, speed_m_s[i % speeds])));
+        table_add_text(table, decimal_text(text, speed_m_s[i % speeds]));
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             table_add_number(table, value[k], digits);
         if (step->errors)
             status = add_step(table, &t, i, step, quantity);
         if (contacts->count > 1)
-            table_add(table, xstrdup(is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull")
-                                     : i < speeds     ? "zero-overlap"
-                                                      : "zero-force"));
-        for (int k = 0; spheres && k < AREA; k++)
-            table_add_number(table,
-                             (k ? cor_scene_pressure : cor_scene_contact_radius)(&contacts->contact[i / speeds],
-                                                                                 t.impact[i].max_overlap_m),
-                             digits);
+            table_add_text(table, is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull")
+                                  : i < speeds     ? "zero-overlap"
+                                                   : "zero-force");
+        if (spheres) {
+            const struct cor_scene_contact *const contact = &contacts->contact[i / speeds];
+            table_add_number(table, cor_scene_contact_radius(contact, t.impact[i].max_overlap_m), digits);
+            table_add_number(table, cor_scene_pressure(contact, t.impact[i].max_overlap_m), digits);
+        }
     }
     free(t.impact);
     progress_end();

@@ -10,7 +10,6 @@
 
 /* Digits of a number in csv and json, and in text. The error is below COR_SCENE_MAX_ERROR. */
 enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
-char *contact_number_text(double x, int digits); /* malloc'ed */
 
 /* quantity,value,unit; two values, value_zero_overlap and value_zero_force, if the contact has one for each end at
  * which eps may have been measured. Quantities that are not known have no row. */

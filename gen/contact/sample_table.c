@@ -2,6 +2,7 @@
 #include "contact/sample_table.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "contact/contact_rows.h"
 #include "support/console.h"
@@ -57,16 +58,17 @@ static void print_promise(FILE *file, const char *before, const struct sample *s
 
 static void print_table(FILE *file, const struct column *column, int columns, size_t rows, enum output_format format)
 {
-    const char *name[MOST_COLUMNS] = {NULL};
+    char header[MOST_COLUMNS * 32] = "";
     struct table table;
     for (int k = 0; k < columns; k++)
-        name[k] = column[k].name;
-    table_init(&table, name, columns);
+        snprintf(header + strlen(header), sizeof header - strlen(header), k ? ",%s" : "%s", column[k].name);
+    table_init(&table, header, "nnnnnnn");
     for (size_t i = 0; i < rows; i++)
         for (int k = 0; k < columns; k++)
-            table_add(&table, contact_number_text(column[k].number[i], format == FORMAT_TEXT ? TEXT_DIGITS
-                                                                       : k == 0              ? SPEED_DIGITS
-                                                                                             : VALUE_DIGITS));
+            table_add_number(&table, column[k].number[i],
+                             format == FORMAT_TEXT ? TEXT_DIGITS
+                             : k == 0              ? SPEED_DIGITS
+                                                   : VALUE_DIGITS);
     table_print(&table, format, file);
     table_clear(&table);
 }

@@ -8,47 +8,36 @@
 
 /* ---- the table ---- */
 
-static const char *const columns[] = {"model",  "end",     "parameter", "value", "low_68", "high_68",
-                                      "low_95", "high_95", "rms",       "chi2",  "aic"};
-
-/* Six digits; an unknown number is an empty cell. */
-static void add_number(struct table *table, double x)
-{
-    char text[32] = "";
-    if (!isnan(x))
-        snprintf(text, sizeof text, "%.6g", x);
-    table_add(table, xstrdup(text));
-}
+enum { DIGITS = 6 };
 
 static void add_interval(struct table *table, const struct fit_model *model, int parameter,
                          const struct fit_interval *interval, const struct fit_bodies *bodies)
 {
     const double a = fit_parameter_value(model, parameter, interval->low, bodies);
     const double b = fit_parameter_value(model, parameter, interval->high, bodies);
-    add_number(table, fmin(a, b));
-    add_number(table, fmax(a, b));
+    table_add_known(table, fmin(a, b), DIGITS);
+    table_add_known(table, fmax(a, b), DIGITS);
 }
 
 static void add_row(struct table *table, const struct fit_model *model, const struct fit_estimate *e, int parameter,
                     const struct fit_bodies *bodies)
 {
-    table_add(table, xstrdup(model->name));
-    table_add(table, xstrdup(model->end));
-    table_add(table, xstrdup(fit_parameter_name(model, parameter, bodies)));
-    add_number(table, fit_parameter_value(model, parameter, e->theta[parameter], bodies));
+    table_add_text(table, model->name);
+    table_add_text(table, model->end);
+    table_add_text(table, fit_parameter_name(model, parameter, bodies));
+    table_add_known(table, fit_parameter_value(model, parameter, e->theta[parameter], bodies), DIGITS);
     for (int level = 0; level < LEVELS; level++)
         add_interval(table, model, parameter, &e->interval[parameter][level], bodies);
-    add_number(table, e->rms);
-    add_number(table, e->chi2);
-    add_number(table, e->aic);
+    table_add_known(table, e->rms, DIGITS);
+    table_add_known(table, e->chi2, DIGITS);
+    table_add_known(table, e->aic, DIGITS);
 }
 
 void fit_report_print(const struct fit_report *report, enum output_format format, FILE *file)
 {
     const struct fit_comparison *const comparison = &report->comparison;
     struct table table;
-    table_init(&table, columns, sizeof columns / sizeof *columns);
-    table.kinds = "tttnnnnnnnn";
+    table_init(&table, "model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic", "tttnnnnnnnn");
     for (int i = 0; i < comparison->models; i++) {
         const struct fit_model *const model = &fit_models[comparison->ranked[i]];
         const struct fit_estimate *const e = &comparison->estimate[model->curve];

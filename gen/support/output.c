@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -300,9 +301,16 @@ int output_commit(struct output *out)
 
 /* Tables */
 
-void table_init(struct table *t, const char *const *column, int columns)
+void table_init(struct table *t, const char *header, const char *kinds)
 {
-    *t = (struct table){.column = column, .columns = columns};
+    *t = (struct table){.header = xstrdup(header), .kinds = xstrdup(kinds)};
+    for (char *name = t->header; name;) {
+        t->column = xrealloc(t->column, (size_t)(t->columns + 1) * sizeof *t->column);
+        t->column[t->columns++] = name;
+        name = strchr(name, ',');
+        if (name)
+            *name++ = '\0';
+    }
 }
 
 void table_add(struct table *t, char *cell)
@@ -314,11 +322,31 @@ void table_add(struct table *t, char *cell)
     t->cell[t->cells++] = cell;
 }
 
+void table_add_text(struct table *t, const char *text)
+{
+    table_add(t, xstrdup(text));
+}
+
 void table_add_integer(struct table *t, long value)
 {
     char text[32];
     snprintf(text, sizeof text, "%ld", value);
-    table_add(t, xstrdup(text));
+    table_add_text(t, text);
+}
+
+void table_add_number(struct table *t, double x, int digits)
+{
+    char text[32];
+    snprintf(text, sizeof text, isnan(x) ? "nan" : "%.*g", digits, x);
+    table_add_text(t, text);
+}
+
+void table_add_known(struct table *t, double x, int digits)
+{
+    if (isnan(x))
+        table_add_text(t, "");
+    else
+        table_add_number(t, x, digits);
 }
 
 void table_clear(struct table *t)
@@ -326,6 +354,9 @@ void table_clear(struct table *t)
     for (long i = 0; i < t->cells; i++)
         free(t->cell[i]);
     free(t->cell);
+    free(t->header);
+    free(t->column);
+    free(t->kinds);
     *t = (struct table){0};
 }
 
@@ -369,7 +400,7 @@ static void print_progress(const struct table *t, long cell)
 
 static char kind_of(const struct table *t, long cell)
 {
-    return t->kinds ? t->kinds[cell % t->columns] : TABLE_NUMBER;
+    return t->kinds[cell % t->columns];
 }
 
 /* A text, with `before` in front of each character of `escaped` */

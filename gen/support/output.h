@@ -59,17 +59,22 @@ enum {
     TABLE_TEXT = 't'
 };
 struct table {
-    const char *const *column;
+    char *header;  /* its commas are zeros; column[] points into it */
+    char **column; /* names */
     int columns;
-    const char *kinds; /* of the columns, a letter each; NULL: all are numbers */
+    char *kinds; /* of the columns, a letter each */
     bool json_strings;
     char **cell; /* row-major, malloc'ed strings */
     long cells, capacity;
 };
 
-void table_init(struct table *t, const char *const *column, int columns);
+/* The names of the columns, separated by commas, and their kinds. A table begins as {0} or cleared. */
+void table_init(struct table *t, const char *header, const char *kinds);
 void table_add(struct table *t, char *cell); /* takes ownership, row-major order */
+void table_add_text(struct table *t, const char *text);
 void table_add_integer(struct table *t, long value);
+void table_add_number(struct table *t, double x, int digits); /* nan if it is */
+void table_add_known(struct table *t, double x, int digits);  /* an empty cell if it is not known, NaN */
 void table_print(const struct table *t, enum output_format format, FILE *file); /* not FORMAT_LATEX */
 void table_clear(struct table *t);
 

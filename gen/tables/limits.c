@@ -163,7 +163,8 @@ static int scene_finish(void *context, uint64_t task, const void *result)
         char line[LINE];
         snprintf(line, sizeof line, "%" PRId32 " %" PRId32 " %" PRId32 " %" PRId32, scene->x, scene->nu, scene->value,
                  scene->estimate);
-        journal_add(run->journal, line);
+        if (journal_add(run->journal, line) != STATUS_OK)
+            return STATUS_FAILED;
     }
     run->done++;
     return STATUS_OK;

@@ -368,7 +368,7 @@ TEST(test_json_cells)
         const char *cell, *kinds;
         bool strings;
         const char *json;
-    } cells[] = {{"0", NULL, true, "0"},
+    } cells[] = {{"0", "n", true, "0"},
                  {"-1", "n", true, "-1"},
                  {"9007199254740993", "d", false, "9007199254740993"},
                  {"9007199254740993", "d", true, "\"9007199254740993\""},
@@ -384,14 +384,12 @@ TEST(test_json_cells)
                  {"01", "n", false, "null"},
                  {"1.", "n", false, "null"},
                  {"1e", "n", false, "null"}};
-    static const char *const column[] = {"x"};
     for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
         struct table table;
         char *text = NULL, expected[64];
         size_t size;
         FILE *file = open_memstream(&text, &size);
-        table_init(&table, column, 1);
-        table.kinds = cells[i].kinds;
+        table_init(&table, "x", cells[i].kinds);
         table.json_strings = cells[i].strings;
         table_add(&table, xstrdup(cells[i].cell));
         table_print(&table, FORMAT_JSON, file);
