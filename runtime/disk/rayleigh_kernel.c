@@ -4,6 +4,7 @@
  * addition, and sums have sixteen parts for every width of a vector. All sets therefore give the same bits. */
 #include "runtime/disk/rayleigh_path.h"
 #include "runtime/disk/rayleigh_spectrum.h"
+#include "runtime/number/kernel_vector.h"
 
 /* ---- one panel of a leg ---- */
 
@@ -56,18 +57,16 @@ KERNEL void nodes_integrate(struct gauss_nodes *node)
 /* p at LANES points, from the integrals of the rule */
 KERNEL void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], const struct gauss_nodes *node)
 {
-    double re[LANES], im[LANES];
-    for (int k = 0; k < LANES; k++) {
-        re[k] = leg->end_re;
-        im[k] = leg->end_im;
-    }
-    for (int i = 0; i < COR_LEG_GAUSS; i++)
-        for (int k = 0; k < LANES; k++) {
-            re[k] += row[i][k] * node->step_re[i];
-            im[k] += row[i][k] * node->step_im[i];
+    for (int k = 0; k < LANES; k += VECTOR) {
+        vector re = all(leg->end_re), im = all(leg->end_im);
+        for (int i = 0; i < COR_LEG_GAUSS; i++) {
+            const vector factor = load(row[i] + k);
+            re = PLUS(re, TIMES(factor, all(node->step_re[i])));
+            im = PLUS(im, TIMES(factor, all(node->step_im[i])));
         }
-    memcpy(leg->p_re + leg->n, re, sizeof re);
-    memcpy(leg->p_im + leg->n, im, sizeof im);
+        store(leg->p_re + leg->n + k, re);
+        store(leg->p_im + leg->n + k, im);
+    }
 }
 
 KERNEL void leg_add_weights(struct cor_leg *restrict leg, const struct cor_leg_path *path, int from_zero, int weights,
