@@ -10,8 +10,9 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
 #ifndef COR_BOOTSTRAP
                                                        &command_contact,    &command_sample,
                                                        &command_fit,        &command_audit,
+                                                       &command_embed,
 #endif
-                                                       &command_embed,      &command_law,
+                                                       &command_law,
 #ifndef COR_BOOTSTRAP
                                                        &command_plan,
 #endif
