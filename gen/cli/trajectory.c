@@ -19,41 +19,25 @@ static struct ratio term_exponent(const struct law *law, slong k, slong j)
     return ratio_add(one, ratio_add(u, s));
 }
 
-static void print_power_text(FILE *file, struct ratio e)
+static void print_power(FILE *file, struct ratio e, bool latex)
 {
+    const char *const open = latex ? "{" : e.den != 1 ? "(" : "", *const close = latex ? "}" : e.den != 1 ? ")" : "";
+    fputs("t", file);
     if (e.den != 1)
-        fprintf(file, "t^(%ld/%ld)", (long)e.num, (long)e.den);
+        fprintf(file, "^%s%ld/%ld%s", open, (long)e.num, (long)e.den, close);
     else if (e.num != 1)
-        fprintf(file, "t^%ld", (long)e.num);
-    else
-        fputs("t", file);
+        fprintf(file, "^%s%ld%s", open, (long)e.num, close);
 }
 
-static void print_power_latex(FILE *file, struct ratio e)
+static void print_size(FILE *file, const fmpq_t size, bool latex)
 {
-    if (e.den != 1)
-        fprintf(file, "t^{%ld/%ld}", (long)e.num, (long)e.den);
-    else if (e.num != 1)
-        fprintf(file, "t^{%ld}", (long)e.num);
-    else
-        fputs("t", file);
-}
-
-static void print_size_text(FILE *file, const fmpq_t size)
-{
-    char *text = fmpq_get_str(NULL, 10, size);
-    fprintf(file, "%s ", text);
-    flint_free(text);
-}
-
-static void print_size_latex(FILE *file, const fmpq_t size)
-{
+    const bool whole = fmpz_is_one(fmpq_denref(size));
     char *numerator = fmpz_get_str(NULL, 10, fmpq_numref(size));
     char *denominator = fmpz_get_str(NULL, 10, fmpq_denref(size));
-    if (fmpz_is_one(fmpq_denref(size)))
-        fprintf(file, "%s\\,", numerator);
+    if (whole)
+        fprintf(file, latex ? "%s\\," : "%s ", numerator);
     else
-        fprintf(file, "\\frac{%s}{%s}", numerator, denominator);
+        fprintf(file, latex ? "\\frac{%s}{%s}" : "%s/%s ", numerator, denominator);
     flint_free(numerator);
     flint_free(denominator);
 }
@@ -77,8 +61,8 @@ static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct t
         first = false;
         fmpq_abs(c, c);
         if (!fmpq_is_one(c))
-            (latex ? print_size_latex : print_size_text)(file, c);
-        (latex ? print_power_latex : print_power_text)(file, term_exponent(law, k, j));
+            print_size(file, c, latex);
+        print_power(file, term_exponent(law, k, j), latex);
     }
     fprintf(file, "%s%s", first ? "" : " + ", latex ? "\\cdots" : "...");
 }

@@ -163,26 +163,34 @@ static void keep_better(double *best, double *best_theta, const struct problem *
     }
 }
 
+/* The problem on at most `most` of its points, without the covariance of bounces, for starts. Returns its memory. */
+static double *thin_problem(struct problem *thin, const struct problem *p, size_t most)
+{
+    const size_t stride = (p->points + most - 1) / most;
+    double *const log_speed = xmalloc(4 * most * sizeof *log_speed), *const eps = log_speed + most,
+                  *const sigma = eps + most;
+    *thin = *p;
+    thin->points = 0;
+    for (size_t i = 0; i < p->points; i += stride, thin->points++) {
+        log_speed[thin->points] = p->log_speed[i];
+        eps[thin->points] = p->eps[i];
+        sigma[thin->points] = p->sigma ? p->sigma[i] : 0;
+    }
+    thin->bounce = NULL;
+    thin->robust = p->robust && !p->bounce;
+    thin->log_speed = log_speed;
+    thin->eps = eps;
+    thin->sigma = p->sigma ? sigma : NULL;
+    thin->buffer = sigma + most;
+    return log_speed;
+}
+
 /* Scans the range of the only coordinate on a thinned set of points, and starts from the lowest local minima: eps of
  * the Hertzian dashpot has a kink where the contact ends to separate. */
 static double minimise_by_scan(double *theta, const struct problem *p)
 {
-    struct problem thin = *p;
-    const size_t stride = (p->points + SCAN_POINTS - 1) / SCAN_POINTS;
-    double value[SCAN_STEPS + 1], best = INFINITY;
-    double *const log_speed = xmalloc(3 * (size_t)SCAN_POINTS * sizeof(double)), *const eps = log_speed + SCAN_POINTS;
-    double *const sigma = eps + SCAN_POINTS;
-    thin.points = 0;
-    for (size_t i = 0; i < p->points; i += stride, thin.points++) {
-        log_speed[thin.points] = p->log_speed[i];
-        eps[thin.points] = p->eps[i];
-        sigma[thin.points] = p->sigma ? p->sigma[i] : 0;
-    }
-    thin.bounce = NULL; /* starts need no covariance */
-    thin.robust = p->robust && !p->bounce;
-    thin.log_speed = log_speed;
-    thin.eps = eps;
-    thin.sigma = p->sigma ? sigma : NULL;
+    struct problem thin;
+    double *const memory = thin_problem(&thin, p, SCAN_POINTS), value[SCAN_STEPS + 1], best = INFINITY;
     const double step = (p->high[0] - p->low[0]) / (double)SCAN_STEPS;
     for (int i = 0; i <= SCAN_STEPS; i++) {
         const double at[FIT_MAX_PARAMETERS] = {p->low[0] + step * i};
@@ -200,7 +208,7 @@ static double minimise_by_scan(double *theta, const struct problem *p)
         keep_better(&best, theta, p, from);
         value[lowest] = INFINITY;
     }
-    free(log_speed);
+    free(memory);
     return best;
 }
 
@@ -228,22 +236,8 @@ static double minimise_on_grid(double *theta, const struct problem *p)
         low = fmax(low, dry_theta[0] - 4);
         high = fmin(high, dry_theta[0] + 0.5);
     }
-    struct problem thin = *p;
-    const size_t stride = (p->points + POINTS - 1) / POINTS;
-    double *const list = xmalloc(4 * (size_t)POINTS * sizeof *list), best = INFINITY;
-    double *const eps = list + POINTS, *const sigma = eps + POINTS;
-    thin.points = 0;
-    for (size_t i = 0; i < p->points; i += stride, thin.points++) {
-        list[thin.points] = p->log_speed[i];
-        eps[thin.points] = p->eps[i];
-        sigma[thin.points] = p->sigma ? p->sigma[i] : 0;
-    }
-    thin.bounce = NULL; /* starts need no covariance */
-    thin.robust = p->robust && !p->bounce;
-    thin.log_speed = list;
-    thin.eps = eps;
-    thin.sigma = p->sigma ? sigma : NULL;
-    thin.buffer = sigma + POINTS;
+    struct problem thin;
+    double *const memory = thin_problem(&thin, p, POINTS), best = INFINITY;
     for (int part = 0; part < PARTS; part++) {
         double least = INFINITY, start[FIT_MAX_PARAMETERS] = {p->low[0], p->low[1]};
         for (int k = part * SECOND / PARTS; k < (part + 1) * SECOND / PARTS; k++)
@@ -258,7 +252,7 @@ static double minimise_on_grid(double *theta, const struct problem *p)
             }
         keep_better(&best, theta, p, start);
     }
-    free(list);
+    free(memory);
     keep_better(&best, theta, p, dry_theta);
     return best;
 }

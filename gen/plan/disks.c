@@ -164,12 +164,12 @@ static char *modes_text(const struct disks *d, size_t count)
 {
     const char *poisson = d->request->poisson.text;
     if (count <= 1800 && (d->modes.nu == 0.33 || d->modes.nu == 0.9))
-        return plan_text("#include \"cor/cor.h\"\nconst struct cor_disk_modes *modes = &cor_disk_modes_nu0%d;\n",
-                         d->modes.nu == 0.33 ? 33 : 90);
-    return plan_text("corgen tables --poisson %s --modes %zu\n"
-                     "#include \"cor/cor.h\"\n/* read the file it writes by cor_disk_modes_read */\n"
-                     "const struct cor_disk_modes *modes;\n",
-                     poisson, count);
+        return xprintf("#include \"cor/cor.h\"\nconst struct cor_disk_modes *modes = &cor_disk_modes_nu0%d;\n",
+                       d->modes.nu == 0.33 ? 33 : 90);
+    return xprintf("corgen tables --poisson %s --modes %zu\n"
+                   "#include \"cor/cor.h\"\n/* read the file it writes by cor_disk_modes_read */\n"
+                   "const struct cor_disk_modes *modes;\n",
+                   poisson, count);
 }
 
 static const char *quantity_field(enum plan_quantity quantity)
@@ -203,10 +203,10 @@ static int add_rigid(struct plan *plan, struct disks *d, int k)
         plan_compare(plan, m, true);
     m->cost = rigid[k].cost;
     m->leaves_out = "nothing; estimated, not proved";
-    m->use = plan_text("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
-                       "struct cor_disk_hard_wall out;\n"
-                       "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
-                       rigid[k].tolerance, d->request->poisson.text, quantity_field(quantity));
+    m->use = xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
+                     "struct cor_disk_hard_wall out;\n"
+                     "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
+                     rigid[k].tolerance, d->request->poisson.text, quantity_field(quantity));
     return status;
 }
 
@@ -234,10 +234,10 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
         snprintf(alpha, sizeof alpha, "fmax(%d, %g / v)", COR_DISK_COLLISION_MIN_ALPHA, hard);
     else
         snprintf(alpha, sizeof alpha, "%g", PAPER_ALPHA);
-    m->use = plan_text("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
-                       "struct cor_disk_collision out;\n"
-                       "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
-                       table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d->request->quantity));
+    m->use = xprintf("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
+                     "struct cor_disk_collision out;\n"
+                     "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
+                     table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d->request->quantity));
     free(table);
 }
 
@@ -271,11 +271,10 @@ static void add_rayleigh(struct plan *plan, const struct disks *d)
         m->cost = NS_RAYLEIGH + NS_RAYLEIGH_MODE * (double)taken[k];
         m->leaves_out = "that vibrations act back on the load";
         char *table = modes_text(d, taken[k]);
-        m->use =
-            plan_text("%sstruct cor_disk_modes cut = {modes->nu, %zu, modes->mode};\nstruct cor_disk_rayleigh out;\n"
-                      "int status = cor_disk_rayleigh(&cut, %zu, COR_DISK_DATUM_CENTRE_OF_MASS, v, &out, NULL);\n"
-                      "double eps = sqrt(1 - (out.fraction + out.tail));\n",
-                      table, taken[k], taken[k]);
+        m->use = xprintf("%sstruct cor_disk_modes cut = {modes->nu, %zu, modes->mode};\nstruct cor_disk_rayleigh out;\n"
+                         "int status = cor_disk_rayleigh(&cut, %zu, COR_DISK_DATUM_CENTRE_OF_MASS, v, &out, NULL);\n"
+                         "double eps = sqrt(1 - (out.fraction + out.tail));\n",
+                         table, taken[k], taken[k]);
         free(table);
     }
 }
@@ -287,7 +286,7 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
         m->value[i] = 1;
     plan_compare(plan, m, false);
     m->leaves_out = "vibrations";
-    m->use = plan_text("double eps = 1;\n");
+    m->use = xprintf("double eps = 1;\n");
     double low = 1, high = 0;
     for (slong i = 0; i < plan->points; i++) {
         low = fmin(low, plan->truth[i]);
@@ -300,7 +299,7 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
         m->value[i] = strtod(text, NULL);
     plan_compare(plan, m, false);
     m->leaves_out = "how eps goes with the speed";
-    m->use = plan_text("double eps = %s;\n", text);
+    m->use = xprintf("double eps = %s;\n", text);
     add_rayleigh(plan, d);
 
     /* the error is the promised uncertainty, for what the table is compared with comes from the same collisions */
@@ -317,7 +316,7 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
     m->promised = true;
     m->cost = NS_EPS_TABLE;
     m->leaves_out = "nothing; estimated, not proved";
-    m->use = plan_text("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->request->poisson.text);
+    m->use = xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->request->poisson.text);
 }
 
 typedef double law(double speed, double nu, enum cor_disk_datum datum);
@@ -335,8 +334,8 @@ static void add_laws(struct plan *plan, const struct disks *d)
     plan_compare(plan, m, true);
     m->cost = ns_leading_log[d->request->quantity];
     m->leaves_out = "all beside ln(4/v); vibrations";
-    m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d->request->quantity),
-                       called);
+    m->use = xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d->request->quantity),
+                     called);
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
@@ -344,8 +343,8 @@ static void add_laws(struct plan *plan, const struct disks *d)
         plan_compare(plan, m, true);
         m->cost = ns_law[d->request->quantity];
         m->leaves_out = "vibrations";
-        m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
-                           quantity_field(d->request->quantity), called, d->request->poisson.text, datum[k]);
+        m->use = xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
+                         quantity_field(d->request->quantity), called, d->request->poisson.text, datum[k]);
     }
 }
 
@@ -374,10 +373,10 @@ static char *disks_title(const struct plan *plan, const struct disks *d)
     double uncertainty = 0;
     for (slong i = 0; i <= last; i++)
         uncertainty = fmax(uncertainty, plan->uncertainty[i]);
-    return plan_text("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
-                     "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
-                     d->request->poisson.text, d->request->speed_min.text, d->request->speed_max.text, plan->quantity,
-                     plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
+    return xprintf("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
+                   "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
+                   d->request->poisson.text, d->request->speed_min.text, d->request->speed_max.text, plan->quantity,
+                   plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
 }
 
 static int disks_fill(struct plan *plan, struct disks *d)

@@ -65,20 +65,6 @@ struct plan_model *plan_add(struct plan *plan, const char *format, ...)
     return model;
 }
 
-char *plan_text(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    const int length = vsnprintf(NULL, 0, format, arguments);
-    va_end(arguments);
-    const size_t size = length < 0 ? 1 : (size_t)length + 1;
-    char *text = xmalloc(size);
-    va_start(arguments, format);
-    vsnprintf(text, size, format, arguments);
-    va_end(arguments);
-    return text;
-}
-
 void plan_compare(const struct plan *plan, struct plan_model *model, bool relative)
 {
     for (slong i = 0; i < plan->points; i++) {

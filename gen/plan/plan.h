@@ -94,9 +94,6 @@ void plan_clear(struct plan *plan); /* does not free *owned */
 /* Adds a model with values NaN. The name is a format. The pointer is valid until the next call. */
 struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Prints a text to malloc'ed memory. */
-char *plan_text(const char *format, ...) __attribute__((format(printf, 1, 2)));
-
 /* Sets error = |value/truth - 1|, or |value - truth|, at every point. */
 void plan_compare(const struct plan *plan, struct plan_model *model, bool relative);
 

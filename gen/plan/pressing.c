@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "plan/plan.h"
+#include "support/console.h"
 
 enum { SCAN = 200, BISECTIONS = 30 };
 
@@ -36,20 +36,20 @@ char *plan_pressing_remark(const struct cor_scene_contact *contact, int end, dou
     while (k <= SCAN && may_go(&s, speed_max * pow(ratio, k)))
         k++;
     if (k == 0) {
-        where = plan_text("at no speed of this range up to its end");
+        where = xprintf("at no speed of this range up to its end");
     } else if (k > SCAN) {
-        where = plan_text("at every speed of this range");
+        where = xprintf("at every speed of this range");
     } else {
         double low = speed_max * pow(ratio, k), high = low / ratio;
         for (int i = 0; i < BISECTIONS; i++) {
             const double middle = sqrt(low * high);
             *(may_go(&s, middle) ? &high : &low) = middle;
         }
-        where = plan_text("from %.4g m/s up", high);
+        where = xprintf("from %.4g m/s up", high);
     }
-    char *text = plan_text("The constant force of %.4g N may be left out %s: eps then changes by less than %g.\n"
-                           "With it the bodies stick up to %.4g m/s. The models leave it out.\n",
-                           contact->force_n, where, tolerance, sticking);
+    char *text = xprintf("The constant force of %.4g N may be left out %s: eps then changes by less than %g.\n"
+                         "With it the bodies stick up to %.4g m/s. The models leave it out.\n",
+                         contact->force_n, where, tolerance, sticking);
     free(where);
     return text;
 }

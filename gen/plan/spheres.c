@@ -225,7 +225,7 @@ static void add_constants(struct plan *plan, const struct spheres *s, const stru
         m->leaves_out = s->scene.constant                   ? "nothing; eps is the same at every speed"
                         : speed_exponent(&s->scene.law) < 0 ? "that eps rises with the speed"
                                                             : "that eps falls with the speed";
-        m->use = plan_text(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]);
+        m->use = xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]);
         model_evaluate(plan, m);
     }
 }
@@ -248,7 +248,7 @@ static void add_power_law(struct plan *plan, const struct spheres *s, const stru
     m->eps = eps_power_law;
     m->cost = cost_for_purpose(scene, cost_power);
     m->leaves_out = speed_exponent(&s->scene.law) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest";
-    m->use = plan_text("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]);
+    m->use = xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]);
     model_evaluate(plan, m);
 }
 
@@ -258,10 +258,10 @@ static char *contact_text(const struct spheres *s, const struct embed_request *s
     static const char init[] = "struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n";
     char g_star[DECIMAL_TEXT];
     if (scene->number[COR_SCENE_G_STAR].text)
-        return plan_text(init, scene->number[COR_SCENE_G_STAR].text);
+        return xprintf(init, scene->number[COR_SCENE_G_STAR].text);
     if (!embed_given(scene, COR_SCENE_YOUNG) || !embed_given(scene, COR_SCENE_DISSIPATION_TIME) ||
         scene->law == COR_LAW_PLATE)
-        return plan_text(init, decimal_text(g_star, cor_scene_damping(&s->contact, COR_SCENE_G_STAR)));
+        return xprintf(init, decimal_text(g_star, cor_scene_damping(&s->contact, COR_SCENE_G_STAR)));
     char body[2][TEXT];
     for (int second = 0; second < 2; second++) {
         const char *text[COR_SCENE_BODY];
@@ -277,15 +277,15 @@ static char *contact_text(const struct spheres *s, const struct embed_request *s
             snprintf(body[second], TEXT, "{%s, %s, %s, %s, %s}", text[YOUNG], text[POISSON], text[TIME], text[RADIUS],
                      text[MASS]);
     }
-    return plan_text("struct cor_body body_1 = %s;\nstruct cor_body body_2 = %s;\n"
-                     "struct cor_sphere_contact contact;\ncor_sphere_contact_init(&contact, &body_1, &body_2);\n",
-                     body[0], body[1]);
+    return xprintf("struct cor_body body_1 = %s;\nstruct cor_body body_2 = %s;\n"
+                   "struct cor_sphere_contact contact;\ncor_sphere_contact_init(&contact, &body_1, &body_2);\n",
+                   body[0], body[1]);
 }
 
 static char *call_of_beta(const struct spheres *s, const struct embed_request *scene, const char *call)
 {
     char *contact = contact_text(s, scene);
-    char *text = plan_text("#include \"cor/cor.h\"\n%sdouble eps = %s;\n", contact, call);
+    char *text = xprintf("#include \"cor/cor.h\"\n%sdouble eps = %s;\n", contact, call);
     free(contact);
     return text;
 }
@@ -314,7 +314,7 @@ static void add_published(struct plan *plan, const struct spheres *s, const stru
     m->leaves_out = "what follows beta^(5/2); zero overlap";
     m->use = call_of_beta(s, scene, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
     char *text = m->use;
-    m->use = plan_text("%s/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", text);
+    m->use = xprintf("%s/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", text);
     free(text);
     model_evaluate(plan, m);
 }
@@ -346,11 +346,11 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
     model->cost = cost_for_purpose(scene, of_form(&form));
     model->leaves_out = two_point ? "terms between series and limit"
                                   : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it");
-    model->use = plan_text("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
-                           "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
-                           (long)m, (long)n, two_point ? " --two-point" : "", end_option(scene->end),
-                           two_point ? "two_point_" : "", end_name(scene->end), (long)m, (long)n,
-                           root == 2 ? "sqrt(beta)" : "beta");
+    model->use = xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
+                         "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
+                         (long)m, (long)n, two_point ? " --two-point" : "", end_option(scene->end),
+                         two_point ? "two_point_" : "", end_name(scene->end), (long)m, (long)n,
+                         root == 2 ? "sqrt(beta)" : "beta");
     const double low = plan->at[0], high = plan->at[plan->points - 1];
     for (int k = 0; k <= PADE_POINTS; k++) {
         const double beta = low + (high - low) * k / (double)PADE_POINTS;
@@ -385,10 +385,10 @@ static char *embed_command(const struct embed_request *scene, const char *tolera
             length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s", embed_number_name(number),
                                        number == EMBED_TOLERANCE ? tolerance : embed_text(scene, number));
     }
-    return plan_text("corgen embed%s%s%s --end %s --for %s --output cor_scene_eps.h\n"
-                     "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                     line, scene->wall ? " --wall" : "", embed_law_options(law, scene), end_option(scene->end),
-                     embed_purpose_names[scene->purpose]);
+    return xprintf("corgen embed%s%s%s --end %s --for %s --output cor_scene_eps.h\n"
+                   "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
+                   line, scene->wall ? " --wall" : "", embed_law_options(law, scene), end_option(scene->end),
+                   embed_purpose_names[scene->purpose]);
 }
 
 static void add_header(struct plan *plan, struct spheres *s, const struct embed_request *scene, const char *tolerance)
@@ -454,11 +454,11 @@ static void add_function_of_beta(struct plan *plan, const struct spheres *s, con
     m->leaves_out = "nothing; good at every speed";
     char *beta = arb_get_str(s->scene.beta_per_root, 17, ARB_STR_NO_RADIUS);
     if (dashpot || crossley)
-        m->use = plan_text("#include \"cor/cor.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n", call, beta, q);
+        m->use = xprintf("#include \"cor/cor.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n", call, beta, q);
     else
-        m->use = plan_text("corgen law --elastic %s --damping %s --name law --output law.h\n"
-                           "#include \"law.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n",
-                           ratio_text(law->a).text, ratio_text(law->b).text, call, beta, q);
+        m->use = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n"
+                         "#include \"law.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n",
+                         ratio_text(law->a).text, ratio_text(law->b).text, call, beta, q);
     flint_free(beta);
 }
 
@@ -479,13 +479,13 @@ static char *spheres_title(const struct plan *plan, const struct embed_request *
 {
     const slong last = plan->points - 1;
     const struct law_text equation = law_equation(law);
-    return plan_text("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                     scene->law == COR_LAW_PLATE ? "A sphere and a plate"
-                     : law_is_sphere(law)        ? "Spheres"
-                                                 : equation.text,
-                     scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text,
-                     scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
-                     plan->truth[0], plan->truth[last]);
+    return xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
+                   scene->law == COR_LAW_PLATE ? "A sphere and a plate"
+                   : law_is_sphere(law)        ? "Spheres"
+                                               : equation.text,
+                   scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text,
+                   scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
+                   plan->truth[0], plan->truth[last]);
 }
 
 #define NOTE(times)                                                                                                    \
@@ -508,7 +508,7 @@ static void add_models(struct plan *plan, struct spheres *s, const struct embed_
         char *const waves = plan->remark;
         char *const pressing =
             plan_pressing_remark(&s->pressed, scene->end, s->scene.speed_min, s->scene.speed_max, plan->tolerance);
-        plan->remark = plan_text("%s%s", waves ? waves : "", pressing);
+        plan->remark = xprintf("%s%s", waves ? waves : "", pressing);
         free(pressing);
         free(waves);
     }

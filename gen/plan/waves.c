@@ -25,10 +25,10 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
     const double waves = plan_wave_loss(request, speed), all = (1 - eps) * (1 + eps);
     if (isnan(waves))
         return NULL;
-    return plan_text("Elastic waves alone: 1 - eps^2 = %.2g at %.4g m/s, to first order, if the wall is massive and as "
-                     "dense as the\n"
-                     "sphere; with this dissipation time it is %.2g. %s\n",
-                     waves, speed, all,
-                     waves < all ? "A measured dissipation time includes the waves."
-                                 : "The waves take more: the dissipation time is too small.");
+    return xprintf("Elastic waves alone: 1 - eps^2 = %.2g at %.4g m/s, to first order, if the wall is massive and as "
+                   "dense as the\n"
+                   "sphere; with this dissipation time it is %.2g. %s\n",
+                   waves, speed, all,
+                   waves < all ? "A measured dissipation time includes the waves."
+                               : "The waves take more: the dissipation time is too small.");
 }

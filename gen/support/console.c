@@ -148,6 +148,28 @@ char *xstrdup(const char *text)
     return memcpy(xmalloc(size), text, size);
 }
 
+char *xvprintf(const char *format, va_list arguments)
+{
+    va_list again;
+    va_copy(again, arguments);
+    const int length = vsnprintf(NULL, 0, format, again);
+    va_end(again);
+    const size_t size = length < 0 ? 1 : (size_t)length + 1;
+    char *const text = xmalloc(size);
+    *text = '\0';
+    vsnprintf(text, size, format, arguments);
+    return text;
+}
+
+char *xprintf(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *const text = xvprintf(format, arguments);
+    va_end(arguments);
+    return text;
+}
+
 static void *gmp_realloc(void *old, size_t old_size, size_t size)
 {
     (void)old_size;

@@ -3,6 +3,7 @@
 #ifndef COR_GEN_SUPPORT_CONSOLE_H
 #define COR_GEN_SUPPORT_CONSOLE_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -46,9 +47,11 @@ void profile_enable(void);
 void profile_step(const char *name); /* ends the current step and starts the next; NULL starts none */
 void profile_report(void);
 
-/* malloc, realloc and strdup that end the program with a message instead of returning NULL. */
+/* malloc, realloc, strdup and printf to such memory, which end the program with a message instead of returning NULL. */
 void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
 char *xstrdup(const char *text);
+char *xprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
+char *xvprintf(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 
 #endif

@@ -52,11 +52,7 @@ void emit_comment(struct emit *e, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    const size_t size = (size_t)vsnprintf(NULL, 0, format, arguments) + 1;
-    va_end(arguments);
-    char *const text = xmalloc(size);
-    va_start(arguments, format);
-    vsnprintf(text, size, format, arguments);
+    char *const text = xvprintf(format, arguments);
     va_end(arguments);
     putc('\n', e->file);
     put_comment(e->file, text);

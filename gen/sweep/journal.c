@@ -141,10 +141,7 @@ static off_t journal_recover(struct journal *journal, const char *title, uint64_
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
-    static const char extension[] = ".part";
-    const size_t size = strlen(file) + sizeof extension;
-    *journal = (struct journal){.path = xmalloc(size), .synced = clock_seconds()};
-    snprintf(journal->path, size, "%s%s", file, extension);
+    *journal = (struct journal){.path = xprintf("%s.part", file), .synced = clock_seconds()};
     output_report_size_limit();
     int status = journal_open_locked(journal);
     const off_t good = status == STATUS_OK ? journal_recover(journal, title, most) : -1;
@@ -199,10 +196,8 @@ void journal_close(struct journal *journal, bool done)
 
 void journal_say_on_interrupt(struct journal *journal)
 {
-    static const char format[] = "\ncorgen: interrupted; the same command continues after the last row of %s\n";
-    const size_t size = sizeof format + strlen(journal->path);
-    journal->interrupted = xmalloc(size);
-    snprintf(journal->interrupted, size, format, journal->path);
+    journal->interrupted =
+        xprintf("\ncorgen: interrupted; the same command continues after the last row of %s\n", journal->path);
     output_say_on_interrupt(journal->interrupted);
 }
 
