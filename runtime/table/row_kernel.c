@@ -15,7 +15,6 @@ enum { LANES = 4 };
 typedef __m256d lanes;
 #define LANES_LOAD(p) _mm256_loadu_pd(p)
 #define LANES_STORE(p, v) _mm256_storeu_pd(p, v)
-#define LANES_STREAM(p, v) _mm256_stream_pd(p, v)
 #define LANES_ALL(x) _mm256_set1_pd(x)
 /* x < y ? if_true : if_false */
 #define LANES_CHOOSE_LESS(x, y, if_true, if_false) _mm256_blendv_pd(if_false, if_true, _mm256_cmp_pd(x, y, _CMP_LT_OQ))
@@ -287,57 +286,11 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     }
 }
 
-/* ---- arrays of doubles ---- */
-
-/* An array that is too large for the caches is stored past them. The processor then does not read the lines that it
- * overwrites. */
-enum { STREAM_FROM = 1 << 22 /* numbers: 32 MiB */, CACHE_LINE = 64 };
-
-/* Whether results are stored past the caches; doubles at unaligned addresses cannot be. */
-KERNEL int streams(const double *out, size_t n)
-{
-    return n >= STREAM_FROM && (uintptr_t)out % sizeof *out == 0;
-}
-
-/* Length of the block that begins at i. If results are stored past the caches, the first block only reaches to the next
- * cache line. */
-KERNEL size_t block_length(const double *out, size_t i, size_t n, int stream)
-{
-    const size_t aside = (size_t)((uintptr_t)out % CACHE_LINE) / sizeof *out;
-    const size_t length = stream && i == 0 && aside != 0 ? CACHE_LINE / sizeof *out - aside : BLOCK;
-    return n - i < length ? n - i : length;
-}
-
-/* Prefetches the numbers four blocks ahead. Memory delivers them in about the time that four blocks take to compute. */
-KERNEL void look_ahead(const double *in, size_t i, size_t n)
-{
-#ifdef LANES_STREAM
-    if (n - i > 5 * (size_t)BLOCK)
-        for (int k = 0; k < BLOCK; k += CACHE_LINE / 8)
-            _mm_prefetch((const char *)(in + i + 4 * BLOCK + k), _MM_HINT_T0);
-#endif
-    (void)in;
-    (void)i;
-    (void)n;
-}
-
-SHARED void put(double *restrict out, const double *restrict value, size_t m, int stream)
-{
-#ifdef LANES_STREAM
-    if (stream && m == BLOCK) {
-        for (size_t j = 0; j < BLOCK; j += LANES)
-            LANES_STREAM(out + j, LANES_LOAD(value + j));
-        return;
-    }
-#endif
-    (void)stream;
-    memcpy(out, value, m * sizeof *out);
-}
+/* ---- arrays of doubles: plain stores, for on a Zen 4 stores past the caches and prefetches make the loops slower ---- */
 
 static void loop_doubles(const struct cor_row_call *call, const double *in, double *out, size_t n)
 {
     const struct cor_row_table *const table = call->table;
-    const int stream = streams(out, n);
     if (LANES == 1 && table->kind == COR_ROW_PARTS) { /* without vectors the scalar function is faster */
         for (size_t i = 0; i < n; i++)
             out[i] = call->one(in[i]);
@@ -345,14 +298,12 @@ static void loop_doubles(const struct cor_row_call *call, const double *in, doub
     }
     for (size_t i = 0, m; i < n; i += m) {
         double given[BLOCK], taken[BLOCK], value[BLOCK];
-        m = block_length(out, i, n, stream);
-        if (stream)
-            look_ahead(in, i, n);
+        m = n - i < BLOCK ? n - i : BLOCK;
         if (call->before)
             call->before(call->context, in + i, given, m);
         const double *const x = call->before ? given : in + i;
         const size_t outside = take(taken, table, x, m);
-        const int to_complete = outside || call->always_after, final = !to_complete && !stream && m == whole(m);
+        const int to_complete = outside || call->always_after, final = !to_complete && m == whole(m);
         if (outside < m)
             evaluate_block(final ? out + i : value, table, taken, whole(m));
         if (final)
@@ -365,12 +316,8 @@ static void loop_doubles(const struct cor_row_call *call, const double *in, doub
                 if (!is_same(x[j], taken[j]))
                     value[j] = call->one(x[j]);
         }
-        put(out + i, value, m, stream);
+        memcpy(out + i, value, m * sizeof *out);
     }
-#ifdef LANES_STREAM
-    if (stream)
-        _mm_sfence();
-#endif
 }
 
 static void one_block(const struct cor_row_table *table, const double *x, double *taken, double *value, size_t m)
