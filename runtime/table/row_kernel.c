@@ -362,6 +362,12 @@ SHARED size_t take_floats(double *restrict x, struct float_interval interval, co
     return m - (size_t)inside;
 }
 
+SHARED void narrow(float *restrict out, const double *restrict value, size_t m)
+{
+    for (size_t j = 0; j < m; j++)
+        out[j] = (float)value[j];
+}
+
 static void loop_floats(const struct cor_row_table *table, float (*one)(float), float apart, const float *in,
                         float *out, size_t n)
 {
@@ -374,16 +380,17 @@ static void loop_floats(const struct cor_row_table *table, float (*one)(float), 
     }
     for (size_t i = 0, m; i < n; i += m) {
         double x[BLOCK], value[BLOCK];
-        float narrow[BLOCK];
+        float result[BLOCK];
         m = n - i < BLOCK ? n - i : BLOCK;
         const size_t outside = take_floats(x, interval, in + i, m);
         evaluate_block(value, table, x, whole(m));
+        narrow(outside ? result : out + i, value, m);
+        if (!outside)
+            continue;
         for (size_t j = 0; j < m; j++)
-            narrow[j] = (float)value[j];
-        for (size_t j = 0; outside && j < m; j++)
             if (!is_same((double)in[i + j], x[j]))
-                narrow[j] = one(in[i + j]);
-        memcpy(out + i, narrow, m * sizeof *out);
+                result[j] = one(in[i + j]);
+        memcpy(out + i, result, m * sizeof *out);
     }
 }
 
