@@ -286,8 +286,9 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     }
 }
 
-/* ---- arrays of doubles: plain stores, for on a Zen 4 stores past the caches and prefetches make the loops slower ---- */
+/* ---- arrays of doubles ---- */
 
+/* Stores are plain: on a Zen 4, stores past the caches and prefetches make arrays that exceed the caches slower. */
 static void loop_doubles(const struct cor_row_call *call, const double *in, double *out, size_t n)
 {
     const struct cor_row_table *const table = call->table;
