@@ -188,83 +188,37 @@ static double yield_stress_pa(double theta, const struct fit_bodies *bodies)
     return cor_scene_yield_stress(&contact, exp(theta));
 }
 
-static double zeta_zero_overlap(double eps)
-{
-    return cor_linear_zeta_zero_overlap(eps);
-}
-
-static double zeta_zero_force(double eps)
-{
-    return cor_linear_zeta_zero_force(eps);
-}
-
 /* ---- models ---- */
 
 #define ZERO_OVERLAP "zero-overlap"
 #define ZERO_FORCE "zero-force"
 #define BOTH_ENDS "both"
-#define NO_BODIES NULL
+/* One parameter, its function of the coordinate, and both where the bodies are known */
+#define ONE(PARAMETER, VALUE) true, {PARAMETER}, NULL, VALUE, NULL
+#define KNOWN(PARAMETER, VALUE, WITH_BODIES, VALUE_WITH_BODIES) true, {PARAMETER}, WITH_BODIES, VALUE, VALUE_WITH_BODIES
+#define SPHERE KNOWN("g_star_m_s", g_star_m_s, "dissipation_time_s", dissipation_time_s)
 #define SPHERE_AND(SECOND) true, {"g_star_m_s", SECOND}, "dissipation_time_s", g_star_m_s, dissipation_time_s
+#define DASHPOT KNOWN("beta_at_1_m_s", exp, "damping_coefficient_n_s_m", damping_coefficient_kg_s)
 const struct fit_model fit_models[] = {
-    {"viscoelastic",
-     ZERO_OVERLAP,
-     FIT_SPHERE_ZERO_OVERLAP,
-     true,
-     {"g_star_m_s"},
-     "dissipation_time_s",
-     g_star_m_s,
-     dissipation_time_s},
-    {"viscoelastic",
-     ZERO_FORCE,
-     FIT_SPHERE_ZERO_FORCE,
-     true,
-     {"g_star_m_s"},
-     "dissipation_time_s",
-     g_star_m_s,
-     dissipation_time_s},
-    {"plate",
-     ZERO_OVERLAP,
-     FIT_SPHERE_ZERO_OVERLAP,
-     true,
-     {"zener_lambda_at_1_m_s"},
-     "plate_thickness_m",
-     zener_lambda,
-     plate_thickness_m},
-    {"constant", BOTH_ENDS, FIT_CONSTANT, true, {"eps"}, NO_BODIES, identity, NULL},
-    {"linear", ZERO_OVERLAP, FIT_CONSTANT, true, {"zeta"}, NO_BODIES, zeta_zero_overlap, NULL},
-    {"linear", ZERO_FORCE, FIT_CONSTANT, true, {"zeta"}, NO_BODIES, zeta_zero_force, NULL},
-    {"tsuji", ZERO_OVERLAP, FIT_CONSTANT, true, {"zeta"}, NO_BODIES, zeta_zero_overlap, NULL},
-    {"tsuji", ZERO_FORCE, FIT_CONSTANT, true, {"zeta"}, NO_BODIES, zeta_zero_force, NULL},
-    {"hunt-crossley", BOTH_ENDS, FIT_HUNT_CROSSLEY, true, {"dissipation_s_m"}, NO_BODIES, exp, NULL},
-    {"hertz-dashpot",
-     ZERO_OVERLAP,
-     FIT_HERTZ_DASHPOT_ZERO_OVERLAP,
-     true,
-     {"beta_at_1_m_s"},
-     "damping_coefficient_n_s_m",
-     exp,
-     damping_coefficient_kg_s},
-    {"hertz-dashpot",
-     ZERO_FORCE,
-     FIT_HERTZ_DASHPOT_ZERO_FORCE,
-     true,
-     {"beta_at_1_m_s"},
-     "damping_coefficient_n_s_m",
-     exp,
-     damping_coefficient_kg_s},
+    {"viscoelastic", ZERO_OVERLAP, FIT_SPHERE_ZERO_OVERLAP, SPHERE},
+    {"viscoelastic", ZERO_FORCE, FIT_SPHERE_ZERO_FORCE, SPHERE},
+    {"plate", ZERO_OVERLAP, FIT_SPHERE_ZERO_OVERLAP,
+     KNOWN("zener_lambda_at_1_m_s", zener_lambda, "plate_thickness_m", plate_thickness_m)},
+    {"constant", BOTH_ENDS, FIT_CONSTANT, ONE("eps", identity)},
+    {"linear", ZERO_OVERLAP, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
+    {"linear", ZERO_FORCE, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
+    {"tsuji", ZERO_OVERLAP, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
+    {"tsuji", ZERO_FORCE, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
+    {"hunt-crossley", BOTH_ENDS, FIT_HUNT_CROSSLEY, ONE("dissipation_s_m", exp)},
+    {"hertz-dashpot", ZERO_OVERLAP, FIT_HERTZ_DASHPOT_ZERO_OVERLAP, DASHPOT},
+    {"hertz-dashpot", ZERO_FORCE, FIT_HERTZ_DASHPOT_ZERO_FORCE, DASHPOT},
     {"power-law", BOTH_ENDS, FIT_POWER_LAW, false, {"eps_at_1_m_s", "exponent"}, NULL, exp, NULL},
-    {"elastic-plastic",
-     BOTH_ENDS,
-     FIT_ELASTIC_PLASTIC,
-     true,
-     {"yield_speed_m_s"},
-     "yield_stress_pa",
-     exp,
-     yield_stress_pa},
-    {"adhesive", BOTH_ENDS, FIT_ADHESIVE, true, {"eps_dry", "adhesion_speed_m_s"}, NO_BODIES, identity, NULL},
+    {"elastic-plastic", BOTH_ENDS, FIT_ELASTIC_PLASTIC,
+     KNOWN("yield_speed_m_s", exp, "yield_stress_pa", yield_stress_pa)},
+    {"adhesive", BOTH_ENDS, FIT_ADHESIVE, true, {"eps_dry", "adhesion_speed_m_s"}, NULL, identity, NULL},
     {"adhesive-viscoelastic", ZERO_OVERLAP, FIT_ADHESIVE_SPHERE_ZERO_OVERLAP, SPHERE_AND("adhesion_speed_m_s")},
     {"adhesive-viscoelastic", ZERO_FORCE, FIT_ADHESIVE_SPHERE_ZERO_FORCE, SPHERE_AND("adhesion_speed_m_s")},
-    {"wet", BOTH_ENDS, FIT_WET, true, {"eps_dry", "liquid_speed_m_s"}, NO_BODIES, identity, NULL},
+    {"wet", BOTH_ENDS, FIT_WET, true, {"eps_dry", "liquid_speed_m_s"}, NULL, identity, NULL},
     {"wet-viscoelastic", ZERO_OVERLAP, FIT_WET_SPHERE_ZERO_OVERLAP, SPHERE_AND("liquid_speed_m_s")},
     {"wet-viscoelastic", ZERO_FORCE, FIT_WET_SPHERE_ZERO_FORCE, SPHERE_AND("liquid_speed_m_s")},
 };

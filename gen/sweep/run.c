@@ -353,6 +353,7 @@ static int run_checked(struct collide *run, const struct sweep_request *request)
         status = status == STATUS_OK ? drawn : status;
     }
     free(run->sweep.eps);
+    table_clear(&run->printer.table); /* of a sweep that failed */
     return status;
 }
 

@@ -150,46 +150,31 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
 
 /* ---- lines ---- */
 
-/* The kinds of columns, and their text in a line: */
+/* The kinds of columns */
 enum column_kind {
-    COLUMN_LIST,   /* a number of a list, unchanged */
-    COLUMN_COUNT,  /* number of modes, also from a list */
-    COLUMN_PLACES, /* a result, up to the second digit of its error */
-    COLUMN_DIGITS, /* a result taken during the contact: as many digits as eps has decimals */
-    COLUMN_WHOLE,  /* a result with all digits */
-    COLUMN_SMALL,  /* a result of which SMALL_DIGITS suffice */
-    COLUMN_STEPS,
-    COLUMN_ERROR, /* SMALL_DIGITS, rounded up */
-    COLUMN_STATUS /* the last one */
+    COLUMN_LIST = 'l',   /* a number of a list, unchanged */
+    COLUMN_COUNT = 'c',  /* number of modes, also from a list */
+    COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
+    COLUMN_DIGITS = 'd', /* a result taken during the contact: as many digits as eps has decimals */
+    COLUMN_WHOLE = 'w',  /* a result with all digits */
+    COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
+    COLUMN_STEPS = 'n',
+    COLUMN_ERROR = 'e', /* SMALL_DIGITS, rounded up */
+    COLUMN_STATUS = 't' /* the last one */
 };
 enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
 
-struct column {
-    const char *name;
-    enum column_kind kind;
-};
-static const struct column soft_columns[] = {{"speed", COLUMN_LIST},           {"nu", COLUMN_LIST},
-                                             {"alpha", COLUMN_LIST},           {"modes", COLUMN_COUNT},
-                                             {"eps", COLUMN_PLACES},           {"one_minus_eps2", COLUMN_PLACES},
-                                             {"contact_time", COLUMN_DIGITS},  {"max_compression", COLUMN_DIGITS},
-                                             {"energy_drift", COLUMN_SMALL},   {"steps", COLUMN_STEPS},
-                                             {"error_estimate", COLUMN_ERROR}, {"status", COLUMN_STATUS}};
-static const struct column hard_columns[] = {{"speed", COLUMN_LIST},
-                                             {"nu", COLUMN_LIST},
-                                             {"one_minus_eps2", COLUMN_PLACES},
-                                             {"eps", COLUMN_PLACES},
-                                             {"contact_time", COLUMN_DIGITS},
-                                             {"max_compression", COLUMN_DIGITS},
-                                             {"error_estimate", COLUMN_ERROR},
-                                             {"status", COLUMN_STATUS}};
-static const struct column rayleigh_columns[] = {
-    {"speed", COLUMN_LIST},   {"nu", COLUMN_LIST},    {"modes", COLUMN_COUNT},        {"fraction", COLUMN_PLACES},
-    {"tail", COLUMN_PLACES},  {"eps", COLUMN_PLACES}, {"contact_time", COLUMN_WHOLE}, {"error_estimate", COLUMN_ERROR},
-    {"status", COLUMN_STATUS}};
+static const struct layout {
+    const char *header, *kinds;
+} soft_layout = {"speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,"
+                 "error_estimate,status",
+                 "lllcppddsnet"},
+  hard_layout = {"speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status", "llppddet"},
+  rayleigh_layout = {"speed,nu,modes,fraction,tail,eps,contact_time,error_estimate,status", "llcpppwet"};
 
-static const struct column *columns_of(const struct sweep *sweep)
+static const struct layout *layout_of(const struct sweep *sweep)
 {
-    return sweep->hard_wall ? hard_columns : sweep->rayleigh ? rayleigh_columns : soft_columns;
+    return sweep->hard_wall ? &hard_layout : sweep->rayleigh ? &rayleigh_layout : &soft_layout;
 }
 
 /* The numbers of a row in the order of its columns, and its error */
@@ -258,7 +243,7 @@ static const char *known_text(char text[DECIMAL_TEXT], bool decimals, int digits
     return text;
 }
 
-static const char *cell_text(char text[DECIMAL_TEXT], enum column_kind kind, int decimals, double x)
+static const char *cell_text(char text[DECIMAL_TEXT], char kind, int decimals, double x)
 {
     switch (kind) {
     case COLUMN_PLACES:
@@ -285,10 +270,10 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct s
     const double error = row_values(value, sweep, row, result);
     /* decimals up to the second digit of the error; all where it is not known */
     const int decimals = error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), DECIMAL_TEXT / 2) : DECIMAL_TEXT / 2;
-    const struct column *column = columns_of(sweep);
+    const char *const kinds = layout_of(sweep)->kinds;
     size_t at = 0;
-    for (int j = 0; column[j].kind != COLUMN_STATUS; j++)
-        at += (size_t)snprintf(line + at, SWEEP_LINE - at, "%s,", cell_text(text, column[j].kind, decimals, value[j]));
+    for (int j = 0; kinds[j] != COLUMN_STATUS; j++)
+        at += (size_t)snprintf(line + at, SWEEP_LINE - at, "%s,", cell_text(text, kinds[j], decimals, value[j]));
     snprintf(line + at, SWEEP_LINE - at, "%s", status_word(text, result->status));
 }
 
@@ -306,8 +291,9 @@ static int column_width(const char *name, const struct values *values)
 }
 
 /* A cell of the text format: results with as many digits as the tolerance justifies. The status ends the line. */
-static void print_text(const struct sweep_printer *p, int j, enum column_kind kind, const char *text)
+static void print_text(const struct sweep_printer *p, int j, const char *text)
 {
+    const char kind = p->table.kinds[j];
     char rounded[DECIMAL_TEXT], *end;
     const double x = strtod(text, &end);
     const bool small = kind == COLUMN_SMALL || kind == COLUMN_ERROR;
@@ -322,15 +308,15 @@ static void print_text(const struct sweep_printer *p, int j, enum column_kind ki
         fprintf(p->file, kind == COLUMN_COUNT || kind == COLUMN_STEPS ? "%*s  " : "%-*s  ", p->width[j], text);
 }
 
-static void print_json(const struct sweep_printer *p, int j, const struct column *column, const char *text)
+static void print_json(const struct sweep_printer *p, int j, const char *text)
 {
-    const bool status = column->kind == COLUMN_STATUS;
+    const bool status = p->table.kinds[j] == COLUMN_STATUS;
     const bool finite = status || (strcmp(text, "nan") != 0 && !strstr(text, "inf"));
     fprintf(p->file, "%s\"%s\": %s%s%s",
             j         ? ", "
             : p->rows ? ",\n  {"
                       : "\n  {",
-            column->name, status ? "\"" : "", finite ? text : "null", status ? "\"}" : "");
+            p->table.column[j], status ? "\"" : "", finite ? text : "null", status ? "\"}" : "");
 }
 
 void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum output_format format, FILE *file)
@@ -339,26 +325,25 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
     const struct values *list[SWEEP_LISTS];
     lists_of(sweep, list);
     p->digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
-    if (format == FORMAT_JSON)
-        fputs("[", file);
-    enum column_kind kind = COLUMN_LIST;
-    for (int j = 0; kind != COLUMN_STATUS; j++) {
-        const struct column *const column = columns_of(sweep) + j;
-        kind = column->kind;
+    table_init(&p->table, layout_of(sweep)->header, layout_of(sweep)->kinds);
+    for (int j = 0; j < p->table.columns; j++) {
+        const char kind = p->table.kinds[j], *const name = p->table.column[j];
         const bool small = kind == COLUMN_SMALL || kind == COLUMN_ERROR;
         const int number = (int)(sizeof "-0.e-100" - 1) + (small ? SMALL_DIGITS : p->digits);
-        const int named = (int)strlen(column->name);
+        const int named = (int)strlen(name);
         if (kind == COLUMN_LIST || kind == COLUMN_COUNT)
-            p->width[j] = column_width(column->name, list[j]);
+            p->width[j] = column_width(name, list[j]);
         else if (kind == COLUMN_STEPS)
             p->width[j] = (int)sizeof TEXT_OF(COR_DISK_COLLISION_MAX_STEPS) - 1;
         else
             p->width[j] = number > named ? number : named;
-        if (format == FORMAT_CSV)
-            fprintf(file, "%s%s", column->name, kind == COLUMN_STATUS ? "\n" : ",");
-        else if (format == FORMAT_TEXT)
-            print_text(p, j, kind, column->name);
+        if (format == FORMAT_TEXT)
+            print_text(p, j, name);
     }
+    if (format != FORMAT_TEXT)
+        fprintf(file, "%s", format == FORMAT_JSON ? "[" : layout_of(sweep)->header);
+    if (format == FORMAT_CSV)
+        fputc('\n', file);
 }
 
 void sweep_print(struct sweep_printer *p, const char *line)
@@ -367,20 +352,16 @@ void sweep_print(struct sweep_printer *p, const char *line)
     snprintf(copy, sizeof copy, "%s", line);
     if (p->format == FORMAT_CSV)
         fprintf(p->file, "%s\n", line);
-    const struct column *const column = columns_of(p->sweep);
-    for (int j = 0;; j++) {
+    for (int j = 0; j < p->table.columns; j++) {
         char *const end = cell + strcspn(cell, ",");
-        const bool last = column[j].kind == COLUMN_STATUS;
         *end = '\0';
         if (p->format == FORMAT_JSON)
-            print_json(p, j, &column[j], cell);
+            print_json(p, j, cell);
         else if (p->format == FORMAT_TEXT)
-            print_text(p, j, column[j].kind, cell);
-        if (p->sweep->eps && strcmp(column[j].name, "eps") == 0)
+            print_text(p, j, cell);
+        if (p->sweep->eps && strcmp(p->table.column[j], "eps") == 0)
             p->sweep->eps[p->rows] = strtod(cell, NULL);
-        if (last)
-            break;
-        cell = end + 1;
+        cell = j + 1 < p->table.columns ? end + 1 : cell;
     }
     p->rows++;
     const bool coarse = strcmp(cell, "tolerance_not_reached") == 0, beyond = strcmp(cell, "beyond_theory") == 0;
@@ -393,4 +374,5 @@ void sweep_print_end(struct sweep_printer *p)
 {
     if (p->format == FORMAT_JSON)
         fputs("\n]\n", p->file);
+    table_clear(&p->table);
 }

@@ -66,6 +66,7 @@ struct sweep_printer {
     FILE *file;
     enum output_format format;
     const struct sweep *sweep;
+    struct table table;                                          /* names and kinds of the columns */
     int width[SWEEP_COLUMNS], digits;                            /* of the columns in text format */
     uint64_t rows, tolerance_not_reached, beyond_theory, failed; /* failed: rows without eps */
 };

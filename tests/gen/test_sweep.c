@@ -188,6 +188,7 @@ TEST(test_product)
         sweep.tolerance = tolerance[i];
         sweep_print_start(&printer, &sweep, FORMAT_CSV, none);
         assert_int_equal(printer.digits, i < 3 ? 6 : 5);
+        sweep_print_end(&printer);
     }
     fclose(none);
     sweep_clear(&sweep);
