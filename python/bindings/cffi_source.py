@@ -30,7 +30,7 @@ def constant_type(constant: Constant) -> str:
 def declarations(declared: Declarations) -> str:
     """What cffi is given to read."""
     lines = list(declared.types)
-    called = [c for c in calls(declared).values() if c.kind == "other" or is_of_doubles(c)]
+    called = [c for c in calls(declared).values() if c.kind == "other" or is_a_call(c)]
     lines += [f"{_prototype(call.function)};" for call in called]
     lines += [f"extern {o.type} {o.name};" for o in declared.objects.values()]
     for constant in declared.constants.values():
@@ -142,10 +142,9 @@ def has_float(call: Call) -> bool:
     return call.float_function is not None or call.function.result == "double" and any(map(_is_real, call.values))
 
 
-def is_of_doubles(call: Call) -> bool:
+def is_a_call(call: Call) -> bool:
     """Whether one number is computed by a call of the function itself, without a loop."""
-    types = [p.type for p in call.values] + [call.function.result]
-    return call.kind == "elementwise" and len(types) > 1 and set(types) == {"double"}
+    return call.kind == "elementwise" and bool(call.values) and call.function.result == "double"
 
 
 def _is_real(p: Parameter) -> bool:

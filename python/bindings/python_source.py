@@ -188,7 +188,9 @@ class _Module:
         """The arguments of a loop: addresses of structs, then numbers."""
         parameters = [p for p in call.function.parameters if not output_struct(p)]
         pairs = list(zip(parameters, names))
-        structs = "".join(f'pointer({n}, "{input_struct(p)}", "{n}"), ' for p, n in pairs if is_input(p))
+        structs = "".join(
+            "self._c, " if n == "self" else f'pointer({n}, "{input_struct(p)}", "{n}"), ' for p, n in pairs if is_input(p)
+        )
         values = "".join(f"{n}, " for p, n in pairs if is_value(p))
         return f"({structs.strip()}), ({values.strip()})"
 

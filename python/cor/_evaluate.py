@@ -3,6 +3,7 @@
 
 import sys
 import warnings
+from enum import IntEnum
 from typing import Any, ClassVar, List, Optional, Sequence, Tuple, TypeVar
 
 import numpy as np
@@ -117,11 +118,11 @@ class Struct:
 
 def pointer(struct: Any, name: str, argument: str = "") -> Any:
     """The address of a struct, which has to be the one named. A number is the tolerance of a rigid wall."""
+    if getattr(struct, "_struct", None) == name:
+        return struct._c
     if name == "cor_disk_hard_wall_options" and isinstance(struct, (int, float, np.number)):
         return ffi.new(f"struct {name} *", {"tolerance": float(struct)})
-    if getattr(struct, "_struct", None) != name:
-        raise TypeError(f"{argument and argument + ': '}{type(struct).__name__} is not a struct {name}")
-    return struct._c
+    raise TypeError(f"{argument and argument + ': '}{type(struct).__name__} is not a struct {name}")
 
 
 def address(array: Array, writable: bool = False) -> Any:
@@ -209,12 +210,12 @@ class Elementwise(_Loop):
     def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...], out: Optional[Array] = None) -> Any:
         if out is None and self._scalar is not None:
             for value in values:
-                if type(value) not in _NUMBERS:
+                if type(value) not in _NUMBERS and not isinstance(value, IntEnum):
                     break
             else:  # numbers alone: no arrays are made
                 try:
                     return _number(self._scalar(*structs, *values))
-                except OverflowError:  # an integer beyond the doubles
+                except (OverflowError, TypeError):  # an integer beyond the doubles; a fraction for an integer
                     pass
         arrays, narrow = self._arrays(values, self._float_loop is not None)
         shape = _shape(arrays) if arrays else ()

@@ -11,6 +11,7 @@ from ._docs import DOCS
 from ._evaluate import Array, address, check_out, fits, prepared_array
 
 _FLOAT32: "np.dtype[Any]" = np.dtype(np.float32)
+_NUMBERS = frozenset((float, np.float32))
 
 
 def _float32(x: ArrayLike) -> Array:
@@ -30,7 +31,7 @@ def _fast(name: str) -> Callable[..., Any]:
     function = getattr(lib, f"cor_sphere_{name}")
 
     def fast(x: ArrayLike, /) -> Any:
-        return np.float32(function(_float32(x).item()))
+        return np.float32(function(x if type(x) in _NUMBERS else _float32(x).item()))
 
     return _documented(fast, name)
 

@@ -103,6 +103,17 @@ def test_dtypes():
     assert cor.disk.modes_below(0.33, [10.0, 20.0]).dtype == np.uintp
 
 
+def test_numbers_alone():
+    datum = cor.disk.Datum.DIAMETER
+    assert cor.disk.load(0.01, 0.33, datum) == cor.disk.load([0.01], 0.33, datum)[0]
+    assert cor.disk.load(0.01, 0.33, datum) != cor.disk.load(0.01, 0.33, cor.disk.Datum.CENTRE_OF_MASS)
+    assert type(cor.disk.load(0.01, 0.33, datum)) is np.float64
+    with pytest.raises(TypeError, match="datum: an integer is needed, not float64"):
+        cor.disk.load(0.01, 0.33, 0.5)
+    with pytest.raises(TypeError, match="Contact is needed|is not a struct cor_sphere_contact"):
+        cor.contact.eps_zero_force(0.3, 1.0)
+
+
 def test_fast_arrays():
     narrow = X.astype(np.float32).reshape(4, 6)
     fast = cor.sphere.eps_zero_force_fast_arrayf(narrow)
@@ -113,7 +124,10 @@ def test_fast_arrays():
     np.testing.assert_array_equal(out, fast)
     assert cor.sphere.loss_zero_overlap_fast_arrayf(np.float32(0)) == 0
     assert cor.sphere.eps_zero_force_fastf(narrow[1, 2]) == fast[1, 2]
-    assert cor.sphere.eps_zero_force_fastf(0.0) == 1
+    assert cor.sphere.eps_zero_force_fastf(0.0) == cor.sphere.eps_zero_force_fastf(0) == 1
+    assert type(cor.sphere.eps_zero_force_fastf(0.5)) is np.float32
+    with pytest.raises(TypeError, match="float32 is needed"):
+        cor.sphere.eps_zero_force_fastf(np.float64(0.5))
     with pytest.raises(TypeError, match="float32 is needed"):
         cor.sphere.max_overlap_fast_arrayf(X)
     with pytest.raises(ValueError, match="shape"):
