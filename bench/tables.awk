@@ -153,8 +153,8 @@ function disk(i, column) { return cell["disks", i, column] }
 function is_disk(i, t, m) { return disk(i, 1) == t && disk(i, 2) == m }
 # Fewest modes: in their order time grows, but for what the clock adds.
 function energy(    e, i, k, m, names, best) {
-    head("| error at most | cor to a tolerance | cor, a plain sum | cosine integrals |")
-    m = split("cor truncation cosines", names, " ")
+    head("| error at most | cor to a tolerance | cor, a plain sum |")
+    m = split("cor truncation", names, " ")
     for (e = 1; e <= 7; e++) {
         printf "| 1e-%d |", e
         for (k = 1; k <= m; k++) {
@@ -166,12 +166,10 @@ function energy(    e, i, k, m, names, best) {
         printf "\n"
     }
 }
-function modes(    i, k) {
-    head("| v | cor | cosine integrals |")
+function modes(    i) {
+    head("| v | cor |")
     for (i = 1; i <= rows["disks"]; i++)
-        for (k = 1; is_disk(i, "rayleigh", "cor") && k <= rows["disks"]; k++)
-            if (is_disk(k, "rayleigh", "cosines") && disk(k, 3) == disk(i, 3))
-                printf "| %s | %s, %s | %s, %s |\n", short(disk(i, 3)), time(disk(i, 6)), short(disk(i, 7)), time(disk(k, 6)), short(disk(k, 7))
+        if (is_disk(i, "rayleigh", "cor")) printf "| %s | %s, %s |\n", short(disk(i, 3)), time(disk(i, 6)), short(disk(i, 7))
 }
 # The fastest run of a table within an error, and not by luck: it stays below for every smaller tolerance, or for every
 # larger number of modes.

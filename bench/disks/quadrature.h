@@ -4,9 +4,8 @@
  *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
  *     y = 1 + t,     t - ln(1 + t) = 2 ln(v_limit/(v sin(theta))),
  *
- * by Gauss and Legendre's rule in panels that shrink towards both ends, where the integrand has singularities: in
- * double what a careful user would write, in long double what is judged by, by another route than the library's, which
- * leaves the real axis. */
+ * by Gauss and Legendre's rule in long double, in panels that shrink towards both ends, where the integrand has
+ * singularities: the truth, by another route than the library's, which leaves the real axis. */
 #ifndef COR_BENCH_DISKS_QUADRATURE_H
 #define COR_BENCH_DISKS_QUADRATURE_H
 
@@ -27,9 +26,7 @@ struct disk_grid {
 
 /* C^2 (2 I)^2 of mode[0..n-1] for the contact law's constant b. Returns the number of nodes; 0: more than
  * DISK_GRID_NODES, or a panel's points out of range. */
-size_t disk_quadrature_double(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b,
-                              double speed, long double *fraction);
-size_t disk_quadrature_long(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b,
-                            double speed, long double *fraction);
+size_t disk_quadrature(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b, double speed,
+                       long double *fraction);
 
 #endif

@@ -21,9 +21,7 @@ set bmargin at screen 0.25
 set ylabel "relative error" offset 0.5
 set yrange [1e-8:1]
 set key at screen 0.53,0.01 center bottom maxrows 2 width 2
-plot csv using (ms($6)):(y("energy", "cosines")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb black \
-         title "cosine integrals on the real axis", \
-     csv using (ms($6)):(y("energy", "truncation")) skip 1 with linespoints pt 5 ps 0.5 lw 1.8 lc rgb red \
+plot csv using (ms($6)):(y("energy", "truncation")) skip 1 with linespoints pt 5 ps 0.5 lw 1.8 lc rgb red \
          title "cor, the sum over as many modes as written", \
      csv using (ms($6)):(y("energy", "cor")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb blue \
          title "cor, to a tolerance", \
