@@ -35,7 +35,4 @@ void disk_csv(struct disk_bench *bench, const struct disk_row *row);
 /* Exits with the text of the status, unless it is COR_OK or the other one. */
 void disk_must(int status, int other);
 
-/* Memory full of zeros from the begin of a cache line, or exits; for free(). */
-void *disk_memory(size_t n, size_t size);
-
 #endif

@@ -17,16 +17,6 @@ void disk_must(int status, int other)
     }
 }
 
-enum { CACHE_LINE = 64 };
-
-void *disk_memory(size_t n, size_t size)
-{
-    const size_t bytes = (n * size + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
-    void *const memory = aligned_alloc(CACHE_LINE, bytes);
-    disk_must(memory ? COR_OK : COR_ERROR_MEMORY, COR_OK);
-    return memset(memory, 0, bytes);
-}
-
 void disk_csv(struct disk_bench *bench, const struct disk_row *row)
 {
     FILE *const files[2] = {bench->csv, stdout};
@@ -56,7 +46,8 @@ int main(int argc, char **argv)
         bench.timing.rounds = 16;
     disk_must(cor_disk_modes_read(argv[2], NULL, 0, &modes, NULL), COR_ERROR_CAPACITY);
     const size_t count = modes.count;
-    struct cor_disk_mode *const mode = disk_memory(count, sizeof *mode);
+    struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
+    disk_must(mode ? COR_OK : COR_ERROR_MEMORY, COR_OK);
     disk_must(cor_disk_modes_read(argv[2], mode, count, &modes, NULL), COR_OK);
     bench.all = &modes;
     bench.csv = table_open(argv[1], "disks.csv", "table,method,speed,setting,modes,seconds,error");

@@ -4,28 +4,25 @@
 #include <math.h>
 #include <stdlib.h>
 
-static void require(int condition, const char *what)
-{
-    if (!condition) {
-        fprintf(stderr, "bench: cannot write %s\n", what);
-        exit(1);
-    }
-}
-
 FILE *table_open(const char *directory, const char *name, const char *heading)
 {
     char path[4096];
     snprintf(path, sizeof path, "%s/%s", directory, name);
     FILE *const file = fopen(path, "w");
-    require(file != NULL, path);
-    fprintf(file, "%s\n", heading);
+    if (!file || fprintf(file, "%s\n", heading) < 0) {
+        fprintf(stderr, "bench: cannot write %s\n", path);
+        exit(1);
+    }
     return file;
 }
 
 void table_close(FILE *file)
 {
     const int failed = ferror(file);
-    require(fclose(file) == 0 && !failed, "a table");
+    if (fclose(file) != 0 || failed) {
+        fprintf(stderr, "bench: cannot write a table\n");
+        exit(1);
+    }
 }
 
 void table_number(FILE *file, const char *format, double value)

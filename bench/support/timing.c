@@ -17,11 +17,6 @@ static double sample(const struct job *job, long repeats)
     return 1e9 * (clock_seconds() - start) / (double)repeats;
 }
 
-void timing_once(struct job *job)
-{
-    job->best_ns = sample(job, 1) / job->evaluations;
-}
-
 void timing_measure(struct job *jobs, size_t n, struct timing timing)
 {
     long *repeats = malloc(n * sizeof *repeats);

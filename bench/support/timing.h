@@ -22,7 +22,4 @@ struct timing {
 /* Runs every job by turns and fills best_ns. */
 void timing_measure(struct job *jobs, size_t n, struct timing timing);
 
-/* One run, for what takes seconds. */
-void timing_once(struct job *job);
-
 #endif
