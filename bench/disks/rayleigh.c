@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy: each of 1800 modes from slow to fast, and the energy of all modes, error against time. The truth of
- * a mode is the integral on the real axis in long double; the truth of all modes is the sum over many more of them and
- * its own tail. */
+/* Rayleigh's energy: each of 1800 modes from slow to fast, and the energy of all modes, error against time. The truth
+ * of a mode is the integral on the real axis in long double; the truth of all modes is the sum over many more of them
+ * and its own tail. */
 #include <math.h>
 #include <stdbool.h>
 

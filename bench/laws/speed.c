@@ -89,15 +89,16 @@ static long double exact_sphere_force(long double beta)
 
 /* ---- what is in use ---- */
 
+static const double pi = 3.14159265358979323846;
+
 static double formula_eps_overlap(double zeta)
 {
-    return zeta < 1 ? exp(-3.14159265358979323846 * zeta / sqrt(1 - zeta * zeta)) : 0;
+    return zeta < 1 ? exp(-pi * zeta / sqrt(1 - zeta * zeta)) : 0;
 }
 
 /* Schwager and Poeschel's three cases, as Kratos and others code them */
 static double formula_eps_force(double zeta)
 {
-    const double pi = 3.14159265358979323846;
     if (zeta < 0.70710678118654752440) {
         const double om = sqrt(1 - zeta * zeta);
         return exp(-zeta / om * (pi - atan(2 * zeta * om / (1 - 2 * zeta * zeta))));
@@ -117,7 +118,7 @@ static double formula_loss_force(double zeta)
 
 static double formula_zeta_overlap(double e)
 {
-    const double pi = 3.14159265358979323846, l = log(e);
+    const double l = log(e);
     return -l / sqrt(pi * pi + l * l);
 }
 

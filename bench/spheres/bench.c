@@ -93,11 +93,6 @@ static double worst_error(const struct truth *truth, const struct scene *scene, 
     return worst;
 }
 
-static int belongs(const struct method *method, const struct scene *scene)
-{
-    return !method->scene || strcmp(method->scene, scene->name) == 0;
-}
-
 /* The speeds of a scene and their beta, by enum input. */
 struct inputs {
     double *random[2]; /* SCALARS of them, of which arrays take the first */
@@ -175,7 +170,7 @@ static void measure_scene(FILE *const csv[2], const struct methods *methods, con
     size_t n = 0, n_jobs = 0;
     for (size_t i = 0; i < methods->n; i++) {
         const struct method *const m = &methods->row[i];
-        if (!belongs(m, scene) || m->end == NO_END)
+        if ((m->scene && strcmp(m->scene, scene->name) != 0) || m->end == NO_END)
             continue;
         tasks[n] = task_of(m, scene, &in);
         jobs[n_jobs++] = (struct job){run_each, &tasks[n], (double)tasks[n].n, NAN};
