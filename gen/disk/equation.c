@@ -156,7 +156,7 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
 }
 
 /* T0, T1, T2 are bilinear. With the derivatives of one wave they are one half of the product rule. */
-static void products(arb_struct t[3], const struct disk *disk, const arb_t h, const arb_t d, const arb_t k,
+static void products(arb_ptr t, const struct disk *disk, const arb_t h, const arb_t d, const arb_t k,
                      const struct wave *b)
 {
     const slong prec = disk->prec;
@@ -171,7 +171,7 @@ static void products(arb_struct t[3], const struct disk *disk, const arb_t h, co
 }
 
 /* f = rest - n(n-1)/2 T0 is the left side of the equation; rest contains the terms with the factor g */
-static void combine(arb_t f, arb_t rest, const arb_struct t[3], const struct disk *disk, const arb_t g, slong n)
+static void combine(arb_t f, arb_t rest, arb_srcptr t, const struct disk *disk, const arb_t g, slong n)
 {
     const slong prec = disk->prec;
     arb_mul(rest, disk->s, t + 2, prec);
@@ -196,7 +196,7 @@ enum { UNDECIDED_SIGN = 3 };
 /* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive factors, the 2 x 2
  * matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of the equation, and diagonals
  * -y/D and -P/D, where P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
-static int eigenvalues(const arb_struct t[3], const struct disk *disk, const struct waves *v, slong n)
+static int eigenvalues(arb_srcptr t, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
     LOCAL(arb, f, x, y);
@@ -239,23 +239,10 @@ static int eigenvalues(const arb_struct t[3], const struct disk *disk, const str
     return result;
 }
 
-static void three_init(arb_struct t[3])
-{
-    for (int i = 0; i < 3; i++)
-        arb_init(t + i);
-}
-
-static void three_clear(arb_struct t[3])
-{
-    for (int i = 0; i < 3; i++)
-        arb_clear(t + i);
-}
-
 slong disk_count(const struct disk *disk, slong n, const arb_t w)
 {
-    arb_struct t[3];
+    LOCAL_VECTOR(t, 3);
     LOCAL_INIT(waves, v, (&v));
-    three_init(t);
     slong count = DISK_UNDECIDED;
     if (!waves_set(&v, disk, n, w)) {
         /* undecided */
@@ -273,18 +260,16 @@ slong disk_count(const struct disk *disk, slong n, const arb_t w)
         if (rim != UNDECIDED_SIGN)
             count = v.a.zeros + v.b.zeros + rim + (n > 1);
     }
-    three_clear(t);
     return count;
 }
 
 int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
 {
     const slong prec = disk->prec;
-    arb_struct t[3];
+    LOCAL_VECTOR(t, 3);
     LOCAL(arb, f, df, rest);
     LOCAL_INIT(waves, v, (&v));
     LOCAL_INIT(wave, derivative, (&derivative));
-    three_init(t);
     int done = waves_set(&v, disk, n, w);
     if (done) {
         wave_derivative(derivative.h, derivative.d, derivative.k, &v.a, n, prec);
@@ -308,7 +293,6 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
         arb_div(step, f, df, prec);
         done = arb_is_finite(step);
     }
-    three_clear(t);
     return done;
 }
 
