@@ -155,7 +155,7 @@ def _table(modes: DiskModes) -> Any:
     return pointer(modes, "cor_disk_modes")
 
 
-def _room_for_fractions(
+def _fractions_array(
     modes: DiskModes, n_modes: int, shape: Tuple[int, ...], wanted: bool
 ) -> Tuple[Optional[Array], Any]:
     """An array for the fractions of the modes and its address; none, where n_modes is an error that C reports."""
@@ -186,8 +186,8 @@ def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_frac
     """A record of the results and the status; with mode_fraction also the array of the fractions."""
     out = np.zeros((), _RAYLEIGH)
     table = _table(modes)
-    fractions, room = _room_for_fractions(modes, n_modes, (), mode_fraction)
-    out["status"] = lib.cor_disk_rayleigh(table, n_modes, datum, speed, _one(out), room)
+    fractions, at = _fractions_array(modes, n_modes, (), mode_fraction)
+    out["status"] = lib.cor_disk_rayleigh(table, n_modes, datum, speed, _one(out), at)
     judge(np.asarray(out["status"]))
     result = out.view(np.recarray)[()]
     return (result, fractions) if mode_fraction else result
@@ -201,10 +201,10 @@ def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike,
     table = _table(modes)
     out = np.zeros(speeds.size, plain_dtype("cor_disk_rayleigh"))
     status = np.zeros(speeds.size, np.intc)
-    fractions, room = _room_for_fractions(modes, n_modes, speeds.shape, mode_fraction)
+    fractions, at = _fractions_array(modes, n_modes, speeds.shape, mode_fraction)
     pointer_out = ffi.from_buffer("struct cor_disk_rayleigh[]", out, True)
     whole = lib.cor_disk_rayleigh_array(
-        table, n_modes, datum, address(speeds), speeds.size, pointer_out, room, address(status, True)
+        table, n_modes, datum, address(speeds), speeds.size, pointer_out, at, address(status, True)
     )
     records = _records("cor_disk_rayleigh", whole, out, status, speeds.shape)
     return (records, fractions) if mode_fraction else records
@@ -307,12 +307,12 @@ def cor_python_observe_disk_hard_wall_detail(context: Any, moment: Any) -> None:
 def _in(what: str, workspace: Any, modes: DiskModes, n_modes: int, options: Any, speed: float, detail: Any) -> Any:
     """cor_disk_<what>_in"""
     out = np.zeros((), record_dtype(f"cor_disk_{what}"))
-    room = ffi.from_buffer("char[]", workspace, True)
+    memory = ffi.from_buffer("char[]", workspace, True)
     if detail is not None and detail.energy_after.size < n_modes <= modes.count:
-        raise ValueError(f"the detail has room for {detail.energy_after.size} modes, not for {n_modes}")
+        raise ValueError(f"the detail holds {detail.energy_after.size} modes, not for {n_modes}")
     out["status"] = getattr(lib, f"cor_disk_{what}_in")(
-        room,
-        len(room),
+        memory,
+        len(memory),
         _table(modes),
         n_modes,
         pointer(options, f"cor_disk_{what}_options"),
