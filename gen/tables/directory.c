@@ -239,10 +239,8 @@ static int know_limits(bool *known, const struct tables_request *request, const 
     if (set_path(path, directory, DISK_LIMITS_FILE))
         return STATUS_FAILED;
     if (request->all && !request->check) {
-        if (mkdir(directory, 0777) && errno != EEXIST)
-            return fail("cannot make %s: %s", directory, strerror(errno));
         profile_step(DISK_LIMITS_FILE);
-        const int status = disk_limits_collide(path);
+        const int status = disk_limits_collide();
         profile_step(NULL);
         *known = status == STATUS_OK;
         return status;

@@ -13,7 +13,6 @@
 #include "support/emit_c.h"
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
-#include "sweep/journal.h"
 #include "sweep/threads.h"
 
 /* The plane and its first division */
@@ -134,8 +133,7 @@ struct outcome {
 struct collisions {
     struct scene *scene; /* in order of place */
     struct hard_wall_tables tables;
-    struct journal *journal; /* NULL: none */
-    const char *name;        /* for the progress */
+    const char *name; /* for the progress */
     long done, count;
 };
 
@@ -159,13 +157,6 @@ static int scene_finish(void *context, uint64_t task, const void *result)
         return fail("nu = %.17g, v = %.17g: %s", nu_at(scene->nu), speed_at(scene->x), cor_status_text(outcome.status));
     scene->value = (int32_t)lround(outcome.out.one_minus_eps2 / COR_DISK_LIMIT_UNIT);
     scene->estimate = (int32_t)ceil(outcome.out.error_estimate / COR_DISK_LIMIT_UNIT);
-    if (run->journal) {
-        char line[LINE];
-        snprintf(line, sizeof line, "%" PRId32 " %" PRId32 " %" PRId32 " %" PRId32, scene->x, scene->nu, scene->value,
-                 scene->estimate);
-        if (journal_add(run->journal, line) != STATUS_OK)
-            return STATUS_FAILED;
-    }
     run->done++;
     return STATUS_OK;
 }
@@ -174,13 +165,13 @@ static int sweep_tick(void *context)
 {
     const struct collisions *const run = context;
     progress(run->name, run->done, run->count);
-    return run->journal ? journal_flush(run->journal) : STATUS_OK;
+    return STATUS_OK;
 }
 
 /* Computes all scenes. They are in order of place, so that those of one material are together. */
-static int collide_all(struct scene *scene, long count, struct journal *journal, const char *name)
+static int collide_all(struct scene *scene, long count, const char *name)
 {
-    struct collisions run = {.scene = scene, .journal = journal, .name = name, .count = count};
+    struct collisions run = {.scene = scene, .name = name, .count = count};
     hard_wall_tables_init(&run.tables);
     const struct threads_work work = {&run, sizeof(struct outcome), scene_collide, scene_finish, sweep_tick};
     int status = STATUS_OK;
@@ -190,8 +181,6 @@ static int collide_all(struct scene *scene, long count, struct journal *journal,
         hard_wall_tables_set(&run.tables, nu_at(scene[first].nu));
         status = threads_run(&work, parallel_processors(), (uint64_t)first, (uint64_t)end);
     }
-    if (status == STATUS_OK && journal)
-        status = journal_flush(journal);
     progress_end();
     hard_wall_tables_clear(&run.tables);
     return status;
@@ -202,8 +191,6 @@ static int collide_all(struct scene *scene, long count, struct journal *journal,
 struct scenes {
     struct scene *scene; /* in order of place */
     long count, capacity;
-    struct scene *found; /* scenes of an earlier, unfinished run, in order of place; number of those needed */
-    long found_count, found_capacity, recalled;
 };
 
 static void add_scene(struct scene **list, long *count, long *capacity, struct scene scene)
@@ -219,41 +206,6 @@ static const struct scene *known_scene(const struct scenes *scenes, int32_t x, i
 {
     const struct scene key = {x, nu, 0, 0};
     return scenes->count ? bsearch(&key, scenes->scene, (size_t)scenes->count, sizeof key, by_place) : NULL;
-}
-
-static void take_found(void *context, const char *line)
-{
-    struct scenes *const scenes = context;
-    long number[4];
-    for (int i = 0; i < 4; i++) {
-        char *end;
-        number[i] = strtol(line, &end, 10);
-        if (end == line || number[i] < INT32_MIN || number[i] > INT32_MAX)
-            return;
-        line = end;
-    }
-    const struct scene scene = {(int32_t)number[0], (int32_t)number[1], (int32_t)number[2], (int32_t)number[3]};
-    add_scene(&scenes->found, &scenes->found_count, &scenes->found_capacity, scene);
-}
-
-/* Moves scenes that an earlier run has computed from a list to the known scenes. Returns the number of scenes that
- * remain in the list. */
-static long scenes_recall(struct scenes *scenes, struct scene *needed, long count)
-{
-    long kept = 0;
-    for (long i = 0; i < count; i++) {
-        const struct scene *const found =
-            scenes->found_count
-                ? bsearch(&needed[i], scenes->found, (size_t)scenes->found_count, sizeof *needed, by_place)
-                : NULL;
-        if (found) {
-            add_scene(&scenes->scene, &scenes->count, &scenes->capacity, *found);
-            scenes->recalled++;
-        } else {
-            needed[kept++] = needed[i];
-        }
-    }
-    return kept;
 }
 
 /* ---- cells ---- */
@@ -291,17 +243,16 @@ static long without_repetitions(struct scene *scene, long count)
     return kept;
 }
 
-static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells, struct journal *journal)
+static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells)
 {
     struct scene *needed = NULL;
     long count = 0, capacity = 0;
     for (int i = 0; i < cells; i++)
         need_places(&cell[i], scenes, &needed, &count, &capacity);
     count = without_repetitions(needed, count);
-    count = scenes_recall(scenes, needed, count);
     char name[LINE];
     snprintf(name, sizeof name, "collisions for %d cells", cells);
-    const int status = collide_all(needed, count, journal, name);
+    const int status = collide_all(needed, count, name);
     for (long i = 0; i < count; i++)
         add_scene(&scenes->scene, &scenes->count, &scenes->capacity, needed[i]);
     if (scenes->count)
@@ -350,9 +301,9 @@ static void cell_cut(const struct cell *cell, struct cell *quarter)
 }
 
 /* Cells of one depth become part of the table or are divided; *cell becomes the list of their quarters. */
-static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells, struct journal *journal)
+static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
 {
-    int status = find_scenes(scenes, *cell, *cells, journal), cut_cells = 0;
+    int status = find_scenes(scenes, *cell, *cells), cut_cells = 0;
     struct cell *const next = xmalloc(4 * (size_t)*cells * sizeof *next);
     for (int i = 0; i < *cells && status == STATUS_OK; i++) {
         const struct cell *const c = &(*cell)[i];
@@ -373,49 +324,23 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells, st
     return status;
 }
 
-static int collide_cells(struct scenes *scenes, struct journal *journal)
+int disk_limits_collide(void)
 {
+    const double start = clock_processor_seconds();
+    struct scenes scenes = {0};
     struct cell *cell = xmalloc(ROOTS * sizeof *cell);
     int cells = ROOTS, status = STATUS_OK;
+    start_table();
     table->nodes = ROOTS;
     for (int i = 0; i < ROOTS; i++)
         cell[i] = (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, i};
     while (cells > 0 && status == STATUS_OK)
-        status = cell_refine(scenes, &cell, &cells, journal);
+        status = cell_refine(&scenes, &cell, &cells);
     free(cell);
-    return status;
-}
-
-int disk_limits_collide(const char *path)
-{
-    const double start = clock_processor_seconds();
-    struct journal journal;
-    struct scenes scenes = {0};
-    char title[4 * LINE];
-    snprintf(title, sizeof title,
-             "corgen tables --all, unfinished: %d cells of %d sixths, v %g to %g, nu from %g by %g, to %g up to v = %g "
-             "and %g",
-             X_ROOTS, ROOT_SIDE, FIRST_SPEED, LAST_SPEED, FIRST_NU, NU_STEP, CALM_TOLERANCE, calm_end(),
-             FAST_TOLERANCE);
-    int status = journal_open(&journal, path, title, UINT64_MAX);
-    if (status != STATUS_OK)
-        return status;
-    status = journal_read(&journal, take_found, &scenes);
-    scenes.found_count = without_repetitions(scenes.found, scenes.found_count);
-    start_table();
-    if (status == STATUS_OK) {
-        journal_say_on_interrupt(&journal);
-        status = collide_cells(&scenes, &journal);
-        journal_silent_on_interrupt(&journal);
-    }
     table->scenes = scenes.count;
-    /* seconds of this run, scaled up by the number of all collisions over that of this run */
-    const long own = scenes.count - scenes.recalled;
-    table->seconds = lround((clock_processor_seconds() - start) * (own > 0 ? (double)scenes.count / (double)own : 1));
+    table->seconds = lround(clock_processor_seconds() - start);
     table->known = status == STATUS_OK;
-    journal_close(&journal, status == STATUS_OK);
     free(scenes.scene);
-    free(scenes.found);
     return status;
 }
 
@@ -761,7 +686,7 @@ int disk_limits_check_sample(uint64_t seed)
     scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)sample_draw(&state, 3)) * sixth, row, 0, 0};
     free(of_cell);
     struct check check = {0};
-    const int status = collide_all(scene, COR_DISK_LIMIT_SIDE + 1, NULL, "collisions");
+    const int status = collide_all(scene, COR_DISK_LIMIT_SIDE + 1, "collisions");
     if (status != STATUS_OK)
         return status;
     for (int k = 0; k <= COR_DISK_LIMIT_SIDE; k++)
@@ -777,7 +702,7 @@ int disk_limits_check_all(void)
     struct cell *const of_cell = places_of_cells();
     struct scenes scenes = {0};
     struct check check = {0};
-    const int status = find_scenes(&scenes, of_cell, table->cells, NULL);
+    const int status = find_scenes(&scenes, of_cell, table->cells);
     for (int i = 0; i < table->cells && status == STATUS_OK; i++)
         for (int j = 0; j <= SIXTHS; j++)
             for (int k = j % 2; k <= SIXTHS; k += 2)

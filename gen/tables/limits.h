@@ -14,8 +14,7 @@
 
 /* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. The table stays in memory until
  * disk_limits_clear. */
-int disk_limits_collide(const char *path);                             /* computes all collisions; an unfinished run
-                                                                        * keeps them in path.part */
+int disk_limits_collide(void);                                         /* computes all collisions */
 int disk_limits_read(const char *text, size_t size, const char *path); /* reads a whole file; `path` is for messages */
 bool disk_limits_known(void);
 void disk_limits_clear(void);

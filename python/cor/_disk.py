@@ -309,7 +309,7 @@ def _in(what: str, workspace: Any, modes: DiskModes, n_modes: int, options: Any,
     out = np.zeros((), record_dtype(f"cor_disk_{what}"))
     memory = ffi.from_buffer("char[]", workspace, True)
     if detail is not None and detail.energy_after.size < n_modes <= modes.count:
-        raise ValueError(f"the detail holds {detail.energy_after.size} modes, not for {n_modes}")
+        raise ValueError(f"the detail has room for {detail.energy_after.size} modes, not for {n_modes}")
     out["status"] = getattr(lib, f"cor_disk_{what}_in")(
         memory,
         len(memory),
