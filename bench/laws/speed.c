@@ -283,7 +283,7 @@ static void run_line(void *closure)
         for (int i = 0; i < COUNT; i++)
             line->y[i] = f(line->x[i]);
     else if (loop < FIRST_DASHPOT)
-        cor_law_loops(line->set)->of[loop](line->x, line->y, COUNT);
+        cor_law_loops(line->set)->run((enum cor_law_loop)loop, line->x, line->y, COUNT);
     else
         cor_dashpot_array_of_set(line->set, (enum cor_dashpot_number)(loop - FIRST_DASHPOT), line->x, line->y, COUNT);
 }

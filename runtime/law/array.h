@@ -8,22 +8,18 @@
 #include "runtime/law/functions.h"
 #include "runtime/number/sets.h"
 
-typedef void cor_law_array_function(const double *in, double *out, size_t n);
-
-#define COR_LAW_LOOP_NUMBER_(name, public, least, largest) COR_LAW_##name,
+#define COR_LAW_LOOP_NUMBER_(name, ...) COR_LAW_##name,
 enum cor_law_loop { COR_LAW_LOOPS(COR_LAW_LOOP_NUMBER_, COR_LAW_LOOP_NUMBER_) COR_LAW_LOOP_COUNT };
 
-/* The loops of a set, by enum cor_law_loop */
+/* The loops of a set; floats are the results for doubles, rounded once. */
 struct cor_law_loops {
-    cor_law_array_function *of[COR_LAW_LOOP_COUNT];
+    void (*run)(enum cor_law_loop loop, const double *in, double *out, size_t n);
+    void (*run_floats)(enum cor_law_loop loop, const float *in, float *out, size_t n);
 };
 COR_TABLES(struct cor_law_loops, cor_law_loops, cor_law_loops)
 
-/* Calls the loop in the default environment: for doubles, and for floats, whose results are rounded once. The first two
- * take the loop of the widest set. */
+/* Calls the loop of the widest set in the default environment. */
 void cor_law_array(enum cor_law_loop loop, const double *x, double *y, size_t n);
 void cor_law_arrayf(enum cor_law_loop loop, const float *x, float *y, size_t n);
-void cor_law_array_by(cor_law_array_function *loop, const double *x, double *y, size_t n);
-void cor_law_arrayf_by(cor_law_array_function *loop, const float *x, float *y, size_t n);
 
 #endif

@@ -338,15 +338,32 @@ COR_INLINE double cor_ratio_eps_limited(double zeta)
  * Each function solves for zeta from L, a pair. A polynomial gives the start value, and a step of Newton's method
  * (Halley's method for the limited damper) with the residual as a pair follows. */
 
-/* zeta with zeta A(zeta) = x, 0 <= x.hi <= 1.8697 */
-COR_KERNEL double cor_ratio_of_phase_near(struct cor_inline_pair x)
+/* About zeta with zeta A(zeta) = x, 0 <= x <= 1.8697, and d zeta/dx */
+struct cor_ratio_start {
+    double zeta, slope;
+};
+
+COR_KERNEL struct cor_ratio_start cor_ratio_phase_start(double x)
 {
     const double *p = cor_ratio_start_polynomial;
-    const double t = x.hi, t2 = t * t, t4 = t2 * t2;
-    const double start = t * (COR_POLYNOMIAL_8(p, t, t2, t4) + ((p[8] + p[9] * t) + p[10] * t2) * (t4 * t4));
-    const double slope = COR_POLYNOMIAL_8(cor_ratio_slope_polynomial, t, t2, t4);
-    const struct cor_inline_pair at_start = cor_ratio_phase_near(cor_pair(start, 0), cor_pair(2 * start, 0));
-    return start + slope * ((x.hi - at_start.hi) + (x.lo - at_start.lo));
+    const double x2 = x * x, x4 = x2 * x2;
+    struct cor_ratio_start start;
+    start.zeta = x * (COR_POLYNOMIAL_8(p, x, x2, x4) + ((p[8] + p[9] * x) + p[10] * x2) * (x4 * x4));
+    start.slope = COR_POLYNOMIAL_8(cor_ratio_slope_polynomial, x, x2, x4);
+    return start;
+}
+
+/* zeta from that start, at = start A(start) */
+COR_KERNEL double cor_ratio_phase_step(struct cor_ratio_start start, struct cor_inline_pair x,
+                                       struct cor_inline_pair at)
+{
+    return start.zeta + start.slope * ((x.hi - at.hi) + (x.lo - at.lo));
+}
+
+COR_KERNEL double cor_ratio_of_phase_near(struct cor_inline_pair x)
+{
+    const struct cor_ratio_start start = cor_ratio_phase_start(x.hi);
+    return cor_ratio_phase_step(start, x, cor_ratio_phase_near(cor_pair(start.zeta, 0), cor_pair(2 * start.zeta, 0)));
 }
 
 /* The same for larger x, also from exp(-x) as a pair: zeta = cosh(theta), theta = x - delta, where delta = 2 x E/(1 +
@@ -487,37 +504,38 @@ COR_KERNEL struct cor_ratio_slopes cor_ratio_limited_slopes(double zeta, double 
     return slopes;
 }
 
-/* A step of Halley's method for residual = L minus the given L */
-COR_KERNEL double cor_ratio_limited_step(double zeta, double exponent, double residual)
+/* A step of Halley's method from zeta, where L is `at`, to where L is `exponent` */
+COR_KERNEL double cor_ratio_limited_step(double zeta, struct cor_inline_pair at, struct cor_inline_pair exponent)
 {
-    const struct cor_ratio_slopes s = cor_ratio_limited_slopes(zeta, exponent);
+    const struct cor_ratio_slopes s = cor_ratio_limited_slopes(zeta, at.hi);
+    const double residual = (at.hi - exponent.hi) + (at.lo - exponent.lo);
     return zeta - residual / (s.first - 0.5 * residual * s.second / s.first);
 }
 
-/* zeta where L = exponent, 0 < exponent.hi <= 3.4483, from the row of the polynomial for that L */
-COR_KERNEL double cor_ratio_of_limited_with(struct cor_inline_pair exponent, const double *p)
+/* About zeta where L = exponent, 0 < exponent <= 3.4483, from the row of the polynomial for that L */
+COR_KERNEL double cor_ratio_limited_start(double exponent, const double *p)
 {
-    const double t = exponent.hi, t2 = t * t, t4 = t2 * t2;
-    const double start = t * (COR_POLYNOMIAL_8(p, t, t2, t4) + ((p[8] + p[9] * t) + p[10] * t2) * (t4 * t4));
-    const struct cor_inline_pair at_start = cor_ratio_limited_near(start);
-    return cor_ratio_limited_step(start, at_start.hi, (at_start.hi - exponent.hi) + (at_start.lo - exponent.lo));
+    const double t = exponent, t2 = t * t, t4 = t2 * t2;
+    return t * (COR_POLYNOMIAL_8(p, t, t2, t4) + ((p[8] + p[9] * t) + p[10] * t2) * (t4 * t4));
 }
 
-/* Selects the row without branches, so that loops vectorise. */
-COR_KERNEL double cor_ratio_of_limited_near(struct cor_inline_pair exponent)
+/* The same; selects the row without branches, so that loops vectorise */
+COR_KERNEL double cor_ratio_limited_start_near(double exponent)
 {
     double p[11];
     for (int k = 0; k < 11; k++) {
-        const double low = exponent.hi > 0.9 ? cor_ratio_limited_polynomial[1][k] : cor_ratio_limited_polynomial[0][k];
-        p[k] = exponent.hi > 1.9 ? cor_ratio_limited_polynomial[2][k] : low;
+        const double low = exponent > 0.9 ? cor_ratio_limited_polynomial[1][k] : cor_ratio_limited_polynomial[0][k];
+        p[k] = exponent > 1.9 ? cor_ratio_limited_polynomial[2][k] : low;
     }
-    return cor_ratio_of_limited_with(exponent, p);
+    return cor_ratio_limited_start(exponent, p);
 }
 
-/* Selects the row by its index. */
+/* zeta where L = exponent, 0 < exponent.hi <= 3.4483 */
 COR_INLINE double cor_ratio_of_limited(struct cor_inline_pair exponent)
 {
-    return cor_ratio_of_limited_with(exponent, cor_ratio_limited_polynomial[(exponent.hi > 0.9) + (exponent.hi > 1.9)]);
+    const double x = exponent.hi,
+                 start = cor_ratio_limited_start(x, cor_ratio_limited_polynomial[(x > 0.9) + (x > 1.9)]);
+    return cor_ratio_limited_step(start, cor_ratio_limited_near(start), exponent);
 }
 
 /* The same for eps < COR_RATIO_EPS_LIMITED_NEAR. zeta eps 2 sqrt(2) tends to 1, so that Newton's method in ln(zeta)
@@ -542,8 +560,6 @@ COR_INLINE double cor_ratio_of_limited_far(double eps)
     }
     return zeta;
 }
-
-COR_RATIO_INVERSE_KERNELS(limited, cor_ratio_of_limited_near)
 
 COR_INLINE double cor_ratio_zeta_limited(double eps)
 {

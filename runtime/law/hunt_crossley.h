@@ -4,8 +4,7 @@
  *     f(beta) = f(-h),  f(z) = z - ln(1 + z),  h = beta eps
  *     beta = y + c, h = y - c, c = y coth(y) - 1;   eps = h/beta, 1 - eps = 2 c/beta
  *
- * As in runtime/law/damping_ratio.h, kernels, cor_hc_..._near or a pair _first and _second, hold on an interval, and
- * the other functions take every double. */
+ * As in runtime/law/damping_ratio.h, kernels hold on an interval, and the other functions take every double. */
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 
@@ -133,20 +132,18 @@ struct cor_hc_speeds {
     struct cor_inline_pair rebound, lost;
 };
 
-/* COR_HC_TINY <= beta < COR_HC_BETA_NEAR */
-COR_KERNEL struct cor_hc_speeds cor_hc_speeds_weak(double beta)
+/* COR_HC_TINY <= beta < COR_HC_BETA_NEAR, from y = cor_hc_root_near(beta) */
+COR_KERNEL struct cor_hc_speeds cor_hc_speeds_weak(struct cor_hc_root y, double beta)
 {
-    const struct cor_hc_root y = cor_hc_root_near(beta);
     struct cor_hc_speeds speeds;
     speeds.rebound = cor_pair(2 * y.head - beta, 2 * y.step);
     speeds.lost = cor_pair(2 * (beta - y.head), -2 * y.step);
     return speeds;
 }
 
-/* COR_HC_BETA_NEAR <= beta <= COR_HC_LARGEST */
-COR_KERNEL struct cor_hc_speeds cor_hc_speeds_strong(double beta)
+/* COR_HC_BETA_NEAR <= beta <= COR_HC_LARGEST, from rest = cor_hc_rest(beta) */
+COR_KERNEL struct cor_hc_speeds cor_hc_speeds_strong(double rest, double beta)
 {
-    const double rest = cor_hc_rest(beta);
     struct cor_hc_speeds speeds;
     speeds.rebound = cor_pair(1, -rest);
     speeds.lost = cor_pair_two_sum(beta, -1);
@@ -154,7 +151,7 @@ COR_KERNEL struct cor_hc_speeds cor_hc_speeds_strong(double beta)
     return speeds;
 }
 
-/* Whether the first of the two functions holds. Array loops divide their numbers accordingly. */
+/* Which of the two functions holds. Array loops divide their numbers accordingly. */
 COR_KERNEL int cor_hc_is_weak(double beta)
 {
     return beta < COR_HC_BETA_NEAR;
@@ -170,21 +167,11 @@ COR_KERNEL double cor_hc_loss_of(struct cor_hc_speeds speeds, double beta)
     return cor_pair_over(speeds.lost, cor_pair(beta, 0)).hi;
 }
 
-#define COR_HC_KERNELS(quantity)                                                                                       \
-    COR_KERNEL int cor_hc_##quantity##_is_first(double beta)                                                           \
-    {                                                                                                                  \
-        return cor_hc_is_weak(beta);                                                                                   \
-    }                                                                                                                  \
-    COR_KERNEL double cor_hc_##quantity##_first(double beta)                                                           \
-    {                                                                                                                  \
-        return cor_hc_##quantity##_of(cor_hc_speeds_weak(beta), beta);                                                 \
-    }                                                                                                                  \
-    COR_KERNEL double cor_hc_##quantity##_second(double beta)                                                          \
-    {                                                                                                                  \
-        return cor_hc_##quantity##_of(cor_hc_speeds_strong(beta), beta);                                               \
-    }
-COR_HC_KERNELS(eps)
-COR_HC_KERNELS(loss)
+COR_KERNEL struct cor_hc_speeds cor_hc_speeds(double beta)
+{
+    return cor_hc_is_weak(beta) ? cor_hc_speeds_weak(cor_hc_root_near(beta), beta)
+                                : cor_hc_speeds_strong(cor_hc_rest(beta), beta);
+}
 
 /* 2/3 beta - 4/9 beta^2 + 44/135 beta^3, |beta| < COR_HC_TINY */
 COR_INLINE double cor_hc_loss_tiny(double beta)
@@ -246,7 +233,7 @@ COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped(double b)
 COR_INLINE double cor_hc_eps(double beta)
 {
     if (beta >= COR_HC_TINY && beta <= COR_HC_LARGEST)
-        return cor_hc_is_weak(beta) ? cor_hc_eps_first(beta) : cor_hc_eps_second(beta);
+        return cor_hc_eps_of(cor_hc_speeds(beta), beta);
     if (!(beta > -1))
         return (double)NAN;
     if (fabs(beta) < COR_HC_TINY)
@@ -259,7 +246,7 @@ COR_INLINE double cor_hc_eps(double beta)
 COR_INLINE double cor_hc_loss(double beta)
 {
     if (beta >= COR_HC_TINY && beta <= COR_HC_LARGEST)
-        return cor_hc_is_weak(beta) ? cor_hc_loss_first(beta) : cor_hc_loss_second(beta);
+        return cor_hc_loss_of(cor_hc_speeds(beta), beta);
     if (!(beta > -1))
         return (double)NAN;
     if (fabs(beta) < COR_HC_TINY)
@@ -286,62 +273,52 @@ COR_KERNEL struct cor_inline_pair cor_hc_of_langevin(struct cor_inline_pair eps,
     return cor_pair_over_with(cor_pair(2 * y, 2 * (off / (at.slope - t.hi))), plus, inverse);
 }
 
-/* A step of Newton's method for beta eps + w = 1, w = -W_0(-x), w' = -w/(1-w) beta/(1+beta) */
-COR_KERNEL double cor_hc_limit_step(double beta, struct cor_inline_pair eps)
+/* A step of Newton's method for beta eps + w = 1, w = -W_0(-x) = cor_hc_rest(beta), w' = -w/(1-w) beta/(1+beta) */
+COR_KERNEL double cor_hc_limit_step(double beta, double w, struct cor_inline_pair eps)
 {
-    const double w = cor_hc_rest(beta), slope = eps.hi - (w / (1 - w)) * (beta / (1 + beta));
+    const double slope = eps.hi - (w / (1 - w)) * (beta / (1 + beta));
     const struct cor_inline_pair p = cor_inline_product(beta, eps.hi);
     return (((p.hi - 1) + w) + (p.lo + beta * eps.lo)) / slope;
 }
 
-/* beta from eps, 2^-900 <= eps <= COR_HC_EPS_NEAR */
-COR_KERNEL double cor_hc_of_limit(struct cor_inline_pair eps)
+/* About beta from eps, 2^-900 <= eps <= COR_HC_EPS_NEAR, for a step at beta or, if more, at COR_HC_LIMIT_LEAST */
+#define COR_HC_LIMIT_LEAST 2.15
+COR_KERNEL double cor_hc_limit_start(double eps)
 {
     const double *p = cor_hc_limit_polynomial;
-    const double e = eps.hi, e2 = e * e, e4 = e2 * e2;
-    const double start = (1 - (COR_POLYNOMIAL_8(p, e, e2, e4) + p[8] * (e4 * e4))) / e;
-    const double next = start - cor_hc_limit_step(cor_kernel_max(start, 2.15), eps);
-    return next - cor_hc_limit_step(next, eps);
+    const double e2 = eps * eps, e4 = e2 * e2;
+    return (1 - (COR_POLYNOMIAL_8(p, eps, e2, e4) + p[8] * (e4 * e4))) / eps;
 }
 
-/* From eps, 2^-900 <= eps < 1, and from the loss, 2^-200 <= loss < 1 */
-COR_KERNEL int cor_hc_beta_is_first(double eps)
+/* beta from such an eps */
+COR_INLINE double cor_hc_of_limit(struct cor_inline_pair eps)
+{
+    double beta = cor_hc_limit_start(eps.hi), at = cor_kernel_max(beta, COR_HC_LIMIT_LEAST);
+    for (int k = 0; k < 2; k++) {
+        beta -= cor_hc_limit_step(at, cor_hc_rest(at), eps);
+        at = beta;
+    }
+    return beta;
+}
+
+/* Whether the first function holds for this eps */
+COR_KERNEL int cor_hc_is_langevin(double eps)
 {
     return eps >= COR_HC_EPS_NEAR;
 }
 
-COR_KERNEL double cor_hc_beta_first(double eps)
+/* 1 - x as a pair, 0 <= x < 1 */
+COR_KERNEL struct cor_inline_pair cor_hc_one_minus(double x)
 {
-    const double loss = 1 - eps;
-    return cor_hc_of_langevin(cor_pair(eps, 0), cor_pair(loss, (1 - loss) - eps)).hi;
-}
-
-COR_KERNEL double cor_hc_beta_second(double eps)
-{
-    return cor_hc_of_limit(cor_pair(eps, 0));
-}
-
-COR_KERNEL int cor_hc_beta_of_loss_is_first(double loss)
-{
-    return 1 - loss >= COR_HC_EPS_NEAR;
-}
-
-COR_KERNEL double cor_hc_beta_of_loss_first(double loss)
-{
-    const double eps = 1 - loss;
-    return cor_hc_of_langevin(cor_pair(eps, (1 - eps) - loss), cor_pair(loss, 0)).hi;
-}
-
-COR_KERNEL double cor_hc_beta_of_loss_second(double loss)
-{
-    const double eps = 1 - loss;
-    return cor_hc_of_limit(cor_pair(eps, (1 - eps) - loss));
+    const double rest = 1 - x;
+    return cor_pair(rest, (1 - rest) - x);
 }
 
 COR_INLINE double cor_hc_beta(double eps)
 {
     if (eps >= COR_INLINE_2_M900 && eps < 1)
-        return cor_hc_beta_is_first(eps) ? cor_hc_beta_first(eps) : cor_hc_beta_second(eps);
+        return cor_hc_is_langevin(eps) ? cor_hc_of_langevin(cor_pair(eps, 0), cor_hc_one_minus(eps)).hi
+                                       : cor_hc_of_limit(cor_pair(eps, 0));
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
     if (eps == 1)
@@ -352,7 +329,8 @@ COR_INLINE double cor_hc_beta(double eps)
 COR_INLINE double cor_hc_beta_of_loss(double loss)
 {
     if (loss >= COR_INLINE_2_M200 && loss < 1)
-        return cor_hc_beta_of_loss_is_first(loss) ? cor_hc_beta_of_loss_first(loss) : cor_hc_beta_of_loss_second(loss);
+        return cor_hc_is_langevin(1 - loss) ? cor_hc_of_langevin(cor_hc_one_minus(loss), cor_pair(loss, 0)).hi
+                                            : cor_hc_of_limit(cor_hc_one_minus(loss));
     if (!(loss >= 0 && loss <= 1))
         return (double)NAN;
     return loss == 1 ? (double)INFINITY : 1.5 * loss;

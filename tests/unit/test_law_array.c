@@ -18,7 +18,7 @@ static const struct {
     double (*value)(double);
     double least, largest;
 } loops[] = {
-#define LOOP_ROW(name, public, least, largest) {#name, cor_##public, least, largest},
+#define LOOP_ROW(name, public, least, largest, ...) {#name, cor_##public, least, largest},
     COR_LAW_LOOPS(LOOP_ROW, LOOP_ROW)
 #undef LOOP_ROW
 };
@@ -42,14 +42,17 @@ static void fill(struct random_state *r, double *x, size_t n, double least, doub
     }
 }
 
-static void loop_is_its_scalar(cor_law_array_function *loop, int k, const char *set, struct random_state *random)
+static void loop_is_its_scalar(const struct cor_law_loops *set_loops, int k, const char *set,
+                               struct random_state *random)
 {
+    const enum cor_law_loop loop = (enum cor_law_loop)k;
     double x[COUNT], y[COUNT + 1];
+    float xf[COUNT], yf[COUNT];
     fill(random, x, COUNT, loops[k].least, loops[k].largest);
     for (size_t n = 0; n <= COUNT; n += n < 20 ? 1 : 97) {
         const size_t place = n % 5, m = n > place ? n - place : 0;
         y[m] = -7; /* a guard */
-        loop(x + place, y, m);
+        set_loops->run(loop, x + place, y, m);
         assert_true(y[m] == -7);
         for (size_t i = 0; i < m; i++) {
             const double one = loops[k].value(x[place + i]);
@@ -59,11 +62,22 @@ static void loop_is_its_scalar(cor_law_array_function *loop, int k, const char *
     }
     /* in place */
     memcpy(y, x, sizeof x);
-    loop(y, y, COUNT);
+    set_loops->run(loop, y, y, COUNT);
     for (size_t i = 0; i < COUNT; i++) {
         const double one = loops[k].value(x[i]);
         assert_true(same_bits(one, y[i]) || (isnan(one) && isnan(y[i])));
     }
+    /* floats, and in place */
+    for (size_t i = 0; i < COUNT; i++)
+        xf[i] = (float)x[i];
+    set_loops->run_floats(loop, xf, yf, COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const float one = (float)loops[k].value((double)xf[i]);
+        check(memcmp(&one, &yf[i], sizeof one) == 0 || (isnan(one) && isnan(yf[i])), "%s, %s of the float %a", set,
+              loops[k].name, (double)xf[i]);
+    }
+    set_loops->run_floats(loop, xf, xf, COUNT);
+    assert_memory_equal(xf, yf, sizeof xf);
 }
 
 TEST(every_set)
@@ -75,7 +89,7 @@ TEST(every_set)
             continue;
         }
         for (int k = 0; k < COR_LAW_LOOP_COUNT; k++)
-            loop_is_its_scalar(cor_law_loops(set)->of[k], k, set_name[set], &random);
+            loop_is_its_scalar(cor_law_loops(set), k, set_name[set], &random);
     }
 }
 
