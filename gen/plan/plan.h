@@ -48,6 +48,17 @@ enum plan_verdict {
     PLAN_SHOWN    /* not for use: shows the cost of a mistake */
 };
 
+/* A model of spheres as a function of a speed and its beta; none where only the values at the points exist */
+enum plan_formula {
+    PLAN_NO_FORMULA,
+    PLAN_CONSTANT,
+    PLAN_POWER_LAW,
+    PLAN_SIMPLE_THEORY,
+    PLAN_TABLE_1,
+    PLAN_QUOTIENT, /* of polynomials */
+    PLAN_HEADER
+};
+
 struct plan_model {
     char name[PLAN_NAME]; /* without commas and quotation marks */
     double *value;        /* value at each point; NaN: none */
@@ -61,8 +72,7 @@ struct plan_model {
     bool outside, shown;
     bool promised; /* the error is the library's bound; the uncertainty of the reference does not count */
     enum plan_verdict verdict;
-    /* spheres: the model as a function of a speed and its beta; NULL if only the values at the points exist */
-    double (*eps)(const struct plan_model *model, double speed, double beta);
+    enum plan_formula formula; /* spheres */
     double number[4];
     const double *coefficient; /* coefficients of a quotient of degrees m and n in beta or its square root */
     slong m, n, root;
@@ -108,6 +118,7 @@ void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 /* Each returns STATUS_OK, or another status after a message on stderr. The caller clears the plan in either case. */
 int plan_spheres(struct plan *plan, const struct plan_spheres_request *request);
 void plan_spheres_clear(struct plan *plan);
+double plan_model_eps(const struct plan_model *model, double speed, double beta);
 int plan_disks(struct plan *plan, const struct plan_disks_request *request);
 
 #endif

@@ -137,33 +137,6 @@ static int find_truth(struct plan *plan, struct spheres *s, enum contact_end end
 
 /* ---- models ---- */
 
-static double eps_constant(const struct plan_model *m, double speed, double beta)
-{
-    (void)speed;
-    (void)beta;
-    return m->number[0];
-}
-
-static double eps_power_law(const struct plan_model *m, double speed, double beta)
-{
-    (void)beta;
-    return fmin(1, m->number[0] * pow(speed, -m->number[1]));
-}
-
-static double eps_simple_theory(const struct plan_model *m, double speed, double beta)
-{
-    (void)m;
-    (void)speed;
-    return cor_sphere_eps_simple(beta);
-}
-
-static double eps_table_1(const struct plan_model *m, double speed, double beta)
-{
-    (void)m;
-    (void)speed;
-    return cor_sphere_eps_published_pade(beta);
-}
-
 /* [1/4] of Mueller and Poeschel 2011, v = sqrt(beta); zero force */
 static const double mueller_poeschel[] = {1, 0.501086, 1, 0.501086, 1.15345, 0.577977, 0.532178};
 
@@ -175,17 +148,26 @@ static double eps_horner(const double *c, slong degree, double z)
     return y;
 }
 
-static double eps_pade(const struct plan_model *m, double speed, double beta)
+double plan_model_eps(const struct plan_model *m, double speed, double beta)
 {
-    (void)speed;
     const double z = m->root == 2 ? sqrt(beta) : beta;
-    return eps_horner(m->coefficient, m->m, z) / eps_horner(m->coefficient + m->m + 1, m->n, z);
-}
-
-static double eps_header(const struct plan_model *m, double speed, double beta)
-{
-    (void)beta;
-    return embed_form_value(m->form, speed, false);
+    switch (m->formula) {
+    case PLAN_CONSTANT:
+        return m->number[0];
+    case PLAN_POWER_LAW:
+        return fmin(1, m->number[0] * pow(speed, -m->number[1]));
+    case PLAN_SIMPLE_THEORY:
+        return cor_sphere_eps_simple(beta);
+    case PLAN_TABLE_1:
+        return cor_sphere_eps_published_pade(beta);
+    case PLAN_QUOTIENT:
+        return eps_horner(m->coefficient, m->m, z) / eps_horner(m->coefficient + m->m + 1, m->n, z);
+    case PLAN_HEADER:
+        return embed_form_value(m->form, speed, false);
+    case PLAN_NO_FORMULA:
+        break;
+    }
+    return (double)NAN;
 }
 
 static double speed_exponent(const struct law *law)
@@ -194,12 +176,30 @@ static double speed_exponent(const struct law *law)
     return (double)q.num / (double)q.den;
 }
 
-/* Sets values and errors of a model that is a function. */
-static void model_evaluate(const struct plan *plan, struct plan_model *m)
+static void model_is(struct plan_model *m, double cost, const char *leaves_out, char *use)
 {
+    m->cost = cost;
+    m->leaves_out = leaves_out;
+    m->use = use;
+}
+
+/* Sets values and errors of a model that is a function. */
+static void model_evaluate(const struct plan *plan, struct plan_model *m, enum plan_formula formula)
+{
+    m->formula = formula;
     for (slong i = 0; i < plan->points; i++)
-        m->value[i] = m->eps(m, plan->speed[i], plan->at[i]);
+        m->value[i] = plan_model_eps(m, plan->speed[i], plan->at[i]);
     plan_compare(plan, m, true);
+}
+
+/* A model without values, the library's: the error is its promise. */
+static void model_promise(const struct plan *plan, struct plan_model *m, double error)
+{
+    for (slong i = 0; i < plan->points; i++) {
+        m->value[i] = plan->truth[i];
+        m->error[i] = error;
+    }
+    m->promised = true;
 }
 
 /* x rounded to ten digits, so that the evaluated number is the printed one */
@@ -220,13 +220,12 @@ static void add_constants(struct plan *plan, const struct spheres *s, const stru
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         m->number[0] =
             s->scene.constant ? first : ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
-        m->eps = eps_constant;
-        m->cost = cost_for_purpose(scene, cost_constant);
-        m->leaves_out = s->scene.constant                   ? "nothing; eps is the same at every speed"
-                        : speed_exponent(&s->scene.law) < 0 ? "that eps rises with the speed"
-                                                            : "that eps falls with the speed";
-        m->use = xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]);
-        model_evaluate(plan, m);
+        model_is(m, cost_for_purpose(scene, cost_constant),
+                 s->scene.constant                   ? "nothing; eps is the same at every speed"
+                 : speed_exponent(&s->scene.law) < 0 ? "that eps rises with the speed"
+                                                     : "that eps falls with the speed",
+                 xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]));
+        model_evaluate(plan, m, PLAN_CONSTANT);
     }
 }
 
@@ -245,11 +244,10 @@ static void add_power_law(struct plan *plan, const struct spheres *s, const stru
     }
     m->number[0] = ten_digits(2 / (exp(-low) + exp(-high)));
     m->number[1] = ten_digits(b);
-    m->eps = eps_power_law;
-    m->cost = cost_for_purpose(scene, cost_power);
-    m->leaves_out = speed_exponent(&s->scene.law) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest";
-    m->use = xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]);
-    model_evaluate(plan, m);
+    model_is(m, cost_for_purpose(scene, cost_power),
+             speed_exponent(&s->scene.law) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest",
+             xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]));
+    model_evaluate(plan, m, PLAN_POWER_LAW);
 }
 
 /* C statements that define `contact` */
@@ -282,41 +280,40 @@ static char *contact_text(const struct spheres *s, const struct embed_request *s
                    body[0], body[1]);
 }
 
-static char *call_of_beta(const struct spheres *s, const struct embed_request *scene, const char *call)
+/* `after`: lines behind the call */
+static char *call_of_beta(const struct spheres *s, const struct embed_request *scene, const char *call,
+                          const char *after)
 {
     char *contact = contact_text(s, scene);
-    char *text = xprintf("#include \"cor/cor.h\"\n%sdouble eps = %s;\n", contact, call);
+    char *text = xprintf("#include \"cor/cor.h\"\n%sdouble eps = %s;\n%s", contact, call, after);
     free(contact);
     return text;
 }
 
 static void add_published(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
-    struct plan_model *m = plan_add(plan, "simple theory (27)");
-    m->eps = eps_simple_theory;
-    m->cost = cost_for_purpose(scene, cost_simple);
-    m->leaves_out = "C_3 and all after it";
-    m->use = call_of_beta(s, scene, "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))");
-    model_evaluate(plan, m);
-    m = plan_add(plan, "Pade [1/4] as printed in 1999 (35)");
-    m->eps = eps_table_1;
-    m->cost = cost_for_purpose(scene, cost_published);
-    m->leaves_out = "a_3 and all after it; zero force";
-    m->use = call_of_beta(s, scene, "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))");
-    model_evaluate(plan, m);
-    m = plan_add(plan, "Pade [1/4] as printed in 2011");
-    m->eps = eps_pade;
-    m->coefficient = mueller_poeschel;
-    m->m = 1;
-    m->n = 4;
-    m->root = 2;
-    m->cost = cost_for_purpose(scene, cost_mueller);
-    m->leaves_out = "what follows beta^(5/2); zero overlap";
-    m->use = call_of_beta(s, scene, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
-    char *text = m->use;
-    m->use = xprintf("%s/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", text);
-    free(text);
-    model_evaluate(plan, m);
+    static const struct {
+        const char *name, *leaves_out, *call, *after;
+        enum plan_formula formula;
+        const struct cost *cost;
+    } published[] = {{"simple theory (27)", "C_3 and all after it",
+                      "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))", "", PLAN_SIMPLE_THEORY, &cost_simple},
+                     {"Pade [1/4] as printed in 1999 (35)", "a_3 and all after it; zero force",
+                      "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))", "", PLAN_TABLE_1,
+                      &cost_published},
+                     {"Pade [1/4] as printed in 2011", "what follows beta^(5/2); zero overlap",
+                      "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))",
+                      "/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", PLAN_QUOTIENT, &cost_mueller}};
+    for (size_t i = 0; i < sizeof published / sizeof *published; i++) {
+        struct plan_model *const m = plan_add(plan, "%s", published[i].name);
+        m->coefficient = mueller_poeschel;
+        m->m = 1;
+        m->n = 4;
+        m->root = 2;
+        model_is(m, cost_for_purpose(scene, *published[i].cost), published[i].leaves_out,
+                 call_of_beta(s, scene, published[i].call, published[i].after));
+        model_evaluate(plan, m, published[i].formula);
+    }
 }
 
 /* Adds f in doubles, if its denominator is shown to keep its sign over the range. */
@@ -333,7 +330,6 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
         c[k] = ball_middle(x);
     }
     struct plan_model *model = plan_add(plan, "%s [%ld/%ld]", two_point ? "two-point Pade" : "Pade", (long)m, (long)n);
-    model->eps = eps_pade;
     model->coefficient = c;
     model->m = m;
     model->n = n;
@@ -343,20 +339,20 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
                               .denominator = n,
                               .refinement = ROOT_REFINEMENT};
     embed_form_price(&form);
-    model->cost = cost_for_purpose(scene, of_form(&form));
-    model->leaves_out = two_point ? "terms between series and limit"
-                                  : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it");
-    model->use = xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
-                         "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
-                         (long)m, (long)n, two_point ? " --two-point" : "", end_option(scene->end),
-                         two_point ? "two_point_" : "", end_name(scene->end), (long)m, (long)n,
-                         root == 2 ? "sqrt(beta)" : "beta");
+    model_is(model, cost_for_purpose(scene, of_form(&form)),
+             two_point ? "terms between series and limit"
+                       : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it"),
+             xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
+                     "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
+                     (long)m, (long)n, two_point ? " --two-point" : "", end_option(scene->end),
+                     two_point ? "two_point_" : "", end_name(scene->end), (long)m, (long)n,
+                     root == 2 ? "sqrt(beta)" : "beta"));
     const double low = plan->at[0], high = plan->at[plan->points - 1];
     for (int k = 0; k <= PADE_POINTS; k++) {
         const double beta = low + (high - low) * k / (double)PADE_POINTS;
         model->outside = model->outside || !(eps_horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
     }
-    model_evaluate(plan, model);
+    model_evaluate(plan, model, PLAN_QUOTIENT);
 }
 
 static void add_pades(struct plan *plan, struct spheres *s, const struct embed_request *scene, const arb_poly_t series,
@@ -402,13 +398,10 @@ static void add_header(struct plan *plan, struct spheres *s, const struct embed_
     struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen, &s->scene.law), size);
     for (char *c = m->name; *c; c++)
         *c = (char)(*c == ',' ? ';' : *c);
-    m->eps = eps_header;
     m->form = f;
     m->elsewhere = f->error;
-    m->cost = cost_for_purpose(scene, of_form(f));
-    m->leaves_out = "speeds outside the range";
-    m->use = embed_command(scene, tolerance);
-    model_evaluate(plan, m);
+    model_is(m, cost_for_purpose(scene, of_form(f)), "speeds outside the range", embed_command(scene, tolerance));
+    model_evaluate(plan, m, PLAN_HEADER);
 }
 
 /* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */
@@ -417,16 +410,11 @@ static void add_library(struct plan *plan, struct spheres *s, const struct embed
     struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", end_name(scene->end));
     const double promise =
         COR_CONTACT_EPS_MAX_ERROR(s->scene.slope) + s->scene.slope * COR_CONTACT_MAX_ULP * DBL_EPSILON;
-    for (slong i = 0; i < plan->points; i++) {
-        m->value[i] = plan->truth[i];
-        m->error[i] = promise;
-    }
-    m->promised = true;
-    m->cost = cost_for_purpose(scene, cost_library);
-    m->leaves_out = "nothing; good at every speed";
     char call[TEXT];
     snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", end_name(scene->end));
-    m->use = call_of_beta(s, scene, call);
+    model_promise(plan, m, promise);
+    model_is(m, cost_for_purpose(scene, cost_library), "nothing; good at every speed",
+             call_of_beta(s, scene, call, ""));
 }
 
 /* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
@@ -445,11 +433,7 @@ static void add_function_of_beta(struct plan *plan, const struct spheres *s, con
     else
         snprintf(call, sizeof call, "law_eps_%s", end_name(scene->end));
     struct plan_model *m = plan_add(plan, dashpot || crossley ? "library: %s" : "corgen law: %s", call);
-    for (slong i = 0; i < plan->points; i++) {
-        m->value[i] = plan->truth[i];
-        m->error[i] = (ulp + per_beta * ROUNDINGS_OF_BETA) * DBL_EPSILON;
-    }
-    m->promised = true;
+    model_promise(plan, m, (ulp + per_beta * ROUNDINGS_OF_BETA) * DBL_EPSILON);
     m->cost = cost_for_purpose(scene, crossley ? cost_crossley : cost_function);
     m->leaves_out = "nothing; good at every speed";
     char *beta = arb_get_str(s->scene.beta_per_root, 17, ARB_STR_NO_RADIUS);

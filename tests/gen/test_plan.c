@@ -127,12 +127,12 @@ static void check_choice(struct plan *plan, struct random_state *r)
 static void check_chosen(const struct plan *plan, struct random_state *r)
 {
     const struct plan_model *m = &plan->model[plan->chosen];
-    assert_non_null(m->eps);
+    assert_int_not_equal(m->formula, PLAN_NO_FORMULA);
     for (size_t i = 0; i < points(6); i++) {
         const double speed = random_log(r, plan->speed[0], plan->speed[plan->points - 1]), beta = beta_of(speed);
         double overlap, force;
         eps_solve(&overlap, &force, beta);
-        const double error = fabs(m->eps(m, speed, beta) / force - 1);
+        const double error = fabs(plan_model_eps(m, speed, beta) / force - 1);
         check(error <= plan->tolerance, "%s at speed %.17g is off by %.3g, more than %.3g", m->name, speed, error,
               plan->tolerance);
     }
