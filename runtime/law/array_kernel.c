@@ -211,6 +211,11 @@ static void pass_parted(const struct loop *loop, struct work *w, const double *i
 static void run(enum cor_law_loop number, const double *in, double *out, size_t n)
 {
     const struct loop *const loop = &loops[number];
+    if (n < 3) { /* the scalar function is faster */
+        for (size_t i = 0; i < n; i++)
+            out[i] = loop->one(in[i]);
+        return;
+    }
     for (size_t i = 0; i < n; i += BLOCK) {
         double from[BLOCK], inside[BLOCK], to[BLOCK];
         struct work w;

@@ -49,28 +49,27 @@ static inline struct cor_row_table table_of_quantity(struct cor_inline_law_quant
 
 #define DASHPOT_PARTS(function, tables, value)                                                                         \
     case COR_DASHPOT_##function:                                                                                       \
-        return table_of_quantity(cor_law_hertz_dashpot_##tables(), value);
+        *room = table_of_quantity(cor_law_hertz_dashpot_##tables(), value);                                            \
+        return room;
+#define DASHPOT_TABLE(function, ...)                                                                                   \
+    case COR_DASHPOT_##function: {                                                                                     \
+        static const struct cor_row_table table = __VA_ARGS__;                                                         \
+        return &table;                                                                                                 \
+    }
 #define DASHPOT_GRID(function, FUNCTION, value, least)                                                                 \
-    case COR_DASHPOT_##function: {                                                                                     \
-        const struct cor_row_table table = COR_ROW_TABLE_OF_GRID(                                                      \
-            cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION, COR_ROW_GRID, value, least, 0);      \
-        return table;                                                                                                  \
-    }
+    DASHPOT_TABLE(function, COR_ROW_TABLE_OF_GRID(cor_rows_hertz_dashpot_##function,                                   \
+                                                  COR_ROWS_HERTZ_DASHPOT_##FUNCTION, COR_ROW_GRID, value, least, 0))
 #define DASHPOT_INVERSE(function, FUNCTION)                                                                            \
-    case COR_DASHPOT_##function: {                                                                                     \
-        const struct cor_row_table table = COR_ROW_TABLE_OF_INVERSE(                                                   \
-            COR_ROW_INVERSE, cor_rows_hertz_dashpot_near_##function, COR_ROWS_HERTZ_DASHPOT_NEAR_##FUNCTION,           \
-            cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION);                                     \
-        return table;                                                                                                  \
-    }
+    DASHPOT_TABLE(function,                                                                                            \
+                  COR_ROW_TABLE_OF_INVERSE(COR_ROW_INVERSE, cor_rows_hertz_dashpot_near_##function,                    \
+                                           COR_ROWS_HERTZ_DASHPOT_NEAR_##FUNCTION, cor_rows_hertz_dashpot_##function,  \
+                                           COR_ROWS_HERTZ_DASHPOT_##FUNCTION))
 #define DASHPOT_OCTAVES(function, FUNCTION)                                                                            \
-    case COR_DASHPOT_##function: {                                                                                     \
-        const struct cor_row_table table =                                                                             \
-            COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION);            \
-        return table;                                                                                                  \
-    }
+    DASHPOT_TABLE(function,                                                                                            \
+                  COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION))
 
-static struct cor_row_table dashpot_table(enum cor_dashpot_number function)
+/* A table, or one that is made in `room` */
+static const struct cor_row_table *dashpot_table(enum cor_dashpot_number function, struct cor_row_table *room)
 {
     switch (function) {
         DASHPOT_PARTS(eps_zero_overlap, eps_zero_overlap, COR_ROW_EPS)
@@ -88,10 +87,8 @@ static struct cor_row_table dashpot_table(enum cor_dashpot_number function)
         DASHPOT_GRID(duration_approach_only, DURATION_APPROACH_ONLY, COR_ROW_SUM, 0)
         DASHPOT_INVERSE(beta_approach_only, BETA_APPROACH_ONLY)
     default:
-        break;
+        return NULL;
     }
-    const struct cor_row_table none = {0};
-    return none;
 }
 
 /* ---- the functions of hertz_dashpot.h ---- */
@@ -135,8 +132,8 @@ static float (*const scalarf[])(float) = {COR_DASHPOT_LOOPS(SCALARF_, SCALARF_)}
 int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n)
 {
     const struct cor_row_loops *const loops = cor_row_loops(set);
-    const struct cor_row_table table = dashpot_table(function);
-    const struct cor_row_call call = {&table, scalar[function], NULL, NULL, NULL, 0};
+    struct cor_row_table room;
+    const struct cor_row_call call = {dashpot_table(function, &room), scalar[function], NULL, NULL, NULL, 0};
     const struct cor_environment caller = cor_environment_enter();
     if (loops)
         loops->doubles(&call, in, out, n);
@@ -146,9 +143,10 @@ int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const do
 
 static void dashpot_floats(enum cor_dashpot_number function, const float *in, float *out, size_t n)
 {
-    const struct cor_row_table table = dashpot_table(function);
+    struct cor_row_table room;
+    const struct cor_row_table *const table = dashpot_table(function, &room);
     const struct cor_environment caller = cor_environment_enter();
-    cor_row_loops(cor_widest_set())->floats(&table, scalarf[function], NAN, in, out, n);
+    cor_row_loops(cor_widest_set())->floats(table, scalarf[function], NAN, in, out, n);
     cor_environment_leave(&caller);
 }
 

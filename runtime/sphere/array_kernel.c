@@ -98,7 +98,11 @@ static void loop_contact(const struct cor_contact_function *f, const struct cor_
                          const double *speed, const double *eps, double *out, size_t n)
 {
     const enum cor_contact_kind kind = f->kind;
-    struct call call = {f, contact, speed, mask_of(cor_contact_is_ordinary(contact, kind != CONTACT_BETA)), {0}};
+    struct call call; /* not initialized: `root` is long */
+    call.f = f;
+    call.contact = contact;
+    call.speed = speed;
+    call.ordinary = mask_of(cor_contact_is_ordinary(contact, kind != CONTACT_BETA));
     struct cor_row_call loop = {f->table, NULL, &call, beta_before, beta_after, kind != CONTACT_BETA};
     if (kind == CONTACT_EPS) {
         loop.before = eps_before;

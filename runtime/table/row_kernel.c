@@ -286,13 +286,19 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     }
 }
 
+/* Whether the scalar function is faster: for a few numbers, and without vectors for several parts */
+KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
+{
+    return n < 6 || (LANES == 1 && table->kind == COR_ROW_PARTS);
+}
+
 /* ---- arrays of doubles ---- */
 
 /* Stores are plain: on a Zen 4, stores past the caches and prefetches make arrays that exceed the caches slower. */
 static void loop_doubles(const struct cor_row_call *call, const double *in, double *out, size_t n)
 {
     const struct cor_row_table *const table = call->table;
-    if (LANES == 1 && table->kind == COR_ROW_PARTS) { /* without vectors the scalar function is faster */
+    if (call->one && one_by_one(table, n)) {
         for (size_t i = 0; i < n; i++)
             out[i] = call->one(in[i]);
         return;
@@ -374,7 +380,7 @@ static void loop_floats(const struct cor_row_table *table, float (*one)(float), 
 {
     const struct float_interval interval = {word_from(table->least), word_from(table->end),
                                             word_of_float((float)table->also), word_of_float(apart)};
-    if (LANES == 1 && table->kind == COR_ROW_PARTS) {
+    if (one_by_one(table, n)) {
         for (size_t i = 0; i < n; i++)
             out[i] = one(in[i]);
         return;
