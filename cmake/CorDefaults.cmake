@@ -20,9 +20,11 @@ list(TRANSFORM cor_errors PREPEND -Werror=)
 # No -ffast-math, no -march=native, no contraction: results are the same bits on every IEEE machine. A project without a
 # build type gets an optimized library too. Clang pairs independent operations in one vector and fills its other half with
 # numbers whose sums and products may overflow: without -fno-slp-vectorize they raise exceptions that no function raises.
+# On s390x gcc computes floats in double, unless -fexcess-precision=fast.
 add_library(cor_defaults INTERFACE)
 target_compile_options(cor_defaults INTERFACE
   $<$<CONFIG:>:-O2> -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
+  $<$<C_COMPILER_ID:GNU>:-fexcess-precision=fast>
   $<$<BOOL:${MINGW}>:-Wno-float-conversion> # its isinf is a macro that names float, too
   "$<$<C_COMPILER_ID:GNU,Clang,AppleClang>:${cor_errors}>"
   $<$<C_COMPILER_ID:Clang,AppleClang>:-fno-slp-vectorize> $<$<BOOL:${COR_WERROR}>:-Werror>)

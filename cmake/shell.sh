@@ -120,6 +120,13 @@ build() {
     cmake --build "$1" --parallel "$jobs" "${@:2}"
 }
 
+# msvc_reads FILE LANGUAGE: clang takes it in MSVC's language, with mingw-w64's headers in place of MSVC's own.
+msvc_reads() {
+    clang --target=x86_64-pc-windows-msvc -fms-compatibility-version=19.30 -fsyntax-only -x "$2" -Wall -Wextra -Wpedantic \
+        -Wno-pragma-once-outside-header -Wno-unused-function $(cmake/werror clang) -nostdinc -Iinclude -Igenerated \
+        -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
+}
+
 # turn_of N: which of the N parts of a long test a short run takes: the first, or with tests/run --turn K another.
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))

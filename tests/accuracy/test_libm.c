@@ -2,8 +2,15 @@
 /* The functions of the C library that the proofs of rounding errors rest on, against MPFR and against what the proofs
  * assume (tests/proof/libm_errors.h): at random arguments from the intervals for which the library calls them, at the
  * worst arguments known, and uphill from the worst one found.
- *     test_libm [--points N] [--only TEXT] [--seed N]     (N random points of each row, 20000 if not said) */
+ *     test_libm [--points N] [--only TEXT] [--seed N]     (N random points of each row, 20000 if not said)
+ *     COR_TEST_LIBM=COMMAND test_libm ...                 the functions of another C library: COMMAND runs
+ *                                                         tests/platforms/libm.c */
+#define _POSIX_C_SOURCE 200809L
+#include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include <mpfr.h>
 
@@ -50,6 +57,52 @@ static int exact_power(mpfr_t y, const mpfr_t x, mpfr_rnd_t round)
     return sign;
 }
 
+/* ---- another C library ---- */
+
+static FILE *to_other, *from_other;
+static const char *asked; /* the name of a function, as the other program has it */
+
+/* Starts the command, whose standard input and output become to_other and from_other. */
+static bool other_starts(const char *command)
+{
+    int to[2], from[2];
+    if (pipe(to) != 0 || pipe(from) != 0)
+        return false;
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(to[0], STDIN_FILENO);
+        dup2(from[1], STDOUT_FILENO);
+        close(to[1]);
+        close(from[0]);
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
+        _exit(127);
+    }
+    close(to[0]);
+    close(from[1]);
+    to_other = fdopen(to[1], "w");
+    from_other = fdopen(from[0], "r");
+    return child > 0 && to_other && from_other;
+}
+
+static double value_of_other(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    fprintf(to_other, "%s %016" PRIx64 "\n", asked, bits);
+    fflush(to_other);
+    if (fscanf(from_other, "%" SCNx64, &bits) != 1) {
+        fputs("test_libm: COR_TEST_LIBM gives no answer\n", stderr);
+        exit(1);
+    }
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static const char *name_of(double (*value)(double))
+{
+    return value == cbrt ? "cbrt" : value == log ? "log" : value == log1p ? "log1p" : value == power ? "x^0.2" : "x^5";
+}
+
 static const struct row rows[] = {
     {"cbrt, beta^(2/3)", cbrt, mpfr_cbrt, 1, 8, COR_PROOF_CBRT_ULP, {0x1.7a337e1ba1ec2p+1, 0x1.7a337e1ba1ec2p+0}},
     {"cbrt, beta^(-5/3)", cbrt, mpfr_cbrt, 0x1p14, DBL_MAX, COR_PROOF_CBRT_ULP, {0x1.7a337e1ba1ec2p+256}},
@@ -88,13 +141,16 @@ int main(int argc, char **argv)
     const int status = search_options_read(&o, argc, argv, help);
     if (status != 0)
         return status;
+    const char *const other = getenv("COR_TEST_LIBM");
     bool good = true;
     double worst_log = 0;
+    if (other && !other_starts(other))
+        return fputs("test_libm: COR_TEST_LIBM does not start\n", stderr), 1;
     worst_heading(o.seed);
     for (int i = 0; i < ROWS; i++) {
         const struct row *row = &rows[i];
         const struct search_function search = {.name = row->name,
-                                               .value = row->value,
+                                               .value = other ? value_of_other : row->value,
                                                .last = row->last,
                                                .error = error_of,
                                                .random_argument = random_argument,
@@ -103,11 +159,12 @@ int main(int argc, char **argv)
         struct worst worst = {0};
         if (!search_wants(&o, row->name))
             continue;
+        asked = name_of(row->value);
         for (uint64_t k = 0; k < o.points; k++)
             worst_random(&worst, &search, &r);
         worst_climb(&worst, &search, 64, 8);
         for (int k = 0; k < KNOWN && row->known[k] != 0; k++)
-            worst_take(&worst, error_of(row, row->value(row->known[k]), row->known[k]), row->known[k]);
+            worst_take(&worst, error_of(row, search.value(row->known[k]), row->known[k]), row->known[k]);
         good = worst_report(row->name, "", &worst, row->ulp) && good;
         if (row->value == log)
             worst_log = fmax(worst_log, worst.error);
