@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Builds the package cor: Python modules and a C module, both written from the headers of cor.
 
-The library is compiled into the package from ../runtime, with the flags of cmake/CorArraySets.cmake. With
-COR_PYTHON_LIBRARY=installed in the environment, the package is linked with the installed library that pkg-config
+The library is compiled into the package from ../runtime, with the flags of cmake/CorArraySets.cmake; a source
+distribution has what that needs in library/. With COR_PYTHON_LIBRARY=installed in the environment, the package is linked with the installed library that pkg-config
 finds, and written from its headers.
 """
 
@@ -10,6 +10,7 @@ import os
 import platform
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -20,16 +21,17 @@ from cffi import FFI
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 from setuptools.command.build_py import build_py
+from setuptools.command.sdist import sdist
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent
+ROOT = HERE / "library" if (HERE / "library").is_dir() else HERE.parent
 sys.path.insert(0, str(HERE))
 
 from bindings import cffi_source, python_source  # noqa: E402
 from bindings.declarations import Declarations  # noqa: E402
 
 PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden"]  # cmake/CorDefaults.cmake
-PLAIN_FLAGS += ["-ffp-contract=off"]
+PLAIN_FLAGS += ["-ffp-contract=off"] + ["-fexcess-precision=fast"] * (platform.machine() == "s390x")
 
 
 def pkg_config(*arguments: str) -> List[str]:
@@ -123,6 +125,18 @@ class BuildLibrary(build_ext):
         return objects
 
 
+class SourceDistribution(sdist):
+    """Has what writes the modules, and the library's sources."""
+
+    def make_release_tree(self, base_dir: str, files: List[str]) -> None:
+        super().make_release_tree(base_dir, files)
+        ignore = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(HERE / "bindings", Path(base_dir) / "bindings", ignore=ignore)
+        for folder in ("runtime", "include", "generated", "cmake"):
+            shutil.copytree(ROOT / folder, Path(base_dir) / "library" / folder)
+        shutil.copy(ROOT / "LICENSE", base_dir)
+
+
 def extension() -> Extension:
     options: Dict[str, Any] = {"include_dirs": [str(INCLUDE)], "libraries": ["m"]}
     if not BUNDLED:
@@ -141,6 +155,6 @@ setup(
     packages=["cor"],
     package_data={"cor": ["py.typed", "*.pyi"]},
     ext_modules=[extension()],
-    cmdclass={"build_py": BuildModules, "build_ext": BuildLibrary},
+    cmdclass={"build_py": BuildModules, "build_ext": BuildLibrary, "sdist": SourceDistribution},
     options={"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}},
 )
