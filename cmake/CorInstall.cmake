@@ -10,9 +10,10 @@ install(TARGETS cor cor_scene EXPORT cor-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/cor DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_SOURCE_DIR}/generated/cor_sphere.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CITATION.cff
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+foreach(file LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md) # the README links to them, and into docs/
+  install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # A Fortran compiler reads module files of its own alone, so that users compile the module with their program.
 install(FILES ${PROJECT_SOURCE_DIR}/fortran/cor.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/cor)
 if(COR_HAVE_GENERATOR)
@@ -32,7 +33,7 @@ install(FILES ${PROJECT_BINARY_DIR}/cor.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/p
 set(COR_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cor)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/cor-config.cmake.in ${PROJECT_BINARY_DIR}/cor-config.cmake
   INSTALL_DESTINATION ${COR_CMAKE_DIR})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/cor-config-version.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cor-config-version.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/cor-config.cmake ${PROJECT_BINARY_DIR}/cor-config-version.cmake
   DESTINATION ${COR_CMAKE_DIR})
 install(EXPORT cor-targets NAMESPACE cor:: DESTINATION ${COR_CMAKE_DIR})

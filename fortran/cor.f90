@@ -9,10 +9,10 @@ module cor
     c_ptr, c_size_t
   implicit none
   private
-  integer(c_int), parameter, public :: COR_VERSION_MAJOR = 0
-  integer(c_int), parameter, public :: COR_VERSION_MINOR = 1
+  integer(c_int), parameter, public :: COR_VERSION_MAJOR = 1
+  integer(c_int), parameter, public :: COR_VERSION_MINOR = 0
   integer(c_int), parameter, public :: COR_VERSION_PATCH = 0
-  character(len=*), parameter, public :: COR_VERSION_STRING = "0.1.0"
+  character(len=*), parameter, public :: COR_VERSION_STRING = "1.0.0"
   real(c_double), parameter, public :: COR_CONTACT_MAX_ULP = 12.0_c_double
   integer(c_int), parameter, public :: COR_CONTACT_MAX_STACK = 24576
   real(c_double), parameter, public :: COR_WAVE_MAX_ERROR = 1e-15_c_double

@@ -31,16 +31,17 @@
  * pointers may be NULL. x and y may be the same array, but must not overlap otherwise. A name that ends in f is the
  * function in float: it rounds the double result once.
  * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time, and
- * none changes a result. Where a function calls the C library's exp, log or pow, as its header says or at the ends of
- * its tables, another C library may change the last place (docs/evidence.md).
+ * none changes a result. Where a function calls the C library's exp, log, sin or atan, another C library may change the
+ * last place, and of Rayleigh's energy and collisions of disks more, far within their error estimates
+ * (docs/evidence.md#platforms has the list).
  * tests/unit/test_environment.c and test_stack.c assert this of every function. */
 #ifndef COR_COR_H
 #define COR_COR_H
 
-#define COR_VERSION_MAJOR 0
-#define COR_VERSION_MINOR 1
+#define COR_VERSION_MAJOR 1
+#define COR_VERSION_MINOR 0
 #define COR_VERSION_PATCH 0
-#define COR_VERSION_STRING "0.1.0"
+#define COR_VERSION_STRING "1.0.0"
 
 #include "contact.h"
 #include "disk.h"
