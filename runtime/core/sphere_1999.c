@@ -14,7 +14,8 @@ double cor_sphere_eps_simple(double beta)
     const double c = -COR_SPHERE_C1 * beta;
     /* With y = eps^(1/5), (27) is f(y) = y^3 (y^2 + c) - 1 = 0, increasing and convex for y > 0. Both 1 and c^(-1/3)
      * lie above the root, and from above Newton's method falls to the root. In the worst case (c near 1) it takes five
-     * steps. The sixth step removes the error of the first y. The upper half of cbrt is the same with every C library. */
+     * steps. The sixth step removes the error of the first y. The upper half of cbrt is the same with every C library.
+     */
     double y = c > 1 ? 1 / cor_inline_head(cbrt(c)) : 1;
     for (int i = 0; i < 6; i++) {
         const double y2 = y * y, y3 = y2 * y;

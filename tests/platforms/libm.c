@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Another C library answers tests/accuracy/test_libm.c (COR_TEST_LIBM): reads NAME BITS, prints the bits of the value. */
+/* Another C library answers tests/accuracy/test_libm.c (COR_TEST_LIBM): reads NAME BITS, prints the value's bits. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
