@@ -5,7 +5,8 @@
 
 #include "collisions.h"
 
-struct line fit_line(const double *x, const double *y, int n)
+/* The regression line, of n >= 2 points */
+static struct line fit_line(const double *x, const double *y, int n)
 {
     double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
     for (int i = 0; i < n; i++) {

@@ -8,9 +8,6 @@ struct line {
     double at_zero, slope;
 };
 
-/* The regression line, of n >= 2 points. */
-struct line fit_line(const double *x, const double *y, int n);
-
 /* 1 - eps^2 against 1/alpha for so many modes, through the walls wall[from] to wall[to]. at_zero NaN where a collision
  * is missing, here and below. */
 struct line wall_line(double nu, int modes, double speed, int from, int to);

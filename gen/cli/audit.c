@@ -31,14 +31,9 @@ static int read_file(struct cor_audit_text *text, struct texts *texts, const cha
     FILE *const file = standard ? stdin : fopen(path, "rb");
     if (!file)
         return errno;
-    char *bytes = NULL;
-    size_t size = 0, capacity = 0;
+    size_t size;
     errno = 0;
-    do {
-        capacity = capacity ? 2 * capacity : 1 << 16;
-        bytes = xrealloc(bytes, capacity);
-        size += fread(bytes + size, 1, capacity - size, file);
-    } while (size == capacity && size < MOST_BYTES);
+    char *const bytes = read_whole(file, MOST_BYTES, &size);
     const int wrong = ferror(file) ? errno : size < MOST_BYTES ? 0 : EFBIG;
     if (!standard)
         fclose(file);

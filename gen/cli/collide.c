@@ -11,7 +11,7 @@
 #include "support/local.h"
 
 /* The columns: names of the dimensionless collision and in SI units, NULL: none; the end at which the number holds */
-enum { BETA, X_MAX, T_MAX, EPS_OVERLAP, T_OVERLAP, EPS_FORCE, T_FORCE, FORCE_MAX, STICKING, COLUMNS = STICKING + 2 };
+enum { BETA, FORCE_MAX = 7, STICKING, COLUMNS = STICKING + 2 };
 static const struct {
     const char *name[2], *meaning;
     int end; /* OPTIONS_NOT_GIVEN: none */

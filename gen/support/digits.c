@@ -17,23 +17,24 @@ slong digits_to_bits(slong digits)
     return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
 }
 
-/* Sets lower <= x <= upper to the ends of the interval x, rounded outwards, and exactly if x is exact. Returns 0 if x
- * has no finite ends that MPFR can hold. */
-static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
+/* Initialises lower <= x <= upper with the ends of the interval x, rounded outwards, and exactly if x is exact. Returns
+ * 0 if x has no finite ends of one sign that MPFR can hold. */
+static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong least_bits)
 {
-    if (!arb_is_finite(x))
-        return 0;
+    const slong prec = FLINT_MAX(arb_bits(x), least_bits) + GUARD_BITS;
     LOCAL(arf, end);
-    int held = 1;
-    arb_get_lbound_arf(end, x, prec);
-    held &= arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0;
-    held &= arf_is_zero(end) || arf_cmpabs_2exp_si(end, MPFR_EMIN_DEFAULT) > 0;
-    arf_get_mpfr(lower, end, MPFR_RNDD);
-    arb_get_ubound_arf(end, x, prec);
-    held &= arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0;
-    held &= arf_is_zero(end) || arf_cmpabs_2exp_si(end, MPFR_EMIN_DEFAULT) > 0;
-    arf_get_mpfr(upper, end, MPFR_RNDU);
-    return held;
+    int held = arb_is_finite(x);
+    for (int up = 0; up < 2; up++) {
+        mpfr_ptr to = up ? upper : lower;
+        mpfr_init2(to, prec);
+        if (!held)
+            continue;
+        (up ? arb_get_ubound_arf : arb_get_lbound_arf)(end, x, prec);
+        held = arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0 &&
+               (arf_is_zero(end) || arf_cmpabs_2exp_si(end, MPFR_EMIN_DEFAULT) > 0);
+        arf_get_mpfr(to, end, up ? MPFR_RNDU : MPFR_RNDD);
+    }
+    return held && mpfr_sgn(lower) * mpfr_sgn(upper) > 0;
 }
 
 /* The shortest spelling that shows every digit of "-12345" with the point after the first `point` digits */
@@ -75,12 +76,9 @@ char *digits_of_ball(const arb_t x, slong digits)
     if (arf_is_pos_inf(arb_midref(x)))
         return xstrdup("inf");
 
-    const slong prec = FLINT_MAX(arb_bits(x), digits_to_bits(digits)) + GUARD_BITS;
     mpfr_t lower, upper;
-    mpfr_init2(lower, prec);
-    mpfr_init2(upper, prec);
     char *text = NULL;
-    if (ball_ends(lower, upper, x, prec) && mpfr_sgn(lower) * mpfr_sgn(upper) > 0) {
+    if (ball_ends(lower, upper, x, digits_to_bits(digits))) {
         mpfr_exp_t lower_point, upper_point;
         char *a = mpfr_get_str(NULL, &lower_point, 10, (size_t)digits, lower, MPFR_RNDN);
         char *b = mpfr_get_str(NULL, &upper_point, 10, (size_t)digits, upper, MPFR_RNDN);
@@ -100,12 +98,9 @@ int digits_to_double(double *y, const arb_t x)
         *y = 0;
         return 1;
     }
-    const slong prec = FLINT_MAX(arb_bits(x), DBL_MANT_DIG) + GUARD_BITS;
     mpfr_t lower, upper;
-    mpfr_init2(lower, prec);
-    mpfr_init2(upper, prec);
     int same = 0;
-    if (ball_ends(lower, upper, x, prec) && mpfr_sgn(lower) * mpfr_sgn(upper) > 0) {
+    if (ball_ends(lower, upper, x, DBL_MANT_DIG)) {
         double a = mpfr_get_d(lower, MPFR_RNDN);
         double b = mpfr_get_d(upper, MPFR_RNDN);
         same = a == b && isfinite(a);

@@ -299,6 +299,19 @@ int output_commit(struct output *out)
     return output_commit_all(out, 1);
 }
 
+char *read_whole(FILE *file, size_t most, size_t *size)
+{
+    size_t capacity = 1 << 16;
+    char *bytes = xmalloc(capacity);
+    *size = 0;
+    for (size_t got; *size < most && (got = fread(bytes + *size, 1, capacity - *size, file)) > 0;) {
+        *size += got;
+        if (*size == capacity)
+            bytes = xrealloc(bytes, capacity *= 2);
+    }
+    return bytes;
+}
+
 /* Tables */
 
 void table_init(struct table *t, const char *header, const char *kinds)

@@ -50,6 +50,10 @@ int output_commit_all(struct output *out, int n);
 
 void output_discard(struct output *out);
 
+/* All that a file holds from here on, malloc'ed, or its first `most` bytes or a few more; ferror(file) says whether
+ * reading failed. */
+char *read_whole(FILE *file, size_t most, size_t *size);
+
 /* A table of strings: the header row names the columns exactly as the contract does. In JSON the table is an array of
  * objects. Numbers are numbers, with all their digits; what is missing or infinite is null. In csv a missing number, an
  * empty cell, is nan. */

@@ -193,14 +193,7 @@ static char *read_file(const char *path, size_t *size)
     FILE *file = fopen(path, "rb");
     if (!file)
         return NULL;
-    size_t capacity = 1 << 16;
-    char *text = xmalloc(capacity);
-    *size = 0;
-    for (size_t got; (got = fread(text + *size, 1, capacity - *size, file)) > 0;) {
-        *size += got;
-        if (*size == capacity)
-            text = xrealloc(text, capacity *= 2);
-    }
+    char *text = read_whole(file, SIZE_MAX, size);
     const int error = ferror(file) ? errno : 0;
     fclose(file);
     if (error) {
