@@ -289,7 +289,7 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
 /* Whether the scalar function is faster: for a few numbers, and without vectors for several parts */
 KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
 {
-    return n < 6 || (LANES == 1 && table->kind == COR_ROW_PARTS);
+    return n < 8 || (LANES == 1 && table->kind == COR_ROW_PARTS);
 }
 
 /* ---- arrays of doubles ---- */
