@@ -15,6 +15,9 @@ enum {
     STEP_BITS = 3,
     /* The Lipschitz constant holds in a tube of this relative width around the polynomials. */
     TUBE_BITS = 10,
+    /* Coefficient n counts STEP_BITS n bits less than coefficient 0, and is computed with so many bits less; these are
+     * added for the round-off of its sums. */
+    COEFFICIENT_GUARD = 24,
     /* From this number of coefficients on, products of polynomials cost less than sums of products. */
     ONLINE_FROM = 48
 };
@@ -89,26 +92,32 @@ void taylor_clear(struct taylor *y)
     FOR_ALL(arb, clear, y->c1, y->c2, y->c3, y->step);
 }
 
+/* The bits with which coefficient n is computed. This decides widths alone: every ball has its round-off. */
+static slong coefficient_bits(const struct taylor *y, slong n)
+{
+    return FLINT_MAX(y->prec - STEP_BITS * n, 0) + COEFFICIENT_GUARD;
+}
+
 /* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g: the sum over i + j = n. If
  * `first` > 0, add_known_products has added the terms with i < first and j < first before. */
 static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong first, const struct taylor *y)
 {
-    const slong terms = n - first + 1;
+    const slong terms = n - first + 1, prec = coefficient_bits(y, n);
     LOCAL(arb, sum, own);
     if (f == g) {
         /* a square: each pair of different factors counts once with twice its value */
-        arb_dot(sum, NULL, 0, f + first, 1, f + n - first, -1, first > 0 ? terms : (n + 1) / 2, y->prec);
+        arb_dot(sum, NULL, 0, f + first, 1, f + n - first, -1, first > 0 ? terms : (n + 1) / 2, prec);
         if (first == 0 && n % 2 == 0)
-            arb_sqr(own, f + n / 2, y->prec);
+            arb_sqr(own, f + n / 2, prec);
         arb_mul_2exp_si(sum, sum, 1);
-        arb_add(sum, sum, own, y->prec);
+        arb_add(sum, sum, own, prec);
     } else {
-        arb_dot(sum, NULL, 0, f + first, 1, g + n - first, -1, terms, y->prec);
+        arb_dot(sum, NULL, 0, f + first, 1, g + n - first, -1, terms, prec);
         if (first > 0)
-            arb_dot(sum, sum, 0, g + first, 1, f + n - first, -1, terms, y->prec);
+            arb_dot(sum, sum, 0, g + first, 1, f + n - first, -1, terms, prec);
     }
     if (first > 0)
-        arb_add(out + n, out + n, sum, y->prec);
+        arb_add(out + n, out + n, sum, prec);
     else
         arb_swap(out + n, sum);
 }
@@ -116,6 +125,7 @@ static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong fir
 /* Coefficient n of the force; `first` as for convolve. */
 static void force_coefficient(struct taylor *y, slong n, slong first)
 {
+    const slong prec = coefficient_bits(y, n);
     arb_ptr force = y->force + n;
     arb_srcptr damped = y->v;
     if (y->node_damping != TAYLOR_NODE_ONE) {
@@ -123,11 +133,11 @@ static void force_coefficient(struct taylor *y, slong n, slong first)
         damped = y->damped;
     }
     arb_zero(force);
-    arb_addmul(force, y->c1, damped + n, y->prec);
+    arb_addmul(force, y->c1, damped + n, prec);
     if (y->node_elastic != TAYLOR_NODE_ONE)
-        arb_addmul(force, y->c2, node_block(y, y->node_elastic) + n, y->prec);
+        arb_addmul(force, y->c2, node_block(y, y->node_elastic) + n, prec);
     else if (n == 0)
-        arb_add(force, force, y->c2, y->prec);
+        arb_add(force, force, y->c2, prec);
 }
 
 /* Coefficients first to end - 1 of all products, then first + 1 to end of w, v and t */
@@ -135,22 +145,23 @@ static void expand_block(struct taylor *y, slong first, slong end)
 {
     LOCAL(arb, pressing);
     for (slong n = first; n < end; n++) {
+        const slong prec = coefficient_bits(y, n);
         for (int i = 0; i < y->powers; i++)
             convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, first, y);
         force_coefficient(y, n, first);
         if (y->node_outer != TAYLOR_NODE_ONE)
             convolve(y->product, node_block(y, y->node_outer), y->force, n, first, y);
-        arb_div_si(y->w + n + 1, y->v + n, y->law.d * (n + 1), y->prec);
-        arb_div_si(y->v + n + 1, (y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product) + n, -(n + 1), y->prec);
+        arb_div_si(y->w + n + 1, y->v + n, y->law.d * (n + 1), prec);
+        arb_div_si(y->v + n + 1, (y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product) + n, -(n + 1), prec);
         if (!arb_is_zero(y->c3)) {
-            arb_mul(pressing, y->c3, node_block(y, y->node_t) + n, y->prec);
-            arb_div_si(pressing, pressing, n + 1, y->prec);
-            arb_add(y->v + n + 1, y->v + n + 1, pressing, y->prec);
+            arb_mul(pressing, y->c3, node_block(y, y->node_t) + n, prec);
+            arb_div_si(pressing, pressing, n + 1, prec);
+            arb_add(y->v + n + 1, y->v + n + 1, pressing, prec);
         }
         if (y->node_t == TAYLOR_NODE_ONE)
             arb_set_si(y->t + n + 1, n == 0);
         else
-            arb_div_si(y->t + n + 1, node_block(y, y->node_t) + n, n + 1, y->prec);
+            arb_div_si(y->t + n + 1, node_block(y, y->node_t) + n, n + 1, prec);
     }
 }
 
@@ -162,18 +173,20 @@ static void expand_block(struct taylor *y, slong first, slong end)
 static void add_known_terms(arb_ptr out, arb_srcptr f, arb_srcptr g, slong first, slong middle, slong end,
                             const struct taylor *y)
 {
-    const slong length = end - first, known = middle - first;
-    arb_ptr product = _arb_vec_init(length), to = out + middle;
-    if (first == 0) {
-        _arb_poly_mullow(product, f, known, g, known, FLINT_MIN(length, 2 * known - 1), y->prec);
-    } else {
-        _arb_poly_mullow(product, g, length, f + first, known, length, y->prec);
-        _arb_vec_add(to, to, product + known, end - middle, y->prec);
-        if (f != g)
-            _arb_poly_mullow(product, f, length, g + first, known, length, y->prec);
+    const slong length = end - first, known = middle - first, others = first == 0 ? known : length;
+    const slong prec = coefficient_bits(y, middle);
+    arb_ptr product = _arb_vec_init(length), left = _arb_vec_init(length), right = _arb_vec_init(known);
+    for (int i = 0; i < (first == 0 || f == g ? 1 : 2); i++) {
+        _arb_vec_set_round(left, i == 0 ? g : f, others, prec);
+        _arb_vec_set_round(right, (i == 0 ? f : g) + first, known, prec);
+        _arb_poly_mullow(product, left, others, right, known, FLINT_MIN(length, others + known - 1), prec);
+        if (f == g && first > 0)
+            _arb_vec_scalar_mul_2exp_si(product, product, length, 1);
+        _arb_vec_add(out + middle, out + middle, product + known, end - middle, prec);
     }
-    _arb_vec_add(to, to, product + known, end - middle, y->prec);
     _arb_vec_clear(product, length);
+    _arb_vec_clear(left, length);
+    _arb_vec_clear(right, known);
 }
 
 static void add_known_products(struct taylor *y, slong first, slong middle, slong end)
@@ -505,7 +518,14 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
         formula_value(value, y, component, s);
         return;
     }
-    _arb_poly_evaluate(value, f, y->degree + 1, s, y->prec);
+    LOCAL(arb, sum, place);
+    for (slong n = y->degree; n >= 0; n--) {
+        const slong prec = coefficient_bits(y, n);
+        arb_set_round(place, s, prec);
+        arb_mul(sum, sum, place, prec);
+        arb_add(sum, sum, f + n, prec);
+    }
+    arb_swap(value, sum);
     arb_add_error_mag(value, component == TAYLOR_W ? y->error_w : component == TAYLOR_V ? y->error_v : y->error_t);
 }
 
