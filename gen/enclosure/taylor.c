@@ -315,17 +315,20 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_p
 }
 
 /* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
- * radius gives a valid bound; the best is a little inside the radius of convergence, 2^STEP_BITS h. */
+ * radius gives a valid bound; the best is a little inside the radius of convergence, 2^STEP_BITS h. The logarithms of
+ * the bounds are convex functions of log R, so that they have one minimum each. */
 static void residuals(struct step_proof *p)
 {
     enum { PER_OCTAVE = 4 };
+    bool falling = true;
     LOCAL(arb, residual_v, residual_t);
     component_norm(p->residual_w, p->y->v, p->y->degree, p->y, p->h_mag);
     arb_div_si(p->residual_w, p->residual_w, p->y->law.d, NORM_BITS);
     arb_pos_inf(p->residual_v);
     arb_pos_inf(p->residual_t);
-    for (int i = PER_OCTAVE; i <= (STEP_BITS + 1) * PER_OCTAVE; i++) {
+    for (int i = (STEP_BITS + 1) * PER_OCTAVE; i >= PER_OCTAVE && falling; i--) {
         residuals_at(residual_v, residual_t, p, exp2((double)i / (double)PER_OCTAVE));
+        falling = arb_lt(residual_v, p->residual_v) || arb_lt(residual_t, p->residual_t);
         arb_min(p->residual_v, p->residual_v, residual_v, NORM_BITS);
         arb_min(p->residual_t, p->residual_t, residual_t, NORM_BITS);
     }
