@@ -75,6 +75,10 @@ struct interpolant_layout {
     const struct interval *interval;
     int intervals;
     bool far; /* whether to compute the coefficients beyond the last u */
+    /* NULL, or c of the constant force f = c beta^(-2a/n) that presses one contact at every speed (docs/theory.md, 24).
+     * All intervals are then in u, and hold eps of one end alone. */
+    arb_srcptr press;
+    double press_log; /* u of the sticking speed, where eps has a branch point */
 };
 
 /* The sphere's. row_proof.h proves what it gives. */
@@ -91,6 +95,9 @@ const struct law *interpolant_law(const struct interpolant *f);
 slong interpolant_root(const struct interpolant *f);
 const arb_struct *interpolant_final_speed(const struct interpolant *f); /* v_f, if q > 0 */
 const arb_struct *interpolant_threshold(const struct interpolant *f);   /* beta_c; infinite without a threshold */
+
+/* The power of beta in the force of a layout with one */
+struct ratio interpolant_press_power(const struct law *law);
 
 const struct interpolant_layout *interpolant_layout_of(const struct interpolant *f);
 /* Nodes and values of the polynomial that interval i holds for a quantity; node[k] and value[k], k < count. Returns

@@ -48,6 +48,11 @@ const struct interpolant_layout *interpolant_layout_of(const struct interpolant 
     return f->layout;
 }
 
+struct ratio interpolant_press_power(const struct law *law)
+{
+    return ratio_div(ratio_mul((struct ratio){-2, 1}, law->a), law_fall_power(law));
+}
+
 bool interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
                          enum quantity quantity)
 {
@@ -111,8 +116,7 @@ void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, 
     const int bits = interval->variable == INTERVAL_LOG && x >= 2 ? 20 : 40;
     switch (interval->variable) {
     case INTERVAL_LOG:
-        arb_set_d(beta, nearbyint(ldexp(exp(x), bits)));
-        arb_mul_2exp_si(beta, beta, -bits);
+        arb_set_d(beta, f->layout->press ? exp(x) : ldexp(nearbyint(ldexp(exp(x), bits)), -bits));
         arb_log(variable, beta, INTERPOLANT_BITS);
         break;
     case INTERVAL_ROOT:
@@ -141,9 +145,15 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     if (interval->form == FORM_QUOTIENT)
         more += FLINT_MAX(0, -(slong)arf_abs_bound_lt_2exp_si(arb_midref(beta)) + 1);
     const bool overlap = interval->set & SET_ZERO_OVERLAP, force = interval->set & SET_ZERO_FORCE;
-    const int status = overlap && force ? collision_solve(&c, beta, law, bits + more)
-                       : overlap        ? collision_solve_overlap(&c, beta, law, bits + more)
-                                        : collision_solve_force(&c, beta, law, bits + more);
+    LOCAL(arb, press);
+    if (f->layout->press) {
+        arb_pow_ratio(press, beta, interpolant_press_power(law), prec + more);
+        arb_mul(press, press, f->layout->press, prec + more);
+    }
+    const int status = f->layout->press   ? collision_solve_pressed(&c, beta, press, law, force ? 1 : 0, bits + more)
+                       : overlap && force ? collision_solve(&c, beta, law, bits + more)
+                       : overlap          ? collision_solve_overlap(&c, beta, law, bits + more)
+                                          : collision_solve_force(&c, beta, law, bits + more);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (holds(interval, (enum quantity)q))
             scaled(value + q, law, interval, (enum quantity)q, &c, beta, prec + more);
@@ -205,6 +215,8 @@ static int make_constants(struct interpolant *f, double beta_max)
     const struct law *law = &f->layout->law;
     const struct ratio n = law_fall_power(law);
     arb_pos_inf(f->threshold);
+    if (f->layout->press)
+        return STATUS_OK;
     if (n.num < 0) {
         LOCAL(arb, height);
         const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
@@ -225,7 +237,7 @@ static int make_constants(struct interpolant *f, double beta_max)
 static void make_backward(struct interpolant *f)
 {
     const struct interpolant_layout *layout = f->layout;
-    if (holds(&layout->interval[0], EPS_ZERO_FORCE) || !law_force_ends(&layout->law))
+    if (layout->press || holds(&layout->interval[0], EPS_ZERO_FORCE) || !law_force_ends(&layout->law))
         return;
     LOCAL(fmpq_poly, G, T);
     restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);

@@ -40,8 +40,11 @@ static int run_embed(const void *arguments)
         status = contacts_of_request(&contacts, &o->scene);
     if (status == STATUS_OK)
         status = contacts_refuse_jkr(&contacts);
-    if (status == STATUS_OK && contacts.contact[0].force_n > 0)
-        status = usage_error("headers hold without --gravity and --adhesion; corgen sample tabulates eps with them");
+    if (status == STATUS_OK && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.law) &&
+        contacts.contact[0].damping > 0)
+        status =
+            usage_error("under --gravity or --adhesion headers hold for laws whose eps depends on the speed without "
+                        "them, too, not for linear and tsuji; corgen sample tabulates eps");
     if (status != STATUS_OK)
         return status;
     contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));

@@ -33,6 +33,8 @@ static struct embed_form form_blank(const struct embed_scene *s, enum embed_fami
                            .variable = variable,
                            .single = s->single,
                            .onset = s->onset,
+                           .before = s->pressed ? 0 : 1,
+                           .origin = s->origin,
                            .speed_min = s->speed_min,
                            .speed_max = s->speed_max};
     if (variable >= FIFTH_ROOT_OF_SPEED) /* the refinement that the tolerance needs */
@@ -248,9 +250,11 @@ static void search_family(void *context, slong family)
             try_rational(form, s, SPEED, 0, 0);
         return;
     }
-    if (family <= FAMILY_TWO_POINT && (!law_is_sphere(&s->law) || !arb_is_zero(s->liquid_speed))) {
+    if (family <= FAMILY_TWO_POINT && (!law_is_sphere(&s->law) || !arb_is_zero(s->liquid_speed) || s->pressed)) {
         snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only%s",
-                 arb_is_zero(s->liquid_speed) ? "" : ", dry ones");
+                 s->pressed                     ? ", without a constant force"
+                 : arb_is_zero(s->liquid_speed) ? ""
+                                                : ", dry ones");
         return;
     }
     switch (form->family) {

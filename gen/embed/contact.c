@@ -200,16 +200,75 @@ static void beta_of_force(arb_t beta, const struct embed_request *request, const
     arb_div(beta, beta, mass, prec);
 }
 
+/* R of 1/R = 1/R_1 + 1/R_2 */
+static void radius_of(arb_t radius, const struct embed_request *request, slong prec)
+{
+    LOCAL(fmpq, inverse, x);
+    for (int body = 1; body <= (request->wall || request->law == COR_LAW_PLATE ? 1 : 2); body++) {
+        fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
+        fmpq_add(inverse, inverse, x);
+    }
+    fmpq_inv(x, inverse);
+    arb_set_fmpq(radius, x, prec);
+}
+
+/* ---- a constant force ---- */
+
+/* -2a/(a+1): the power of the speed in f */
+static struct ratio force_power(const struct law *law)
+{
+    return ratio_div(ratio_mul(ratio_make(-2, 1), law->a), ratio_add(law->a, ratio_make(1, 1)));
+}
+
+/* (F/m) (m/K)^(1/(a+1)), F = m G + 2 pi w R */
+void embed_contact_force(arb_t force, const struct embed_request *request, const struct law *law, slong prec)
+{
+    const bool heavy = embed_given(request, COR_SCENE_GRAVITY), sticky = embed_given(request, COR_SCENE_ADHESION);
+    LOCAL(arb, mass, stiffness, x);
+    arb_zero(force);
+    if (!heavy && !sticky)
+        return;
+    if (embed_given(request, COR_SCENE_YOUNG)) {
+        bodies_of(mass, stiffness, x, request, prec);
+    } else {
+        arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
+        arb_set_fmpq(stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
+    }
+    if (sticky) {
+        radius_of(force, request, prec);
+        arb_set_fmpq(x, request->number[COR_SCENE_ADHESION].value, prec);
+        arb_mul(force, force, x, prec);
+        arb_const_pi(x, prec);
+        arb_mul(force, force, x, prec);
+        arb_mul_2exp_si(force, force, 1);
+        arb_div(force, force, mass, prec);
+    }
+    if (heavy) {
+        arb_set_fmpq(x, request->number[COR_SCENE_GRAVITY].value, prec);
+        arb_add(force, force, x, prec);
+    }
+    arb_div(x, mass, stiffness, prec);
+    arb_pow_ratio(x, x, ratio_div(ratio_make(1, 1), ratio_add(law->a, ratio_make(1, 1))), prec);
+    arb_mul(force, force, x, prec);
+}
+
 /* ---- a measured restitution ---- */
 
-enum { SOLVE_BITS = 192, SOLVE_HALF_WIDTH = -80 /* a power of two */, SOLVE_STEPS = 8 };
+enum {
+    SOLVE_BITS = 192,
+    SOLVE_HALF_WIDTH = -80, /* powers of two */
+    SOLVE_HALF_WIDTH_PRESSED = -150,
+    SOLVE_STEPS = 8
+};
 
-int embed_contact_eps(arb_t eps, const arb_t beta, const struct law *law, int end, slong bits)
+int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const struct law *law, int end, slong bits)
 {
     struct collision c;
     const bool force = end == END_ZERO_FORCE && law_force_ends(law) && !arb_is_zero(beta);
     collision_init(&c);
-    const int status = (force ? collision_solve_force : collision_solve_overlap)(&c, beta, law, bits);
+    const int status = !arb_is_zero(pressing)
+                           ? collision_solve_pressed(&c, beta, pressing, law, end, bits)
+                           : (force ? collision_solve_force : collision_solve_overlap)(&c, beta, law, bits);
     arb_set(eps, force ? c.eps_zero_force : c.eps_zero_overlap);
     collision_clear(&c);
     return status ? STATUS_FAILED : STATUS_OK;
@@ -217,18 +276,19 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const struct law *law, int en
 
 /* Encloses the beta at which eps, which falls with it, is `wanted`: secants until eps is above it at one end of a
  * narrow ball, and below at the other. */
-static int solve_beta(arb_t beta, const arb_t wanted, const struct law *law, int end)
+static int solve_beta(arb_t beta, const arb_t wanted, const arb_t pressing, const struct law *law, int end)
 {
+    const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
     LOCAL(arb, low, high, above, below, slope);
     for (int step = 0; step < SOLVE_STEPS; step++) {
         arb_get_mid_arb(beta, beta);
-        arb_mul_2exp_si(slope, beta, SOLVE_HALF_WIDTH);
+        arb_mul_2exp_si(slope, beta, half_width);
         arb_sub(low, beta, slope, SOLVE_BITS);
         arb_add(high, beta, slope, SOLVE_BITS);
         arb_get_mid_arb(low, low); /* an exact beta, with which eps has all of its bits */
         arb_get_mid_arb(high, high);
-        if (embed_contact_eps(above, low, law, end, SOLVE_BITS) != STATUS_OK ||
-            embed_contact_eps(below, high, law, end, SOLVE_BITS) != STATUS_OK)
+        if (embed_contact_eps(above, low, pressing, law, end, SOLVE_BITS) != STATUS_OK ||
+            embed_contact_eps(below, high, pressing, law, end, SOLVE_BITS) != STATUS_OK)
             return STATUS_FAILED;
         if (arb_gt(above, wanted) && arb_lt(below, wanted)) {
             arb_union(beta, low, high, SOLVE_BITS);
@@ -254,10 +314,14 @@ static int beta_of_restitution(arb_t beta, const struct embed_request *request, 
         arb_set_d(beta, cor_scene_beta(contact, 1));
         return STATUS_OK;
     }
-    LOCAL(arb, wanted, power);
+    LOCAL(arb, wanted, power, pressing);
     arb_set_fmpq(wanted, eps, SOLVE_BITS);
     arb_set_d(beta, cor_scene_beta(contact, embed_number(request, COR_SCENE_AT)));
-    const int status = solve_beta(beta, wanted, law, request->end);
+    embed_contact_force(pressing, request, law, 2 * SOLVE_BITS);
+    arb_set_fmpq(power, request->number[COR_SCENE_AT].value, 2 * SOLVE_BITS);
+    arb_pow_ratio(power, power, force_power(law), 2 * SOLVE_BITS);
+    arb_mul(pressing, pressing, power, 2 * SOLVE_BITS);
+    const int status = solve_beta(beta, wanted, pressing, law, request->end);
     arb_set_fmpq(power, request->number[COR_SCENE_AT].value, SOLVE_BITS);
     arb_pow_ratio(power, power, law_speed_exponent(law), SOLVE_BITS);
     arb_div(beta, beta, power, SOLVE_BITS);
@@ -286,18 +350,6 @@ int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request 
 }
 
 /* ---- yield, and a liquid ---- */
-
-/* R of 1/R = 1/R_1 + 1/R_2 */
-static void radius_of(arb_t radius, const struct embed_request *request, slong prec)
-{
-    LOCAL(fmpq, inverse, x);
-    for (int body = 1; body <= (request->wall || request->law == COR_LAW_PLATE ? 1 : 2); body++) {
-        fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
-        fmpq_add(inverse, inverse, x);
-    }
-    fmpq_inv(x, inverse);
-    arb_set_fmpq(radius, x, prec);
-}
 
 /* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) */
 static void yield_speed_of_stress(arb_t speed, const struct embed_request *request, slong prec)

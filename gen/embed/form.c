@@ -22,7 +22,7 @@ void embed_form_clear(struct embed_form *f)
     f->number = NULL;
 }
 
-const char *embed_family_name(enum embed_family family, const struct law *law)
+const char *embed_family_name(enum embed_family family, const struct embed_scene *s)
 {
     static const char *const names[FAMILIES] = {
         "series in beta",          "Pade in beta",           "two-point Pade in beta", "polynomial in beta",
@@ -31,7 +31,7 @@ const char *embed_family_name(enum embed_family family, const struct law *law)
     static const char *const of_other_laws[FAMILIES] = {[FAMILY_POLYNOMIAL_BETA] = "polyn. in speed^(1/5)",
                                                         [FAMILY_RATIONAL_BETA] = "rational in speed^(1/5)",
                                                         [FAMILY_PIECES_BETA] = "pieces in speed^(1/5)"};
-    return law_is_sphere(law) || !of_other_laws[family] ? names[family] : of_other_laws[family];
+    return (law_is_sphere(&s->law) && !s->pressed) || !of_other_laws[family] ? names[family] : of_other_laws[family];
 }
 
 void embed_form_size(char *text, size_t size, const struct embed_form *f)
@@ -198,7 +198,8 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
         value = form_split_polynomial(f, number, f->numerator, x, fused);
     if (f->denominator > 0)
         value = form_rounded(f, value / form_split_polynomial(f, number + f->numerator + 1, f->denominator, x, fused));
-    return !(speed >= 0) ? (double)NAN : f->onset > 0 && speed <= f->onset ? 1 : value;
+    const double whole = speed + f->origin;
+    return !(whole >= 0) ? (double)NAN : f->onset > 0 && whole <= f->onset ? f->before : value;
 }
 
 void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride)
@@ -233,6 +234,7 @@ void embed_form_price(struct embed_form *f)
     int *n = f->operations;
     memset(n, 0, sizeof f->operations);
     n[OP_COMPARE] = f->onset > 0 ? 4 : 3;
+    n[OP_ADD] = f->origin > 0 ? 1 : 0;
     switch (f->variable) {
     case SPEED:
         break;

@@ -70,7 +70,9 @@ struct embed_form {
     enum embed_family family;
     enum embed_variable variable;
     double speed_min, speed_max;
-    double onset; /* up to this speed the value is 1; 0: there is none */
+    double onset; /* up to this speed the value is `before`; 0: there is none */
+    double before;
+    double origin; /* from which every other speed of the struct, and that of the formula, is counted */
     slong numerator, denominator;
     slong rows;     /* rows of a table of polynomials of degree `numerator`; 0: no table */
     double *number; /* p_0, ..., p_m, q_0, ..., q_n; or the rows. Malloc'ed */
@@ -103,8 +105,8 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
 /* Fills operations and cost. */
 void embed_form_price(struct embed_form *f);
 
-/* For spheres the text calls speed^(1/5) beta. */
-const char *embed_family_name(enum embed_family family, const struct law *law);
+/* For spheres without a constant force the text calls speed^(1/5) beta. */
+const char *embed_family_name(enum embed_family family, const struct embed_scene *s);
 /* The size as text: "[5/6]", "degree 7", "54 rows of degree 3" */
 void embed_form_size(char *text, size_t size, const struct embed_form *f);
 

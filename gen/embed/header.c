@@ -46,7 +46,9 @@ static void append_command(struct text *t, const struct embed_request *request)
         text_append(t, " --%s %s", name, text);
     }
     char law[EMBED_LAW_OPTIONS];
-    text_append(t, "%s%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
+    text_append(t, "%s%s%s%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
+                request->adhesion_model ? " --adhesion-model " : "",
+                request->adhesion_model ? embed_adhesion_names[request->adhesion_model] : "",
                 embed_law_options(law, request), request->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap",
                 embed_type_names[request->type], embed_purpose_names[request->purpose]);
     if (request->name)
@@ -71,7 +73,7 @@ static void append_alternatives(struct text *t, const struct embed_scene *s, con
                    "  form                    size                   error    scalar vector  operations\n");
     for (int i = 0; i < FAMILIES; i++) {
         const struct embed_form *f = &form[i];
-        text_append(t, "%c %-23s ", i == (int)chosen ? '>' : ' ', embed_family_name((enum embed_family)i, &s->law));
+        text_append(t, "%c %-23s ", i == (int)chosen ? '>' : ' ', embed_family_name((enum embed_family)i, s));
         if (f->found) {
             char size[64];
             embed_form_size(size, sizeof size, f);
@@ -118,14 +120,36 @@ static void append_title(struct text *t, const struct embed_scene *s, const char
 
 enum { EVIDENCE = 96 };
 
+static bool proved_everywhere(const struct embed_proof *proof, const struct embed_scene *s)
+{
+    return proof->proved && !(proof->from > s->speed_min + s->origin);
+}
+
 /* How the tolerance is known */
 static const char *evidence(char text[EVIDENCE], const struct embed_scene *s, const struct embed_proof *proof)
 {
     if (!(proof->error <= s->tolerance) && isfinite(proof->error))
         snprintf(text, EVIDENCE, "sampled, below; proved: %s", emit_bound(proof->error).text);
+    else if (proof->proved && !proved_everywhere(proof, s))
+        snprintf(text, EVIDENCE, "proved from %.6g m/s on, sampled below that", proof->from);
     else
         snprintf(text, EVIDENCE, "%s, below", proof->proved ? "proved" : "sampled");
     return text;
+}
+
+static void append_sticking(struct text *t, const struct embed_request *request, const struct embed_scene *s)
+{
+    if (!s->pressed)
+        return;
+    char *sticking = arb_get_str(s->sticking_speed, 20, ARB_STR_NO_RADIUS);
+    text_append(t,
+                "A constant force presses the bodies together, and up to v_s = %s m/s (enclosed)\n"
+                "they stay so: eps = 0.",
+                sticking);
+    if (embed_number(request, EMBED_SPEED_MIN) <= s->onset)
+        text_append(t, " The function is 0 up to %.17g m/s, where eps is %.2g.", s->onset, s->samples.eps[0]);
+    text_append(t, "\n");
+    flint_free(sticking);
 }
 
 static void append_scene(struct text *t, const struct embed_request *request, const struct embed_scene *s,
@@ -148,23 +172,29 @@ static void append_scene(struct text *t, const struct embed_request *request, co
                     "A liquid takes s = %s m/s on the way in and on the way out: with dry eps(v - s)\n"
                     "at the speed v - s, eps = (eps(v - s) (v - s) - s)/v.\n",
                     liquid);
+    append_sticking(t, request, s);
     text_append(t,
                 "Accuracy: relative error of eps at most %s, approximation and rounding together (%s).\n"
-                "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
-                request->number[EMBED_TOLERANCE].text, evidence(known, s, proof));
+                "Outside: %s; negative or NaN -> NaN.\n\n",
+                request->number[EMBED_TOLERANCE].text, evidence(known, s, proof),
+                s->pressed ? "0 as above, otherwise the value at the nearer end, of +inf too"
+                           : "the value at the nearer end, of speed 0 and +inf too");
     flint_free(liquid);
     flint_free(beta);
 }
 
-static void append_proof(struct text *t, const struct embed_proof *proof)
+static void append_proof(struct text *t, const struct embed_scene *s, const struct embed_proof *proof)
 {
     if (!isfinite(proof->rounding))
         return;
     const struct bound_text rounding = emit_bound(proof->rounding);
     if (!proof->proved)
         text_append(t, "Proved: rounding errors of %s at most, ", rounding.text);
-    else
+    else if (proved_everywhere(proof, s))
         text_append(t, "Proved at every speed of the range: %s at most, of which rounding %s,\n",
+                    emit_bound(proof->error).text, rounding.text);
+    else
+        text_append(t, "Proved from %.6g m/s on: %s at most, of which rounding %s,\n", proof->from,
                     emit_bound(proof->error).text, rounding.text);
     text_append(t, "with + - * / and sqrt rounded to nearest, products fused or not.\n");
 }
@@ -179,10 +209,10 @@ static void append_choice(struct text *t, const struct embed_request *request, c
                 "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
                 "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
                 "once and twice: sampled. %s\n",
-                embed_family_name(chosen, &s->law), size, rule_of_purpose(request->purpose),
-                embed_purpose_names[request->purpose], emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
-                f->rows > 0 ? "No branch; one table." : "No branch, no table.");
-    append_proof(t, proof);
+                embed_family_name(chosen, s), size, rule_of_purpose(request->purpose),
+                embed_purpose_names[request->purpose], emit_bound(f->error).text, f->error_at + f->origin,
+                EMBED_SAMPLES, f->rows > 0 ? "No branch; one table." : "No branch, no table.");
+    append_proof(t, s, proof);
     text_append(
         t, "\nThe cheapest of each kind. error: the largest found. ns are made from the operations and what they cost\n"
            "in a loop where that was measured (docs/embed.md): right as ratios. Division and square root run beside\n"
@@ -207,10 +237,11 @@ static void append_provenance(struct text *t, const struct embed_scene *s, const
     }
     text_append(
         t,
-        "\nFitted to and compared with collisions %s enclosed to 76 bits or\n"
+        "\nFitted to and compared with collisions %s%s enclosed to 76 bits or\n"
         "more (proved), which are interpolated to 1e-17 (%s); coefficients\n"
         "rounded once to the type. C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
-        law_equation(&s->law).text, proof->proved ? "sampled; the proof includes their proved error" : "sampled");
+        law_equation(&s->law).text, s->pressed ? " + f" : "",
+        proof->proved ? "sampled; the proof includes their proved error" : "sampled");
 }
 
 /* ---- the function ---- */
@@ -258,12 +289,12 @@ static void emit_long_polynomial(struct emit *e, const char *name, const char *x
         emit_let_split_polynomial(e, name, x, "xx", c, degree);
 }
 
-/* eps is 1 up to the onset of yield. */
+/* Up to the onset eps is 1, where spheres begin to yield, or 0, where bodies no longer stay together. */
 static void emit_close_at_onset(struct emit *e, const struct embed_form *f, const char *numerator,
                                 const char *denominator, bool vector)
 {
     if (f->onset > 0)
-        emit_let_above(e, "above_onset", "speed", f->onset, numerator, denominator);
+        emit_let_above(e, "above_onset", "speed", f->onset, f->before, numerator, denominator);
     emit_function_close(e, "speed", f->onset > 0 ? "above_onset" : numerator, f->onset > 0 ? NULL : denominator,
                         vector);
 }
@@ -274,8 +305,10 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
     if (f->rows > 0)
         emit_table(e, "row", f->number, f->rows, f->numerator + 1);
     const bool constant = f->rows == 0 && f->numerator + f->denominator == 0;
+    if (f->origin > 0)
+        emit_let_less(e, "more", "speed", f->origin);
     if (!constant)
-        emit_let_clamped(e, "g", "speed", f->speed_min, f->speed_max, vector);
+        emit_let_clamped(e, "g", f->origin > 0 ? "more" : "speed", f->speed_min, f->speed_max, vector);
     const char *x = constant ? "g" : emit_variable(e, f);
     if (f->rows > 0) {
         if (f->family == FAMILY_PIECES_SPEED)
@@ -350,7 +383,7 @@ char *embed_failures(const struct embed_scene *s, const struct embed_form *form)
     t->length = 0;
     t->text[0] = '\0';
     for (int i = 0; i < FAMILIES; i++)
-        text_append(t, "%s%s: %s", i ? "; " : "", embed_family_name((enum embed_family)i, &s->law), form[i].why);
+        text_append(t, "%s%s: %s", i ? "; " : "", embed_family_name((enum embed_family)i, s), form[i].why);
     char *copy = xstrdup(t->text);
     free(t);
     return copy;

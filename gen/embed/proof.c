@@ -27,6 +27,8 @@ enum {
 #define NEAR_SAMPLED 1.005
 /* The error of the interpolant of another law may be this part of the form's error. */
 #define LAW_PART_OF_ERROR 1e-3
+/* Proofs begin at this times the sticking speed v_s, because their cost grows like 1/(v - v_s). */
+#define STICKING_PROVED 1.01
 /* More than the rounding of a few functions of libm */
 #define SLACK 1e-13
 
@@ -48,6 +50,7 @@ struct prover {
     arb_t speed_factor; /* of a wet contact: dry speed = speed_factor beta^(1/q) */
     arb_t factor;       /* variable = factor beta^(1/(q root)), q = 1/5 for spheres */
     double enough;
+    double from; /* the first speed with a proof */
     struct part *part;
     slong parts;
     double *error; /* of each part */
@@ -182,9 +185,10 @@ static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t 
     return done;
 }
 
-/* The variable in a liquid: a root of v = v_d + s, where v_d is the dry speed. eps becomes eps v = eps_d v_d - s. */
-static bool wet_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
-                         const struct prover *w, bool by_log)
+/* The variable where the speed is not that of beta: a root of v. In a liquid v = v_d + s, where v_d is the dry speed,
+ * and eps becomes eps v = eps_d v_d - s; under a constant force v is less by the shift. */
+static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
+                           const struct prover *w, bool by_log)
 {
     const struct ratio power = ratio_div((struct ratio){1, 1}, law_speed_exponent(&w->s->law));
     LOCAL(arb, lost);
@@ -196,10 +200,14 @@ static bool wet_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_p
         enclosed_multiply(v, v, beta);
     }
     arb_poly_scalar_mul(v, v, w->speed_factor, ENCLOSED_BITS);
-    enclosed_multiply(eps, eps, v);
-    arb_neg(lost, w->s->liquid_speed);
-    enclosed_add_number(eps, lost);
-    enclosed_add_number(v, w->s->liquid_speed);
+    if (w->s->pressed) {
+        enclosed_add_double(v, -w->s->origin);
+    } else {
+        enclosed_multiply(eps, eps, v);
+        arb_neg(lost, w->s->liquid_speed);
+        enclosed_add_number(eps, lost);
+        enclosed_add_number(v, w->s->liquid_speed);
+    }
     arb_poly_set(y, v);
     LOCAL(arb_poly, z);
     switch (w->f->variable) {
@@ -256,7 +264,7 @@ static double part_error(const struct prover *w, const struct part *part, int de
     LOCAL(arb_poly, eps, beta, x, y, p, v);
     double error = HUGE_VAL, known = 0;
     if (part_functions(eps, beta, x, w, part) &&
-        (wet ? wet_variable(y, eps, v, beta, x, w, by_log) : part_variable(y, beta, x, w, by_log))) {
+        (wet || w->s->pressed ? moved_variable(y, eps, v, beta, x, w, by_log) : part_variable(y, beta, x, w, by_log))) {
         part_place(y, w, part->row);
         part_polynomial(p, c, f->numerator, y);
         if (wet)
@@ -372,7 +380,7 @@ static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
     const struct embed_form *const f = w->f;
     bool covered = true;
     if (f->rows == 0)
-        covered = cover_range(w, 0, f->speed_min, f->speed_max);
+        covered = cover_range(w, 0, w->from, f->speed_max);
     for (slong row = 0; row < f->rows; row++) {
         double lo, hi;
         if (f->family == FAMILY_PIECES_SPEED) {
@@ -382,7 +390,7 @@ static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
             lo = pow(fmax((double)row - rounding->place - f->shift, 0) / f->slope, 5) * (1 - 10 * SLACK);
             hi = pow(((double)row + 1 + rounding->place - f->shift) / f->slope, 5) * (1 + 10 * SLACK);
         }
-        lo = fmax(lo, f->speed_min);
+        lo = fmax(lo, w->from);
         hi = fmin(hi, f->speed_max);
         if (lo <= hi)
             covered = cover_range(w, row, lo, hi) && covered;
@@ -395,6 +403,7 @@ static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
 static void prove_formula(struct embed_proof *proof, struct prover *w, const struct embed_rounding *rounding)
 {
     proof->proved = cover_form(w, rounding);
+    proof->from = w->from + w->s->origin;
     w->error = xmalloc((size_t)(w->parts + 1) * sizeof *w->error);
     parallel_for(prove_part, w, w->parts, "proof");
     proof->formula = w->parts > 0 ? 0 : HUGE_VAL;
@@ -421,6 +430,20 @@ static void prove_constant(struct embed_proof *proof, const struct embed_form *f
     proof->formula = proof->error;
 }
 
+/* The first speed of a scene with a constant force at which the cost of a proof is bounded, like every speed less the
+ * origin. Sets the end of beta[] next to the sticking speed to that of this speed. */
+static double first_proved(double beta[2], const struct embed_scene *s)
+{
+    const double speed =
+        fmax(s->speed_min, arf_get_d(arb_midref(s->sticking_speed), ARF_RND_UP) * STICKING_PROVED - s->origin);
+    const bool rises = law_speed_exponent(&s->law).num > 0;
+    LOCAL(arb, x);
+    arb_set_d(x, speed);
+    embed_scene_beta(x, s, x);
+    beta[rises ? 0 : 1] = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    return speed;
+}
+
 int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
 {
     if (s->constant) {
@@ -433,13 +456,19 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
         return STATUS_OK;
     proof->rounding = rounding.error;
     const bool overlap = s->end == END_ZERO_OVERLAP || !law_force_ends(&s->law); /* otherwise the ends coincide */
-    struct prover w = {
-        .f = f, .s = s, .quantity = overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, .enough = f->error * NEAR_SAMPLED};
+    struct prover w = {.f = f,
+                       .s = s,
+                       .quantity = overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE,
+                       .enough = f->error * NEAR_SAMPLED,
+                       .from = f->speed_min};
     int status = STATUS_OK;
     if (s->by_speed) {
         status = STATUS_OK;
-    } else if (!law_is_sphere(&s->law)) {
-        w.law = law_proof_new(s->interpolant, w.quantity, s->beta_min, s->beta_max, LAW_PART_OF_ERROR * f->error);
+    } else if (!law_is_sphere(&s->law) || s->pressed) {
+        double beta[2] = {s->beta_min, s->beta_max};
+        if (s->pressed)
+            w.from = first_proved(beta, s);
+        w.law = law_proof_new(s->interpolant, w.quantity, beta[0], beta[1], LAW_PART_OF_ERROR * f->error);
         status = w.law ? STATUS_OK : STATUS_FAILED;
     } else if (s->interpolant) {
         w.interpolant = interpolant_proof_new(s->interpolant, 1u << w.quantity, ELLIPSES_STATED);

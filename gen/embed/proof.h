@@ -17,7 +17,8 @@ struct embed_proof {
     double error;    /* relative, of eps from the header; infinite without a proof */
     double formula;  /* of that the formula without rounding */
     double rounding; /* and the rounding */
-    bool proved;     /* the error, at every speed of the range */
+    bool proved;     /* the error, at every speed of the range from this one on, m/s */
+    double from;
 };
 
 /* Proves the error of a form of spheres, sampled before. For other laws only the rounding has a bound. Returns

@@ -84,7 +84,8 @@ static bool is_wet(const struct embed_scene *s)
 static void beta_of_speed(arb_t beta, const struct embed_scene *s, const arb_t whole, const arb_t beta_per_root)
 {
     LOCAL(arb, speed);
-    arb_set(speed, whole);
+    arb_set_d(speed, s->origin);
+    arb_add(speed, speed, whole, EMBED_BITS);
     if (is_wet(s))
         arb_sub(speed, speed, s->liquid_speed, EMBED_BITS);
     if (law_is_sphere(&s->law))
@@ -117,7 +118,7 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
         embed_elastic_plastic_eps(eps, beta, s->yield_speed, EMBED_BITS);
     else if (s->constant || s->by_speed)
         arb_set(eps, s->eps);
-    else if (law_is_sphere(&s->law))
+    else if (law_is_sphere(&s->law) && !s->pressed)
         eps_of_beta(eps, s, beta);
     else
         interpolant_at_beta(eps, s->interpolant, quantity_of(s), beta, EMBED_BITS);
@@ -197,6 +198,102 @@ static int scene_collide(struct embed_scene *s)
     return status == STATUS_OK ? limit.status : status;
 }
 
+/* ---- a constant force ---- */
+
+/* The interpolant begins where the distance to ln(beta) of the sticking speed is this part of q, so that there the
+ * speed is above the sticking speed by this part of it. */
+#define STICKING_MARGIN 1e-10
+/* Intervals in ln(beta) are as long as their distance from the sticking speed, where eps has a branch point, but not
+ * longer than this. */
+#define LONGEST_PRESSED 0.5
+/* Nearer than this, where nothing is proved, they are three times as long, with more points. */
+#define NEAR_STICKING 1e-3
+enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS = 100, MOST_PRESSED = 200 };
+
+/* c of f = c beta^(-2a/n), and the sticking speed, from f_1: in units in which the force is 1 the law has the damping
+ * B = beta_1 f_1^(n/(2a)), the same at every speed, and the unit of speed is f_1^((a+1)/(2a)). */
+static int find_sticking_speed(struct embed_scene *s, const struct embed_request *request)
+{
+    const struct ratio a2 = ratio_mul(ratio_make(2, 1), s->law.a), n = law_fall_power(&s->law);
+    LOCAL(arb, force, damping, x);
+    embed_contact_force(force, request, &s->law, EMBED_BITS);
+    arb_pow_ratio(s->press, s->beta_enclosed, ratio_div(a2, n), EMBED_BITS);
+    arb_mul(s->press, s->press, force, EMBED_BITS);
+    arb_pow_ratio(damping, force, ratio_div(n, a2), EMBED_BITS);
+    arb_mul(damping, damping, s->beta_enclosed, EMBED_BITS);
+    if (collision_sticking_speed(s->sticking_speed, damping, &s->law, (int)s->end, STICKING_BITS))
+        return STATUS_FAILED;
+    arb_pow_ratio(x, force, ratio_div(ratio_add(s->law.a, ratio_make(1, 1)), a2), EMBED_BITS);
+    arb_mul(s->sticking_speed, s->sticking_speed, x, EMBED_BITS);
+    arb_pow_ratio(x, s->sticking_speed, law_speed_exponent(&s->law), EMBED_BITS);
+    arb_mul(x, x, s->beta_enclosed, EMBED_BITS);
+    arb_log(x, x, EMBED_BITS);
+    s->sticking_log = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    return STATUS_OK;
+}
+
+/* The neighbour of a number of the scene's type, 0 or more, towards zero or away from it */
+static double neighbour(const struct embed_scene *s, double x, double towards)
+{
+    return s->single ? (double)nextafterf((float)x, (float)towards) : nextafter(x, towards);
+}
+
+/* Chooses shift, onset and the first speed. v - shift is exact for every v up to speed_max, because the shift is a
+ * multiple of the last place of speed_max. */
+static int shift_speeds(struct embed_scene *s)
+{
+    const double sticking = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_FLOOR);
+    double below = embed_rounded(s, sticking), first = embed_rounded(s, sticking * (1 + STICKING_MARGIN));
+    if (below > sticking)
+        below = neighbour(s, below, 0);
+    while (first < sticking * (1 + STICKING_MARGIN))
+        first = neighbour(s, first, HUGE_VAL);
+    if (!(s->speed_max > first))
+        return usage_error("up to %.6g m/s the bodies stay together, and eps is 0; --speed-max is not above it",
+                           sticking);
+    s->onset = s->speed_min > first ? below : neighbour(s, first, 0);
+    s->speed_min = fmax(s->speed_min, first);
+    const double unit = s->speed_max - neighbour(s, s->speed_max, 0);
+    s->origin = floor(below / unit) * unit;
+    s->speed_min -= s->origin;
+    s->speed_max -= s->origin;
+    return STATUS_OK;
+}
+
+/* Intervals in u = ln(beta) that begin at the end next to the sticking speed, at u_s, in ascending order */
+static void pressed_layout(struct embed_scene *s)
+{
+    const bool force = s->end == END_ZERO_FORCE && law_force_ends(&s->law), rises = law_speed_exponent(&s->law).num > 0;
+    const double u_s = s->sticking_log, beyond = 1e-9;
+    const double begin = rises ? log(s->beta_min) : log(s->beta_max), end = rises ? log(s->beta_max) : log(s->beta_min);
+    struct interval *const list = xmalloc(MOST_PRESSED * sizeof *list);
+    int count = 0;
+    /* a little of the distance before the first speed, and beyond the last */
+    double distance = fabs(begin - u_s) * (1 - 1e-4);
+    const double last = fabs(end - u_s) + beyond;
+    while (distance < last && count < MOST_PRESSED) {
+        const bool near = distance < NEAR_STICKING;
+        const double next = fmin(distance + fmin((near ? 3 : 1) * distance, LONGEST_PRESSED), last * (1 + beyond));
+        list[count++] = (struct interval){INTERVAL_LOG,
+                                          rises ? u_s + distance : u_s - next,
+                                          rises ? u_s + next : u_s - distance,
+                                          near ? NEAR_POINTS : PRESSED_POINTS,
+                                          PRESSED_BITS,
+                                          FORM_LOG,
+                                          1u << (force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP)};
+        distance = next;
+    }
+    for (int i = 0; !rises && i < count / 2; i++) {
+        const struct interval swapped = list[i];
+        list[i] = list[count - 1 - i];
+        list[count - 1 - i] = swapped;
+    }
+    s->layout = (struct law_layout){
+        .interpolant =
+            {.law = s->law, .root = 1, .interval = list, .intervals = count, .press = s->press, .press_log = u_s},
+        .threshold = HUGE_VAL};
+}
+
 /* ---- another law ---- */
 
 /* Relative error of the interpolant at places between its samples */
@@ -206,13 +303,17 @@ enum { CHECK_POINTS = 4, ATTEMPTS = 3 };
 static int scene_collide_law(struct embed_scene *s)
 {
     double error = INFINITY;
-    int status = law_layout_init(&s->layout, &s->law);
-    if (status == STATUS_OK && s->end == END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold) {
+    int status = STATUS_OK;
+    if (s->pressed)
+        pressed_layout(s);
+    else
+        status = law_layout_init(&s->layout, &s->law);
+    if (status == STATUS_OK && !s->pressed && s->end == END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold) {
         const double q = 1 / (double)law_speed_exponent(&s->law).num * (double)law_speed_exponent(&s->law).den;
         return usage_error("at zero overlap the bodies part only above %.6g m/s (beta below %.6g); --speed-min is not",
                            s->speed_min * pow(s->layout.threshold / s->beta_max, q), s->layout.threshold);
     }
-    if (status == STATUS_OK)
+    if (status == STATUS_OK && !s->pressed)
         law_layout_restrict(&s->layout, quantity_of(s), s->beta_min);
     for (int attempt = 0; status == STATUS_OK && error > INTERPOLANT_LIMIT && attempt < ATTEMPTS; attempt++) {
         if (attempt > 0) {
@@ -233,7 +334,7 @@ static int scene_collide_once(struct embed_scene *s, const struct embed_request 
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_set_fmpq(s->eps, request->number[COR_SCENE_RESTITUTION].value, EMBED_BITS);
     else
-        return embed_contact_eps(s->eps, s->beta_per_root, &s->law, (int)s->end, EMBED_BITS / 2);
+        return embed_contact_eps(s->eps, s->beta_per_root, s->press, &s->law, (int)s->end, EMBED_BITS / 2);
     return STATUS_OK;
 }
 
@@ -241,16 +342,16 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
 {
     const double per_root = arf_get_d(arb_midref(s->beta_per_root), ARF_RND_NEAR);
     const double q = (double)law_speed_exponent(&s->law).num / (double)law_speed_exponent(&s->law).den;
-    const double lost = arf_get_d(arb_midref(s->liquid_speed), ARF_RND_NEAR);
+    const double lost = arf_get_d(arb_midref(s->liquid_speed), ARF_RND_NEAR) - s->origin;
     const double slow = per_root * pow(s->speed_min - lost, q), fast = per_root * pow(s->speed_max - lost, q);
     s->beta_min = fmin(slow, fast);
     s->beta_max = fmax(slow, fast);
     if (!s->constant && !(s->beta_min > 1e-60 && s->beta_max < 1e60))
         return fail("beta from %.3g to %.3g: no material is like that", s->beta_min, s->beta_max);
-    const int status = s->by_speed              ? STATUS_OK
-                       : s->constant            ? scene_collide_once(s, request)
-                       : law_is_sphere(&s->law) ? scene_collide(s)
-                                                : scene_collide_law(s);
+    const int status = s->by_speed                             ? STATUS_OK
+                       : s->constant                           ? scene_collide_once(s, request)
+                       : law_is_sphere(&s->law) && !s->pressed ? scene_collide(s)
+                                                               : scene_collide_law(s);
     if (status != STATUS_OK)
         return status;
     take_samples(s);
@@ -312,6 +413,8 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     arb_init(s->h_star_5);
     arb_init(s->yield_speed);
     arb_init(s->liquid_speed);
+    arb_init(s->press);
+    arb_init(s->sticking_speed);
     int status = embed_request_check(request);
     if (status == STATUS_OK)
         status = embed_request_law(&s->law, request);
@@ -338,6 +441,11 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     arb_set(s->beta_per_root, s->beta_enclosed);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);
+    s->pressed = contact->force_n > 0 && !s->constant;
+    if (status == STATUS_OK && s->pressed)
+        status = find_sticking_speed(s, request);
+    if (status == STATUS_OK && s->pressed)
+        status = shift_speeds(s);
     if (status == STATUS_OK && s->constant && is_wet(s)) {
         s->constant = false;
         status = scene_by_speed(s, request, contact);
@@ -353,6 +461,8 @@ void embed_scene_clear(struct embed_scene *s)
     arb_clear(s->h_star_5);
     arb_clear(s->yield_speed);
     arb_clear(s->liquid_speed);
+    arb_clear(s->press);
+    arb_clear(s->sticking_speed);
     free(s->samples.speed);
     interpolant_free(s->interpolant);
     law_layout_clear(&s->layout);

@@ -20,10 +20,14 @@ struct embed_scene {
     double speed_min, speed_max, tolerance;
     struct law law, named; /* of beta, and of the request: see by_speed */
     bool plastic;
-    bool by_speed;       /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
-    arb_t yield_speed;   /* of elastic-plastic spheres */
-    arb_t liquid_speed;  /* what a liquid takes on each way; 0: a dry contact */
-    double onset;        /* eps = 1 up to this speed, and the forms begin above it; 0: there is no such speed */
+    bool by_speed;      /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
+    arb_t yield_speed;  /* of elastic-plastic spheres */
+    arb_t liquid_speed; /* what a liquid takes on each way; 0: a dry contact */
+    bool pressed;       /* by a constant force: f = press beta^(-2a/n), and eps = 0 up to sticking_speed */
+    arb_t press, sticking_speed;
+    double sticking_log; /* ln(beta) at that speed */
+    double origin;       /* every speed of the scene but the onset is less by this, a double below sticking_speed */
+    double onset;        /* eps is 1, or 0 if pressed, up to this speed; the forms begin above it; 0: no such speed */
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
     arb_t eps;           /* that eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
@@ -48,7 +52,7 @@ void embed_scene_clear(struct embed_scene *s);
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed);
 void embed_scene_beta_enclosed(arb_t beta, const struct embed_scene *s, const arb_t speed);
 
-/* eps at a speed in [speed_min, speed_max], as accurate as interpolant.h states */
+/* eps at a speed in [speed_min, speed_max], shifted like these, as accurate as interpolant.h states */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);
 
 /* x rounded to the scene's type */

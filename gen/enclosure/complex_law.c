@@ -12,6 +12,7 @@
 #define CREEP_END 2.0
 
 static const struct complex_ball zero = {0, 0, 0}, one = {1, 0, 0};
+static const struct complex_law_pressing free_contact = {{0, 0, 0}, {0, 0, 0}};
 
 /* s^power for all real s >= 0 of a ball; 2^-40 is more than the rounding of s, of the power and of pow */
 static struct complex_ball real_power(struct complex_ball s, double power)
@@ -37,30 +38,39 @@ static double number(struct ratio x)
     return (double)x.num / (double)x.den;
 }
 
-/* ---- the equation along a path, c1 and c2 as the path's user sets them ---- */
+/* ---- the equation along a path, c1, c2 and c3 as the path's user sets them ---- */
 
-/* dv/ds, c1 = beta */
+/* dv/ds, c1 = beta, c3 = f */
 static struct slopes approach(const struct path *p, struct complex_ball s, struct complex_ball v)
 {
     const struct complex_ball damping = ball_mul(p->c1, real_power(s, POWER * p->b + POWER - 1));
     const struct complex_ball inverse = ball_inv(v);
-    const struct complex_ball elastic = ball_mul(real_power(s, POWER * p->a + POWER - 1), inverse);
+    struct complex_ball elastic = real_power(s, POWER * p->a + POWER - 1);
+    if (p->pressed)
+        elastic = ball_sub(elastic, ball_mul(p->c3, real_power(s, POWER - 1)));
+    elastic = ball_mul(elastic, inverse);
     return (struct slopes){ball_times(ball_add(damping, elastic), -POWER),
                            ball_times(ball_mul(elastic, inverse), POWER), zero};
 }
 
-/* dL/dkappa = -kappa/D, its derivative by L is kappa D_L/D^2; c1 = beta */
+/* dL/dkappa = -kappa/D, its derivative by L is kappa D_L/D^2; c1 = beta, c3 = f */
 static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball L)
 {
     const struct complex_ball elastic = exponential(L, p->a - 1);
     const struct complex_ball damping = ball_mul(ball_mul(p->c1, kappa), exponential(L, p->b));
-    const struct complex_ball inverse = ball_inv(ball_add(ball_sub(elastic, damping), ball_sqr(kappa)));
+    struct complex_ball rest = ball_sub(elastic, damping);
+    struct complex_ball derivative = ball_sub(ball_times(damping, p->b), ball_times(elastic, p->a - 1));
+    if (p->pressed) {
+        const struct complex_ball pressing = ball_mul(p->c3, ball_exp(ball_neg(L)));
+        rest = ball_sub(rest, pressing);
+        derivative = ball_sub(derivative, pressing);
+    }
+    const struct complex_ball inverse = ball_inv(ball_add(rest, ball_sqr(kappa)));
     const struct complex_ball part = ball_neg(ball_mul(kappa, inverse));
-    const struct complex_ball derivative = ball_sub(ball_times(damping, p->b), ball_times(elastic, p->a - 1));
     return (struct slopes){part, ball_mul(ball_mul(part, inverse), derivative), zero};
 }
 
-/* dl/ds; the difference is often small. c1 = beta X^(b+1)/W and c2 = X^(a+1)/W^2 */
+/* dl/ds; the difference is often small. c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
 static struct slopes departure(const struct path *p, struct complex_ball s, struct complex_ball l)
 {
     const double common = fmin(p->a, p->b);
@@ -68,17 +78,29 @@ static struct slopes departure(const struct path *p, struct complex_ball s, stru
     const struct complex_ball factor = ball_mul(real_power(s, POWER * common + POWER - 1), inverse);
     const struct complex_ball damping = ball_mul(p->c1, power_or_one(s, POWER * (p->b - common)));
     const struct complex_ball elastic = ball_mul(ball_mul(p->c2, power_or_one(s, POWER * (p->a - common))), inverse);
-    return (struct slopes){ball_times(ball_mul(factor, ball_sub(damping, elastic)), POWER),
-                           ball_times(ball_mul(factor, ball_sub(ball_times(elastic, 2), damping)), POWER), zero};
+    struct complex_ball slope = ball_mul(factor, ball_sub(damping, elastic));
+    struct complex_ball derivative = ball_mul(factor, ball_sub(ball_times(elastic, 2), damping));
+    if (p->pressed) {
+        const struct complex_ball pressing = ball_mul(ball_mul(p->c3, real_power(s, POWER - 1)), ball_sqr(inverse));
+        slope = ball_add(slope, pressing);
+        derivative = ball_sub(derivative, ball_times(pressing, 2));
+    }
+    return (struct slopes){ball_times(slope, POWER), ball_times(derivative, POWER), zero};
 }
 
-/* dL/dk = -k/N, F = c1 x^n, c1 = beta^2; its derivative by L is k N_L/N^2 */
+/* dL/dk = -k/N, F = c1 x^n, c1 = beta^2, c3 = f beta^2; its derivative by L is k N_L/N^2 */
 static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball L)
 {
     const struct complex_ball damping = ball_mul(ball_mul(p->c1, exponential(L, p->n)), ball_add(one, ball_neg(k)));
-    const struct complex_ball inverse = ball_inv(ball_add(damping, ball_times(ball_sqr(k), p->difference)));
-    const struct complex_ball part = ball_neg(ball_mul(k, inverse));
-    return (struct slopes){part, ball_neg(ball_mul(ball_mul(part, inverse), ball_times(damping, p->n))), zero};
+    struct complex_ball N = damping, N_L = ball_times(damping, p->n);
+    if (p->pressed) {
+        const struct complex_ball pressing = ball_mul(p->c3, exponential(L, p->n - p->a));
+        N = ball_sub(N, pressing);
+        N_L = ball_sub(N_L, ball_times(pressing, p->n - p->a));
+    }
+    N = ball_add(N, ball_times(ball_sqr(k), p->difference));
+    const struct complex_ball inverse = ball_inv(N), part = ball_neg(ball_mul(k, inverse));
+    return (struct slopes){part, ball_neg(ball_mul(ball_mul(part, inverse), N_L)), zero};
 }
 
 /* The same with q = ln(k): dL/dq = -k^2/N */
@@ -104,27 +126,37 @@ static struct slopes creep(const struct path *p, struct complex_ball log_F, stru
 struct complex_law_path complex_law_path(const struct law *law, double largest_beta, bool strong)
 {
     const double end = pow(APPROACH_LOSS / largest_beta, 1 / (number(law->b) + 1));
-    return (struct complex_law_path){fmin(APPROACH_MOST, end), strong};
+    return (struct complex_law_path){fmin(APPROACH_MOST, end), strong, 1};
 }
 
 /* ln(x) at the turning point; p gets the law. */
 static bool turning_point(struct path *p, struct path_state *y, const struct law *law, struct complex_ball beta,
-                          double approach_end)
+                          const struct complex_law_pressing *pressing, const struct complex_law_path *path)
 {
-    const double s = pow(approach_end, 1.0 / POWER); /* x = s^4 is the end exactly */
+    const double s = pow(path->approach_end, 1.0 / POWER); /* x = s^4 is the end exactly */
     const struct complex_ball end = ball_sqr(ball_sqr(ball_of(s, 0)));
     *p = (struct path){.c1 = beta,
+                       .c3 = pressing->force,
+                       .pressed = ball_size(pressing->force) > 0,
+                       .resolution = path->resolution,
                        .a = number(law->a),
                        .b = number(law->b),
                        .difference = number(ratio_sub(law->a, law->b)),
                        .n = number(law_fall_power(law))};
-    *y = (struct path_state){one, zero};
+    *y = (struct path_state){p->pressed ? ball_exp(pressing->log_speed) : one, zero};
     if (!ball_is_finite(beta) || !path_follow(p, approach, zero, ball_of(s, 0), y))
         return false;
-    const struct complex_ball kappa = ball_neg(ball_mul(y->value, ball_inv(end)));
+    struct complex_ball kappa = ball_neg(ball_mul(y->value, ball_inv(end)));
     const double logarithm = POWER * log(s);
     *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
     p->logarithm = true;
+    /* From an exact beginning on, only y is uncertain: bounds would add up what an uncertain place does on all of the
+     * path, where it changes sign. */
+    if (p->pressed) {
+        if (!path_follow(p, turning, kappa, ball_centre(kappa), y))
+            return false;
+        kappa = ball_centre(kappa);
+    }
     return path_follow(p, turning, kappa, zero, y);
 }
 
@@ -140,35 +172,44 @@ static bool depart(struct complex_ball *log_eps, struct path *p, struct complex_
 }
 
 bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct law *law, struct complex_ball beta,
-                              const struct complex_law_path *path)
+                              const struct complex_law_pressing *pressing, const struct complex_law_path *path)
 {
     struct path p;
     struct path_state y;
-    if (!turning_point(&p, &y, law, beta, path->approach_end) || !path_follow(&p, turning, zero, one, &y))
+    if (!turning_point(&p, &y, law, beta, pressing, path) || !path_follow(&p, turning, zero, one, &y))
         return false;
     p.c1 = ball_mul(beta, exponential(y.value, p.b)); /* W = X at kappa = 1 */
     p.c2 = exponential(y.value, p.a - 1);
-    return depart(log_eps, &p, y.value);
+    p.c3 = ball_mul(pressing->force, ball_exp(ball_neg(y.value)));
+    if (!depart(log_eps, &p, y.value))
+        return false;
+    if (p.pressed)
+        *log_eps = ball_sub(*log_eps, pressing->log_speed);
+    return true;
 }
 
 bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
-                            const struct complex_law_path *path)
+                            const struct complex_law_pressing *pressing, const struct complex_law_path *path)
 {
     const struct complex_ball beta = ball_exp(log_beta);
     struct path p;
     struct path_state y;
-    bool done = turning_point(&p, &y, law, beta, path->approach_end);
+    bool done = turning_point(&p, &y, law, beta, pressing, path);
     if (path->strong) {
         p.c1 = ball_sqr(beta);
+        p.c3 = ball_mul(pressing->force, p.c1);
         done = done && path_follow(&p, force, zero, one, &y);
     } else {
         done = done && path_follow(&p, turning, zero, one, &y);
         const struct ratio power = ratio_sub((struct ratio){1, 1}, ratio_sub(law->a, law->b)); /* k = beta x^power */
         const struct complex_ball q = ball_add(log_beta, ball_times(y.value, number(power)));
         p.c1 = ball_sqr(beta);
+        p.c3 = ball_mul(pressing->force, p.c1);
         done = done && path_follow(&p, force_by_log, q, zero, &y);
     }
     *log_eps = ball_sub(ball_times(y.value, p.difference), log_beta);
+    if (p.pressed)
+        *log_eps = ball_sub(*log_eps, pressing->log_speed);
     return done;
 }
 
@@ -178,7 +219,7 @@ bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, stru
     const struct complex_ball beta = ball_exp(log_beta), half = ball_of(0.5, 0);
     struct path p;
     struct path_state y, k = {half, zero};
-    if (!turning_point(&p, &y, law, beta, path->approach_end))
+    if (!turning_point(&p, &y, law, beta, &free_contact, path))
         return false;
     p.c1 = ball_sqr(beta);
     if (!path_follow(&p, force, zero, half, &y))

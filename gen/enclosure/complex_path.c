@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/complex_path.h"
 
-enum { MAX_STEPS = 20000 };
+#define MAX_STEPS 20000.0 /* at resolution 1 */
 
-/* A step may add this much to the residual that the ball causes, relative to that residual, the slope and the value. */
+/* A step may add this much to the residual that the ball causes, relative to that residual, the slope and the value;
+ * of the last two, this times the resolution. */
 #define MORE_OF_RESIDUAL 0.25
 #define MORE_OF_SLOPE 0.004
 #define MORE_OF_VALUE 0.002
@@ -62,7 +63,7 @@ static enum step_outcome step(struct path *p, struct path_state *y, double s, do
         ball_add(centre, ball_mul(mean, ball_widened(ball_of(h / 2, 0), longest / 2 + 0x1p-50)));
     const struct slopes along = path_slopes(p, places, line);
     const double residual = distance(along.slope, mean);
-    const double more = MORE_OF_SLOPE * ball_size(mean) + MORE_OF_VALUE * value_size(p, centre);
+    const double more = p->resolution * (MORE_OF_SLOPE * ball_size(mean) + MORE_OF_VALUE * value_size(p, centre));
     if (!(residual <= at_middle.radius * (1 + MORE_OF_RESIDUAL) + more) ||
         !(ball_above(along.derivative) * h <= LARGEST_RATE_STEP))
         return STEP_TOO_LONG;
@@ -92,7 +93,7 @@ bool path_follow(struct path *p, path_equation *equation, struct complex_ball be
     p->end = end;
     p->length = ball_sub(end, begin);
     double s = 0, h = FIRST_STEP;
-    for (int k = 0; k < MAX_STEPS && s < 1; k++) {
+    for (int k = 0; k < MAX_STEPS / p->resolution && s < 1; k++) {
         const double next = s + h < 1 ? s + h : 1;
         const enum step_outcome outcome = step(p, y, s, next);
         if (outcome == STEP_IMPOSSIBLE)

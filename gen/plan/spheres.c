@@ -395,7 +395,7 @@ static void add_header(struct plan *plan, struct spheres *s, const struct embed_
     const struct embed_form *f = &s->form[chosen];
     char size[PLAN_NAME];
     embed_form_size(size, sizeof size, f);
-    struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen, &s->scene.law), size);
+    struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen, &s->scene), size);
     for (char *c = m->name; *c; c++)
         *c = (char)(*c == ',' ? ';' : *c);
     m->form = f;

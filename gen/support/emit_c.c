@@ -409,13 +409,20 @@ void emit_let_clamped(struct emit *e, const char *name, const char *x, double lo
     fprintf(e->file, "    %s %s;\n    memcpy(&%s, &inside, sizeof %s);\n", real_type(e), name, name, name);
 }
 
-void emit_let_above(struct emit *e, const char *name, const char *x, double end, const char *numerator,
+void emit_let_less(struct emit *e, const char *name, const char *x, double number)
+{
+    char text[NUMBER_MAX];
+    real(text, e, number);
+    let(e, real_type(e), name, "%s - %s", x, text);
+}
+
+void emit_let_above(struct emit *e, const char *name, const char *x, double end, double before, const char *numerator,
                     const char *denominator)
 {
-    char number[NUMBER_MAX], one[NUMBER_MAX];
+    char number[NUMBER_MAX], first[NUMBER_MAX];
     real(number, e, end);
-    real(one, e, 1);
-    let(e, real_type(e), name, "%s <= %s ? %s : %s%s%s", x, number, one, numerator, denominator ? " / " : "",
+    real(first, e, before);
+    let(e, real_type(e), name, "%s <= %s ? %s : %s%s%s", x, number, first, numerator, denominator ? " / " : "",
         denominator ? denominator : "");
 }
 

@@ -95,8 +95,10 @@ void emit_function_open(struct emit *e, const char *name, const char *argument);
  * Comparing the bits as integers lets compilers vectorise; comparisons of real numbers that might trap become branches.
  * A NaN becomes a number in the range. */
 void emit_let_clamped(struct emit *e, const char *name, const char *x, double low, double high, bool vector);
-/* 1 for x <= end, numerator/denominator above it; denominator NULL: 1 */
-void emit_let_above(struct emit *e, const char *name, const char *x, double end, const char *numerator,
+/* x - number */
+void emit_let_less(struct emit *e, const char *name, const char *x, double number);
+/* `before` for x <= end, numerator/denominator above it; denominator NULL: 1 */
+void emit_let_above(struct emit *e, const char *name, const char *x, double end, double before, const char *numerator,
                     const char *denominator);
 void emit_let_sqrt(struct emit *e, const char *name, const char *x);
 void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree);

@@ -101,10 +101,10 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
     struct embed_proof proof;
     assert_int_equal(embed_prove(&proof, f, s), STATUS_OK);
     if (!(proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding && proof.proved))
-        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, &s->law), proof.error,
+        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, s), proof.error,
                  proof.rounding, f->error);
     if (!(proof.rounding < (s->single ? 3e-6 : 1e-11) + 0.1 * s->tolerance))
-        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, &s->law), proof.error,
+        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, s), proof.error,
                  proof.rounding, f->error);
     LOCAL(arb, g, eps);
     for (int k = 0; k < SPEEDS; k++) {
@@ -118,7 +118,7 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
             arb_div(g, g, eps, 200);
             arb_sub_ui(g, g, 1, 200);
             if (!(fabs(middle(g)) <= proof.error))
-                fail_msg("%s at %.17g m/s: off by %g, %g proved", embed_family_name(f->family, &s->law), speed,
+                fail_msg("%s at %.17g m/s: off by %g, %g proved", embed_family_name(f->family, s), speed,
                          fabs(middle(g)), proof.error);
         }
     }
@@ -310,7 +310,7 @@ TEST(test_ways_of_a_contact)
         if (ways[i].at)
             decimal_set(&request.number[COR_SCENE_AT], ways[i].at);
         struct contacts contacts;
-        LOCAL(arb, beta, eps, wanted);
+        LOCAL(arb, beta, eps, wanted, pressing);
         assert_int_equal(contacts_of_request(&contacts, &request), STATUS_OK);
         const struct cor_scene_contact *const contact = &contacts.contact[0];
         assert_int_equal(embed_contact_beta_per_root(beta, &request, contact, &contacts.law, 192), STATUS_OK);
@@ -323,7 +323,7 @@ TEST(test_ways_of_a_contact)
             arb_pow_ratio(eps, eps, law_speed_exponent(&contacts.law), 192);
             arb_mul(beta, beta, eps, 192);
             arb_get_mid_arb(beta, beta);
-            assert_int_equal(embed_contact_eps(eps, beta, &contacts.law, request.end, 128), STATUS_OK);
+            assert_int_equal(embed_contact_eps(eps, beta, pressing, &contacts.law, request.end, 128), STATUS_OK);
             arb_set_fmpq(wanted, request.number[COR_SCENE_RESTITUTION].value, 192);
             arb_div(eps, eps, wanted, 192);
             arb_sub_ui(eps, eps, 1, 192);
@@ -561,5 +561,82 @@ TEST(test_far)
     request_clear(&request);
 }
 
-RUN_TESTS(test_choice, test_counts, test_root, test_fit, test_scenes, test_laws, test_far, test_far_force, test_ways,
-          test_ways_of_a_contact, test_constant, test_materials)
+/* A ball on a wall under gravity, or sticky balls, against the library's integration in doubles
+ * (runtime/scene/pressed.c) */
+TEST(test_pressed)
+{
+    static const struct {
+        enum cor_law law;
+        int end;
+        bool sticky;
+        const char *restitution, *min, *max, *tolerance;
+    } scenes[] = {{COR_LAW_VISCOELASTIC, END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
+                  {COR_LAW_VISCOELASTIC, END_ZERO_FORCE, true, "0.7", "0.03", "2", "1e-6"},
+                  {COR_LAW_HERTZ_DASHPOT, END_ZERO_FORCE, false, "0.8", "0.013", "10", "1e-5"},
+                  {COR_LAW_HUNT_CROSSLEY, END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};
+    static const struct {
+        int number;
+        const char *value;
+    } body[] = {{COR_SCENE_YOUNG, "7e7"},
+                {COR_SCENE_POISSON, "0.22"},
+                {COR_SCENE_RADIUS, "5e-3"},
+                {COR_SCENE_DENSITY, "2500"},
+                {COR_SCENE_AT, "1"}};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        if (!in_turn(i, 4))
+            continue;
+        struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
+        decimal_clear(&request.number[COR_SCENE_G_STAR]);
+        request.law = scenes[i].law;
+        for (size_t k = 0; k < sizeof body / sizeof *body; k++)
+            decimal_set(&request.number[body[k].number], body[k].value);
+        decimal_set(&request.number[COR_SCENE_RESTITUTION], scenes[i].restitution);
+        decimal_set(&request.number[scenes[i].sticky ? COR_SCENE_ADHESION : COR_SCENE_GRAVITY],
+                    scenes[i].sticky ? "0.05" : "9.81");
+        request.wall = !scenes[i].sticky;
+        request.adhesion_model = scenes[i].sticky ? COR_ADHESION_DMT : COR_ADHESION_NONE;
+        struct contacts contacts;
+        struct embed_scene s;
+        struct embed_series series;
+        struct embed_form form[FAMILIES] = {{0}};
+        struct embed_proof proof;
+        assert_int_equal(contacts_of_request(&contacts, &request), STATUS_OK);
+        const struct cor_scene_contact *const contact = &contacts.contact[0];
+        embed_series_begin(&series, &contacts.law, (enum contact_end)request.end);
+        assert_int_equal(embed_scene_init(&s, &request, contact), STATUS_OK);
+        assert_int_equal(embed_series_end(&series), STATUS_OK);
+        const double sticking = cor_scene_sticking_speed(contact, request.end);
+        assert_true(s.pressed && sticking < embed_number(&request, EMBED_SPEED_MIN));
+        assert_near(middle(s.sticking_speed), sticking, 1e-8);
+        embed_search(form, &s, &series);
+        const enum embed_family chosen = embed_choose(form, PURPOSE_BALANCED);
+        assert_true(chosen < FAMILIES);
+        struct embed_form *const f = &form[chosen];
+        assert_int_equal(embed_prove(&proof, f, &s), STATUS_OK);
+        if (!(proof.proved && proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding))
+            fail_msg("scene %zu, %s: %g proved, %g by rounding, %g sampled", i, embed_family_name(f->family, &s),
+                     proof.error, proof.rounding, f->error);
+        assert_true(proof.from == s.speed_min + s.origin);
+        for (int k = 0; k <= 40; k++) {
+            const double speed = s.speed_min * pow(s.speed_max / s.speed_min, k / 40.0);
+            double eps;
+            assert_int_equal(cor_scene_eps(&eps, contact, speed + s.origin, request.end), COR_FAULT_NONE);
+            assert_near(embed_form_value(f, speed, k % 2), eps, s.tolerance + COR_SCENE_PRESSED_ERROR / (eps * eps));
+        }
+        assert_true(embed_form_value(f, sticking * (1 - 1e-6) - s.origin, false) == 0);
+        const double error = f->error;
+        f->number[0] *= 1 + 64 * s.tolerance;
+        embed_form_assess(f, &s.samples, 1);
+        assert_true(f->error > error);
+        assert_int_equal(embed_prove(&proof, f, &s), STATUS_OK);
+        assert_true(proof.error >= f->error);
+        for (int k = 0; k < FAMILIES; k++)
+            embed_form_clear(&form[k]);
+        embed_series_clear(&series);
+        embed_scene_clear(&s);
+        request_clear(&request);
+    }
+}
+
+RUN_TESTS(test_pressed, test_choice, test_counts, test_root, test_fit, test_scenes, test_laws, test_far, test_far_force,
+          test_ways, test_ways_of_a_contact, test_constant, test_materials)

@@ -41,17 +41,18 @@ static double exact_log_eps(const struct law *law, double beta, enum way way)
 static bool enclose(struct complex_ball *y, const struct law *law, struct complex_ball log_beta, enum way way)
 {
     const bool strong = way == WAY_CREEP || way == WAY_STRONG_FORCE;
+    const struct complex_law_pressing pressing = {{0, 0, 0}, {0, 0, 0}};
     const struct complex_law_path path = complex_law_path(law, 2 * exp(log_beta.re), strong);
     switch (way) {
     case WAY_OVERLAP:
-        return complex_law_zero_overlap(y, law, ball_exp(log_beta), &path);
+        return complex_law_zero_overlap(y, law, ball_exp(log_beta), &pressing, &path);
     case WAY_CREEP:
         return complex_law_creep(y, law, log_beta, &path);
     case WAY_FORCE:
     case WAY_STRONG_FORCE:
         break;
     }
-    return complex_law_zero_force(y, law, log_beta, &path);
+    return complex_law_zero_force(y, law, log_beta, &pressing, &path);
 }
 
 /* Every way in weak and strong damping, a > b, a = b and a < b, n of both signs */
@@ -195,4 +196,43 @@ TEST(test_polynomials)
     }
 }
 
-RUN_TESTS(test_real_axis, test_complex_plane, test_singular, test_polynomials)
+/* Under a constant force, in the units of another impact speed: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)) */
+TEST(pressed)
+{
+    static const struct {
+        double a, b, beta, force, speed;
+    } cases[] = {{1.5, 0.5, 0.3, 0.3, 1},
+                 {1.5, 0.5, 0.3, 0.3, 1.3},
+                 {1.5, 0.5, 1, 0.1, 0.9},
+                 {1.5, 0, 0.4, 0.05, 1.1},
+                 {1.5, 1.5, 0.5, 0.2, 1.2}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct law law;
+        char a[16], b[16];
+        snprintf(a, sizeof a, "%g", cases[i].a);
+        snprintf(b, sizeof b, "%g", cases[i].b);
+        assert_null(law_parse(&law, a, b));
+        const double v = cases[i].speed, q = (2 * cases[i].b - cases[i].a + 1) / (cases[i].a + 1);
+        const struct complex_law_pressing pressing = {ball_of(cases[i].force, 0), {log(v), 0, 1e-6}};
+        for (int force = 0; force < (law_force_ends(&law) ? 2 : 1); force++) {
+            struct complex_law_path path = complex_law_path(&law, cases[i].beta, false);
+            struct complex_ball y;
+            struct collision c;
+            LOCAL(arb, beta, f);
+            path.resolution = 0.1;
+            collision_init(&c);
+            arb_set_d(beta, cases[i].beta * pow(v, q));
+            arb_set_d(f, cases[i].force * pow(v, -2 * cases[i].a / (cases[i].a + 1)));
+            assert_int_equal(collision_solve_pressed(&c, beta, f, &law, force, 60), 0);
+            arb_log(f, force ? c.eps_zero_force : c.eps_zero_overlap, 60);
+            const double exact = arf_get_d(arb_midref(f), ARF_RND_NEAR);
+            collision_clear(&c);
+            assert_true(force ? complex_law_zero_force(&y, &law, ball_of(log(cases[i].beta), 0), &pressing, &path)
+                              : complex_law_zero_overlap(&y, &law, ball_of(cases[i].beta, 0), &pressing, &path));
+            if (!(hypot(y.re - exact, y.im) <= y.radius && y.radius < 0.1 && fabs(y.re - exact) < 0.01))
+                fail_msg("case %zu, end %d: %.6g, enclosed %.6g +- %.1e", i, force, exact, y.re, y.radius);
+        }
+    }
+}
+
+RUN_TESTS(pressed, test_real_axis, test_complex_plane, test_singular, test_polynomials)
