@@ -324,6 +324,44 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
     return status;
 }
 
+/* Sets the place of each cell. */
+static void place_cells(struct cell *of_cell, int node, struct cell cell)
+{
+    const int number = table->node[node];
+    const int32_t half = SIXTHS / 2 * sixth_of(&cell);
+    if (number >= 0) {
+        of_cell[number] = cell;
+        return;
+    }
+    for (int k = 0; k < 4; k++)
+        place_cells(of_cell, -number + k,
+                    (struct cell){cell.x + k % 2 * half, cell.nu + k / 2 * half, cell.depth + 1, 0});
+}
+
+static struct cell *places_of_cells(void)
+{
+    struct cell *const of_cell = xmalloc((size_t)table->cells * sizeof *of_cell);
+    for (int i = 0; i < ROOTS; i++)
+        place_cells(of_cell, i, (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, 0});
+    return of_cell;
+}
+
+/* Marks the sides of each cell that are joined to smaller cells, from the centre of the cell. */
+static void mark_joined(struct limits *limits)
+{
+    const struct cor_disk_limit_table t = evaluable(limits);
+    struct cell *const of_cell = places_of_cells();
+    for (int i = 0; i < limits->cells; i++) {
+        const double half = (double)(SIXTHS / 2 * sixth_of(&of_cell[i]));
+        const struct cor_disk_limit_place at = cor_disk_limit_find(
+            &t, ((double)of_cell[i].x + half) / (double)ROOT_SIDE, ((double)of_cell[i].nu + half) / (double)ROOT_SIDE);
+        limits->cell[i].joined = 0;
+        for (int side = 0; side < 4; side++)
+            limits->cell[i].joined |= (cor_disk_limit_beyond(&t, &at, side & 1, side >> 1).side < at.side) << side;
+    }
+    free(of_cell);
+}
+
 int disk_limits_collide(void)
 {
     const double start = clock_processor_seconds();
@@ -337,6 +375,8 @@ int disk_limits_collide(void)
     while (cells > 0 && status == STATUS_OK)
         status = cell_refine(&scenes, &cell, &cells);
     free(cell);
+    if (status == STATUS_OK)
+        mark_joined(table);
     table->scenes = scenes.count;
     table->seconds = lround(clock_processor_seconds() - start);
     table->known = status == STATUS_OK;
@@ -434,7 +474,7 @@ static void write_nodes(FILE *file, const struct limits *limits)
 
 static void cell_text(char text[CELL_TEXT], const struct cor_disk_limit_cell *cell)
 {
-    int n = snprintf(text, CELL_TEXT, "    {%" PRId32 ", {", cell->uncertainty);
+    int n = snprintf(text, CELL_TEXT, "    {%" PRId32 ", %" PRId32 ", {", cell->uncertainty, cell->joined);
     for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++)
         n += snprintf(text + n, CELL_TEXT - (size_t)n, "%s%" PRId32, k ? ", " : "", cell->value[k]);
     snprintf(text + n, CELL_TEXT - (size_t)n, "}},\n");
@@ -550,12 +590,16 @@ static bool read_numbers(const char *at)
     for (int i = 0; i < table->cells && good; i++) {
         good = read_number(&at, 0, INT32_MAX, &number);
         table->cell[i].uncertainty = (int32_t)number;
+        good = good && read_number(&at, 0, 15, &number); /* joined, which mark_joined sets */
         for (int k = 0; k < COR_DISK_LIMIT_POINTS && good; k++) {
             good = read_number(&at, INT32_MIN, INT32_MAX, &number);
             table->cell[i].value[k] = (int32_t)number;
         }
     }
-    return good && is_tree(table);
+    if (!good || !is_tree(table))
+        return false;
+    mark_joined(table);
+    return true;
 }
 
 static long line_of_difference(const char *x, const char *y)
@@ -589,28 +633,6 @@ int disk_limits_read(const char *bytes, size_t size, const char *path)
 }
 
 /* ---- check of the table ---- */
-
-/* Sets the place of each cell. */
-static void place_cells(struct cell *of_cell, int node, struct cell cell)
-{
-    const int number = table->node[node];
-    const int32_t half = SIXTHS / 2 * sixth_of(&cell);
-    if (number >= 0) {
-        of_cell[number] = cell;
-        return;
-    }
-    for (int k = 0; k < 4; k++)
-        place_cells(of_cell, -number + k,
-                    (struct cell){cell.x + k % 2 * half, cell.nu + k / 2 * half, cell.depth + 1, 0});
-}
-
-static struct cell *places_of_cells(void)
-{
-    struct cell *const of_cell = xmalloc((size_t)table->cells * sizeof *of_cell);
-    for (int i = 0; i < ROOTS; i++)
-        place_cells(of_cell, i, (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, 0});
-    return of_cell;
-}
 
 /* The table's value and uncertainty at a point of a cell, sides included, and whether it is a point of its grid */
 static struct cor_disk_limit_result result_at(const struct scene *scene, const struct cell *cell, bool *on_grid)

@@ -20,10 +20,11 @@ enum { COR_DISK_LIMIT_SIDE = 4, COR_DISK_LIMIT_POINTS = 16 };
 /* Smaller than half the smallest cell beside any, in the cell's sides; corgen divides no root more than 8 times */
 #define COR_DISK_LIMIT_BEYOND 0x1p-10
 
-/* In units of COR_DISK_LIMIT_UNIT; value [4 j + i] is at place i of x and place j of nu. */
+/* In units of COR_DISK_LIMIT_UNIT; value [4 j + i] is at place i of x and place j of nu. Bit across + 2 last of joined
+ * is set if the cells beyond that side (cor_disk_limit_beyond) are smaller. */
 #define COR_DISK_LIMIT_UNIT 1e-7
 struct cor_disk_limit_cell {
-    int32_t uncertainty, value[COR_DISK_LIMIT_POINTS];
+    int32_t uncertainty, joined, value[COR_DISK_LIMIT_POINTS];
 };
 
 struct cor_disk_limit_table {
@@ -112,20 +113,30 @@ struct cor_disk_limit_result {
     double value, uncertainty;
 };
 
-/* Joins a result to the cells beyond one side of its cell, if they are smaller: beyond the last (1) or first (0) value
- * of nu, or of x (across). weight is that of this side's points. The uncertainty goes over to a larger one beyond. */
+/* The cell beyond the last (1) or first (0) value of nu, or of x (across), of a place; its `cell` is NULL outside the
+ * plane. */
+static inline struct cor_disk_limit_place cor_disk_limit_beyond(const struct cor_disk_limit_table *table,
+                                                                const struct cor_disk_limit_place *at, int across,
+                                                                int last)
+{
+    const double beyond = last ? 1 + COR_DISK_LIMIT_BEYOND : -COR_DISK_LIMIT_BEYOND;
+    const double x = at->x + at->side * (across ? beyond : at->x_in);
+    const double nu = at->nu + at->side * (across ? at->nu_in : beyond);
+    if (x >= 0 && x <= table->x_roots && nu >= 0 && nu <= table->nu_roots)
+        return cor_disk_limit_find_inside(table, x, nu);
+    const struct cor_disk_limit_place outside = {NULL, x, nu, 1, 0, 0};
+    return outside;
+}
+
+/* Joins a result to the smaller cells beyond one side of its cell. weight is that of this side's points. The
+ * uncertainty goes over to a larger one beyond. */
 static inline void cor_disk_limit_join(const struct cor_disk_limit_table *table, const struct cor_disk_limit_place *at,
                                        int across, int last, double weight, struct cor_disk_limit_result *result)
 {
     enum { LAST = COR_DISK_LIMIT_SIDE - 1 };
-    const double beyond = last ? 1 + COR_DISK_LIMIT_BEYOND : -COR_DISK_LIMIT_BEYOND;
-    const double x = at->x + at->side * (across ? beyond : at->x_in);
-    const double nu = at->nu + at->side * (across ? at->nu_in : beyond);
-    if (!(x >= 0 && x <= table->x_roots && nu >= 0 && nu <= table->nu_roots))
+    if (!(at->cell->joined >> (across + 2 * last) & 1))
         return;
-    const struct cor_disk_limit_place other = cor_disk_limit_find_inside(table, x, nu);
-    if (!(other.side < at->side))
-        return;
+    const struct cor_disk_limit_place other = cor_disk_limit_beyond(table, at, across, last);
     const int stride = across ? COR_DISK_LIMIT_SIDE : 1, apart = across ? LAST : LAST * COR_DISK_LIMIT_SIDE;
     double own_weight[COR_DISK_LIMIT_SIDE], other_weight[COR_DISK_LIMIT_SIDE];
     cor_disk_limit_weights(across ? at->nu_in : at->x_in, own_weight);
@@ -147,7 +158,7 @@ static inline struct cor_disk_limit_result cor_disk_limit_in(const struct cor_di
     cor_disk_limit_weights(at->nu_in, nu_weight);
     struct cor_disk_limit_result result = {cor_disk_limit_value(at->cell, at->x_in, at->nu_in),
                                            COR_DISK_LIMIT_UNIT * at->cell->uncertainty};
-    for (int last = 0; last < 2; last++) {
+    for (int last = 0; last < 2 && at->cell->joined; last++) {
         cor_disk_limit_join(table, at, 0, last, nu_weight[last * (COR_DISK_LIMIT_SIDE - 1)], &result);
         cor_disk_limit_join(table, at, 1, last, x_weight[last * (COR_DISK_LIMIT_SIDE - 1)], &result);
     }

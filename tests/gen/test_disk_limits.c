@@ -52,6 +52,11 @@ TEST(test_file)
     *first = good == '1' ? '2' : '1';
     assert_int_equal(disk_limits_read(text, size, path), 1);
     *first = good;
+    /* another side that is joined: the first cell has one bit less or more */
+    char *const joined = strchr(strstr(text, "cor_disk_limit_cell["), ',') + 2;
+    *joined ^= 1;
+    assert_int_equal(disk_limits_read(text, size, path), 1);
+    *joined ^= 1;
     text[nodes] = '\0';
     assert_int_equal(disk_limits_read(text, size, path), 1);
     free(text);
@@ -77,7 +82,7 @@ TEST(test_too_deep)
     }
     fprintf(file, "};\ncor_disk_limit_cell[%d] = {\n", CELLS);
     for (int i = 0; i < CELLS; i++)
-        fprintf(file, "{1, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}},\n");
+        fprintf(file, "{1, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}},\n");
     fprintf(file, "};\n");
     fclose(file);
     assert_int_equal(disk_limits_read(text, size, path), 1);
