@@ -14,7 +14,7 @@
 #include "support/console.h"
 #include "support/local.h"
 
-enum { GUARD_BITS = 60, SEARCH_BITS = 128, SEARCH_STEPS = 200, ATTEMPTS = 6, FAR_BITS = 30 };
+enum { GUARD_BITS = 60, SEARCH_BITS = 128, SEARCH_STEPS = 200, ATTEMPTS = 6, FAR_BITS = 30, WIDE_BITS = 8 };
 
 /* The state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v. With
  * u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
@@ -159,8 +159,49 @@ static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping
     return true;
 }
 
-/* B of beta to some bits: a bracket by factors of 2, halved in ln(B), then by the Illinois method */
-static int find_damping(arb_t damping, const arb_t beta, const struct law *law, int end)
+/* Strong damping, q > 0: B is next to the one from which on the motion escapes, and f = (B/beta)^(2a/n) is as well known
+ * as B. Halves a bracket, at whose ends signs prove B; an escaping motion has at least the energy of its overlap,
+ * X = w^d with w = 2^FAR_BITS. */
+static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct law *law, int end, slong bits)
+{
+    const struct ratio power = ratio_div(ratio_mul((struct ratio){2, 1}, law->a), law_fall_power(law));
+    const struct ratio q = law_speed_exponent(law);
+    const double far = FAR_BITS * (double)(law->ad + law->d) / 2 / (law->d == 1 ? 0.5 : 1) - 4;
+    slong prec = bits + GUARD_BITS;
+    bool proved[2] = {false, false};
+    LOCAL(arb, rest, middle, width);
+    arb_div(rest, beta, low, prec);
+    if (!(log2(arf_get_d(arb_midref(rest), ARF_RND_UP)) * (double)q.den / (double)q.num < far))
+        return fail("the damping is too strong for the threshold of the force to be enclosed");
+    for (slong i = 0; i < 4 * (bits + SEARCH_STEPS); i++) {
+        arb_sub(width, high, low, prec);
+        arb_mul_2exp_si(width, width, bits + 8);
+        const bool narrow = arb_lt(width, low);
+        if (narrow && proved[0] && proved[1]) {
+            arb_union(middle, low, high, prec);
+            arb_div(middle, middle, beta, prec);
+            arb_pow_ratio(force, middle, power, prec);
+            return STATUS_OK;
+        }
+        arb_add(middle, low, high, prec);
+        arb_mul_2exp_si(middle, middle, -1);
+        if (narrow) /* the end whose sign comes from fewer bits */
+            arb_set(middle, proved[0] ? high : low);
+        arb_get_mid_arb(middle, middle);
+        const bool known = curve(rest, force, beta, middle, law, end, prec), above = arb_is_negative(rest);
+        if (!known || !(above || arb_is_positive(rest))) {
+            prec += prec / 4;
+            continue;
+        }
+        arb_set(above ? high : low, middle);
+        proved[above] = true;
+    }
+    return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);
+}
+
+/* B of beta to some bits: a bracket by factors of 2, halved in ln(B), then by the Illinois method; or, where motions
+ * escape above it, only the bracket, low and high */
+static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct law *law, int end)
 {
     enum { DOUBLINGS = 60, ENOUGH = 40 };
     LOCAL(bracket, b);
@@ -188,6 +229,11 @@ static int find_damping(arb_t damping, const arb_t beta, const struct law *law, 
         else
             place += is_low ? stride : -stride;
     }
+    if (below && above && !arb_is_finite(b->f_high) && law_speed_exponent(law).num > 0) {
+        arb_set(low_end, b->low);
+        arb_set(high_end, b->high);
+        return STATUS_OK;
+    }
     if (!(below && above && arb_is_finite(b->f_high)))
         return fail("there is no threshold: at this damping the bodies never part, even without a force");
     for (int i = 0; i < SEARCH_STEPS; i++) {
@@ -203,12 +249,15 @@ static int find_damping(arb_t damping, const arb_t beta, const struct law *law, 
 
 int collision_sticking_force(arb_t force, const arb_t beta, const struct law *law, int end, slong bits)
 {
-    LOCAL(arb, damping, low, high, f_low, f_high, other, slope, at);
+    LOCAL(arb, damping, found, low, high, f_low, f_high, other, slope, at);
     slong prec = bits + GUARD_BITS, width = 30;
     arb_get_mid_arb(at, beta);
-    const int status = find_damping(damping, at, law, end);
+    const int status = find_damping(damping, low, high, at, law, end);
     if (status != STATUS_OK)
         return status;
+    if (!arb_is_zero(high))
+        return squeeze(force, low, high, beta, law, end, bits);
+    arb_get_mid_arb(found, damping);
     /* secants over ever narrower intervals, until the signs at both ends prove one of 2^-bits */
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_get_mid_arb(damping, damping);
@@ -238,6 +287,14 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
         arb_mul(high, high, f_low, prec);
         arb_div(high, high, slope, prec);
         arb_sub(damping, low, high, prec);
+    }
+    if (law_speed_exponent(law).num > 0) { /* motions escape next to B */
+        arb_mul_2exp_si(slope, found, -WIDE_BITS);
+        arb_sub(low, found, slope, prec);
+        arb_add(high, found, slope, prec);
+        arb_get_mid_arb(low, low);
+        arb_get_mid_arb(high, high);
+        return squeeze(force, low, high, beta, law, end, bits);
     }
     return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);
 }
