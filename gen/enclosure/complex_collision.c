@@ -132,7 +132,7 @@ static struct complex_ball kappa_at(double zeta)
  * beginning. Otherwise it is in k from the beginning, and at last in zeta = k^(-1/2). */
 static bool fall_to_end(struct complex_ball *speed, struct complex_ball *time, struct complex_ball Y, bool creeps)
 {
-    struct path p = {.c1 = one, .c2 = one};
+    struct path p = {.c1 = one, .c2 = one, .resolution = 1};
     struct path_state k = {one, zero}, y = {Y, zero};
     if (creeps) {
         if (!path_follow(&p, fall, ball_inv(Y), ball_of(1 / LAST_Y, 0), &k))
@@ -201,7 +201,7 @@ bool complex_collision_root(struct complex_collision *c, struct complex_ball z, 
     const double modulus[2] = {ball_below(z), ball_above(z)}, size = ball_size(z);
     if (!ball_is_finite(z))
         return false;
-    struct path p = {.c1 = ball_sqr(z), .c2 = one};
+    struct path p = {.c1 = ball_sqr(z), .c2 = one, .resolution = 1};
     struct path_state y = {one, zero};
     /* a place on the real axis, where a path in zeta becomes one in kappa; any place gives the same collision */
     const double first = size > 1 ? 1 / cbrt(size * size) : 1;
@@ -219,7 +219,7 @@ bool complex_collision_root(struct complex_collision *c, struct complex_ball z, 
 bool complex_collision_log(struct complex_collision *c, struct complex_ball u)
 {
     const struct complex_ball third = ball_inv(ball_of(-3, 0)), log_mu = ball_times(ball_mul(u, third), 5);
-    struct path p = {.c1 = one, .c2 = ball_exp(log_mu)};
+    struct path p = {.c1 = one, .c2 = ball_exp(log_mu), .resolution = 1};
     struct path_state y = {one, zero};
     if (!ball_is_finite(p.c2) || !path_follow(&p, loading, zero, one, &y))
         return false;

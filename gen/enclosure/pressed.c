@@ -159,8 +159,8 @@ static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping
     return true;
 }
 
-/* Strong damping, q > 0: B is next to the one from which on the motion escapes, and f = (B/beta)^(2a/n) is as well known
- * as B. Halves a bracket, at whose ends signs prove B; an escaping motion has at least the energy of its overlap,
+/* Strong damping, q > 0: B is next to the one from which on the motion escapes, and f = (B/beta)^(2a/n) is known as
+ * well as B. Halves a bracket, at whose ends signs prove B. An escaping motion has at least the energy of its overlap,
  * X = w^d with w = 2^FAR_BITS. */
 static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct law *law, int end, slong bits)
 {
