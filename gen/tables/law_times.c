@@ -294,30 +294,15 @@ struct crossley_integrand {
     arb_srcptr p, end;
 };
 
-/* (exp(x) - 1)/x */
+/* (exp(x) - 1)/x = exp(x/2) sinc(i x/2) */
 static void mean_exponential(acb_t y, const acb_t x, slong prec)
 {
-    LOCAL(mag, size, tail, factorial);
-    acb_get_mag(size, x);
-    if (mag_cmp_2exp_si(size, -1) > 0) {
-        LOCAL(acb, term);
-        acb_expm1(term, x, prec);
-        acb_div(y, term, x, prec);
-    } else {
-        /* the series; the omitted terms are below twice the first of them */
-        const slong terms = prec / 5 + 8;
-        acb_one(y);
-        for (slong k = terms; k >= 1; k--) {
-            acb_mul(y, y, x, prec);
-            acb_div_ui(y, y, (ulong)k + 1, prec);
-            acb_add_ui(y, y, 1, prec);
-        }
-        mag_pow_ui(tail, size, (ulong)terms + 1);
-        mag_mul_2exp_si(tail, tail, 1);
-        mag_fac_ui(factorial, (ulong)terms + 1);
-        mag_div(tail, tail, factorial); /* (terms + 2)! is even larger */
-        acb_add_error_mag(y, tail);
-    }
+    LOCAL(acb, half);
+    acb_mul_2exp_si(half, x, -1);
+    acb_mul_onei(y, half);
+    acb_sinc(y, y, prec);
+    acb_exp(half, half, prec);
+    acb_mul(y, y, half, prec);
 }
 
 /* With tau = end x^m, m = 2 or 5, the integrand tau^-k ... d tau becomes x^(m - 1 - m k) ((a + 1) B)^-k dx, times m
@@ -396,22 +381,13 @@ static void duration(arb_t t, enum quadrature how, enum crossley_exponent a, con
     arb_add(t, t, loading, prec);
 }
 
-void crossley_time_of_max_overlap_1(arb_t t, enum quadrature how, const arb_t beta, slong prec)
-{
-    time_of_max_overlap(t, how, CROSSLEY_LINEAR, beta, prec);
-}
+#define CROSSLEY_TIME(of, end, a)                                                                                      \
+    void crossley_##of##_##end(arb_t t, enum quadrature how, const arb_t beta, slong prec)                             \
+    {                                                                                                                  \
+        of(t, how, a, beta, prec);                                                                                     \
+    }
 
-void crossley_time_of_max_overlap_3_2(arb_t t, enum quadrature how, const arb_t beta, slong prec)
-{
-    time_of_max_overlap(t, how, CROSSLEY_HERTZ, beta, prec);
-}
-
-void crossley_duration_1(arb_t t, enum quadrature how, const arb_t beta, slong prec)
-{
-    duration(t, how, CROSSLEY_LINEAR, beta, prec);
-}
-
-void crossley_duration_3_2(arb_t t, enum quadrature how, const arb_t beta, slong prec)
-{
-    duration(t, how, CROSSLEY_HERTZ, beta, prec);
-}
+CROSSLEY_TIME(time_of_max_overlap, 1, CROSSLEY_LINEAR)
+CROSSLEY_TIME(time_of_max_overlap, 3_2, CROSSLEY_HERTZ)
+CROSSLEY_TIME(duration, 1, CROSSLEY_LINEAR)
+CROSSLEY_TIME(duration, 3_2, CROSSLEY_HERTZ)

@@ -360,17 +360,6 @@ static void loading_constant(arb_ptr K, const struct far_form *f)
     arb_neg(K, K);
 }
 
-static void binomial(arb_t y, const arb_t n, slong m)
-{
-    LOCAL(arb, factor);
-    arb_one(y);
-    for (slong i = 0; i < m; i++) {
-        arb_sub_si(factor, n, i, FAR_BITS);
-        arb_mul(y, y, factor, FAR_BITS);
-        arb_div_ui(y, y, (ulong)i + 1, FAR_BITS);
-    }
-}
-
 /* The rebound, beta > 64: with U = beta + 1 - ln(1 + beta) and k = a/(a + 1), in units of beta^(2k - 1) ((a + 1))^-k,
  *
  *     (a + 1) U^(1 - k) + U^-k sum_p c_p U^-p,   c_p = sum_(j=1..p) binom(k+j-1, j) binom(k+p-1, p-j) (p-j)!/j^(p-j+1)
@@ -384,9 +373,9 @@ static void rebound_coefficients(arb_ptr c, const struct far_form *f)
         arb_zero(c + p - 1);
         for (slong j = 1; j <= p; j++) {
             arb_add_si(n, k, j - 1, FAR_BITS);
-            binomial(first, n, j);
+            arb_bin_ui(first, n, (ulong)j, FAR_BITS);
             arb_add_si(n, k, p - 1, FAR_BITS);
-            binomial(second, n, p - j);
+            arb_bin_ui(second, n, (ulong)(p - j), FAR_BITS);
             arb_mul(first, first, second, FAR_BITS);
             arb_fac_ui(second, (ulong)(p - j), FAR_BITS);
             arb_mul(first, first, second, FAR_BITS);
