@@ -32,24 +32,22 @@ struct generated {
     const char *name;
     int (*write)(FILE *file);
     const char *poisson; /* Poisson's ratio of a table of modes, which has no such function; otherwise NULL */
-    bool limits;         /* whether the file holds collisions, which are kept */
 };
 
 static const struct generated files[] = {
-    {"sphere_tables.h", sphere_tables_write, NULL, false},
-    {"cor_sphere.h", sphere_header_write, NULL, false},
-    {"sphere_float_tables.h", sphere_float_tables_write, NULL, false},
-    {"hertz_dashpot_tables.h", hertz_dashpot_tables_write, NULL, false},
-    {"tsuji_tables.h", tsuji_tables_write, NULL, false},
-    {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL, false},
-    {"wave_tables.h", wave_tables_write, NULL, false},
-    {"disk_modes_nu033.h", NULL, "0.33", false},
-    {"disk_modes_nu090.h", NULL, "0.90", false},
-    {DISK_LIMITS_FILE, disk_limits_write, NULL, true},
+    {"sphere_tables.h", sphere_tables_write, NULL},
+    {"cor_sphere.h", sphere_header_write, NULL},
+    {"sphere_float_tables.h", sphere_float_tables_write, NULL},
+    {"hertz_dashpot_tables.h", hertz_dashpot_tables_write, NULL},
+    {"tsuji_tables.h", tsuji_tables_write, NULL},
+    {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL},
+    {"wave_tables.h", wave_tables_write, NULL},
+    {"disk_modes_nu033.h", NULL, "0.33"},
+    {"disk_modes_nu090.h", NULL, "0.90"},
 };
-enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
+enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 2 /* the collisions of disks and the manifest */ };
 
-/* One complete file in memory; the manifest follows files[]. */
+/* One complete file in memory */
 struct content {
     const char *name;
     char *text;
@@ -223,53 +221,31 @@ static int check_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
-/* Reads the table of collisions from the directory or from generated/, or computes it. Sets *known to whether a table
- * exists. */
-static int know_limits(bool *known, const struct tables_request *request, const char *directory)
+/* The file of the collisions, in memory: anew, those that corgen was built with, or as the directory has it */
+static int limits_make(struct content *c, const struct tables_request *request, const char *directory)
 {
+    const struct generated row = {DISK_LIMITS_FILE, disk_limits_write, NULL};
     char path[PATH_MAX_LENGTH];
-    size_t size = 0;
+    profile_step(DISK_LIMITS_FILE);
+    if (request->all && !request->check && disk_limits_collide() != STATUS_OK)
+        return STATUS_FAILED;
+    if (disk_limits_known(NULL))
+        return generated_make(c, &row);
+    c->name = DISK_LIMITS_FILE;
     if (set_path(path, directory, DISK_LIMITS_FILE))
         return STATUS_FAILED;
-    if (request->all && !request->check) {
-        profile_step(DISK_LIMITS_FILE);
-        const int status = disk_limits_collide();
-        profile_step(NULL);
-        *known = status == STATUS_OK;
-        return status;
-    }
-    char *text = read_file(path, &size);
-    if (!text && errno == ENOENT && !request->check && strcmp(directory, DEFAULT_DIRECTORY) != 0 &&
-        set_path(path, DEFAULT_DIRECTORY, DISK_LIMITS_FILE) == STATUS_OK)
-        text = read_file(path, &size);
-    *known = text != NULL;
-    if (!text && errno != ENOENT)
-        return fail("cannot read %s: %s", path, strerror(errno));
-    if (!text) {
-        fprintf(stderr,
-                "corgen: " DISK_LIMITS_FILE " is left out, for there is no %s; --all makes it, in most of an hour of "
-                "CPU time\n",
-                path);
-        return STATUS_OK;
-    }
-    const int status = disk_limits_read(text, size, path);
-    free(text);
-    return status;
+    c->text = read_file(path, &c->size);
+    return c->text ? STATUS_OK : fail("cannot read %s: %s; --all makes it", path, strerror(errno));
 }
 
 /* Writes the files of generated/ and their manifest to memory. */
 static int make_generated(struct content *c, int *n, const struct tables_request *request, const char *directory)
 {
-    bool asked = false, known = false;
     int status = STATUS_OK;
-    for (int i = 0; i < FILES && status == STATUS_OK; i++) {
-        if (files[i].limits && !asked) {
-            status = know_limits(&known, request, directory);
-            asked = true;
-        }
-        if (status == STATUS_OK && (known || !files[i].limits))
-            status = generated_make(&c[(*n)++], &files[i]);
-    }
+    for (int i = 0; i < FILES && status == STATUS_OK; i++)
+        status = generated_make(&c[(*n)++], &files[i]);
+    if (status == STATUS_OK)
+        status = limits_make(&c[(*n)++], request, directory);
     if (status == STATUS_OK)
         status = manifest_make(&c[*n], c, *n);
     *n += status == STATUS_OK;
@@ -319,9 +295,9 @@ int tables_run(const struct tables_request *request)
         status = request->check ? check_all(c, n, directory) : write_all(c, n, directory);
     for (int i = 0; i < n && status == STATUS_OK && !request->digits; i++)
         printf("%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", directory, c[i].name, c[i].size);
-    if (status == STATUS_OK && request->check && disk_limits_known())
+    if (status == STATUS_OK && request->check && !request->poisson && disk_limits_known(NULL))
         status = check_limits(request);
-    if (status == STATUS_OK && !request->check && !request->digits && !request->all && disk_limits_known())
+    if (status == STATUS_OK && !request->check && !request->digits && !request->all && !request->poisson)
         printf("kept the collisions of " DISK_LIMITS_FILE "; --all makes them anew\n");
     if (fflush(stdout) && status == STATUS_OK)
         status = fail("standard output: %s", strerror(errno));

@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /* The table behind cor_disk_eps, disk_limits.h: collisions of disks of all modes with a rigid wall, over cells of speed
  * and Poisson's ratio that are refined until their polynomials are accurate enough. The collisions take most of an
- * hour of CPU time and are kept: the header holds all their results. */
+ * hour of CPU time and are kept: corgen is built with them. */
 #ifndef COR_GEN_TABLES_LIMITS_H
 #define COR_GEN_TABLES_LIMITS_H
 
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
 #define DISK_LIMITS_FILE "disk_limits.h"
 
+struct cor_disk_limit_cell;
+
 /* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. The table stays in memory until
  * disk_limits_clear. */
-int disk_limits_collide(void);                                         /* computes all collisions */
-int disk_limits_read(const char *text, size_t size, const char *path); /* reads a whole file; `path` is for messages */
-bool disk_limits_known(void);
+int disk_limits_collide(void); /* computes all collisions */
+/* Whether a table is in memory: that of disk_limits_collide, or that with which corgen was built, with other cells
+ * unless `cell` is NULL. A corgen of COR_BOOTSTRAP is built with none. */
+bool disk_limits_known(const struct cor_disk_limit_cell *cell);
 void disk_limits_clear(void);
 
 /* Writes the table in memory. */
