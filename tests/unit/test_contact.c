@@ -111,8 +111,10 @@ TEST(against_long_double)
             compliance[k] =
                 (1 - (long double)b[k].poisson_ratio) * (1 + (long double)b[k].poisson_ratio) / b[k].young_modulus_pa;
         }
-        struct cor_sphere_contact c;
+        struct cor_sphere_contact c, swapped;
         assert_int_equal(cor_sphere_contact_init(&c, &b[0], &b[1]), COR_OK);
+        assert_int_equal(cor_sphere_contact_init(&swapped, &b[1], &b[0]), COR_OK);
+        assert_memory_equal(&c, &swapped, sizeof c);
         const long double m = 1 / (1.0L / b[0].mass_kg + 1.0L / b[1].mass_kg);
         const long double r = 1 / (1.0L / b[0].radius_m + 1.0L / b[1].radius_m);
         const long double sum = compliance[0] + compliance[1];
@@ -686,50 +688,6 @@ TEST(dissipation_time_from_eps)
     }
 }
 
-TEST(arrays)
-{
-    enum { COUNT = 501 };
-    static double speed[COUNT], eps[COUNT + 1];
-    struct random_state random = random_start();
-    for (int i = 0; i < COUNT; i++)
-        speed[i] = i % 2 ? random_log(&random, 1e-12, 1e12) : random_log(&random, 1e-3, 1e4);
-    speed[0] = 0;
-    speed[1] = NAN;
-    speed[2] = -1;
-    speed[3] = INFINITY;
-    speed[4] = smallest;
-    speed[5] = -1e-300; /* whose beta^5 may be -0 */
-    speed[COUNT - 1] = -0.0;
-    void (*const many[2])(const struct cor_sphere_contact *, const double *, double *,
-                          size_t) = {cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array};
-    enum { CONTACTS = 5 };
-    struct cor_sphere_contact c[CONTACTS];
-    assert_int_equal(cor_sphere_contact_init_g_star(&c[0], 0.1), COR_OK);
-    assert_int_equal(cor_sphere_contact_init_g_star(&c[1], INFINITY), COR_OK);
-    assert_int_equal(cor_sphere_contact_init_g_star(&c[2], 1e-305), COR_OK);
-    assert_int_equal(cor_sphere_contact_init_g_star(&c[3], NAN), COR_ERROR_G_STAR);
-    assert_int_equal(cor_sphere_contact_init_g_star(&c[4], 1e100), COR_OK);
-    for (int k = 0; k < CONTACTS; k++)
-        for (int end = 0; end < 2; end++) {
-            many[end](&c[k], NULL, NULL, 0);
-            eps[COUNT] = 7;
-            many[end](&c[k], speed, eps, COUNT);
-            assert_true(eps[COUNT] == 7);
-            for (int i = 0; i < COUNT; i++) {
-                const double alone = eps_at_speed[end](&c[k], speed[i]);
-                check(same_bits(eps[i], alone) || (isnan(eps[i]) && isnan(alone)), "contact %d, end %d, %a", k, end,
-                      speed[i]);
-            }
-            memcpy(eps, speed, sizeof speed);
-            many[end](&c[k], eps, eps, COUNT);
-            for (int i = 0; i < COUNT; i++) {
-                const double alone = eps_at_speed[end](&c[k], speed[i]);
-                check(same_bits(eps[i], alone) || (isnan(eps[i]) && isnan(alone)), "in place: contact %d, end %d, %a",
-                      k, end, speed[i]);
-            }
-        }
-}
-
 TEST(version)
 {
     char text[32];
@@ -740,4 +698,4 @@ TEST(version)
 RUN_TESTS(two_glass_spheres, sphere_and_wall, different_materials, against_long_double, speeds, characteristic_speed,
           wrong_inputs, status_texts, dissipation_time, mass_of_a_sphere, oblique_impacts, eps_at_a_speed,
           extreme_contacts, without_dissipation, special_values_of_dimensions, dimensions_against_long_double,
-          dissipation_time_from_eps, arrays, version)
+          dissipation_time_from_eps, version)
