@@ -25,8 +25,8 @@ static uint64_t next_bits(struct bit_source *source)
     return x;
 }
 
-/* eps and 1 - eps are from 0 to 1, and nothing else is below 0. A contact that was made by hand may be anything, Hunt and
- * Crossley's law has negative beta, and tangential motion has a sign. */
+/* eps and 1 - eps are from 0 to 1, and nothing else is below 0. A contact that was made by hand may be anything, Hunt
+ * and Crossley's law has negative beta, and tangential motion has a sign. */
 static void check_range(const struct public_function *f, const struct results *r)
 {
     static const char *const any[] = {"cor_contact_", "cor_plate_", "hunt_crossley", "cor_tangential_"};
