@@ -182,37 +182,23 @@ static void print_text(const struct plan *plan, FILE *file)
     fprintf(file, "%s", plan->note);
 }
 
-static void print_number(FILE *file, double x, bool json)
+static void print_rows(const struct plan *plan, enum output_format format, FILE *file)
 {
-    char text[DECIMAL_TEXT];
-    fputs(isfinite(x) ? decimal_text(text, x) : json ? "null" : "nan", file);
-}
-
-static void print_rows(const struct plan *plan, FILE *file, bool json)
-{
-    const char *const column[] = {plan->argument, "value", "error", "cost", "uncertainty"};
-    if (json)
-        fprintf(file, "[\n");
-    else
-        fprintf(file, "model,%s,value,error,cost,uncertainty,verdict\n", plan->argument);
+    char header[2 * PLAN_NAME], text[DECIMAL_TEXT];
+    struct table table;
+    snprintf(header, sizeof header, "model,%s,value,error,cost,uncertainty,verdict", plan->argument);
+    table_init(&table, header, "tnnnnnt");
     for (int i = 0; i < plan->models; i++)
         for (slong k = 0; k < plan->points; k++) {
-            const struct plan_model *m = &plan->model[i];
+            const struct plan_model *const m = &plan->model[i];
             const double number[] = {plan->at[k], m->value[k], m->error[k], m->cost, plan->uncertainty[k]};
-            fprintf(file, json ? "  {\"model\": \"%s\"" : "%s", m->name);
-            for (size_t j = 0; j < sizeof number / sizeof *number; j++) {
-                if (json)
-                    fprintf(file, ", \"%s\": ", column[j]);
-                else
-                    fprintf(file, ",");
-                print_number(file, number[j], json);
-            }
-            const bool last = i + 1 == plan->models && k + 1 == plan->points;
-            fprintf(file, json ? ", \"verdict\": \"%s\"}%s\n" : ",%s%s\n", verdicts[m->verdict],
-                    json && !last ? "," : "");
+            table_add_text(&table, m->name);
+            for (size_t j = 0; j < sizeof number / sizeof *number; j++)
+                table_add_text(&table, isfinite(number[j]) ? decimal_text(text, number[j]) : "nan");
+            table_add_text(&table, verdicts[m->verdict]);
         }
-    if (json)
-        fprintf(file, "]\n");
+    table_print(&table, format, file);
+    table_clear(&table);
 }
 
 void plan_print(const struct plan *plan, enum output_format format, FILE *file)
@@ -220,5 +206,5 @@ void plan_print(const struct plan *plan, enum output_format format, FILE *file)
     if (format == FORMAT_TEXT)
         print_text(plan, file);
     else
-        print_rows(plan, file, format == FORMAT_JSON);
+        print_rows(plan, format, file);
 }

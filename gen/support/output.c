@@ -362,10 +362,15 @@ void table_add_known(struct table *t, double x, int digits)
         table_add_number(t, x, digits);
 }
 
+void table_drop_rows(struct table *t)
+{
+    while (t->cells > 0)
+        free(t->cell[--t->cells]);
+}
+
 void table_clear(struct table *t)
 {
-    for (long i = 0; i < t->cells; i++)
-        free(t->cell[i]);
+    table_drop_rows(t);
     free(t->cell);
     free(t->header);
     free(t->column);
@@ -407,7 +412,7 @@ static bool is_integer(const char *text)
 /* Prints once in a thousand cells, and only on a terminal. */
 static void print_progress(const struct table *t, long cell)
 {
-    if (cell >= 0 && cell % 1024 == 0)
+    if (cell > 0 && cell % 1024 == 0)
         progress("printing rows", cell / t->columns, t->cells / t->columns);
 }
 
@@ -428,19 +433,12 @@ static void print_escaped(const char *text, const char *escaped, char before, FI
     fputc('"', file);
 }
 
-static void print_csv(const struct table *t, FILE *file)
+static void print_csv_cell(char kind, const char *cell, FILE *file)
 {
-    for (int j = 0; j < t->columns; j++)
-        fprintf(file, "%s%c", t->column[j], j + 1 < t->columns ? ',' : '\n');
-    for (long i = 0; i < t->cells; i++) {
-        print_progress(t, i);
-        const bool missing = !*t->cell[i] && kind_of(t, i) != TABLE_TEXT;
-        if (strpbrk(t->cell[i], ",\"\n"))
-            print_escaped(t->cell[i], "\"", '"', file);
-        else
-            fputs(missing ? "nan" : t->cell[i], file);
-        fputc((i + 1) % t->columns ? ',' : '\n', file);
-    }
+    if (strpbrk(cell, ",\"\n"))
+        print_escaped(cell, "\"", '"', file);
+    else
+        fputs(!*cell && kind != TABLE_TEXT ? "nan" : cell, file);
 }
 
 /* A cell that is no number of JSON, as nan and inf, is null, and so is an empty text. */
@@ -454,18 +452,34 @@ static void print_json_cell(const struct table *t, char kind, const char *cell, 
         fputs(cell, file);
 }
 
-static void print_json(const struct table *t, FILE *file)
+void table_print_start(const struct table *t, enum output_format format, FILE *file)
 {
-    fputs("[", file);
+    for (int j = 0; j < t->columns && format == FORMAT_CSV; j++)
+        fprintf(file, "%s%c", t->column[j], j + 1 < t->columns ? ',' : '\n');
+    if (format == FORMAT_JSON)
+        fputs("[", file);
+}
+
+void table_print_rows(const struct table *t, enum output_format format, bool first, FILE *file)
+{
     for (long i = 0; i < t->cells; i++) {
+        const int j = (int)(i % t->columns);
+        const bool last = j + 1 == t->columns;
         print_progress(t, i);
-        int j = (int)(i % t->columns);
-        fputs(j ? ", " : i ? ",\n  {" : "\n  {", file);
-        fprintf(file, "\"%s\": ", t->column[j]);
-        print_json_cell(t, kind_of(t, i), t->cell[i], file);
-        fputs(j + 1 == t->columns ? "}" : "", file);
+        if (format == FORMAT_CSV) {
+            print_csv_cell(kind_of(t, i), t->cell[i], file);
+            fputc(last ? '\n' : ',', file);
+        } else {
+            fprintf(file, "%s\"%s\": ", j ? ", " : i || !first ? ",\n  {" : "\n  {", t->column[j]);
+            print_json_cell(t, kind_of(t, i), t->cell[i], file);
+            fputs(last ? "}" : "", file);
+        }
     }
-    fputs("\n]\n", file);
+}
+
+void table_print_end(enum output_format format, FILE *file)
+{
+    fputs(format == FORMAT_JSON ? "\n]\n" : "", file);
 }
 
 /* Integers are aligned right, other numbers left, with their signs in a separate column. */
@@ -513,11 +527,12 @@ static void print_text(const struct table *t, FILE *file)
 
 void table_print(const struct table *t, enum output_format format, FILE *file)
 {
-    if (format == FORMAT_CSV)
-        print_csv(t, file);
-    else if (format == FORMAT_JSON)
-        print_json(t, file);
-    else
+    if (format == FORMAT_CSV || format == FORMAT_JSON) {
+        table_print_start(t, format, file);
+        table_print_rows(t, format, true, file);
+        table_print_end(format, file);
+    } else {
         print_text(t, file);
+    }
     progress_end();
 }

@@ -80,6 +80,11 @@ void table_add_integer(struct table *t, long value);
 void table_add_number(struct table *t, double x, int digits); /* nan if it is */
 void table_add_known(struct table *t, double x, int digits);  /* an empty cell if it is not known, NaN */
 void table_print(const struct table *t, enum output_format format, FILE *file); /* not FORMAT_LATEX */
+/* The same in parts, csv and json alone: the rows that the table holds, `first` if none were printed before. */
+void table_print_start(const struct table *t, enum output_format format, FILE *file);
+void table_print_rows(const struct table *t, enum output_format format, bool first, FILE *file);
+void table_print_end(enum output_format format, FILE *file);
+void table_drop_rows(struct table *t);
 void table_clear(struct table *t);
 
 #endif

@@ -43,16 +43,11 @@ int journal_flush(struct journal *journal)
 
 /* ---- opening ---- */
 
-static int journal_lock(struct journal *journal)
+/* Locks the file against other processes; not on a file system that has no locks. */
+static bool journal_lock(const struct journal *journal)
 {
     struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    if (fcntl(fileno(journal->stream), F_SETLK, &region) == 0)
-        return STATUS_OK;
-    if (errno == EACCES || errno == EAGAIN)
-        return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
-    journal_failure("lock", journal); /* the file system has no locks */
-    fail("continuing without a lock; make sure that no other corgen writes to the same --output");
-    return STATUS_OK;
+    return fcntl(fileno(journal->stream), F_SETLK, &region) == 0 || (errno != EACCES && errno != EAGAIN);
 }
 
 static int journal_open_locked(struct journal *journal)
@@ -60,34 +55,24 @@ static int journal_open_locked(struct journal *journal)
     struct stat opened;
     /* a symbolic link could lead anywhere, so it is not followed */
     const int fd = open(journal->path, O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (fd < 0 && errno == ELOOP)
-        return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
     journal->stream = fd < 0 ? NULL : fdopen(fd, "a+");
     if (!journal->stream || fstat(fd, &opened) != 0)
         return journal_failure("write", journal);
     if (!S_ISREG(opened.st_mode))
         return fail("cannot write %s: it is not a regular file", journal->path);
-    return journal_lock(journal);
+    return journal_lock(journal)
+               ? STATUS_OK
+               : fail("%s is in use by another process; wait for it or choose another --output", journal->path);
 }
 
 static int journal_refuse_foreign(const struct journal *journal, const char *title)
 {
-    enum { SHOWN = 300 };
-    static const char start[] = "corgen ";
-    if (strncmp(title, start, sizeof start - 1) != 0)
+    const char *const command = strncmp(title, "corgen ", 7) == 0 ? strstr(title, ": ") : NULL;
+    if (!command)
         return fail("%s is not an unfinished sweep of corgen; remove it or choose another --output", journal->path);
-    const char *command = strstr(title, ": ");
-    return fail("%s holds rows of another sweep, '%.*s%s'; finish it by that command, remove it or choose another "
+    return fail("%s holds rows of another sweep, '%.300s'; finish it by that command, remove it or choose another "
                 "--output",
-                journal->path, SHOWN, command ? command + 2 : title,
-                command && strlen(command + 2) > SHOWN ? "..." : "");
-}
-
-/* A title identifies the sweep before its first colon. The command after the colon may be written in another way. */
-static bool same_sweep(const char *title, const char *other)
-{
-    const char *colon = strchr(title, ':');
-    return colon ? strncmp(title, other, (size_t)(colon - title) + 1) == 0 : strcmp(title, other) == 0;
+                journal->path, command + 2);
 }
 
 /* Reads a line and cuts off its end; *line is malloc'ed. False at the end, or if the line is incomplete. */
@@ -122,7 +107,7 @@ static off_t journal_recover(struct journal *journal, const char *title, uint64_
         good = ferror(journal->stream) ? (journal_failure("read", journal), -1)
                : beginning             ? 0
                                        : (journal_refuse_foreign(journal, ""), -1);
-    } else if (!same_sweep(title, line)) {
+    } else if (strcmp(title, line) != 0) {
         journal_refuse_foreign(journal, line);
         good = -1;
     } else {

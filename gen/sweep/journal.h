@@ -18,8 +18,8 @@ struct journal {
     char *interrupted; /* the message of journal_say_on_interrupt */
 };
 
-/* Opens or creates FILE.part, whose first line is `title` (given without its line end). A file whose title differs
- * before the first colon is refused. Of the right file, up to `most` complete rows are kept, and everything after them
+/* Opens or creates FILE.part, whose first line is `title` (given without its line end), "corgen ...: COMMAND". A file
+ * with another title is refused. Of the right file, up to `most` complete rows are kept, and everything after them
  * is cut off. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 

@@ -236,30 +236,20 @@ static int publish_journal(struct collide *run, const struct sweep_request *requ
     return status;
 }
 
-/* The line that identifies a sweep, and its command */
+/* The line that identifies a sweep by its command, malloc'ed */
 static char *title_of(const struct sweep *s)
 {
-    char *title = NULL, tolerance[DECIMAL_TEXT];
-    size_t size = 0;
-    FILE *const text = open_memstream(&title, &size);
-    if (!text)
-        return NULL;
-    fprintf(text, "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64 " rows:%s --speed %s --poisson %s",
-            sweep_identity(s), s->rows,
-            s->hard_wall  ? " --hard-wall"
-            : s->rayleigh ? " --rayleigh"
-                          : "",
-            s->speed.text, s->poisson.text);
-    if (is_soft(s))
-        fprintf(text, " --alpha %s", s->alpha.text);
-    if (!s->hard_wall)
-        fprintf(text, " --modes %s", s->modes.text);
-    if (!s->rayleigh)
-        fprintf(text, " --tolerance %s", decimal_text(tolerance, s->tolerance));
-    if (is_soft(s))
-        fprintf(text, " --phi-points %zu", s->phi_points);
-    fclose(text);
-    return title;
+    char tolerance[DECIMAL_TEXT];
+    decimal_text(tolerance, s->tolerance);
+    static const char start[] = "corgen disk-collide, unfinished: --speed";
+    if (s->hard_wall)
+        return xprintf("%s %s --poisson %s --hard-wall --tolerance %s", start, s->speed.text, s->poisson.text,
+                       tolerance);
+    if (s->rayleigh)
+        return xprintf("%s %s --poisson %s --rayleigh --modes %s", start, s->speed.text, s->poisson.text,
+                       s->modes.text);
+    return xprintf("%s %s --poisson %s --alpha %s --modes %s --tolerance %s --phi-points %zu", start, s->speed.text,
+                   s->poisson.text, s->alpha.text, s->modes.text, tolerance, s->phi_points);
 }
 
 static int collide_to_file(struct collide *run, const struct sweep_request *request)
@@ -269,8 +259,8 @@ static int collide_to_file(struct collide *run, const struct sweep_request *requ
     if (output_open(&probe, request->output) != STATUS_OK)
         return STATUS_FAILED;
     output_discard(&probe);
-    char *title = title_of(&run->sweep);
-    int status = title ? journal_open(&run->journal, request->output, title, run->sweep.rows) : STATUS_FAILED;
+    char *const title = title_of(&run->sweep);
+    int status = journal_open(&run->journal, request->output, title, run->sweep.rows);
     free(title);
     if (status != STATUS_OK)
         return status;

@@ -92,37 +92,6 @@ void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number
     row->nu = sweep->poisson.nearest[number];
 }
 
-/* FNV-1a, 64 bits */
-static uint64_t hash_text(uint64_t hash, const char *text)
-{
-    do
-        hash = (hash ^ (unsigned char)*text) * UINT64_C(1099511628211);
-    while (*text++);
-    return hash;
-}
-
-uint64_t sweep_identity(const struct sweep *sweep)
-{
-    const struct values *list[SWEEP_LISTS];
-    const size_t lists = lists_of(sweep, list);
-    uint64_t hash = UINT64_C(14695981039346656037);
-    char text[3 * DECIMAL_TEXT];
-    for (size_t i = 0; i < lists; i++) {
-        for (size_t j = 0; j < list[i]->count; j++) {
-            snprintf(text, sizeof text, "%a", list[i]->nearest[j]);
-            hash = hash_text(hash, text);
-            if (list[i] == &sweep->poisson) { /* two exact ratios with one double have different modes */
-                char *exact = fmpq_get_str(NULL, 10, list[i]->exact + j);
-                hash = hash_text(hash, exact);
-                flint_free(exact);
-            }
-        }
-        hash = hash_text(hash, ";");
-    }
-    snprintf(text, sizeof text, "%a %zu", sweep->tolerance, sweep->phi_points);
-    return hash_text(hash, text);
-}
-
 static const struct sweep_result no_result = {.collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN},
                                               .hard_wall = {NAN, NAN, NAN, NAN, NAN, 0},
                                               .rayleigh = {NAN, NAN, NAN, NAN}};
@@ -308,17 +277,6 @@ static void print_text(const struct sweep_printer *p, int j, const char *text)
         fprintf(p->file, kind == COLUMN_COUNT || kind == COLUMN_STEPS ? "%*s  " : "%-*s  ", p->width[j], text);
 }
 
-static void print_json(const struct sweep_printer *p, int j, const char *text)
-{
-    const bool status = p->table.kinds[j] == COLUMN_STATUS;
-    const bool finite = status || (strcmp(text, "nan") != 0 && !strstr(text, "inf"));
-    fprintf(p->file, "%s\"%s\": %s%s%s",
-            j         ? ", "
-            : p->rows ? ",\n  {"
-                      : "\n  {",
-            p->table.column[j], status ? "\"" : "", finite ? text : "null", status ? "\"}" : "");
-}
-
 void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum output_format format, FILE *file)
 {
     *p = (struct sweep_printer){.file = file, .format = format, .sweep = sweep};
@@ -340,39 +298,34 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
         if (format == FORMAT_TEXT)
             print_text(p, j, name);
     }
-    if (format != FORMAT_TEXT)
-        fprintf(file, "%s", format == FORMAT_JSON ? "[" : layout_of(sweep)->header);
-    if (format == FORMAT_CSV)
-        fputc('\n', file);
+    table_print_start(&p->table, format, file);
 }
 
 void sweep_print(struct sweep_printer *p, const char *line)
 {
-    char copy[SWEEP_LINE], *cell = copy;
-    snprintf(copy, sizeof copy, "%s", line);
-    if (p->format == FORMAT_CSV)
-        fprintf(p->file, "%s\n", line);
-    for (int j = 0; j < p->table.columns; j++) {
-        char *const end = cell + strcspn(cell, ",");
-        *end = '\0';
-        if (p->format == FORMAT_JSON)
-            print_json(p, j, cell);
-        else if (p->format == FORMAT_TEXT)
-            print_text(p, j, cell);
-        if (p->sweep->eps && strcmp(p->table.column[j], "eps") == 0)
-            p->sweep->eps[p->rows] = strtod(cell, NULL);
-        cell = j + 1 < p->table.columns ? end + 1 : cell;
+    struct table *const table = &p->table;
+    for (int j = 0; j < table->columns; j++) {
+        const size_t length = strcspn(line, ",");
+        table_add(table, xprintf("%.*s", (int)length, line));
+        line += length + (line[length] == ',');
+        if (p->format == FORMAT_TEXT)
+            print_text(p, j, table->cell[j]);
+        if (p->sweep->eps && strcmp(table->column[j], "eps") == 0)
+            p->sweep->eps[p->rows] = strtod(table->cell[j], NULL);
     }
+    if (p->format != FORMAT_TEXT)
+        table_print_rows(table, p->format, p->rows == 0, p->file);
+    const char *const status = table->cell[table->columns - 1];
+    const bool coarse = strcmp(status, "tolerance_not_reached") == 0, beyond = strcmp(status, "beyond_theory") == 0;
     p->rows++;
-    const bool coarse = strcmp(cell, "tolerance_not_reached") == 0, beyond = strcmp(cell, "beyond_theory") == 0;
     p->tolerance_not_reached += coarse;
     p->beyond_theory += beyond;
-    p->failed += strcmp(cell, "ok") != 0 && !coarse && !beyond;
+    p->failed += strcmp(status, "ok") != 0 && !coarse && !beyond;
+    table_drop_rows(table);
 }
 
 void sweep_print_end(struct sweep_printer *p)
 {
-    if (p->format == FORMAT_JSON)
-        fputs("\n]\n", p->file);
+    table_print_end(p->format, p->file);
     table_clear(&p->table);
 }

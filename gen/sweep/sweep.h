@@ -50,9 +50,6 @@ void sweep_clear(struct sweep *sweep);
 void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number);
 uint64_t sweep_rows_of_material(const struct sweep *sweep);
 
-/* A hash of all rows, tolerance and angles. Two spellings of the same lists have the same hash. */
-uint64_t sweep_identity(const struct sweep *sweep);
-
 /* modes: for soft walls; tables: for the rigid wall */
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                    const struct cor_disk_modes *modes, struct hard_wall_tables *tables, struct workspace *workspace);

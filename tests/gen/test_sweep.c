@@ -151,34 +151,6 @@ TEST(test_product)
                     assert_true(row.modes == modes[m] && row.material == p);
                 }
 
-    /* another phrasing is the same sweep, another number, order or option another */
-    static const struct {
-        const char *speed, *poisson, *alpha, *modes;
-        double tolerance;
-        size_t phi_points;
-        bool same;
-    } other[] = {
-        {"2e-1,1/10,0.3,0.1", "0.90,-2/6", "500:100:-400", "940,10,3600,1", 1e-8, 0, true},
-        {"0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1", 1e-9, 0, false},
-        {"0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1", 1e-8, 100, false},
-        {"0.1,0.2,0.3", "0.9,-1/3", "500,100", "940,10,3600,1", 1e-8, 0, false},
-        {"0.2,0.1,0.3", "0.9,-0.3333333333333333", "500,100", "940,10,3600,1", 1e-8, 0, false}, /* the same double */
-    };
-    const uint64_t identity = sweep_identity(&sweep);
-    sweep_clear(&sweep);
-    for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
-        make_sweep(&sweep, other[i].speed, other[i].poisson, other[i].alpha, other[i].modes);
-        sweep.tolerance = other[i].tolerance;
-        sweep.phi_points = other[i].phi_points;
-        check((sweep_identity(&sweep) == identity) == other[i].same, "%zu", i);
-        sweep_clear(&sweep);
-    }
-    /* a number that moves from one list to the next */
-    make_sweep(&sweep, "0.1", "0.9", "100", "200,10");
-    const uint64_t moved = sweep_identity(&sweep);
-    sweep_clear(&sweep);
-    make_sweep(&sweep, "0.1", "0.9", "100,200", "10");
-    assert_true(sweep_identity(&sweep) != moved);
     /* as many digits as the tolerance justifies */
     static const double tolerance[] = {1e-6, 1.1e-6, 9e-6, 1e-5};
     FILE *const none = tmpfile();
@@ -311,7 +283,7 @@ TEST(test_threads)
 
 /* ---- the journal ---- */
 
-static const char title[] = "corgen disk-collide, unfinished, sweep 1: --speed 0.1";
+static const char title[] = "corgen disk-collide, unfinished: --speed 0.1";
 static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end 12345678", "4,5"};
 enum { LINES = sizeof line / sizeof *line };
 
@@ -439,12 +411,8 @@ TEST(test_journal_foreign)
     }
     struct journal journal;
     part_write(whole_file, whole_size);
-    assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished, sweep 2: --speed 0.1", LINES),
+    assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished: --speed 0.10", LINES),
                      STATUS_FAILED);
-    assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished, sweep 1: --speed 1/10", LINES),
-                     STATUS_OK); /* the same, written in another way */
-    assert_int_equal(journal.lines, LINES);
-    journal_close(&journal, false);
     assert_int_equal(journal_open(&journal, "/nonexistent/x", title, LINES), STATUS_FAILED);
 }
 
