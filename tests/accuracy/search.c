@@ -144,10 +144,6 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
 {
     for (int i = 1; i < argc; i++) {
         const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
-        if (strcmp(argv[i], "--float-exhaustive") == 0 && o->float_stride > 0) {
-            o->float_stride = 1;
-            continue;
-        }
         if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
             o->points = (uint64_t)number;
         } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= (double)SEARCH_MAX_THREADS) {
@@ -156,6 +152,10 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
             o->seed = (uint64_t)number;
         } else if (strcmp(argv[i], "--only") == 0 && i + 1 < argc) {
             o->only = argv[i + 1];
+        } else if (strcmp(argv[i], "--stride") == 0 && o->stride > 0 && number >= 1 && number <= 1e6) {
+            o->stride = (uint64_t)number;
+        } else if (strcmp(argv[i], "--hashes") == 0 && o->stride > 0 && i + 1 < argc) {
+            o->hashes = argv[i + 1];
         } else {
             fputs(help, stderr);
             return 2;

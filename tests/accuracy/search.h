@@ -54,12 +54,13 @@ bool search_arrays(const struct search_function *f, const double *special, size_
 enum { SEARCH_MAX_THREADS = 64 };
 
 struct search_options {
-    uint64_t points, seed, float_stride; /* float_stride 0: there is no --float-exhaustive */
+    uint64_t points, seed, stride; /* stride 0: there are no --stride and --hashes */
     int threads;
     const char *only; /* part of the names of the functions wanted; NULL for all */
+    const char *hashes;
 };
 
-/* Reads --points, --threads, --seed, --only and --float-exhaustive. Returns 0, or the exit status: 2 after the help
+/* Reads --points, --threads, --seed, --only, --stride and --hashes. Returns 0, or the exit status: 2 after the help
  * for wrong ones, 77 where long double is too short for a reference. */
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help);
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Every sphere function of the library against the reference: random points, all doubles near every boundary of a
- * piece, the neighbours of the worst point, floats, arrays, special values, contacts. Prints one line for each
- * function; these lines are what the documentation quotes. --help lists the options. */
+ * piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; these lines are what the documentation quotes. --help lists the options. */
 #include "cor/contact.h"
 #include "cor/sphere.h"
 
@@ -19,9 +18,6 @@ enum shape { FALLS, SMOOTH, INVERSE };
 struct function {
     const char *name;
     double (*value)(double);
-    void (*array)(const double *, double *, size_t);
-    float (*valuef)(float);
-    void (*arrayf)(const float *, float *, size_t);
     enum quantity quantity; /* of an inverse: that it inverts */
     enum shape shape;
     double max_ulp;
@@ -29,8 +25,7 @@ struct function {
 
 #define ROW(name, quantity, shape, max_ulp)                                                                            \
     {                                                                                                                  \
-#name, cor_sphere_##name, cor_sphere_##name##_array, cor_sphere_##name##f, cor_sphere_##name##_arrayf,         \
-            quantity, shape, max_ulp                                                                                   \
+#name, cor_sphere_##name, quantity, shape, max_ulp                                                             \
     }
 
 static const struct function functions[] = {
@@ -56,14 +51,14 @@ enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 /* Error of beta(eps), without an inverse of the reference: by how much eps or 1 - eps at the computed beta is off,
  * over its slope. */
-static double inverse_error(enum quantity eps_quantity, double computed, double eps, struct format format)
+static double inverse_error(enum quantity eps_quantity, double computed, double eps)
 {
     if (!(eps >= 0 && eps <= 1))
         return isnan(computed) ? 0 : HUGE_VAL;
     if (eps == 0 || eps == 1)
         return computed == (eps == 0 ? HUGE_VAL : 0) ? 0 : HUGE_VAL;
     if (isinf(computed)) /* right where eps at the largest double is above */
-        return reference_value(eps_quantity, ldexpl(1, format.max_exponent)) > eps ? 0 : HUGE_VAL;
+        return reference_value(eps_quantity, ldexpl(1, DBL_MAX_EXP)) > eps ? 0 : HUGE_VAL;
     if (!(computed > 0))
         return HUGE_VAL;
     const enum quantity loss_quantity = eps_quantity == EPS_ZERO_OVERLAP ? LOSS_ZERO_OVERLAP
@@ -72,19 +67,14 @@ static double inverse_error(enum quantity eps_quantity, double computed, double 
     const enum quantity quantity = eps < 0.5 ? eps_quantity : loss_quantity;
     const long double wanted = eps < 0.5 ? (long double)eps : 1 - (long double)eps;
     const long double off = (reference_value(quantity, computed) - wanted) / reference_slope(quantity, computed);
-    return (double)(fabsl(off) / ulp_size(computed, format));
+    return (double)(fabsl(off) / ulp_size(computed, format_double));
 }
 
-static double error_of(const struct function *f, double computed, double x, struct format format)
+static double error_of(const void *row, double computed, double x)
 {
-    if (f->shape == INVERSE)
-        return inverse_error(f->quantity, computed, x, format);
-    return ulp_error(computed, reference_value(f->quantity, x), format);
-}
-
-static double error_of_double(const void *row, double computed, double x)
-{
-    return error_of(row, computed, x, format_double);
+    const struct function *const f = row;
+    return f->shape == INVERSE ? inverse_error(f->quantity, computed, x)
+                               : ulp_error(computed, reference_value(f->quantity, x), format_double);
 }
 
 /* ---- random points ---- */
@@ -133,14 +123,10 @@ static struct search_function search_of(const struct function *f)
 {
     return (struct search_function){.name = f->name,
                                     .value = f->value,
-                                    .array = f->array,
-                                    .valuef = f->valuef,
-                                    .arrayf = f->arrayf,
                                     .last = f->shape == INVERSE ? 1 : HUGE_VAL,
                                     .largest_rise = 1,
                                     .falls = f->shape == FALLS,
-                                    .float_is_rounded = false,
-                                    .error = error_of_double,
+                                    .error = error_of,
                                     .random_argument = random_argument,
                                     .row = f};
 }
@@ -150,34 +136,17 @@ struct job {
     const struct search_function *f;
     const struct search_options *options;
     int thread;
-    struct worst worst, worstf;
+    struct worst worst;
 };
 
-static void search_random(struct job *job)
+static void *search_random(void *argument)
 {
+    struct job *const job = argument;
     const struct search_options *o = job->options;
     const uint64_t threads = (uint64_t)o->threads, part = (uint64_t)job->thread;
     struct random_state r = random_seeded(o->seed * SEARCH_MAX_THREADS + part);
     for (uint64_t i = part; i < o->points / share_of(job->f->row); i += threads)
         worst_random(&job->worst, job->f, &r);
-}
-
-static void search_floats(struct job *job)
-{
-    const struct function *f = job->f->row;
-    const uint32_t end = f->shape == INVERSE ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
-    const uint64_t stride = job->options->float_stride == 1 ? 1 : job->options->float_stride * share_of(f);
-    const uint64_t step = stride * (uint64_t)job->options->threads;
-    for (uint64_t bits = stride * (uint64_t)job->thread; bits <= end; bits += step) {
-        const float x = float_of((uint32_t)bits);
-        worst_take(&job->worstf, error_of(f, (double)f->valuef(x), (double)x, format_float), (double)x);
-    }
-}
-
-static void *run_job(void *argument)
-{
-    search_random(argument);
-    search_floats(argument);
     return NULL;
 }
 
@@ -210,31 +179,19 @@ static const double specials[] = {0.0,        -0.0, HUGE_VAL,  -HUGE_VAL, NAN,  
                                   -0x1p-1074, 1.0,  0x1p-1074, 1.5,       0x1p-1022};
 enum { SPECIALS = sizeof specials / sizeof *specials };
 
-/* 0, 1, infinity and NaN where the exact value is that, else within the bound. */
-static bool is_right(const struct function *f, double x, double y, double max_ulp, struct format format)
+/* 0, 1, infinity and NaN where the exact value is that, else within the bound */
+static bool check_specials(const struct function *f)
 {
-    if (f->shape == INVERSE)
-        return inverse_error(f->quantity, y, x, format) <= max_ulp;
-    const long double exact = reference_value(f->quantity, x);
-    return x == 0 && (exact == 0 || exact == 1) ? (long double)y == exact : ulp_error(y, exact, format) <= max_ulp;
-}
-
-static uint64_t check_specials(const struct function *f)
-{
-    uint64_t wrong = 0;
+    bool good = true;
     for (int i = 0; i < SPECIALS; i++) {
         const double x = specials[i], y = f->value(x);
-        const float xf = (float)x, yf = f->valuef(xf);
-        if (!is_right(f, x, y, f->max_ulp, format_double)) {
-            printf("FAIL  %s(%a) = %a\n", f->name, x, y);
-            wrong++;
-        }
-        if (!is_right(f, (double)xf, (double)yf, COR_SPHERE_FLOAT_MAX_ULP, format_float)) {
-            printf("FAIL  %sf(%a) = %a\n", f->name, (double)xf, (double)yf);
-            wrong++;
-        }
+        const long double exact = f->shape == INVERSE ? NAN : reference_value(f->quantity, x);
+        if (x == 0 && (exact == 0 || exact == 1) ? (long double)y == exact : error_of(f, y, x) <= f->max_ulp)
+            continue;
+        printf("FAIL  %s(%a) = %a\n", f->name, x, y);
+        good = false;
     }
-    return wrong;
+    return good;
 }
 
 /* ---- contacts ---- */
@@ -265,22 +222,19 @@ struct contact_function {
     const char *name;
     enum quantity quantity;
     double (*value)(const struct cor_sphere_contact *, double);
-    void (*array)(const struct cor_sphere_contact *, const double *, double *, size_t);
 };
 
 static const struct contact_function contact_functions[] = {
-    {"contact_eps_zero_overlap", EPS_ZERO_OVERLAP, cor_contact_eps_zero_overlap, cor_contact_eps_zero_overlap_array},
-    {"contact_eps_zero_force", EPS_ZERO_FORCE, cor_contact_eps_zero_force, cor_contact_eps_zero_force_array},
+    {"contact_eps_zero_overlap", EPS_ZERO_OVERLAP, cor_contact_eps_zero_overlap},
+    {"contact_eps_zero_force", EPS_ZERO_FORCE, cor_contact_eps_zero_force},
 };
 
-/* Random contacts, each with a block of speeds, one by one and as an array. An array that differs is infinitely
- * wrong. */
+/* Random contacts, each at some speeds */
 static void search_contacts(struct worst *worst, const struct contact_function *f, const struct search_options *o)
 {
-    enum { BLOCK = 33 };
+    enum { SPEEDS = 33 };
     static const double fixed[] = {
         0.0, -0.0, HUGE_VAL, -1.0, -HUGE_VAL, NAN, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023};
-    double speed[BLOCK], eps[BLOCK];
     struct cor_sphere_contact contact;
     struct random_state r = random_seeded(o->seed);
     const uint64_t enough = UINT64_C(100000000), points = o->points < enough ? o->points : enough;
@@ -288,18 +242,13 @@ static void search_contacts(struct worst *worst, const struct contact_function *
         const double g_star =
             random_uniform(&r, 0, 1) < 0.8 ? exp((random_uniform(&r, 0, 1) - 0.5) * 70) : random_pattern(&r, 1e308);
         cor_sphere_contact_init_g_star(&contact, g_star);
-        for (size_t i = 0; i < BLOCK; i++) {
-            const double kind = random_uniform(&r, 0, 1);
-            speed[i] = kind < 0.05  ? fixed[random_below(&r, sizeof fixed / sizeof *fixed)]
-                       : kind < 0.5 ? g_star * exp((random_uniform(&r, 0, 1) - 0.5) * 40)
-                                    : random_pattern(&r, HUGE_VAL);
-        }
-        f->array(&contact, speed, eps, BLOCK);
-        for (size_t i = 0; i < BLOCK; i++) {
-            const double one = f->value(&contact, speed[i]);
-            const bool same = same_bits(&one, &eps[i], sizeof one) || (isnan(one) && isnan(eps[i]));
-            worst_take(worst, same ? contact_error(f->quantity, one, contact.beta_per_root, speed[i]) : HUGE_VAL,
-                       speed[i]);
+        for (int i = 0; i < SPEEDS; i++) {
+            const double kind = random_uniform(&r, 0, 1),
+                         speed = kind < 0.05  ? fixed[random_below(&r, sizeof fixed / sizeof *fixed)]
+                                 : kind < 0.5 ? g_star * exp((random_uniform(&r, 0, 1) - 0.5) * 40)
+                                              : random_pattern(&r, HUGE_VAL);
+            const double eps = f->value(&contact, speed);
+            worst_take(worst, contact_error(f->quantity, eps, contact.beta_per_root, speed), speed);
         }
     }
 }
@@ -309,21 +258,17 @@ static void search_contacts(struct worst *worst, const struct contact_function *
 static bool function_is_good(const struct function *f, const struct search_options *o)
 {
     const struct search_function search = search_of(f);
-    struct worst worst = {0}, worstf = {0};
+    struct worst worst = {0};
     struct job job[SEARCH_MAX_THREADS];
     for (int i = 0; i < o->threads; i++)
         job[i] = (struct job){.f = &search, .options = o, .thread = i};
-    search_on_threads(run_job, job, sizeof *job, o->threads);
-    for (int i = 0; i < o->threads; i++) {
+    search_on_threads(search_random, job, sizeof *job, o->threads);
+    for (int i = 0; i < o->threads; i++)
         worst_merge(&worst, &job[i].worst);
-        worst_merge(&worstf, &job[i].worstf);
-    }
     search_boundaries(&worst, &search);
     worst_climb(&worst, &search, 4096, 16);
     bool good = worst_report(f->name, "", &worst, f->max_ulp);
-    good = worst_report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
-    good = check_specials(f) == 0 && good;
-    return search_arrays(&search, specials, SPECIALS, 2400, o->seed) && good;
+    return check_specials(f) && good;
 }
 
 static int functions_run(const struct search_options *o)
@@ -344,18 +289,15 @@ static int functions_run(const struct search_options *o)
     return good ? 0 : 1;
 }
 
-static const char help[] =
-    "test_accuracy [--points N] [--float-exhaustive] [--threads N] [--seed N] [--only TEXT]\n"
-    "    --points N          random doubles for each function, 1e6 if not said (1e9: a long run)\n"
-    "    --float-exhaustive  every nonnegative float, not about 10^6 of them\n"
-    "    --threads N         1 if not said\n"
-    "    --seed N            repeats a run\n"
-    "    --only TEXT         only functions with this in their name\n";
+static const char help[] = "test_accuracy [--points N] [--threads N] [--seed N] [--only TEXT]\n"
+                           "    --points N   random doubles for each function, 1e6 if not said (1e9: a long run)\n"
+                           "    --threads N  1 if not said\n"
+                           "    --seed N     repeats a run\n"
+                           "    --only TEXT  only functions with this in their name\n";
 
 int main(int argc, char **argv)
 {
-    /* a prime, so that every last bit occurs; 0x7f800000/2141 is near 10^6 */
-    struct search_options o = {.points = 1000000, .seed = 19990101, .float_stride = 2141, .threads = 1};
+    struct search_options o = {.points = 1000000, .seed = 19990101, .threads = 1};
     const int status = search_options_read(&o, argc, argv, help);
     if (status != 0)
         return status;

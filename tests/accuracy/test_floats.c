@@ -6,48 +6,56 @@
  * compiler, processor and C library. The array functions compute, because they are several times as fast;
  * tests/unit/test_sphere_array.c holds their bits to those of the scalar functions.
  *
+ * And the arrays in float arithmetic, "..._fast": the largest error in units of the last place of a float, and how many
+ * results are not correctly rounded, by the double functions, whose bound counts as part of the error. From 16 on they
+ * return cor_sphere_..f; 1 in FAR_STRIDE floats are taken there.
+ *
  *     test_floats [--only TEXT] [--threads N] [--stride N] [--hashes FILE]
  *
- * --stride N takes every Nth float, and no hash. --hashes FILE compares with a file of lines "hash function"; lines
- * that the file lacks are printed. The exit status is 1 if a result is wrong, if the reference cannot decide, or if a
- * hash differs. Negative numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
+ * --stride N takes every Nth float, of the arrays in float arithmetic FAST_SHARE times as many, and no hash. --hashes
+ * FILE compares with a file of lines "hash function"; lines that the file lacks are printed. The exit status is 1 if a
+ * result is wrong, if the reference cannot decide, or if a hash differs. Negative numbers and NaN give NaN, and -0 counts
+ * as 0: tests/unit tests that. */
 #include "cor/sphere.h"
 
 #include "reference.h"
+#include "search.h"
 #include "ulp.h"
 
 #include <inttypes.h>
-#include <pthread.h>
-#include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 struct function {
     const char *name;
     void (*array)(const double *, double *, size_t);
     void (*arrayf)(const float *, float *, size_t);
     enum quantity quantity, loss; /* of an inverse: the eps and the loss that it inverts */
-    bool inverse;
+    enum { DIRECT_FLOAT, INVERSE_FLOAT, FAST_FLOAT } kind;
 };
 
 #define DIRECT(name, quantity)                                                                                         \
     {                                                                                                                  \
-#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, quantity, quantity, false                        \
+#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, quantity, quantity, DIRECT_FLOAT                 \
     }
 #define INVERSE(name, eps, loss)                                                                                       \
     {                                                                                                                  \
-#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, eps, loss, true                                  \
+#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, eps, loss, INVERSE_FLOAT                         \
+    }
+#define FAST(name, quantity)                                                                                           \
+    DIRECT(name, quantity),                                                                                            \
+    {                                                                                                                  \
+#name "_fast", cor_sphere_##name##_array, cor_sphere_##name##_fast_arrayf, quantity, quantity, FAST_FLOAT      \
     }
 
 static const struct function functions[] = {
-    DIRECT(eps_zero_overlap, EPS_ZERO_OVERLAP),
-    DIRECT(eps_zero_force, EPS_ZERO_FORCE),
-    DIRECT(loss_zero_overlap, LOSS_ZERO_OVERLAP),
-    DIRECT(loss_zero_force, LOSS_ZERO_FORCE),
-    DIRECT(duration_zero_overlap, DURATION_ZERO_OVERLAP),
-    DIRECT(duration_zero_force, DURATION_ZERO_FORCE),
-    DIRECT(max_overlap, MAX_OVERLAP),
-    DIRECT(time_of_max_overlap, TIME_OF_MAX_OVERLAP),
+    FAST(eps_zero_overlap, EPS_ZERO_OVERLAP),
+    FAST(eps_zero_force, EPS_ZERO_FORCE),
+    FAST(loss_zero_overlap, LOSS_ZERO_OVERLAP),
+    FAST(loss_zero_force, LOSS_ZERO_FORCE),
+    FAST(duration_zero_overlap, DURATION_ZERO_OVERLAP),
+    FAST(duration_zero_force, DURATION_ZERO_FORCE),
+    FAST(max_overlap, MAX_OVERLAP),
+    FAST(time_of_max_overlap, TIME_OF_MAX_OVERLAP),
     INVERSE(beta_zero_overlap, EPS_ZERO_OVERLAP, LOSS_ZERO_OVERLAP),
     INVERSE(beta_zero_force, EPS_ZERO_FORCE, LOSS_ZERO_FORCE),
     DIRECT(eps_approach_only, EPS_APPROACH_ONLY),
@@ -59,11 +67,13 @@ static const struct function functions[] = {
 
 enum {
     FUNCTIONS = sizeof functions / sizeof *functions,
-    MAX_THREADS = 64,
     CHUNK_BITS = 24,
     MAX_CHUNKS = 128,
     BLOCK = 4096,
-    AMBIGUOUS_ULP = 4 /* the largest bound of a sphere function is COR_SPHERE_TIME_MAX_ULP = 2 */
+    AMBIGUOUS_ULP = 4, /* the largest bound of a sphere function is COR_SPHERE_TIME_MAX_ULP = 2 */
+    FAST_SHARE = 16,
+    FAR_STRIDE = 64,
+    FAR_BITS = 0x41800000 /* of 16 */
 };
 
 /* The reference is good to a few 2^-64. It decides where the exact value is farther from the middle than 2^-60. */
@@ -72,15 +82,17 @@ static const double undecided_ulp = 0x1p-7;
 /* ---- one argument ---- */
 
 struct count {
-    uint64_t ambiguous, wrong, undecided;
+    uint64_t taken, ambiguous, wrong, undecided, unrounded;
     double least_distance; /* of an ambiguous exact value from the middle of two floats, in ulp of a double */
+    double worst;          /* of arrays in float arithmetic, in ulp of a float */
+    float worst_at;
 };
 
 /* exact value minus middle, in units of the last place of the middle */
 static double distance_from(const struct function *f, double x, double middle)
 {
     long double off;
-    if (!f->inverse) {
+    if (f->kind == DIRECT_FLOAT) {
         off = reference_value(f->quantity, x) - middle;
     } else {
         const enum quantity quantity = x < 0.5 ? f->quantity : f->loss;
@@ -107,6 +119,21 @@ static void judge(struct count *count, const struct function *f, float x, float 
     }
 }
 
+/* |result - exact| in units of the last place of a float, subnormals included; 2^29 units of a double are one. */
+static void judge_fast(float x, float result, double y, struct count *count)
+{
+    const int exponent = (int)(bits_of(y) >> 52) - 1023;
+    const int last = exponent < FLT_MIN_EXP - 1 ? FLT_MIN_EXP - FLT_MANT_DIG : exponent - (FLT_MANT_DIG - 1);
+    double error = fabs((double)result - y) * double_of((uint64_t)(1023 - last) << 52);
+    if (!(y < (double)FLT_MAX && y > 0)) /* 0, infinity and what rounds to it */
+        error = result == (float)y ? 0 : HUGE_VAL;
+    count->unrounded += result != (float)y;
+    if (!(error <= count->worst)) {
+        count->worst = isnan(error) ? HUGE_VAL : error;
+        count->worst_at = x;
+    }
+}
+
 /* result: of the float function at x; y: of the double function */
 static void judge_at(const struct function *f, float x, float result, double y, struct count *count)
 {
@@ -129,8 +156,8 @@ static void judge_at(const struct function *f, float x, float result, double y, 
 
 struct job {
     const struct function *f;
-    int thread, threads;
-    uint32_t stride;
+    uint32_t thread, threads;
+    uint64_t stride;
     struct count count;
     uint64_t *hash; /* of each chunk */
 };
@@ -143,27 +170,32 @@ static uint64_t hash_with(uint64_t hash, uint64_t word)
 
 static uint32_t last_bits(const struct function *f)
 {
-    return f->inverse ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
+    return f->kind == INVERSE_FLOAT ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
 }
 
 static void scan_chunk(struct job *job, uint32_t chunk)
 {
+    const struct function *const f = job->f;
     const uint64_t first = (uint64_t)chunk << CHUNK_BITS, end = first + (UINT64_C(1) << CHUNK_BITS);
     uint64_t hash = 0;
     uint64_t bits = first;
-    while (bits < end && bits <= last_bits(job->f)) {
+    while (bits < end && bits <= last_bits(f)) {
+        const uint64_t step = job->stride * (f->kind == FAST_FLOAT && bits >= FAR_BITS ? FAR_STRIDE : 1);
         float xf[BLOCK], yf[BLOCK];
         double x[BLOCK], y[BLOCK];
         size_t n = 0;
-        for (; n < BLOCK && bits < end && bits <= last_bits(job->f); n++, bits += job->stride)
+        for (; n < BLOCK && bits < end && bits <= last_bits(f); n++, bits += step)
             x[n] = (double)(xf[n] = float_of((uint32_t)bits));
-        job->f->array(x, y, n);
-        job->f->arrayf(xf, yf, n);
-        for (size_t i = 0; i < n; i++) {
+        f->array(x, y, n);
+        f->arrayf(xf, yf, n);
+        job->count.taken += n;
+        for (size_t i = 0; i < n && f->kind == FAST_FLOAT; i++)
+            judge_fast(xf[i], yf[i], y[i], &job->count);
+        for (size_t i = 0; i < n && f->kind != FAST_FLOAT; i++) {
             uint32_t word;
             memcpy(&word, &yf[i], sizeof word);
             hash = hash_with(hash, word);
-            judge_at(job->f, xf[i], yf[i], y[i], &job->count);
+            judge_at(f, xf[i], yf[i], y[i], &job->count);
         }
     }
     job->hash[chunk] = hash;
@@ -173,28 +205,29 @@ static void *run_job(void *argument)
 {
     struct job *const job = argument;
     const uint32_t chunks = (last_bits(job->f) >> CHUNK_BITS) + 1;
-    for (uint32_t chunk = (uint32_t)job->thread; chunk < chunks; chunk += (uint32_t)job->threads)
+    for (uint32_t chunk = job->thread; chunk < chunks; chunk += job->threads)
         scan_chunk(job, chunk);
     return NULL;
 }
 
-static struct count scan(const struct function *f, uint32_t stride, int threads, uint64_t *hash)
+static struct count scan(const struct function *f, uint64_t stride, int threads, uint64_t *hash)
 {
     uint64_t hashes[MAX_CHUNKS] = {0};
-    struct job jobs[MAX_THREADS];
-    pthread_t started[MAX_THREADS];
+    struct job jobs[SEARCH_MAX_THREADS];
+    struct count all = {.least_distance = HUGE_VAL};
+    for (int i = 0; i < threads; i++)
+        jobs[i] = (struct job){f, (uint32_t)i, (uint32_t)threads, stride, all, hashes};
+    search_on_threads(run_job, jobs, sizeof *jobs, threads);
     for (int i = 0; i < threads; i++) {
-        jobs[i] = (struct job){f, i, threads, stride, {0, 0, 0, HUGE_VAL}, hashes};
-        if (pthread_create(&started[i], NULL, run_job, &jobs[i]) != 0)
-            abort();
-    }
-    struct count all = {0, 0, 0, HUGE_VAL};
-    for (int i = 0; i < threads; i++) {
-        pthread_join(started[i], NULL);
-        all.ambiguous += jobs[i].count.ambiguous;
-        all.wrong += jobs[i].count.wrong;
-        all.undecided += jobs[i].count.undecided;
-        all.least_distance = fmin(all.least_distance, jobs[i].count.least_distance);
+        const struct count *const part = &jobs[i].count;
+        all.taken += part->taken;
+        all.ambiguous += part->ambiguous;
+        all.wrong += part->wrong;
+        all.undecided += part->undecided;
+        all.unrounded += part->unrounded;
+        all.least_distance = fmin(all.least_distance, part->least_distance);
+        all.worst_at = part->worst > all.worst ? part->worst_at : all.worst_at;
+        all.worst = fmax(all.worst, part->worst);
     }
     *hash = 0;
     for (int i = 0; i < MAX_CHUNKS; i++)
@@ -219,24 +252,22 @@ static int stored_hash_agrees(const char *file, const char *function, uint64_t h
     return agrees;
 }
 
-struct options {
-    const char *only, *hashes;
-    int threads;
-    uint32_t stride;
-};
-
-static int report(const struct function *f, const struct options *o)
+static int report(const struct function *f, const struct search_options *o)
 {
+    const uint64_t stride = f->kind == FAST_FLOAT ? (o->stride + FAST_SHARE - 1) / FAST_SHARE : o->stride;
     uint64_t hash;
-    const struct count count = scan(f, o->stride, o->threads, &hash);
-    int status = count.wrong > 0 || count.undecided > 0;
-    char share[32] = "every float";
-    if (o->stride > 1)
-        snprintf(share, sizeof share, "1 in %" PRIu32 " floats", o->stride);
-    printf("# %s, %s: %" PRIu64 " ambiguous, %" PRIu64 " wrong, %" PRIu64
-           " undecided; nearest to the middle of two floats %.3f ulp of a double\n",
-           f->name, share, count.ambiguous, count.wrong, count.undecided, count.least_distance);
-    if (o->stride == 1) {
+    const struct count count = scan(f, stride, o->threads, &hash);
+    const double worst = count.worst + COR_SPHERE_TIME_MAX_ULP / 0x1p29;
+    int status = count.wrong > 0 || count.undecided > 0 || !(worst <= COR_SPHERE_FAST_FLOAT_MAX_ULP);
+    printf("# %s, %" PRIu64 " floats: ", f->name, count.taken);
+    if (f->kind == FAST_FLOAT)
+        printf("%.4f ulp of a float at %a, %" PRIu64 " not correctly rounded\n", worst, (double)count.worst_at,
+               count.unrounded);
+    else
+        printf("%" PRIu64 " ambiguous, %" PRIu64 " wrong, %" PRIu64
+               " undecided; nearest to the middle of two floats %.3f ulp of a double\n",
+               count.ambiguous, count.wrong, count.undecided, count.least_distance);
+    if (o->stride == 1 && f->kind != FAST_FLOAT) {
         const int agrees = o->hashes == NULL ? -1 : stored_hash_agrees(o->hashes, f->name, hash);
         if (agrees < 0)
             printf("%016" PRIx64 " %s\n", hash, f->name);
@@ -249,36 +280,17 @@ static int report(const struct function *f, const struct options *o)
     return status;
 }
 
-static int usage(void)
-{
-    fputs("usage: test_floats [--only TEXT] [--threads 1..64] [--stride N] [--hashes FILE]\n", stderr);
-    return 2;
-}
-
 int main(int argc, char **argv)
 {
-    struct options o = {NULL, NULL, 1, 1};
-    for (int i = 1; i < argc; i += 2) {
-        if (i + 1 == argc)
-            return usage();
-        if (strcmp(argv[i], "--only") == 0)
-            o.only = argv[i + 1];
-        else if (strcmp(argv[i], "--hashes") == 0)
-            o.hashes = argv[i + 1];
-        else if (strcmp(argv[i], "--threads") == 0)
-            o.threads = atoi(argv[i + 1]);
-        else if (strcmp(argv[i], "--stride") == 0)
-            o.stride = (uint32_t)strtoul(argv[i + 1], NULL, 10);
-        else
-            return usage();
-    }
-    if (o.threads < 1 || o.threads > MAX_THREADS || o.stride < 1)
-        return usage();
+    struct search_options o = {.threads = 1, .stride = 1};
+    int status = search_options_read(
+        &o, argc, argv, "test_floats [--only TEXT] [--threads 1..64] [--stride 1..1000000] [--hashes FILE]\n");
+    if (status != 0)
+        return status;
     if (reference_open())
         return 1;
-    int status = 0;
     for (int i = 0; i < FUNCTIONS; i++)
-        if (o.only == NULL || strstr(functions[i].name, o.only) != NULL)
+        if (search_wants(&o, functions[i].name))
             status |= report(&functions[i], &o);
     return status;
 }
