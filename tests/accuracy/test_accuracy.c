@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Every sphere function of the library against the reference: random points, all doubles near every boundary of a
- * piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; these lines are what the documentation quotes. --help lists the options. */
+ * piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; these lines
+ * are what the documentation quotes. --help lists the options. */
 #include "cor/contact.h"
 #include "cor/sphere.h"
 

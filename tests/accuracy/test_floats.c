@@ -14,8 +14,8 @@
  *
  * --stride N takes every Nth float, of the arrays in float arithmetic FAST_SHARE times as many, and no hash. --hashes
  * FILE compares with a file of lines "hash function"; lines that the file lacks are printed. The exit status is 1 if a
- * result is wrong, if the reference cannot decide, or if a hash differs. Negative numbers and NaN give NaN, and -0 counts
- * as 0: tests/unit tests that. */
+ * result is wrong, if the reference cannot decide, or if a hash differs. Negative numbers and NaN give NaN, and -0
+ * counts as 0: tests/unit tests that. */
 #include "cor/sphere.h"
 
 #include "reference.h"
