@@ -15,10 +15,9 @@ static const fmpq *number_of(const struct embed_request *request, int which, int
 /* (1 - nu^2)/Y */
 static void compliance_of(fmpq_t c, const struct embed_request *request, int body)
 {
-    fmpq_mul(c, number_of(request, COR_SCENE_POISSON, body), number_of(request, COR_SCENE_POISSON, body));
-    fmpq_sub_ui(c, c, 1);
-    fmpq_neg(c, c);
-    fmpq_div(c, c, number_of(request, COR_SCENE_YOUNG, body));
+    const fmpq *const nu = number_of(request, COR_SCENE_POISSON, body), *const Y =
+                                                                            number_of(request, COR_SCENE_YOUNG, body);
+    EXACT(c, "(1 - nu^2)/Y", nu, Y);
 }
 
 /* A_i; of viscosities (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y */
@@ -31,24 +30,12 @@ static void dissipation_time_of(fmpq_t time, const struct embed_request *request
             fmpq_set(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body));
         return;
     }
-    const fmpq *const nu = number_of(request, COR_SCENE_POISSON, body);
+    const fmpq *const nu = number_of(request, COR_SCENE_POISSON, body), *const Y =
+                                                                            number_of(request, COR_SCENE_YOUNG, body);
     struct decimal eta[2] = {{0}};
-    LOCAL(fmpq, x, minus);
     embed_viscosity(eta, viscosity);
-    fmpq_neg(minus, nu);
-    fmpq_add_ui(minus, minus, 1); /* 1 - nu */
-    fmpq_mul(x, nu, nu);
-    fmpq_add(x, x, minus);
-    fmpq_mul(time, x, eta[0].value);
-    fmpq_mul_ui(time, time, 2);
-    fmpq_div_fmpz(time, time, (fmpz[]){3});
-    fmpq_sub(x, minus, nu);
-    fmpq_mul(x, x, x);
-    fmpq_addmul(time, x, eta[1].value);
-    fmpq_add_ui(x, nu, 1);
-    fmpq_div(x, x, minus);
-    fmpq_mul(time, time, x);
-    fmpq_div(time, time, number_of(request, COR_SCENE_YOUNG, body));
+    EXACT(time, "(1 + nu)/(1 - nu)*(2/3*(1 - nu + nu^2)*eta[0].value + (1 - 2*nu)^2*eta[1].value)/Y", nu, eta[0].value,
+          eta[1].value, Y);
     decimal_clear(&eta[0]);
     decimal_clear(&eta[1]);
 }
@@ -60,30 +47,19 @@ static void mass_of(arb_t mass, const struct embed_request *request, int body, s
         arb_set_fmpq(mass, number_of(request, COR_SCENE_MASS, body), prec);
         return;
     }
-    LOCAL(fmpq, volume);
-    LOCAL(arb, pi);
-    fmpq_pow_si(volume, number_of(request, COR_SCENE_RADIUS, body), 3);
-    fmpq_mul(volume, volume, number_of(request, COR_SCENE_DENSITY, body));
-    fmpq_mul_ui(volume, volume, 4);
-    arb_const_pi(pi, prec);
-    arb_set_fmpq(mass, volume, prec);
-    arb_mul(mass, mass, pi, prec);
-    arb_div_ui(mass, mass, 3, prec);
+    const fmpq *const R = number_of(request, COR_SCENE_RADIUS, body), *const density =
+                                                                          number_of(request, COR_SCENE_DENSITY, body);
+    LET(mass, prec, "4*R^3*density*pi/3", R, density);
 }
 
 /* m/Z, Z = 4 h^2 sqrt(E rho/(3 (1 - nu^2))) of the plate */
 static void plate_time(arb_t time, const struct embed_request *request, const arb_t mass, slong prec)
 {
-    LOCAL(fmpq, c, x);
-    fmpq_pow_si(x, request->number[COR_SCENE_PLATE_THICKNESS].value, 4);
-    fmpq_mul_ui(x, x, 16);
-    fmpq_mul(x, x, number_of(request, COR_SCENE_DENSITY, 2));
+    const fmpq *const h = request->number[COR_SCENE_PLATE_THICKNESS].value, *const density = number_of(
+                                                                                request, COR_SCENE_DENSITY, 2);
+    LOCAL(fmpq, c);
     compliance_of(c, request, 2);
-    fmpq_mul_ui(c, c, 3);
-    fmpq_div(x, x, c); /* Z^2 */
-    arb_set_fmpq(time, x, prec);
-    arb_sqrt(time, time, prec);
-    arb_div(time, mass, time, prec);
+    LET(time, prec, "mass/sqrt(16*h^4*density/(3*c))", mass, h, density, c);
 }
 
 /* m, K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies. A wall and a plate have 1/R =
@@ -104,24 +80,14 @@ static void bodies_of(arb_t mass, arb_t stiffness, arb_t time, const struct embe
         fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
         fmpq_add(inverse_radius, inverse_radius, x);
         mass_of(mass, request, body, prec);
-        arb_inv(mass, mass, prec);
-        arb_add(inverse_mass, inverse_mass, mass, prec);
+        LET(inverse_mass, prec, "inverse_mass + 1/mass", inverse_mass, mass);
     }
     arb_inv(mass, inverse_mass, prec);
-    fmpq_mul(x, compliance, compliance);
-    fmpq_mul(x, x, inverse_radius);
-    fmpq_mul_ui(x, x, 9);
-    fmpq_inv(x, x);
-    fmpq_mul_ui(x, x, 16);
-    arb_set_fmpq(stiffness, x, prec);
-    arb_sqrt(stiffness, stiffness, prec);
-    fmpq_div(x, weighted, compliance);
+    LET(stiffness, prec, "sqrt(16/(9*compliance^2*inverse_radius))", compliance, inverse_radius);
+    arb_zero(time);
     if (plate)
         plate_time(time, request, mass, prec);
-    else
-        arb_zero(time);
-    arb_set_fmpq(inverse_mass, x, prec);
-    arb_add(time, time, inverse_mass, prec);
+    LET(time, prec, "time + weighted/compliance", time, weighted, compliance);
 }
 
 /* ---- the characteristic speed ---- */
@@ -130,46 +96,32 @@ static void bodies_of(arb_t mass, arb_t stiffness, arb_t time, const struct embe
  * is sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (30) of Ramirez et al. (1999). */
 static void first_coefficient(arb_t c, const struct law *law, slong prec)
 {
-    const struct ratio one = {1, 1}, half = {1, 2}, two = {2, 1};
-    const struct ratio a1 = ratio_add(law->a, one), b1 = ratio_add(law->b, one), s = ratio_div(b1, a1);
-    LOCAL(arb, factor);
-    arb_set_ratio(factor, ratio_div(a1, two), prec);
-    arb_pow_ratio(c, factor, s, prec);
-    arb_div(c, c, factor, prec);
-    arb_set_ratio(factor, s, prec);
-    arb_gamma(factor, factor, prec);
-    arb_mul(c, c, factor, prec);
-    arb_set_ratio(factor, ratio_add(s, ratio_add(one, half)), prec);
-    arb_gamma(factor, factor, prec);
-    arb_div(c, c, factor, prec);
-    arb_const_pi(factor, prec); /* Gamma(3/2) = sqrt(pi)/2 */
-    arb_sqrt(factor, factor, prec);
-    arb_mul(c, c, factor, prec);
-    arb_mul_2exp_si(c, c, -1);
+    LOCAL(fmpq, h, s);
+    EXACT(h, "(law->a + 1)/2", law->a);
+    EXACT(s, "(law->b + 1)/(law->a + 1)", law->a, law->b);
+    /* Gamma(3/2) = sqrt(pi)/2 */
+    LET(c, prec, "h^s/h*gamma(s)/gamma(s + 3/2)*sqrt(pi)/2", h, s);
 }
 
 /* beta g^-q = g*^-q/|C_1|, from eps = 1 - (g/g*)^q + ... = 1 - |C_1| beta + ..., (29) to (31) */
 static void beta_of_g_star(arb_t beta, const struct decimal *g_star, const struct law *law, slong prec)
 {
+    const struct ratio q = law_speed_exponent(law);
     LOCAL(arb, c);
     first_coefficient(c, law, prec);
-    arb_set_fmpq(beta, g_star->value, prec);
-    arb_pow_ratio(beta, beta, law_speed_exponent(law), prec);
-    arb_mul(beta, beta, c, prec);
-    arb_inv(beta, beta, prec);
+    LET(beta, prec, "1/(g_star->value^q*c)", g_star->value, q, c);
 }
 
 /* ---- beta at a speed ---- */
 
 static void beta_of_beta(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
 {
-    arb_set_fmpq(beta, request->number[COR_SCENE_BETA].value, prec);
+    const fmpq *const given = request->number[COR_SCENE_BETA].value, *const at = request->number[COR_SCENE_AT].value;
+    const struct ratio q = law_speed_exponent(law);
     if (law_is_linear(law))
-        return;
-    LOCAL(arb, power);
-    arb_set_fmpq(power, request->number[COR_SCENE_AT].value, prec);
-    arb_pow_ratio(power, power, law_speed_exponent(law), prec);
-    arb_div(beta, beta, power, prec);
+        arb_set_fmpq(beta, given, prec);
+    else
+        LET(beta, prec, "given/at^q", given, at, q);
 }
 
 /* ---- the force K x^a + C x^b x' ---- */
@@ -177,7 +129,6 @@ static void beta_of_beta(arb_t beta, const struct embed_request *request, const 
 /* beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9. C is given, or (3/2) A K. */
 static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
 {
-    const struct ratio one = {1, 1};
     LOCAL(arb, mass, stiffness, coefficient);
     if (embed_given(request, COR_SCENE_YOUNG)) {
         bodies_of(mass, stiffness, coefficient, request, prec);
@@ -187,17 +138,12 @@ static void beta_of_force(arb_t beta, const struct embed_request *request, const
         if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
             arb_set_fmpq(coefficient, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
     }
-    if (embed_given(request, COR_SCENE_DAMPING_COEFFICIENT)) {
+    if (embed_given(request, COR_SCENE_DAMPING_COEFFICIENT))
         arb_set_fmpq(coefficient, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
-    } else {
-        arb_mul(coefficient, coefficient, stiffness, prec);
-        arb_mul_ui(coefficient, coefficient, 3, prec);
-        arb_mul_2exp_si(coefficient, coefficient, -1);
-    }
-    arb_div(stiffness, mass, stiffness, prec);
-    arb_pow_ratio(beta, stiffness, ratio_div(ratio_add(law->b, one), ratio_add(law->a, one)), prec);
-    arb_mul(beta, beta, coefficient, prec);
-    arb_div(beta, beta, mass, prec);
+    else
+        LET(coefficient, prec, "coefficient*stiffness*3/2", coefficient, stiffness);
+    LET(beta, prec, "(mass/stiffness)^((law->b + 1)/(law->a + 1))*coefficient/mass", mass, stiffness, law->a, law->b,
+        coefficient);
 }
 
 /* R of 1/R = 1/R_1 + 1/R_2 */
@@ -224,32 +170,25 @@ static struct ratio force_power(const struct law *law)
 void embed_contact_force(arb_t force, const struct embed_request *request, const struct law *law, slong prec)
 {
     const bool heavy = embed_given(request, COR_SCENE_GRAVITY), sticky = embed_given(request, COR_SCENE_ADHESION);
-    LOCAL(arb, mass, stiffness, x);
+    const fmpq *const G = request->number[COR_SCENE_GRAVITY].value, *const w =
+                                                                        request->number[COR_SCENE_ADHESION].value;
+    LOCAL(arb, mass, stiffness, R);
     arb_zero(force);
     if (!heavy && !sticky)
         return;
     if (embed_given(request, COR_SCENE_YOUNG)) {
-        bodies_of(mass, stiffness, x, request, prec);
+        bodies_of(mass, stiffness, R, request, prec);
     } else {
         arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
         arb_set_fmpq(stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
     }
     if (sticky) {
-        radius_of(force, request, prec);
-        arb_set_fmpq(x, request->number[COR_SCENE_ADHESION].value, prec);
-        arb_mul(force, force, x, prec);
-        arb_const_pi(x, prec);
-        arb_mul(force, force, x, prec);
-        arb_mul_2exp_si(force, force, 1);
-        arb_div(force, force, mass, prec);
+        radius_of(R, request, prec);
+        LET(force, prec, "2*pi*w*R/mass", w, R, mass);
     }
-    if (heavy) {
-        arb_set_fmpq(x, request->number[COR_SCENE_GRAVITY].value, prec);
-        arb_add(force, force, x, prec);
-    }
-    arb_div(x, mass, stiffness, prec);
-    arb_pow_ratio(x, x, ratio_div(ratio_make(1, 1), ratio_add(law->a, ratio_make(1, 1))), prec);
-    arb_mul(force, force, x, prec);
+    if (heavy)
+        LET(force, prec, "force + G", force, G);
+    LET(force, prec, "force*(mass/stiffness)^(1/(law->a + 1))", force, mass, stiffness, law->a);
 }
 
 /* ---- a measured restitution ---- */
@@ -279,14 +218,10 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
 static int solve_beta(arb_t beta, const arb_t wanted, const arb_t pressing, const struct law *law, int end)
 {
     const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
-    LOCAL(arb, low, high, above, below, slope);
+    LOCAL(arb, low, high, above, below);
     for (int step = 0; step < SOLVE_STEPS; step++) {
-        arb_get_mid_arb(beta, beta);
-        arb_mul_2exp_si(slope, beta, half_width);
-        arb_sub(low, beta, slope, SOLVE_BITS);
-        arb_add(high, beta, slope, SOLVE_BITS);
-        arb_get_mid_arb(low, low); /* an exact beta, with which eps has all of its bits */
-        arb_get_mid_arb(high, high);
+        arb_get_mid_arb(beta, beta); /* an exact beta, with which eps has all of its bits */
+        arb_around(low, high, beta, half_width, SOLVE_BITS);
         if (embed_contact_eps(above, low, pressing, law, end, SOLVE_BITS) != STATUS_OK ||
             embed_contact_eps(below, high, pressing, law, end, SOLVE_BITS) != STATUS_OK)
             return STATUS_FAILED;
@@ -294,12 +229,7 @@ static int solve_beta(arb_t beta, const arb_t wanted, const arb_t pressing, cons
             arb_union(beta, low, high, SOLVE_BITS);
             return STATUS_OK;
         }
-        arb_sub(slope, above, below, SOLVE_BITS);
-        arb_sub(high, high, low, SOLVE_BITS);
-        arb_div(slope, slope, high, SOLVE_BITS);
-        arb_sub(above, above, wanted, SOLVE_BITS);
-        arb_div(above, above, slope, SOLVE_BITS);
-        arb_add(beta, low, above, SOLVE_BITS);
+        LET(beta, SOLVE_BITS, "low + (above - wanted)/((above - below)/(high - low))", low, above, wanted, below, high);
         if (!arb_is_positive(beta))
             break;
     }
@@ -309,43 +239,37 @@ static int solve_beta(arb_t beta, const arb_t wanted, const arb_t pressing, cons
 static int beta_of_restitution(arb_t beta, const struct embed_request *request, const struct cor_scene_contact *contact,
                                const struct law *law)
 {
-    const fmpq *const eps = request->number[COR_SCENE_RESTITUTION].value;
+    const fmpq *const eps = request->number[COR_SCENE_RESTITUTION].value, *const at =
+                                                                              request->number[COR_SCENE_AT].value;
+    const struct ratio q = law_speed_exponent(law), power = force_power(law);
     if (fmpq_is_one(eps) || law_is_linear(law)) {
         arb_set_d(beta, cor_scene_beta(contact, 1));
         return STATUS_OK;
     }
-    LOCAL(arb, wanted, power, pressing);
+    LOCAL(arb, wanted, pressing);
     arb_set_fmpq(wanted, eps, SOLVE_BITS);
     arb_set_d(beta, cor_scene_beta(contact, embed_number(request, COR_SCENE_AT)));
     embed_contact_force(pressing, request, law, 2 * SOLVE_BITS);
-    arb_set_fmpq(power, request->number[COR_SCENE_AT].value, 2 * SOLVE_BITS);
-    arb_pow_ratio(power, power, force_power(law), 2 * SOLVE_BITS);
-    arb_mul(pressing, pressing, power, 2 * SOLVE_BITS);
+    LET(pressing, 2 * SOLVE_BITS, "pressing*at^power", pressing, at, power);
     const int status = solve_beta(beta, wanted, pressing, law, request->end);
-    arb_set_fmpq(power, request->number[COR_SCENE_AT].value, SOLVE_BITS);
-    arb_pow_ratio(power, power, law_speed_exponent(law), SOLVE_BITS);
-    arb_div(beta, beta, power, SOLVE_BITS);
+    LET(beta, SOLVE_BITS, "beta/at^q", beta, at, q);
     return status;
 }
 
 int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request,
                                 const struct cor_scene_contact *contact, const struct law *law, slong prec)
 {
+    const fmpq *const zeta = request->number[COR_SCENE_ZETA].value;
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return beta_of_restitution(beta_per_root, request, contact, law);
-    if (embed_given(request, COR_SCENE_G_STAR)) {
+    if (embed_given(request, COR_SCENE_G_STAR))
         beta_of_g_star(beta_per_root, &request->number[COR_SCENE_G_STAR], law, prec);
-    } else if (embed_given(request, COR_SCENE_ZETA)) { /* zeta sqrt(2 (a + 1)) */
-        LOCAL(arb, zeta);
-        arb_set_fmpq(zeta, request->number[COR_SCENE_ZETA].value, prec);
-        arb_set_ratio(beta_per_root, ratio_mul(ratio_add(law->a, (struct ratio){1, 1}), (struct ratio){2, 1}), prec);
-        arb_sqrt(beta_per_root, beta_per_root, prec);
-        arb_mul(beta_per_root, beta_per_root, zeta, prec);
-    } else if (embed_given(request, COR_SCENE_BETA)) {
+    else if (embed_given(request, COR_SCENE_ZETA))
+        LET(beta_per_root, prec, "zeta*sqrt(2*(law->a + 1))", zeta, law->a);
+    else if (embed_given(request, COR_SCENE_BETA))
         beta_of_beta(beta_per_root, request, law, prec);
-    } else {
+    else
         beta_of_force(beta_per_root, request, law, prec);
-    }
     return STATUS_OK;
 }
 
@@ -354,45 +278,19 @@ int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request 
 /* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) */
 static void yield_speed_of_stress(arb_t speed, const struct embed_request *request, slong prec)
 {
-    LOCAL(arb, mass, stiffness, unused, radius, x);
-    bodies_of(mass, stiffness, unused, request, prec);
-    radius_of(radius, request, prec);
-    arb_set_fmpq(speed, request->number[COR_SCENE_YIELD_STRESS].value, prec);
-    arb_mul_ui(speed, speed, 8, prec); /* 1.6 */
-    arb_div_ui(speed, speed, 5, prec);
-    arb_const_pi(x, prec);
-    arb_mul(speed, speed, x, prec);
-    arb_pow_ui(speed, speed, 5, prec);
-    arb_div_ui(speed, speed, 30, prec);
-    arb_mul_ui(stiffness, stiffness, 3, prec);
-    arb_mul_2exp_si(stiffness, stiffness, -2);
-    arb_pow_ui(stiffness, stiffness, 4, prec); /* E*^4 R^2 */
-    arb_pow_ui(radius, radius, 5, prec);
-    arb_mul(speed, speed, radius, prec);
-    arb_div(speed, speed, stiffness, prec);
-    arb_div(speed, speed, mass, prec);
-    arb_sqrt(speed, speed, prec);
+    const fmpq *const p = request->number[COR_SCENE_YIELD_STRESS].value; /* p_y = 1.6 p */
+    LOCAL(arb, mass, K, unused, R);
+    bodies_of(mass, K, unused, request, prec);
+    radius_of(R, request, prec);
+    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/mass)", p, R, K, mass);
 }
 
 void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_speed, slong prec)
 {
-    LOCAL(arb, t, x, y);
-    arb_div(t, yield_speed, speed, prec);
-    arb_mul(x, t, t, prec);
-    arb_sub_ui(x, x, 6, prec);
-    arb_neg(x, x);
-    arb_set_ui(y, 5);
-    arb_div(x, y, x, prec);
-    arb_sqrt(x, x, prec);
-    arb_mul(t, t, x, prec);
-    arb_mul(x, t, t, prec);
-    arb_add_ui(x, x, 5, prec);
-    arb_mul(x, x, x, prec);
-    arb_add_ui(y, t, 2, prec);
-    arb_mul(x, x, y, prec);
-    arb_mul_ui(t, t, 108, prec);
-    arb_div(eps, t, x, prec);
-    arb_root_ui(eps, eps, 4, prec);
+    LOCAL(arb, r, t);
+    arb_div(r, yield_speed, speed, prec);
+    LET(t, prec, "r*sqrt(5/(6 - r^2))", r);
+    LET(eps, prec, "(108*t/((t^2 + 5)^2*(t + 2)))^(1/4)", t);
 }
 
 /* v_y between two speeds that the double determines, on whose sides eps(at) lies */
@@ -413,8 +311,7 @@ static int yield_speed_of_restitution(arb_t speed, const struct embed_request *r
             return fail("the yield speed of --restitution cannot be enclosed: eps is too near to 1");
     }
     for (slong i = 0; i < prec / 2; i++) { /* eps grows with v_y */
-        arb_add(speed, low, high, prec);
-        arb_mul_2exp_si(speed, speed, -1);
+        LET(speed, prec, "(low + high)/2", low, high);
         arb_get_mid_arb(speed, speed);
         embed_elastic_plastic_eps(eps, at, speed, prec);
         if (arb_lt(eps, wanted))
@@ -440,22 +337,14 @@ int embed_contact_yield_speed(arb_t speed, const struct embed_request *request, 
 /* 6 pi eta R^2 ln(outer/inner)/m */
 void embed_contact_liquid_speed(arb_t speed, const struct embed_request *request, slong prec)
 {
-    LOCAL(arb, mass, stiffness, unused, radius);
-    LOCAL(fmpq, x);
+    const fmpq *const outer = request->number[COR_SCENE_GAP_OUTER].value,
+                      *const inner = request->number[COR_SCENE_GAP_INNER].value,
+                      *const eta = request->number[COR_SCENE_LIQUID_VISCOSITY].value;
+    LOCAL(arb, mass, stiffness, unused, R);
     arb_zero(speed);
     if (!embed_given(request, COR_SCENE_LIQUID_VISCOSITY))
         return;
     bodies_of(mass, stiffness, unused, request, prec);
-    radius_of(radius, request, prec);
-    fmpq_div(x, request->number[COR_SCENE_GAP_OUTER].value, request->number[COR_SCENE_GAP_INNER].value);
-    arb_set_fmpq(speed, x, prec);
-    arb_log(speed, speed, prec);
-    arb_mul(radius, radius, radius, prec);
-    arb_mul(speed, speed, radius, prec);
-    arb_div(speed, speed, mass, prec);
-    fmpq_mul_ui(x, request->number[COR_SCENE_LIQUID_VISCOSITY].value, 6);
-    arb_set_fmpq(radius, x, prec);
-    arb_mul(speed, speed, radius, prec);
-    arb_const_pi(radius, prec);
-    arb_mul(speed, speed, radius, prec);
+    radius_of(R, request, prec);
+    LET(speed, prec, "6*pi*eta*R^2*log(outer/inner)/mass", eta, R, outer, inner, mass);
 }

@@ -186,6 +186,16 @@ void arb_set_upper(arb_t y, const mag_t m)
     mag_zero(arb_radref(y));
 }
 
+void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec)
+{
+    LOCAL(arb, width);
+    arb_mul_2exp_si(width, x, exponent);
+    arb_sub(low, x, width, prec);
+    arb_add(high, x, width, prec);
+    arb_get_mid_arb(low, low);
+    arb_get_mid_arb(high, high);
+}
+
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec)
 {
     LOCAL(fmpq, q);

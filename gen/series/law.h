@@ -6,12 +6,8 @@
 
 #include <stdbool.h>
 
+#include "support/formula.h"
 #include "support/local.h"
-
-struct ratio {
-    slong num;
-    slong den; /* > 0, lowest terms */
-};
 
 struct law {
     struct ratio a; /* elastic exponent, 3/2 for spheres */
@@ -88,6 +84,8 @@ struct law_text law_equation(const struct law *law);
 void arb_set_ratio(arb_t y, struct ratio x, slong prec);
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */
 void arb_set_upper(arb_t y, const mag_t m);                             /* the number m itself */
+/* low, high = x (1 -+ 2^exponent), exact numbers */
+void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec);
 void fmpq_set_ratio(fmpq_t y, struct ratio x);
 
 #endif

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/formula.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/local.h"
+
+/* A number of a formula: the rational number `exact` until it meets a ball */
+struct value {
+    arb_t ball;
+    fmpq_t exact;
+    bool is_exact;
+};
+
+static void value_init(struct value *x)
+{
+    arb_init(x->ball);
+    fmpq_init(x->exact);
+    x->is_exact = true;
+}
+
+static void value_clear(struct value *x)
+{
+    arb_clear(x->ball);
+    fmpq_clear(x->exact);
+}
+LOCAL_STRUCT(value)
+
+struct reader {
+    const char *at, *text;
+    const struct operand *operands;
+    slong prec;
+};
+
+static _Noreturn void refuse(const struct reader *r)
+{
+    fprintf(stderr, "corgen: no formula from \"%s\" on: \"%s\"\n", r->at, r->text);
+    abort();
+}
+
+/* The next character if it is among `which`, or 0, where the text stays. */
+static char next_of(struct reader *r, const char *which)
+{
+    r->at += strspn(r->at, " ");
+    return *r->at != '\0' && strchr(which, *r->at) ? *r->at++ : '\0';
+}
+
+static void expect(struct reader *r, const char *which)
+{
+    if (next_of(r, which) != *which)
+        refuse(r);
+}
+
+static void become_ball(struct value *x, slong prec)
+{
+    if (x->is_exact)
+        arb_set_fmpq(x->ball, x->exact, prec);
+    x->is_exact = false;
+}
+
+static const struct {
+    char name;
+    void (*exact)(fmpq_t z, const fmpq_t x, const fmpq_t y);
+    void (*ball)(arb_t z, const arb_t x, const arb_t y, slong prec);
+} operations[] = {
+    {'+', fmpq_add, arb_add}, {'-', fmpq_sub, arb_sub}, {'*', fmpq_mul, arb_mul}, {'/', fmpq_div, arb_div}};
+
+static void combine(struct value *y, char name, struct value *x, slong prec)
+{
+    const size_t i = (size_t)(strchr("+-*/", name) - "+-*/");
+    if (y->is_exact && x->is_exact && (name != '/' || !fmpq_is_zero(x->exact))) {
+        operations[i].exact(y->exact, y->exact, x->exact);
+    } else {
+        become_ball(x, prec);
+        become_ball(y, prec);
+        operations[i].ball(y->ball, y->ball, x->ball, prec);
+    }
+}
+
+static void power_of(struct value *y, const struct value *x, slong prec)
+{
+    if (y->is_exact && x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !fmpq_is_zero(y->exact)) {
+        fmpq_pow_fmpz(y->exact, y->exact, fmpq_numref(x->exact));
+        return;
+    }
+    become_ball(y, prec);
+    if (x->is_exact)
+        arb_pow_fmpq(y->ball, y->ball, x->exact, prec);
+    else
+        arb_pow(y->ball, y->ball, x->ball, prec);
+}
+
+static void ball_abs(arb_t y, const arb_t x, slong prec)
+{
+    (void)prec;
+    arb_abs(y, x);
+}
+
+static const struct {
+    const char *name;
+    void (*of_one)(arb_t y, const arb_t x, slong prec);
+    void (*of_two)(arb_t z, const arb_t x, const arb_t y, slong prec);
+} functions[] = {{"abs", ball_abs, NULL}, {"acos", arb_acos, NULL},   {"acosh", arb_acosh, NULL},
+                 {"exp", arb_exp, NULL},  {"expm1", arb_expm1, NULL}, {"gamma", arb_gamma, NULL},
+                 {"log", arb_log, NULL},  {"log1p", arb_log1p, NULL}, {"sqrt", arb_sqrt, NULL},
+                 {"max", NULL, arb_max},  {"min", NULL, arb_min}};
+
+static void read_sum(struct value *y, struct reader *r);
+
+static bool is_named(const char *name, const char *word, size_t length)
+{
+    return strlen(name) == length && strncmp(name, word, length) == 0;
+}
+
+/* A name consists of letters, digits, _ . -> and an index in brackets. */
+static size_t name_length(const char *text)
+{
+    size_t n = 0;
+    while (isalnum((unsigned char)text[n]) || (text[n] != '\0' && strchr("_.[]", text[n])) ||
+           (text[n] == '-' && text[n + 1] == '>') || (text[n] == '>' && n > 0 && text[n - 1] == '-'))
+        n++;
+    return n;
+}
+
+static void read_function(struct value *y, struct reader *r, const char *name, size_t length)
+{
+    LOCAL(value, x);
+    size_t i = 0;
+    while (i < sizeof functions / sizeof *functions && !is_named(functions[i].name, name, length))
+        i++;
+    if (i == sizeof functions / sizeof *functions)
+        refuse(r);
+    read_sum(y, r);
+    become_ball(y, r->prec);
+    if (functions[i].of_two) {
+        expect(r, ",");
+        read_sum(x, r);
+        become_ball(x, r->prec);
+        functions[i].of_two(y->ball, y->ball, x->ball, r->prec);
+    } else {
+        functions[i].of_one(y->ball, y->ball, r->prec);
+    }
+    expect(r, ")");
+}
+
+static void read_operand(struct value *y, const struct reader *r, const char *name, size_t length)
+{
+    const struct operand *x = r->operands;
+    while (x->name && !is_named(x->name, name, length))
+        x++;
+    if (!x->name)
+        refuse(r);
+    y->is_exact = !x->ball;
+    if (x->ball)
+        arb_set(y->ball, x->ball);
+    else if (x->exact)
+        fmpq_set(y->exact, x->exact);
+    else
+        fmpq_set_si(y->exact, x->ratio.den ? x->ratio.num : x->whole, x->ratio.den ? (ulong)x->ratio.den : 1);
+}
+
+/* A number, an operand, a function or a sum in parentheses, and its power */
+static void read_factor(struct value *y, struct reader *r)
+{
+    if (next_of(r, "-")) {
+        read_factor(y, r);
+        arb_neg(y->ball, y->ball);
+        fmpq_neg(y->exact, y->exact);
+        return;
+    }
+    const char *const name = r->at;
+    const size_t length = name_length(name);
+    r->at += length;
+    if (isdigit((unsigned char)*name)) {
+        char *end;
+        fmpq_set_si(y->exact, strtol(name, &end, 10), 1);
+        if (end != r->at)
+            refuse(r);
+    } else if (next_of(r, "(")) {
+        if (length > 0) {
+            read_function(y, r, name, length);
+        } else {
+            read_sum(y, r);
+            expect(r, ")");
+        }
+    } else if (is_named("pi", name, length)) {
+        arb_const_pi(y->ball, r->prec);
+        y->is_exact = false;
+    } else {
+        read_operand(y, r, name, length);
+    }
+    if (next_of(r, "^")) {
+        LOCAL(value, x);
+        read_factor(x, r);
+        power_of(y, x, r->prec);
+    }
+}
+
+static void read_product(struct value *y, struct reader *r)
+{
+    read_factor(y, r);
+    for (char name; (name = next_of(r, "*/"));) {
+        LOCAL(value, x);
+        read_factor(x, r);
+        combine(y, name, x, r->prec);
+    }
+}
+
+static void read_sum(struct value *y, struct reader *r)
+{
+    read_product(y, r);
+    for (char name; (name = next_of(r, "+-"));) {
+        LOCAL(value, x);
+        read_product(x, r);
+        combine(y, name, x, r->prec);
+    }
+}
+
+/* A sum, after which the text ends or goes on with one of `ends`, which is returned */
+static char read_side(struct value *x, struct reader *r, const char *ends)
+{
+    read_sum(x, r);
+    const char end = next_of(r, ends);
+    if (*ends ? end == '\0' : *r->at != '\0')
+        refuse(r);
+    return end;
+}
+
+void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands)
+{
+    struct reader r = {text, text, operands, prec};
+    LOCAL(value, x);
+    read_side(x, &r, "");
+    become_ball(x, prec);
+    arb_swap(y, x->ball);
+}
+
+void formula_exact(fmpq_t q, const char *text, const struct operand *operands)
+{
+    struct reader r = {text, text, operands, 2};
+    LOCAL(value, x);
+    read_side(x, &r, "");
+    if (!x->is_exact)
+        refuse(&r);
+    fmpq_swap(q, x->exact);
+}
+
+bool formula_holds(slong prec, const char *text, const struct operand *operands)
+{
+    struct reader r = {text, text, operands, prec};
+    LOCAL(value, x, y);
+    const char sign = read_side(x, &r, "<>");
+    read_side(y, &r, "");
+    become_ball(x, prec);
+    become_ball(y, prec);
+    return sign == '<' ? arb_lt(x->ball, y->ball) : arb_gt(x->ball, y->ball);
+}

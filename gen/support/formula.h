@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/* Formulas in balls, written as formulas:
+ *
+ *     LET(y, prec, "2*x/(1 - exp(-2*x)) - k^(1/3)", x, k);       y = ..., with prec bits
+ *     if (HOLDS(prec, "abs(x) + 1/8 < m->bound", x, m->bound))   false also where balls do not decide
+ *     EXACT(q, "(1 - nu^2)/Y", nu, Y);                           a rational number, without rounding
+ *
+ * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong
+ * or int; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole numbers,
+ * rational operands and what is made of these alone are exact, and are rounded only where they meet a ball. Functions:
+ * abs, acos, acosh, exp, expm1, gamma, log, log1p, sqrt, and max and min of two numbers; the number pi. A text that is
+ * no formula ends the program. */
+#ifndef COR_GEN_SUPPORT_FORMULA_H
+#define COR_GEN_SUPPORT_FORMULA_H
+
+#include <stdbool.h>
+
+#include "support/flint.h"
+
+struct ratio {
+    slong num;
+    slong den; /* > 0, lowest terms */
+};
+
+struct operand {
+    const char *name;
+    arb_srcptr ball;
+    const fmpq *exact;
+    struct ratio ratio; /* den = 0: none */
+    slong whole;        /* if there is no other */
+};
+
+#define LET(y, prec, ...) formula_ball(y, prec, FORMULA(__VA_ARGS__))
+#define HOLDS(prec, ...) formula_holds(prec, FORMULA(__VA_ARGS__))
+#define EXACT(q, ...) formula_exact(q, FORMULA(__VA_ARGS__))
+
+void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands);
+bool formula_holds(slong prec, const char *text, const struct operand *operands);
+void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
+
+#define FORMULA(...)                                                                                                   \
+    FORMULA_TEXT(__VA_ARGS__, 0), (const struct operand[])                                                             \
+    {                                                                                                                  \
+        FORMULA_OF(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0, 0)(__VA_ARGS__)                                          \
+        {                                                                                                              \
+            NULL, NULL, NULL, {0, 0}, 0                                                                                \
+        }                                                                                                              \
+    }
+#define FORMULA_TEXT(text, ...) text
+#define FORMULA_OF(text, a, b, c, d, e, f, g, h, i, n, ...) OPERANDS_##n
+#define OPERANDS_0(t)
+#define OPERANDS_1(t, x) OPERAND(#x, x)
+#define OPERANDS_2(t, x, ...) OPERAND(#x, x) OPERANDS_1(t, __VA_ARGS__)
+#define OPERANDS_3(t, x, ...) OPERAND(#x, x) OPERANDS_2(t, __VA_ARGS__)
+#define OPERANDS_4(t, x, ...) OPERAND(#x, x) OPERANDS_3(t, __VA_ARGS__)
+#define OPERANDS_5(t, x, ...) OPERAND(#x, x) OPERANDS_4(t, __VA_ARGS__)
+#define OPERANDS_6(t, x, ...) OPERAND(#x, x) OPERANDS_5(t, __VA_ARGS__)
+#define OPERANDS_7(t, x, ...) OPERAND(#x, x) OPERANDS_6(t, __VA_ARGS__)
+#define OPERANDS_8(t, x, ...) OPERAND(#x, x) OPERANDS_7(t, __VA_ARGS__)
+#define OPERANDS_9(t, x, ...) OPERAND(#x, x) OPERANDS_8(t, __VA_ARGS__)
+#define OPERAND(name, x)                                                                                               \
+    {name, _Generic((x), arb_struct *: (x), const arb_struct *: (x), default: NULL),                                   \
+     _Generic((x), fmpq *: (x), const fmpq *: (x), default: NULL),                                                     \
+     _Generic((x), struct ratio: (x), default: (struct ratio){0, 0}), _Generic((x), int: (x), slong: (x), default: 0)},
+
+#endif
