@@ -3,7 +3,7 @@
  * error near the ends of its domain, where the series' last coefficient counts most. A double shows none of this. */
 #include "runtime/disk/quasistatic.c"
 
-#include "support/flint.h"
+#include "support/local.h"
 
 #include <stdio.h>
 
@@ -13,23 +13,15 @@ enum { POINTS = 4001, PREC = 256 };
 static double pair_exp_error(double x)
 {
     const pair computed = pair_exp(x);
-    arb_t exact, off;
-    arb_init(exact);
-    arb_init(off);
+    LOCAL(arb, exact, off, high);
     arb_set_d(exact, x);
     arb_exp(exact, exact, PREC);
     arb_set_d(off, computed.lo);
-    arb_t high;
-    arb_init(high);
     arb_set_d(high, computed.hi);
     arb_add(off, off, high, PREC);
     arb_div(off, off, exact, PREC);
     arb_sub_ui(off, off, 1, PREC);
-    const double error = fabs(arf_get_d(arb_midref(off), ARF_RND_UP));
-    arb_clear(high);
-    arb_clear(off);
-    arb_clear(exact);
-    return error;
+    return fabs(arf_get_d(arb_midref(off), ARF_RND_UP));
 }
 
 int main(void)

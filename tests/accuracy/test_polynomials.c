@@ -11,7 +11,7 @@
 #include "runtime/law/damping_ratio.h"
 #include "runtime/law/hunt_crossley.h"
 #include "runtime/number/lambert_w.c"
-#include "support/flint.h"
+#include "support/local.h"
 #include "tests/proof/disk_errors.h"
 
 enum { BITS = 400, LENGTH = 20 };
@@ -21,10 +21,8 @@ enum { BITS = 400, LENGTH = 20 };
 /* sum of c[k] x^k for a series x */
 static void compose(arb_poly_t y, const double *c, slong n, const arb_poly_t x, slong length)
 {
-    arb_t coefficient, added;
-    arb_init(coefficient);
+    LOCAL(arb, coefficient, added);
     arb_poly_zero(y);
-    arb_init(added);
     while (n-- > 0) {
         arb_poly_mullow(y, y, x, length, BITS);
         arb_poly_get_coeff_arb(coefficient, y, 0);
@@ -32,8 +30,6 @@ static void compose(arb_poly_t y, const double *c, slong n, const arb_poly_t x, 
         arb_add(coefficient, coefficient, added, BITS);
         arb_poly_set_coeff_arb(y, 0, coefficient);
     }
-    arb_clear(coefficient);
-    arb_clear(added);
 }
 
 /* the variable itself: centre + t */
@@ -49,8 +45,7 @@ typedef void error_series(arb_poly_t e, const arb_poly_t x, slong length);
 /* s^2 p(s) - (exp(s) - 1 - s) */
 static void exp_error(arb_poly_t e, const arb_poly_t s, slong length)
 {
-    arb_poly_t p;
-    arb_poly_init(p);
+    LOCAL(arb_poly, p);
     compose(p, cor_kernel_exp_polynomial, 11, s, length);
     arb_poly_mullow(p, p, s, length, BITS);
     arb_poly_mullow(p, p, s, length, BITS);
@@ -58,14 +53,12 @@ static void exp_error(arb_poly_t e, const arb_poly_t s, slong length)
     arb_poly_sub(e, e, s, BITS);
     arb_poly_add_si(e, e, -1, BITS);
     arb_poly_sub(e, p, e, BITS);
-    arb_poly_clear(p);
 }
 
 /* s + s^3 factor p(sign s^2) */
 static void odd(arb_poly_t e, const double *c, slong n, const arb_poly_t s, int sign, int halves, slong length)
 {
-    arb_poly_t square;
-    arb_poly_init(square);
+    LOCAL(arb_poly, square);
     arb_poly_mullow(square, s, s, length, BITS);
     if (sign < 0)
         arb_poly_neg(square, square);
@@ -74,15 +67,12 @@ static void odd(arb_poly_t e, const double *c, slong n, const arb_poly_t s, int 
     arb_poly_scalar_mul_2exp_si(e, e, -halves);
     arb_poly_mullow(e, e, s, length, BITS);
     arb_poly_add(e, e, s, BITS);
-    arb_poly_clear(square);
 }
 
 /* atanh by its derivative */
 static void atanh_series(arb_poly_t y, const arb_poly_t s, slong length)
 {
-    arb_poly_t plus, minus;
-    arb_poly_init(plus);
-    arb_poly_init(minus);
+    LOCAL(arb_poly, plus, minus);
     arb_poly_add_si(plus, s, 1, BITS);
     arb_poly_neg(minus, s);
     arb_poly_add_si(minus, minus, 1, BITS);
@@ -90,21 +80,17 @@ static void atanh_series(arb_poly_t y, const arb_poly_t s, slong length)
     arb_poly_log_series(minus, minus, length, BITS);
     arb_poly_sub(y, plus, minus, BITS);
     arb_poly_scalar_mul_2exp_si(y, y, -1);
-    arb_poly_clear(plus);
-    arb_poly_clear(minus);
 }
 
 static void odd_error(arb_poly_t e, const double *c, slong n, const arb_poly_t s, int sign, int halves, slong length)
 {
-    arb_poly_t exact;
-    arb_poly_init(exact);
+    LOCAL(arb_poly, exact);
     if (sign * (c[0] < 0 ? -1 : 1) > 0)
         atanh_series(exact, s, length);
     else
         arb_poly_atan_series(exact, s, length, BITS);
     odd(e, c, n, s, sign, halves, length);
     arb_poly_sub(e, e, exact, BITS);
-    arb_poly_clear(exact);
 }
 
 static void log_error(arb_poly_t e, const arb_poly_t s, slong length)
@@ -125,24 +111,18 @@ static void phase_atanh_error(arb_poly_t e, const arb_poly_t t, slong length)
 /* 1/3 is a pair there, exact here */
 static void add_third(arb_poly_t e)
 {
-    arb_poly_t third;
-    arb_t value;
-    arb_poly_init(third);
-    arb_init(value);
+    LOCAL(arb_poly, third);
+    LOCAL(arb, value);
     arb_set_ui(value, 1);
     arb_div_ui(value, value, 3, BITS);
     arb_poly_set_coeff_arb(third, 0, value);
     arb_poly_add(e, e, third, BITS);
-    arb_poly_clear(third);
-    arb_clear(value);
 }
 
 /* s + s^3 (1/3 + s^2 p(s^2)) - atanh(s) */
 static void approach_error(arb_poly_t e, const arb_poly_t s, slong length)
 {
-    arb_poly_t square, exact;
-    arb_poly_init(square);
-    arb_poly_init(exact);
+    LOCAL(arb_poly, square, exact);
     arb_poly_mullow(square, s, s, length, BITS);
     compose(e, cor_hc_atanh_polynomial, 13, square, length);
     arb_poly_mullow(e, e, square, length, BITS);
@@ -152,17 +132,12 @@ static void approach_error(arb_poly_t e, const arb_poly_t s, slong length)
     arb_poly_add(e, e, s, BITS);
     atanh_series(exact, s, length);
     arb_poly_sub(e, e, exact, BITS);
-    arb_poly_clear(square);
-    arb_poly_clear(exact);
 }
 
 /* (y^2 (1/3 + y^2 p(y^2))) sinh(y) - (y cosh(y) - sinh(y)); 1/3 as above */
 static void coth_error(arb_poly_t e, const arb_poly_t y, slong length)
 {
-    arb_poly_t square, sinh, cosh;
-    arb_poly_init(square);
-    arb_poly_init(sinh);
-    arb_poly_init(cosh);
+    LOCAL(arb_poly, square, sinh, cosh);
     arb_poly_mullow(square, y, y, length, BITS);
     compose(e, cor_hc_coth_polynomial, 13, square, length);
     arb_poly_mullow(e, e, square, length, BITS);
@@ -173,16 +148,12 @@ static void coth_error(arb_poly_t e, const arb_poly_t y, slong length)
     arb_poly_mullow(cosh, cosh, y, length, BITS);
     arb_poly_sub(e, e, cosh, BITS);
     arb_poly_add(e, e, sinh, BITS);
-    arb_poly_clear(square);
-    arb_poly_clear(sinh);
-    arb_poly_clear(cosh);
 }
 
 /* x + x^2 p(x) - w, x = w exp(-w) */
 static void lambert_error(arb_poly_t e, const arb_poly_t w, slong length)
 {
-    arb_poly_t x;
-    arb_poly_init(x);
+    LOCAL(arb_poly, x);
     arb_poly_neg(x, w);
     arb_poly_exp_series(x, x, length, BITS);
     arb_poly_mullow(x, x, w, length, BITS);
@@ -191,15 +162,12 @@ static void lambert_error(arb_poly_t e, const arb_poly_t w, slong length)
     arb_poly_mullow(e, e, x, length, BITS);
     arb_poly_add(e, e, x, BITS);
     arb_poly_sub(e, e, w, BITS);
-    arb_poly_clear(x);
 }
 
 /* t - ln(1 + t) - p^2/2 for t = p + p^2 (a_2 + a_3 p + ...), the disk's contact law */
 static void branch_point_error(arb_poly_t e, const arb_poly_t p, slong length)
 {
-    arb_poly_t square, log;
-    arb_poly_init(square);
-    arb_poly_init(log);
+    LOCAL(arb_poly, square, log);
     arb_poly_mullow(square, p, p, length, BITS);
     compose(e, lambert_series, sizeof lambert_series / sizeof *lambert_series, p, length);
     arb_poly_mullow(e, e, square, length, BITS);
@@ -209,8 +177,6 @@ static void branch_point_error(arb_poly_t e, const arb_poly_t p, slong length)
     arb_poly_sub(e, e, log, BITS);
     arb_poly_scalar_mul_2exp_si(square, square, -1);
     arb_poly_sub(e, e, square, BITS);
-    arb_poly_clear(square);
-    arb_poly_clear(log);
 }
 
 /* ---- the proof ---- */
@@ -218,14 +184,8 @@ static void branch_point_error(arb_poly_t e, const arb_poly_t p, slong length)
 /* |e| <= bound |x|^power in the cell middle +- radius, middle = 0 or the cell away from 0 */
 static bool cell_holds(error_series *series, double middle, double radius, int power, double bound)
 {
-    arb_poly_t x, e;
-    arb_t centre, sum, scale, term;
-    arb_poly_init(x);
-    arb_poly_init(e);
-    arb_init(centre);
-    arb_init(sum);
-    arb_init(scale);
-    arb_init(term);
+    LOCAL(arb_poly, x, e);
+    LOCAL(arb, centre, sum, scale, term);
     /* the remainder: coefficient LENGTH over the cell */
     arb_set_d(centre, middle);
     arb_set_d(scale, radius);
@@ -253,12 +213,6 @@ static bool cell_holds(error_series *series, double middle, double radius, int p
     }
     arb_set_d(term, middle == 0 ? bound : bound * pow(fabs(middle) - radius, power) * (1 - 1e-12));
     const bool holds = divisible && arb_lt(sum, term);
-    arb_poly_clear(x);
-    arb_poly_clear(e);
-    arb_clear(centre);
-    arb_clear(sum);
-    arb_clear(scale);
-    arb_clear(term);
     return holds;
 }
 

@@ -45,43 +45,36 @@ struct approach {
 
 static void approach_init(struct approach *a)
 {
-    arb_init(a->eps);
-    arb_init(a->loss);
-    arb_init(a->duration);
+    FOR_ALL(arb, init, a->eps, a->loss, a->duration);
 }
 
 static void approach_clear(struct approach *a)
 {
-    arb_clear(a->eps);
-    arb_clear(a->loss);
-    arb_clear(a->duration);
+    FOR_ALL(arb, clear, a->eps, a->loss, a->duration);
 }
+LOCAL_STRUCT(approach)
 
 enum { APPROACH_BITS = 160 };
 
 static void approach_set(struct approach *a, double beta)
 {
     struct law law;
-    struct collision c, elastic;
+    LOCAL(collision, c, elastic);
     LOCAL(arb, x);
     assert_null(law_parse(&law, "3/2", "0"));
-    collision_init(&c);
-    collision_init(&elastic);
     arb_set_d(x, beta);
-    assert_int_equal(collision_solve_force(&c, x, &law, APPROACH_BITS), 0);
+    assert_int_equal(collision_solve_force(c, x, &law, APPROACH_BITS), 0);
     arb_zero(x);
-    assert_int_equal(collision_solve(&elastic, x, &law, APPROACH_BITS), 0);
-    arb_pow_ratio(a->eps, c.x_max, ratio_make(5, 4), APPROACH_BITS);
+    assert_int_equal(collision_solve(elastic, x, &law, APPROACH_BITS), 0);
+    arb_pow_ratio(a->eps, c->x_max, ratio_make(5, 4), APPROACH_BITS);
     arb_set_ratio(x, ratio_make(4, 5), APPROACH_BITS);
     arb_sqrt(x, x, APPROACH_BITS);
     arb_mul(a->eps, a->eps, x, APPROACH_BITS);
     arb_sub_ui(a->loss, a->eps, 1, APPROACH_BITS);
     arb_neg(a->loss, a->loss);
     arb_pow_ratio(x, a->eps, ratio_make(-1, 5), APPROACH_BITS);
-    arb_mul(x, x, elastic.t_max, APPROACH_BITS);
-    arb_add(a->duration, c.t_max, x, APPROACH_BITS);
-    collision_clear(&c);
-    collision_clear(&elastic);
+    arb_mul(x, x, elastic->t_max, APPROACH_BITS);
+    arb_add(a->duration, c->t_max, x, APPROACH_BITS);
 }
 
 static double moved(double x, int ulp)
@@ -96,24 +89,21 @@ static double moved(double x, int ulp)
 /* The beta of this eps lies within the bound of `beta`, for eps falls: eps as an exact number. */
 static void check_approach_inverse(double beta, const arb_t eps, const char *what)
 {
-    struct approach at;
-    approach_init(&at);
-    approach_set(&at, moved(beta, -(int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
-    check(arb_ge(at.eps, eps), "%s: %.17g is too large", what, beta);
-    approach_set(&at, moved(beta, (int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
-    check(arb_le(at.eps, eps), "%s: %.17g is too small", what, beta);
-    approach_clear(&at);
+    LOCAL(approach, at);
+    approach_set(at, moved(beta, -(int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
+    check(arb_ge(at->eps, eps), "%s: %.17g is too large", what, beta);
+    approach_set(at, moved(beta, (int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
+    check(arb_le(at->eps, eps), "%s: %.17g is too small", what, beta);
 }
 
 static void check_approach(double worst[3], double beta, bool inverse)
 {
-    struct approach a;
+    LOCAL(approach, a);
     LOCAL(arb, x);
-    approach_init(&a);
-    approach_set(&a, beta);
+    approach_set(a, beta);
     const double eps = cor_hertz_dashpot_eps_approach_only(beta), loss = cor_hertz_dashpot_loss_approach_only(beta);
-    const double error[] = {law_error_in_ulp(eps, a.eps), law_error_in_ulp(loss, a.loss),
-                            law_error_in_ulp(cor_hertz_dashpot_duration_approach_only(beta), a.duration)};
+    const double error[] = {law_error_in_ulp(eps, a->eps), law_error_in_ulp(loss, a->loss),
+                            law_error_in_ulp(cor_hertz_dashpot_duration_approach_only(beta), a->duration)};
     for (int k = 0; k < 3; k++) {
         check(error[k] <= COR_HERTZ_DASHPOT_APPROACH_MAX_ULP, "quantity %d at %.17g: %.3f ulp", k, beta, error[k]);
         worst[k] = fmax(worst[k], error[k]);
@@ -127,7 +117,6 @@ static void check_approach(double worst[3], double beta, bool inverse)
         if (eps < 1)
             check_approach_inverse(cor_hertz_dashpot_beta_approach_only(eps), x, "of eps");
     }
-    approach_clear(&a);
 }
 
 /* Random beta, and the places where the series, the near rows, the octaves and the tail meet */
