@@ -329,11 +329,8 @@ static void loop_doubles(const struct cor_row_call *call, const double *in, doub
 
 static void one_block(const struct cor_row_table *table, const double *x, double *taken, double *value, size_t m)
 {
-    double all[BLOCK], result[BLOCK];
-    take(all, table, x, m);
-    evaluate_block(result, table, all, whole(m));
-    memcpy(taken, all, m * sizeof *taken);
-    memcpy(value, result, m * sizeof *value);
+    take(taken, table, x, m);
+    evaluate_block(value, table, taken, whole(m));
 }
 
 /* ---- arrays of floats ---- */

@@ -84,8 +84,8 @@ struct cor_row_call {
 };
 
 /* The loops of a set: doubles; floats, each the double result rounded once, but for the number `apart`, which `one`
- * computes; floats in float arithmetic; and the values of at most COR_ROW_BLOCK numbers x. Where the table does not
- * have a number, `taken` differs from x, and the value is of no use. */
+ * computes; floats in float arithmetic; and the values of at most COR_ROW_BLOCK numbers x, into arrays of that length.
+ * Where the table does not have a number, `taken` differs from x, and the value is of no use. */
 enum { COR_ROW_BLOCK = 256 };
 struct cor_row_loops {
     const char *name;

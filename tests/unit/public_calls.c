@@ -239,6 +239,9 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
     a->energy[i] = within(source, a->energy[i], cor_disk_energy_limit(a->nu[i], a->datum[i]));
     a->compression[i] = within(source, a->compression[i], cor_disk_compression_limit(a->nu[i], a->datum[i]));
     a->modes[i] = below(source, 2) ? cor_disk_modes_nu033 : cor_disk_modes_nu090;
+    if (below(source, 4) == 0)
+        a->modes[i] = (struct cor_disk_modes){
+            a->nu[i], below(source, 2) ? PUBLIC_MODES : 1 + below(source, PUBLIC_MODES), a->harmed};
     a->n_modes[i] = 1 + below(source, 12);
     a->disk_collision_options[i].alpha = below(source, 4) ? by_size(source, 40, 500) : any_number(source);
     a->disk_collision_options[i].tolerance = below(source, 4) ? by_size(source, 1e-4, 1) : any_number(source);
@@ -249,9 +252,27 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
     a->tolerance[i] = below(source, 4) ? by_size(source, 1e-6, 1) : any_number(source);
 }
 
+/* A table of the library's with some entries out of place, or with numbers that no mode has */
+static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
+{
+    memcpy(mode, cor_disk_modes_nu033.mode, PUBLIC_MODES * sizeof *mode);
+    for (size_t harms = below(source, 5); harms > 0; harms--) {
+        struct cor_disk_mode *const harmed = &mode[below(source, below(source, 2) ? 12 : PUBLIC_MODES)];
+        const size_t what = below(source, 6);
+        const double number = any_number(source);
+        if (what < 2)
+            harmed->n = what == 0 ? (int)below(source, 200) : (int)(uint32_t)bits(source);
+        else if (what < 5)
+            *(what == 2 ? &harmed->omega : what == 3 ? &harmed->c : &harmed->s) = number;
+        else
+            mode[below(source, PUBLIC_MODES)] = *harmed;
+    }
+}
+
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal)
 {
     a->n = n;
+    harm_modes(a->harmed, source);
     for (size_t i = 0; i < n; i++) {
 #define NUMBER(name) a->name[i] = any_number(source);
 #include "public_functions.inc"
@@ -535,14 +556,11 @@ static void put_hard_wall(struct results *r, const struct cor_disk_hard_wall *ou
     results_put(r, (double)out->omega_levels);
 }
 
-/* Enough modes for two levels */
-enum { HARD_WALL_MODES = 320 };
-
 static void call_cor_disk_hard_wall(const struct arguments *a, struct results *r)
 {
     struct cor_disk_hard_wall out;
     memset(&out, 0, sizeof out);
-    results_put(r, cor_disk_hard_wall(&a->modes[0], HARD_WALL_MODES, &a->disk_hard_wall_options[0], a->speed[0], &out));
+    results_put(r, cor_disk_hard_wall(&a->modes[0], PUBLIC_MODES, &a->disk_hard_wall_options[0], a->speed[0], &out));
     put_hard_wall(r, &out);
 }
 
@@ -566,13 +584,13 @@ static void call_cor_disk_hard_wall_in(const struct arguments *a, struct results
 {
     const struct cor_disk_modes *const modes = &a->modes[0];
     const struct cor_disk_hard_wall_options *const options = &a->disk_hard_wall_options[0];
-    static double after[HARD_WALL_MODES], average[HARD_WALL_MODES], q[HARD_WALL_MODES], q_dot[HARD_WALL_MODES];
+    static double after[PUBLIC_MODES], average[PUBLIC_MODES], q[PUBLIC_MODES], q_dot[PUBLIC_MODES];
     double load = 0;
     const struct cor_disk_hard_wall_detail detail = {after, average, observe_hard_wall, &load, q, q_dot};
     struct cor_disk_hard_wall out;
     memset(&out, 0, sizeof out);
-    results_put(r, cor_disk_hard_wall_in(workspace, sizeof workspace, modes, HARD_WALL_MODES, options, a->speed[0],
-                                         &out, &detail));
+    results_put(r, cor_disk_hard_wall_in(workspace, sizeof workspace, modes, PUBLIC_MODES, options, a->speed[0], &out,
+                                         &detail));
     put_hard_wall(r, &out);
     results_put(r, load);
 }

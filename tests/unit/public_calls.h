@@ -11,7 +11,7 @@
 #include "random.h"
 
 /* More numbers than any loop of the library takes at once */
-enum { PUBLIC_COUNT = 150 };
+enum { PUBLIC_COUNT = 150, PUBLIC_MODES = 320 }; /* modes enough for two levels of the rigid wall */
 
 /* n arguments of each name that a parameter has in the headers */
 struct arguments {
@@ -24,6 +24,7 @@ struct arguments {
     struct cor_plate plate[PUBLIC_COUNT];
     struct cor_half_space half_space[PUBLIC_COUNT];
     struct cor_disk_modes modes[PUBLIC_COUNT];
+    struct cor_disk_mode harmed[PUBLIC_MODES]; /* of those tables that no disk has */
     struct cor_disk_collision_options disk_collision_options[PUBLIC_COUNT];
     struct cor_disk_hard_wall_options disk_hard_wall_options[PUBLIC_COUNT];
     enum cor_disk_datum datum[PUBLIC_COUNT];
