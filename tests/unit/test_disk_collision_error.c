@@ -3,13 +3,9 @@
  * error, and no call exceeds its budget. The truth is reference_collision.h: Taylor series in time, in long double or,
  * where the collision amplifies errors much, in quad precision; and, for more modes, a call with a hundredth of the
  * tolerance.
- *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 COR_TEST_JOBS=2 test_disk_collision_error
- * judges 10^4 random scenes of each kind in two processes. They take half an hour and two hours of processor time. */
-#define _POSIX_C_SOURCE 200809L
+ *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 test_disk_collision_error
+ * judges 10^4 random scenes of each kind, others with another COR_SEED. They take half an hour and two hours. */
 #include "check.h"
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cor/disk.h>
 #include <cor/status.h>
@@ -64,7 +60,6 @@ static const double too_small_share = 0.005, too_small_factor = 4;
 
 struct tally {
     size_t scenes, ok, wrong, too_small, undecided, quad, broken;
-    size_t fifths[2][6]; /* of the estimate, up to one and above: errors where the status is COR_OK, and where not */
     double worst_of_tolerance, worst_of_estimate, cor_seconds, reference_seconds;
 };
 
@@ -82,7 +77,6 @@ static void judge_numbers(const struct scene *s, int status, const struct cor_di
     const double loss_error = fabs(out->one_minus_eps2 - reference->one_minus_eps2);
     const double of_estimate = (error - unsure) / out->error_estimate;
     tally->worst_of_estimate = fmax(tally->worst_of_estimate, of_estimate);
-    tally->fifths[status != COR_OK][of_estimate > 0 ? (size_t)fmin(5, ceil(5 * of_estimate) - 1) : 0]++;
     if (of_estimate > 1) {
         tally->too_small++;
         print_scene("estimate too small", s, error, out->error_estimate);
@@ -150,82 +144,19 @@ static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
         judge_numbers(&other, second, &of_other, &reference, tally);
 }
 
-static void tally_add(struct tally *sum, const struct tally *part)
-{
-    sum->scenes += part->scenes;
-    sum->ok += part->ok;
-    sum->wrong += part->wrong;
-    sum->too_small += part->too_small;
-    sum->undecided += part->undecided;
-    sum->quad += part->quad;
-    sum->broken += part->broken;
-    for (size_t i = 0; i < 6; i++) {
-        sum->fifths[0][i] += part->fifths[0][i];
-        sum->fifths[1][i] += part->fifths[1][i];
-    }
-    sum->worst_of_tolerance = fmax(sum->worst_of_tolerance, part->worst_of_tolerance);
-    sum->worst_of_estimate = fmax(sum->worst_of_estimate, part->worst_of_estimate);
-    sum->cor_seconds += part->cor_seconds;
-    sum->reference_seconds += part->reference_seconds;
-}
-
-/* Judges every scene i < count with i mod jobs = job. All jobs draw the same scenes. */
-static void scenes_judge(struct random_state random, int larger, size_t count, size_t job, size_t jobs,
-                         struct tally *tally)
-{
-    memset(tally, 0, sizeof *tally);
-    for (size_t i = 0; i < count; i++) {
-        const struct scene s = larger ? larger_scene(&random) : random_scene(&random);
-        if (i % jobs == job)
-            (larger ? scene_judge_by_tighter : scene_judge)(&s, tally);
-    }
-}
-
-/* Judges the scenes in `jobs` processes, of which each writes its tally to a pipe. */
-static void scenes_share(struct random_state random, int larger, size_t count, size_t jobs, struct tally *sum)
-{
-    int ends[2], status;
-    struct tally part;
-    assert_int_equal(pipe(ends), 0);
-    fflush(NULL);
-    for (size_t job = 0; job < jobs; job++) {
-        const pid_t child = fork();
-        assert_true(child >= 0);
-        if (child == 0) {
-            scenes_judge(random, larger, count, job, jobs, &part);
-            fflush(NULL);
-            _exit(write(ends[1], &part, sizeof part) == (ssize_t)sizeof part ? 0 : 1);
-        }
-    }
-    close(ends[1]);
-    memset(sum, 0, sizeof *sum);
-    for (size_t job = 0; job < jobs; job++) {
-        assert_true(read(ends[0], &part, sizeof part) == (ssize_t)sizeof part);
-        tally_add(sum, &part);
-    }
-    close(ends[0]);
-    while (wait(&status) > 0)
-        assert_int_equal(status, 0);
-}
-
 static void judge_all(int larger, size_t count, struct tally *t)
 {
-    const struct random_state random = random_start();
-    const size_t jobs = (size_t)check_number("COR_TEST_JOBS", 1);
-    if (jobs > 1)
-        scenes_share(random, larger, count, jobs, t);
-    else
-        scenes_judge(random, larger, count, 0, 1, t);
-    assert_int_equal(t->scenes, count);
+    struct random_state random = random_start();
+    memset(t, 0, sizeof *t);
+    for (size_t i = 0; i < count; i++) {
+        const struct scene s = larger ? larger_scene(&random) : random_scene(&random);
+        (larger ? scene_judge_by_tighter : scene_judge)(&s, t);
+    }
     print_message(
         "%zu scenes: %zu COR_OK, %zu calls wrong, off by at most %.2g of the tolerance; estimate too small in %zu, "
         "error at most %.2g of it; cor %.1f s, reference %.1f s, %zu in quad precision, %zu undecided\n",
         t->scenes, t->ok, t->wrong, t->worst_of_tolerance, t->too_small, t->worst_of_estimate, t->cor_seconds,
         t->reference_seconds, t->quad, t->undecided);
-    for (size_t i = 0; i < 2; i++)
-        print_message("%s: error up to 0.2, 0.4, ... 1 of the estimate: %zu, %zu, %zu, %zu, %zu; above: %zu\n",
-                      i == 0 ? "COR_OK" : "not reached", t->fifths[i][0], t->fifths[i][1], t->fifths[i][2],
-                      t->fifths[i][3], t->fifths[i][4], t->fifths[i][5]);
     assert_int_equal(t->wrong, 0);
     assert_int_equal(t->broken, 0);
     check((double)t->too_small <= fmax(1, too_small_share * (double)count) && t->worst_of_estimate <= too_small_factor,

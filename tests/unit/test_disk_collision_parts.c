@@ -76,21 +76,21 @@ TEST(drift)
 
 /* ---- kick ---- */
 
-enum { MODES = 7 };
+enum { MODES = 34 }; /* at most: n up to 13, in one block of lanes or two */
 
 /* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of
- * phi angles, and its gradient by x_0 and Q, by central differences */
+ * phi angles, and its gradient by x_0 and Q, by central differences; *fastest: the largest acceleration of the rim */
 struct potential {
-    size_t phi;
+    size_t modes, phi;
     double alpha, h;
 };
 
-static long double rim(size_t phi, size_t j, const long double *y, long double along[1 + MODES])
+static long double rim(const struct potential *p, size_t j, const long double *y, long double along[1 + MODES])
 {
-    const long double pi = 3.14159265358979323846264338L, angle = pi * (long double)j / (2 * (long double)phi);
+    const long double pi = 3.14159265358979323846264338L, angle = pi * (long double)j / (2 * (long double)p->phi);
     long double x = y[0] - 1 + cosl(angle);
     along[0] = 1;
-    for (size_t i = 0; i < MODES; i++) {
+    for (size_t i = 0; i < p->modes; i++) {
         const struct cor_disk_mode *const mode = &cor_disk_modes_nu033.mode[i];
         along[1 + i] = mode->c * cosl(mode->n * angle) * cosl(angle) - mode->s * sinl(mode->n * angle) * sinl(angle);
         x += y[1 + i] * along[1 + i];
@@ -98,19 +98,26 @@ static long double rim(size_t phi, size_t j, const long double *y, long double a
     return x;
 }
 
-static long double modified_potential(const struct potential *p, const long double *y)
+static long double modified_potential(const struct potential *p, const long double *y, long double *fastest)
 {
     const long double pi = 3.14159265358979323846264338L;
     long double v = 0, gradient[1 + MODES] = {0}, square = 0, along[1 + MODES];
     for (size_t j = 0; j < p->phi; j++) {
         const long double weight = pi / (long double)p->phi / (j == 0 ? 2 : 1);
-        const long double pressure = weight * expl(p->alpha * rim(p->phi, j, y, along));
+        const long double pressure = weight * expl(p->alpha * rim(p, j, y, along));
         v += pressure / p->alpha;
-        for (size_t i = 0; i <= MODES; i++)
+        for (size_t i = 0; i <= p->modes; i++)
             gradient[i] += pressure * along[i];
     }
-    for (size_t i = 0; i <= MODES; i++)
+    for (size_t i = 0; i <= p->modes; i++)
         square += gradient[i] * gradient[i];
+    for (size_t j = 0; fastest && j < p->phi; j++) {
+        long double acceleration = 0;
+        rim(p, j, y, along);
+        for (size_t i = 0; i <= p->modes; i++)
+            acceleration += along[i] * gradient[i] / pi;
+        *fastest = fmaxl(*fastest, acceleration);
+    }
     return v - (long double)p->h * p->h / 24 * square / pi;
 }
 
@@ -119,33 +126,34 @@ TEST(kick)
 {
     struct random_state random = random_start();
     for (size_t k = 0; k < points(20); k++) {
-        const struct potential p = {48, random_log(&random, 50, 500), random_log(&random, 0.001, 0.02)};
+        const struct potential p = {1 + random_below(&random, MODES), 48, random_log(&random, 50, 500),
+                                    random_log(&random, 0.001, 0.02)};
         const double mass = 3.14159265358979323846;
         struct stage stage;
-        stage_begin(&stage, MODES, p.alpha, 0.1, p.phi, p.h);
+        stage_begin(&stage, p.modes, p.alpha, 0.1, p.phi, p.h);
         struct cor_motion *const m = &stage.m;
         long double y[1 + MODES];
         memset(m->force_c, 0, m->size.blocks * COR_LANES * sizeof *m->force_c);
         memset(m->force_s, 0, m->size.blocks * COR_LANES * sizeof *m->force_s);
-        for (size_t i = 0; i < MODES; i++)
+        for (size_t i = 0; i < p.modes; i++)
             m->q[m->place[i]] = random_uniform(&random, -0.02, 0.02);
         memset(m->p, 0, m->size.cells * sizeof *m->p);
         stage.now.depth = random_uniform(&random, -1, 0.5) / p.alpha;
         stage.now.v = 0;
         cor_collision_drift(m, 0, &stage.now); /* sums up the modes, whose angles it was given for h: turned */
         y[0] = stage.now.depth;
-        for (size_t i = 0; i < MODES; i++)
+        for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
         if (cor_collision_kick(m, p.h, COR_ALL_ANGLES, &stage.now) != COR_KICKED) {
             stage_end(&stage);
             continue; /* too stiff */
         }
-        for (size_t i = 0; i <= MODES; i++) {
+        for (size_t i = 0; i <= p.modes; i++) {
             const long double step = 1e-6L / p.alpha, at = y[i];
             y[i] = at + step;
-            const long double above = modified_potential(&p, y);
+            const long double above = modified_potential(&p, y, NULL);
             y[i] = at - step;
-            const long double gradient = (above - modified_potential(&p, y)) / (2 * step);
+            const long double gradient = (above - modified_potential(&p, y, NULL)) / (2 * step);
             y[i] = at;
             const size_t n = i > 0 ? (size_t)m->mode[i - 1].n : 0, cell = i > 0 ? m->place[i - 1] : 0;
             const double kicked =
@@ -155,6 +163,10 @@ TEST(kick)
                   kicked, -p.h * gradient);
         }
         assert_true(stage.now.force > 0 && stage.now.force < stage.now.load);
+        long double fastest = 0;
+        modified_potential(&p, y, &fastest);
+        check(relative_error(stage.now.stiffness, p.h * p.h * p.alpha * fastest) < 1e-9, "stiffness %g, not %Lg",
+              stage.now.stiffness, p.h * p.h * p.alpha * fastest);
         stage_end(&stage);
     }
 }
@@ -501,6 +513,60 @@ TEST(shifted_angles)
     stage_end(&stage);
 }
 
+/* ---- the loops ---- */
+
+/* Every instruction set gives the bits of the portable one in a collision of few modes or many, at any angles. */
+TEST(every_set)
+{
+    struct random_state random = random_start();
+    for (size_t k = 0; k < points(24); k++) {
+        const size_t n = 1 + random_below(&random, k % 4 ? 40 : 400), phi = 40 + random_below(&random, 200);
+        const double alpha = random_log(&random, 40, 2000), speed = random_uniform(&random, 0.02, 0.3);
+        struct cor_collision_run run[COR_INSTRUCTION_SETS];
+        memset(run, 0, sizeof run);
+        for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
+            struct stage stage;
+            if (cor_collision_set(set) == NULL)
+                continue;
+            run[set].h = 0.5 / fmax(alpha * speed, cor_disk_modes_nu033.mode[n - 1].omega);
+            stage_begin(&stage, n, alpha, speed, phi, run[set].h);
+            stage.m.loops = cor_collision_set(set);
+            const enum cor_collision_outcome end = cor_collision_run(&stage.m, &run[set], NULL, NULL, NULL);
+            check(end == COR_RUN_ENDED, "%zu modes, alpha = %g, v = %g: %d", n, alpha, speed, (int)end);
+            check(memcmp(&run[set], &run[0], sizeof *run) == 0, "set %d, %zu modes: eps %a, not %a", set, n,
+                  run[set].eps, run[0].eps);
+            stage_end(&stage);
+        }
+    }
+}
+
+/* The exponential where it begins, where it ends, and where its pieces meet; NaN stays NaN or is 0, never a number */
+TEST(exponential)
+{
+    static double reach[COR_PANEL], pressure[COR_PANEL], weight[COR_PANEL];
+    for (size_t j = 0; j < COR_PANEL; j++)
+        weight[j] = 1;
+    const double ln2 = 0.69314718055994530942;
+    const double x[] = {0, -0.0, 1,  -1, 0.5 * ln2, -0.5 * ln2, 1.5 * ln2, -1.5 * ln2, -699.99, nextafter(-700, 0),
+                        5, 300,  690};
+    enum { COUNT = sizeof x / sizeof *x };
+    for (int i = 0; i < COR_INSTRUCTION_SETS; i++) {
+        const struct cor_collision_loops *const loops = cor_collision_set(i);
+        if (loops == NULL)
+            continue;
+        for (size_t j = 0; j < COR_PANEL; j++)
+            reach[j] = x[j % COUNT];
+        loops->press(COR_PANEL, 1, weight, reach, pressure);
+        for (size_t j = 0; j < COR_PANEL; j++)
+            check(relative_error(pressure[j], expl(reach[j])) <= 2 * DBL_EPSILON, "exp(%g) = %g", reach[j],
+                  pressure[j]);
+        const double none[] = {-700.0000001, -800, -1e10, -INFINITY, -1e300};
+        for (size_t j = 0; j < COR_PANEL; j++)
+            reach[j] = none[j % 5];
+        assert_true(loops->press(COR_PANEL, 1, weight, reach, pressure) == 0);
+    }
+}
+
 /* ---- the budget ---- */
 
 TEST(work)
@@ -531,4 +597,4 @@ TEST(work)
 }
 
 RUN_TESTS(drift, kick, stiffness, window, extrapolation, negative_energy, step_error, hard_wall_step_error,
-          energies_move, other_errors, angles_error, shifted_angles, work)
+          energies_move, other_errors, angles_error, shifted_angles, every_set, exponential, work)

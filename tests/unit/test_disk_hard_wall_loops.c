@@ -7,19 +7,7 @@
 #include "runtime/disk/hard_wall.h"
 #include "runtime/disk/mode_source.h"
 
-static const struct {
-    const char *name;
-    int set;
-    const struct cor_hard_wall_loops *wall;
-    const struct cor_mode_loops *modes;
-} sets[] = {
-    {"portable", COR_PORTABLE, &cor_hard_wall_portable, &cor_mode_portable},
-#ifdef COR_X86_SETS
-    {"AVX2", COR_AVX2, &cor_hard_wall_avx2, &cor_mode_avx2},
-    {"AVX-512", COR_AVX512, &cor_hard_wall_avx512, &cor_mode_avx512},
-#endif
-};
-enum { SETS = sizeof sets / sizeof *sets };
+enum { SETS = COR_INSTRUCTION_SETS };
 
 enum {
     BLOCKS = 4,
@@ -101,12 +89,11 @@ TEST(same_on_every_set)
         draw_input(&random, &in, &start);
         tried = 0;
         for (int set = 0; set < SETS; set++) {
-            if (!cor_processor_has(sets[set].set))
+            if (!cor_hard_wall_set(set))
                 continue;
             out[set] = start;
-            pass_through(sets[set].wall, &in, &out[set]);
-            check(memcmp(&out[set], &out[0], sizeof *out) == 0, "%s differs from %s, draw %zu", sets[set].name,
-                  sets[0].name, i);
+            pass_through(cor_hard_wall_set(set), &in, &out[set]);
+            check(memcmp(&out[set], &out[0], sizeof *out) == 0, "set %d, draw %zu", set, i);
             tried++;
         }
     }
@@ -120,7 +107,7 @@ TEST(as_defined)
     for (size_t draws = 0; draws < points(30); draws++) {
         draw_input(&random, &in, &start);
         out[0] = start;
-        pass_through(sets[0].wall, &in, &out[0]);
+        pass_through(cor_hard_wall_set(COR_PORTABLE), &in, &out[0]);
         const size_t lanes = in.blocks * COR_HARD_WALL_LANES;
         for (size_t n = 0; n < lanes; n++) {
             double sum_c[BATCH] = {0}, sum_s[BATCH] = {0};
@@ -180,12 +167,12 @@ TEST(ladders)
             first[i] = 0.75 * kappa[i] / (double)(start_at + 1);
         }
         for (int set = 0; set < SETS; set++) {
-            if (!cor_processor_has(sets[set].set))
+            if (!cor_mode_set(set))
                 continue;
-            sets[set].modes->ladder(step, first, start_at, end, quotient[set], zeros[set]);
+            cor_mode_set(set)->ladder(step, first, start_at, end, quotient[set], zeros[set]);
             check(memcmp(quotient[set], quotient[0], sizeof *quotient) == 0 &&
                       memcmp(zeros[set], zeros[0], sizeof *zeros) == 0,
-                  "%s differs from %s, draw %zu", sets[set].name, sets[0].name, draws);
+                  "set %d, draw %zu", set, draws);
         }
         for (int i = 0; i < COR_MODE_LANES; i++) {
             /* upwards is stable below m = kappa */
