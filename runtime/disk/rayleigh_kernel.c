@@ -8,20 +8,65 @@
 
 /* ---- one panel of a leg ---- */
 
-/* The nodes of Gauss's rule in a panel, padded: d integral, then t and what Halley's method needs, each by its parts */
 enum { LANES = 16 };
+
+/* Points of a path, each by its parts */
+struct points {
+    double rho[LANES], h_re[LANES], slope_re[LANES], slope_im[LANES], sine_re[LANES], sine_im[LANES], back_re[LANES],
+        back_im[LANES], beyond_re[LANES], beyond_im[LANES];
+};
+
+KERNEL void points_at(struct points *at, const struct cor_leg_path *path, int from_zero, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const struct path_point point = kernel_path(path, from_zero, at->rho[i]);
+        at->h_re[i] = point.h_re;
+        at->slope_re[i] = point.slope.re;
+        at->slope_im[i] = point.slope.im;
+        at->sine_re[i] = point.sine.re;
+        at->sine_im[i] = point.sine.im;
+        at->back_re[i] = point.back.re;
+        at->back_im[i] = point.back.im;
+        at->beyond_re[i] = point.beyond_one.re;
+        at->beyond_im[i] = point.beyond_one.im;
+    }
+}
+
+/* n, rounded up to whole vectors */
+KERNEL int vectors_of(int n)
+{
+    return (n + VECTOR - 1) & -VECTOR;
+}
+
+/* The n <= LANES points at at->rho */
+SHARED void points_of(struct points *at, const struct cor_leg_path *path, int n)
+{
+    if (path->from_zero)
+        points_at(at, path, 1, vectors_of(n));
+    else
+        points_at(at, path, 0, vectors_of(n));
+}
+
+SHARED void set_decays(double *restrict rho, const double *restrict u)
+{
+    for (int i = 0; i < LANES; i++)
+        rho[i] = kernel_decay(u[i]);
+}
+
+/* The nodes of Gauss's rule in a panel, padded: d integral, then t and what Halley's method needs, each by its parts */
 struct gauss_nodes {
     double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
 };
 
-KERNEL void nodes_begin(struct gauss_nodes *node, const struct cor_leg_path *path, int from_zero,
-                        const struct cor_leg_rule *rule, double panel, double top)
+SHARED void nodes_begin(struct gauss_nodes *restrict node, const struct cor_leg_path *path,
+                        const struct points *restrict at, double panel)
 {
     for (int i = 0; i < LANES; i++) {
-        const double rho = kernel_decay(top - 0.5 * panel * (1 - rule->x[i]));
-        const struct path_point point = kernel_path(path, from_zero, rho);
-        const struct cx step = cx_scaled(0.5 * panel * rho, cx_of(-point.slope.im, point.slope.re));
-        const struct cx t = kernel_guess(path, from_zero, &point, &node->move[i]);
+        const struct path_point point = {at->h_re[i], cx_of(at->slope_re[i], at->slope_im[i]),
+                                         cx_of(at->sine_re[i], at->sine_im[i]), cx_of(at->back_re[i], at->back_im[i]),
+                                         cx_of(at->beyond_re[i], at->beyond_im[i])};
+        const struct cx step = cx_scaled(0.5 * panel * at->rho[i], cx_of(-point.slope.im, point.slope.re));
+        const struct cx t = kernel_guess(path, &point, &node->move[i]);
         const struct cx power = cx_over(cx_of(1, 0), cx_times(point.sine, point.sine));
         node->step_re[i] = step.re;
         node->step_im[i] = step.im;
@@ -32,19 +77,38 @@ KERNEL void nodes_begin(struct gauss_nodes *node, const struct cor_leg_path *pat
     }
 }
 
-KERNEL void nodes_solve(struct gauss_nodes *node, const struct cor_leg_path *path, int from_zero)
+SHARED void nodes_solve(struct gauss_nodes *node, double q0, int steps)
 {
-    for (int k = 0; k < (from_zero ? STEPS_FROM_ZERO : STEPS_FROM_OTHER); k++)
+    for (int k = 0; k < steps; k++)
         for (int i = 0; i < LANES; i++) {
-            const struct cx t = kernel_halley(from_zero ? path->q0 : 0, cx_of(node->power_re[i], node->power_im[i]),
-                                              node->move[i], cx_of(node->t_re[i], node->t_im[i]));
+            const struct cx t = kernel_halley(q0, cx_of(node->power_re[i], node->power_im[i]), node->move[i],
+                                              cx_of(node->t_re[i], node->t_im[i]));
             node->t_re[i] = t.re;
             node->t_im[i] = t.im;
         }
 }
 
+/* t at the points at->rho of a path */
+static void solve(struct gauss_nodes *node, const struct cor_leg_path *path, struct points *at, double panel)
+{
+    points_of(at, path, LANES);
+    nodes_begin(node, path, at, panel);
+    nodes_solve(node, path->q0, path->from_zero ? STEPS_FROM_ZERO : STEPS_FROM_OTHER);
+}
+
+static void start(const struct cor_leg_path *path, double rho, double t[2])
+{
+    struct gauss_nodes node;
+    struct points at;
+    for (int i = 0; i < LANES; i++)
+        at.rho[i] = rho;
+    solve(&node, path, &at, 1);
+    t[0] = node.t_re[0];
+    t[1] = node.t_im[0];
+}
+
 /* step = sqrt(y/2) dh: dp of a node, but for the rule's weight */
-KERNEL void nodes_integrate(struct gauss_nodes *node)
+SHARED void nodes_integrate(struct gauss_nodes *node)
 {
     for (int i = 0; i < LANES; i++) {
         const struct cx half = cx_of(0.5 * (1 + node->t_re[i]), 0.5 * node->t_im[i]);
@@ -55,7 +119,7 @@ KERNEL void nodes_integrate(struct gauss_nodes *node)
 }
 
 /* p at LANES points, from the integrals of the rule */
-KERNEL void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], const struct gauss_nodes *node)
+SHARED void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], const struct gauss_nodes *node)
 {
     for (int k = 0; k < LANES; k += VECTOR) {
         vector re = all(leg->end_re), im = all(leg->end_im);
@@ -69,43 +133,43 @@ KERNEL void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], 
     }
 }
 
-KERNEL void leg_add_weights(struct cor_leg *restrict leg, const struct cor_leg_path *path, int from_zero, int weights,
-                            double top)
+SHARED void leg_add_weights(struct cor_leg *restrict leg, const struct cor_leg_path *path, int steps, double top)
 {
+    struct points at;
+    double u[LANES];
     double *const w_re = leg->w_re + leg->n, *const w_im = leg->w_im + leg->n;
-    for (int k = 0; k < weights; k++) {
-        const double rho = kernel_decay(top - k * COR_LEG_STEP);
-        const struct path_point point = kernel_path(path, from_zero, rho);
-        const struct cx w = cx_times(point.slope, cx_scaled(COR_LEG_STEP * rho * path->scale, point.sine));
+    for (int k = 0; k < LANES; k++)
+        u[k] = top - k * COR_LEG_STEP;
+    set_decays(at.rho, u);
+    points_of(&at, path, steps);
+    for (int k = 0; k < vectors_of(steps); k++) {
+        const struct cx sine = cx_of(at.sine_re[k], at.sine_im[k]), slope = cx_of(at.slope_re[k], at.slope_im[k]);
+        const struct cx w = cx_times(slope, cx_scaled(COR_LEG_STEP * at.rho[k] * path->scale, sine));
         w_re[k] = w.re;
         w_im[k] = w.im;
     }
 }
 
 /* Computes a panel of a leg: p and weights at `steps` nodes, and p at the end. */
-KERNEL void kernel_panel(const struct cor_leg_path *path, int from_zero, const struct cor_leg_rule *rule, int steps,
-                         double top, struct cor_leg *restrict leg)
+static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
+                  struct cor_leg *leg)
 {
     struct gauss_nodes node;
-    nodes_begin(&node, path, from_zero, rule, steps * COR_LEG_STEP, top);
-    nodes_solve(&node, path, from_zero);
+    struct points at;
+    double u[LANES];
+    const double width = steps * COR_LEG_STEP;
+    for (int i = 0; i < LANES; i++)
+        u[i] = top - 0.5 * width * (1 - rule->x[i]);
+    set_decays(at.rho, u);
+    solve(&node, path, &at, width);
     nodes_integrate(&node);
     leg_add_p(leg, steps == COR_LEG_STEPS ? rule->to_steps : rule->to_short, &node);
-    leg_add_weights(leg, path, from_zero, steps == COR_LEG_STEPS ? COR_LEG_STEPS : COR_LEG_SHORT, top);
+    leg_add_weights(leg, path, steps, top);
     for (int i = 0; i < COR_LEG_GAUSS; i++) {
         leg->end_re += rule->w[i] * node.step_re[i];
         leg->end_im += rule->w[i] * node.step_im[i];
     }
     leg->n += steps;
-}
-
-static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
-                  struct cor_leg *leg)
-{
-    if (path->from_zero)
-        kernel_panel(path, 1, rule, steps, top, leg);
-    else
-        kernel_panel(path, 0, rule, steps, top, leg);
 }
 
 /* ---- sums ---- */
@@ -122,7 +186,7 @@ KERNEL double kernel_total(const double part[COR_LEG_PART])
 KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double *restrict p_im, double omega,
                                 double *restrict e_re, double *restrict e_im)
 {
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < (n & -COR_LEG_PART); i++) {
         const double size = kernel_decay(omega * p_re[i]);
         const struct sine_cosine turn = kernel_sincos(omega * p_im[i]);
         e_re[i] = size * turn.cosine;
@@ -201,10 +265,12 @@ static void kernel_octaves(const struct cor_leg *leg, double first, int octaves,
     }
 }
 
-/* Clenshaw's recurrence for lines of one octave, which begins at `start` */
-static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
-                         const double *restrict omega, struct cor_lines *restrict lines)
+/* Clenshaw's recurrence */
+static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double start, int from, int to,
+                         const double *restrict frequency, struct cor_lines *restrict lines)
 {
+    const int n = vectors_of(to - from);
+    const double *const omega = frequency + from;
     const double middle = 1.4142135623730951 * start, scale = 3 + 2 * 1.4142135623730951;
     const double *const c_re = spectrum->a_re[octave], *const c_im = spectrum->a_im[octave];
     for (int i = 0; i < n; i++) {
@@ -218,11 +284,11 @@ static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
             m1 = m;
         }
         const struct sine_cosine turn = kernel_sincos(omega[i] * spectrum->half_time);
-        lines->re[i] = (x * r1 - r2 + c_re[0]) * inverse;
-        lines->im[i] = (x * m1 - m2 + c_im[0]) * inverse;
-        lines->cosine[i] = turn.cosine;
-        lines->sine[i] = turn.sine;
-        lines->other[i] = 0;
+        lines->re[from + i] = (x * r1 - r2 + c_re[0]) * inverse;
+        lines->im[from + i] = (x * m1 - m2 + c_im[0]) * inverse;
+        lines->cosine[from + i] = turn.cosine;
+        lines->sine[from + i] = turn.sine;
+        lines->other[from + i] = 0;
     }
     if (octave >= spectrum->edges)
         return;
@@ -235,7 +301,7 @@ static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
             b2 = b1;
             b1 = b;
         }
-        lines->other[i] = (x * b1 - b2 + c[0]) * inverse * kernel_decay(omega[i] * spectrum->decay);
+        lines->other[from + i] = (x * b1 - b2 + c[0]) * inverse * kernel_decay(omega[i] * spectrum->decay);
     }
 }
 
@@ -285,7 +351,7 @@ static void kernel_weigh(const struct cor_fading *fading, const double *restrict
 }
 
 /* part[l] += sum of x y over every COR_LEG_PART-th number */
-KERNEL double kernel_dot(const double *restrict x, const double *restrict y)
+SHARED double kernel_dot(const double *restrict x, const double *restrict y)
 {
     double part[COR_LEG_PART] = {0};
     for (int i = 0; i < COR_LINES; i += COR_LEG_PART)
@@ -340,15 +406,15 @@ static void kernel_surface(const struct cor_surface_fit *fit, int n, double *res
 
 static void kernel_blend(int nodes, const double *weight, const double *const *in, int count, double *out)
 {
-    for (int i = 0; i < count; i += COR_LEG_PART) {
-        double sum[COR_LEG_PART] = {0};
-        for (int k = 0; k < nodes; k++)
-            for (int l = 0; l < COR_LEG_PART; l++)
-                sum[l] += weight[k] * in[k][i + l];
-        memcpy(out + i, sum, sizeof sum);
-    }
+    for (int i = 0; i < count; i += COR_LEG_PART)
+        for (int l = 0; l < COR_LEG_PART; l += VECTOR) {
+            vector sum = all(0);
+            for (int k = 0; k < nodes; k++)
+                sum = PLUS(sum, TIMES(all(weight[k]), load(in[k] + i + l)));
+            store(out + i + l, sum);
+        }
 }
 
 const struct cor_rayleigh_set COR_OF_SET(cor_rayleigh) = {
-    COR_SET_NAME, panel, kernel_octaves, kernel_lines, kernel_weigh, kernel_sum, kernel_surface, kernel_blend,
+    COR_SET_NAME, start, panel, kernel_octaves, kernel_lines, kernel_weigh, kernel_sum, kernel_surface, kernel_blend,
 };

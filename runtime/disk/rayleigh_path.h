@@ -11,8 +11,9 @@
 #include "runtime/number/kernel_exp.h"
 
 struct cor_leg_path {
-    int from_zero;                      /* whether the base is 0 or pi/2 - i Theta */
-    double tilt, q0, tanh_theta, scale; /* scale: cosh(Theta) at the second base, 1 at the first */
+    int from_zero;            /* whether the base is 0 or pi/2 - i Theta */
+    double tilt, q0, pi;      /* q0 and pi are 0 at the second base */
+    double tanh_theta, scale; /* scale: cosh(Theta) at the second base, 1 at the first */
 };
 
 struct sine_cosine {
@@ -156,11 +157,12 @@ KERNEL struct cx_sine_cosine kernel_complex_sincos(struct cx x)
 }
 
 /* h(rho) = -i rho exp(-i tilt rho/(1 + rho)): the path starts straight down and then turns to the left, where
- * exp(-omega p) decays without oscillation. The struct holds h, its derivative, and sin(theta), divided by cosh(Theta)
- * at the base pi/2 - i Theta. */
+ * exp(-omega p) decays without oscillation. The struct holds Re(h), the derivative of h, sin(theta), divided by
+ * cosh(Theta) at the base pi/2 - i Theta, and a number with the argument of exp(-i theta)/i. */
 struct path_point {
-    struct cx h, slope, sine, beyond_one; /* beyond_one = sine - 1 */
-    struct sine_cosine turn;              /* sin and cos of Re(h) */
+    double h_re;
+    struct cx slope, sine, back;
+    struct cx beyond_one; /* sine - 1 at the second base; 1 at the first */
 };
 
 KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_zero, double rho)
@@ -168,23 +170,22 @@ KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_z
     struct path_point point;
     const double inverse = 1 / (1 + rho), angle = path->tilt * rho * inverse, turn = angle * inverse;
     const struct sine_cosine a = kernel_sincos(angle);
-    const struct cx down = cx_of(-a.sine, -a.cosine);
-    point.h = cx_scaled(rho, down);
+    const struct cx down = cx_of(-a.sine, -a.cosine), h = cx_scaled(rho, down);
+    point.h_re = h.re;
     point.slope = cx_times(down, cx_of(1, -turn));
     if (from_zero) {
-        const struct cx_sine_cosine whole = kernel_complex_sincos(point.h);
+        const struct cx_sine_cosine whole = kernel_complex_sincos(h);
         point.sine = whole.sine;
-        point.turn = whole.turn;
-        point.beyond_one = cx_of(point.sine.re - 1, point.sine.im);
+        point.back = cx_of(whole.turn.sine, whole.turn.cosine);
+        point.beyond_one = cx_of(1, 0);
     } else {
         /* sin(theta)/cosh(Theta) = cos(h) + i tanh(Theta) sin(h) */
-        const struct cx_sine_cosine half = kernel_complex_sincos(cx_scaled(0.5, point.h));
+        const struct cx_sine_cosine half = kernel_complex_sincos(cx_scaled(0.5, h));
         const struct cx square = cx_times(half.sine, half.sine),
                         full = cx_scaled(2 * path->tanh_theta, cx_times(half.sine, half.cosine));
         point.beyond_one = cx_of(-2 * square.re - full.im, -2 * square.im + full.re);
         point.sine = cx_of(1 + point.beyond_one.re, point.beyond_one.im);
-        point.turn.sine = 2 * half.turn.sine * half.turn.cosine;
-        point.turn.cosine = 1 - 2 * half.turn.sine * half.turn.sine;
+        point.back = cx_of(1 - 2 * half.turn.sine * half.turn.sine, -(2 * half.turn.sine * half.turn.cosine));
     }
     return point;
 }
@@ -204,16 +205,13 @@ KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct c
 }
 
 /* q = q0 - 2 ln(sin(theta)), Im(q) >= 0, with an absolute error of 1e-5, as a start value */
-KERNEL struct cx rough_q(const struct cor_leg_path *path, int from_zero, const struct path_point *point)
+KERNEL struct cx rough_q(const struct cor_leg_path *path, const struct path_point *point)
 {
-    const double pi = 3.14159265358979323846;
     /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: this form gives its argument without a jump
      * at any distance */
-    const struct cx back =
-        from_zero ? cx_of(point->turn.sine, point->turn.cosine) : cx_of(point->turn.cosine, -point->turn.sine);
-    const double turned = rough_argument(cx_times(point->sine, back));
-    const double q0 = from_zero ? path->q0 : 0, q_im = (from_zero ? pi : 0) - 2 * (point->h.re + turned);
-    return cx_of(q0 - rough_log(cx_norm(point->sine)), q_im > 0 ? q_im : 0);
+    const double turned = rough_argument(cx_times(point->sine, point->back));
+    const double q_im = path->pi - 2 * (point->h_re + turned);
+    return cx_of(path->q0 - rough_log(cx_norm(point->sine)), q_im > 0 ? q_im : 0);
 }
 
 /* q = -2 ln(1 + m) for theta near the branch point, where m = sin(theta) - 1 is small */
@@ -250,11 +248,10 @@ KERNEL struct cx far_t(struct cx q)
 
 /* The solution t of t - ln(1 + t) = q on the sheet where Im(t) > 0 for Im(q) > 0. Returns a start value for Halley's
  * method, or t itself with *move = 0. */
-KERNEL struct cx kernel_guess(const struct cor_leg_path *path, int from_zero, const struct path_point *point,
-                              double *move)
+KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct path_point *point, double *move)
 {
-    const int near = !from_zero && cx_norm(point->beyond_one) < 6e-6;
-    const struct cx rough = rough_q(path, from_zero, point), exact = near_q(point->beyond_one);
+    const int near = cx_norm(point->beyond_one) < 6e-6;
+    const struct cx rough = rough_q(path, point), exact = near_q(point->beyond_one);
     const struct cx q = cx_of(near ? exact.re : rough.re, near ? exact.im : rough.im), s = cx_root(cx_scaled(2, q));
     const struct cx inside = near_t(s), outside = far_t(q);
     const int is_outside = cx_norm(s) > 5;
@@ -265,16 +262,5 @@ KERNEL struct cx kernel_guess(const struct cor_leg_path *path, int from_zero, co
 /* Number of steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, for the second base to
  * 30 */
 enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
-
-KERNEL struct cx kernel_solve(const struct cor_leg_path *path, double rho)
-{
-    double move;
-    const struct path_point point = kernel_path(path, path->from_zero, rho);
-    const struct cx power = cx_over(cx_of(1, 0), cx_times(point.sine, point.sine));
-    struct cx t = kernel_guess(path, path->from_zero, &point, &move);
-    for (int k = 0; k < (path->from_zero ? STEPS_FROM_ZERO : STEPS_FROM_OTHER); k++)
-        t = kernel_halley(path->from_zero ? path->q0 : 0, power, move, t);
-    return t;
-}
 
 #endif

@@ -95,7 +95,9 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
                      const struct cor_leg_path *path, double nearest, double enough)
 {
     const double last = -log(LEG_FARTHEST);
-    const struct cx t = kernel_solve(path, nearest), y = cx_plus(cx_of(1, 0), t);
+    double parts[2];
+    set->start(path, nearest, parts);
+    const struct cx t = cx_of(parts[0], parts[1]), y = cx_plus(cx_of(1, 0), t);
     /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1; the ray starts straight
      * down */
     struct cx p = cx_scaled(nearest, cx_root(cx_scaled(0.5, y)));
@@ -209,6 +211,7 @@ static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const
     if (spectrum->edges == 0)
         return;
     path.from_zero = 0;
+    path.q0 = path.pi = 0;
     path.scale = 1 + point->x;
     /* b has the factor exp(-omega Y), except where it is interpolated */
     leg_init(leg, spectrum->set, rule, &path, nearest, edges < 0 ? enough - spectrum->decay : enough);
@@ -225,7 +228,7 @@ static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_raylei
     struct cor_leg leg;
     const struct branch_point point = branch_point_of(q0);
     const double tilt = 1 / (1 + LEG_TILT * q0);
-    const struct cor_leg_path path = {1, tilt, q0, point.tanh_theta, 1};
+    const struct cor_leg_path path = {1, tilt, q0, PI, point.tanh_theta, 1};
     const double enough = LEG_ENOUGH / first, nearest = LEG_NEAREST / (high * sqrt(0.5 * q0 + LEG_DEPTH));
 
     spectrum->set = set;
@@ -336,30 +339,19 @@ void cor_lines_fill(struct cor_lines *lines, int n)
 
 void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines)
 {
-    struct cor_lines some;
-    int octave = 0, from = 0;
+    double padded[COR_LINES_ROOM];
     double start = spectrum->first;
-    while (from < n) {
-        int to = from;
+    int octave = 0;
+    for (int i = 0; i < COR_LINES_ROOM; i++)
+        padded[i] = i < n ? omega[i] : 1;
+    for (int from = 0, to = 0; from < n; from = to) {
         while (octave < spectrum->octaves - 1 && omega[from] > 2 * start) {
             start *= 2;
             octave++;
         }
         while (to < n && (omega[to] <= 2 * start || octave == spectrum->octaves - 1))
             to++;
-        struct cor_lines *into = &some;
-        if (from == 0 && to == n)
-            into = lines;
-        const size_t size = (size_t)(to - from) * sizeof(double);
-        spectrum->set->lines(spectrum, octave, start, to - from, omega + from, into);
-        if (into == &some) {
-            memcpy(lines->re + from, some.re, size);
-            memcpy(lines->im + from, some.im, size);
-            memcpy(lines->cosine + from, some.cosine, size);
-            memcpy(lines->sine + from, some.sine, size);
-            memcpy(lines->other + from, some.other, size);
-        }
-        from = to;
+        spectrum->set->lines(spectrum, octave, start, from, to, padded, lines);
     }
     /* arguments too large for the short reduction */
     for (int i = n; i-- > 0 && omega[i] * spectrum->half_time > 1e6;) {

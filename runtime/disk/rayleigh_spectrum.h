@@ -56,18 +56,21 @@ struct cor_leg_path;
 struct cor_spectrum;
 struct cor_lines;
 
+/* The real and imaginary part of t at rho */
+typedef void cor_rayleigh_start(const struct cor_leg_path *path, double rho, double t[2]);
 /* Computes the leg's next panel, which begins at u = top. */
 typedef void cor_rayleigh_panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
                                 struct cor_leg *leg);
 /* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev coefficients */
 typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                                   double im[][COR_SPECTRUM_TERMS]);
-/* Computes lines of one octave, which begins at `start`. */
-typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
+/* Computes the lines from..to-1 of one octave, which begins at `start`, and overwrites less than
+ * COR_LANES more. */
+typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int from, int to,
                                 const double *omega, struct cor_lines *lines);
 
-/* Number of lines that the loops process together */
-enum { COR_LINES = 64 };
+/* Number of lines that the loops process together, and of those that they have room for */
+enum { COR_LINES = 64, COR_LINES_ROOM = COR_LINES + COR_LANES };
 
 /* Weights of modes in the sums below: C^2; C^2 times the two weights of the tail (rayleigh_tail.c); C^2 of modes l > 0
  * times two windows. Places without a mode have weight 0. */
@@ -114,6 +117,7 @@ typedef void cor_rayleigh_blend(int nodes, const double *weight, const double *c
 
 struct cor_rayleigh_set {
     const char *name;
+    cor_rayleigh_start *start;
     cor_rayleigh_panel *panel;
     cor_rayleigh_octaves *octaves;
     cor_rayleigh_lines *lines;
@@ -143,9 +147,9 @@ void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectru
 
 /* The terms of I at frequencies that are processed together */
 struct cor_lines {
-    double re[COR_LINES], im[COR_LINES];       /* a */
-    double cosine[COR_LINES], sine[COR_LINES]; /* of omega tau/2 */
-    double other[COR_LINES];                   /* b exp(-omega Y) */
+    double re[COR_LINES_ROOM], im[COR_LINES_ROOM];       /* a */
+    double cosine[COR_LINES_ROOM], sine[COR_LINES_ROOM]; /* of omega tau/2 */
+    double other[COR_LINES_ROOM];                        /* b exp(-omega Y) */
 };
 
 /* n <= COR_LINES frequencies, increasing */
