@@ -8,8 +8,8 @@ set(avx2 -mavx2)
 # AVX-512 has fused operations, which gcc 12 takes where it vectorises straight code, whatever -ffp-contract says.
 set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-slp-vectorize)
 
-set(cor_with_tables_kernels sphere/array table/row)
-set(cor_without_tables_kernels disk/mode_source disk/collision disk/hard_wall disk/rayleigh law/array)
+set(cor_with_tables_kernels law/array sphere/array table/row)
+set(cor_without_tables_kernels disk/mode_source disk/collision disk/hard_wall disk/rayleigh)
 set(sets portable)
 # The compiler knows the processor that it compiles for; CMAKE_SYSTEM_PROCESSOR is empty under many toolchain files.
 include(CheckCSourceCompiles)

@@ -240,9 +240,9 @@ static const struct method {
      0.1, 0.99},
     {"zeta of eps; limited damper", "cor", cor_linear_zeta_limited, COR_LAW_ratio_zeta_limited, exact_eps_limited, 1,
      0.1, 0.99},
-    {"eps of beta; Hunt-Crossley", "cor", cor_hunt_crossley_eps, COR_LAW_hc_eps, exact_crossley, 0, 0.01, 5},
+    {"eps of beta; Hunt-Crossley", "cor", cor_hunt_crossley_eps, COR_LAW_crossley_eps, exact_crossley, 0, 0.01, 5},
     {"eps of beta; Hunt-Crossley", "Newton's method with log1p", formula_crossley, NO_LOOP, exact_crossley, 0, 0.01, 5},
-    {"beta of eps; Hunt-Crossley", "cor", cor_hunt_crossley_beta, COR_LAW_hc_beta, exact_crossley, 1, 0.1, 0.99},
+    {"beta of eps; Hunt-Crossley", "cor", cor_hunt_crossley_beta, COR_LAW_crossley_beta, exact_crossley, 1, 0.1, 0.99},
     {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", cor_flores_beta, NO_LOOP, exact_crossley, 1, 0.1, 0.99},
     {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", formula_lankarani, NO_LOOP, exact_crossley, 1,
      0.1, 0.99},
@@ -283,7 +283,7 @@ static void run_line(void *closure)
         for (int i = 0; i < COUNT; i++)
             line->y[i] = f(line->x[i]);
     else if (loop < FIRST_DASHPOT)
-        cor_law_loops(line->set)->run((enum cor_law_loop)loop, line->x, line->y, COUNT);
+        cor_law_array_of_set(line->set, (enum cor_law_loop)loop, line->x, line->y, COUNT);
     else
         cor_dashpot_array_of_set(line->set, (enum cor_dashpot_number)(loop - FIRST_DASHPOT), line->x, line->y, COUNT);
 }

@@ -475,6 +475,9 @@ void pieces_clear(struct pieces *p)
 /* The range of the table, for its title */
 static void domain_text(char text[64], const struct pieces *p)
 {
+    text[0] = 0;
+    if (p->words)
+        return;
     switch (p->variable) {
     case VARIABLE_POWER_OCTAVES:
         snprintf(text, 64, " by x = beta^5, 2^%g <= x < 2^%g", p->first, log2(p->end));
@@ -498,9 +501,6 @@ static void domain_text(char text[64], const struct pieces *p)
     case VARIABLE_LOG_BETA:
         snprintf(text, 64, ", beta > exp(%g)", p->first - p->step / 2);
         break;
-    case VARIABLE_OTHER:
-        text[0] = 0;
-        break;
     default:
         snprintf(text, 64, p->end < 1 ? ", beta < 1/%g" : ", beta < %g", p->end < 1 ? 1 / p->end : p->end);
     }
@@ -520,7 +520,7 @@ static void variable_text(char text[64], const struct pieces *p)
                                         "beta 2^-k",
                                         "ln(beta) 2^-k",
                                         "(beta_c - beta) 2^-k"};
-    const char *const name = p->variable == VARIABLE_OTHER ? p->words : names[p->variable];
+    const char *const name = p->words ? p->words : names[p->variable];
     if (!by_root(p) || p->root == 1)
         snprintf(text, 64, "%s", name);
     else if (p->root == 2)

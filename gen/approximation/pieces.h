@@ -55,7 +55,7 @@ struct pieces {
     slong rows, degree, plain;
     slong head_bits;     /* bits of c_0; 0: those of a double or float */
     bool floats;         /* rows of floats; `first` is an octave */
-    const char *words;   /* VARIABLE_OTHER: y in words */
+    const char *words;   /* y in words where it is not the collision's variable, otherwise NULL */
     const char *name;    /* name of the function that returns a row, cor_rows_...; the macros COR_ROWS_..._FIRST, ...
                           * give its geometry */
     const char *title;   /* first line of its comment */

@@ -14,6 +14,7 @@
 #include "support/console.h"
 #include "support/emit_c.h"
 #include "support/output.h"
+#include "tables/closed_forms.h"
 #include "tables/disk.h"
 #include "tables/law_header.h"
 #include "tables/laws.h"
@@ -39,6 +40,7 @@ static const struct generated files[] = {
     {"cor_sphere.h", sphere_header_write, NULL},
     {"sphere_float_tables.h", sphere_float_tables_write, NULL},
     {"hertz_dashpot_tables.h", hertz_dashpot_tables_write, NULL},
+    {"closed_form_tables.h", closed_form_tables_write, NULL},
     {"tsuji_tables.h", tsuji_tables_write, NULL},
     {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL},
     {"wave_tables.h", wave_tables_write, NULL},

@@ -6,8 +6,9 @@
  *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping during the approach only, pi zeta/sqrt(1 - zeta^2) at
  *     zero overlap; L of the limited damper is below
  *
- * Kernels, cor_ratio_..._near, hold on an interval and have neither jumps nor calls; the array loops consist of them.
- * The other functions take every double and give the same bits. */
+ * Here are zero overlap, times, and what the rows of closed_form.h do not have. Kernels, ..._near, hold on an interval
+ * and have neither jumps nor calls; the array loops consist of them. The other functions take every double and give the
+ * same bits. */
 #ifndef COR_RUNTIME_LAW_DAMPING_RATIO_H
 #define COR_RUNTIME_LAW_DAMPING_RATIO_H
 
@@ -24,13 +25,8 @@
 
 /* Below this zeta, products lose bits to underflow, and eps is 1 - L to the last bit. */
 #define COR_RATIO_TINY 1.18305218616677471e-271 /* 2^-900 */
-/* Ends of the kernels' intervals. The polynomial ends at zeta = 3, where 2 zeta A(zeta) is 3.7394 and eps is 0.0238, or
- * 0.1541 with damping during the approach only. At zeta = 11 the limited damper's C is 2.87 and its eps 0.0319. */
+/* End of the kernels of A(zeta) */
 #define COR_RATIO_FORCE_NEAR 3.0
-#define COR_RATIO_LIMITED_NEAR 11.0
-#define COR_RATIO_EPS_FORCE_NEAR 0.02385
-#define COR_RATIO_EPS_APPROACH_NEAR 0.1545
-#define COR_RATIO_EPS_LIMITED_NEAR 0.0319
 /* The largest double below 1 */
 #define COR_RATIO_BELOW_ONE 0.99999999999999988898
 
@@ -42,31 +38,6 @@ static const double cor_ratio_phase_polynomial[15] = {
     -0x1.5555555555555p-2, 0x1.99999999999afp-3,  -0x1.24924924924a7p-3, 0x1.c71c71c70f323p-4,  -0x1.745d1745c4f4ap-4,
     0x1.3b13b14dfe309p-4,  -0x1.11111122e99c3p-4, 0x1.e1e1ca19159f1p-5,  -0x1.af285559e06b4p-5, 0x1.86200a4ff267fp-5,
     -0x1.6433bf55059f4p-5, 0x1.465d4d647d49dp-5,  -0x1.2e2a9afa53366p-5, 0x1.37a54854bab11p-5,  -0x1.23c3ceb732c8fp-5,
-};
-
-/* zeta/x where zeta A(zeta) = x, 0 <= x <= 1.8697: relative error 2^-39; and d zeta/dx: relative error 2^-22 */
-static const double cor_ratio_start_polynomial[11] = {
-    0x1.45f306dc9acbep-1,  0x1.08345eb61d55ep-2,  0x1.483729ecb5cfcp-4,  0x1.4acfea6764ff4p-6,
-    0x1.13afa898dea7fp-8,  0x1.7bf52e8f0ed5bp-11, 0x1.aa7026be58b57p-14, 0x1.8c49e36208fa0p-17,
-    0x1.16cc00d33b9cdp-20, 0x1.4110162dae6eap-23, 0x1.e3a7e9abba374p-26,
-};
-static const double cor_ratio_slope_polynomial[8] = {
-    0x1.45f301d8e7208p-1, 0x1.0835a69d2137ap-1, 0x1.ec1a3c89fe6fcp-3,  0x1.4ca90ce05f3c7p-4,
-    0x1.4991db289d353p-6, 0x1.5e227312114bcp-8, 0x1.2189e77bf830dp-13, 0x1.05af44b844790p-12,
-};
-
-/* zeta/x where the limited damper has L = x, for 0 <= x <= 0.9, 0.9 <= x <= 1.9, 1.9 <= x <= 3.4483: relative error
- * 2^-24 */
-static const double cor_ratio_limited_polynomial[3][11] = {
-    {0x1.45f3071560939p-2, 0x1.0833e936f436ap-3, 0x1.6a6896bacba21p-4, 0x1.c51e864d4bd62p-5, 0x1.ba523e5cfcef7p-6,
-     -0x1.70222224b7009p-7, -0x1.744c05a8ec1fap-7, 0x1.ae93497e480fap-5, -0x1.88ea5893dd912p-3, 0x1.95a2b93bf83d7p-3,
-     -0x1.04f4a7ec035ecp-4},
-    {0x1.40535628d139fp-4, 0x1.efd0b92338d74p+0, -0x1.74c1d44ab1feep+2, 0x1.6144eaa93f23cp+3, -0x1.97ca8b81c7f0ap+3,
-     0x1.376c0996714eap+3, -0x1.42bf64a03196bp+2, 0x1.c411c9cf16106p+0, -0x1.9b51005730531p-2, 0x1.b8258a361fd3ap-5,
-     -0x1.a53965cb9a887p-9},
-    {0x1.a13469e3dbc0cp-2, -0x1.ab182374a9cc6p-2, 0x1.46215a4e0ee58p+0, -0x1.2df0888adf445p+0, 0x1.79c19fd48a81bp-1,
-     -0x1.39394e6cd8e8dp-2, 0x1.6a860ce0210f1p-4, -0x1.1e9acbc5dad3fp-6, 0x1.2a563e8e40c5cp-9, -0x1.6ffa90348b279p-13,
-     0x1.9b1ed1394860fp-18},
 };
 
 /* ---- A(zeta), up to zeta = 3 ---- */
@@ -100,12 +71,6 @@ COR_KERNEL struct cor_inline_pair cor_ratio_force_near(double zeta)
     return cor_ratio_phase_near(cor_pair(zeta, 0), cor_pair(4 * zeta, 0));
 }
 
-/* L with damping during the approach only */
-COR_KERNEL struct cor_inline_pair cor_ratio_approach_near(double zeta)
-{
-    return cor_ratio_phase_near(cor_pair(zeta, 0), cor_pair(2 * zeta, 0));
-}
-
 /* ---- A(zeta) beyond 3 ---- */
 
 /* exp(-theta) = zeta - sqrt(zeta^2 - 1), zeta = cosh(theta), as a pair; theta; and excess = theta (coth(theta) - 1),
@@ -134,7 +99,9 @@ COR_INLINE struct cor_ratio_far cor_ratio_far(struct cor_inline_pair zeta)
     return far;
 }
 
-/* eps at zero force, zeta > 3. Beyond 2^540 it is below half the smallest double. */
+/* What rows do not have: the functions ..._beyond take every other double. */
+
+/* eps at zero force, zeta >= 3. Beyond 2^540 it is below half the smallest double. */
 COR_INLINE double cor_ratio_eps_force_far(double zeta)
 {
     if (zeta > COR_INLINE_2_100) { /* eps is 1/(4 zeta^2) to the last bit, computed in units of 2^-800 */
@@ -150,62 +117,20 @@ COR_INLINE double cor_ratio_eps_force_far(double zeta)
     return cor_inline_pair_times(cor_inline_pair_times(far.decay, far.decay), correction).hi;
 }
 
-/* eps with damping during the approach only, zeta > 3 */
-COR_INLINE double cor_ratio_eps_approach_far(double zeta)
+COR_INLINE double cor_ratio_eps_beyond_zero_force(double zeta)
 {
+    return zeta > 0 ? cor_ratio_eps_force_far(zeta) : zeta == 0 ? 1 : (double)NAN;
+}
+
+COR_INLINE double cor_ratio_eps_beyond_approach_only(double zeta)
+{
+    if (!(zeta > 0))
+        return zeta == 0 ? 1 : (double)NAN;
     if (zeta > COR_INLINE_2_100)
         return 0.5 / zeta;
     const struct cor_ratio_far far = cor_ratio_far(cor_pair(zeta, 0));
     return cor_inline_pair_times(far.decay, cor_kernel_exp_minus_pair(cor_pair(far.excess, 0))).hi;
 }
-
-/* zeta times pi, or times pi/2 with share = 1/2: L and the loss of a tiny zeta at every end */
-COR_INLINE double cor_ratio_tiny_loss(double zeta, double share)
-{
-    const double z = zeta * COR_INLINE_2_200;
-    const struct cor_inline_pair p = cor_inline_product(z, COR_RATIO_PI);
-    return (share * (p.hi + (p.lo + z * COR_RATIO_PI_TAIL))) * COR_INLINE_2_M200;
-}
-
-/* ---- eps and 1 - eps of an end with L = exponent(zeta) ---- */
-
-#define COR_RATIO_KERNELS(end, exponent)                                                                               \
-    COR_KERNEL double cor_ratio_eps_##end##_near(double zeta)                                                          \
-    {                                                                                                                  \
-        return cor_kernel_exp_minus(exponent(zeta));                                                                   \
-    }                                                                                                                  \
-    COR_KERNEL double cor_ratio_loss_##end##_near(double zeta)                                                         \
-    {                                                                                                                  \
-        return cor_kernel_one_minus_exp_minus(exponent(zeta));                                                         \
-    }
-
-/* The kernels hold up to `largest`, and eps beyond it is beyond(zeta). */
-#define COR_RATIO_EPS(end, largest, beyond)                                                                            \
-    COR_INLINE double cor_ratio_eps_##end(double zeta)                                                                 \
-    {                                                                                                                  \
-        if (zeta >= 0 && zeta <= (largest))                                                                            \
-            return cor_ratio_eps_##end##_near(zeta);                                                                   \
-        return zeta > 0 ? beyond(zeta) : (double)NAN;                                                                  \
-    }
-
-/* share: of pi, see cor_ratio_tiny_loss */
-#define COR_RATIO_LOSS(end, largest, share, beyond)                                                                    \
-    COR_INLINE double cor_ratio_loss_##end(double zeta)                                                                \
-    {                                                                                                                  \
-        if (zeta >= COR_RATIO_TINY && zeta <= (largest))                                                               \
-            return cor_ratio_loss_##end##_near(zeta);                                                                  \
-        if (zeta >= 0 && zeta < 1)                                                                                     \
-            return cor_ratio_tiny_loss(zeta, share);                                                                   \
-        return zeta > 0 ? 1 - beyond(zeta) : (double)NAN;                                                              \
-    }
-
-COR_RATIO_KERNELS(zero_force, cor_ratio_force_near)
-COR_RATIO_EPS(zero_force, COR_RATIO_FORCE_NEAR, cor_ratio_eps_force_far)
-COR_RATIO_LOSS(zero_force, COR_RATIO_FORCE_NEAR, 1, cor_ratio_eps_force_far)
-
-COR_RATIO_KERNELS(approach_only, cor_ratio_approach_near)
-COR_RATIO_EPS(approach_only, COR_RATIO_FORCE_NEAR, cor_ratio_eps_approach_far)
-COR_RATIO_LOSS(approach_only, COR_RATIO_FORCE_NEAR, 0.5, cor_ratio_eps_approach_far)
 
 /* ---- zero overlap ---- */
 
@@ -244,16 +169,35 @@ COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
     return exponent;
 }
 
-/* zeta >= 1 */
-COR_INLINE double cor_ratio_eps_overlap_far(double zeta)
+COR_INLINE double cor_ratio_eps_beyond_zero_overlap(double zeta)
 {
-    (void)zeta;
-    return 0;
+    if (zeta > 0 && zeta < 1)
+        return cor_kernel_exp_minus(cor_ratio_overlap_near(zeta));
+    return zeta == 0 ? 1 : zeta >= 1 ? 0 : (double)NAN;
 }
 
-COR_RATIO_KERNELS(zero_overlap, cor_ratio_overlap_near)
-COR_RATIO_EPS(zero_overlap, COR_RATIO_BELOW_ONE, cor_ratio_eps_overlap_far)
-COR_RATIO_LOSS(zero_overlap, COR_RATIO_BELOW_ONE, 1, cor_ratio_eps_overlap_far)
+/* L/sqrt(pi^2 + L^2) */
+COR_KERNEL double cor_ratio_of_overlap(struct cor_inline_pair exponent)
+{
+    const struct cor_inline_pair pi = cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL);
+    const struct cor_inline_pair square =
+        cor_pair_plus(cor_inline_pair_times(pi, pi), cor_inline_pair_times(exponent, exponent));
+    const double root = sqrt(square.hi), inverse = 1 / root;
+    return cor_pair_over_with(exponent, cor_pair_root_with(square, root, inverse), inverse).hi;
+}
+
+COR_INLINE double cor_ratio_zeta_beyond_zero_overlap(double eps)
+{
+    if (eps >= COR_RATIO_TINY && eps <= 1)
+        return cor_ratio_of_overlap(cor_kernel_minus_log(cor_pair(eps, 0)));
+    if (!(eps >= 0 && eps <= 1))
+        return (double)NAN;
+    if (eps == 0)
+        return 1;
+    struct cor_inline_pair exponent = cor_kernel_minus_log(cor_pair(eps * COR_INLINE_2_200, 0));
+    exponent = cor_pair_plus(exponent, cor_pair(200 * COR_KERNEL_LN2_HEAD, 200 * COR_KERNEL_LN2_TAIL));
+    return cor_ratio_of_overlap(exponent);
+}
 
 /* ---- the limited damper: the damping force is at most the elastic one ----
  *
@@ -291,15 +235,7 @@ COR_KERNEL struct cor_ratio_limited cor_ratio_limited_parts(double zeta)
     return parts;
 }
 
-/* L, zeta <= COR_RATIO_LIMITED_NEAR */
-COR_KERNEL struct cor_inline_pair cor_ratio_limited_near(double zeta)
-{
-    const struct cor_ratio_limited parts = cor_ratio_limited_parts(zeta);
-    return cor_inline_pair_times(parts.share, cor_ratio_phase_near(parts.c, cor_pair_scaled(parts.c, 4)));
-}
-
-/* eps for zeta > COR_RATIO_LIMITED_NEAR as a pair; past 2^64 it is 1/(2 sqrt(2) zeta). L is 2 C A(C) minus 2 C A(C)
- * (2/(R + 3)). */
+/* eps for zeta > 11 as a pair; past 2^64 it is 1/(2 sqrt(2) zeta). L is 2 C A(C) minus 2 C A(C) (2/(R + 3)). */
 COR_INLINE struct cor_inline_pair cor_ratio_eps_limited_far(double zeta)
 {
     if (zeta > COR_INLINE_2_40 * 16777216.0) {
@@ -316,58 +252,28 @@ COR_INLINE struct cor_inline_pair cor_ratio_eps_limited_far(double zeta)
                                  cor_kernel_exp_minus_pair(cor_pair(-gain, 0)));
 }
 
-COR_INLINE double cor_ratio_eps_limited_beyond(double zeta)
+COR_INLINE double cor_ratio_eps_beyond_limited(double zeta)
 {
-    return isinf(zeta) ? 0 : cor_ratio_eps_limited_far(zeta).hi;
+    if (zeta > 0 && !isinf(zeta))
+        return cor_ratio_eps_limited_far(zeta).hi;
+    return zeta == 0 ? 1 : zeta > 0 ? 0 : (double)NAN;
 }
 
-COR_RATIO_KERNELS(limited, cor_ratio_limited_near)
-COR_RATIO_LOSS(limited, COR_RATIO_LIMITED_NEAR, 1, cor_ratio_eps_limited_beyond)
+#define COR_RATIO_LOSS_BEYOND_(end)                                                                                    \
+    COR_INLINE double cor_ratio_loss_beyond_##end(double zeta)                                                         \
+    {                                                                                                                  \
+        return zeta == 0 ? 0 : 1 - cor_ratio_eps_beyond_##end(zeta);                                                   \
+    }
+COR_RATIO_LOSS_BEYOND_(zero_overlap)
+COR_RATIO_LOSS_BEYOND_(zero_force)
+COR_RATIO_LOSS_BEYOND_(approach_only)
+COR_RATIO_LOSS_BEYOND_(limited)
+#undef COR_RATIO_LOSS_BEYOND_
 
-COR_INLINE double cor_ratio_eps_limited(double zeta)
-{
-    if (zeta >= COR_RATIO_TINY && zeta <= COR_RATIO_LIMITED_NEAR)
-        return cor_ratio_eps_limited_near(zeta);
-    if (zeta >= 0 && zeta < 1)
-        return 1;
-    return zeta > 0 ? cor_ratio_eps_limited_beyond(zeta) : (double)NAN;
-}
+/* ---- inverses beyond the rows ---- */
 
-/* ---- inverses ----
- *
- * Each function solves for zeta from L, a pair. A polynomial gives the start value, and a step of Newton's method
- * (Halley's method for the limited damper) with the residual as a pair follows. */
-
-/* About zeta with zeta A(zeta) = x, 0 <= x <= 1.8697, and d zeta/dx */
-struct cor_ratio_start {
-    double zeta, slope;
-};
-
-COR_KERNEL struct cor_ratio_start cor_ratio_phase_start(double x)
-{
-    const double *p = cor_ratio_start_polynomial;
-    const double x2 = x * x, x4 = x2 * x2;
-    struct cor_ratio_start start;
-    start.zeta = x * (COR_POLYNOMIAL_8(p, x, x2, x4) + ((p[8] + p[9] * x) + p[10] * x2) * (x4 * x4));
-    start.slope = COR_POLYNOMIAL_8(cor_ratio_slope_polynomial, x, x2, x4);
-    return start;
-}
-
-/* zeta from that start, at = start A(start) */
-COR_KERNEL double cor_ratio_phase_step(struct cor_ratio_start start, struct cor_inline_pair x,
-                                       struct cor_inline_pair at)
-{
-    return start.zeta + start.slope * ((x.hi - at.hi) + (x.lo - at.lo));
-}
-
-COR_KERNEL double cor_ratio_of_phase_near(struct cor_inline_pair x)
-{
-    const struct cor_ratio_start start = cor_ratio_phase_start(x.hi);
-    return cor_ratio_phase_step(start, x, cor_ratio_phase_near(cor_pair(start.zeta, 0), cor_pair(2 * start.zeta, 0)));
-}
-
-/* The same for larger x, also from exp(-x) as a pair: zeta = cosh(theta), theta = x - delta, where delta = 2 x E/(1 +
- * E), E = exp(-2 theta) = exp(-2 x) exp(2 delta), by Newton's method from delta = 2 x exp(-2 x) < 0.1. */
+/* zeta with zeta A(zeta) = x > 1.8, also from exp(-x) as a pair: zeta = cosh(theta), theta = x - delta, where delta =
+ * 2 x E/(1 + E), E = exp(-2 theta) = exp(-2 x) exp(2 delta), by Newton's method from delta = 2 x exp(-2 x) < 0.1. */
 COR_INLINE double cor_ratio_of_phase_far(double x, struct cor_inline_pair decay)
 {
     const double least = decay.hi * decay.hi;
@@ -387,45 +293,8 @@ COR_INLINE double cor_ratio_of_phase_far(double x, struct cor_inline_pair decay)
     return cor_inline_pair_times(growth, correction).hi;
 }
 
-/* loss/pi, or twice that, for a tiny loss */
-COR_INLINE double cor_ratio_of_tiny_loss(double loss, double share)
+COR_INLINE double cor_ratio_zeta_beyond_zero_force(double eps)
 {
-    const struct cor_inline_pair scaled = cor_pair(loss * (share * COR_INLINE_2_200), 0);
-    return cor_pair_over(scaled, cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL)).hi * COR_INLINE_2_M200;
-}
-
-/* The kernels of zeta from eps and from the loss at an end with zeta = of(L) */
-#define COR_RATIO_INVERSE_KERNELS(end, of)                                                                             \
-    COR_KERNEL double cor_ratio_zeta_##end##_near(double eps)                                                          \
-    {                                                                                                                  \
-        return of(cor_kernel_minus_log(cor_pair(eps, 0)));                                                             \
-    }                                                                                                                  \
-    COR_KERNEL double cor_ratio_zeta_of_loss_##end##_near(double loss)                                                 \
-    {                                                                                                                  \
-        return of(cor_kernel_minus_log_one_minus(loss));                                                               \
-    }
-
-/* near: the kernel or a function with its bits, up to the loss `largest`; share: see cor_ratio_of_tiny_loss */
-#define COR_RATIO_OF_LOSS(end, near, largest, share)                                                                   \
-    COR_INLINE double cor_ratio_zeta_of_loss_##end(double loss)                                                        \
-    {                                                                                                                  \
-        if (loss >= COR_RATIO_TINY && loss <= (largest))                                                               \
-            return near(cor_kernel_minus_log_one_minus(loss));                                                         \
-        if (!(loss >= 0 && loss <= 1))                                                                                 \
-            return (double)NAN;                                                                                        \
-        return loss > 0.5 ? cor_ratio_zeta_##end(1 - loss) : cor_ratio_of_tiny_loss(loss, share);                      \
-    }
-
-COR_KERNEL double cor_ratio_of_force(struct cor_inline_pair exponent)
-{
-    return cor_ratio_of_phase_near(cor_pair_scaled(exponent, 0.5));
-}
-COR_RATIO_INVERSE_KERNELS(zero_force, cor_ratio_of_force)
-
-COR_INLINE double cor_ratio_zeta_zero_force(double eps)
-{
-    if (eps >= COR_RATIO_EPS_FORCE_NEAR && eps <= 1)
-        return cor_ratio_zeta_zero_force_near(eps);
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
     if (eps == 0)
@@ -439,14 +308,8 @@ COR_INLINE double cor_ratio_zeta_zero_force(double eps)
     return cor_ratio_of_phase_far(0.5 * x.hi, root);
 }
 
-COR_RATIO_OF_LOSS(zero_force, cor_ratio_of_force, 1 - COR_RATIO_EPS_FORCE_NEAR, 1)
-
-COR_RATIO_INVERSE_KERNELS(approach_only, cor_ratio_of_phase_near)
-
-COR_INLINE double cor_ratio_zeta_approach_only(double eps)
+COR_INLINE double cor_ratio_zeta_beyond_approach_only(double eps)
 {
-    if (eps >= COR_RATIO_EPS_APPROACH_NEAR && eps <= 1)
-        return cor_ratio_zeta_approach_only_near(eps);
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
     if (eps < COR_INLINE_2_M200) /* 1/(2 eps), which may overflow */
@@ -455,93 +318,19 @@ COR_INLINE double cor_ratio_zeta_approach_only(double eps)
     return cor_ratio_of_phase_far(cor_kernel_minus_log(e).hi, e);
 }
 
-COR_RATIO_OF_LOSS(approach_only, cor_ratio_of_phase_near, 1 - COR_RATIO_EPS_APPROACH_NEAR, 2)
-
-/* L/sqrt(pi^2 + L^2) */
-COR_KERNEL double cor_ratio_of_overlap(struct cor_inline_pair exponent)
+/* dL/dzeta of the limited damper for known L: with W = 1 - zeta^2 and N = 4 zeta (1 + 2 zeta^2)/(1 + 8 zeta^2),
+ * W L' = L/zeta - N */
+COR_INLINE double cor_ratio_limited_slope(double zeta, double exponent)
 {
-    const struct cor_inline_pair pi = cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL);
-    const struct cor_inline_pair square =
-        cor_pair_plus(cor_inline_pair_times(pi, pi), cor_inline_pair_times(exponent, exponent));
-    const double root = sqrt(square.hi), inverse = 1 / root;
-    return cor_pair_over_with(exponent, cor_pair_root_with(square, root, inverse), inverse).hi;
+    const double square = zeta * zeta;
+    return (exponent / zeta - 4 * zeta * (1 + 2 * square) / (1 + 8 * square)) / ((1 - zeta) * (1 + zeta));
 }
 
-COR_RATIO_INVERSE_KERNELS(zero_overlap, cor_ratio_of_overlap)
-
-COR_INLINE double cor_ratio_zeta_zero_overlap(double eps)
+/* zeta eps 2 sqrt(2) tends to 1, so that Newton's method in ln(zeta) converges quickly. */
+COR_INLINE double cor_ratio_zeta_beyond_limited(double eps)
 {
-    if (eps >= COR_RATIO_TINY && eps <= 1)
-        return cor_ratio_zeta_zero_overlap_near(eps);
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
-    if (eps == 0)
-        return 1;
-    struct cor_inline_pair exponent = cor_kernel_minus_log(cor_pair(eps * COR_INLINE_2_200, 0));
-    exponent = cor_pair_plus(exponent, cor_pair(200 * COR_KERNEL_LN2_HEAD, 200 * COR_KERNEL_LN2_TAIL));
-    return cor_ratio_of_overlap(exponent);
-}
-
-COR_RATIO_OF_LOSS(zero_overlap, cor_ratio_of_overlap, COR_RATIO_BELOW_ONE, 1)
-
-/* dL/dzeta and d^2L/dzeta^2 of the limited damper for known L. With W = 1 - zeta^2 and N = 4 zeta (1 + 2 zeta^2)/(1 + 8
- * zeta^2), W L' = L/zeta - N. Near zeta = 1 the code uses Taylor's series, with relative error 2^-32. */
-struct cor_ratio_slopes {
-    double first, second;
-};
-
-COR_KERNEL struct cor_ratio_slopes cor_ratio_limited_slopes(double zeta, double exponent)
-{
-    const double square = zeta * zeta, inverse = 1 / (1 + 8 * square), d = zeta - 1;
-    const double n = 4 * zeta * (1 + 2 * square) * inverse;
-    const double dn = 4 * (1 + square * (16 * square - 2)) * (inverse * inverse);
-    const int close = fabs(d) < 1.0 / 65536;
-    const double w = close ? 1 : (1 - zeta) * (1 + zeta), mean = exponent / zeta;
-    struct cor_ratio_slopes slopes;
-    slopes.first = close ? 56.0 / 81 + d * (-38.0 / 81 + d * (85.0 / 243)) : (mean - n) / w;
-    slopes.second =
-        close ? -38.0 / 81 + d * (170.0 / 243) : ((slopes.first - mean) / zeta - dn + 2 * zeta * slopes.first) / w;
-    return slopes;
-}
-
-/* A step of Halley's method from zeta, where L is `at`, to where L is `exponent` */
-COR_KERNEL double cor_ratio_limited_step(double zeta, struct cor_inline_pair at, struct cor_inline_pair exponent)
-{
-    const struct cor_ratio_slopes s = cor_ratio_limited_slopes(zeta, at.hi);
-    const double residual = (at.hi - exponent.hi) + (at.lo - exponent.lo);
-    return zeta - residual / (s.first - 0.5 * residual * s.second / s.first);
-}
-
-/* About zeta where L = exponent, 0 < exponent <= 3.4483, from the row of the polynomial for that L */
-COR_KERNEL double cor_ratio_limited_start(double exponent, const double *p)
-{
-    const double t = exponent, t2 = t * t, t4 = t2 * t2;
-    return t * (COR_POLYNOMIAL_8(p, t, t2, t4) + ((p[8] + p[9] * t) + p[10] * t2) * (t4 * t4));
-}
-
-/* The same; selects the row without branches, so that loops vectorise */
-COR_KERNEL double cor_ratio_limited_start_near(double exponent)
-{
-    double p[11];
-    for (int k = 0; k < 11; k++) {
-        const double low = exponent > 0.9 ? cor_ratio_limited_polynomial[1][k] : cor_ratio_limited_polynomial[0][k];
-        p[k] = exponent > 1.9 ? cor_ratio_limited_polynomial[2][k] : low;
-    }
-    return cor_ratio_limited_start(exponent, p);
-}
-
-/* zeta where L = exponent, 0 < exponent.hi <= 3.4483 */
-COR_INLINE double cor_ratio_of_limited(struct cor_inline_pair exponent)
-{
-    const double x = exponent.hi,
-                 start = cor_ratio_limited_start(x, cor_ratio_limited_polynomial[(x > 0.9) + (x > 1.9)]);
-    return cor_ratio_limited_step(start, cor_ratio_limited_near(start), exponent);
-}
-
-/* The same for eps < COR_RATIO_EPS_LIMITED_NEAR. zeta eps 2 sqrt(2) tends to 1, so that Newton's method in ln(zeta)
- * converges quickly. */
-COR_INLINE double cor_ratio_of_limited_far(double eps)
-{
     if (eps < COR_INLINE_2_M200) { /* 1/(2 sqrt(2) eps) may overflow and is computed in units of 2^200 */
         if (eps == 0 || eps < 1.96670601748920e-309) /* the bound may count as 0 */
             return (double)INFINITY;
@@ -553,24 +342,13 @@ COR_INLINE double cor_ratio_of_limited_far(double eps)
         const struct cor_inline_pair at = cor_ratio_eps_limited_far(zeta);
         const double off = ((at.hi - eps) + at.lo) / at.hi; /* to first order ln(at/eps) */
         const double slope =
-            zeta < COR_INLINE_2_40 ? zeta * cor_ratio_limited_slopes(zeta, cor_kernel_minus_log(at).hi).first : 1;
+            zeta < COR_INLINE_2_40 ? zeta * cor_ratio_limited_slope(zeta, cor_kernel_minus_log(at).hi) : 1;
         zeta += zeta * (off * (1 + 0.5 * off) / slope);
         if (fabs(off) < 1e-9)
             break;
     }
     return zeta;
 }
-
-COR_INLINE double cor_ratio_zeta_limited(double eps)
-{
-    if (eps >= COR_RATIO_EPS_LIMITED_NEAR && eps < 1)
-        return cor_ratio_of_limited(cor_kernel_minus_log(cor_pair(eps, 0)));
-    if (!(eps >= 0 && eps <= 1))
-        return (double)NAN;
-    return eps == 1 ? 0 : cor_ratio_of_limited_far(eps);
-}
-
-COR_RATIO_OF_LOSS(limited, cor_ratio_of_limited, 1 - COR_RATIO_EPS_LIMITED_NEAR, 1)
 
 /* ---- times and the largest overlap ---- */
 
@@ -609,7 +387,7 @@ COR_INLINE struct cor_inline_pair cor_ratio_force_exponent(double zeta)
 COR_INLINE struct cor_inline_pair cor_ratio_limited_time(double zeta)
 {
     const struct cor_ratio_limited parts = cor_ratio_limited_parts(zeta);
-    if (zeta <= COR_RATIO_LIMITED_NEAR)
+    if (zeta <= 11) /* C = 2.87 */
         return cor_inline_pair_times(parts.share, cor_ratio_phase_near(parts.c, cor_pair_scaled(parts.slope, 4)));
     const struct cor_ratio_far far = cor_ratio_far(parts.c);
     const struct cor_inline_pair half = cor_inline_sum(far.theta.hi, far.theta.lo + far.excess);

@@ -26,16 +26,16 @@ static inline int law_is_ordinary(double x)
         return cor_inline_narrow(cor_##function((double)x));                                                           \
     }
 
-/* Defines cor_<function> from the inline function `name`, which is a row of COR_LAW_LOOPS. */
+/* Defines cor_<function> from the inline function `name`, which has a loop in array.h. */
 #define LAW_DEFINE(function, name)                                                                                     \
     LAW_SCALARS_(function, name)                                                                                       \
     void cor_##function##_array(const double *x, double *y, size_t n)                                                  \
     {                                                                                                                  \
-        cor_law_array(COR_LAW_##name, x, y, n);                                                                        \
+        cor_law_array_of_set(cor_widest_set(), COR_LAW_##name, x, y, n);                                               \
     }                                                                                                                  \
     void cor_##function##_arrayf(const float *x, float *y, size_t n)                                                   \
     {                                                                                                                  \
-        cor_law_arrayf(COR_LAW_##name, x, y, n);                                                                       \
+        cor_law_arrayf_of_set(cor_widest_set(), COR_LAW_##name, x, y, n);                                              \
     }
 
 /* The same without a loop of its own: array functions compute one number after the other. */

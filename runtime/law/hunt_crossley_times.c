@@ -5,7 +5,6 @@
 #include "generated/hunt_crossley_tables.h"
 #include "runtime/core/hertz_approach_only.h"
 #include "runtime/law/define.h"
-#include "runtime/law/hunt_crossley.h"
 #include "runtime/table/row.h"
 
 /* ---- a = 1 and a = 3/2 by tables ---- */
@@ -215,10 +214,10 @@ static double crossley_loading(double beta, double a)
 /* -ln(1 - h) is U = beta + 1 - ln(1 + beta) - (1 - h) or, for small beta, -ln(1 - h) itself */
 static double crossley_rebound(double beta, double a)
 {
-    const int weak = beta < COR_HC_BETA_NEAR;
-    const double h = beta * cor_hc_eps(beta), rest = weak ? 1 - h : cor_hc_rest(beta);
+    const int weak = beta < 2;
+    const double h = cor_kernel_min(beta * cor_crossley_eps(beta), 1), rest = 1 - h;
     const double end = weak ? cor_kernel_minus_log_one_minus(h).hi : beta + 1 - cor_kernel_log_plus_1(beta).hi - rest;
-    const struct crossley_side side = {end, rest, weak ? h : 1 - rest, beta, 1};
+    const struct crossley_side side = {end, rest, h, beta, 1};
     return crossley_side_time(&side, a);
 }
 
@@ -230,7 +229,7 @@ static double crossley_half(double beta, double a, int rebound)
         return crossley_loading(1e-15, a);
     if (beta > 0)
         return rebound ? crossley_rebound(beta, a) : crossley_loading(beta, a);
-    const double eps = cor_hc_eps(beta), damped = -beta * eps;
+    const double eps = cor_crossley_eps(beta), damped = -beta * eps;
     const struct cor_inline_pair power = cor_pair_over(cor_pair_two_sum(1, -a), cor_pair_two_sum(1, a));
     const double unit = crossley_power(cor_pair(eps, 0), power).hi;
     const struct crossley_side backward = {-cor_kernel_log_plus_1(beta).hi, 1 + beta, -beta, damped, 1};
@@ -283,7 +282,7 @@ static double cor_crossley_inline_time_of_max_overlap(double beta, double elasti
 static struct cor_inline_pair crossley_elastic_rebound(double beta, double a)
 {
     const struct cor_inline_pair plus = cor_pair_two_sum(1, a), minus = cor_pair_two_sum(1, -a);
-    return crossley_power(cor_hc_eps_approach_pair(beta), cor_pair_over(minus, plus));
+    return crossley_power(cor_crossley_eps_approach_pair(beta), cor_pair_over(minus, plus));
 }
 
 static double cor_crossley_inline_duration_approach_only(double beta, double elastic_exponent)

@@ -59,12 +59,6 @@ COR_INLINE double cor_linear_inline_duration_limited(double zeta)
     return cor_pair_plus(cor_ratio_phase_near(over, numerator), cor_ratio_limited_time(zeta)).hi;
 }
 
-/* sqrt(eps) at zero force */
-COR_INLINE double cor_linear_inline_max_overlap(double zeta)
-{
-    return cor_ratio_eps_approach_only(zeta);
-}
-
 /* Tsuji's damping: (5/4 eps)^(2/5), eps at zero force */
 COR_INLINE double cor_tsuji_inline_max_overlap(double zeta)
 {

@@ -56,6 +56,14 @@ struct cor_row_table {
             0, 0                                                                                                       \
         }                                                                                                              \
     }
+#define COR_ROW_TABLE_OF_PARTS(near, NEAR, rows, ROWS, value, least)                                                   \
+    {                                                                                                                  \
+        COR_ROW_PARTS, value, least, ROWS##_END, 0, near##_row[0], rows##_row[0], NULL, NEAR##_STEP, NEAR##_PER_UNIT,  \
+            NEAR##_END, ROWS##_END, {ROWS##_FIRST, ROWS##_OCTAVE_BITS}, {1, 0},                                        \
+        {                                                                                                              \
+            0, 0                                                                                                       \
+        }                                                                                                              \
+    }
 #define COR_ROW_TABLE_OF_INVERSE(kind, near, NEAR, rows, ROWS)                                                         \
     {                                                                                                                  \
         kind, COR_ROW_PRODUCT, ROWS##_FIRST, 1, 1, near##_row[0], rows##_row[0], NULL, NEAR##_STEP, NEAR##_PER_UNIT,   \

@@ -16,14 +16,18 @@ static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "
 static const struct {
     const char *name;
     double (*value)(double);
-    double least, largest;
+    double least, largest, seam; /* of the rows */
 } loops[] = {
-#define LOOP_ROW(name, public, least, largest, ...) {#name, cor_##public, least, largest},
-    COR_LAW_LOOPS(LOOP_ROW, LOOP_ROW)
-#undef LOOP_ROW
-};
+#define LOOP_ROW(name, public, least, largest, ...) {#name, cor_##public, least, largest, least},
+#define FORM_ROWS(law, public, x, end, LAW, X, END)                                                                    \
+    {#law "_eps" #end, cor_##public##_eps##end, 0, COR_ROWS_##LAW##_EPS##END##_END, COR_ROWS_##LAW##_LOSS##END##_END}, \
+        {#law "_loss" #end, cor_##public##_loss##end, COR_INLINE_2_M900, COR_ROWS_##LAW##_EPS##END##_END,              \
+         COR_ROWS_##LAW##_LOSS##END##_END},                                                                            \
+        {#law "_" #x #end, cor_##public##_##x##end, COR_ROWS_##LAW##_##X##END##_FIRST, 1, 0.5},                        \
+        {#law "_" #x "_of_loss" #end, cor_##public##_##x##_of_loss##end, COR_INLINE_2_M900, 1, 0.5},
+    COR_LAW_LOOPS(LOOP_ROW) COR_CLOSED_FORMS(FORM_ROWS)};
 
-static void fill(struct random_state *r, double *x, size_t n, double least, double largest)
+static void fill(struct random_state *r, double *x, size_t n, double least, double largest, double seam)
 {
     static const double specials[] = {0.0, -0.0,   INFINITY, -INFINITY, NAN,
                                       -1,  5e-324, 1,        1e300,     2.2250738585072014e-308};
@@ -35,24 +39,24 @@ static void fill(struct random_state *r, double *x, size_t n, double least, doub
         if (kind > 0.9)
             x[i] = specials[(size_t)random_uniform(r, 0, SPECIALS)];
         else if (kind > 0.85)
-            x[i] =
-                kind > 0.88 ? nextafter(largest, random_uniform(r, -1, 9)) : nextafter(least, random_uniform(r, -1, 1));
+            x[i] = kind > 0.89   ? nextafter(seam, random_uniform(r, -1, 9))
+                   : kind > 0.87 ? nextafter(largest, random_uniform(r, -1, 9))
+                                 : nextafter(least, random_uniform(r, -1, 1));
         else if (kind > 0.8)
             x[i] = random_log(r, 1e-300, 1e300);
     }
 }
 
-static void loop_is_its_scalar(const struct cor_law_loops *set_loops, int k, const char *set,
-                               struct random_state *random)
+static void loop_is_its_scalar(int number, int k, const char *set, struct random_state *random)
 {
     const enum cor_law_loop loop = (enum cor_law_loop)k;
     double x[COUNT], y[COUNT + 1];
     float xf[COUNT], yf[COUNT];
-    fill(random, x, COUNT, loops[k].least, loops[k].largest);
+    fill(random, x, COUNT, loops[k].least, loops[k].largest, loops[k].seam);
     for (size_t n = 0; n <= COUNT; n += n < 20 ? 1 : 97) {
         const size_t place = n % 5, m = n > place ? n - place : 0;
         y[m] = -7; /* a guard */
-        set_loops->run(loop, x + place, y, m);
+        cor_law_array_of_set(number, loop, x + place, y, m);
         assert_true(y[m] == -7);
         for (size_t i = 0; i < m; i++) {
             const double one = loops[k].value(x[place + i]);
@@ -62,7 +66,7 @@ static void loop_is_its_scalar(const struct cor_law_loops *set_loops, int k, con
     }
     /* in place */
     memcpy(y, x, sizeof x);
-    set_loops->run(loop, y, y, COUNT);
+    cor_law_array_of_set(number, loop, y, y, COUNT);
     for (size_t i = 0; i < COUNT; i++) {
         const double one = loops[k].value(x[i]);
         assert_true(same_bits(one, y[i]) || (isnan(one) && isnan(y[i])));
@@ -70,26 +74,28 @@ static void loop_is_its_scalar(const struct cor_law_loops *set_loops, int k, con
     /* floats, and in place */
     for (size_t i = 0; i < COUNT; i++)
         xf[i] = (float)x[i];
-    set_loops->run_floats(loop, xf, yf, COUNT);
+    cor_law_arrayf_of_set(number, loop, xf, yf, COUNT);
     for (size_t i = 0; i < COUNT; i++) {
         const float one = (float)loops[k].value((double)xf[i]);
         check(memcmp(&one, &yf[i], sizeof one) == 0 || (isnan(one) && isnan(yf[i])), "%s, %s of the float %a", set,
               loops[k].name, (double)xf[i]);
     }
-    set_loops->run_floats(loop, xf, xf, COUNT);
+    cor_law_arrayf_of_set(number, loop, xf, xf, COUNT);
     assert_memory_equal(xf, yf, sizeof xf);
 }
 
 TEST(every_set)
 {
     struct random_state random = random_start();
+    assert_int_equal(sizeof loops / sizeof *loops, COR_LAW_LOOP_COUNT);
     for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
         if (!cor_processor_has(set)) {
+            assert_false(cor_law_array_of_set(set, COR_LAW_crossley_eps, NULL, NULL, 0));
             print_message("this processor has no %s\n", set_name[set]);
             continue;
         }
         for (int k = 0; k < COR_LAW_LOOP_COUNT; k++)
-            loop_is_its_scalar(cor_law_loops(set), k, set_name[set], &random);
+            loop_is_its_scalar(set, k, set_name[set], &random);
     }
 }
 
