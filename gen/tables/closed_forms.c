@@ -3,9 +3,10 @@
 
 #include "approximation/pieces.h"
 #include "support/console.h"
+#include "support/formula.h"
 #include "support/local.h"
 
-enum { EXTRA_BITS = 160, WORKING_BITS = 320, ROOT_BITS = 220, HEAD_BITS = 26 };
+enum { EXTRA_BITS = 160, WORKING_BITS = 320, HEAD_BITS = 26 };
 
 /* Bits that each row must reach: half a unit of the last place and a fifth, beside the three fifths of the evaluation */
 #define LEAST_BITS 53.5
@@ -17,111 +18,61 @@ typedef void exponent_function(arb_t L, const arb_t x, slong prec);
 /* A = acos(zeta)/sqrt(1 - zeta^2), which is the hypergeometric function F(1, 1; 3/2; (1 - zeta)/2) */
 static void phase_time(arb_t A, const arb_t zeta, slong prec)
 {
-    LOCAL(arb, less, product, one, half);
-    arb_sub_ui(less, zeta, 1, prec);
-    arb_neg(less, less);
-    arb_add_ui(product, zeta, 1, prec);
-    arb_mul(product, product, less, prec);
+    LOCAL(arb, x, one, c);
+    LET(x, prec, "(1 - zeta)/2", zeta);
     arb_one(one);
-    arb_mul_2exp_si(half, one, -20);
-    arb_abs(A, less);
-    if (arb_lt(A, half)) {
-        arb_mul_2exp_si(less, less, -1);
-        arb_set_d(half, 1.5);
-        arb_hypgeom_2f1(A, one, one, half, less, 0, prec);
-        return;
-    }
-    if (arb_is_negative(less)) {
-        arb_neg(product, product);
-        arb_acosh(A, zeta, prec);
-    } else {
-        arb_acos(A, zeta, prec);
-    }
-    arb_rsqrt(product, product, prec);
-    arb_mul(A, A, product, prec);
+    arb_set_d(c, 1.5);
+    if (HOLDS(prec, "abs(x) < 1/2^21", x))
+        arb_hypgeom_2f1(A, one, one, c, x, 0, prec);
+    else if (arb_is_positive(x))
+        LET(A, prec, "acos(zeta)/sqrt((1 - zeta)*(1 + zeta))", zeta);
+    else
+        LET(A, prec, "acosh(zeta)/sqrt((zeta - 1)*(zeta + 1))", zeta);
 }
 
 static void approach_only(arb_t L, const arb_t zeta, slong prec)
 {
     phase_time(L, zeta, prec);
-    arb_mul(L, L, zeta, prec);
+    LET(L, prec, "zeta*L", zeta, L);
 }
 
 static void zero_force(arb_t L, const arb_t zeta, slong prec)
 {
-    approach_only(L, zeta, prec);
-    arb_mul_2exp_si(L, L, 1);
+    phase_time(L, zeta, prec);
+    LET(L, prec, "2*zeta*L", zeta, L);
 }
 
 static void zero_overlap(arb_t L, const arb_t zeta, slong prec)
 {
-    LOCAL(arb, pi);
-    arb_mul(L, zeta, zeta, prec);
-    arb_sub_ui(L, L, 1, prec);
-    arb_neg(L, L);
-    arb_rsqrt(L, L, prec);
-    arb_mul(L, L, zeta, prec);
-    arb_const_pi(pi, prec);
-    arb_mul(L, L, pi, prec);
+    LET(L, prec, "pi*zeta/sqrt((1 - zeta)*(1 + zeta))", zeta);
 }
 
-/* L/sqrt(pi^2 + L^2) */
 static void inverse_zero_overlap(arb_t zeta, const arb_t L, slong prec)
 {
-    LOCAL(arb, square);
-    arb_const_pi(square, prec);
-    arb_mul(square, square, square, prec);
-    arb_addmul(square, L, L, prec);
-    arb_rsqrt(square, square, prec);
-    arb_mul(zeta, L, square, prec);
+    LET(zeta, prec, "L/sqrt(pi^2 + L^2)", L);
 }
 
-/* (R + 1)/(R + 3) 2 C A(C), R = sqrt(1 + 8 zeta^2), C = zeta sqrt(2 (R + 3)/(R (R + 1))) */
 static void limited(arb_t L, const arb_t zeta, slong prec)
 {
-    LOCAL(arb, R, C, share);
-    arb_mul(R, zeta, zeta, prec);
-    arb_mul_2exp_si(R, R, 3);
-    arb_add_ui(R, R, 1, prec);
-    arb_sqrt(R, R, prec);
-    arb_add_ui(share, R, 1, prec);
-    arb_add_ui(C, R, 3, prec);
-    arb_div(share, share, C, prec);
-    arb_mul(R, R, share, prec);
-    arb_mul_2exp_si(R, R, -1);
-    arb_rsqrt(R, R, prec);
-    arb_mul(C, zeta, R, prec);
+    LOCAL(arb, R, C);
+    LET(R, prec, "sqrt(1 + 8*zeta^2)", zeta);
+    LET(C, prec, "zeta*sqrt(2*(R + 3)/(R*(R + 1)))", zeta, R);
     zero_force(L, C, prec);
-    arb_mul(L, L, share, prec);
+    LET(L, prec, "(R + 1)/(R + 3)*L", R, L);
 }
 
 /* eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta) */
 static void crossley(arb_t L, const arb_t beta, slong prec)
 {
-    LOCAL(arb, minus, x);
-    arb_add_ui(minus, beta, 1, prec);
-    arb_neg(minus, minus);
-    arb_exp(x, minus, prec);
-    arb_mul(x, x, minus, prec);
-    arb_lambertw(x, x, 0, prec);
-    arb_add_ui(x, x, 1, prec);
-    arb_div(x, x, beta, prec);
-    arb_log(L, x, prec);
-    arb_neg(L, L);
+    LOCAL(arb, w);
+    LET(w, prec, "-(1 + beta)*exp(-1 - beta)", beta);
+    arb_lambertw(w, w, 0, prec);
+    LET(L, prec, "-log((1 + w)/beta)", w, beta);
 }
 
-/* eps^2 = 2 (beta - ln(1 + beta))/beta^2 */
 static void crossley_approach_only(arb_t L, const arb_t beta, slong prec)
 {
-    LOCAL(arb, x);
-    arb_log1p(x, beta, prec);
-    arb_sub(x, beta, x, prec);
-    arb_mul_2exp_si(x, x, 1);
-    arb_div(x, x, beta, prec);
-    arb_div(x, x, beta, prec);
-    arb_log(L, x, prec);
-    arb_mul_2exp_si(L, L, -1);
-    arb_neg(L, L);
+    LET(L, prec, "-log(2*(beta - log1p(beta))/beta^2)/2", beta);
 }
 
 /* ---- laws ---- */
@@ -132,7 +83,7 @@ struct closed_form {
     const char *stem, *title;
     bool is_crossley;
     exponent_function *exponent;
-    ulong slope, over; /* dL/dx at x = 0 is slope/over, times pi for a damping ratio */
+    slong slope, over; /* dL/dx at x = 0 is slope/over, times pi for a damping ratio */
     double near_end, end;
     int least_octave;
     exponent_function *inverse; /* NULL: x is solved for; L is concave */
@@ -157,13 +108,13 @@ static const char *variable_of(const struct closed_form *law)
 /* dL/dx at x = 0, or dx/dL */
 static void slope_at_0(arb_t slope, const struct closed_form *law, bool of_inverse)
 {
-    arb_set_ui(slope, of_inverse ? law->over : law->slope);
-    arb_div_ui(slope, slope, of_inverse ? law->slope : law->over, WORKING_BITS); /* Hunt and Crossley's 3/2 is exact */
-    if (!law->is_crossley) {
-        LOCAL(arb, pi);
-        arb_const_pi(pi, WORKING_BITS);
-        (of_inverse ? arb_div : arb_mul)(slope, slope, pi, WORKING_BITS);
-    }
+    const slong p = of_inverse ? law->over : law->slope, q = of_inverse ? law->slope : law->over;
+    if (law->is_crossley)
+        LET(slope, WORKING_BITS, "p/q", p, q);
+    else if (of_inverse)
+        LET(slope, WORKING_BITS, "p/q/pi", p, q);
+    else
+        LET(slope, WORKING_BITS, "p/q*pi", p, q);
 }
 
 static void exponent_of(arb_t L, const struct closed_form *law, const arb_t x)
@@ -176,37 +127,30 @@ static void exponent_of(arb_t L, const struct closed_form *law, const arb_t x)
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
     enum { STEPS = 60 };
-    LOCAL(arb, slope, off, last, last_off, step, margin);
+    LOCAL(arb, slope, off, last, last_off);
     if (law->inverse) {
         law->inverse(x, wanted, WORKING_BITS + EXTRA_BITS);
         return STATUS_OK;
     }
     slope_at_0(slope, law, false);
-    arb_div(x, wanted, slope, WORKING_BITS);
+    LET(x, WORKING_BITS, "wanted/slope", wanted, slope);
     for (int k = 0; k < STEPS; k++) {
         arb_get_mid_arb(x, x);
         exponent_of(off, law, x);
-        arb_sub(off, wanted, off, WORKING_BITS);
-        arb_mul_2exp_si(margin, wanted, -ROOT_BITS);
-        arb_abs(step, off);
-        if (arb_lt(step, margin))
+        LET(off, WORKING_BITS, "wanted - off", wanted, off);
+        if (HOLDS(WORKING_BITS, "abs(off) < wanted/2^220", off, wanted))
             break;
-        if (k > 0) {
-            arb_sub(slope, last_off, off, WORKING_BITS);
-            arb_sub(step, x, last, WORKING_BITS);
-            arb_div(slope, slope, step, WORKING_BITS);
-        }
+        if (k > 0)
+            LET(slope, WORKING_BITS, "(last_off - off)/(x - last)", last_off, off, x, last);
         arb_set(last, x);
         arb_set(last_off, off);
-        arb_div(step, off, slope, WORKING_BITS);
-        arb_add(x, x, step, WORKING_BITS);
+        LET(x, WORKING_BITS, "x + off/slope", x, off, slope);
     }
-    arb_mul_2exp_si(margin, x, 20 - ROOT_BITS);
-    arb_sub(last, x, margin, WORKING_BITS);
-    arb_add(last_off, x, margin, WORKING_BITS);
+    LET(last, WORKING_BITS, "x - x/2^200", x);
+    LET(last_off, WORKING_BITS, "x + x/2^200", x);
     exponent_of(off, law, last);
-    exponent_of(step, law, last_off);
-    if (!arb_lt(off, wanted) || !arb_gt(step, wanted))
+    exponent_of(slope, law, last_off);
+    if (!arb_lt(off, wanted) || !arb_gt(slope, wanted))
         return fail("%s: the inverse is not known well enough", law->title);
     arb_union(x, last, last_off, WORKING_BITS);
     return STATUS_OK;
@@ -224,8 +168,6 @@ static int closed_form_at(arb_t f, const void *context, const struct pieces *p, 
 {
     (void)p;
     const struct closed_rows *const rows = context;
-    const int is_quotient = rows->form == LOSS_QUOTIENT || rows->form == DAMPING_QUOTIENT;
-    int status = STATUS_OK;
     LOCAL(arb, x, L);
     arb_mul_2exp_si(x, y, cell->octave);
     if (arb_is_zero(x)) {
@@ -234,18 +176,19 @@ static int closed_form_at(arb_t f, const void *context, const struct pieces *p, 
     }
     if (rows->form == LOSS_QUOTIENT || rows->form == EPS) {
         exponent_of(L, rows->law, x);
-        arb_neg(L, L);
-        (is_quotient ? arb_expm1 : arb_exp)(f, L, WORKING_BITS);
-        if (is_quotient)
-            arb_neg(f, f);
-    } else {
-        arb_neg(L, x);
-        (is_quotient ? arb_log1p : arb_log)(L, is_quotient ? L : x, WORKING_BITS);
-        arb_neg(L, L);
-        status = damping_of(f, rows->law, L);
+        if (rows->form == EPS)
+            LET(f, WORKING_BITS, "exp(-L)", L);
+        else
+            LET(f, WORKING_BITS, "-expm1(-L)/x", L, x);
+        return STATUS_OK;
     }
-    if (is_quotient)
-        arb_div(f, f, x, WORKING_BITS);
+    if (rows->form == DAMPING)
+        LET(L, WORKING_BITS, "-log(x)", x);
+    else
+        LET(L, WORKING_BITS, "-log1p(-x)", x);
+    const int status = damping_of(f, rows->law, L);
+    if (rows->form == DAMPING_QUOTIENT)
+        LET(f, WORKING_BITS, "f/x", f, x);
     return status;
 }
 
