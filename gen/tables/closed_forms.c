@@ -8,7 +8,7 @@
 
 enum { EXTRA_BITS = 160, WORKING_BITS = 320, HEAD_BITS = 26 };
 
-/* Bits that each row must reach: half a unit of the last place and a fifth, beside the three fifths of the evaluation */
+/* Bits that each row must reach: 0.7 units of the last place, beside 0.6 of the evaluation */
 #define LEAST_BITS 53.5
 
 /* ---- L = -ln(eps), x > 0 ---- */
@@ -122,8 +122,8 @@ static void exponent_of(arb_t L, const struct closed_form *law, const arb_t x)
     law->exponent(L, x, WORKING_BITS + EXTRA_BITS);
 }
 
-/* x where L is `wanted` > 0. Where L is concave, the secant method from two values on the left stays there. Both sides of
- * the result are compared. */
+/* x where L is `wanted` > 0. Where L is concave, the secant method from two values on the left stays there. Both sides
+ * of the result are compared. */
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
     enum { STEPS = 60 };

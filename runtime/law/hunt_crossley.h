@@ -187,7 +187,8 @@ COR_KERNEL struct cor_inline_pair cor_hc_eps_of_square_loss(struct cor_inline_pa
     return cor_pair_root(square);
 }
 
-/* eps as a pair, -1 < beta < 0 or 1 < beta < inf: sqrt(2 f)/|beta| away from 0. Beyond 2^500 the logarithm in f is negligible. */
+/* eps as a pair, -1 < beta < 0 or 1 < beta < inf: sqrt(2 f)/|beta| away from 0. Beyond 2^500 the logarithm in f is
+ * negligible. */
 COR_INLINE struct cor_inline_pair cor_hc_eps_approach_pair(double beta)
 {
     if (fabs(beta) < COR_HC_APPROACH_LEAST)
