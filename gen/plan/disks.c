@@ -64,7 +64,6 @@ struct disks {
     struct outcome *paper;
     struct outcome *truth; /* [point] */
     struct hard_wall_tables tables;
-    struct workspace workspace;
 };
 
 static struct outcome *outcome_at(const struct disks *d, slong point, int count, int wall)
@@ -126,7 +125,7 @@ static void disks_collide_all(struct plan *plan, struct disks *d)
 static int collide_rigid(struct disks *d, struct outcome *out, double *uncertainty, double tolerance, double speed)
 {
     struct cor_disk_hard_wall h;
-    const int status = hard_wall_collide(&h, &d->tables, tolerance, 0, speed, &d->workspace);
+    const int status = hard_wall_collide(&h, &d->tables, tolerance, 0, speed);
     out->value[PLAN_EPS] = h.eps;
     out->value[PLAN_CONTACT_TIME] = h.contact_time;
     out->value[PLAN_COMPRESSION] = h.max_compression;
@@ -440,7 +439,6 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     free(d.grid);
     free(d.paper);
     free(d.truth);
-    free(d.workspace.bytes);
     hard_wall_tables_clear(&d.tables);
     return status;
 }

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,9 +15,9 @@
 #include "support/flint.h"
 
 static _Thread_local bool console_thread; /* the one that shows progress and measures steps */
-static bool progress_shown;
+static atomic_bool progress_shown;
 
-static void progress_erase(void);
+static void line_erase(void);
 
 /* A message shows only the head and the tail of a word longer than WORD_SHOWN bytes, such as a very long name. */
 enum { WORD_SHOWN = 300, WORD_HEAD = 200, WORD_TAIL = 97 };
@@ -58,8 +59,7 @@ static void shorten_words(char *text)
 
 static void print_message(const char *format, va_list arguments)
 {
-    if (console_thread)
-        progress_erase();
+    line_erase();
     va_list again;
     va_copy(again, arguments);
     const int size = vsnprintf(NULL, 0, format, again);
@@ -265,11 +265,15 @@ static bool progress_due(double *elapsed)
     return true;
 }
 
+static void line_erase(void)
+{
+    if (atomic_exchange(&progress_shown, false))
+        fputs("\r\033[K", stderr);
+}
+
 static void progress_erase(void)
 {
-    if (progress_shown)
-        fputs("\r\033[K", stderr);
-    progress_shown = false;
+    line_erase();
     progress_started = -1;
 }
 

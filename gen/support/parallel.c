@@ -37,7 +37,9 @@ void parallel_use(int threads)
     threads_wanted = threads;
 }
 
-int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argument)
+/* Starts a thread with all signals blocked, so that the thread that cleans up receives them. Returns 0 or an error
+ * number. */
+static int start_thread(pthread_t *thread, void *(*start)(void *), void *argument)
 {
     sigset_t all, before;
     sigfillset(&all);
@@ -74,20 +76,12 @@ static void slot_give(void)
     pthread_mutex_unlock(&slots_mutex);
 }
 
-void parallel_condition_init(pthread_cond_t *condition)
-{
-    pthread_condattr_t attributes;
-    pthread_condattr_init(&attributes);
-    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
-    pthread_cond_init(condition, &attributes);
-    pthread_condattr_destroy(&attributes);
-}
-
 /* ---- many tasks ---- */
 
 struct loop {
     void (*task)(void *context, slong i);
     void *context;
+    void (*tick)(void *context); /* NULL: the progress of progress_enter */
     slong count;
     atomic_long next;
     pthread_mutex_t mutex; /* protects done */
@@ -119,6 +113,14 @@ static void *loop_thread(void *argument)
     return NULL;
 }
 
+static void loop_tick(struct loop *loop)
+{
+    if (loop->tick)
+        loop->tick(loop->context);
+    else
+        progress_at(loop->done);
+}
+
 /* Updates the progress line while other threads work, because a task may take minutes. */
 static void loop_watch(struct loop *loop)
 {
@@ -126,7 +128,7 @@ static void loop_watch(struct loop *loop)
     while (loop->done < loop->count) {
         const struct timespec until = clock_deadline(PROGRESS_SECONDS);
         pthread_cond_timedwait(&loop->is_done, &loop->mutex, &until);
-        progress_at(loop->done);
+        loop_tick(loop);
     }
     pthread_mutex_unlock(&loop->mutex);
 }
@@ -135,16 +137,24 @@ static void loop_run(struct loop *loop)
 {
     const slong wanted = FLINT_MIN((slong)parallel_threads(), loop->count);
     pthread_t *thread = xmalloc((size_t)FLINT_MAX(wanted, 1) * sizeof *thread);
+    pthread_condattr_t attributes;
     slong started = 0;
-    while (wanted > 1 && started < wanted && parallel_start_thread(&thread[started], loop_thread, loop) == 0)
+    pthread_condattr_init(&attributes);
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC); /* that of clock_deadline */
+    pthread_cond_init(&loop->is_done, &attributes);
+    pthread_condattr_destroy(&attributes);
+    pthread_mutex_init(&loop->mutex, NULL);
+    while (wanted > 1 && started < wanted && start_thread(&thread[started], loop_thread, loop) == 0)
         started++;
     if (started > 0)
         loop_watch(loop);
     else
         while (loop_step(loop))
-            progress_at(loop->done);
+            loop_tick(loop);
     while (started > 0)
         pthread_join(thread[--started], NULL);
+    pthread_cond_destroy(&loop->is_done);
+    pthread_mutex_destroy(&loop->mutex);
     free(thread);
 }
 
@@ -156,13 +166,15 @@ void parallel_for(void (*task)(void *context, slong i), void *context, slong cou
         return;
     }
     struct loop loop = {.task = task, .context = context, .count = count};
-    pthread_mutex_init(&loop.mutex, NULL);
-    parallel_condition_init(&loop.is_done);
     progress_enter(step, count);
     loop_run(&loop);
     progress_leave();
-    pthread_cond_destroy(&loop.is_done);
-    pthread_mutex_destroy(&loop.mutex);
+}
+
+void parallel_watched(void (*task)(void *context, slong i), void *context, slong count, void (*tick)(void *context))
+{
+    struct loop loop = {.task = task, .context = context, .tick = tick, .count = count};
+    loop_run(&loop);
 }
 
 /* ---- one task beside others ---- */
@@ -180,8 +192,7 @@ static void *task_thread(void *argument)
 void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context)
 {
     *task = (struct parallel_task){.task = work, .context = context};
-    task->started =
-        !within_task && parallel_threads() > 1 && parallel_start_thread(&task->thread, task_thread, task) == 0;
+    task->started = !within_task && parallel_threads() > 1 && start_thread(&task->thread, task_thread, task) == 0;
 }
 
 void parallel_end(struct parallel_task *task)

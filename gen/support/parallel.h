@@ -23,6 +23,10 @@ void parallel_use(int threads);
  * in the progress line. If a task calls parallel_for, its own thread does the inner tasks in sequence. */
 void parallel_for(void (*task)(void *context, slong i), void *context, slong count, const char *step);
 
+/* The same with a progress of its own: tick(context) is called by the calling thread several times a second, or after
+ * each task that it does itself. */
+void parallel_watched(void (*task)(void *context, slong i), void *context, slong count, void (*tick)(void *context));
+
 /* A task that runs beside its owner's work from parallel_begin to parallel_end. With one thread only, parallel_end does
  * the task. If the task calls parallel_for, its own thread does the inner tasks. */
 struct parallel_task {
@@ -33,12 +37,5 @@ struct parallel_task {
 };
 void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context);
 void parallel_end(struct parallel_task *task);
-
-/* A condition whose pthread_cond_timedwait ends at a clock_deadline. */
-void parallel_condition_init(pthread_cond_t *condition);
-
-/* Starts a thread with all signals blocked, so that the thread that cleans up receives them. Returns 0 or an error
- * number. */
-int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argument);
 
 #endif

@@ -54,7 +54,7 @@ static int find_table(struct cor_disk_modes *table, struct hard_wall_tables *tab
 }
 
 int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance,
-                      size_t max_steps, double speed, struct workspace *workspace)
+                      size_t max_steps, double speed)
 {
     const struct cor_disk_hard_wall_options options = {tolerance, max_steps};
     int status = COR_TOLERANCE_NOT_REACHED;
@@ -65,9 +65,9 @@ int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *t
         if (status != COR_OK)
             break;
         const size_t needed = cor_disk_hard_wall_workspace(&table, table.count, &options, speed);
-        workspace_reserve(workspace, needed);
-        status =
-            cor_disk_hard_wall_in(workspace->bytes, workspace->size, &table, table.count, &options, speed, out, NULL);
+        void *const workspace = xmalloc(needed);
+        status = cor_disk_hard_wall_in(workspace, needed, &table, table.count, &options, speed, out, NULL);
+        free(workspace);
         if (status == COR_TOLERANCE_NOT_REACHED && out->omega_levels < (size_t)levels[i])
             break; /* the budget has ended, not the modes */
     }

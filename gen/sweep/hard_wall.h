@@ -8,7 +8,6 @@
 #include <stddef.h>
 
 #include "cor/disk.h"
-#include "sweep/threads.h"
 
 /* Number of tables of one material, each for more levels of the ladder than the one before. Every collision tries the
  * tables in this order, so that its results do not depend on other collisions. */
@@ -27,6 +26,6 @@ void hard_wall_tables_set(struct hard_wall_tables *tables, double nu);
 /* Calls cor_disk_hard_wall_in with the first table that suffices. Each call has the budget max_steps. Unknown numbers
  * in *out are NaN. */
 int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance,
-                      size_t max_steps, double speed, struct workspace *workspace);
+                      size_t max_steps, double speed);
 
 #endif

@@ -20,24 +20,17 @@ static int journal_failure(const char *verb, const struct journal *journal)
     return fail("cannot %s %s: %s", verb, journal->path, errno ? strerror(errno) : "write error");
 }
 
-int journal_add(struct journal *journal, const char *line)
-{
-    if (fprintf(journal->stream, "%s\n", line) < 0)
-        return journal_failure("write", journal);
-    journal->lines++;
-    return STATUS_OK;
-}
-
 static int journal_sync(struct journal *journal)
 {
     journal->synced = clock_seconds();
     return fsync(fileno(journal->stream)) == 0 || errno == EINVAL ? STATUS_OK : journal_failure("write", journal);
 }
 
-int journal_flush(struct journal *journal)
+int journal_add(struct journal *journal, const char *line)
 {
-    if (fflush(journal->stream) != 0)
+    if (fprintf(journal->stream, "%s\n", line) < 0 || fflush(journal->stream) != 0)
         return journal_failure("write", journal);
+    journal->lines++;
     return clock_seconds() - journal->synced > SYNC_SECONDS ? journal_sync(journal) : STATUS_OK;
 }
 
@@ -139,8 +132,6 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
         status = journal_add(journal, title);
         journal->lines = 0;
         if (status == STATUS_OK)
-            status = journal_flush(journal);
-        if (status == STATUS_OK)
             status = journal_sync(journal);
     }
     if (status != STATUS_OK)
@@ -150,10 +141,9 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
 
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context)
 {
-    if (journal_flush(journal) != STATUS_OK)
-        return STATUS_FAILED;
     char *line = NULL;
     uint64_t number = 0;
+    fflush(journal->stream); /* what was read before may have changed */
     rewind(journal->stream);
     for (; number <= journal->lines && read_line(journal, &line); number++)
         if (number > 0)

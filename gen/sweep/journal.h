@@ -23,10 +23,9 @@ struct journal {
  * is cut off. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
-/* Adds a row, given without its line end. A row is safe from the end of this process once journal_flush has returned,
- * and from a power cut half a minute later. */
+/* Adds a row, given without its line end. It is then safe from the end of this process, and half a minute later from a
+ * power cut. */
 int journal_add(struct journal *journal, const char *line);
-int journal_flush(struct journal *journal);
 
 /* Calls visit() for every row. */
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context);

@@ -114,12 +114,12 @@ static int refuse_early(const struct collide *run)
 
 /* ---- rows ---- */
 
-static void collide_row(void *context, struct workspace *workspace, uint64_t number, void *result)
+static void collide_row(void *context, uint64_t number, void *result)
 {
     struct collide *run = context;
     struct sweep_row row;
     sweep_row(&row, &run->sweep, number);
-    sweep_collide(result, &run->sweep, &row, &run->modes, &run->tables, workspace);
+    sweep_collide(result, &run->sweep, &row, &run->modes, &run->tables);
 }
 
 static int row_finished(void *context, uint64_t number, const void *bytes)
@@ -158,11 +158,10 @@ static double seconds_left(const struct collide *run)
     return rows + run->modes_seconds * (double)run->materials_left;
 }
 
-static int sweep_tick(void *context)
+static void sweep_tick(void *context)
 {
     struct collide *run = context;
     progress_left("collisions", (long)run->finished, (long)run->sweep.rows, seconds_left(run));
-    return run->journal.path ? journal_flush(&run->journal) : STATUS_OK;
 }
 
 /* Collides all rows from `first` on. */
@@ -191,8 +190,6 @@ static int collide_all(struct collide *run, uint64_t first)
         status = threads_run(&work, run->threads, first, (first / each + 1) * each);
         run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
-        if (status == STATUS_OK && run->journal.path)
-            status = journal_flush(&run->journal);
         if (status != STATUS_OK)
             return status;
     }

@@ -97,11 +97,11 @@ static const struct sweep_result no_result = {.collision = {NAN, NAN, NAN, NAN, 
                                               .rayleigh = {NAN, NAN, NAN, NAN}};
 
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
-                   const struct cor_disk_modes *modes, struct hard_wall_tables *tables, struct workspace *workspace)
+                   const struct cor_disk_modes *modes, struct hard_wall_tables *tables)
 {
     *result = no_result;
     if (sweep->hard_wall) {
-        result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, 0, row->speed, workspace);
+        result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, 0, row->speed);
         return;
     }
     if (sweep->rayleigh) { /* the tail must not depend on the modes of other rows */
@@ -113,8 +113,10 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
     /* sized for this row alone: the angles chosen must not depend on earlier rows */
     const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points, 0};
     const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
-    result->status = cor_disk_collision_in(workspace_reserve(workspace, needed), needed, modes, row->modes, &options,
-                                           row->speed, &result->collision, NULL);
+    void *const workspace = xmalloc(needed);
+    result->status =
+        cor_disk_collision_in(workspace, needed, modes, row->modes, &options, row->speed, &result->collision, NULL);
+    free(workspace);
 }
 
 /* ---- lines ---- */

@@ -52,7 +52,7 @@ uint64_t sweep_rows_of_material(const struct sweep *sweep);
 
 /* modes: for soft walls; tables: for the rigid wall */
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
-                   const struct cor_disk_modes *modes, struct hard_wall_tables *tables, struct workspace *workspace);
+                   const struct cor_disk_modes *modes, struct hard_wall_tables *tables);
 
 /* Formats a row as a line of csv, without its line end: results up to the second digit of their error. */
 void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,

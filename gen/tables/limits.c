@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,7 +17,6 @@
 #include "support/emit_c.h"
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
-#include "sweep/threads.h"
 
 /* The plane and its first division */
 #define FIRST_SPEED 1e-5
@@ -123,65 +123,45 @@ static int by_place(const void *a, const void *b)
     return x->nu != y->nu ? (x->nu < y->nu ? -1 : 1) : (x->x > y->x) - (x->x < y->x);
 }
 
-struct outcome {
-    int status;
-    struct cor_disk_hard_wall out;
-};
-
 struct collisions {
-    struct scene *scene; /* in order of place */
+    struct scene *scene; /* in order of place, and where those of one material begin */
+    long first;
     struct hard_wall_tables tables;
-    const char *name; /* for the progress */
-    long done, count;
+    atomic_bool failed;
 };
 
-static void scene_collide(void *context, struct workspace *workspace, uint64_t task, void *result)
+static void scene_collide(void *context, slong i)
 {
     struct collisions *const run = context;
-    const int32_t x = run->scene[task].x;
-    struct outcome outcome;
-    outcome.status = hard_wall_collide(&outcome.out, &run->tables, is_calm(x) ? CALM_TOLERANCE : FAST_TOLERANCE,
-                                       SIZE_MAX, speed_at(x), workspace);
-    memcpy(result, &outcome, sizeof outcome);
-}
-
-static int scene_finish(void *context, uint64_t task, const void *result)
-{
-    struct collisions *const run = context;
-    struct scene *const scene = &run->scene[task];
-    struct outcome outcome;
-    memcpy(&outcome, result, sizeof outcome);
-    if (outcome.status != COR_OK && outcome.status != COR_TOLERANCE_NOT_REACHED)
-        return fail("nu = %.17g, v = %.17g: %s", nu_at(scene->nu), speed_at(scene->x), cor_status_text(outcome.status));
-    scene->value = (int32_t)lround(outcome.out.one_minus_eps2 / COR_DISK_LIMIT_UNIT);
-    scene->estimate = (int32_t)ceil(outcome.out.error_estimate / COR_DISK_LIMIT_UNIT);
-    run->done++;
-    return STATUS_OK;
-}
-
-static int sweep_tick(void *context)
-{
-    const struct collisions *const run = context;
-    progress(run->name, run->done, run->count);
-    return STATUS_OK;
+    struct scene *const scene = &run->scene[run->first + i];
+    struct cor_disk_hard_wall out;
+    const int status = hard_wall_collide(&out, &run->tables, is_calm(scene->x) ? CALM_TOLERANCE : FAST_TOLERANCE,
+                                         SIZE_MAX, speed_at(scene->x));
+    if (status != COR_OK && status != COR_TOLERANCE_NOT_REACHED) {
+        fail("nu = %.17g, v = %.17g: %s", nu_at(scene->nu), speed_at(scene->x), cor_status_text(status));
+        atomic_store(&run->failed, true);
+        return;
+    }
+    scene->value = (int32_t)lround(out.one_minus_eps2 / COR_DISK_LIMIT_UNIT);
+    scene->estimate = (int32_t)ceil(out.error_estimate / COR_DISK_LIMIT_UNIT);
 }
 
 /* Computes all scenes. They are in order of place, so that those of one material are together. */
 static int collide_all(struct scene *scene, long count, const char *name)
 {
-    struct collisions run = {.scene = scene, .name = name, .count = count};
+    struct collisions run = {.scene = scene};
     hard_wall_tables_init(&run.tables);
-    const struct threads_work work = {&run, sizeof(struct outcome), scene_collide, scene_finish, sweep_tick};
-    int status = STATUS_OK;
-    for (long first = 0, end; first < count && status == STATUS_OK; first = end) {
-        for (end = first; end < count && scene[end].nu == scene[first].nu;)
+    progress_enter(name, count);
+    for (long end; run.first < count && !run.failed; run.first = end) {
+        for (end = run.first; end < count && scene[end].nu == scene[run.first].nu;)
             end++;
-        hard_wall_tables_set(&run.tables, nu_at(scene[first].nu));
-        status = threads_run(&work, parallel_processors(), (uint64_t)first, (uint64_t)end);
+        progress_at(run.first);
+        hard_wall_tables_set(&run.tables, nu_at(scene[run.first].nu));
+        parallel_for(scene_collide, &run, end - run.first, name);
     }
-    progress_end();
+    progress_leave();
     hard_wall_tables_clear(&run.tables);
-    return status;
+    return run.failed ? STATUS_FAILED : STATUS_OK;
 }
 
 /* ---- scenes that are known ---- */
