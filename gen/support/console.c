@@ -17,63 +17,17 @@
 static _Thread_local bool console_thread; /* the one that shows progress and measures steps */
 static atomic_bool progress_shown;
 
-static void line_erase(void);
-
-/* A message shows only the head and the tail of a word longer than WORD_SHOWN bytes, such as a very long name. */
-enum { WORD_SHOWN = 300, WORD_HEAD = 200, WORD_TAIL = 97 };
-
-static bool utf8_continues(char byte)
+static void line_erase(void)
 {
-    return ((unsigned char)byte & 0xc0) == 0x80;
-}
-
-static void shorten_words(char *text)
-{
-    static const char gap[3] = {'.', '.', '.'};
-    char *end = text;
-    for (const char *word = text; *word;) {
-        const size_t n = strcspn(word, " \n");
-        size_t head = n, tail = n;
-        if (n > WORD_SHOWN) {
-            head = WORD_HEAD;
-            tail = n - WORD_TAIL;
-            while (head > 0 && utf8_continues(word[head]))
-                head--;
-            while (tail < n && utf8_continues(word[tail]))
-                tail++;
-        }
-        memmove(end, word, head);
-        end += head;
-        if (head < n) {
-            memcpy(end, gap, sizeof gap);
-            end += sizeof gap;
-            memmove(end, word + tail, n - tail);
-            end += n - tail;
-        }
-        word += n;
-        if (*word)
-            *end++ = *word++;
-    }
-    *end = '\0';
+    if (atomic_exchange(&progress_shown, false))
+        fputs("\r\033[K", stderr);
 }
 
 static void print_message(const char *format, va_list arguments)
 {
     line_erase();
-    va_list again;
-    va_copy(again, arguments);
-    const int size = vsnprintf(NULL, 0, format, again);
-    va_end(again);
-    char *text = size < 0 ? NULL : malloc((size_t)size + 1);
     fputs("corgen: ", stderr);
-    if (text) {
-        vsnprintf(text, (size_t)size + 1, format, arguments);
-        shorten_words(text);
-        fputs(text, stderr);
-        free(text);
-    } else { /* without memory the message appears unshortened */
-        vfprintf(stderr, format, arguments);
-    }
+    vfprintf(stderr, format, arguments);
     fputc('\n', stderr);
 }
 
@@ -263,12 +217,6 @@ static bool progress_due(double *elapsed)
     progress_updated = now;
     progress_shown = true;
     return true;
-}
-
-static void line_erase(void)
-{
-    if (atomic_exchange(&progress_shown, false))
-        fputs("\r\033[K", stderr);
 }
 
 static void progress_erase(void)

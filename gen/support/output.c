@@ -56,15 +56,11 @@ enum { NOT_A_DESCRIPTOR = -1 };
 /* The descriptor of this process that a path names, or NOT_A_DESCRIPTOR */
 static int descriptor_named(const char *path)
 {
-    static const char *const folder[] = {"/dev/fd/", "/proc/self/fd/"};
+    int descriptor, length = 0;
     if (strcmp(path, "/dev/stdout") == 0)
         return STDOUT_FILENO;
-    for (size_t i = 0; i < sizeof folder / sizeof *folder; i++) {
-        const size_t n = strlen(folder[i]), digits = strncmp(path, folder[i], n) == 0 ? strlen(path + n) : 0;
-        if (digits > 0 && digits < 7 && strspn(path + n, "0123456789") == digits)
-            return (int)strtol(path + n, NULL, 10);
-    }
-    return NOT_A_DESCRIPTOR;
+    return sscanf(path, "/dev/fd/%6d%n", &descriptor, &length) == 1 && path[length] == '\0' ? descriptor
+                                                                                            : NOT_A_DESCRIPTOR;
 }
 
 static const char *last_part(const char *path)

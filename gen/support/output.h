@@ -15,7 +15,7 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * name shows the new text. A symbolic link stays: the file that it names is replaced.
  *
  * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, a link to no file,
- * and a descriptor by the name /dev/stdout, /dev/fd/N or /proc/self/fd/N, which keeps its position and append mode. */
+ * and a descriptor by the name /dev/stdout or /dev/fd/N, which keeps its position and append mode. */
 struct output {
     FILE *file;
     const char *path; /* as given, for messages; NULL = standard output */

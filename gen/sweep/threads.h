@@ -18,9 +18,9 @@ struct threads_work {
     void (*tick)(void *context); /* NULL, or called several times a second where threads work */
 };
 
-/* Runs tasks first, first + 1, ..., end - 1 on `count` threads, which parallel_use() sets. Returns 0, or the value other
- * than 0 that finish() returned. Memory holds THREADS_AHEAD results for any number of tasks: a task begins only if it
- * is less than THREADS_AHEAD behind the first unfinished one. */
+/* Runs tasks first, first + 1, ..., end - 1 on `count` threads, which parallel_use() sets. Returns 0, or the value of
+ * finish() that is not 0. Memory holds THREADS_AHEAD results for any number of tasks: a task begins only if it is less
+ * than THREADS_AHEAD behind the first unfinished one. */
 int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end);
 
 #endif
