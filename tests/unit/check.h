@@ -105,11 +105,17 @@ static inline int in_turn(size_t i, size_t n)
     return (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
 }
 
-/* Leaves a test function out of tests/run but in every n-th turn. Without COR_TEST_TURN it runs, and with
+/* Whether tests/run leaves this case to another turn, as to every n-th. Without COR_TEST_TURN none is, nor with
  * COR_TEST_WHOLE=1, which tests/mutation/run sets: the guard of a mutant must not be left out. */
+static inline int left_to_turn(size_t i, size_t n)
+{
+    return getenv("COR_TEST_TURN") && !check_number("COR_TEST_WHOLE", 0) && !in_turn(i, n);
+}
+
+/* The same of a whole test function */
 #define leave_to_turn(i, n)                                                                                            \
     do {                                                                                                               \
-        if (getenv("COR_TEST_TURN") && !check_number("COR_TEST_WHOLE", 0) && !in_turn((i), (n)))                       \
+        if (left_to_turn((i), (n)))                                                                                    \
             skip();                                                                                                    \
     } while (0)
 

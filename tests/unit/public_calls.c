@@ -243,10 +243,11 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
         a->modes[i] = (struct cor_disk_modes){
             a->nu[i], below(source, 2) ? PUBLIC_MODES : 1 + below(source, PUBLIC_MODES), a->harmed};
     a->n_modes[i] = 1 + below(source, 12);
-    a->disk_collision_options[i].alpha = below(source, 4) ? by_size(source, 40, 500) : any_number(source);
+    a->disk_collision_options[i].alpha =
+        below(source, 4) ? by_size(source, 40, below(source, 4) ? 500 : 1e5) : any_number(source);
     a->disk_collision_options[i].tolerance = below(source, 4) ? by_size(source, 1e-4, 1) : any_number(source);
-    a->disk_collision_options[i].phi_points = 0;
-    a->disk_collision_options[i].max_steps = 20000;
+    a->disk_collision_options[i].phi_points = below(source, 4) ? 0 : 1 + below(source, 50);
+    a->disk_collision_options[i].max_steps = 1500;
     a->disk_hard_wall_options[i].tolerance = below(source, 4) ? by_size(source, 1e-2, 1) : any_number(source);
     a->disk_hard_wall_options[i].max_steps = 100 * below(source, 100); /* 0: the default */
     a->tolerance[i] = below(source, 4) ? by_size(source, 1e-6, 1) : any_number(source);
