@@ -79,7 +79,8 @@ static struct cor_hard_wall_settings settings_of(size_t level, double speed, dou
         fmin(widened * fmin(wave, half_width * fine / LEAST_ANGLES), COARSEST_SPACING / omega),
         widened * RANGE * sqrt(speed),
         0,
-        0};
+        0,
+        NULL};
     return settings;
 }
 

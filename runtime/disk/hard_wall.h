@@ -134,6 +134,7 @@ struct cor_hard_wall_settings {
     /* The budget: the level gives up when its steps, times work_per_step, or their multiplications, if work_per_step is
      * 0, exceed most_work. 0: without limit */
     double most_work, work_per_step;
+    const struct cor_hard_wall_loops *loops; /* NULL: those of the widest set */
 };
 
 /* Multiplications of a call without max_steps. At 0.1 to 0.2 ns each it takes 5 to 10 s, like cor_disk_collision. */

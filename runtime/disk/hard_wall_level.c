@@ -534,7 +534,8 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     while (count < modes->count && modes->mode[count].omega < settings->omega)
         count++;
     memset(&level, 0, sizeof level);
-    level.loops = level.contact.loops = cor_hard_wall_set(cor_widest_set());
+    level.loops = settings->loops ? settings->loops : cor_hard_wall_set(cor_widest_set());
+    level.contact.loops = level.loops;
     level.mode = modes->mode;
     level.size = sizes_of(modes->mode, count, settings);
     level.speed = speed;

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c): against the formulas written out,
- * which share no sum, no contact solver and no step with it; two fades, angles shifted by half a cell, walls of
- * potential exp(alpha x)/alpha, a point contact, energy, contacts in pieces. */
+ * which share no sum, no contact solver and no step with it; two fades, walls of potential exp(alpha x)/alpha, a point
+ * contact, energy, contacts in pieces. And the instruction sets: levels and the ladders of modes
+ * (runtime/disk/mode_source_kernel.c) have the same bits. */
+#define _XOPEN_SOURCE 600 /* j0, j1 */
 #include "check.h"
 
 #include <cor/status.h>
 
 #include "reference_hard_wall.h"
 #include "runtime/disk/hard_wall.h"
+#include "runtime/disk/mode_source.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -164,25 +167,6 @@ TEST(two_fades)
     print_message("largest difference %.1e\n", worst);
 }
 
-TEST(shifted_by_half_a_cell)
-{
-    leave_to_turn(2, 3);
-    const double speed = 0.1, omega = 24;
-    const struct cor_disk_modes modes = modes_of(0.33, omega);
-    const struct cor_hard_wall_settings settings = fine_settings(omega, speed);
-    double l[2][2];
-    for (int fine = 0; fine < 2; fine++)
-        for (int shifted = 0; shifted < 2; shifted++) {
-            struct reference_wall wall = reference_settings(&settings, speed, fine ? 360 : 180);
-            wall.offset = 0.5 * shifted;
-            l[fine][shifted] = reference_limit(&modes, speed, wall);
-        }
-    print_message("angles at 0, d, ...: %.8f and %.8f; at d/2, 3d/2, ...: %.8f and %.8f\n", l[0][0], l[1][0], l[0][1],
-                  l[1][1]);
-    check(fabs(l[0][0] - l[0][1]) < 2e-5 && fabs(l[1][0] - l[1][1]) < 4e-6, "%.1e, %.1e apart", l[0][0] - l[0][1],
-          l[1][0] - l[1][1]);
-}
-
 /* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where
  * plain kicks are off by 1e-4. So does true_depth for the largest depth. And energy is what the centre of mass has
  * lost. */
@@ -331,6 +315,73 @@ TEST(coarse_angles)
     check(same_bits(coarse, least), "%.17g with the spacing 1, %.17g with pi/%d", coarse, least, lanes + 2);
 }
 
+/* ---- instruction sets ---- */
+
+/* A point, one piece and pieces, of few modes and many; and a sum of no cosines is 0 */
+TEST(every_set)
+{
+    double factor = 7, twice_cosine[COR_HARD_WALL_PANEL] = {0}, none[COR_HARD_WALL_PANEL];
+    cor_hard_wall_portable.cosines(0, &factor, COR_HARD_WALL_PANEL, twice_cosine, none);
+    assert_memory_equal(none, twice_cosine, sizeof none);
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(8); i++) {
+        const double speed = i % 4 == 0 ? 0.25 : random_log(&random, i % 4 == 1 ? 1e-9 : 1e-3, 0.4);
+        const double omega = i % 4 == 0 ? 60 : random_uniform(&random, 5, 60);
+        const struct cor_disk_modes modes = modes_of(i % 4 == 0 ? 0.9 : random_uniform(&random, -0.5, 0.95), omega);
+        struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+        settings.point = speed < COR_DISK_HARD_WALL_POINT_SPEED;
+        settings.loops = cor_hard_wall_set(COR_PORTABLE);
+        const struct cor_hard_wall_result portable = level_of(&modes, speed, &settings, COR_OK);
+        for (int set = 1; set < COR_INSTRUCTION_SETS; set++) {
+            settings.loops = cor_hard_wall_set(set);
+            const struct cor_hard_wall_result result = level_of(&modes, speed, &settings, COR_OK);
+            check(memcmp(&result, &portable, sizeof result) == 0, "set %d, v = %g: %a, not %a", set, speed,
+                  result.one_minus_eps2, portable.one_minus_eps2);
+        }
+    }
+}
+
+/* Quotients of Bessel functions and the number of their zeros, from J_0 and J_1 of the C library upwards */
+TEST(ladders)
+{
+    struct random_state random = random_start();
+    for (size_t draws = 0; draws < points(200); draws++) {
+        double kappa[COR_MODE_LANES], step[COR_MODE_LANES], first[COR_MODE_LANES];
+        double quotient[COR_INSTRUCTION_SETS][COR_MODE_LANES], zeros[COR_INSTRUCTION_SETS][COR_MODE_LANES];
+        const double size = random_log(&random, 0.5, 300);
+        const long end = (long)random_uniform(&random, 0, fmin(0.7 * size, 25)), start_at = (long)(1.2 * size) + 60;
+        for (int i = 0; i < COR_MODE_LANES; i++) {
+            kappa[i] = size * random_uniform(&random, 0.9, 1);
+            step[i] = 2 / kappa[i];
+            first[i] = 0.75 * kappa[i] / (double)(start_at + 1);
+        }
+        for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
+            if (!cor_mode_set(set))
+                continue;
+            cor_mode_set(set)->ladder(step, first, start_at, end, quotient[set], zeros[set]);
+            check(memcmp(quotient[set], quotient[0], sizeof *quotient) == 0 &&
+                      memcmp(zeros[set], zeros[0], sizeof *zeros) == 0,
+                  "set %d, draw %zu", set, draws);
+        }
+        for (int i = 0; i < COR_MODE_LANES; i++) {
+            /* upwards is stable below m = kappa */
+            double below = j0(kappa[i]), here = j1(kappa[i]);
+            for (long m = 1; m <= end; m++) {
+                const double above = 2 * (double)m / kappa[i] * here - below;
+                below = here;
+                here = above;
+            }
+            if (fabs(below) > 1e-3)
+                check(fabs(quotient[0][i] - here / below) < 1e-9 * (1 + fabs(here / below)),
+                      "J_%ld/J_%ld(%g) = %.12g, not %.12g", end + 1, end, kappa[i], quotient[0][i], here / below);
+            /* zeros of J_end below kappa, by its sign at the points between: z is near (k + end/2 - 1/4) pi */
+            if (end == 0)
+                check(fabs(zeros[0][i] - (kappa[i] / 3.14159265358979 + 0.25)) < 1.01, "%g zeros of J_0 below %g",
+                      zeros[0][i], kappa[i]);
+        }
+    }
+}
+
 /* ---- hard inputs ---- */
 
 /* A range that the contact outgrows is reported, and modes that no disk has. */
@@ -346,5 +397,5 @@ TEST(refusals)
     level_of(&modes, 0.1, &settings, COR_ERROR_MODES);
 }
 
-RUN_TESTS(written_out, in_pieces, two_fades, shifted_by_half_a_cell, steps_and_energy, budget, hard_limit,
-          point_contact, soft_wall_of_all_modes, refusals, coarse_angles)
+RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, hard_limit, point_contact,
+          soft_wall_of_all_modes, refusals, coarse_angles, every_set, ladders)
