@@ -157,23 +157,24 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 
 /* ---- the table ---- */
 
-#define ASKED(map, least, most) map, least, most, NULL, NULL
-#define NUMBER(name) NULL, 0, 1, name##_of_damping, damping_of_##name
+#define ASKED(map, from, to) .damping_of_e = map, .least = from, .most = to
+#define NUMBER(name) .most = 1, .number_of_damping = name##_of_damping, .damping_of_number = damping_of_##name
 #define OPEN 0x1p-1022 /* e > 0 */
 /* Lines for the input. Both kinds of lines: for two bodies, and for a body and a wall */
-#define EVERYWHERE(lines) lines, lines
-#define PAIRS(lines) lines, NULL
+#define EVERYWHERE(text) .lines = text, .wall_lines = text
+#define PAIRS(text) .lines = text
+#define BOTH(text, at_wall) .lines = text, .wall_lines = at_wall
+#define NO_LINES .lines = NULL
 #define LAMMPS(spring, damping)                                                                                        \
-    "pair_style granular\n"                                                                                            \
-    "pair_coeff {pair} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n",                          \
-        "fix cor_wall all wall/gran granular " spring " {n} tangential linear_nohistory 0 0 damping " damping          \
-        " zplane 0 NULL\n"
-#define LAMMPS_FILE "src/GRANULAR/gran_sub_mod_damping.cpp"
+    .lines = "pair_style granular\n"                                                                                   \
+             "pair_coeff {pair} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n",                 \
+    .wall_lines = "fix cor_wall all wall/gran granular " spring                                                        \
+                  " {n} tangential linear_nohistory 0 0 damping " damping " zplane 0 NULL\n"
 /* A wall is of atom type 2, for its contacts have other numbers than those of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
-    LIGGGHTS_PAIR(model, limit, properties),                                                                           \
-        LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off"            \
-                                                " primitive type 2 zplane 0" limit "\n"
+    .lines = LIGGGHTS_PAIR(model, limit, properties),                                                                  \
+    .wall_lines = LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off"  \
+                                                          " primitive type 2 zplane 0" limit "\n"
 #define LIGGGHTS_PAIR(model, limit, properties)                                                                        \
     "pair_style gran model " model " tangential off" limit "\n"                                                        \
     "pair_coeff * *\n" properties
@@ -196,293 +197,268 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "?cor_material = FrictMat(young={young}, poisson={poisson}, frictionAngle=0)\n"                                    \
     "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, frictionAngle=0)\n"
 
-/* Last come the two kinds of lines, since and until. */
-#define ROW(simulator, model, parameter, law, end, map, file, known, advice, version, ...)                             \
+/* Where a model comes from: simulator, file, "run" or "source", version */
+#define OF(of_simulator, of_file, how, of_version)                                                                     \
+    .simulator = of_simulator, .file = of_file, .known = how, .version = of_version
+#define OF_LAMMPS_RUN OF("lammps", "src/GRANULAR/gran_sub_mod_damping.cpp", "run", "29 Sep 2021 to 4 Feb 2025")
+#define OF_LAMMPS_SOURCE OF("lammps", "src/GRANULAR/gran_sub_mod_damping.cpp", "source", "source 07b704ca, 2026")
+#define OF_LIGGGHTS(in) OF("liggghts", "src/" in, "run", "3.8, source 3d5c00f2")
+#define OF_YADE(in) OF("yade", "pkg/dem/" in, "run", "2023.02a")
+#define OF_MERCURYDPM(in) OF("mercurydpm", "Kernel/Species/NormalForceSpecies/" in, "source", "source fb0ebf1d")
+#define OF_CHRONO OF("chrono", "src/chrono/physics/ChContactSMC.cpp", "source", "source 7689fbc0")
+#define OF_MFIX OF("mfix", "model/check_data/check_solids_dem.f", "source", "21.3.2")
+#define OF_KRATOS(in) OF("kratos", "applications/DEMApplication/" in, "source", "source 03f57bf0")
+#define OF_ESYS_PARTICLE OF("esys-particle", "Model", "source", "2.3.5")
+#define OF_DRAKE(in) OF("drake", "multibody/" in, "source", "source be259df7")
+#define OF_MUJOCO OF("mujoco", "src/engine/engine_core_constraint.c", "run", "2.2.2, source a7255075")
+#define OF_MODELICA                                                                                                    \
+    OF("modelica", "Mechanics/Translational/Components/ElastoGap", "source", "Modelica Standard Library 4")
+#define OF_BULLET(in) OF("bullet", "src/" in, "run", "3.24")
+/* Last come the lines, and .since and .until */
+#define ROW(of, of_model, number, of_law, of_end, map, sentence, ...)                                                  \
     {                                                                                                                  \
-        simulator, model, parameter, COR_LAW_##law, COR_END_##end, map, file, known, advice, version, __VA_ARGS__      \
+        of, .model = of_model, .parameter = number, .law = COR_LAW_##of_law, .end = COR_END_##of_end, map,             \
+            .advice = sentence, __VA_ARGS__                                                                            \
     }
 const struct cor_simulator_model cor_simulator_models[] = {
-    ROW("lammps", "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot), LAMMPS_FILE,
-        "run", "eta_n is the dashpot itself.", "29 Sep 2021 to 4 Feb 2025", LAMMPS("hooke {K}", "velocity"), 0, 0),
-    ROW("lammps", "granular hooke, damping velocity, limit_damping", "eta_n, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot),
-        LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025", LAMMPS("hooke {K}", "velocity limit_damping"), 0, 0),
-    ROW("lammps", "granular hooke, damping mass_velocity; gran/hooke", "eta_n or gamma_n, 1/s", LINEAR, ZERO_OVERLAP,
-        NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS("hooke {K}", "mass_velocity"), 0, 0),
-    ROW("lammps", "granular hooke, damping mass_velocity, limit_damping", "eta_n, 1/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS("hooke {K}", "mass_velocity limit_damping"), 0, 0),
-    ROW("lammps", "granular hooke, damping viscoelastic (the default)", "eta_n, 1/(m s)", LINEAR_ROOT, ZERO_OVERLAP,
-        NUMBER(area_root), LAMMPS_FILE, "run",
-        "The restitution depends on the impact speed: the number holds at one speed.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS("hooke {K}", "viscoelastic"), 0, 0),
-    ROW("lammps", "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)",
-        VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz), LAMMPS_FILE, "run",
-        "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS("hertz {kn}", "viscoelastic"), 0, 0),
-    ROW("lammps", "granular hertz, damping viscoelastic, limit_damping", "eta_n, 1/(m s)", VISCOELASTIC, ZERO_FORCE,
-        NUMBER(area_hertz), LAMMPS_FILE, "run", "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "viscoelastic limit_damping"), 0, 0),
-    ROW("lammps", "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT, ZERO_OVERLAP,
-        NUMBER(hertz_velocity), LAMMPS_FILE, "run",
+    ROW(OF_LAMMPS_RUN, "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot),
+        "eta_n is the dashpot itself.", LAMMPS("hooke {K}", "velocity")),
+    ROW(OF_LAMMPS_RUN, "granular hooke, damping velocity, limit_damping", "eta_n, kg/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot), "Exact.", LAMMPS("hooke {K}", "velocity limit_damping")),
+    ROW(OF_LAMMPS_RUN, "granular hooke, damping mass_velocity; gran/hooke", "eta_n or gamma_n, 1/s", LINEAR,
+        ZERO_OVERLAP, NUMBER(dashpot_per_mass), "Exact.", LAMMPS("hooke {K}", "mass_velocity")),
+    ROW(OF_LAMMPS_RUN, "granular hooke, damping mass_velocity, limit_damping", "eta_n, 1/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot_per_mass), "Exact.", LAMMPS("hooke {K}", "mass_velocity limit_damping")),
+    ROW(OF_LAMMPS_RUN, "granular hooke, damping viscoelastic (the default)", "eta_n, 1/(m s)", LINEAR_ROOT,
+        ZERO_OVERLAP, NUMBER(area_root), "The restitution depends on the impact speed: the number holds at one speed.",
+        LAMMPS("hooke {K}", "viscoelastic")),
+    ROW(OF_LAMMPS_RUN, "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)",
+        VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz),
+        "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.", LAMMPS("hertz {kn}", "viscoelastic")),
+    ROW(OF_LAMMPS_RUN, "granular hertz, damping viscoelastic, limit_damping", "eta_n, 1/(m s)", VISCOELASTIC,
+        ZERO_FORCE, NUMBER(area_hertz), "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.",
+        LAMMPS("hertz {kn}", "viscoelastic limit_damping")),
+    ROW(OF_LAMMPS_RUN, "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT, ZERO_OVERLAP,
+        NUMBER(hertz_velocity),
         "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "velocity"), 0, 0),
-    ROW("lammps", "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT, ZERO_OVERLAP,
-        NUMBER(hertz_mass_velocity), LAMMPS_FILE, "run",
+        LAMMPS("hertz {kn}", "velocity")),
+    ROW(OF_LAMMPS_RUN, "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT, ZERO_OVERLAP,
+        NUMBER(hertz_mass_velocity),
         "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "mass_velocity"), 0, 0),
-    ROW("lammps", "granular hertz or hooke, damping coeff_restitution", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, OPEN, 1), LAMMPS_FILE, "source", "Exact.", "source 07b704ca, 2026",
-        LAMMPS("{spring}", "coeff_restitution"), 20250205, 0),
-    ROW("lammps", "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
-        ASKED(exact_at_zero_overlap, OPEN, 1), LAMMPS_FILE, "source",
+        LAMMPS("hertz {kn}", "mass_velocity")),
+    ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", LAMMPS("{spring}", "coeff_restitution"), .since = 20250205),
+    ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
+        ASKED(exact_at_zero_overlap, OPEN, 1),
         "LAMMPS computes its damping for contacts that end at zero overlap: these realise more than its e.",
-        "source 07b704ca, 2026", LAMMPS("{spring}", "coeff_restitution limit_damping"), 20250205, 0),
-    ROW("lammps", "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run",
+        LAMMPS("{spring}", "coeff_restitution limit_damping"), .since = 20250205),
+    ROW(OF_LAMMPS_RUN, "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(tsuji_until_2026, 0, 1),
         "LAMMPS realises up to 0.143 more than its e; coeff_restitution of later versions is exact.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "tsuji"), 0, 20260731),
-    ROW("lammps", "granular hertz, damping tsuji, limit_damping, releases to July 2026", "e", TSUJI, ZERO_FORCE,
-        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run", "LAMMPS realises up to 0.263 more than its e.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "tsuji limit_damping"), 0, 20260731),
-    ROW("lammps", "granular hertz, damping tsuji, source after July 2026", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(tsuji_since_2026, 0, 1), LAMMPS_FILE, "source",
-        "Within 0.002 from e = 0.05 on; coeff_restitution is exact.", "source 07b704ca, 2026", NULL, NULL, 20260801, 0),
-    ROW("lammps", "granular hooke, damping tsuji, releases to July 2026", "e", LINEAR, ZERO_OVERLAP,
-        ASKED(tsuji_on_hooke_until_2026, 0, 1), LAMMPS_FILE, "run",
+        LAMMPS("hertz {kn}", "tsuji"), .until = 20260731),
+    ROW(OF_LAMMPS_RUN, "granular hertz, damping tsuji, limit_damping, releases to July 2026", "e", TSUJI, ZERO_FORCE,
+        ASKED(tsuji_until_2026, 0, 1), "LAMMPS realises up to 0.263 more than its e.",
+        LAMMPS("hertz {kn}", "tsuji limit_damping"), .until = 20260731),
+    ROW(OF_LAMMPS_SOURCE, "granular hertz, damping tsuji, source after July 2026", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(tsuji_since_2026, 0, 1), "Within 0.002 from e = 0.05 on; coeff_restitution is exact.", NO_LINES,
+        .since = 20260801),
+    ROW(OF_LAMMPS_RUN, "granular hooke, damping tsuji, releases to July 2026", "e", LINEAR, ZERO_OVERLAP,
+        ASKED(tsuji_on_hooke_until_2026, 0, 1),
         "LAMMPS uses a formula for Hertz's force on a linear spring; damping velocity is exact.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hooke {K}", "tsuji"), 0, 20260731),
-    ROW("lammps", "granular hooke, damping tsuji, source after July 2026", "e", LINEAR, ZERO_OVERLAP,
-        ASKED(tsuji_on_hooke_since_2026, 0, 1), LAMMPS_FILE, "source",
+        LAMMPS("hooke {K}", "tsuji"), .until = 20260731),
+    ROW(OF_LAMMPS_SOURCE, "granular hooke, damping tsuji, source after July 2026", "e", LINEAR, ZERO_OVERLAP,
+        ASKED(tsuji_on_hooke_since_2026, 0, 1),
         "LAMMPS uses a formula for Hertz's force on a linear spring, and another one than in older releases; "
         "coeff_restitution.",
-        "source 07b704ca, 2026", LAMMPS("hooke {K}", "tsuji"), 20260801, 0),
-    ROW("liggghts", "hooke/stiffness, gamman", "gamman, 1/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass),
-        "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
-        LIGGGHTS("hooke/stiffness", "", LIGGGHTS_STIFFNESS("{K[]}")), 0, 0),
-    ROW("liggghts", "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot_per_mass), "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
-        LIGGGHTS("hooke/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{K[]}")), 0, 0),
-    ROW("liggghts", "hertz or hooke, coefficientRestitution", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run", "Exact; it refuses e <= 0.05.",
-        "3.8, source 3d5c00f2", LIGGGHTS("{model}", "", LIGGGHTS_E), 0, 0),
-    ROW("liggghts", "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI, ZERO_FORCE,
-        ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run",
+        LAMMPS("hooke {K}", "tsuji"), .since = 20260801),
+    ROW(OF_LIGGGHTS("normal_model_hooke_stiffness.h"), "hooke/stiffness, gamman", "gamman, 1/s", LINEAR, ZERO_OVERLAP,
+        NUMBER(dashpot_per_mass), "Exact.", LIGGGHTS("hooke/stiffness", "", LIGGGHTS_STIFFNESS("{K[]}"))),
+    ROW(OF_LIGGGHTS("normal_model_hooke_stiffness.h"), "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR,
+        ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
+        LIGGGHTS("hooke/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{K[]}"))),
+    ROW(OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; it refuses e <= 0.05.", LIGGGHTS("{model}", "", LIGGGHTS_E)),
+    ROW(OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI,
+        ZERO_FORCE, ASKED(exact_at_zero_overlap, 0.05, 1),
         "LIGGGHTS computes its damping for contacts that end at zero overlap: these realise more than its e.",
-        "3.8, source 3d5c00f2", LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E), 0, 0),
-    ROW("liggghts", "hertz/stiffness, gamman", "gamman, 1/(m s)", VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz),
-        "src/normal_model_hertz_stiffness.h", "run", "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
-        "3.8, source 3d5c00f2", LIGGGHTS("hertz/stiffness", "", LIGGGHTS_STIFFNESS("{kn[]}")), 0, 0),
-    ROW("liggghts", "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", VISCOELASTIC, ZERO_FORCE,
-        NUMBER(area_hertz), "src/normal_model_hertz_stiffness.h", "run",
-        "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.", "3.8, source 3d5c00f2",
-        LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}")), 0, 0),
-    ROW("yade", "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "pkg/dem/HertzMindlin.cpp", "run",
-        "Exact.", "2023.02a",
+        LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E)),
+    ROW(OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman", "gamman, 1/(m s)", VISCOELASTIC,
+        ZERO_OVERLAP, NUMBER(area_hertz), "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
+        LIGGGHTS("hertz/stiffness", "", LIGGGHTS_STIFFNESS("{kn[]}"))),
+    ROW(OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)",
+        VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz),
+        "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
+        LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}"))),
+    ROW(OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "Exact.",
         YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)",
-             "Law2_ScGeom_MindlinPhys_Mindlin()"),
-        0, 0),
-    ROW("yade", "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE, ASKED(thornton_yade, 0.001, 1),
-        "pkg/dem/HertzMindlin.cpp", "run", "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.", "2023.02a",
+             "Law2_ScGeom_MindlinPhys_Mindlin()")),
+    ROW(OF_YADE("HertzMindlin.cpp"), "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE,
+        ASKED(thornton_yade, 0.001, 1), "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.",
         YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)",
              "Law2_ScGeom_MindlinPhys_Mindlin()"),
-        20230200, 0),
-    ROW("yade", "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
-        "pkg/dem/HertzMindlin.cpp", "source", "YADE realises more than its e; betan is exact.",
-        "before 2023.02a; SudoDEM 6666937", NULL, NULL, 0, 0),
-    ROW("yade", "Mindlin, en at vn = 1 m/s (2025)", "en", VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
-        "pkg/dem/HertzMindlin.cpp", "run",
-        "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.", "2025.2.0",
+        .since = 20230200),
+    ROW(OF("yade", "pkg/dem/HertzMindlin.cpp", "source", "before 2023.02a; SudoDEM 6666937"),
+        "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
+        "YADE realises more than its e; betan is exact.", NO_LINES),
+    ROW(OF("yade", "pkg/dem/HertzMindlin.cpp", "run", "2025.2.0"), "Mindlin, en at vn = 1 m/s (2025)", "en",
+        VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
+        "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.",
         YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, vn=1.0)",
              "Law2_ScGeom_MindlinPhys_Mindlin()"),
-        20250200, 0),
-    ROW("yade", "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR, ZERO_FORCE,
-        NUMBER(pair_dashpot), "pkg/dem/ViscoelasticPM.cpp", "run",
-        "K is kn/2 of two equal bodies: the numbers of two bodies are in series.", "2023.02a",
+        .since = 20250200),
+    ROW(OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR,
+        ZERO_FORCE, NUMBER(pair_dashpot), "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
         YADE(EVERYWHERE, "cor_material = ViscElMat(kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
-             "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()"),
-        0, 0),
-    ROW("yade", "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
-        "pkg/dem/ViscoelasticPM.cpp", "run",
-        "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.", "2023.02a",
+             "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
+    ROW(OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE,
+        ASKED(exact_at_zero_overlap, OPEN, 1),
+        "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.",
         /* at a wall YADE makes half of these kn and cn */
         YADE(PAIRS, "cor_material = ViscElMat(tc={tc}, en={n}, et=1, frictionAngle=0)\n",
-             "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()"),
-        0, 0),
-    ROW("mercurydpm", "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, 0, 1), "Kernel/Species/NormalForceSpecies/LinearViscoelasticNormalSpecies.cc",
-        "source", "Exact, with the mass of one particle; e = 0 sticks for ever.", "source fb0ebf1d",
-        EVERYWHERE("species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n"), 0, 0),
-    ROW("mercurydpm", "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI,
-        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
-        "Kernel/Species/NormalForceSpecies/HertzianViscoelasticNormalSpecies.cc", "source", "Exact.", "source fb0ebf1d",
-        EVERYWHERE("species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n"), 0, 0),
-    ROW("mercurydpm", "HertzianViscoelastic, dissipation", "dissipation", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
-        "Kernel/Species/NormalForceSpecies/HertzianViscoelasticNormalSpecies.cc", "source", "Exact.", "source fb0ebf1d",
+             "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
+    ROW(OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
+        "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, 0, 1), "Exact, with the mass of one particle; e = 0 sticks for ever.",
+        EVERYWHERE("species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n")),
+    ROW(OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
+        "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.",
+        EVERYWHERE("species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n")),
+    ROW(OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"), "HertzianViscoelastic, dissipation", "dissipation",
+        TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta), "Exact.",
         EVERYWHERE("species->setEffectiveElasticModulus({E});\n"
-                   "species->setDissipation({n});\n"),
-        0, 0),
-    ROW("mercurydpm", "HertzianBSHPViscoelastic", "dissipation A, s", VISCOELASTIC, ZERO_FORCE,
-        NUMBER(dissipation_time), "Kernel/Species/NormalForceSpecies/HertzianBSHPViscoelasticNormalSpecies.cc",
-        "source", "The viscoelastic sphere: A holds at every speed.", "source fb0ebf1d",
+                   "species->setDissipation({n});\n")),
+    ROW(OF_MERCURYDPM("HertzianBSHPViscoelasticNormalSpecies.cc"), "HertzianBSHPViscoelastic", "dissipation A, s",
+        VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time), "The viscoelastic sphere: A holds at every speed.",
         EVERYWHERE("species->setEffectiveElasticModulus({E});\n"
-                   "species->setDissipation({n});\n"),
-        0, 0),
-    ROW("chrono", "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
+                   "species->setDissipation({n});\n")),
+    ROW(OF_CHRONO, "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
-        "src/chrono/physics/ChContactSMC.cpp", "source",
         "Chrono computes its damping for contacts that end at zero overlap: these realise more than cr.",
-        "source 7689fbc0",
         PAIRS("system.UseMaterialProperties(true);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});\n"
-              "material->SetRestitution({n});\n"),
-        0, 0),
-    ROW("chrono", "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass),
-        "src/chrono/physics/ChContactSMC.cpp", "source", "Exact.", "source 7689fbc0",
+              "material->SetRestitution({n});\n")),
+    ROW(OF_CHRONO, "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
         PAIRS("system.UseMaterialProperties(false);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hooke);\n"
               "material->SetKn({K});\n"
-              "material->SetGn({n});\n"),
-        0, 0),
-    ROW("chrono", "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE, NUMBER(chrono_hertz),
-        "src/chrono/physics/ChContactSMC.cpp", "source", "K is kn R. The viscoelastic sphere: one gn for every speed.",
-        "source 7689fbc0",
+              "material->SetGn({n});\n")),
+    ROW(OF_CHRONO, "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE, NUMBER(chrono_hertz),
+        "K is kn R. The viscoelastic sphere: one gn for every speed.",
         PAIRS("// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each "
               "pair of spheres\n"
               "ChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\n"
               "system.UseMaterialProperties(false);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\n"
               "material->SetKn({K/R});\n"
-              "material->SetGn({n});\n"),
-        0, 0),
-    ROW("chrono-multicore", "Flores, cr, at the characteristic speed", "e", HUNT_CROSSLEY, ZERO_FORCE,
-        ASKED(cor_flores_beta, 0.01, 1), "src/chrono_multicore/physics", "source",
-        "Realises less than its cr at that speed.", "source 7689fbc0", NULL, NULL, 0, 0),
-    ROW("mfix", "DEM, LSD", "e", LINEAR, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
-        "model/check_data/check_solids_dem.f", "source", "Exact; e = 0 sticks for ever.", "21.3.2",
-        "DES_COLL_MODEL = 'LSD'\n"
-        "KN = {K}\n"
-        "DES_EN_INPUT(1) = {n}\n",
-        "DES_COLL_MODEL = 'LSD'\n"
-        "KN_W = {K}\n"
-        "DES_EN_WALL_INPUT(1) = {n}\n",
-        0, 0),
-    ROW("mfix", "DEM, HERTZIAN", "e", TSUJI, ZERO_OVERLAP, ASKED(mfix_hertz, 0, 1),
-        "model/check_data/check_solids_dem.f", "source",
-        "MFiX uses the formula of a linear spring on Hertz's force: it realises more than its e.", "21.3.2",
-        "DES_COLL_MODEL = 'HERTZIAN'\n"
-        "DES_EN_INPUT(1) = {n}\n",
-        "DES_COLL_MODEL = 'HERTZIAN'\n"
-        "DES_EN_WALL_INPUT(1) = {n}\n",
-        0, 0),
-    ROW("openfoam", "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
-        "src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source",
-        "The usual alpha = 0.12 is e = 0.84465.", "source 446e5777",
-        "pairModel pairSpringSliderDashpot;\n"
-        "pairSpringSliderDashpotCoeffs\n"
-        "{\n"
-        "    useEquivalentSize no;\n"
-        "    alpha {n};\n"
-        "    b 1.5;\n"
-        "    mu 0;\n"
-        "    cohesionEnergyDensity 0;\n"
-        "    collisionResolutionSteps 12;\n"
-        "}\n",
-        "wallModel wallSpringSliderDashpot;\n"
-        "wallSpringSliderDashpotCoeffs\n"
-        "{\n"
-        "    useEquivalentSize no;\n"
-        "?    youngsModulus {young};\n"
-        "?    poissonsRatio {poisson};\n"
-        "    alpha {n};\n"
-        "    b 1.5;\n"
-        "    mu 0;\n"
-        "    cohesionEnergyDensity 0;\n"
-        "    collisionResolutionSteps 12;\n"
-        "}\n",
-        0, 0),
-    ROW("kratos", "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE, ASKED(thornton_kratos, 0, 1),
-        "applications/DEMApplication/python_scripts", "source",
-        "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", "source 03f57bf0", NULL, NULL, 0, 0),
-    ROW("kratos", "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio),
-        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL, NULL, 0, 0),
-    ROW("kratos", "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE, ASKED(kratos_linear, 0, 1),
-        "applications/DEMApplication/python_scripts", "source",
-        "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.",
-        "source 03f57bf0", NULL, NULL, 0, 0),
-    ROW("kratos", "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
-        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL, NULL, 0, 0),
-    ROW("granulars.jl", "en", "e", TSUJI, ZERO_FORCE, ASKED(thornton, 0, 1), "src", "source",
-        "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", "source 32b1cfd", NULL, NULL, 0, 0),
-    ROW("esys-particle", "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time_esys),
-        "Model", "source", "Its A is (3/2) of the dissipation time.", "2.3.5",
-        PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={young}, nu={poisson})\n"), 0, 0),
-    ROW("esys-particle", "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1), "Model", "source",
-        "Right to 1e-8.", "2.3.5",
-        PAIRS("HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n"), 0, 0),
-    ROW("dem-engine", "full Hertz model, CoR", "e", TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
-        "src/DEM/DEMModelSnippets", "source", "Exact.", "source a1dc2312", NULL, NULL, 0, 0),
-    ROW("exadem", "damp_rate", "damp_rate", LINEAR, ZERO_FORCE, NUMBER(damping_ratio), "src/contact", "source",
-        "Exact.", "source 0d0dc656", NULL, NULL, 0, 0),
-    ROW("drake", "point contact or hydroelastic, hunt_crossley_dissipation", "d of the pair, s/m", HUNT_CROSSLEY,
-        ZERO_FORCE, NUMBER(crossley_per_speed), "multibody/plant", "source",
-        "One d holds at one speed; the rebound is never faster than 1/d.", "source be259df7",
+              "material->SetGn({n});\n")),
+    ROW(OF("chrono-multicore", "src/chrono_multicore/physics", "source", "source 7689fbc0"),
+        "Flores, cr, at the characteristic speed", "e", HUNT_CROSSLEY, ZERO_FORCE, ASKED(cor_flores_beta, 0.01, 1),
+        "Realises less than its cr at that speed.", NO_LINES),
+    ROW(OF_MFIX, "DEM, LSD", "e", LINEAR, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
+        "Exact; e = 0 sticks for ever.",
+        BOTH("DES_COLL_MODEL = 'LSD'\n"
+             "KN = {K}\n"
+             "DES_EN_INPUT(1) = {n}\n",
+             "DES_COLL_MODEL = 'LSD'\n"
+             "KN_W = {K}\n"
+             "DES_EN_WALL_INPUT(1) = {n}\n")),
+    ROW(OF_MFIX, "DEM, HERTZIAN", "e", TSUJI, ZERO_OVERLAP, ASKED(mfix_hertz, 0, 1),
+        "MFiX uses the formula of a linear spring on Hertz's force: it realises more than its e.",
+        BOTH("DES_COLL_MODEL = 'HERTZIAN'\n"
+             "DES_EN_INPUT(1) = {n}\n",
+             "DES_COLL_MODEL = 'HERTZIAN'\n"
+             "DES_EN_WALL_INPUT(1) = {n}\n")),
+    ROW(OF("openfoam", "src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source",
+           "source 446e5777"),
+        "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
+        "The usual alpha = 0.12 is e = 0.84465.",
+        BOTH("pairModel pairSpringSliderDashpot;\n"
+             "pairSpringSliderDashpotCoeffs\n"
+             "{\n"
+             "    useEquivalentSize no;\n"
+             "    alpha {n};\n"
+             "    b 1.5;\n"
+             "    mu 0;\n"
+             "    cohesionEnergyDensity 0;\n"
+             "    collisionResolutionSteps 12;\n"
+             "}\n",
+             "wallModel wallSpringSliderDashpot;\n"
+             "wallSpringSliderDashpotCoeffs\n"
+             "{\n"
+             "    useEquivalentSize no;\n"
+             "?    youngsModulus {young};\n"
+             "?    poissonsRatio {poisson};\n"
+             "    alpha {n};\n"
+             "    b 1.5;\n"
+             "    mu 0;\n"
+             "    cohesionEnergyDensity 0;\n"
+             "    collisionResolutionSteps 12;\n"
+             "}\n")),
+    ROW(OF_KRATOS("python_scripts"), "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE,
+        ASKED(thornton_kratos, 0, 1), "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NO_LINES),
+    ROW(OF_KRATOS("custom_constitutive"), "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI, ZERO_FORCE,
+        NUMBER(tangent_ratio), "Exact.", NO_LINES),
+    ROW(OF_KRATOS("python_scripts"), "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE,
+        ASKED(kratos_linear, 0, 1),
+        "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.", NO_LINES),
+    ROW(OF_KRATOS("custom_constitutive"), "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR, ZERO_FORCE,
+        NUMBER(damping_ratio), "Exact.", NO_LINES),
+    ROW(OF("granulars.jl", "src", "source", "source 32b1cfd"), "en", "e", TSUJI, ZERO_FORCE, ASKED(thornton, 0, 1),
+        "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", NO_LINES),
+    ROW(OF_ESYS_PARTICLE, "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time_esys),
+        "Its A is (3/2) of the dissipation time.",
+        PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={young}, nu={poisson})\n")),
+    ROW(OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1), "Right to 1e-8.",
+        PAIRS("HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n")),
+    ROW(OF("dem-engine", "src/DEM/DEMModelSnippets", "source", "source a1dc2312"), "full Hertz model, CoR", "e", TSUJI,
+        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", NO_LINES),
+    ROW(OF("exadem", "src/contact", "source", "source 0d0dc656"), "damp_rate", "damp_rate", LINEAR, ZERO_FORCE,
+        NUMBER(damping_ratio), "Exact.", NO_LINES),
+    ROW(OF_DRAKE("plant"), "point contact or hydroelastic, hunt_crossley_dissipation", "d of the pair, s/m",
+        HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_per_speed),
+        "One d holds at one speed; the rebound is never faster than 1/d.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n"
-                   "</drake:proximity_properties>\n"),
-        0, 0),
-    ROW("drake", "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE, NUMBER(relaxation_time),
-        "multibody/contact_solvers", "source", "As the step goes to zero; 0.1 s each if nothing is set.",
-        "source be259df7",
+                   "</drake:proximity_properties>\n")),
+    ROW(OF_DRAKE("contact_solvers"), "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE,
+        NUMBER(relaxation_time), "As the step goes to zero; 0.1 s each if nothing is set.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n"
                    "  <drake:relaxation_time>{n/2}</drake:relaxation_time>\n"
-                   "</drake:proximity_properties>\n"),
-        0, 0),
-    ROW("simbody", "HuntCrossleyForce; OpenSim", "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(simbody),
-        "Simbody/src/HuntCrossleyForce.cpp", "run", "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
-        "3.7, source f312d0dd",
+                   "</drake:proximity_properties>\n")),
+    ROW(OF("simbody", "Simbody/src/HuntCrossleyForce.cpp", "run", "3.7, source f312d0dd"), "HuntCrossleyForce; OpenSim",
+        "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(simbody), "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
         EVERYWHERE("?const double stiffness = {simbody}; // Pa, of both bodies\n"
                    "const double dissipation = {n}; // s/m, of both bodies\n"
-                   "force.setBodyParameters(surface, stiffness, dissipation, 0, 0, 0);\n"),
-        0, 0),
-    ROW("mujoco", "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
-        "src/engine/engine_core_constraint.c", "run",
-        "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.", "2.2.2, source a7255075",
-        EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"),
-        0, 0),
-    ROW("mujoco", "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot_per_mass), "src/engine/engine_core_constraint.c", "run",
-        "Stiffness and damping are per unit of mass.", "2.2.2, source a7255075",
-        EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"), 0,
-        0),
-    ROW("newton", "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY,
-        NUMBER(dashpot), "newton/_src/solvers/semi_implicit/kernels_contact.py", "source",
-        "The damper works while the bodies approach only.", "source 41a5392c", NULL, NULL, 0, 0),
-    ROW("modelica", "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, NUMBER(dashpot),
-        "Mechanics/Translational/Components/ElastoGap", "source", "The damping force is limited to the spring's.",
-        "Modelica Standard Library 4",
-        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n"), 0, 0),
-    ROW("modelica", "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, NUMBER(hertz_velocity),
-        "Mechanics/Translational/Components/ElastoGap", "source",
-        "The damping force is limited to the spring's; slow impacts lose more.", "Modelica Standard Library 4",
-        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n"), 0,
-        0),
-    ROW("opensees", "HertzDamp, xi", "xi", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_beta), "HertzDamp material",
-        "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.", "its documentation of 2026", NULL,
-        NULL, 0, 0),
-    ROW("bullet", "setRestitution of both bodies, product e", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
-        "src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp", "run",
+                   "force.setBodyParameters(surface, stiffness, dissipation, 0, 0, 0);\n")),
+    ROW(OF_MUJOCO, "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
+        "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.",
+        EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
+    ROW(OF_MUJOCO, "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot_per_mass), "Stiffness and damping are per unit of mass.",
+        EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
+    ROW(OF("newton", "newton/_src/solvers/semi_implicit/kernels_contact.py", "source", "source 41a5392c"),
+        "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
+        "The damper works while the bodies approach only.", NO_LINES),
+    ROW(OF_MODELICA, "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, NUMBER(dashpot),
+        "The damping force is limited to the spring's.",
+        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n")),
+    ROW(OF_MODELICA, "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, NUMBER(hertz_velocity),
+        "The damping force is limited to the spring's; slow impacts lose more.",
+        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n")),
+    ROW(OF("opensees", "HertzDamp material", "documentation", "its documentation of 2026"), "HertzDamp, xi", "xi",
+        HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_beta), "The recommended 8 (1 - e)/(5 e) realises less than e.",
+        NO_LINES),
+    ROW(OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
+        "setRestitution of both bodies, product e", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as "
         "e = 0.",
-        "3.24",
         EVERYWHERE("body->setRestitution({root}); // each of two equal bodies\n"
                    "world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
-                   "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"),
-        0, 0),
-    ROW("bullet", "contact callback, e of the impact speed", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
-        "src/BulletCollision/CollisionDispatch/btManifoldResult.cpp", "run",
-        "Any law: eps of each impact is computed from its speed.", "3.24",
+                   "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n")),
+    ROW(OF_BULLET("BulletCollision/CollisionDispatch/btManifoldResult.cpp"), "contact callback, e of the impact speed",
+        "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1), "Any law: eps of each impact is computed from its speed.",
         EVERYWHERE(
             "// cor_eps.h: {embed}\n"
             "#include \"cor_eps.h\"\n"
@@ -504,27 +480,23 @@ const struct cor_simulator_model cor_simulator_models[] = {
             "// world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
             "// world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"
             "// each body: body->setCollisionFlags(body->getCollisionFlags() | "
-            "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
-        0, 0),
-    ROW("rebound", "coefficient_of_restitution, constant", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
-        "src/collision.c", "source", "Exact for hard spheres.", "5.0.0",
+            "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n")),
+    ROW(OF("rebound", "src/collision.c", "source", "5.0.0"), "coefficient_of_restitution, constant", "e", IMPULSE,
+        INSTANT, ASKED(loss_of_impulse, 0, 1), "Exact for hard spheres.",
         PAIRS("static double cor_restitution(const struct reb_simulation *const r, double v)\n"
               "{\n"
               "    return {n};\n"
               "}\n"
-              "// once: r->coefficient_of_restitution = cor_restitution;\n"),
-        0, 0),
-    ROW("rebound", "coefficient_of_restitution, e of the impact speed", "e", IMPULSE, INSTANT,
-        ASKED(loss_of_impulse, 0, 1), "src/collision.c", "run",
-        "Any law: eps of each impact is computed from its speed.", "5.0.0",
+              "// once: r->coefficient_of_restitution = cor_restitution;\n")),
+    ROW(OF("rebound", "src/collision.c", "run", "5.0.0"), "coefficient_of_restitution, e of the impact speed", "e",
+        IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1), "Any law: eps of each impact is computed from its speed.",
         PAIRS("// cor_eps.h: {embed}\n"
               "#include \"cor_eps.h\"\n"
               "static double cor_restitution(const struct reb_simulation *const r, double v)\n"
               "{\n"
               "    return cor_eps(v < 0 ? -v : v); // cor_eps takes m/s: convert v from the units of the simulation\n"
               "}\n"
-              "// once: r->coefficient_of_restitution = cor_restitution;\n"),
-        0, 0),
+              "// once: r->coefficient_of_restitution = cor_restitution;\n")),
 };
 const size_t cor_simulator_model_count = sizeof cor_simulator_models / sizeof *cor_simulator_models;
 
