@@ -119,6 +119,8 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
     struct cor_rayleigh_table table;
     struct cor_mode_sums sums = {0, 0, {0}, {0}};
     double limit = 0;
+    if (!modes || !out)
+        return COR_ERROR_NULL;
     int status = arguments_status(modes, n_modes, datum, &limit);
     if (status == COR_OK)
         status = speed_status(speed, limit);
@@ -143,20 +145,6 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
     out->tail = whole.fraction - out->fraction + whole.tail;
     out->error_estimate = whole.error_estimate;
     return result_status(out, speed);
-}
-
-/* The sums and loops need rounding to nearest. The loops compute both sides of a condition, which may raise exceptions
- * (environment.h). */
-int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
-                      struct cor_disk_rayleigh *out, double *mode_fraction)
-{
-    if (!modes || !out)
-        return COR_ERROR_NULL;
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile double v = speed;
-    const volatile int status = rayleigh_of_speed(modes, n_modes, datum, v, out, mode_fraction);
-    cor_environment_leave(&caller);
-    return status;
 }
 
 /* ---- one speed to a tolerance ---- */
@@ -189,6 +177,8 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
 {
     struct cor_spectrum spectrum;
     double limit = 0;
+    if (!modes || !out)
+        return COR_ERROR_NULL;
     int status = table_status(modes, modes->count, datum, &limit);
     if (status == COR_OK)
         status = speed_status(speed, limit);
@@ -231,18 +221,6 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
     if (n_modes)
         *n_modes = enough ? enough : modes->count;
     return enough ? result_status(out, speed) : COR_TOLERANCE_NOT_REACHED;
-}
-
-int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
-                                double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes)
-{
-    if (!modes || !out)
-        return COR_ERROR_NULL;
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile double v = speed, wanted = tolerance;
-    const volatile int status = rayleigh_to_tolerance(modes, datum, v, wanted, out, n_modes);
-    cor_environment_leave(&caller);
-    return status;
 }
 
 /* ---- many speeds ---- */
@@ -404,6 +382,8 @@ static int rayleigh_of_speeds(const struct cor_disk_modes *modes, size_t n_modes
 {
     struct list list;
     double limit = 0;
+    if (!modes || (n > 0 && (!speed || !out)))
+        return COR_ERROR_NULL;
     int first = arguments_status(modes, n_modes, datum, &limit);
     if (first || n == 0)
         return first;
@@ -424,14 +404,20 @@ static int rayleigh_of_speeds(const struct cor_disk_modes *modes, size_t n_modes
     return first;
 }
 
-int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
-                            const double *speed, size_t n, struct cor_disk_rayleigh *out, double *mode_fraction,
-                            int *status)
-{
-    if (!modes || (n > 0 && (!speed || !out)))
-        return COR_ERROR_NULL;
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile int first = rayleigh_of_speeds(modes, n_modes, datum, speed, n, out, mode_fraction, status);
-    cor_environment_leave(&caller);
-    return first;
-}
+/* ---- in the default floating-point environment ----
+ *
+ * The sums and loops need rounding to nearest. The loops compute both sides of a condition, which may raise exceptions
+ * (environment.h). */
+
+COR_IN_ENVIRONMENT(int, cor_disk_rayleigh, rayleigh_of_speed,
+                   (const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
+                    struct cor_disk_rayleigh *out, double *mode_fraction),
+                   (modes, n_modes, datum, speed, out, mode_fraction))
+COR_IN_ENVIRONMENT(int, cor_disk_rayleigh_tolerance, rayleigh_to_tolerance,
+                   (const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed, double tolerance,
+                    struct cor_disk_rayleigh *out, size_t *n_modes),
+                   (modes, datum, speed, tolerance, out, n_modes))
+COR_IN_ENVIRONMENT(int, cor_disk_rayleigh_array, rayleigh_of_speeds,
+                   (const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, const double *speed,
+                    size_t n, struct cor_disk_rayleigh *out, double *mode_fraction, int *status),
+                   (modes, n_modes, datum, speed, n, out, mode_fraction, status))

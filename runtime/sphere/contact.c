@@ -20,16 +20,7 @@ static double fifth_power(double x)
     return power.hi;
 }
 
-static void contact_clear(struct cor_sphere_contact *contact)
-{
-    contact->effective_mass_kg = NAN;
-    contact->effective_radius_m = NAN;
-    contact->elastic_constant_n_m15 = NAN;
-    contact->dissipation_time_s = NAN;
-    contact->beta_per_root = NAN;
-    contact->scale = NAN;
-    contact->beta5_per_speed = NAN;
-}
+static const struct cor_sphere_contact no_contact = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
 /* Every comparison is written so that NaN fails it. */
 static int body_status(const struct cor_body *body)
@@ -89,9 +80,14 @@ static double in_environment(contact_formula *formula, const struct cor_sphere_c
     return value;
 }
 
-static int contact_fill(struct cor_sphere_contact *contact, const struct cor_body *body_1,
+static int contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
                         const struct cor_body *body_2)
 {
+    if (contact == NULL)
+        return COR_ERROR_NULL;
+    *contact = no_contact;
+    if (body_1 == NULL || body_2 == NULL)
+        return COR_ERROR_NULL;
     int status = body_status(body_1);
     if (status == COR_OK)
         status = body_status(body_2);
@@ -126,65 +122,35 @@ static int contact_fill(struct cor_sphere_contact *contact, const struct cor_bod
     return COR_OK;
 }
 
-/* Intermediate results may leave the range of doubles. The pointers are volatile: see environment.h. */
-int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
-                            const struct cor_body *body_2)
-{
-    if (contact == NULL)
-        return COR_ERROR_NULL;
-    contact_clear(contact);
-    if (body_1 == NULL || body_2 == NULL)
-        return COR_ERROR_NULL;
-    const struct cor_environment caller = cor_environment_enter();
-    const struct cor_body *volatile first = body_1, *volatile second = body_2;
-    volatile struct cor_sphere_contact result;
-    struct cor_sphere_contact filled;
-    contact_clear(&filled);
-    const volatile int status = contact_fill(&filled, first, second);
-    result = filled;
-    cor_environment_leave(&caller);
-    *contact = result;
-    return status;
-}
+/* Intermediate results may leave the range of doubles. */
+COR_IN_ENVIRONMENT(int, cor_sphere_contact_init, contact_init,
+                   (struct cor_sphere_contact * contact, const struct cor_body *body_1, const struct cor_body *body_2),
+                   (contact, body_1, body_2))
 
-static double beta_per_root_of(const struct cor_sphere_contact *unused_1, double g_star, double unused_2)
+static double beta_per_root_of(double g_star)
 {
-    (void)unused_1;
-    (void)unused_2;
     return 1 / (-COR_SPHERE_C1 * cor_inline_fifth_root(g_star));
-}
-
-static double beta5_per_speed_of(const struct cor_sphere_contact *unused_1, double beta_per_root, double unused_2)
-{
-    (void)unused_1;
-    (void)unused_2;
-    return fifth_power(beta_per_root);
 }
 
 int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_star_m_s)
 {
     if (contact == NULL)
         return COR_ERROR_NULL;
-    contact_clear(contact);
+    *contact = no_contact;
     if (cor_inline_is_refused(g_star_m_s) || g_star_m_s == 0)
         return COR_ERROR_G_STAR;
-    contact->beta_per_root = in_environment(beta_per_root_of, NULL, g_star_m_s, 0);
-    contact->beta5_per_speed = in_environment(beta5_per_speed_of, NULL, contact->beta_per_root, 0);
+    contact->beta_per_root = cor_in_environment(beta_per_root_of, g_star_m_s);
+    contact->beta5_per_speed = cor_in_environment(fifth_power, contact->beta_per_root);
     return COR_OK;
 }
 
-static double g_star(const struct cor_sphere_contact *contact, double unused_1, double unused_2)
+static double g_star(const struct cor_sphere_contact *contact)
 {
-    (void)unused_1;
-    (void)unused_2;
     const double root = 1 / (-COR_SPHERE_C1 * contact->beta_per_root), square = root * root;
     return square * square * root;
 }
 
-double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
-{
-    return in_environment(g_star, contact, 0, 0);
-}
+COR_IN_ENVIRONMENT(double, cor_contact_g_star_m_s, g_star, (const struct cor_sphere_contact *contact), (contact))
 
 static double beta_anywhere(const struct cor_sphere_contact *contact, double speed, double unused)
 {
@@ -332,14 +298,9 @@ static double dissipation_time_of(double eta1_pa_s, double eta2_pa_s, double you
     return ldexp(viscosity / (3 * young) * poisson_factor, eta_exponent - young_exponent - 2 * nu_exponent);
 }
 
-double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)
-{
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile double eta1 = eta1_pa_s, eta2 = eta2_pa_s, young = young_modulus_pa, nu = poisson_ratio;
-    const volatile double time = dissipation_time_of(eta1, eta2, young, nu);
-    cor_environment_leave(&caller);
-    return time;
-}
+COR_IN_ENVIRONMENT(double, cor_dissipation_time_s, dissipation_time_of,
+                   (double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio),
+                   (eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio))
 
 static double kappa_of(double young_1, double nu_1, double young_2, double nu_2)
 {
@@ -352,32 +313,21 @@ static double kappa_of(double young_1, double nu_1, double young_2, double nu_2)
     return 10.5 * sum / (weight_1 * (2 - nu_1) + weight_2 * (2 - nu_2));
 }
 
-double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, double young_modulus_2_pa,
-                            double poisson_ratio_2)
-{
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile double young_1 = young_modulus_1_pa, nu_1 = poisson_ratio_1, young_2 = young_modulus_2_pa,
-                          nu_2 = poisson_ratio_2;
-    const volatile double kappa = kappa_of(young_1, nu_1, young_2, nu_2);
-    cor_environment_leave(&caller);
-    return kappa;
-}
+COR_IN_ENVIRONMENT(double, cor_tangential_kappa, kappa_of,
+                   (double young_modulus_1_pa, double poisson_ratio_1, double young_modulus_2_pa,
+                    double poisson_ratio_2),
+                   (young_modulus_1_pa, poisson_ratio_1, young_modulus_2_pa, poisson_ratio_2))
 
-static double stick_angle(const struct cor_sphere_contact *unused, double kappa, double friction)
+static double stick_angle(double kappa, double friction)
 {
-    (void)unused;
     /* the quotient comes first: where it underflows or overflows the angle does */
     return kappa > 0 && friction >= 0 ? atan(3.5 * (friction / kappa)) : (double)NAN;
 }
 
-double cor_tangential_stick_angle(double kappa, double friction)
-{
-    return in_environment(stick_angle, NULL, kappa, friction);
-}
+COR_IN_ENVIRONMENT(double, cor_tangential_stick_angle, stick_angle, (double kappa, double friction), (kappa, friction))
 
-static double mass_of(const struct cor_sphere_contact *unused, double radius_m, double density_kg_m3)
+static double mass_of(double radius_m, double density_kg_m3)
 {
-    (void)unused;
     /* 4 pi/3, rounded to the nearest double; C99 has no pi */
     static const double volume_of_unit_sphere = 4.18879020478639098462;
     if (!(radius_m > 0 && density_kg_m3 > 0))
@@ -390,7 +340,5 @@ static double mass_of(const struct cor_sphere_contact *unused, double radius_m, 
     return ldexp(volume_of_unit_sphere * (radius * radius * radius) * density, 3 * radius_exponent + density_exponent);
 }
 
-double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
-{
-    return in_environment(mass_of, NULL, radius_m, density_kg_m3);
-}
+COR_IN_ENVIRONMENT(double, cor_sphere_mass_kg, mass_of, (double radius_m, double density_kg_m3),
+                   (radius_m, density_kg_m3))
