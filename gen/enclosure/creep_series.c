@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/creep_series.h"
 
+#include "support/formula.h"
 #include "support/local.h"
 
 enum {
@@ -59,56 +60,31 @@ static void formal_time_clear(struct formal_time *f)
 
 /* ---- the bound of dTheta/dk - dTheta_n/dk ---- */
 
-/* Largest k - 1 of the tube 1 <= k <= 1 + r + 2 r^2, which no motion leaves for r <= 1/6 */
-static void tube_width(arb_t width, const arb_t r)
-{
-    arb_mul_2exp_si(width, r, 1);
-    arb_add_ui(width, width, 1, BOUND_BITS);
-    arb_mul(width, width, r, BOUND_BITS);
-}
-
-/* Bound of r^power |p| in the tube */
+/* Bound of r^power |p| in the tube 1 <= k <= 1 + r + 2 r^2, which no motion leaves for r <= 1/6 */
 static void largest_in_tube(arb_t bound, const fmpq_poly_t p, const arb_t r, slong power)
 {
-    LOCAL(arb, width, c);
+    LOCAL(arb, width);
     LOCAL(fmpq, x);
-    tube_width(width, r);
+    LET(width, BOUND_BITS, "r*(1 + 2*r)", r); /* largest k - 1 */
     arb_zero(bound);
     for (slong i = fmpq_poly_degree(p); i >= 0; i--) {
         fmpq_poly_get_coeff_fmpq(x, p, i);
         fmpq_abs(x, x);
-        arb_set_fmpq(c, x, BOUND_BITS);
-        arb_mul(bound, bound, width, BOUND_BITS);
-        arb_add(bound, bound, c, BOUND_BITS);
+        LET(bound, BOUND_BITS, "bound*width + x", bound, width, x);
     }
-    arb_pow_ui(c, r, (ulong)power, BOUND_BITS);
-    arb_mul(bound, bound, c, BOUND_BITS);
+    LET(bound, BOUND_BITS, "bound*r^power", bound, r, power);
 }
 
 /* 1 - 3 r - r^2 <= 1/k^2 - r in the tube */
 static void least_contraction(arb_t least, const arb_t r)
 {
-    arb_add_ui(least, r, 3, BOUND_BITS);
-    arb_mul(least, least, r, BOUND_BITS);
-    arb_sub_ui(least, least, 1, BOUND_BITS);
-    arb_neg(least, least);
+    LET(least, BOUND_BITS, "1 - r*(3 + r)", r);
 }
 
 /* exp of minus the integral of (2/s^2) (1 - 3 s - s^2) from `low` to `high` */
 static void contraction(arb_t factor, const arb_t low, const arb_t high)
 {
-    LOCAL(arb, x);
-    arb_inv(x, high, BOUND_BITS);
-    arb_inv(factor, low, BOUND_BITS);
-    arb_sub(factor, x, factor, BOUND_BITS);
-    arb_sub(x, high, low, BOUND_BITS);
-    arb_add(factor, factor, x, BOUND_BITS);
-    arb_mul_2exp_si(factor, factor, 1);
-    arb_div(x, high, low, BOUND_BITS);
-    arb_log(x, x, BOUND_BITS);
-    arb_mul_ui(x, x, 6, BOUND_BITS);
-    arb_add(factor, factor, x, BOUND_BITS);
-    arb_exp(factor, factor, BOUND_BITS);
+    LET(factor, BOUND_BITS, "exp(2*(1/high - 1/low + (high - low)) + 6*log(high/low))", low, high);
 }
 
 /* Adds bounds of the terms in dTheta_n/dk with first < j <= last. */
@@ -124,13 +100,11 @@ static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, s
 /* Replaces the bound at `high` by that at `low`. The source between them is 2 s^(order-1) s_order. */
 static void bound_step(arb_t bound, const struct formal_time *f, slong order, const arb_t low, const arb_t high)
 {
-    LOCAL(arb, x, least);
-    contraction(x, low, high);
-    arb_mul(bound, bound, x, BOUND_BITS);
-    largest_in_tube(x, &f->source[order], high, order + 1);
+    LOCAL(arb, factor, source, least);
+    contraction(factor, low, high);
+    largest_in_tube(source, &f->source[order], high, order + 1);
     least_contraction(least, high);
-    arb_div(x, x, least, BOUND_BITS);
-    arb_add(bound, bound, x, BOUND_BITS);
+    LET(bound, BOUND_BITS, "bound*factor + source/least", bound, factor, source, least);
 }
 
 /* The order that suits 1/r = y: its last term is nearly the smallest. */
@@ -143,17 +117,12 @@ static slong order_at(double y)
 static void start_bound(arb_t bound, const struct formal_time *f)
 {
     LOCAL(arb, low, high);
-    arb_set_ui(high, 1);
-    arb_div_ui(high, high, FIRST_Y, BOUND_BITS);
-    arb_set_ui(bound, 24 * FIRST_Y * FIRST_Y);
-    arb_div_ui(bound, bound, 25, BOUND_BITS);
+    LET(bound, BOUND_BITS, "24*FIRST_Y^2/25", FIRST_Y);
     slong order = 0;
     for (slong i = FIRST_Y * STEPS_PER_Y; i < CREEP_SERIES_LEAST_Y * STEPS_PER_Y; i++) {
         const slong next = FLINT_MAX(order_at((double)i / (double)STEPS_PER_Y), FIRST_ORDER);
-        arb_set_ui(high, STEPS_PER_Y);
-        arb_set_ui(low, STEPS_PER_Y);
-        arb_div_si(high, high, i, BOUND_BITS);
-        arb_div_si(low, low, i + 1, BOUND_BITS);
+        LET(high, BOUND_BITS, "STEPS_PER_Y/i", STEPS_PER_Y, i);
+        LET(low, BOUND_BITS, "STEPS_PER_Y/(i + 1)", STEPS_PER_Y, i);
         add_terms(bound, f, high, order, next);
         bound_step(bound, f, next, low, high);
         order = next;
@@ -163,16 +132,11 @@ static void start_bound(arb_t bound, const struct formal_time *f)
 
 /* ---- the series ---- */
 
-static void first_r(arb_t r)
-{
-    arb_set_ui(r, 1);
-    arb_div_ui(r, r, CREEP_SERIES_LEAST_Y, BOUND_BITS);
-}
-
 void creep_series_init(struct creep_series *s, slong prec)
 {
+    const slong n = CREEP_SERIES_ORDER;
     LOCAL(fmpq, constant);
-    LOCAL(arb, r, x);
+    LOCAL(arb, r, x, least);
     FOR_ALL(arb, init, s->start, s->factor);
     LOCAL_INIT(formal_time, f, (&f));
     s->a = _arb_vec_init(CREEP_SERIES_ORDER + 1);
@@ -182,13 +146,10 @@ void creep_series_init(struct creep_series *s, slong prec)
     }
     start_bound(s->start, &f);
     /* A r^(n+1) bounds the effect of the source for A = 2 s_n/(2 (1 - 3 r - r^2) - (n + 1) r). */
-    first_r(r);
-    least_contraction(x, r);
-    arb_mul_2exp_si(x, x, 1);
-    arb_submul_ui(x, r, CREEP_SERIES_ORDER + 1, BOUND_BITS);
-    largest_in_tube(s->factor, &f.source[CREEP_SERIES_ORDER], r, 0);
-    arb_mul_2exp_si(s->factor, s->factor, 1);
-    arb_div(s->factor, s->factor, x, BOUND_BITS);
+    LET(r, BOUND_BITS, "1/CREEP_SERIES_LEAST_Y", CREEP_SERIES_LEAST_Y);
+    least_contraction(least, r);
+    largest_in_tube(x, &f.source[CREEP_SERIES_ORDER], r, 0);
+    LET(s->factor, BOUND_BITS, "2*x/(2*least - r*(n + 1))", x, least, r, n);
 }
 
 void creep_series_clear(struct creep_series *s)
@@ -200,24 +161,15 @@ void creep_series_clear(struct creep_series *s)
 /* The integral of (2/s) |dTheta/dk - dTheta_n/dk| from 0 to r */
 void creep_series_remainder(arb_t bound, const struct creep_series *s, const arb_t r)
 {
+    const slong n = CREEP_SERIES_ORDER;
     LOCAL(arb, first, x, least);
-    arb_mul_ui(x, r, CREEP_SERIES_LEAST_Y, BOUND_BITS);
-    arb_sub_ui(x, x, 1, BOUND_BITS);
-    if (arb_is_positive(r) && arb_is_nonpositive(x)) {
-        first_r(first);
-        contraction(bound, r, first);
-        arb_mul(bound, bound, s->start, BOUND_BITS);
-        arb_mul(bound, bound, r, BOUND_BITS);
-        least_contraction(least, r);
-        arb_div(bound, bound, least, BOUND_BITS);
-        arb_pow_ui(x, r, CREEP_SERIES_ORDER + 1, BOUND_BITS);
-        arb_mul(x, x, s->factor, BOUND_BITS);
-        arb_mul_2exp_si(x, x, 1);
-        arb_div_ui(x, x, CREEP_SERIES_ORDER + 1, BOUND_BITS);
-        arb_add(bound, bound, x, BOUND_BITS);
-        arb_get_ubound_arf(arb_midref(bound), bound, BOUND_BITS);
-        mag_zero(arb_radref(bound));
-    } else {
-        arb_pos_inf(bound);
-    }
+    LET(first, BOUND_BITS, "1/CREEP_SERIES_LEAST_Y", CREEP_SERIES_LEAST_Y);
+    arb_pos_inf(bound);
+    if (!arb_is_positive(r) || !arb_le(r, first))
+        return;
+    contraction(x, r, first);
+    least_contraction(least, r);
+    LET(bound, BOUND_BITS, "x*s->start*r/least + 2*r^(n + 1)*s->factor/(n + 1)", x, s->start, r, least, n, s->factor);
+    arb_get_ubound_arf(arb_midref(bound), bound, BOUND_BITS);
+    mag_zero(arb_radref(bound));
 }

@@ -31,11 +31,10 @@ static void scales_init(struct scales *s, const arb_t beta, const struct law *la
 {
     FOR_ALL(arb, init, s->length, s->c1, s->c2);
     if (strong) {
-        const struct ratio one = {1, 1};
         LOCAL(arb, inverse);
         arb_inv(inverse, beta, prec);
-        arb_pow_ratio(s->c2, inverse, law_mu_power(law), prec);
-        arb_pow_ratio(s->length, inverse, ratio_div(one, ratio_add(law->b, one)), prec);
+        LET(s->c2, prec, "inverse^((law->a + 1)/(law->b + 1))", inverse, law->a, law->b);
+        LET(s->length, prec, "inverse^(1/(law->b + 1))", inverse, law->b);
         arb_one(s->c1);
     } else {
         arb_one(s->length);
@@ -104,8 +103,8 @@ static bool find_turning_point(struct motion *m)
         m->turned = true;
         arb_get_ubound_arf(arb_midref(m->begin), root, y->prec);
         taylor_value(value, y, TAYLOR_W, root);
-        arb_pow_ui(value, value, (ulong)y->law.d, y->prec);
-        arb_mul(m->c->x_max, value, m->s.length, y->prec);
+        const slong d = y->law.d;
+        LET(m->c->x_max, y->prec, "value^d*m->s.length", value, d, m->s.length);
         taylor_value(value, y, TAYLOR_T, root);
         arb_mul(m->c->t_max, value, m->s.length, y->prec);
     }
@@ -179,26 +178,18 @@ static bool find_zero_force(struct motion *m, arb_t end)
 static void release_at_end(struct motion *m)
 {
     struct collision *c = m->c;
-    const struct law *law = &m->y.law;
+    const struct ratio a = m->y.law.a, b = m->y.law.b;
     const slong prec = m->y.prec;
-    const struct ratio one = {1, 1}, b1 = ratio_add(law->b, one);
+    const arb_srcptr c1 = m->s.c1, length = m->s.length, eps = c->eps_zero_overlap, time = c->t_zero_overlap;
     LOCAL(arb, x, y);
-    arb_set(c->eps_zero_force, c->eps_zero_overlap);
-    arb_set(c->t_zero_force, c->t_zero_overlap);
+    arb_set(c->eps_zero_force, eps);
+    arb_set(c->t_zero_force, time);
     if (!m->force_ends)
         return;
-    arb_pow_ratio(x, m->s.c1, ratio_div(one, ratio_sub(law->a, law->b)), prec);
-    arb_mul(y, x, m->s.length, prec);
-    arb_div(y, y, c->eps_zero_overlap, prec);
-    arb_sub(y, c->t_zero_overlap, y, prec);
+    LET(x, prec, "c1^(1/(a - b))", c1, a, b);
+    LET(y, prec, "time - x*length/eps", time, x, length, eps);
     arb_union(c->t_zero_force, c->t_zero_force, y, prec);
-    arb_pow_ratio(x, x, b1, prec);
-    arb_mul(x, x, m->s.c1, prec);
-    arb_mul_2exp_si(x, x, 1);
-    arb_set_ratio(y, b1, prec);
-    arb_div(x, x, y, prec);
-    arb_addmul(x, c->eps_zero_overlap, c->eps_zero_overlap, prec);
-    arb_sqrt(x, x, prec);
+    LET(x, prec, "sqrt(2*x^(b + 1)*c1/(b + 1) + eps^2)", x, b, c1, eps);
     arb_union(c->eps_zero_force, c->eps_zero_force, x, prec);
 }
 
@@ -207,26 +198,13 @@ static void release_at_end(struct motion *m)
  * is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) does not reach 0. */
 static bool creeps(const struct taylor *y)
 {
-    const slong d = y->law.d, b1 = y->law.bd + d, excess = y->law.ad - y->law.bd - b1;
+    const struct ratio b = y->law.b;
+    const slong b1 = y->law.bd + y->law.d, excess = y->law.ad - y->law.bd - b1;
     if (excess < 0)
         return false;
-    LOCAL(arb, k, x);
-    arb_pow_ui(x, y->w, (ulong)b1, y->prec);
-    arb_div(k, y->v, x, y->prec);
-    arb_mul_si(k, k, 2 * b1, y->prec);
-    arb_div_si(k, k, d, y->prec);
-    arb_add(k, k, y->c1, y->prec);
-    bool never = arb_is_positive(k);
-    if (never) {
-        /* c1^2/(4(b+1)) >= c2 x^(a-2b-1); the k above is 2(b+1)(K - k) */
-        arb_sqr(k, y->c1, y->prec);
-        arb_mul_si(k, k, d, y->prec);
-        arb_div_si(k, k, 4 * b1, y->prec);
-        arb_pow_ui(x, y->w, (ulong)excess, y->prec);
-        arb_mul(x, x, y->c2, y->prec);
-        never = arb_ge(k, x);
-    }
-    return never;
+    /* k < K, and c1^2/(4(b+1)) >= c2 x^(a-2b-1) */
+    return HOLDS(y->prec, "2*(b + 1)*y->v/y->w^b1 + y->c1 > 0", b, b1, y->v, y->w, y->c1) &&
+           HOLDS(y->prec, "y->c1^2/(4*(b + 1)) > y->c2*y->w^excess", y->c1, b, y->c2, y->w, excess);
 }
 
 /* ---- a constant force: docs/theory.md, 24 ---- */
@@ -234,17 +212,8 @@ static bool creeps(const struct taylor *y)
 /* v^2/2 + c2 X^(a+1)/(a+1) - c3 X, X = w^d, which never grows */
 static void energy(arb_t e, const struct taylor *y, const arb_t w, const arb_t v)
 {
-    LOCAL(arb, x, term);
-    arb_pow_ui(x, w, (ulong)y->law.d, y->prec);
-    arb_pow_ui(e, w, (ulong)y->law.ad, y->prec);
-    arb_mul(e, e, y->c2, y->prec);
-    arb_mul_si(e, e, y->law.d, y->prec);
-    arb_div_si(e, e, y->law.ad + y->law.d, y->prec);
-    arb_sub(e, e, y->c3, y->prec);
-    arb_mul(e, e, x, y->prec);
-    arb_sqr(term, v, y->prec);
-    arb_mul_2exp_si(term, term, -1);
-    arb_add(e, e, term, y->prec);
+    const slong d = y->law.d, ad = y->law.ad;
+    LET(e, y->prec, "(y->c2*w^ad*d/(ad + d) - y->c3)*w^d + v^2/2", y->c2, w, ad, d, y->c3, v);
 }
 
 /* Sets the constant force, in the scales of the motion, and what follows from it. */
@@ -252,7 +221,7 @@ static void press(struct motion *m, const arb_t force)
 {
     struct taylor *const y = &m->y;
     struct pressing *const p = &m->pressing;
-    const slong difference = y->law.ad - y->law.bd, power = 2 * difference - y->law.d;
+    const slong d = y->law.d, n = y->law.ad - y->law.bd, power = 2 * n - d;
     LOCAL(arb, ratio, v);
     p->any = true;
     arb_mul(y->c3, force, m->s.length, y->prec);
@@ -263,13 +232,8 @@ static void press(struct motion *m, const arb_t force)
         return; /* below E = 0, the least value of the energy where the force vanishes */
     /* (a - b) (c2/c1)^2 X^(2(a-b)-1) = c3 */
     arb_div(ratio, y->c1, y->c2, y->prec);
-    arb_sqr(v, ratio, y->prec);
-    arb_mul(v, v, y->c3, y->prec);
-    arb_mul_si(v, v, y->law.d, y->prec);
-    arb_div_si(v, v, difference, y->prec);
-    arb_root_ui(p->release, v, (ulong)power, y->prec);
-    arb_pow_ui(v, p->release, (ulong)difference, y->prec);
-    arb_div(v, v, ratio, y->prec);
+    LET(p->release, y->prec, "(ratio^2*y->c3*d/n)^(1/power)", ratio, y->c3, d, n, power);
+    LET(v, y->prec, "p->release^n/ratio", p->release, n, ratio);
     energy(p->least, y, p->release, v);
 }
 
@@ -277,27 +241,15 @@ static void press(struct motion *m, const arb_t force)
  * coefficient at X, this stays so if k^2 is at least the largest slope of c2 X^a up to X_e. */
 static bool creeps_up(arb_t rest, const struct taylor *y)
 {
-    const struct ratio a = {y->law.ad, y->law.d}, one = {1, 1};
-    const slong prec = y->prec;
-    LOCAL(arb, x, k, slope, other);
-    arb_div(rest, y->c3, y->c2, prec);
-    arb_pow_ratio(rest, rest, ratio_div(one, a), prec);
-    arb_pow_ui(x, y->w, (ulong)y->law.d, prec);
-    arb_pow_ui(k, y->w, (ulong)y->law.bd, prec);
-    arb_mul(k, k, y->c1, prec);
-    arb_mul_2exp_si(k, k, -1);
-    arb_pow_ratio(slope, rest, ratio_sub(a, one), prec);
-    arb_pow_ratio(other, x, ratio_sub(a, one), prec);
-    arb_max(slope, slope, other, prec);
-    arb_mul(slope, slope, y->c2, prec);
-    arb_mul_si(slope, slope, a.num, prec);
-    arb_div_si(slope, slope, a.den, prec);
-    arb_sqr(other, k, prec);
-    if (!arb_lt(x, rest) || !arb_gt(other, slope))
-        return false;
-    arb_sub(x, rest, x, prec);
-    arb_mul(k, k, x, prec);
-    return arb_is_positive(y->v) && arb_lt(y->v, k);
+    const struct ratio a = y->law.a;
+    const slong d = y->law.d, bd = y->law.bd;
+    LOCAL(arb, x, k, slope);
+    LET(rest, y->prec, "(y->c3/y->c2)^(1/a)", y->c3, y->c2, a);
+    LET(x, y->prec, "y->w^d", y->w, d);
+    LET(k, y->prec, "y->w^bd*y->c1/2", y->w, bd, y->c1);
+    LET(slope, y->prec, "max(rest^(a - 1), x^(a - 1))*y->c2*a", rest, a, x, y->c2);
+    return arb_lt(x, rest) && HOLDS(y->prec, "k^2 > slope", k, slope) && arb_is_positive(y->v) &&
+           HOLDS(y->prec, "y->v < k*(rest - x)", y->v, k, rest, x);
 }
 
 static void stay(arb_t eps, arb_t time)
@@ -338,14 +290,8 @@ static bool stays(struct motion *m, enum motion_goal goal)
 static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
 {
     const slong difference = y->law.ad - y->law.bd, n = y->law.bd - difference + y->law.d;
-    arb_pow_ui(place, y->w, (ulong)n, y->prec);
-    arb_div(place, y->c2, place, y->prec);
-    arb_pow_ui(slope, y->w, (ulong)FLINT_ABS(difference), y->prec);
-    if (difference < 0)
-        arb_inv(slope, slope, y->prec);
-    arb_mul(slope, slope, y->c2, y->prec);
-    arb_div(slope, y->v, slope, y->prec);
-    arb_neg(slope, slope);
+    LET(place, y->prec, "y->c2/y->w^n", y->c2, y->w, n);
+    LET(slope, y->prec, "-(y->v/(y->w^difference*y->c2))", y->v, y->w, difference, y->c2);
 }
 
 /* Whether the motion goes on after the current state. If not, sets the outcome. */
@@ -446,20 +392,14 @@ static bool add_fall(struct collision *c, const struct motion *m, const struct s
                      const arb_t beta, slong bits)
 {
     const struct law *law = &m->y.law;
-    const slong prec = m->y.prec;
-    const struct ratio one = {1, 1};
-    const struct ratio to_speed = ratio_div((struct ratio){-1, 1}, law_speed_exponent(law));
-    const struct ratio to_time = ratio_div(ratio_sub(law->a, one), law_fall_power(law));
-    LOCAL(arb, place, slope, time, unit);
+    const struct ratio a = law->a, n = law_fall_power(law), q = law_speed_exponent(law);
+    LOCAL(arb, place, slope, time);
     manifold_state(place, slope, &m->y);
     const bool reached = slow_manifold_time(time, manifold, place, slope, bits);
     if (reached) {
-        arb_add(time, time, manifold->t_fall, prec);
-        arb_pow_ratio(unit, beta, to_time, prec);
-        arb_mul(c->t_zero_overlap, m->y.t, m->s.length, prec);
-        arb_addmul(c->t_zero_overlap, time, unit, prec);
-        arb_pow_ratio(unit, beta, to_speed, prec);
-        arb_mul(c->eps_zero_overlap, manifold->final_speed, unit, prec);
+        LET(c->t_zero_overlap, m->y.prec, "m->y.t*m->s.length + (time + manifold->t_fall)*beta^((a - 1)/n)", m->y.t,
+            m->s.length, time, manifold->t_fall, beta, a, n);
+        LET(c->eps_zero_overlap, m->y.prec, "manifold->final_speed*beta^(-1/q)", manifold->final_speed, beta, q);
         if (!m->released) { /* the two ends coincide */
             arb_set(c->eps_zero_force, c->eps_zero_overlap);
             arb_set(c->t_zero_force, c->t_zero_overlap);
@@ -510,9 +450,7 @@ enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct
         return MOTION_IMPRECISE;
     taylor_value(value, y, TAYLOR_FORCE, root);
     taylor_value(root, y, TAYLOR_W, root);
-    arb_pow_ui(root, root, (ulong)FLINT_MIN(law->ad, law->bd), prec);
-    arb_mul(value, value, root, prec);
-    arb_div(value, value, m.s.length, prec);
-    arb_max(force, force, value, prec);
+    const slong power = FLINT_MIN(law->ad, law->bd);
+    LET(force, prec, "max(force, value*root^power/m.s.length)", force, value, root, power, m.s.length);
     return MOTION_DONE;
 }

@@ -21,46 +21,27 @@ enum { GUARD_BITS = 60, SEARCH_BITS = 128, SEARCH_STEPS = 200, ATTEMPTS = 6, FAR
 static void start(struct taylor *y, const arb_t damping, bool touches)
 {
     const struct law *const law = &y->law;
-    const slong d = law->d, difference = law->ad - law->bd, prec = y->prec;
-    LOCAL(arb, x, lost, gained, ball);
+    const struct ratio law_a = law->a, law_b = law->b;
+    const slong d = law->d, n = law->ad - law->bd, prec = y->prec, power_of_n = 2 * n - d;
+    LOCAL(arb, x, lost, gained, ball, root);
     if (touches) {
-        arb_sqr(x, damping, prec);
-        arb_mul_si(x, x, d, prec);
-        arb_div_si(x, x, difference, prec);
-        arb_root_ui(y->w, x, (ulong)(2 * difference - d), prec);
-        arb_pow_ui(y->v, y->w, (ulong)difference, prec);
-        arb_div(y->v, y->v, damping, prec);
+        LET(y->w, prec, "(damping^2*d/n)^(1/power_of_n)", damping, d, n, power_of_n);
+        LET(y->v, prec, "y->w^n/damping", y->w, n, damping);
         return;
     }
     /* delta^a and B delta^(b+1/2) are below 2^-k, and so are |r| and, by far, what |r| R leaves */
     const double size = fmax(arf_get_d(arb_midref(damping), ARF_RND_UP), 1);
     const double k = (double)prec / 2 + 4, a = (double)law->ad / (double)d, b = (double)law->bd / (double)d;
     const slong power = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */
-    arb_one(y->w);
-    arb_mul_2exp_si(y->w, y->w, power);
-    arb_one(x);
-    arb_mul_2exp_si(x, x, d * power);
-    arb_pow_ui(lost, y->w, (ulong)law->ad, prec); /* X^a/(a+1) */
-    arb_mul_si(lost, lost, d, prec);
-    arb_div_si(lost, lost, law->ad + d, prec);
-    arb_pow_ui(gained, y->w, (ulong)(2 * law->bd + d), prec); /* B sqrt(2 (1 + r)) X^(b+1/2)/(b+3/2) */
-    arb_sqrt(gained, gained, prec);
-    arb_mul(gained, gained, damping, prec);
-    arb_mul_si(gained, gained, 2 * d, prec);
-    arb_div_si(gained, gained, 2 * law->bd + 3 * d, prec);
+    LET(y->w, prec, "2^power", power);
+    LET(x, prec, "y->w^d", y->w, d);
+    LET(lost, prec, "x^law_a/(law_a + 1)", x, law_a);
     arb_set_ui(ball, 3);
     arb_mul_2exp_si(ball, ball, -(slong)k); /* R >= 2 2^-k + 2^-k */
-    LOCAL(arb, root);
     arb_one(root);
     arb_add_error(root, ball);
-    arb_mul_2exp_si(root, root, 1);
-    arb_sqrt(root, root, prec);
-    arb_mul(gained, gained, root, prec);
-    arb_sub(gained, gained, lost, prec);
-    arb_add_ui(gained, gained, 1, prec);
-    arb_mul(x, x, gained, prec);
-    arb_mul_2exp_si(x, x, 1);
-    arb_sqrt(y->v, x, prec);
+    LET(gained, prec, "x^(law_b + 1/2)*damping/(law_b + 3/2)*sqrt(2*root)", x, law_b, damping, root);
+    LET(y->v, prec, "sqrt(2*x*(1 + gained - lost))", x, gained, lost);
 }
 
 enum backward { FOUND, IMPRECISE, ESCAPED };
@@ -135,9 +116,8 @@ int collision_sticking_speed(arb_t speed, const arb_t damping, const struct law 
 static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct law *law, int end,
                   slong prec)
 {
-    const struct ratio one = {1, 1}, two = {2, 1}, a1 = ratio_add(law->a, one);
     const struct ratio q = law_speed_exponent(law);
-    LOCAL(arb, speed, x);
+    LOCAL(arb, speed);
     const enum backward outcome = impact_speed(speed, damping, law, end, prec);
     if (outcome == ESCAPED) {
         arb_zero(force);
@@ -147,15 +127,8 @@ static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping
     if (outcome == IMPRECISE)
         return false;
     arb_log(speed, speed, prec);
-    arb_set_ratio(x, ratio_div(ratio_mul(two, law->a), a1), prec);
-    arb_mul(force, speed, x, prec);
-    arb_neg(force, force);
-    arb_exp(force, force, prec);
-    arb_set_ratio(x, q, prec);
-    arb_mul(speed, speed, x, prec);
-    arb_div(x, beta, damping, prec);
-    arb_log(rest, x, prec);
-    arb_sub(rest, rest, speed, prec);
+    LET(force, prec, "exp(-speed*(2*law->a/(law->a + 1)))", speed, law->a);
+    LET(rest, prec, "log(beta/damping) - speed*q", beta, damping, speed, q);
     return true;
 }
 
@@ -164,8 +137,7 @@ static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping
  * X = w^d with w = 2^FAR_BITS. */
 static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct law *law, int end, slong bits)
 {
-    const struct ratio power = ratio_div(ratio_mul((struct ratio){2, 1}, law->a), law_fall_power(law));
-    const struct ratio q = law_speed_exponent(law);
+    const struct ratio n = law_fall_power(law), q = law_speed_exponent(law);
     const double far = FAR_BITS * (double)(law->ad + law->d) / 2 / (law->d == 1 ? 0.5 : 1) - 4;
     slong prec = bits + GUARD_BITS;
     bool proved[2] = {false, false};
@@ -179,12 +151,10 @@ static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const s
         const bool narrow = arb_lt(width, low);
         if (narrow && proved[0] && proved[1]) {
             arb_union(middle, low, high, prec);
-            arb_div(middle, middle, beta, prec);
-            arb_pow_ratio(force, middle, power, prec);
+            LET(force, prec, "(middle/beta)^(2*law->a/n)", middle, beta, law->a, n);
             return STATUS_OK;
         }
-        arb_add(middle, low, high, prec);
-        arb_mul_2exp_si(middle, middle, -1);
+        LET(middle, prec, "(low + high)/2", low, high);
         if (narrow) /* the end whose sign comes from fewer bits */
             arb_set(middle, proved[0] ? high : low);
         arb_get_mid_arb(middle, middle);
@@ -249,7 +219,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
 
 int collision_sticking_force(arb_t force, const arb_t beta, const struct law *law, int end, slong bits)
 {
-    LOCAL(arb, damping, found, low, high, f_low, f_high, other, slope, at);
+    LOCAL(arb, damping, found, low, high, f_low, f_high, other, at);
     slong prec = bits + GUARD_BITS, width = 30;
     arb_get_mid_arb(at, beta);
     const int status = find_damping(damping, low, high, at, law, end);
@@ -261,11 +231,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
     /* secants over ever narrower intervals, until the signs at both ends prove one of 2^-bits */
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_get_mid_arb(damping, damping);
-        arb_mul_2exp_si(slope, damping, -width);
-        arb_sub(low, damping, slope, prec);
-        arb_add(high, damping, slope, prec);
-        arb_get_mid_arb(low, low);
-        arb_get_mid_arb(high, high);
+        arb_around(low, high, damping, -width, prec);
         if (!curve(f_low, force, beta, low, law, end, prec) || !curve(f_high, other, beta, high, law, end, prec) ||
             !arb_is_finite(f_low) || !arb_is_finite(f_high)) {
             prec += prec / 2;
@@ -282,18 +248,10 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
             width = FLINT_MIN(2 * width - 6, bits + GUARD_BITS / 3);
         else if (i > 8)
             prec += prec / 4;
-        arb_sub(slope, f_high, f_low, prec);
-        arb_sub(high, high, low, prec);
-        arb_mul(high, high, f_low, prec);
-        arb_div(high, high, slope, prec);
-        arb_sub(damping, low, high, prec);
+        LET(damping, prec, "low - (high - low)*f_low/(f_high - f_low)", low, high, f_low, f_high);
     }
     if (law_speed_exponent(law).num > 0) { /* motions escape next to B */
-        arb_mul_2exp_si(slope, found, -WIDE_BITS);
-        arb_sub(low, found, slope, prec);
-        arb_add(high, found, slope, prec);
-        arb_get_mid_arb(low, low);
-        arb_get_mid_arb(high, high);
+        arb_around(low, high, found, -WIDE_BITS, prec);
         return squeeze(force, low, high, beta, law, end, bits);
     }
     return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);

@@ -45,14 +45,13 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
 /* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, because p p' = (p^2)'/2. */
 void slow_manifold_formal(arb_poly_t p, const struct law *law, slong degree, slong prec)
 {
-    const struct ratio half_n = ratio_div(law_fall_power(law), (struct ratio){2, 1}), slope = ratio_sub(law->a, law->b);
-    LOCAL(arb, c, factor);
+    const struct ratio n = law_fall_power(law), a = law->a, b = law->b;
+    LOCAL(arb, c);
     arb_poly_one(p);
     arb_poly_fit_length(p, degree + 1);
     for (slong k = 1; k <= degree; k++) {
         arb_dot(c, NULL, 0, p->coeffs, 1, p->coeffs + k - 1, -1, k, prec);
-        arb_set_ratio(factor, ratio_sub(slope, ratio_mul(half_n, (struct ratio){k - 1, 1})), prec);
-        arb_mul(p->coeffs + k, c, factor, prec);
+        LET(p->coeffs + k, prec, "c*(a - b - n*(k - 1)/2)", c, a, b, n, k);
         _arb_poly_set_length(p, k + 1);
     }
     /* the sum of Hunt and Crossley's law is 1 and may end with zeros */
@@ -66,13 +65,13 @@ static void bound_defect(struct slow_manifold *m, slong degree)
     LOCAL(arb_poly, square, defect, term);
     LOCAL(arb, factor);
     arb_poly_mul(square, m->p, m->p, prec);
-    arb_set_ratio(factor, ratio_sub(m->law.a, m->law.b), prec);
+    LET(factor, prec, "m->law.a - m->law.b", m->law.a, m->law.b);
     arb_poly_shift_left(defect, square, 1);
     arb_poly_scalar_mul(defect, defect, factor, prec);
     arb_poly_sub(defect, defect, m->p, prec);
     arb_poly_derivative(term, square, prec);
     arb_poly_shift_left(term, term, 2);
-    arb_set_ratio(factor, ratio_div(m->n, (struct ratio){2, 1}), prec);
+    LET(factor, prec, "m->n/2", m->n);
     arb_poly_scalar_mul(term, term, factor, prec);
     arb_poly_sub(defect, defect, term, prec);
     abs_tail(m->nu, defect, degree + 1, m->last, prec);
@@ -81,97 +80,65 @@ static void bound_defect(struct slow_manifold *m, slong degree)
 /* eta: 2^-bits plus four times the defect */
 static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
 {
-    arb_one(eta);
-    arb_mul_2exp_si(eta, eta, -bits);
-    arb_addmul_si(eta, m->nu, 4, m->prec);
+    LET(eta, m->prec, "2^-bits + 4*m->nu", bits, m->nu);
 }
 
 /* At p = P +- eta the field points inwards if |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|. The function
  * proves that this factor is above 1/2, with sums of absolute values for |P| and |P'|, and that P > 3/4. */
 static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
 {
-    const slong prec = m->prec;
+    const struct ratio a = m->law.a, b = m->law.b;
     LOCAL(arb_poly, slope);
-    LOCAL(arb, change, x, factor);
-    abs_tail(change, m->p, 1, m->last, prec); /* |P - 1| */
-    arb_poly_derivative(slope, m->p, prec);
-    abs_tail(x, slope, 0, m->last, prec);
-    arb_mul(x, x, m->last, prec);
-    arb_set_ratio(factor, m->n, prec);
-    arb_mul(x, x, factor, prec); /* n y |P'| */
-
-    arb_add_ui(factor, change, 1, prec);
-    arb_mul_2exp_si(factor, factor, 1);
-    arb_add(factor, factor, eta, prec);
-    LOCAL(arb, difference);
-    arb_set_ratio(difference, ratio_sub(m->law.a, m->law.b), prec);
-    arb_abs(difference, difference);
-    arb_addmul(x, factor, difference, prec);
-    arb_mul(x, x, m->last, prec);
-    arb_mul_2exp_si(x, x, 1);
-    arb_sub_si(x, x, 1, prec);
-    const bool closed = arb_is_negative(x);
-    arb_mul_2exp_si(change, change, 2);
-    arb_sub_si(change, change, 1, prec);
-    return closed && arb_is_negative(change);
+    LOCAL(arb, change, x);
+    abs_tail(change, m->p, 1, m->last, m->prec); /* |P - 1| */
+    arb_poly_derivative(slope, m->p, m->prec);
+    abs_tail(x, slope, 0, m->last, m->prec); /* |P'| */
+    return HOLDS(m->prec, "2*m->last*(m->n*m->last*x + abs(a - b)*(2*(change + 1) + eta)) < 1", m->last, m->n, x, a, b,
+                 change, eta) &&
+           HOLDS(m->prec, "change < 1/4", change);
 }
 
 /* The integral of y^(m-1-kappa): y^(m - kappa)/(m - kappa), or ln(y) if m = kappa */
 static void time_power(arb_t x, const struct slow_manifold *m, slong power, const arb_t y)
 {
-    const struct ratio e = ratio_sub((struct ratio){power, 1}, m->kappa);
-    if (e.num == 0) {
+    if (power * m->kappa.den == m->kappa.num)
         arb_log(x, y, m->prec);
-        return;
-    }
-    LOCAL(arb, exponent);
-    arb_set_ratio(exponent, e, m->prec);
-    arb_pow_ratio(x, y, e, m->prec);
-    arb_div(x, x, exponent, m->prec);
+    else
+        LET(x, m->prec, "y^(power - m->kappa)/(power - m->kappa)", y, power, m->kappa);
 }
 
 /* The integral of 1/P - inverse = (1 - P inverse)/P, which starts at y^(degree+1), with |1/P| < 4/3 */
 static void bound_time_error(struct slow_manifold *m, slong degree)
 {
     LOCAL(arb_poly, product);
-    LOCAL(arb, x, n);
+    LOCAL(arb, x);
     arb_poly_inv_series(m->inverse, m->p, degree + 1, m->prec);
     arb_poly_mul(product, m->p, m->inverse, m->prec);
     arb_zero(m->time_error);
     for (slong k = degree + 1; k < product->length; k++) {
+        const arb_srcptr c = product->coeffs + k;
         time_power(x, m, k, m->last); /* k > kappa, because kappa is at most 1 */
-        arb_mul(x, x, product->coeffs + k, m->prec);
-        arb_abs(x, x);
-        arb_add(m->time_error, m->time_error, x, m->prec);
+        LET(m->time_error, m->prec, "m->time_error + abs(x*c)", m->time_error, x, c);
     }
-    arb_set_ratio(n, m->n, m->prec);
-    arb_div(m->time_error, m->time_error, n, m->prec);
-    arb_mul_si(m->time_error, m->time_error, 4, m->prec);
-    arb_div_si(m->time_error, m->time_error, 3, m->prec);
+    LET(m->time_error, m->prec, "m->time_error/m->n*4/3", m->time_error, m->n);
 }
 
 /* Integrates one trajectory from `last` with slope p down to z = 0. Sets its end speed and time. */
-static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const arb_t p)
+static bool follow_manifold(arb_t speed, arb_t time, const struct slow_manifold *m, const arb_t p)
 {
-    const struct law *law = &m->law;
-    const struct ratio to_w = ratio_div((struct ratio){-1, law->d}, m->n);
+    const slong d = m->law.d, difference = m->law.ad - m->law.bd;
     LOCAL(arb, value);
-    LOCAL_INIT(taylor, y, (&y, law, taylor_degree(m->prec), m->prec));
+    LOCAL_INIT(taylor, y, (&y, &m->law, taylor_degree(m->prec), m->prec));
     arb_one(y.c1);
     arb_one(y.c2);
-    arb_pow_ratio(y.w, m->last, to_w, m->prec); /* w = z^(1/d), z = y^(-1/n) */
-    arb_pow_ui(y.v, y.w, (ulong)FLINT_ABS(law->ad - law->bd), m->prec);
-    if (law->ad < law->bd)
-        arb_inv(y.v, y.v, m->prec);
-    arb_mul(y.v, y.v, p, m->prec);
-    arb_neg(y.v, y.v);
-    const bool fallen = taylor_follow(value, &y, TAYLOR_W, "fall along the slow manifold");
-    if (fallen) {
-        taylor_value(speed, &y, TAYLOR_V, value);
-        arb_neg(speed, speed);
-        taylor_value(time, &y, TAYLOR_T, value);
-    }
-    return fallen;
+    LET(y.w, m->prec, "m->last^(-1/d/m->n)", m->last, d, m->n); /* w = z^(1/d), z = y^(-1/n) */
+    LET(y.v, m->prec, "-(y.w^difference*p)", y.w, difference, p);
+    if (!taylor_follow(value, &y, TAYLOR_W, "fall along the slow manifold"))
+        return false;
+    taylor_value(speed, &y, TAYLOR_V, value);
+    arb_neg(speed, speed);
+    taylor_value(time, &y, TAYLOR_T, value);
+    return true;
 }
 
 /* -z' as a function of z obeys a scalar equation, so trajectories keep their order. The two edges enclose all
@@ -181,9 +148,9 @@ static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
     LOCAL(arb, middle, edge, speed, time);
     arb_poly_evaluate(middle, m->p, m->last, m->prec);
     arb_sub(edge, middle, eta, m->prec);
-    bool closed = fall(m->final_speed, m->t_fall, m, edge);
+    bool closed = follow_manifold(m->final_speed, m->t_fall, m, edge);
     arb_add(edge, middle, eta, m->prec);
-    closed = closed && fall(speed, time, m, edge);
+    closed = closed && follow_manifold(speed, time, m, edge);
     arb_union(m->final_speed, m->final_speed, speed, m->prec);
     arb_union(m->t_fall, m->t_fall, time, m->prec);
     return closed;
@@ -202,8 +169,7 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
     FOR_ALL(arb, init, m->last, m->nu, m->time_error, m->final_speed, m->t_fall);
 
     slow_manifold_formal(m->p, law, degree, prec);
-    arb_set_ratio(m->last, ratio_mul(m->n, (struct ratio){2 * degree, 1}), prec);
-    arb_inv(m->last, m->last, prec);
+    LET(m->last, prec, "1/(2*m->n*degree)", m->n, degree);
     arb_get_mid_arb(m->last, m->last);
     bound_defect(m, degree);
     eta_of(eta, m, bits);
@@ -244,23 +210,16 @@ const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, 
 
 bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)
 {
-    LOCAL(arb, x, bound);
-    if (!arb_lt(y, m->last))
-        return false;
+    LOCAL(arb, x);
     arb_poly_evaluate(x, m->p, y, m->prec);
-    arb_sub(x, x, p, m->prec);
-    arb_abs(x, x);
-    arb_one(bound);
-    arb_mul_2exp_si(bound, bound, -bits);
-    return arb_lt(x, bound);
+    return arb_lt(y, m->last) && HOLDS(m->prec, "abs(x - p) < 2^-bits", x, p, bits);
 }
 
 bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)
 {
-    LOCAL(arb, x, n, eta);
+    LOCAL(arb, x, eta, error);
     if (!slow_manifold_reached(m, y, p, bits))
         return false;
-    arb_set_ratio(n, m->n, m->prec);
     /* sum_k inverse_k [y^(k-kappa)/(k-kappa)]/n from y to `last` */
     arb_zero(time);
     for (slong k = 0; k < m->inverse->length; k++) {
@@ -269,19 +228,13 @@ bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y
         time_power(x, m, k, y);
         arb_submul(time, x, m->inverse->coeffs + k, m->prec);
     }
-    arb_div(time, time, n, m->prec);
+    LET(time, m->prec, "time/m->n", time, m->n);
     arb_add_error(time, m->time_error);
     /* |1/p - 1/P| <= eta/(3/4 - eta)^2 < 2 eta, integrated like the term of degree 0 */
     eta_of(eta, m, bits);
     time_power(x, m, 0, m->last);
-    arb_mul(eta, eta, x, m->prec);
-    eta_of(n, m, bits);
-    time_power(x, m, 0, y);
-    arb_submul(eta, n, x, m->prec);
-    arb_set_ratio(n, m->n, m->prec);
-    arb_div(eta, eta, n, m->prec);
-    arb_mul_2exp_si(eta, eta, 1);
-    arb_abs(eta, eta);
-    arb_add_error(time, eta);
+    time_power(error, m, 0, y);
+    LET(error, m->prec, "2*eta*(x - error)/m->n", eta, x, error, m->n);
+    arb_add_error(time, error);
     return true;
 }

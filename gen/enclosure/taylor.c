@@ -270,18 +270,15 @@ struct step_proof {
 
 static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
 {
-    LOCAL(mag, size);
+    const arb_srcptr from[] = {h, y->c1, y->c2, y->c3};
+    const arb_ptr to[] = {p->h, p->c1, p->c2, p->c3};
     p->y = y;
     mag_init(p->h_mag);
     STEP_PROOF_NUMBERS(init, p);
-    arb_get_mag(p->h_mag, h);
-    arb_set_upper(p->h, p->h_mag);
-    arb_get_mag(size, y->c1);
-    arb_set_upper(p->c1, size);
-    arb_get_mag(size, y->c2);
-    arb_set_upper(p->c2, size);
-    arb_get_mag(size, y->c3);
-    arb_set_upper(p->c3, size);
+    for (int i = 3; i >= 0; i--) {
+        arb_get_mag(p->h_mag, from[i]);
+        arb_set_upper(to[i], p->h_mag);
+    }
 }
 
 static void step_proof_clear(struct step_proof *p)
@@ -337,14 +334,10 @@ static void residuals(struct step_proof *p)
 /* The tube around the polynomials: their norms times 1 + 2^-TUBE_BITS. */
 static void tube(struct step_proof *p)
 {
-    LOCAL(arb, wider);
-    arb_one(wider);
-    arb_mul_2exp_si(wider, wider, -TUBE_BITS);
-    arb_add_ui(wider, wider, 1, NORM_BITS);
     component_norm(p->w_max, p->y->w, 0, p->y, p->h_mag);
-    arb_mul(p->w_max, p->w_max, wider, NORM_BITS);
     component_norm(p->v_max, p->y->v, 0, p->y, p->h_mag);
-    arb_mul(p->v_max, p->v_max, wider, NORM_BITS);
+    LET(p->w_max, NORM_BITS, "p->w_max*(1 + 2^-TUBE_BITS)", p->w_max, TUBE_BITS);
+    LET(p->v_max, NORM_BITS, "p->v_max*(1 + 2^-TUBE_BITS)", p->v_max, TUBE_BITS);
 }
 
 /* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives a
@@ -363,15 +356,11 @@ static void lipschitz(struct step_proof *p)
     arb_add(by_w, by_w, term, NORM_BITS);
     monomial(by_v, 1, p->c1, p->w_max, d - 1 + bd);
 
-    arb_mul_si(p->kappa, by_w, d, NORM_BITS);
-    arb_sqrt(p->kappa, p->kappa, NORM_BITS);
+    LET(p->kappa, NORM_BITS, "sqrt(by_w*d)", by_w, d);
     arb_get_mid_arb(p->kappa, p->kappa);
     if (!arb_is_positive(p->kappa))
         arb_one(p->kappa);
-    arb_div(p->lipschitz, by_w, p->kappa, NORM_BITS);
-    arb_add(p->lipschitz, p->lipschitz, by_v, NORM_BITS);
-    arb_div_si(term, p->kappa, d, NORM_BITS);
-    arb_max(p->lipschitz, p->lipschitz, term, NORM_BITS);
+    LET(p->lipschitz, NORM_BITS, "max(by_w/p->kappa + by_v, p->kappa/d)", by_w, p->kappa, by_v, d);
 }
 
 /* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube. Returns whether it
@@ -379,27 +368,18 @@ static void lipschitz(struct step_proof *p)
 static bool gronwall(struct step_proof *p)
 {
     const slong d = p->y->law.d;
-    LOCAL(arb, term, room);
-
-    arb_mul(p->error_v, p->residual_w, p->kappa, NORM_BITS);
-    arb_max(p->error_v, p->error_v, p->residual_v, NORM_BITS);
-    arb_mul(p->error_v, p->error_v, p->h, NORM_BITS);
-    arb_mul(term, p->lipschitz, p->h, NORM_BITS);
-    arb_exp(term, term, NORM_BITS);
-    arb_mul(p->error_v, p->error_v, term, NORM_BITS);
+    LOCAL(arb, term);
+    LET(p->error_v, NORM_BITS, "max(p->residual_w*p->kappa, p->residual_v)*p->h*exp(p->lipschitz*p->h)", p->residual_w,
+        p->kappa, p->residual_v, p->h, p->lipschitz);
     arb_div(p->error_w, p->error_v, p->kappa, NORM_BITS);
 
     /* t' = w^(d-1), which involves no t */
     monomial(term, d - 1, p->error_w, p->w_max, d - 2);
-    arb_add(p->error_t, p->residual_t, term, NORM_BITS);
-    arb_mul(p->error_t, p->error_t, p->h, NORM_BITS);
+    LET(p->error_t, NORM_BITS, "(p->residual_t + term)*p->h", p->residual_t, term, p->h);
 
     /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w_max on each side, which is more than half of 2^-TUBE_BITS. */
-    arb_mul_2exp_si(room, p->w_max, -TUBE_BITS - 1);
-    bool inside = arb_lt(p->error_w, room);
-    arb_mul_2exp_si(room, p->v_max, -TUBE_BITS - 1);
-    inside = inside && arb_lt(p->error_v, room);
-    return inside;
+    return HOLDS(NORM_BITS, "p->error_w < p->w_max/2^(TUBE_BITS + 1)", p->error_w, p->w_max, TUBE_BITS) &&
+           HOLDS(NORM_BITS, "p->error_v < p->v_max/2^(TUBE_BITS + 1)", p->error_v, p->v_max, TUBE_BITS);
 }
 
 /* (6.5): whether w has no pair of zeros inside the step, which its signs at both ends would not show. One of two
@@ -407,17 +387,9 @@ static bool gronwall(struct step_proof *p)
  * v_max/d. Under a constant force only the first one shows that v has no such pair, either (24). */
 static bool no_hidden_zero(const struct step_proof *p)
 {
-    LOCAL(arb, x);
-    arb_mul(x, p->lipschitz, p->h, NORM_BITS);
-    arb_mul_2exp_si(x, x, 1);
-    arb_sub_si(x, x, 3, NORM_BITS);
-    bool none = arb_is_negative(x);
-    if (!none && arb_is_zero(p->c3)) {
-        arb_mul(x, p->v_max, p->h, NORM_BITS);
-        arb_div_si(x, x, p->y->law.d, NORM_BITS);
-        none = arb_gt(p->y->w, x);
-    }
-    return none;
+    const slong d = p->y->law.d;
+    return HOLDS(NORM_BITS, "2*p->lipschitz*p->h < 3", p->lipschitz, p->h) ||
+           (arb_is_zero(p->c3) && HOLDS(NORM_BITS, "p->y->w > p->v_max*p->h/d", p->y->w, p->v_max, p->h, d));
 }
 
 /* Sets the remainders on [0, h]. Returns false if the proof does not succeed. */
@@ -558,12 +530,7 @@ void bracket_clear(struct bracket *b)
 
 void bracket_guess(arb_t x, const struct bracket *b, slong prec)
 {
-    LOCAL(arb, fall);
-    arb_sub(fall, b->f_high, b->f_low, prec);
-    arb_sub(x, b->high, b->low, prec);
-    arb_mul(x, x, b->f_low, prec);
-    arb_div(x, x, fall, prec);
-    arb_sub(x, b->low, x, prec);
+    LET(x, prec, "b->low - (b->high - b->low)*b->f_low/(b->f_high - b->f_low)", b->low, b->high, b->f_low, b->f_high);
     arb_get_mid_arb(x, x);
 }
 

@@ -30,55 +30,44 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
 {
     enum { SHRINK = 3 };
     const slong terms = prec / SHRINK + 2;
-    const struct ratio one = {1, 1}, two = {2, 1};
-    const struct ratio b1 = ratio_add(law->b, one), m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
+    const struct ratio n = law_fall_power(law);
     LOCAL_VECTOR(c, terms + 1);
-    LOCAL(arb, x, factor);
-    arb_set_ratio(c, ratio_div(one, b1), prec);
+    LOCAL(fmpq, b1);
+    LOCAL(arb, x);
+    EXACT(b1, "law->b + 1", law->b);
+    LET(c, prec, "1/b1", b1);
     for (slong k = 1; k <= terms; k++) {
-        const struct ratio mk = ratio_mul(m, (struct ratio){k, 1});
+        arb_zero(x);
         if (k > 1)
             arb_dot(x, NULL, 0, c + 1, 1, c + k - 1, -1, k - 1, prec);
-        else
-            arb_zero(x);
-        arb_set_ratio(factor, ratio_add(b1, ratio_div(mk, two)), prec);
-        arb_mul(x, x, factor, prec);
-        if (k == 1)
-            arb_add_ui(x, x, 1, prec);
-        arb_set_ratio(factor, ratio_add(one, ratio_div(mk, b1)), prec);
-        arb_div(x, x, factor, prec);
-        arb_neg(c + k, x);
+        const slong first = k == 1;
+        LET(c + k, prec, "-((x*(b1 - n*k/2) + first)/(1 - n*k/b1))", x, b1, n, k, first);
     }
-    arb_set_ratio(z, b1, prec);
-    arb_mul(z, z, c + 1, prec);
-    arb_abs(z, z);
-    arb_inv(z, z, prec);
-    arb_mul_2exp_si(z, z, -2 - SHRINK);
+    const arb_srcptr g1 = c + 1;
+    LET(z, prec, "1/abs(b1*g1)/2^(2 + SHRINK)", b1, g1, SHRINK);
     arb_get_lbound_arf(arb_midref(z), z, prec);
     mag_zero(arb_radref(z));
     _arb_poly_evaluate(g, c, terms + 1, z, prec);
-    arb_set_ratio(x, b1, prec);
-    arb_inv(x, x, prec);
-    arb_mul_2exp_si(x, x, -1 - SHRINK * (terms + 1));
+    LET(x, prec, "1/b1/2^(1 + SHRINK*(terms + 1))", b1, SHRINK, terms);
     arb_add_error(g, x);
 }
 
 /* Computes C* by steps from the end of the series to the turning point. */
 static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 {
-    const struct ratio m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
+    const struct ratio n = law_fall_power(law);
+    const slong d = law->d, b1 = law->bd + d;
     LOCAL(arb, g, z);
     unstable_series(g, z, law, prec);
     LOCAL_INIT(taylor, y, (&y, law, taylor_degree(prec), prec));
     arb_set_si(y.c1, -1);
     arb_one(y.c2);
-    arb_pow_ratio(y.w, z, ratio_div((struct ratio){1, law->d}, m), prec);
-    arb_pow_ui(y.v, y.w, (ulong)(law->bd + law->d), prec);
-    arb_mul(y.v, y.v, g, prec);
+    LET(y.w, prec, "z^(-1/d/n)", z, d, n);
+    LET(y.v, prec, "y.w^b1*g", y.w, b1, g);
     const bool turned = taylor_follow(g, &y, TAYLOR_V, "threshold of damping");
     if (turned) {
         taylor_value(z, &y, TAYLOR_W, g);
-        arb_pow_ui(c_star, z, (ulong)law->d, prec);
+        arb_pow_ui(c_star, z, (ulong)d, prec);
     }
     return turned;
 }
@@ -86,14 +75,11 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 /* C(beta) - C*. */
 static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const struct law *law, slong prec)
 {
-    const struct ratio power = ratio_div((struct ratio){2, 1}, law_fall_power(law));
+    const struct ratio n = law_fall_power(law);
     LOCAL(collision, c);
     const bool solved = motion_solve(c, beta, law, MOTION_TURNING_POINT, prec) == MOTION_DONE;
-    if (solved) {
-        arb_pow_ratio(f, beta, power, prec);
-        arb_mul(f, f, c->x_max, prec);
-        arb_sub(f, f, c_star, prec);
-    }
+    if (solved)
+        LET(f, prec, "beta^(2/n)*c->x_max - c_star", beta, n, c->x_max, c_star);
     return solved;
 }
 
@@ -102,7 +88,7 @@ static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const st
 static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *law, slong bits, slong prec)
 {
     LOCAL(bracket, b);
-    LOCAL(arb, x, f, width);
+    LOCAL(arb, x, f);
     bool enclosed = false;
     arb_one(b->low);
     bool sound = height_above(b->f_low, b->low, c_star, law, prec);
@@ -125,11 +111,7 @@ static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *l
         bracket_shrink(b, x, f);
     }
     if (sound && enclosed) {
-        arb_mul_2exp_si(width, x, -bits - 2);
-        arb_sub(b->low, x, width, prec);
-        arb_get_mid_arb(b->low, b->low);
-        arb_add(b->high, x, width, prec);
-        arb_get_mid_arb(b->high, b->high);
+        arb_around(b->low, b->high, x, -bits - 2, prec);
         sound = height_above(b->f_low, b->low, c_star, law, prec) &&
                 height_above(b->f_high, b->high, c_star, law, prec) && arb_is_positive(b->f_low) &&
                 arb_is_negative(b->f_high);

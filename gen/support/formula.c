@@ -44,8 +44,11 @@ static _Noreturn void refuse(const struct reader *r)
 /* The next character if it is among `which`, or 0, where the text stays. */
 static char next_of(struct reader *r, const char *which)
 {
-    r->at += strspn(r->at, " ");
-    return *r->at != '\0' && strchr(which, *r->at) ? *r->at++ : '\0';
+    while (*r->at == ' ')
+        r->at++;
+    while (*which != '\0' && *which != *r->at)
+        which++;
+    return *which != '\0' ? *r->at++ : '\0';
 }
 
 static void expect(struct reader *r, const char *which)
@@ -112,14 +115,14 @@ static void read_sum(struct value *y, struct reader *r);
 
 static bool is_named(const char *name, const char *word, size_t length)
 {
-    return strlen(name) == length && strncmp(name, word, length) == 0;
+    return strncmp(name, word, length) == 0 && name[length] == '\0';
 }
 
 /* A name consists of letters, digits, _ . -> and an index in brackets. */
 static size_t name_length(const char *text)
 {
     size_t n = 0;
-    while (isalnum((unsigned char)text[n]) || (text[n] != '\0' && strchr("_.[]", text[n])) ||
+    while (isalnum((unsigned char)text[n]) || text[n] == '_' || text[n] == '.' || text[n] == '[' || text[n] == ']' ||
            (text[n] == '-' && text[n + 1] == '>') || (text[n] == '>' && n > 0 && text[n - 1] == '-'))
         n++;
     return n;
