@@ -69,7 +69,8 @@ int sampled_function_make(struct sampled_function *s)
         struct block *const b = &s->block[i];
         *b = (struct block){_arb_vec_init(BLOCK_POINTS), _arb_vec_init(BLOCK_POINTS), _arb_vec_init(BLOCK_POINTS)};
         const slong first = i * BLOCK_ROWS, last = first + BLOCK_ROWS < rows ? first + BLOCK_ROWS : rows;
-        const double lo = pieces_cell(s->p, first).lo, hi = pieces_cell(s->p, last - 1).hi;
+        const struct cell from = pieces_cell(s->p, first), to = pieces_cell(s->p, last - 1);
+        const double lo = ldexp(from.lo, (int)from.octave), hi = ldexp(to.hi, (int)to.octave);
         if (status == STATUS_OK)
             status = block_make(b, s, lo, hi);
         if (status == STATUS_OK)
@@ -91,8 +92,14 @@ void sampled_function_clear(struct sampled_function *s)
 static int samples_at(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y)
 {
     const struct sampled_function *const s = context;
-    const slong row = (slong)nearbyint((cell->node - p->first) / p->step);
-    block_value(f, &s->block[row / BLOCK_ROWS], y);
+    slong row;
+    if (p->variable != VARIABLE_OTHER)
+        row = (slong)ldexp((double)(cell->octave - (slong)p->first) + cell->node - 1, (int)p->octave_bits);
+    else
+        row = (slong)nearbyint((cell->node - p->first) / p->step);
+    LOCAL(arb, x);
+    arb_mul_2exp_si(x, y, cell->octave);
+    block_value(f, &s->block[row / BLOCK_ROWS], x);
     return STATUS_OK;
 }
 

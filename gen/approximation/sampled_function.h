@@ -9,11 +9,11 @@
 
 #include "approximation/pieces.h"
 
-/* f(y), enclosed with a working precision of `prec` bits if `proved`, otherwise a sample */
+/* f at y, or at y 2^k of octave k, enclosed with a working precision of `prec` bits if `proved`, otherwise a sample */
 typedef void function_of_ball(arb_t f, const void *what, const arb_t y, bool proved, slong prec);
 
 struct sampled_function {
-    const struct pieces *p; /* the grid; VARIABLE_OTHER */
+    const struct pieces *p; /* the grid; VARIABLE_OTHER, or one of octaves */
     function_of_ball *value;
     const void *what;
     struct block *block;

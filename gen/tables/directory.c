@@ -44,6 +44,7 @@ static const struct generated files[] = {
     {"tsuji_tables.h", tsuji_tables_write, NULL},
     {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL},
     {"wave_tables.h", wave_tables_write, NULL},
+    {"disk_law_tables.h", disk_law_tables_write, NULL},
     {"disk_modes_nu033.h", NULL, "0.33"},
     {"disk_modes_nu090.h", NULL, "0.90"},
 };

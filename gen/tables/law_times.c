@@ -391,3 +391,96 @@ CROSSLEY_TIME(time_of_max_overlap, 1, CROSSLEY_LINEAR)
 CROSSLEY_TIME(time_of_max_overlap, 3_2, CROSSLEY_HERTZ)
 CROSSLEY_TIME(duration, 1, CROSSLEY_LINEAR)
 CROSSLEY_TIME(duration, 3_2, CROSSLEY_HERTZ)
+
+/* ---- the disk ---- */
+
+/* 1 + t = -W_-1(-exp(-1 - q)) */
+static void disk_one_plus_t(arb_t y, const arb_t q, slong prec)
+{
+    LET(y, prec, "-exp(-1 - q)", q);
+    arb_lambertw(y, y, 1, prec);
+    arb_neg(y, y);
+}
+
+void disk_load_factor(arb_t factor, enum quadrature how, const arb_t q, slong prec)
+{
+    (void)how;
+    disk_one_plus_t(factor, q, prec + GUARD_BITS);
+    LET(factor, prec, "pi/factor", factor);
+}
+
+struct disk_integrand {
+    arb_srcptr y, t, c, end; /* y = 1 + t */
+};
+
+/* (exp(u) - 1 - u)/u^2; for |u| < 1 the series, whose terms from the 50th on are below 2^-214 */
+static void exp_less_two_terms(acb_t y, const acb_t u, slong prec)
+{
+    enum { TERMS = 50 };
+    LOCAL(mag, size);
+    LOCAL(acb, part);
+    acb_get_mag(size, u);
+    if (mag_cmp_2exp_si(size, 0) >= 0) {
+        acb_exp(part, u, prec);
+        acb_sub_ui(part, part, 1, prec);
+        acb_sub(part, part, u, prec);
+        acb_div(part, part, u, prec);
+        acb_div(y, part, u, prec);
+        return;
+    }
+    /* 1/2 (1 + u/3 (1 + u/4 (1 + ...))) */
+    acb_one(part);
+    for (ulong k = TERMS; k > 2; k--) {
+        acb_mul(part, part, u, prec);
+        acb_div_ui(part, part, k, prec);
+        acb_add_ui(part, part, 1, prec);
+    }
+    acb_mul_2exp_si(y, part, -1);
+    mag_set_ui_2exp_si(size, 1, -214);
+    acb_add_error_mag(y, size);
+}
+
+/* The integrand f(end x) of runtime/disk/quasistatic.c, u = c sinh^2(end x/2), with the zeros at u = 0 divided out:
+ * (t + u) sqrt((u + c)/(t + (1 + t) (exp(u) - 1 - u)/u)) */
+static int disk_integrand(acb_ptr f, const acb_t x, void *parameters, slong order, slong prec)
+{
+    const struct disk_integrand *const p = parameters;
+    LOCAL(acb, u, low, root);
+    acb_mul_arb(u, x, p->end, prec);
+    acb_mul_2exp_si(u, u, -1);
+    acb_sinh(u, u, prec);
+    acb_mul(u, u, u, prec);
+    acb_mul_arb(u, u, p->c, prec);
+    exp_less_two_terms(low, u, prec);
+    acb_mul(low, low, u, prec);
+    acb_mul_arb(low, low, p->y, prec);
+    acb_add_arb(low, low, p->t, prec);
+    acb_add_arb(root, u, p->c, prec);
+    acb_div(root, root, low, prec);
+    acb_sqrt_analytic(root, root, order > 0, prec);
+    acb_add_arb(u, u, p->t, prec);
+    acb_mul(f, u, root, prec);
+    return 0;
+}
+
+/* The integral ends at u = U = 192. From there on the integrand in u is below sqrt(2) (t + u) exp(-u/2), and the rest
+ * of tau is below 2 (t + U + 2) exp(-U/2) < (t + U + 2) 2^-137. */
+void disk_contact_time(arb_t tau, enum quadrature how, const arb_t q, slong prec)
+{
+    enum { U = 192, REST_BITS = 137 };
+    const slong more = prec + GUARD_BITS;
+    LOCAL(arb, y, t, c, x, end);
+    LOCAL(mag, rest);
+    disk_one_plus_t(y, q, more + GUARD_BITS);
+    LET(t, more, "y - 1", y);
+    LET(c, more, "t + t/y", t, y);
+    LET(x, more, "sqrt(U/c)", U, c);
+    LET(end, more, "2*log(x + sqrt(1 + x^2))", x);
+    struct disk_integrand p = {y, t, c, end};
+    quadrature_integrate(tau, how, disk_integrand, &p, prec);
+    LET(tau, more, "tau*end/sqrt(2)", tau, end);
+    LET(x, more, "t + U + 2", t, U);
+    arb_get_mag(rest, x);
+    mag_mul_2exp_si(rest, rest, -REST_BITS);
+    arb_add_error_mag(tau, rest);
+}

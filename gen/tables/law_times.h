@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Enclosed times of Tsuji's damping and of Hunt and Crossley's law: quadrature of the integrals of docs/laws.md in
- * interval (ball) arithmetic. Times are in units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
+/* Enclosed times of Tsuji's damping, of Hunt and Crossley's law and of the disk's contact law: quadrature of the
+ * integrals of docs/laws.md and docs/theory-disks.md in interval (ball) arithmetic. Times of the two laws of damping are
+ * in units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
 #ifndef COR_GEN_TABLES_LAW_TIMES_H
 #define COR_GEN_TABLES_LAW_TIMES_H
 
@@ -29,5 +30,12 @@ void crossley_time_of_max_overlap_1(arb_t t, enum quadrature how, const arb_t be
 void crossley_time_of_max_overlap_3_2(arb_t t, enum quadrature how, const arb_t beta, slong prec);
 void crossley_duration_1(arb_t t, enum quadrature how, const arb_t beta, slong prec);
 void crossley_duration_3_2(arb_t t, enum quadrature how, const arb_t beta, slong prec);
+
+/* ---- the disk's contact law, runtime/disk/quasistatic.c, by q >= 1/4 ---- */
+
+/* The contact time, q = 2 ln(v_limit/v) */
+void disk_contact_time(arb_t tau, enum quadrature how, const arb_t q, slong prec);
+/* The load over the compression, pi/(1 + t), q = ln(delta_limit/delta): closed form */
+void disk_load_factor(arb_t factor, enum quadrature how, const arb_t q, slong prec);
 
 #endif

@@ -19,6 +19,9 @@ enum { FAR_BITS = 400, FIFTH = 5 };
 /* End of the rows in r = zeta^(1/5), at zeta = 3.9; the duration at zero force is analytic in r at zeta = 0 */
 #define ROOT_END 1.3125
 #define OVERLAP_END 10
+/* Rows of the disk's contact law in q, by octaves; the law is singular at q = 0 */
+#define DISK_FROM 0.25
+#define DISK_END 128
 #define LEAST_BITS 56
 
 typedef void law_time(arb_t t, enum quadrature how, const arb_t damping, slong prec);
@@ -26,7 +29,8 @@ typedef void law_time(arb_t t, enum quadrature how, const arb_t damping, slong p
 struct time_rows {
     const char *name, *title, *variable;
     law_time *time;
-    void (*damping)(arb_t zeta, const arb_t y, slong prec); /* zeta or beta of the variable y */
+    /* zeta or beta of the variable y; NULL: they are y, in rows by octaves of 1/step cells */
+    void (*damping)(arb_t zeta, const arb_t y, slong prec);
     double from, step, end;
 };
 
@@ -51,7 +55,10 @@ static void time_at(arb_t t, const void *what, const arb_t y, bool proved, slong
 {
     const struct time_rows *const rows = what;
     LOCAL(arb, zeta);
-    rows->damping(zeta, y, prec);
+    if (rows->damping)
+        rows->damping(zeta, y, prec);
+    else
+        arb_set(zeta, y);
     rows->time(t, proved ? QUADRATURE_ENCLOSED : QUADRATURE_GAUSS, zeta, prec);
 }
 
@@ -83,19 +90,30 @@ static const struct time_rows crossley_rows[] = {
 };
 enum { CROSSLEY_ROWS = sizeof crossley_rows / sizeof *crossley_rows };
 
-static int emit_times(struct emit *e, const struct time_rows *rows)
+static const struct time_rows disk_rows[] = {
+    {"cor_rows_disk_contact_time", "contact time", "q 2^-k", disk_contact_time, NULL, DISK_FROM, 0.125, DISK_END},
+    {"cor_rows_disk_load_factor", "load over compression", "q 2^-k", disk_load_factor, NULL, DISK_FROM, 0.0625,
+     DISK_END},
+};
+enum { DISK_ROWS = sizeof disk_rows / sizeof *disk_rows, DISK_HEAD_BITS = 26 };
+
+static int emit_times(struct emit *e, const struct time_rows *rows, slong head_bits)
 {
-    const slong count = (slong)((rows->end - rows->from) / rows->step + 0.5);
-    struct pieces p = {.variable = VARIABLE_OTHER,
+    const bool octaves = !rows->damping;
+    const slong count =
+        (slong)(octaves ? log2(rows->end / rows->from) / rows->step : (rows->end - rows->from) / rows->step + 0.5);
+    struct pieces p = {.variable = octaves ? VARIABLE_BETA_OCTAVES : VARIABLE_OTHER,
                        .words = rows->variable,
-                       .first = rows->from + rows->step / 2,
+                       .first = octaves ? log2(rows->from) : rows->from + rows->step / 2,
                        .step = rows->step,
                        .end = rows->end,
+                       .octave_bits = octaves ? (slong)-log2(rows->step) : 0,
                        .rows = count,
                        .plain = count,
                        .degree = 10,
                        .name = rows->name,
                        .title = rows->title,
+                       .head_bits = head_bits,
                        .least_bits = LEAST_BITS};
     struct sampled_function f = {.p = &p, .value = time_at, .what = rows};
     int status = sampled_function_make(&f);
@@ -108,12 +126,13 @@ static int emit_times(struct emit *e, const struct time_rows *rows)
     return status;
 }
 
-static int emit_rows_of(struct emit *e, const struct time_rows *rows, int n)
+/* head_bits of c_0, 0: all */
+static int emit_rows_of(struct emit *e, const struct time_rows *rows, int n, slong head_bits)
 {
     int status = STATUS_OK;
     for (int i = 0; i < n && status == STATUS_OK; i++) {
         progress("tables of laws", i, n);
-        status = emit_times(e, &rows[i]);
+        status = emit_times(e, &rows[i], head_bits);
     }
     progress_end();
     law_times_clear();
@@ -293,7 +312,7 @@ int tsuji_tables_write(FILE *file)
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_TSUJI_TABLES_H", tsuji_banner);
     emit_include(&e, "\"runtime/table/rows.h\"");
-    int status = emit_rows_of(&e, tsuji_rows, TSUJI_ROWS);
+    int status = emit_rows_of(&e, tsuji_rows, TSUJI_ROWS, 0);
     emit_comment(&e,
                  "ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u\n"
                  "+ mu (a_2 + a_3 u + a_4 u^2); with the limited damper and mu = 1/zeta: t = a_0 + a_0' + (a_1 + a_1') "
@@ -427,7 +446,7 @@ int hunt_crossley_tables_write(FILE *file)
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_HUNT_CROSSLEY_TABLES_H", crossley_banner);
     emit_include(&e, "\"runtime/table/rows.h\"");
-    int status = emit_rows_of(&e, crossley_rows, CROSSLEY_ROWS);
+    int status = emit_rows_of(&e, crossley_rows, CROSSLEY_ROWS, 0);
     emit_comment(&e, "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
                      "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K "
                      "exact, k_j through\n"
@@ -439,6 +458,28 @@ int hunt_crossley_tables_write(FILE *file)
                      "U = 1 + beta - ln(1 + beta). Exact coefficients.");
     if (status == STATUS_OK)
         status = crossley_far_emit(&e, rebound_far, rebound_coefficients);
+    emit_close(&e);
+    return status;
+}
+
+static const char disk_law_banner[] =
+    "Contact time and load of the disk's quasistatic law by q, which is ln(limit/compression) or 2 ln(limit/speed):\n"
+    "rows of short polynomials by octaves of q. Evaluated by\n"
+    "runtime/disk/quasistatic_rows.c. Source: docs/theory-disks.md, 12; form: docs/internals.md.\n"
+    "\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n"
+    "\n"
+    "The rows interpolate polynomials through samples: of the time by two Gauss rules of 56 points, of the load by\n"
+    "Lambert's W. The polynomials agree with enclosures to 1e-20 at two places of each block of rows. Errors of the\n"
+    "rows stand above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
+
+int disk_law_tables_write(FILE *file)
+{
+    struct emit e;
+    emit_open(&e, file, "COR_GENERATED_DISK_LAW_TABLES_H", disk_law_banner);
+    emit_include(&e, "\"runtime/table/rows.h\"");
+    const int status = emit_rows_of(&e, disk_rows, DISK_ROWS, DISK_HEAD_BITS);
     emit_close(&e);
     return status;
 }

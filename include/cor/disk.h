@@ -199,7 +199,7 @@ struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
     double error_estimate; /* absolute, of fraction + tail as sums, not of the theory; typically 20 times the error */
-    double contact_time;   /* cor_disk_contact_time */
+    double contact_time;   /* cor_disk_contact_time, but for the last place */
 };
 
 /* Sums the lowest n_modes of *modes, 1 <= n_modes <= modes->count. mode_fraction is NULL, or receives the n_modes

@@ -144,14 +144,24 @@ static double law_limit(enum quantity quantity, double nu, enum cor_disk_datum d
     return find_limit(quantity, nu, datum, &limit) ? largest(limit_number(&limit)) : NAN;
 }
 
-/* ln(limit/x), 0 < x; NaN outside the domain */
-static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
+/* ln(limit/x), 0 < x, far from the limit as the parts of cor_log_ratio_parts; NaN for nu and datum outside their
+ * domains */
+static pair far_parts(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
     if (!find_limit(quantity, nu, datum, &limit))
         return not_a_number;
-    const pair log = cor_pair_plus(limit.at_zero.log, cor_pair(limit.exponent, 0)), q = cor_log_ratio_far(log, x);
-    return q.hi > COR_LOG_RATIO_NEAR ? q : cor_log_ratio_near(limit_number(&limit), x);
+    return cor_log_ratio_parts(cor_pair_plus(limit.at_zero.log, cor_pair(limit.exponent, 0)), x);
+}
+
+/* ln(limit/x) of every 0 < x; NaN beyond the limit */
+static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
+{
+    const pair parts = far_parts(quantity, x, nu, datum), q = cor_inline_sum(parts.hi, parts.lo);
+    struct limit limit;
+    if (!(q.hi <= COR_LOG_RATIO_NEAR && find_limit(quantity, nu, datum, &limit)))
+        return q;
+    return cor_log_ratio_near(limit_number(&limit), x);
 }
 
 /* ---- the law ---- */
@@ -168,7 +178,12 @@ static pair one_plus(pair t)
     return cor_pair_plus(cor_pair(1, 0), t);
 }
 
-static double law_load(double compression, double nu, enum cor_disk_datum datum)
+struct cor_inline_pair cor_disk_compression_depth(double compression, double nu, enum cor_disk_datum datum)
+{
+    return far_parts(COMPRESSION, compression, nu, datum);
+}
+
+double cor_disk_load_by_pairs(double compression, double nu, enum cor_disk_datum datum)
 {
     if (!(compression > 0))
         return not_positive(compression, 0, nu, datum);
@@ -208,6 +223,11 @@ static double law_load_of_energy(double energy, double nu, enum cor_disk_datum d
 static pair t_of_speed(double speed, double nu, enum cor_disk_datum datum)
 {
     return cor_lambert_t_pair(cor_pair_scaled(depth(SPEED, speed, nu, datum), 2));
+}
+
+struct cor_inline_pair cor_disk_speed_depth(double speed, double nu, enum cor_disk_datum datum)
+{
+    return far_parts(SPEED, speed, nu, datum);
 }
 
 double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
@@ -302,7 +322,7 @@ static double time_of_t(double t)
     return tau.hi;
 }
 
-static double law_contact_time(double speed, double nu, enum cor_disk_datum datum)
+double cor_disk_contact_time_by_quadrature(double speed, double nu, enum cor_disk_datum datum)
 {
     if (!(speed > 0))
         return not_positive(speed, INFINITY, nu, datum);
@@ -370,13 +390,11 @@ LIMIT(speed, SPEED)
 #define LAW(name)                                                                                                      \
     COR_IN_ENVIRONMENT(double, cor_disk_##name, law_##name, (double x, double nu, enum cor_disk_datum datum),          \
                        (x, nu, datum))
-LAW(load)
 LAW(compression)
 LAW(energy)
 LAW(load_of_energy)
 LAW(max_load)
 LAW(max_compression)
-LAW(contact_time)
 
 #define LEADING_LOGARITHM(name)                                                                                        \
     COR_IN_ENVIRONMENT(double, cor_disk_##name##_leading_log, leading_##name, (double x), (x))

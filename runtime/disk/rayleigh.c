@@ -132,7 +132,7 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
         return at_rest(out);
     }
     const size_t all = modes_taken(modes, n_modes);
-    out->contact_time = cor_disk_contact_time(speed, modes->nu, datum);
+    out->contact_time = cor_disk_contact_time_by_quadrature(speed, modes->nu, datum);
     cor_spectrum_init(&spectrum, cor_disk_depth(speed, modes->nu, datum), out->contact_time, first_omega(),
                       last_omega(modes, all));
     cor_rayleigh_table_init(&table, spectrum.set, modes, all);
@@ -191,7 +191,7 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
             *n_modes = 1;
         return at_rest(out);
     }
-    const double contact_time = cor_disk_contact_time(speed, modes->nu, datum);
+    const double contact_time = cor_disk_contact_time_by_quadrature(speed, modes->nu, datum);
     cor_spectrum_init(&spectrum, cor_disk_depth(speed, modes->nu, datum), contact_time, first_omega(),
                       last_omega(modes, modes->count));
     /* adds a quarter more modes at a time until they suffice, then bisects between the last two numbers */
@@ -346,7 +346,7 @@ static void list_of_piece(struct list *list, int number, const double *speed, si
         const double q0 = list->q0[i];
         if (isnan(q0) || piece_of(q0) != number)
             continue;
-        const double contact_time = cor_disk_contact_time(speed[i], modes->nu, list->datum);
+        const double contact_time = cor_disk_contact_time_by_quadrature(speed[i], modes->nu, list->datum);
         if (whole)
             cor_spectrum_of_piece(list->spectrum, &piece, q0, contact_time);
         else

@@ -87,7 +87,7 @@ double cor_lambert_t(double q)
     return t.hi + t.lo;
 }
 
-struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x)
+struct cor_inline_pair cor_log_ratio_parts(struct cor_inline_pair log_a, double x)
 {
     /* the upper 42 bits of ln 2, so that its product with an exponent is exact, and the rest */
     const double ln2 = 0.69314718055989033019, ln2_rest = 5.4979230187083711747e-14;
@@ -103,7 +103,13 @@ struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x)
     const double m = cor_inline_from_bits(bits - (power << 52) + bias);
     const struct cor_inline_pair large = cor_pair_two_sum(log_a.hi, -exponent * ln2),
                                  all = cor_pair_two_sum(large.hi, -log(m));
-    return cor_inline_sum(all.hi, all.lo + (large.lo + (log_a.lo - exponent * ln2_rest)));
+    return cor_pair(all.hi, all.lo + (large.lo + (log_a.lo - exponent * ln2_rest)));
+}
+
+struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x)
+{
+    const struct cor_inline_pair parts = cor_log_ratio_parts(log_a, x);
+    return cor_inline_sum(parts.hi, parts.lo);
 }
 
 struct cor_inline_pair cor_log_ratio_near(struct cor_inline_pair a, double x)

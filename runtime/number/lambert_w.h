@@ -29,6 +29,8 @@ struct cor_logarithm {
 
 /* ln(a/x) from ln(a) for 0 < x. The absolute error is 2^-54 (1 + 2^-20) if log is within 1 ulp (proved). */
 struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x);
+/* The same as two numbers, which only their sum makes a pair: |lo| may exceed half an ulp of hi */
+struct cor_inline_pair cor_log_ratio_parts(struct cor_inline_pair log_a, double x);
 /* Below this result, cor_log_ratio_near is the more accurate function. */
 #define COR_LOG_RATIO_NEAR 0.5
 /* ln(a/x) from a for x <= a < 2 x, x arbitrarily close to a. The relative error is 1.5 2^-52 if log1p is within 1 ulp

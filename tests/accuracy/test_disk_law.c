@@ -57,14 +57,13 @@ static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);
     double (*limit)(double nu, enum cor_disk_datum datum); /* the largest argument */
-    double boundary[3];                                    /* of the code's branches, in ln(limit/argument) */
 } disk_functions[DISK_KINDS] = {
-    [DISK_LOAD] = {"load", cor_disk_load, cor_disk_compression_limit, {0.5, 0.1, 3}},
-    [DISK_COMPRESSION] = {"compression", cor_disk_compression, cor_disk_load_limit, {0.5, 0.1, 3}},
-    [DISK_ENERGY] = {"energy", cor_disk_energy, cor_disk_load_limit, {0.5, 0.1, 3}},
-    [DISK_LOAD_OF_ENERGY] = {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit, {0.5, 0.1, 3}},
-    [DISK_MAX_LOAD] = {"max_load", cor_disk_max_load, cor_disk_speed_limit, {0.5, 0.05, 1.5}},
-    [DISK_MAX_COMPRESSION] = {"max_compression", cor_disk_max_compression, cor_disk_speed_limit, {0.5, 0.05, 1.5}},
+    [DISK_LOAD] = {"load", cor_disk_load, cor_disk_compression_limit},
+    [DISK_COMPRESSION] = {"compression", cor_disk_compression, cor_disk_load_limit},
+    [DISK_ENERGY] = {"energy", cor_disk_energy, cor_disk_load_limit},
+    [DISK_LOAD_OF_ENERGY] = {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit},
+    [DISK_MAX_LOAD] = {"max_load", cor_disk_max_load, cor_disk_speed_limit},
+    [DISK_MAX_COMPRESSION] = {"max_compression", cor_disk_max_compression, cor_disk_speed_limit},
 };
 
 /* b of (57) */
@@ -297,6 +296,10 @@ static void ball_limit(arb_t x, enum quantity quantity, const arb_t b, slong pre
 /* Where the code changes its units */
 static const double unit_boundary[] = {0x1p-900, 0x1p-200, DBL_MIN};
 
+/* Where the code branches, in ln(limit/argument); of functions of a speed, half */
+static const double boundary[] = {0.5, 0.1, 3, 0.25, 128, 0.05, 1.5, 0.125, 64};
+enum { BOUNDARIES = sizeof boundary / sizeof *boundary };
+
 static double moved(double x, int steps)
 {
     return double_of(bits_of(x) + (uint64_t)(int64_t)steps);
@@ -309,7 +312,7 @@ static double random_argument(enum disk_kind kind, double nu, int datum)
     case 0:
         return moved(limit, -choice(4));
     case 1:
-        return moved(limit * exp(-disk_functions[kind].boundary[choice(3)]), choice(7) - 3);
+        return moved(limit * exp(-boundary[choice(BOUNDARIES)]), choice(7) - 3);
     case 2:
         return moved(unit_boundary[choice(3)], choice(7) - 3);
     case 3:
@@ -492,9 +495,9 @@ static int search_lambert(unsigned long points)
     struct worst worst_t = {0}, worst_w = {0};
     LOCAL(arb, x, y);
     for (unsigned long i = 0; i < points; i++) {
-        static const double boundary[] = {0x1p-500, 0.1, 3};
+        static const double of_t[] = {0x1p-500, 0.1, 3};
         const int kind = choice(4);
-        const double q = kind == 0   ? moved(boundary[choice(3)], choice(7) - 3)
+        const double q = kind == 0   ? moved(of_t[choice(3)], choice(7) - 3)
                          : kind == 1 ? exp(random_uniform(&random_state, -700, 8))
                          : kind == 2 ? exp(random_uniform(&random_state, -4, 2))
                                      : random_uniform(&random_state, 0, 10);

@@ -660,7 +660,7 @@ template <Real (*law)(Real)> static Real of_x(Real x, Real, enum cor_disk_datum)
 static void check_law(void)
 {
     static const law_formula laws[] = {
-        {"law_load", law_load, COMPRESSION, true, 1,
+        {"cor_disk_load_by_pairs", cor_disk_load_by_pairs, COMPRESSION, true, 1,
          [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
              return mpq_class(x * of_pair(pi) / (1 + t));
          }},

@@ -13,8 +13,11 @@
 
 #include "support/flint.h"
 
-#include "runtime/number/lambert_w.c"
 #include "runtime/disk/quasistatic.c"
+#include "runtime/number/lambert_w.c"
+
+#include "generated/disk_law_tables.h"
+#include "runtime/table/row.h"
 
 /* ---- intervals ---- */
 
@@ -477,6 +480,80 @@ static void sum_over_t(double limit)
     bound_report("W_-1", w, 2, 1);
 }
 
+/* ---- the rows of the load ---- */
+
+/* R = y - 1 - ln(y) - q of y = pi/(c_0 + c_0' + c_1 t + ...) in powers of t - at, where q = 2^octave (node + t) */
+static void residual_series(arb_poly_t r, const double *c, double node, int octave, const ball &at, slong terms)
+{
+    arb_poly_t y, log;
+    arb_poly_init(y);
+    arb_poly_init(log);
+    for (slong k = 1; k < COR_INLINE_COLUMNS; k++)
+        arb_poly_set_coeff_arb(r, k - 1, ball(c[k]).x);
+    arb_poly_set_coeff_arb(r, 0, (ball(c[0]) + ball(c[1])).x);
+    arb_poly_taylor_shift(r, r, at.x, bits);
+    arb_poly_inv_series(y, r, terms, bits);
+    ball circle, q = (ball(node) + at) * ball(ldexp(1, octave)) + ball(1);
+    arb_const_pi(circle.x, bits);
+    arb_poly_scalar_mul(y, y, circle.x, bits);
+    arb_poly_log_series(log, y, terms, bits);
+    arb_poly_sub(r, y, log, bits);
+    arb_poly_zero(y);
+    arb_poly_set_coeff_arb(y, 0, q.x);
+    arb_poly_set_coeff_arb(y, 1, ball(ldexp(1, octave)).x);
+    arb_poly_sub(r, r, y, bits);
+    arb_poly_clear(y);
+    arb_poly_clear(log);
+}
+
+/* The relative error of a row of the load in its cell |t| <= half: |R|/t_least, by Taylor's theorem */
+static double row_defect(const double *c, double node, int octave, double half, double t_least)
+{
+    enum { TERMS = 16 };
+    arb_poly_t at_node, in_cell;
+    arb_poly_init(at_node);
+    arb_poly_init(in_cell);
+    residual_series(at_node, c, node, octave, ball(0), TERMS);
+    residual_series(in_cell, c, node, octave, around_0(half), TERMS + 1);
+    ball sum(0), power(1), term;
+    for (slong k = 0; k <= TERMS; k++, power = power * ball(half)) {
+        arb_poly_get_coeff_arb(term.x, k < TERMS ? at_node : in_cell, k);
+        sum = sum + size(term) * power;
+    }
+    arb_poly_clear(at_node);
+    arb_poly_clear(in_cell);
+    return sum.above() / t_least * (1 + 1e-9);
+}
+
+/* The load by cor_inline_row_product: c_0 times both halves of the compression is exact. What is left is the row, at
+ * most `share` of c_0: 12 roundings of each of its terms, and of t one that weighs at most 10 times a term's size. */
+static void sum_over_rows(void)
+{
+    bound load = {};
+    for (int i = 0; i < COR_ROWS_DISK_LOAD_FACTOR_ROWS; i++) {
+        const int cells = 1 << COR_ROWS_DISK_LOAD_FACTOR_OCTAVE_BITS;
+        const int octave = COR_ROWS_DISK_LOAD_FACTOR_FIRST_OCTAVE + i / cells;
+        const double *const c = cor_rows_disk_load_factor(i);
+        const double half = 0.5 / cells, node = 1 + (i % cells + 0.5) / cells;
+        ball w, z = ball(0) - function_of(arb_exp, ball(-1) - ball(ldexp(node - half, octave)));
+        arb_lambertw(w.x, z.x, 1, bits);
+        const double t_least = (ball(-1) - w).below();
+        double share = 0, power = 1;
+        for (int k = 1; k < COR_INLINE_COLUMNS; k++, power *= half)
+            share += fabs(c[k]) * power / c[0] * (1 + 1e-9);
+        const double digits = c[0] / ulp(c[0]) * 0x1p-27;
+        require(share < 0.07 && digits == floor(digits), "a row of the load");
+        const double defect = row_defect(c, node, octave, half, t_least);
+        for (int k = 0; k < 2; k++) {
+            const double q_error = libraries[k].log * 0x1p-54 + COR_PROOF_FAR + 0x1p-99;
+            const double relative =
+                defect + q_error / t_least * (1 + 1e-9) + u * (share * (12 + 10 + 3) + 0x1p-20) / (1 - share);
+            bound_take(&load, k, rounded(relative / u), ldexp(node, octave));
+        }
+    }
+    bound_report("load of a compression, rows", load, COR_DISK_LAW_MAX_ULP, 0);
+}
+
 /* The functions of q itself: constant c of 1/(c + q) or c + q, the power of q, and the power of the argument */
 static const struct {
     const char *name;
@@ -550,6 +627,7 @@ int main(void)
     const double limit = limit_error();
     printf("limits: relative error of the pairs below 2^%.2f\n", log2(limit));
     sum_over_t(limit);
+    sum_over_rows();
     sum_over_q(limit);
     check_borders();
     flint_cleanup();

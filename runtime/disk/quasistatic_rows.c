@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/* Load and contact time of a disk from the rows of generated/disk_law_tables.h in q of
+ * runtime/disk/quasistatic.c. Next to the limit (q < 1/4) and for tiny arguments (q >= 128)
+ * quasistatic.c computes them. */
+#define COR_ROWS_DEFINE
+#include "generated/disk_law_tables.h"
+#include "runtime/disk/quasistatic.h"
+#include "runtime/number/environment.h"
+#include "runtime/table/row.h"
+
+/* Whether q has a row; both tables have the same cells. */
+static int has_row(double q)
+{
+    return q >= COR_ROWS_DISK_LOAD_FACTOR_FIRST && q < COR_ROWS_DISK_LOAD_FACTOR_END;
+}
+
+/* The place of q + rest; q 2^-k is between 1 and 2. */
+static struct cor_inline_place place_of(double q, double rest, struct cor_inline_octaves grid,
+                                        const double *(*rows)(int))
+{
+    struct cor_inline_place place = cor_inline_octaves_place(grid, q, rows);
+    const uint64_t exponent = cor_inline_bits(q) & UINT64_C(0x7ff0000000000000);
+    place.s = place.t += rest * cor_inline_from_bits((UINT64_C(2046) << 52) - exponent);
+    return place;
+}
+
+static double law_load(double compression, double nu, enum cor_disk_datum datum)
+{
+    if (compression > 0) {
+        const struct cor_inline_pair log = cor_disk_compression_depth(compression, nu, datum);
+        if (has_row(log.hi))
+            return cor_inline_row_product(
+                place_of(log.hi, log.lo, COR_INLINE_OCTAVES(COR_ROWS_DISK_LOAD_FACTOR), cor_rows_disk_load_factor),
+                compression);
+    }
+    return cor_disk_load_by_pairs(compression, nu, datum);
+}
+
+static double law_contact_time(double speed, double nu, enum cor_disk_datum datum)
+{
+    if (speed > 0) {
+        const struct cor_inline_pair log = cor_disk_speed_depth(speed, nu, datum);
+        if (has_row(2 * log.hi))
+            return cor_inline_row_value(place_of(2 * log.hi, 2 * log.lo, COR_INLINE_OCTAVES(COR_ROWS_DISK_CONTACT_TIME),
+                                                 cor_rows_disk_contact_time));
+    }
+    return cor_disk_contact_time_by_quadrature(speed, nu, datum);
+}
+
+#define LAW(name)                                                                                                      \
+    COR_IN_ENVIRONMENT(double, cor_disk_##name, law_##name, (double x, double nu, enum cor_disk_datum datum),          \
+                       (x, nu, datum))
+LAW(load)
+LAW(contact_time)
