@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Enclosed times of Tsuji's damping, of Hunt and Crossley's law and of the disk's contact law: quadrature of the
- * integrals of docs/laws.md and docs/theory-disks.md in interval (ball) arithmetic. Times of the two laws of damping are
- * in units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
+ * integrals of docs/laws.md and docs/theory-disks.md in interval (ball) arithmetic. Times of the laws of damping are in
+ * units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
 #ifndef COR_GEN_TABLES_LAW_TIMES_H
 #define COR_GEN_TABLES_LAW_TIMES_H
 
