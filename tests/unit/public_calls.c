@@ -53,48 +53,10 @@ static double of_bits(uint64_t x)
 
 static double special(struct bit_source *source)
 {
-    static const double values[] = {0,
-                                    -0.0,
-                                    1,
-                                    -1,
-                                    NAN,
-                                    INFINITY,
-                                    -INFINITY,
-                                    DBL_MAX,
-                                    -DBL_MAX,
-                                    DBL_MIN,
-                                    -DBL_MIN,
-                                    0x1p-1074,
-                                    -0x1p-1074,
-                                    0x1.fffffffffffffp-1,
-                                    0x1.0000000000001p+0,
-                                    0.5,
-                                    1.5,
-                                    2,
-                                    7,
-                                    8,
-                                    16,
-                                    100,
-                                    FLT_MAX,
-                                    FLT_MIN,
-                                    0x1p-149,
-                                    2e-309,
-                                    1e-310,
-                                    1e-300,
-                                    1e300,
-                                    1e154,
-                                    1e155,
-                                    1e15,
-                                    1e40,
-                                    0x1p-60,
-                                    0.39,
-                                    0.67,
-                                    1.3,
-                                    2.157,
-                                    3,
-                                    10.9,
-                                    11,
-                                    COR_HERTZ_DASHPOT_BETA_C};
+    NUMBERS(values, 0, -0.0, 1, -1, NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, DBL_MIN, -DBL_MIN, 0x1p-1074,
+            -0x1p-1074, 0x1.fffffffffffffp-1, 0x1.0000000000001p+0, 0.5, 1.5, 2, 7, 8, 16, 100, FLT_MAX, FLT_MIN,
+            0x1p-149, 2e-309, 1e-310, 1e-300, 1e300, 1e154, 1e155, 1e15, 1e40, 0x1p-60, 0.39, 0.67, 1.3, 2.157, 3, 10.9,
+            11, COR_HERTZ_DASHPOT_BETA_C);
     return values[below(source, sizeof values / sizeof *values)];
 }
 
@@ -270,6 +232,15 @@ static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
     }
 }
 
+void arguments_of_floats(struct arguments *a)
+{
+    for (size_t i = 0; i < a->n; i++) {
+        a->xf[i] = a->epsf[i] = a->lossf[i] = a->betaf[i]; /* a float's argument may be called x alone */
+#define NUMBER(name) a->name[i] = (double)a->name##f[i];
+#include "public_functions.inc"
+    }
+}
+
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal)
 {
     a->n = n;
@@ -358,9 +329,12 @@ int public_is_part(const struct public_function *function)
 #define ARRAY(function, type, given, element)                                                                          \
     static void call_##function(const struct arguments *a, struct results *r)                                          \
     {                                                                                                                  \
-        type y[PUBLIC_COUNT];                                                                                          \
+        type y[PUBLIC_COUNT + 1];                                                                                      \
         const size_t n = a->n;                                                                                         \
+        y[n] = 7;                                                                                                      \
         function given;                                                                                                \
+        if (!(y[n] > 6 && y[n] < 8)) /* wrote beyond the end */                                                        \
+            abort();                                                                                                   \
         for (size_t i = 0; i < n; i++)                                                                                 \
             results_put(r, (double)y[i]);                                                                              \
     }                                                                                                                  \

@@ -49,6 +49,9 @@ uint64_t random_bits_next(struct bit_source *source);
  * subnormal ones if `subnormal` is 0. */
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal);
 
+/* Makes each double the float of its name. */
+void arguments_of_floats(struct arguments *a);
+
 struct results {
     double *value;
     size_t count, capacity;

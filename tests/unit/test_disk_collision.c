@@ -781,14 +781,8 @@ TEST(refusals)
     for (size_t i = 0; i < sizeof bad_speed / sizeof *bad_speed; i++)
         refused(modes, 5, &good, bad_speed[i], COR_ERROR_SPEED);
     assert_int_equal(cor_disk_collision(modes, 5, &good, COR_DISK_COLLISION_MAX_SPEED, &out), COR_OK);
-    const double bad_alpha[] = {0,
-                                -0.0,
-                                -1,
-                                -INFINITY,
-                                INFINITY,
-                                NAN,
-                                nextafter(COR_DISK_COLLISION_MIN_ALPHA, 0),
-                                nextafter(COR_DISK_COLLISION_MAX_ALPHA, INFINITY)};
+    NUMBERS(bad_alpha, 0, -0.0, -1, -INFINITY, INFINITY, NAN, nextafter(COR_DISK_COLLISION_MIN_ALPHA, 0),
+            nextafter(COR_DISK_COLLISION_MAX_ALPHA, INFINITY));
     for (size_t i = 0; i < sizeof bad_alpha / sizeof *bad_alpha; i++)
         refused(modes, 5, &(struct cor_disk_collision_options){bad_alpha[i], 1e-3, 0, 0}, 0.1, COR_ERROR_ALPHA);
     const double bad_tolerance[] = {

@@ -86,28 +86,8 @@ TEST(the_same_bits)
         compare(random_log(&random, 1e-10, 1e10));
         compare(random_log(&random, 5e-324, DBL_MAX));
     }
-    const double special[] = {0.0,
-                              -0.0,
-                              1,
-                              7,
-                              8,
-                              16,
-                              0.25,
-                              16807,
-                              1048576,
-                              0x1p-40,
-                              256,
-                              1024,
-                              INFINITY,
-                              NAN,
-                              -INFINITY,
-                              -1,
-                              DBL_MIN,
-                              DBL_MAX,
-                              4.9406564584124654e-324,
-                              0x1p-900,
-                              0x1p100,
-                              0x1p250};
+    NUMBERS(special, 0.0, -0.0, 1, 7, 8, 16, 0.25, 16807, 1048576, 0x1p-40, 256, 1024, INFINITY, NAN, -INFINITY, -1,
+            DBL_MIN, DBL_MAX, 4.9406564584124654e-324, 0x1p-900, 0x1p100, 0x1p250);
     for (size_t i = 0; i < sizeof special / sizeof *special; i++) {
         compare(special[i]);
         compare(nextafter(special[i], 0));

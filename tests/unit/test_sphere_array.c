@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Arrays are their scalars to the last bit: every function, any length, any place, every instruction set. */
+/* Arrays are their scalars to the last bit: every function, any length, any place, every instruction set. (Public
+ * array functions: test_environment.c.) */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -9,30 +10,6 @@
 
 typedef void contact_loop(const struct cor_contact_function *f, const struct cor_sphere_contact *contact,
                           const double *speed, const double *eps, double *out, size_t n);
-
-enum { COUNT = 1003 };
-
-struct function {
-    const char *name;
-    double (*value)(double);
-    void (*array)(const double *, double *, size_t);
-    float (*valuef)(float);
-    void (*arrayf)(const float *, float *, size_t);
-};
-
-#define ROW(quantity)                                                                                                  \
-    {                                                                                                                  \
-#quantity, cor_sphere_##quantity, cor_sphere_##quantity##_array, cor_sphere_##quantity##f,                     \
-            cor_sphere_##quantity##_arrayf                                                                             \
-    }
-
-static const struct function functions[] = {
-    ROW(eps_zero_overlap),   ROW(eps_zero_force),         ROW(loss_zero_overlap),     ROW(loss_zero_force),
-    ROW(beta_zero_overlap),  ROW(beta_zero_force),        ROW(duration_zero_overlap), ROW(duration_zero_force),
-    ROW(max_overlap),        ROW(time_of_max_overlap),    ROW(eps_approach_only),     ROW(loss_approach_only),
-    ROW(beta_approach_only), ROW(duration_approach_only),
-};
-enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 static int same(double x, double y)
 {
@@ -63,49 +40,6 @@ static void fill(double *x, int count)
         default:
             x[i] = i / 100 % 2 ? random_uniform(&random, 0, 6) : random_log(&random, 1e-4, 20);
         }
-}
-
-TEST(lengths_and_places)
-{
-    static double x[COUNT + 3], y[COUNT + 8];
-    static float xf[COUNT + 3], yf[COUNT + 8];
-    fill(x, COUNT + 3);
-    for (int i = 0; i < COUNT + 3; i++)
-        xf[i] = (float)x[i];
-    for (int k = 0; k < FUNCTIONS; k++) {
-        const struct function *f = &functions[k];
-        f->array(NULL, NULL, 0);
-        f->arrayf(NULL, NULL, 0);
-        for (size_t n = 0; n <= COUNT; n += n < 20 || (n > 60 && n < 68) || (n > 124 && n < 132) ? 1
-                                            : n < 140                                            ? 4
-                                                                                                 : 863)
-            for (size_t from = 0; from < 3; from++) {
-                const size_t to = (from * 3 + n) % 5;
-                for (size_t i = 0; i < COUNT + 8; i++) {
-                    y[i] = 7;
-                    yf[i] = 7;
-                }
-                f->array(x + from, y + to, n);
-                f->arrayf(xf + from, yf + to, n);
-                for (size_t i = 0; i < n; i++) {
-                    check(same(y[to + i], f->value(x[from + i])), "%s(%a), %zu of %zu", f->name, x[from + i], i, n);
-                    check(same_float(yf[to + i], f->valuef(xf[from + i])), "%sf(%a), %zu of %zu", f->name,
-                          (double)xf[from + i], i, n);
-                }
-                for (size_t i = 0; i < to; i++)
-                    check(y[i] == 7 && yf[i] == 7, "%s wrote before its elements", f->name);
-                for (size_t i = to + n; i < COUNT + 8; i++)
-                    check(y[i] == 7 && yf[i] == 7, "%s wrote past %zu elements", f->name, n);
-            }
-        memcpy(y, x, sizeof x);
-        memcpy(yf, xf, sizeof xf);
-        f->array(y + 1, y + 1, COUNT);
-        f->arrayf(yf + 1, yf + 1, COUNT);
-        for (size_t i = 1; i <= COUNT; i++) {
-            check(same(y[i], f->value(x[i])), "%s in place: %a", f->name, x[i]);
-            check(same_float(yf[i], f->valuef(xf[i])), "%sf in place: %a", f->name, (double)xf[i]);
-        }
-    }
 }
 
 /* ---- every set, whichever would have been chosen here ---- */
@@ -254,22 +188,6 @@ TEST(every_set)
     assert_true(sets >= 1);
     assert_null(cor_row_loops(COR_INSTRUCTION_SETS));
     assert_null(cor_row_loops(-1));
-    /* the public names */
-    static double y[100];
-#define CHECK(quantity)                                                                                                \
-    cor_contact_##quantity##_array(&a.contact[0], a.x, y, 100);                                                        \
-    for (int i = 0; i < 100; i++)                                                                                      \
-        check(same(y[i], cor_contact_##quantity(&a.contact[0], a.x[i])), "%s of %a", #quantity, a.x[i]);               \
-    cor_contact_##quantity##_array(&a.contact[0], NULL, NULL, 0);
-    COR_CONTACT_QUANTITIES(CHECK)
-#undef CHECK
-#define CHECK(quantity)                                                                                                \
-    cor_contact_##quantity##_array(&a.contact[0], a.x, a.eps, y, 100);                                                 \
-    for (int i = 0; i < 100; i++)                                                                                      \
-        check(same(y[i], cor_contact_##quantity(&a.contact[0], a.x[i], a.eps[i])), "%s of %a", #quantity, a.x[i]);     \
-    cor_contact_##quantity##_array(&a.contact[0], NULL, NULL, NULL, 0);
-    COR_DISSIPATION_QUANTITIES(CHECK)
-#undef CHECK
 }
 
 /* ---- arrays in float arithmetic ---- */
@@ -418,4 +336,4 @@ TEST(fast_every_set)
         }
 }
 
-RUN_TESTS(lengths_and_places, every_set, fast_special_values, fast_around_each_branch, fast_every_set)
+RUN_TESTS(every_set, fast_special_values, fast_around_each_branch, fast_every_set)
