@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* A list of doubles, and how many an array has */
-#define NUMBERS(name, ...) static const double name[] = {__VA_ARGS__}
+#define NUMBERS(name, ...) const double name[] = {__VA_ARGS__}
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
 struct random_state {
