@@ -245,8 +245,8 @@ static void arrays(void **state)
             }
 }
 
-/* A function of floats gives the double's result rounded once, but for a few numbers (runtime/sphere/float_exceptions.h)
- * that no random ones meet; of arrays in float arithmetic there is no double. */
+/* A function of floats gives the double's result rounded once, but for a few numbers that no random ones meet
+ * (runtime/sphere/float_exceptions.h); of arrays in float arithmetic there is no double. */
 static void floats(void **state)
 {
     (void)state;
