@@ -106,10 +106,11 @@ static const struct {
     const char *name;
     void (*of_one)(arb_t y, const arb_t x, slong prec);
     void (*of_two)(arb_t z, const arb_t x, const arb_t y, slong prec);
-} functions[] = {{"abs", ball_abs, NULL}, {"acos", arb_acos, NULL},   {"acosh", arb_acosh, NULL},
-                 {"exp", arb_exp, NULL},  {"expm1", arb_expm1, NULL}, {"gamma", arb_gamma, NULL},
-                 {"log", arb_log, NULL},  {"log1p", arb_log1p, NULL}, {"sqrt", arb_sqrt, NULL},
-                 {"max", NULL, arb_max},  {"min", NULL, arb_min}};
+} functions[] = {{"abs", ball_abs, NULL},    {"acos", arb_acos, NULL},       {"acosh", arb_acosh, NULL},
+                 {"asin", arb_asin, NULL},   {"digamma", arb_digamma, NULL}, {"exp", arb_exp, NULL},
+                 {"expm1", arb_expm1, NULL}, {"gamma", arb_gamma, NULL},     {"log", arb_log, NULL},
+                 {"log1p", arb_log1p, NULL}, {"sqrt", arb_sqrt, NULL},       {"max", NULL, arb_max},
+                 {"min", NULL, arb_min}};
 
 static void read_sum(struct value *y, struct reader *r);
 

@@ -2,6 +2,7 @@
 #include "tables/law_times.h"
 
 #include "enclosure/closed_form.h"
+#include "support/formula.h"
 
 enum { GUARD_BITS = 40 };
 
@@ -73,24 +74,21 @@ static void quadrature_integrate(arb_t y, enum quadrature how, acb_calc_func_t f
 
 struct tsuji_integrand {
     arb_srcptr zeta, end;
-    acb_t om;
+    acb_t om, power; /* -1/5 */
 };
 
 /* With s = end x^5, the integrand s^(-1/5) ... ds becomes 5 x^3 end^(4/5) exp(zeta s/5) sinc(om s)^(-1/5) dx. */
 static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
 {
     const struct tsuji_integrand *const p = parameters;
-    LOCAL(acb, s, cube, sinc, power);
-    LOCAL(arb, e);
+    LOCAL(acb, s, cube, sinc);
     acb_pow_ui(cube, x, 3, prec);
     acb_mul(s, x, x, prec);
     acb_mul(s, s, cube, prec);
     acb_mul_arb(s, s, p->end, prec);
     acb_mul(sinc, s, p->om, prec);
     acb_sinc(sinc, sinc, prec);
-    arb_set_ratio(e, (struct ratio){-1, 5}, prec);
-    acb_set_arb(power, e);
-    acb_pow_analytic(y, sinc, power, order > 0, prec);
+    acb_pow_analytic(y, sinc, p->power, order > 0, prec);
     acb_mul_arb(s, s, p->zeta, prec);
     acb_div_ui(s, s, 5, prec);
     acb_exp(s, s, prec);
@@ -99,36 +97,17 @@ static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong ord
     return 0;
 }
 
+/* (5/4)^(-3/5) G(end); the first factor is w0^(-6/5). */
 static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const arb_t end, slong prec)
 {
     struct tsuji_integrand p = {.zeta = zeta, .end = end};
-    LOCAL(arb, factor);
-    acb_init(p.om);
-    arb_sqr(acb_realref(p.om), zeta, prec + GUARD_BITS);
-    arb_sub_ui(acb_realref(p.om), acb_realref(p.om), 1, prec + GUARD_BITS);
-    arb_neg(acb_realref(p.om), acb_realref(p.om));
+    FOR_ALL(acb, init, p.om, p.power);
+    LET(acb_realref(p.power), prec + GUARD_BITS, "-1/5");
+    LET(acb_realref(p.om), prec + GUARD_BITS, "1 - zeta^2", zeta);
     acb_sqrt(p.om, p.om, prec + GUARD_BITS);
     quadrature_integrate(g, how, tsuji_integrand, &p, prec);
-    arb_pow_ratio(factor, end, (struct ratio){4, 5}, prec);
-    arb_mul_ui(factor, factor, 5, prec);
-    arb_mul(g, g, factor, prec);
-    acb_clear(p.om);
-}
-
-/* (5/4)^(-3/5), which is w0^(-6/5) */
-static void tsuji_unit(arb_t x, slong prec)
-{
-    arb_set_ratio(x, (struct ratio){5, 4}, prec);
-    arb_pow_ratio(x, x, (struct ratio){-3, 5}, prec);
-}
-
-/* om = sqrt(1 - zeta^2), zeta < 1 */
-static void omega(arb_t om, const arb_t zeta, slong prec)
-{
-    arb_sqr(om, zeta, prec);
-    arb_sub_ui(om, om, 1, prec);
-    arb_neg(om, om);
-    arb_sqrt(om, om, prec);
+    LET(g, prec + GUARD_BITS, "g*5*end^(4/5)*(5/4)^(-3/5)", g, end);
+    FOR_ALL(acb, clear, p.om, p.power);
 }
 
 void tsuji_time_of_max_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
@@ -136,88 +115,50 @@ void tsuji_time_of_max_overlap(arb_t t, enum quadrature how, const arb_t zeta, s
     LOCAL(arb, end);
     closed_form_angle(end, zeta, prec + GUARD_BITS);
     tsuji_integral(t, how, zeta, end, prec);
-    tsuji_unit(end, prec);
-    arb_mul(t, t, end, prec);
 }
 
-/* (5/4)^(-3/5) pi 2^(1/5) Gamma(4/5) exp(-pi y)/|Gamma(9/10 + i y)|^2 */
 void tsuji_overlap_factor(arb_t v, enum quadrature how, const arb_t y, slong prec)
 {
     (void)how;
     LOCAL(acb, z);
-    LOCAL(arb, x);
-    arb_set_ratio(acb_realref(z), (struct ratio){9, 10}, prec);
+    arb_srcptr ln_gamma = acb_realref(z);
+    LET(acb_realref(z), prec, "9/10");
     arb_set(acb_imagref(z), y);
     acb_lgamma(z, z, prec);
-    arb_mul_2exp_si(v, acb_realref(z), 1);
-    arb_const_pi(x, prec);
-    arb_addmul(v, x, y, prec);
-    arb_neg(v, v);
-    arb_exp(v, v, prec);
-    arb_mul(v, v, x, prec);
-    arb_set_ratio(x, (struct ratio){4, 5}, prec);
-    arb_gamma(x, x, prec);
-    arb_mul(v, v, x, prec);
-    arb_set_ui(x, 2);
-    arb_pow_ratio(x, x, (struct ratio){1, 5}, prec);
-    arb_mul(v, v, x, prec);
-    tsuji_unit(x, prec);
-    arb_mul(v, v, x, prec);
+    LET(v, prec, "(5/4)^(-3/5)*pi*2^(1/5)*gamma(4/5)*exp(-pi*y - 2*ln_gamma)", y, ln_gamma);
 }
 
 /* The duration at zero overlap, zeta < 1 */
 static void tsuji_duration_zero_overlap(arb_t t, const arb_t zeta, slong prec)
 {
-    LOCAL(arb, om, y, x);
-    omega(om, zeta, prec);
-    arb_div(y, zeta, om, prec);
-    arb_div_ui(y, y, 10, prec);
+    LOCAL(arb, y);
+    LET(y, prec, "zeta/sqrt(1 - zeta^2)/10", zeta);
     tsuji_overlap_factor(t, QUADRATURE_ENCLOSED, y, prec);
-    arb_const_pi(x, prec);
-    arb_mul(x, x, y, prec);
-    arb_mul_2exp_si(x, x, 1);
-    arb_exp(x, x, prec);
-    arb_mul(t, t, x, prec);
-    arb_pow_ratio(x, om, (struct ratio){-4, 5}, prec);
-    arb_mul(t, t, x, prec);
+    LET(t, prec, "t*exp(2*pi*y)*(1 - zeta^2)^(-2/5)", t, y, zeta);
 }
 
 /* For zeta < 0.7 the integrand has a singularity at om s = pi, which is near. The integral therefore starts from the
  * other end: t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om. */
 static void tsuji_duration_zero_force_weak(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
-    LOCAL(arb, om, end, minus, part);
+    LOCAL(arb, end, minus, part);
     const slong more = prec + GUARD_BITS;
-    omega(om, zeta, more);
-    arb_asin(end, zeta, more);
-    arb_mul_2exp_si(end, end, 1);
-    arb_div(end, end, om, more);
+    LET(end, more, "2*asin(zeta)/sqrt(1 - zeta^2)", zeta);
     arb_neg(minus, zeta);
     tsuji_integral(part, how, minus, end, prec);
-    tsuji_unit(end, more);
-    arb_mul(part, part, end, more);
-    arb_const_pi(end, more);
-    arb_mul(end, end, zeta, more);
-    arb_div(end, end, om, more);
-    arb_div_ui(end, end, 5, more);
-    arb_exp(end, end, more);
-    arb_mul(part, part, end, more);
     tsuji_duration_zero_overlap(t, zeta, more);
-    arb_sub(t, t, part, prec);
+    LET(t, more, "t - part*exp(pi*zeta/(5*sqrt(1 - zeta^2)))", t, part, zeta);
 }
 
 void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
-    LOCAL(arb, x);
-    arb_set_ratio(x, (struct ratio){7, 10}, prec);
-    if (arb_lt(zeta, x)) {
+    LOCAL(arb, end);
+    if (HOLDS(prec, "zeta < 7/10", zeta)) {
         tsuji_duration_zero_force_weak(t, how, zeta, prec);
     } else {
-        closed_form_angle(x, zeta, prec + GUARD_BITS);
-        arb_mul_2exp_si(x, x, 1);
-        tsuji_integral(t, how, zeta, x, prec);
-        tsuji_unit(x, prec);
-        arb_mul(t, t, x, prec);
+        closed_form_angle(end, zeta, prec + GUARD_BITS);
+        arb_mul_2exp_si(end, end, 1);
+        tsuji_integral(t, how, zeta, end, prec);
     }
 }
 
@@ -225,17 +166,11 @@ void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, s
 static void limited_phase(arb_t phase, const arb_t zeta, slong prec)
 {
     LOCAL(arb, k, square, half, one, half_3);
-    arb_sqr(square, zeta, prec);
-    arb_mul_2exp_si(k, square, 1);
-    arb_add_ui(k, k, 1, prec);
-    arb_div(k, zeta, k, prec);
-    arb_mul_2exp_si(k, k, 1);
-    arb_sub_ui(square, square, 1, prec);
-    arb_mul(square, square, k, prec);
-    arb_mul(square, square, k, prec);
-    arb_one(one);
-    arb_set_ratio(half, (struct ratio){1, 2}, prec);
-    arb_set_ratio(half_3, (struct ratio){3, 2}, prec);
+    LET(k, prec, "2*zeta/(1 + 2*zeta^2)", zeta);
+    LET(square, prec, "(zeta^2 - 1)*k^2", zeta, k);
+    LET(half, prec, "1/2");
+    LET(one, prec, "1");
+    LET(half_3, prec, "3/2");
     arb_hypgeom_2f1(phase, half, one, half_3, square, 0, prec);
     arb_mul(phase, phase, k, prec);
 }
@@ -245,36 +180,23 @@ static void limited_phase(arb_t phase, const arb_t zeta, slong prec)
 static void limited_first_part(arb_t t, const arb_t zeta, slong prec)
 {
     LOCAL(arb, m, a, b);
-    arb_sqr(m, zeta, prec);
-    arb_mul_2exp_si(m, m, 3);
-    arb_add_ui(a, m, 1, prec);
-    arb_div(m, m, a, prec);
-    arb_set_ratio(a, (struct ratio){2, 5}, prec);
-    arb_set_ratio(b, (struct ratio){1, 2}, prec);
+    LET(m, prec, "8*zeta^2/(1 + 8*zeta^2)", zeta);
+    LET(a, prec, "2/5");
+    LET(b, prec, "1/2");
     arb_hypgeom_beta_lower(t, a, b, m, 0, prec);
-    arb_mul(t, t, a, prec);
-    arb_set_ratio(b, (struct ratio){5, 8}, prec);
-    arb_pow(b, b, a, prec);
-    arb_mul(t, t, b, prec);
+    LET(t, prec, "(5/8)^(2/5)*2/5*t", t);
 }
 
 /* From phase phi on the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). */
 void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;
-    LOCAL(arb, phase, part);
+    LOCAL(arb, phase, part, first);
     limited_phase(phase, zeta, more);
     tsuji_integral(part, how, zeta, phase, prec);
-    tsuji_unit(t, more);
-    arb_mul(part, part, t, more);
     tsuji_duration_zero_force(t, how, zeta, prec);
-    arb_sub(t, t, part, more);
-    arb_mul(phase, phase, zeta, more);
-    arb_div_si(phase, phase, -5, more);
-    arb_exp(phase, phase, more);
-    arb_mul(t, t, phase, more);
-    limited_first_part(part, zeta, more);
-    arb_add(t, t, part, prec);
+    limited_first_part(first, zeta, more);
+    LET(t, more, "first + (t - part)*exp(-zeta*phase/5)", t, first, part, zeta, phase);
 }
 
 /* ---- Hunt and Crossley ----
@@ -286,12 +208,11 @@ void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slon
  *
  * loading: p = 1 + beta, sign +, up to ln(1 + beta); rebound: p = 1 - h, sign -, up to -ln(1 - h). */
 
-enum crossley_exponent { CROSSLEY_LINEAR, CROSSLEY_HERTZ };
-
 struct crossley_integrand {
-    enum crossley_exponent a;
+    struct ratio k;
     int sign;
     arb_srcptr p, end;
+    acb_t power; /* -k */
 };
 
 /* (exp(x) - 1)/x = exp(x/2) sinc(i x/2) */
@@ -305,14 +226,14 @@ static void mean_exponential(acb_t y, const acb_t x, slong prec)
     acb_mul(y, y, half, prec);
 }
 
-/* With tau = end x^m, m = 2 or 5, the integrand tau^-k ... d tau becomes x^(m - 1 - m k) ((a + 1) B)^-k dx, times m
- * end^(1 - k). */
+/* With k = l/m and tau = end x^m, the integrand tau^-k ... d tau becomes x^(m - 1 - l) ((a + 1) B)^-k dx, times m
+ * end^(1 - k); a + 1 = m/(m - l). */
 static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
 {
     const struct crossley_integrand *const p = parameters;
-    const int hertz = p->a == CROSSLEY_HERTZ;
-    LOCAL(acb, tau, b, power);
-    acb_pow_ui(tau, x, hertz ? 5 : 2, prec);
+    const ulong l = (ulong)p->k.num, m = (ulong)p->k.den;
+    LOCAL(acb, tau, b);
+    acb_pow_ui(tau, x, m, prec);
     acb_mul_arb(tau, tau, p->end, prec);
     if (p->sign > 0)
         acb_neg(tau, tau);
@@ -321,76 +242,58 @@ static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong 
     acb_sub_ui(b, b, 1, prec);
     if (p->sign < 0)
         acb_neg(b, b);
-    acb_mul_ui(b, b, hertz ? 5 : 2, prec);
-    if (hertz)
-        acb_mul_2exp_si(b, b, -1);
-    arb_set_ratio(acb_realref(power), (struct ratio){hertz ? -3 : -1, hertz ? 5 : 2}, prec);
-    acb_pow_analytic(y, b, power, order > 0, prec);
-    if (hertz)
-        acb_mul(y, y, x, prec);
+    acb_mul_ui(b, b, m, prec);
+    acb_div_ui(b, b, m - l, prec);
+    acb_pow_analytic(y, b, p->power, order > 0, prec);
+    acb_pow_ui(tau, x, m - 1 - l, prec);
+    acb_mul(y, y, tau, prec);
     return 0;
 }
 
 /* the integral times m end^(1 - k) beta^(2k - 1) */
-static void crossley_part(arb_t t, enum quadrature how, enum crossley_exponent a, int sign, const arb_t p,
-                          const arb_t end, const arb_t beta, slong prec)
+static void crossley_part(arb_t t, enum quadrature how, struct ratio k, int sign, const arb_t p, const arb_t end,
+                          const arb_t beta, slong prec)
 {
-    struct crossley_integrand integrand = {.a = a, .sign = sign, .p = p, .end = end};
-    const int hertz = a == CROSSLEY_HERTZ;
-    LOCAL(arb, x);
+    struct crossley_integrand integrand = {.k = k, .sign = sign, .p = p, .end = end};
+    const slong m = k.den;
+    acb_init(integrand.power);
+    LET(acb_realref(integrand.power), prec + GUARD_BITS, "-k", k);
     quadrature_integrate(t, how, crossley_integrand, &integrand, prec);
-    arb_mul_ui(t, t, hertz ? 5 : 2, prec);
-    arb_pow_ratio(x, end, (struct ratio){hertz ? 2 : 1, hertz ? 5 : 2}, prec);
-    arb_mul(t, t, x, prec);
-    if (hertz) {
-        arb_pow_ratio(x, beta, (struct ratio){1, 5}, prec);
-        arb_mul(t, t, x, prec);
-    }
+    acb_clear(integrand.power);
+    LET(t, prec, "t*m*end^(1 - k)*beta^(2*k - 1)", t, m, end, k, beta);
 }
 
-static void time_of_max_overlap(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
+static void time_of_max_overlap(arb_t t, enum quadrature how, struct ratio k, const arb_t beta, slong prec)
 {
     LOCAL(arb, p, end);
     arb_add_ui(p, beta, 1, prec + 2 * GUARD_BITS);
     arb_log1p(end, beta, prec + 2 * GUARD_BITS);
-    crossley_part(t, how, a, 1, p, end, beta, prec);
+    crossley_part(t, how, k, 1, p, end, beta, prec);
 }
 
-/* 1 - h = -W_0(-(1 + beta) exp(-1 - beta)) */
-static void crossley_rest(arb_t rest, const arb_t beta, slong prec)
-{
-    LOCAL(arb, p, x);
-    arb_add_ui(p, beta, 1, prec);
-    arb_neg(x, p);
-    arb_exp(x, x, prec);
-    arb_mul(x, x, p, prec);
-    arb_neg(x, x);
-    arb_lambertw(rest, x, 0, prec);
-    arb_neg(rest, rest);
-}
-
-static void duration(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
+static void duration(arb_t t, enum quadrature how, struct ratio k, const arb_t beta, slong prec)
 {
     LOCAL(arb, p, end, loading);
     /* near beta = 0 the branch point of W costs half of the bits, and logarithms some more */
-    crossley_rest(p, beta, 3 * prec);
-    arb_log(end, p, 2 * prec);
-    arb_neg(end, end);
-    crossley_part(t, how, a, -1, p, end, beta, prec);
-    time_of_max_overlap(loading, how, a, beta, prec);
+    LET(p, 3 * prec, "-(1 + beta)*exp(-1 - beta)", beta);
+    arb_lambertw(p, p, 0, 3 * prec);
+    arb_neg(p, p); /* 1 - h = -W_0(-(1 + beta) exp(-1 - beta)) */
+    LET(end, 2 * prec, "-log(p)", p);
+    crossley_part(t, how, k, -1, p, end, beta, prec);
+    time_of_max_overlap(loading, how, k, beta, prec);
     arb_add(t, t, loading, prec);
 }
 
-#define CROSSLEY_TIME(of, end, a)                                                                                      \
+#define CROSSLEY_TIME(of, end, l, m)                                                                                   \
     void crossley_##of##_##end(arb_t t, enum quadrature how, const arb_t beta, slong prec)                             \
     {                                                                                                                  \
-        of(t, how, a, beta, prec);                                                                                     \
+        of(t, how, (struct ratio){l, m}, beta, prec);                                                                  \
     }
 
-CROSSLEY_TIME(time_of_max_overlap, 1, CROSSLEY_LINEAR)
-CROSSLEY_TIME(time_of_max_overlap, 3_2, CROSSLEY_HERTZ)
-CROSSLEY_TIME(duration, 1, CROSSLEY_LINEAR)
-CROSSLEY_TIME(duration, 3_2, CROSSLEY_HERTZ)
+CROSSLEY_TIME(time_of_max_overlap, 1, 1, 2)
+CROSSLEY_TIME(time_of_max_overlap, 3_2, 3, 5)
+CROSSLEY_TIME(duration, 1, 1, 2)
+CROSSLEY_TIME(duration, 3_2, 3, 5)
 
 /* ---- the disk ---- */
 

@@ -5,6 +5,7 @@
 
 #include "approximation/sampled_function.h"
 #include "support/console.h"
+#include "support/formula.h"
 #include "support/local.h"
 #include "tables/law_times.h"
 
@@ -141,14 +142,6 @@ static int emit_rows_of(struct emit *e, const struct time_rows *rows, int n, slo
 
 /* ---- beyond the rows ---- */
 
-/* exp(numerator/denominator u) */
-static void power_of(arb_t y, const arb_t u, slong numerator, slong denominator)
-{
-    arb_mul_si(y, u, numerator, FAR_BITS);
-    arb_div_si(y, y, denominator, FAR_BITS);
-    arb_exp(y, y, FAR_BITS);
-}
-
 /* A formula for strong damping: constants that are known, and then `terms` coefficients of a sum that agrees with as
  * many enclosed values. Its row has the nearest doubles, the first `split` of them each with its remainder. */
 struct far_form {
@@ -158,14 +151,12 @@ struct far_form {
     slong known, terms, split;
     /* of tsuji_equation */
     law_time *time;
-    slong power_numerator, power_denominator; /* t zeta^(p/q) is expanded */
-    slong mu_power;                           /* mu = zeta^-mu_power */
+    struct ratio power; /* t zeta^power is expanded */
+    slong mu_power;     /* mu = zeta^-mu_power */
     struct {
         int mu, log;
     } term[6];
-    /* of crossley_equation: k = a/(a + 1) */
-    slong numerator;
-    ulong denominator;
+    struct ratio k;      /* of crossley_equation: a/(a + 1) */
     arb_srcptr constant; /* the known constants */
 };
 
@@ -212,30 +203,24 @@ static int far_emit(struct emit *e, const struct far_form *f)
     return columns > 0 ? emit_one_row(e, f->name, row, columns) : STATUS_FAILED;
 }
 
-/* t zeta^(p/q) at u = ln(zeta) = 13, 13.75, ... by mu^j u^k */
+/* t zeta^power at u = ln(zeta) = 13, 13.75, ... by mu^j u^k */
 static void tsuji_equation(arb_ptr basis, arb_t value, const struct far_form *f, slong i)
 {
-    LOCAL(arb, u, zeta, power);
-    arb_set_d(u, 13 + 0.75 * (double)i);
+    LOCAL(arb, u, zeta);
+    LET(u, FAR_BITS, "13 + 3/4*i", i);
     arb_exp(zeta, u, FAR_BITS);
     f->time(value, QUADRATURE_ENCLOSED, zeta, 256);
-    power_of(power, u, f->power_numerator, f->power_denominator);
-    arb_mul(value, value, power, FAR_BITS);
-    for (slong k = 0; k < f->terms; k++) {
-        arb_pow_ui(basis + k, u, (ulong)f->term[k].log, FAR_BITS);
-        power_of(power, u, -f->mu_power * f->term[k].mu, 1);
-        arb_mul(basis + k, basis + k, power, FAR_BITS);
-    }
+    LET(value, FAR_BITS, "value*exp(f->power*u)", value, f->power, u);
+    for (slong k = 0; k < f->terms; k++)
+        LET(basis + k, FAR_BITS, "u^f->term[k].log*exp(-f->mu_power*f->term[k].mu*u)", u, f->mu_power, f->term[k].log,
+            f->term[k].mu);
 }
 
 /* y^(4/5) V(y) */
 static void scaled_overlap_factor(arb_t v, const arb_t y)
 {
-    LOCAL(arb, power);
     tsuji_overlap_factor(v, QUADRATURE_ENCLOSED, y, FAR_BITS);
-    arb_root_ui(power, y, FIFTH, FAR_BITS);
-    arb_pow_ui(power, power, 4, FAR_BITS);
-    arb_mul(v, v, power, FAR_BITS);
+    LET(v, FAR_BITS, "v*y^(4/5)", v, y);
 }
 
 /* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2, whose terms at y = 10 are below
@@ -259,26 +244,18 @@ static int overlap_far_check(const struct far_form *f)
     for (double at = OVERLAP_END; at < 115; at *= 1.03125) {
         arb_set_d(y, at);
         scaled_overlap_factor(v, y);
-        arb_zero(sum);
-        for (slong k = f->terms; k > 0; k--) {
-            arb_add(sum, sum, row + k, FAR_BITS);
-            if (k > 1) {
-                arb_div(sum, sum, y, FAR_BITS);
-                arb_div(sum, sum, y, FAR_BITS);
-            }
-        }
-        arb_add(sum, sum, row, FAR_BITS);
-        arb_div(sum, sum, v, FAR_BITS);
-        arb_sub_ui(sum, sum, 1, FAR_BITS);
+        LET(y, FAR_BITS, "1/y^2", y);
+        _arb_poly_evaluate(sum, row + 1, f->terms, y, FAR_BITS);
+        LET(sum, FAR_BITS, "(row + sum)/v - 1", row, sum, v);
         worst = fmax(worst, fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR)));
     }
     return worst < 0x1p-57 ? STATUS_OK : fail("Tsuji's duration at zero overlap is off by %.3g far out", worst);
 }
 
-#define TSUJI_FAR(title, of, p, q, power, ...)                                                                         \
+#define TSUJI_FAR(title, of, p, q, mu, ...)                                                                            \
     {                                                                                                                  \
-        .name = "cor_rows_tsuji_far_" title, .equation = tsuji_equation, .split = 2, .time = of, .power_numerator = p, \
-        .power_denominator = q, .mu_power = power, __VA_ARGS__                                                         \
+        .name = "cor_rows_tsuji_far_" title, .equation = tsuji_equation, .split = 2, .time = of, .power = {p, q},      \
+        .mu_power = mu, __VA_ARGS__                                                                                    \
     }
 #define QUADRATIC .terms = 5, .term = {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {1, 2}}
 static const struct far_form tsuji_far[] = {
@@ -333,37 +310,16 @@ int tsuji_tables_write(FILE *file)
 
 /* ---- Hunt and Crossley beyond the rows ---- */
 
-/* k = a/(a + 1), and 1 - k */
-static void crossley_power(arb_t k, arb_t rest, const struct far_form *f)
-{
-    arb_set_si(k, f->numerator);
-    arb_div_ui(k, k, f->denominator, FAR_BITS);
-    arb_sub_ui(rest, k, 1, FAR_BITS);
-    arb_neg(rest, rest);
-}
-
 /* The time of the largest overlap, s = ln(1 + beta) >= 26.25, in units of beta^(2k - 1) ((a + 1)(1 + beta))^-k: s + K +
  * (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma. Here for k_j, times 1 + beta. */
 static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, slong i)
 {
-    LOCAL(arb, k, rest, s, beta, x);
-    crossley_power(k, rest, f);
-    arb_set_si(s, 27 + 3 * i);
+    LOCAL(arb, s, beta);
+    LET(s, FAR_BITS, "27 + 3*i", i);
     arb_expm1(beta, s, FAR_BITS);
     f->time(t, QUADRATURE_ENCLOSED, beta, 300);
-    /* ln((a + 1)(1 + beta)) = s - ln(1 - k) */
-    arb_log(x, rest, FAR_BITS);
-    arb_sub(x, s, x, FAR_BITS);
-    arb_mul(x, x, k, FAR_BITS);
-    arb_sub(rest, rest, k, FAR_BITS); /* 1 - 2k */
-    arb_log(beta, beta, FAR_BITS);
-    arb_addmul(x, beta, rest, FAR_BITS);
-    arb_exp(x, x, FAR_BITS);
-    arb_mul(t, t, x, FAR_BITS);
-    arb_sub(t, t, s, FAR_BITS);
-    arb_sub(t, t, f->constant, FAR_BITS);
-    arb_exp(x, s, FAR_BITS);
-    arb_mul(t, t, x, FAR_BITS);
+    LET(t, FAR_BITS, "(t*beta^(1 - 2*f->k)*(exp(s)/(1 - f->k))^f->k - s - f->constant)*exp(s)", t, beta, f->k, s,
+        f->constant);
     for (slong j = 0; j < f->terms; j++)
         arb_pow_ui(basis + j, s, (ulong)j, FAR_BITS);
 }
@@ -371,12 +327,7 @@ static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, 
 /* K */
 static void loading_constant(arb_ptr K, const struct far_form *f)
 {
-    LOCAL(arb, k, rest);
-    crossley_power(k, rest, f);
-    arb_digamma(K, rest, FAR_BITS);
-    arb_const_euler(rest, FAR_BITS);
-    arb_add(K, K, rest, FAR_BITS);
-    arb_neg(K, K);
+    LET(K, FAR_BITS, "digamma(1) - digamma(1 - f->k)", f->k);
 }
 
 /* The rebound, beta > 64: with U = beta + 1 - ln(1 + beta) and k = a/(a + 1), in units of beta^(2k - 1) ((a + 1))^-k,
@@ -386,22 +337,17 @@ static void loading_constant(arb_ptr K, const struct far_form *f)
  * from (U - x - exp(-x))^-k by the binomial series in exp(-x), then in x/U. */
 static void rebound_coefficients(arb_ptr c, const struct far_form *f)
 {
-    LOCAL(arb, k, n, first, second);
-    crossley_power(k, n, f);
+    LOCAL(arb, n, first, second);
     for (slong p = 1; p <= f->known; p++) {
-        arb_zero(c + p - 1);
+        arb_ptr const sum = c + p - 1;
+        arb_zero(sum);
         for (slong j = 1; j <= p; j++) {
-            arb_add_si(n, k, j - 1, FAR_BITS);
+            LET(n, FAR_BITS, "f->k + j - 1", f->k, j);
             arb_bin_ui(first, n, (ulong)j, FAR_BITS);
-            arb_add_si(n, k, p - 1, FAR_BITS);
+            LET(n, FAR_BITS, "f->k + p - 1", f->k, p);
             arb_bin_ui(second, n, (ulong)(p - j), FAR_BITS);
-            arb_mul(first, first, second, FAR_BITS);
-            arb_fac_ui(second, (ulong)(p - j), FAR_BITS);
-            arb_mul(first, first, second, FAR_BITS);
-            arb_set_ui(second, (ulong)j);
-            arb_pow_ui(second, second, (ulong)(p - j + 1), FAR_BITS);
-            arb_div(first, first, second, FAR_BITS);
-            arb_add(c + p - 1, c + p - 1, first, FAR_BITS);
+            arb_fac_ui(n, (ulong)(p - j), FAR_BITS);
+            LET(sum, FAR_BITS, "sum + first*second*n/j^(p - j + 1)", sum, first, second, n, j, p);
         }
     }
 }
@@ -409,11 +355,14 @@ static void rebound_coefficients(arb_ptr c, const struct far_form *f)
 #define LOADING_FAR(end, p, q)                                                                                         \
     {                                                                                                                  \
         .name = "cor_rows_crossley_far_time_of_max_overlap_" #end, .equation = crossley_equation, .known = 1,          \
-        .terms = 3, .split = 1, .time = crossley_time_of_max_overlap_##end, .numerator = p, .denominator = q           \
+        .terms = 3, .split = 1, .time = crossley_time_of_max_overlap_##end, .k = {                                     \
+            p,                                                                                                         \
+            q                                                                                                          \
+        }                                                                                                              \
     }
 #define REBOUND_FAR(end, p, q)                                                                                         \
     {                                                                                                                  \
-        .name = "cor_rows_crossley_far_rebound_" #end, .known = 11, .numerator = p, .denominator = q                   \
+        .name = "cor_rows_crossley_far_rebound_" #end, .known = 11, .k = { p, q }                                      \
     }
 static const struct far_form loading_far[] = {LOADING_FAR(1, 1, 2), LOADING_FAR(3_2, 3, 5)},
                              rebound_far[] = {REBOUND_FAR(1, 1, 2), REBOUND_FAR(3_2, 3, 5)};
