@@ -128,12 +128,11 @@ void tsuji_overlap_factor(arb_t v, enum quadrature how, const arb_t y, slong pre
     LET(v, prec, "(5/4)^(-3/5)*pi*2^(1/5)*gamma(4/5)*exp(-pi*y - 2*ln_gamma)", y, ln_gamma);
 }
 
-/* The duration at zero overlap, zeta < 1 */
-static void tsuji_duration_zero_overlap(arb_t t, const arb_t zeta, slong prec)
+void tsuji_duration_zero_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
     LOCAL(arb, y);
     LET(y, prec, "zeta/sqrt(1 - zeta^2)/10", zeta);
-    tsuji_overlap_factor(t, QUADRATURE_ENCLOSED, y, prec);
+    tsuji_overlap_factor(t, how, y, prec);
     LET(t, prec, "t*exp(2*pi*y)*(1 - zeta^2)^(-2/5)", t, y, zeta);
 }
 
@@ -146,7 +145,7 @@ static void tsuji_duration_zero_force_weak(arb_t t, enum quadrature how, const a
     LET(end, more, "2*asin(zeta)/sqrt(1 - zeta^2)", zeta);
     arb_neg(minus, zeta);
     tsuji_integral(part, how, minus, end, prec);
-    tsuji_duration_zero_overlap(t, zeta, more);
+    tsuji_duration_zero_overlap(t, how, zeta, more);
     LET(t, more, "t - part*exp(pi*zeta/(5*sqrt(1 - zeta^2)))", t, part, zeta);
 }
 

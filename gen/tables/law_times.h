@@ -20,8 +20,9 @@ void law_times_clear(void);
 void tsuji_time_of_max_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec);
 void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, slong prec);
 void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slong prec);
-/* V of the duration at zero overlap exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)) >= 0: closed
- * form, enclosed in either case */
+/* exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)), zeta < 1, and V(y): closed forms, enclosed in
+ * either case */
+void tsuji_duration_zero_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec);
 void tsuji_overlap_factor(arb_t v, enum quadrature how, const arb_t y, slong prec);
 
 /* ---- Hunt and Crossley's law with a = 1 or 3/2, by beta > 0 ---- */

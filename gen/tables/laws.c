@@ -33,6 +33,7 @@ struct time_rows {
     /* zeta or beta of the variable y; NULL: they are y, in rows by octaves of 1/step cells */
     void (*damping)(arb_t zeta, const arb_t y, slong prec);
     double from, step, end;
+    double least_bits; /* 0: LEAST_BITS */
 };
 
 /* exp(s) - 1 */
@@ -74,8 +75,10 @@ static const struct time_rows tsuji_rows[] = {
      tsuji_duration_limited, of_root, 0, 0.03125, ROOT_END},
     {"cor_rows_tsuji_duration_limited", "duration with the limited damper", "ln(1 + zeta)", tsuji_duration_limited,
      of_log, 1.5, 0.25, TSUJI_END},
-    {"cor_rows_tsuji_overlap_factor", "V of the duration at zero overlap", "zeta/(10 sqrt(1 - zeta^2))",
-     tsuji_overlap_factor, of_itself, 0, 0.0625, OVERLAP_END},
+    {"cor_rows_tsuji_duration_zero_overlap", "duration at zero overlap", "zeta", tsuji_duration_zero_overlap, of_itself,
+     0, 0.03125, 0.6875},
+    {"cor_rows_tsuji_overlap_factor", "V of the duration at zero overlap", "zeta/(10 sqrt(1 - zeta^2)) 2^-k",
+     tsuji_overlap_factor, NULL, 0.0625, 0.125, OVERLAP_END, 53.5},
 };
 enum { TSUJI_ROWS = sizeof tsuji_rows / sizeof *tsuji_rows };
 
@@ -115,7 +118,7 @@ static int emit_times(struct emit *e, const struct time_rows *rows, slong head_b
                        .name = rows->name,
                        .title = rows->title,
                        .head_bits = head_bits,
-                       .least_bits = LEAST_BITS};
+                       .least_bits = rows->least_bits > 0 ? rows->least_bits : LEAST_BITS};
     struct sampled_function f = {.p = &p, .value = time_at, .what = rows};
     int status = sampled_function_make(&f);
     if (status == STATUS_OK)

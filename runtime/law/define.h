@@ -63,8 +63,13 @@ static inline int law_is_ordinary(double x)
         cor_environment_leave(&caller);                                                                                \
     }
 #define LAW_DEFINE_WITH_EXPONENT(function, name)                                                                       \
-    COR_IN_ENVIRONMENT(double, cor_##function, cor_##name, (double beta, double elastic_exponent),                     \
-                       (beta, elastic_exponent))                                                                       \
+    static COR_IN_ENVIRONMENT(double, anywhere_##function, cor_##name, (double beta, double elastic_exponent),         \
+                              (beta, elastic_exponent)) double cor_##function(double beta, double elastic_exponent)    \
+    {                                                                                                                  \
+        return law_is_ordinary(beta) && law_is_ordinary(elastic_exponent)                                              \
+                   ? cor_##name(beta, elastic_exponent)                                                                \
+                   : anywhere_##function(beta, elastic_exponent);                                                      \
+    }                                                                                                                  \
     static float narrow_##function(float beta, float elastic_exponent)                                                 \
     {                                                                                                                  \
         return (float)cor_##name((double)beta, (double)elastic_exponent);                                              \

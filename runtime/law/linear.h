@@ -59,18 +59,4 @@ COR_INLINE double cor_linear_inline_duration_limited(double zeta)
     return cor_pair_plus(cor_ratio_phase_near(over, numerator), cor_ratio_limited_time(zeta)).hi;
 }
 
-/* Tsuji's damping: (5/4 eps)^(2/5), eps at zero force */
-COR_INLINE double cor_tsuji_inline_max_overlap(double zeta)
-{
-    if (!(zeta >= 0))
-        return (double)NAN;
-    if (isinf(zeta))
-        return 0;
-    const struct cor_inline_pair two_fifths = cor_pair(0.4, -2.22044604925031308085e-17);
-    const struct cor_inline_pair log_5_4 = cor_pair(-8.92574205256839031675e-02, 8.60950677367028016675e-19);
-    const struct cor_inline_pair part = cor_inline_pair_times(two_fifths, cor_ratio_force_exponent(zeta));
-    const struct cor_inline_pair sum = cor_pair_two_sum(part.hi, log_5_4.hi);
-    return cor_kernel_exp_minus_pair(cor_pair(sum.hi, sum.lo + (part.lo + log_5_4.lo))).hi;
-}
-
 #endif

@@ -85,12 +85,15 @@ static double cor_tsuji_inline_duration_limited(double zeta)
     return c[0] + (c[1] + mu * ((c[2] + c[4] * u) + mu * (mu * (c[5] + u * (c[6] + u * c[7])))));
 }
 
-/* exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). Beyond y = 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is
+/* Beyond the rows, exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). Beyond y = 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is
  * (zeta/10)^(-4/5). Past y = 112.9 the duration is beyond the largest double. */
 static double cor_tsuji_inline_duration_zero_overlap(double zeta)
 {
     if (!(zeta >= 0))
         return NAN;
+    if (zeta < COR_ROWS_TSUJI_DURATION_ZERO_OVERLAP_END)
+        return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_TSUJI_DURATION_ZERO_OVERLAP), zeta,
+                                                          cor_rows_tsuji_duration_zero_overlap));
     if (zeta >= 1)
         return INFINITY;
     const struct cor_inline_pair ten = cor_pair(10, 0), two_fifths = cor_pair(0.4, -2.22044604925031308085e-17);
@@ -101,10 +104,10 @@ static double cor_tsuji_inline_duration_zero_overlap(double zeta)
     const struct cor_inline_pair growth = cor_inline_pair_times(two_pi, y);
     struct cor_inline_pair factor, exponent;
     if (y.hi < COR_ROWS_TSUJI_OVERLAP_FACTOR_END) {
-        const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_TSUJI_OVERLAP_FACTOR);
-        const int i = (int)((y.hi - grid.first) * grid.per_unit + 0.5);
-        const double *c = cor_rows_tsuji_overlap_factor(i), t = cor_inline_grid_t(grid, y.hi, i) + y.lo;
-        factor = cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, t)));
+        struct cor_inline_place place = cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_TSUJI_OVERLAP_FACTOR),
+                                                                 y.hi, cor_rows_tsuji_overlap_factor);
+        place.s = place.t += y.lo * cor_inline_power_of_two(-cor_inline_exponent(y.hi));
+        factor = cor_inline_sum(place.row[0], cor_inline_row(place));
         exponent = cor_inline_pair_times(two_fifths, cor_kernel_minus_log(cor_ratio_omega_square(zeta)));
     } else {
         const double *c = cor_rows_tsuji_far_overlap_factor(0), x = 1 / (y.hi * y.hi);

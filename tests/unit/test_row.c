@@ -86,7 +86,8 @@ static const struct table tables[] = {
     GRID(tsuji_duration_zero_force, TSUJI_DURATION_ZERO_FORCE),
     GRID(tsuji_duration_limited_weak, TSUJI_DURATION_LIMITED_WEAK),
     GRID(tsuji_duration_limited, TSUJI_DURATION_LIMITED),
-    GRID(tsuji_overlap_factor, TSUJI_OVERLAP_FACTOR),
+    GRID(tsuji_duration_zero_overlap, TSUJI_DURATION_ZERO_OVERLAP),
+    OCTAVES(tsuji_overlap_factor, TSUJI_OVERLAP_FACTOR),
 };
 
 /* The value of row i at half a cell from its node, to one side */
