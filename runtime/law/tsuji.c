@@ -85,8 +85,8 @@ static double cor_tsuji_inline_duration_limited(double zeta)
     return c[0] + (c[1] + mu * ((c[2] + c[4] * u) + mu * (mu * (c[5] + u * (c[6] + u * c[7])))));
 }
 
-/* Beyond the rows, exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). Beyond y = 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is
- * (zeta/10)^(-4/5). Past y = 112.9 the duration is beyond the largest double. */
+/* Beyond the rows, exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). Beyond y = 6.5, (1 -
+ * zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). Past y = 112.9 the duration is beyond the largest double. */
 static double cor_tsuji_inline_duration_zero_overlap(double zeta)
 {
     if (!(zeta >= 0))
