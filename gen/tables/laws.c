@@ -33,7 +33,7 @@ struct time_rows {
     /* zeta or beta of the variable y; NULL: they are y, in rows by octaves of 1/step cells */
     void (*damping)(arb_t zeta, const arb_t y, slong prec);
     double from, step, end;
-    double least_bits; /* 0: LEAST_BITS */
+    double least_bits;
 };
 
 /* exp(s) - 1 */
@@ -66,17 +66,17 @@ static void time_at(arb_t t, const void *what, const arb_t y, bool proved, slong
 
 static const struct time_rows tsuji_rows[] = {
     {"cor_rows_tsuji_time_of_max_overlap", "time of the largest overlap", "ln(1 + zeta)", tsuji_time_of_max_overlap,
-     of_log, 0, 0.25, TSUJI_END},
+     of_log, 0, 0.25, TSUJI_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_zero_force_weak", "duration at zero force, weak damping", "zeta^(1/5)",
-     tsuji_duration_zero_force, of_root, 0, 0.0625, ROOT_END},
+     tsuji_duration_zero_force, of_root, 0, 0.0625, ROOT_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_zero_force", "duration at zero force", "ln(1 + zeta)", tsuji_duration_zero_force, of_log,
-     1.5, 0.25, TSUJI_END},
+     1.5, 0.25, TSUJI_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_limited_weak", "duration with the limited damper, weak damping", "zeta^(1/5)",
-     tsuji_duration_limited, of_root, 0, 0.03125, ROOT_END},
+     tsuji_duration_limited, of_root, 0, 0.03125, ROOT_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_limited", "duration with the limited damper", "ln(1 + zeta)", tsuji_duration_limited,
-     of_log, 1.5, 0.25, TSUJI_END},
+     of_log, 1.5, 0.25, TSUJI_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_zero_overlap", "duration at zero overlap", "zeta", tsuji_duration_zero_overlap, of_itself,
-     0, 0.03125, 0.6875},
+     0, 0.03125, 0.6875, LEAST_BITS},
     {"cor_rows_tsuji_overlap_factor", "V of the duration at zero overlap", "zeta/(10 sqrt(1 - zeta^2)) 2^-k",
      tsuji_overlap_factor, NULL, 0.0625, 0.125, OVERLAP_END, 53.5},
 };
@@ -84,20 +84,21 @@ enum { TSUJI_ROWS = sizeof tsuji_rows / sizeof *tsuji_rows };
 
 static const struct time_rows crossley_rows[] = {
     {"cor_rows_crossley_time_of_max_overlap_1", "time of the largest overlap, a = 1", "ln(1 + beta)",
-     crossley_time_of_max_overlap_1, of_log, 0, 0.375, CROSSLEY_MAX_END},
+     crossley_time_of_max_overlap_1, of_log, 0, 0.375, CROSSLEY_MAX_END, LEAST_BITS},
     {"cor_rows_crossley_time_of_max_overlap_3_2", "time of the largest overlap, a = 3/2", "ln(1 + beta)",
-     crossley_time_of_max_overlap_3_2, of_log, 0, 0.375, CROSSLEY_MAX_END},
+     crossley_time_of_max_overlap_3_2, of_log, 0, 0.375, CROSSLEY_MAX_END, LEAST_BITS},
     {"cor_rows_crossley_duration_1", "duration, a = 1", "ln(1 + beta)", crossley_duration_1, of_log, 0, 0.125,
-     CROSSLEY_DURATION_END},
+     CROSSLEY_DURATION_END, LEAST_BITS},
     {"cor_rows_crossley_duration_3_2", "duration, a = 3/2", "ln(1 + beta)", crossley_duration_3_2, of_log, 0, 0.125,
-     CROSSLEY_DURATION_END},
+     CROSSLEY_DURATION_END, LEAST_BITS},
 };
 enum { CROSSLEY_ROWS = sizeof crossley_rows / sizeof *crossley_rows };
 
 static const struct time_rows disk_rows[] = {
-    {"cor_rows_disk_contact_time", "contact time", "q 2^-k", disk_contact_time, NULL, DISK_FROM, 0.125, DISK_END},
+    {"cor_rows_disk_contact_time", "contact time", "q 2^-k", disk_contact_time, NULL, DISK_FROM, 0.125, DISK_END,
+     LEAST_BITS},
     {"cor_rows_disk_load_factor", "load over compression", "q 2^-k", disk_load_factor, NULL, DISK_FROM, 0.0625,
-     DISK_END},
+     DISK_END, LEAST_BITS},
 };
 enum { DISK_ROWS = sizeof disk_rows / sizeof *disk_rows, DISK_HEAD_BITS = 26 };
 
@@ -118,7 +119,7 @@ static int emit_times(struct emit *e, const struct time_rows *rows, slong head_b
                        .name = rows->name,
                        .title = rows->title,
                        .head_bits = head_bits,
-                       .least_bits = rows->least_bits > 0 ? rows->least_bits : LEAST_BITS};
+                       .least_bits = rows->least_bits};
     struct sampled_function f = {.p = &p, .value = time_at, .what = rows};
     int status = sampled_function_make(&f);
     if (status == STATUS_OK)
