@@ -12,6 +12,11 @@
 /* A list of doubles, and how many an array has */
 #define NUMBERS(name, ...) const double name[] = {__VA_ARGS__}
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+/* EACH(x, 1, 2) { ... } for x a pointer to each of the doubles */
+#define EACH(x, ...)                                                                                                   \
+    for (const double *x = (const double[]){__VA_ARGS__}, *const x##_end =                                             \
+                                                              x + COUNT_OF(((const double[]){__VA_ARGS__}));           \
+         x < x##_end; x++)
 
 struct random_state {
     uint64_t state; /* not 0 */

@@ -87,9 +87,8 @@ static void says(int at, int which, const char *part)
     "set type 1 diameter 0.01 density 2500\nset type 2 diameter 0.02 density 2500\ntimestep 1e-5\n"
 
 /* eps of e by the table of the laws, and what it gets from the numbers of a line */
-static void lammps(void **state)
+TEST(lammps)
 {
-    (void)state;
     assert_int_equal(audit(SPHERES
                            "pair_style granular\n"
                            "variable e equal 1/2\n"
@@ -147,9 +146,8 @@ static void lammps(void **state)
 }
 
 /* LIGGGHTS: matrices of numbers for each pair of types, a mesh, and its own springs */
-static void liggghts(void **state)
+TEST(liggghts)
 {
-    (void)state;
     static const char script[] =
         "units si\ncreate_box 2 b\ntimestep 1e-5\n"
         "fix m1 all property/global youngsModulus peratomtype 5e6 1e7\n"
@@ -207,9 +205,8 @@ static void liggghts(void **state)
 
 /* The error of the step: a viscoelastic sphere with 12 steps in an elastic duration (another integration of the same
  * scheme gave -5.6e-3 and 5.6e-3), an e that only the step spoils, a step that jumps over the contact; and versions. */
-static void steps(void **state)
+TEST(steps)
 {
-    (void)state;
     char text[2048];
     const double pi = 3.14159265358979323846, mass = pi / 6 * 1e-6 * 2500 / 2, radius = 0.0025, k = 1e7 * sqrt(radius);
     const double eta = cor_sphere_beta_zero_overlap(0.5) * pow(k / mass, 0.6) / sqrt(radius);
@@ -289,9 +286,8 @@ static const char mujoco_text[] = "<mujoco>\n<!-- <geom solref=\"1 1\"/>\n -->\n
                                   "<contact><pair geom1=\"a\" geom2=\"b\" solref=\"1e-5 1\"/></contact></mujoco>\n";
 
 /* Simulators whose inputs give values to keywords. The restitutions are LAWS' table and exp(-2 zeta A(zeta)). */
-static void keywords(void **state)
+TEST(keywords)
 {
-    (void)state;
     const double pi = 3.14159265358979323846;
     assert_int_equal(audit(yade_text, NAN), COR_AUDIT_NOT_AS_ASKED);
     assert_int_equal(seen.count, 3);
@@ -395,9 +391,8 @@ static void keywords(void **state)
     }
 }
 
-static void missing(void **state)
+TEST(missing)
 {
-    (void)state;
     /* nothing says the radius; then the speed */
     assert_int_equal(audit("units si\npair_style granular\npair_coeff * * hertz 1e7 5e4 damping viscoelastic\n", 1),
                      COR_AUDIT_NOT_AS_ASKED);
@@ -433,9 +428,8 @@ static void missing(void **state)
     }
 }
 
-static void control(void **state)
+TEST(control)
 {
-    (void)state;
     /* branches, an index variable of the command line's kind, quotes, a commentary in quotes */
     assert_int_equal(audit("variable e index 0.4 0.5\nvariable e index 0.9\npair_style granular\n"
                            "if \"${e} == 0.4 && 2^3 > 7\" then \"pair_coeff * * hertz 1e7 ${e} damping "
@@ -462,9 +456,8 @@ static void control(void **state)
     assert_true(!isnan(seen.finding[0].realised) && isnan(seen.finding[1].realised));
 }
 
-static void texts(void **state)
+TEST(texts)
 {
-    (void)state;
     static char longest[1 << 20];
     assert_int_equal(audit("", NAN), COR_AUDIT_UNKNOWN);
     assert_int_equal(audit("hello\n", NAN), COR_AUDIT_UNKNOWN);
@@ -495,10 +488,4 @@ static void texts(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lammps),  cmocka_unit_test(liggghts), cmocka_unit_test(steps), cmocka_unit_test(keywords),
-        cmocka_unit_test(missing), cmocka_unit_test(control),  cmocka_unit_test(texts)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(lammps, liggghts, steps, keywords, missing, control, texts)

@@ -143,26 +143,23 @@ TEST(speeds)
 {
     struct cor_sphere_contact c;
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
-    const double bad[] = {-1, -smallest, -INFINITY, NAN};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        assert_true(isnan(cor_contact_beta(&c, bad[i])));
-        assert_true(isnan(cor_contact_eps_zero_overlap(&c, bad[i])));
-        assert_true(isnan(cor_contact_eps_zero_force(&c, bad[i])));
+    EACH (bad, -1, -smallest, -INFINITY, NAN) {
+        assert_true(isnan(cor_contact_beta(&c, *bad)));
+        assert_true(isnan(cor_contact_eps_zero_overlap(&c, *bad)));
+        assert_true(isnan(cor_contact_eps_zero_force(&c, *bad)));
     }
-    const double zero[] = {0.0, -0.0};
-    for (int i = 0; i < 2; i++) {
-        assert_true(cor_contact_beta(&c, zero[i]) == 0);
-        assert_true(cor_contact_eps_zero_overlap(&c, zero[i]) == 1);
-        assert_true(cor_contact_eps_zero_force(&c, zero[i]) == 1);
+    EACH (zero, 0.0, -0.0) {
+        assert_true(cor_contact_beta(&c, *zero) == 0);
+        assert_true(cor_contact_eps_zero_overlap(&c, *zero) == 1);
+        assert_true(cor_contact_eps_zero_force(&c, *zero) == 1);
     }
     assert_true(cor_contact_beta(&c, INFINITY) == INFINITY);
     assert_true(cor_contact_eps_zero_overlap(&c, INFINITY) == 0 && cor_contact_eps_zero_force(&c, INFINITY) == 0);
     assert_true(cor_contact_eps_zero_overlap(&c, DBL_MAX) > 0 && cor_contact_eps_zero_force(&c, DBL_MAX) > 0);
     assert_true(cor_contact_eps_zero_overlap(&c, smallest) == 1 && cor_contact_eps_zero_force(&c, smallest) == 1);
     /* subnormal speeds: the fifth root of the smallest one is 2^(-1074/5) */
-    const double tiny[] = {smallest, 7 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 1e-310};
-    for (size_t i = 0; i < sizeof tiny / sizeof *tiny; i++)
-        check(ulp_error(cor_contact_beta(&c, tiny[i]), c.beta_per_root * powl(tiny[i], 0.2L)) <= 2, "%a", tiny[i]);
+    EACH (tiny, smallest, 7 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 1e-310)
+        check(ulp_error(cor_contact_beta(&c, *tiny), c.beta_per_root * powl(*tiny, 0.2L)) <= 2, "%a", *tiny);
     /* exact fifth powers, and their product with 1 */
     c.beta_per_root = 1;
     for (int k = 1; k < 1000; k++) {
@@ -221,13 +218,12 @@ TEST(characteristic_speed)
 /* A contact that does not know its scale has neither seconds nor metres. */
 static void no_dimensions(const struct cor_sphere_contact *c)
 {
-    const double speed[] = {0, -0.0, 1e-3, 1, 1e300, INFINITY, NAN, -1};
-    for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
-        assert_true(isnan(cor_contact_duration_s_zero_overlap(c, speed[i])));
-        assert_true(isnan(cor_contact_duration_s_zero_force(c, speed[i])));
-        assert_true(isnan(cor_contact_max_overlap_m(c, speed[i])));
-        assert_true(isnan(cor_contact_dissipation_time_s_zero_overlap(c, speed[i], 0.5)));
-        assert_true(isnan(cor_contact_dissipation_time_s_zero_force(c, speed[i], 0.5)));
+    EACH (speed, 0, -0.0, 1e-3, 1, 1e300, INFINITY, NAN, -1) {
+        assert_true(isnan(cor_contact_duration_s_zero_overlap(c, *speed)));
+        assert_true(isnan(cor_contact_duration_s_zero_force(c, *speed)));
+        assert_true(isnan(cor_contact_max_overlap_m(c, *speed)));
+        assert_true(isnan(cor_contact_dissipation_time_s_zero_overlap(c, *speed, 0.5)));
+        assert_true(isnan(cor_contact_dissipation_time_s_zero_force(c, *speed, 0.5)));
     }
 }
 
@@ -274,9 +270,8 @@ TEST(wrong_inputs)
             refused(time, not_positive[i], COR_ERROR_DISSIPATION_TIME);
     }
     refused(time, INFINITY, COR_ERROR_DISSIPATION_TIME);
-    const double bad_poisson[] = {-1, nextafter(0.5, 1), -2, 0.6, INFINITY, -INFINITY, NAN};
-    for (size_t i = 0; i < sizeof bad_poisson / sizeof *bad_poisson; i++)
-        refused(poisson, bad_poisson[i], COR_ERROR_POISSON_RATIO);
+    EACH (bad_poisson, -1, nextafter(0.5, 1), -2, 0.6, INFINITY, -INFINITY, NAN)
+        refused(poisson, *bad_poisson, COR_ERROR_POISSON_RATIO);
     /* what would overflow or vanish */
     refused(young, smallest, COR_ERROR_RANGE);
     refused(radius, smallest, COR_ERROR_RANGE);
@@ -442,11 +437,10 @@ TEST(mass_of_a_sphere)
 {
     check(relative_error(cor_sphere_mass_kg(0.01, 917), 3.84112e-3L) < 1e-6L, "%.10g", cor_sphere_mass_kg(0.01, 917));
     check(ulp_error(cor_sphere_mass_kg(1, 1), 4 * acosl(-1) / 3) <= 0.5L + 1e-3L, "4 pi/3");
-    const double bad[] = {0, -1, NAN, -INFINITY};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        assert_true(isnan(cor_sphere_mass_kg(bad[i], 1)));
-        assert_true(isnan(cor_sphere_mass_kg(1, bad[i])));
-        assert_true(isnan(cor_sphere_mass_kg(INFINITY, bad[i])));
+    EACH (bad, 0, -1, NAN, -INFINITY) {
+        assert_true(isnan(cor_sphere_mass_kg(*bad, 1)));
+        assert_true(isnan(cor_sphere_mass_kg(1, *bad)));
+        assert_true(isnan(cor_sphere_mass_kg(INFINITY, *bad)));
     }
     assert_true(cor_sphere_mass_kg(1e-200, INFINITY) == INFINITY && cor_sphere_mass_kg(INFINITY, 1e-320) == INFINITY);
     /* the cube of the radius may be out of range where the mass is not */
@@ -531,18 +525,17 @@ TEST(extreme_contacts)
 {
     struct cor_sphere_contact c;
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
-    const double factor[] = {1e-61, 3e-61, 2e-60, 1e60, 3e61, 1e64, 1e-200, 1e200, 5e-310};
-    for (size_t i = 0; i < sizeof factor / sizeof *factor; i++) {
+    EACH (factor, 1e-61, 3e-61, 2e-60, 1e60, 3e61, 1e64, 1e-200, 1e200, 5e-310) {
         /* all that the functions read */
-        c.beta_per_root = factor[i];
+        c.beta_per_root = *factor;
         c.beta5_per_speed = NAN;
         for (double exponent = -323; exponent < 308; exponent += 0.37) {
             const double speed = pow(10, exponent), beta = cor_contact_beta(&c, speed);
             for (int end = 0; end < 2; end++) {
                 const double eps = eps_at_speed[end](&c, speed);
-                check(same_bits(eps, eps_at_beta[end](beta)), "%g at %g", factor[i], speed);
+                check(same_bits(eps, eps_at_beta[end](beta)), "%g at %g", *factor, speed);
                 if (beta > 1e-12 && beta < 1e5)
-                    check(eps_error(end, &c, speed) <= 1, "%g at %g", factor[i], speed);
+                    check(eps_error(end, &c, speed) <= 1, "%g at %g", *factor, speed);
             }
         }
         assert_true(cor_contact_eps_zero_overlap(&c, 0) == 1 && cor_contact_eps_zero_force(&c, -0.0) == 1);
@@ -621,12 +614,10 @@ TEST(special_values_of_dimensions)
     for (int end = 0; end < 2; end++) {
         assert_true(time[end](&c, 1, 1) == 0);
         assert_true(time[end](&c, 1, 0) > DBL_MAX && time[end](&c, 1, -0.0) > DBL_MAX);
-        const double no_eps[] = {-smallest, nextafter(1, 2), INFINITY, -INFINITY, NAN};
-        for (size_t i = 0; i < sizeof no_eps / sizeof *no_eps; i++)
-            check(isnan(time[end](&c, 1, no_eps[i])), "eps = %g", no_eps[i]);
-        const double no_speed[] = {0, -0.0, -1, INFINITY, -INFINITY, NAN};
-        for (size_t i = 0; i < sizeof no_speed / sizeof *no_speed; i++)
-            check(isnan(time[end](&c, no_speed[i], 0.5)), "speed %g", no_speed[i]);
+        EACH (no_eps, -smallest, nextafter(1, 2), INFINITY, -INFINITY, NAN)
+            check(isnan(time[end](&c, 1, *no_eps)), "eps = %g", *no_eps);
+        EACH (no_speed, 0, -0.0, -1, INFINITY, -INFINITY, NAN)
+            check(isnan(time[end](&c, *no_speed, 0.5)), "speed %g", *no_speed);
     }
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
     no_dimensions(&c);

@@ -747,10 +747,9 @@ TEST(refusals)
     refused(modes, TABLE + 1, &good, 0.1, COR_ERROR_MODES);
     refused(modes, SIZE_MAX, &good, 0.1, COR_ERROR_MODES);
     const struct cor_disk_modes mine = {0.33, 5, some};
-    const double bad_omega[] = {NAN, INFINITY, 0, -1, modes->mode[1].omega};
-    for (size_t i = 0; i < sizeof bad_omega / sizeof *bad_omega; i++) {
+    EACH (bad_omega, NAN, INFINITY, 0, -1, modes->mode[1].omega) {
         memcpy(some, modes->mode, 5 * sizeof *some);
-        some[2].omega = bad_omega[i];
+        some[2].omega = *bad_omega;
         refused(&mine, 5, &good, 0.1, COR_ERROR_MODES);
     }
     for (int i = 0; i < 2; i++) {
@@ -774,21 +773,16 @@ TEST(refusals)
     const size_t bytes = cor_disk_collision_workspace(&mine, 1, &most);
     check(bytes > 0 && (double)bytes <= COR_DISK_COLLISION_MAX_WORKSPACE, "%zu bytes for the largest n", bytes);
 
-    const double bad_nu[] = {1, -1, nextafter(1, 2), nextafter(-1, -2), INFINITY, NAN};
-    for (size_t i = 0; i < sizeof bad_nu / sizeof *bad_nu; i++)
-        refused(&(struct cor_disk_modes){bad_nu[i], 5, modes->mode}, 5, &good, 0.1, COR_ERROR_DISK_POISSON_RATIO);
-    const double bad_speed[] = {nextafter(COR_DISK_COLLISION_MAX_SPEED, 1), 1, INFINITY, NAN};
-    for (size_t i = 0; i < sizeof bad_speed / sizeof *bad_speed; i++)
-        refused(modes, 5, &good, bad_speed[i], COR_ERROR_SPEED);
+    EACH (bad_nu, 1, -1, nextafter(1, 2), nextafter(-1, -2), INFINITY, NAN)
+        refused(&(struct cor_disk_modes){*bad_nu, 5, modes->mode}, 5, &good, 0.1, COR_ERROR_DISK_POISSON_RATIO);
+    EACH (bad_speed, nextafter(COR_DISK_COLLISION_MAX_SPEED, 1), 1, INFINITY, NAN)
+        refused(modes, 5, &good, *bad_speed, COR_ERROR_SPEED);
     assert_int_equal(cor_disk_collision(modes, 5, &good, COR_DISK_COLLISION_MAX_SPEED, &out), COR_OK);
-    NUMBERS(bad_alpha, 0, -0.0, -1, -INFINITY, INFINITY, NAN, nextafter(COR_DISK_COLLISION_MIN_ALPHA, 0),
-            nextafter(COR_DISK_COLLISION_MAX_ALPHA, INFINITY));
-    for (size_t i = 0; i < sizeof bad_alpha / sizeof *bad_alpha; i++)
-        refused(modes, 5, &(struct cor_disk_collision_options){bad_alpha[i], 1e-3, 0, 0}, 0.1, COR_ERROR_ALPHA);
-    const double bad_tolerance[] = {
-        nextafter(COR_DISK_COLLISION_MIN_TOLERANCE, 0), 1, nextafter(1, 2), 0, -1e-8, INFINITY, NAN};
-    for (size_t i = 0; i < sizeof bad_tolerance / sizeof *bad_tolerance; i++)
-        refused(modes, 5, &(struct cor_disk_collision_options){500, bad_tolerance[i], 0, 0}, 0.1, COR_ERROR_TOLERANCE);
+    EACH (bad_alpha, 0, -0.0, -1, -INFINITY, INFINITY, NAN, nextafter(COR_DISK_COLLISION_MIN_ALPHA, 0),
+          nextafter(COR_DISK_COLLISION_MAX_ALPHA, INFINITY))
+        refused(modes, 5, &(struct cor_disk_collision_options){*bad_alpha, 1e-3, 0, 0}, 0.1, COR_ERROR_ALPHA);
+    EACH (bad_tolerance, nextafter(COR_DISK_COLLISION_MIN_TOLERANCE, 0), 1, nextafter(1, 2), 0, -1e-8, INFINITY, NAN)
+        refused(modes, 5, &(struct cor_disk_collision_options){500, *bad_tolerance, 0, 0}, 0.1, COR_ERROR_TOLERANCE);
     const size_t bad_points[] = {COR_DISK_COLLISION_MAX_PHI_POINTS + 1, SIZE_MAX};
     for (size_t i = 0; i < 2; i++)
         refused(modes, 5, &(struct cor_disk_collision_options){500, 1e-3, bad_points[i], 0}, 0.1, COR_ERROR_PHI_POINTS);

@@ -248,27 +248,26 @@ TEST(levels_that_agree_by_chance)
 /* Rayleigh's theory is approached slowly; the ratio to its fraction oscillates at first. */
 TEST(slower_and_slower)
 {
-    static const double exponents[] = {-3, -8, -30, -128, -300};
     const struct cor_disk_modes modes = modes_of(0.33, 8);
     double apart = INFINITY;
-    for (size_t i = 0; i < 5; i++) {
-        const double speed = pow(10, exponents[i]);
+    EACH (exponents, -3, -8, -30, -128, -300) {
+        const double speed = pow(10, *exponents);
         const struct cor_disk_hard_wall out = wall_collide(&modes, speed, 1e-5, COR_OK);
         struct cor_disk_rayleigh rayleigh;
         assert_int_equal(
             cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &rayleigh, NULL),
             COR_OK);
         const double theory = rayleigh.fraction + rayleigh.tail;
-        print_message("v = 1e%g: %.7f, Rayleigh %.7f, contact time %.4f, law %.4f\n", exponents[i], out.one_minus_eps2,
+        print_message("v = 1e%g: %.7f, Rayleigh %.7f, contact time %.4f, law %.4f\n", *exponents, out.one_minus_eps2,
                       theory, out.contact_time, rayleigh.contact_time);
-        if (exponents[i] <= -30) {
+        if (*exponents <= -30) {
             check(fabs(out.contact_time / rayleigh.contact_time - 1) < 0.02, "contact time %g", out.contact_time);
             check(fabs(out.max_compression / cor_disk_max_compression(speed, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS) - 1) <
                       0.02,
                   "largest compression %g", out.max_compression);
         }
-        if (exponents[i] <= -30) {
-            check(fabs(out.one_minus_eps2 / theory - 1) < apart, "v = 1e%g is farther from Rayleigh", exponents[i]);
+        if (*exponents <= -30) {
+            check(fabs(out.one_minus_eps2 / theory - 1) < apart, "v = 1e%g is farther from Rayleigh", *exponents);
             apart = fabs(out.one_minus_eps2 / theory - 1);
         }
     }
@@ -369,9 +368,8 @@ TEST(details)
 {
     enum { N = 1800 };
     static double after[N], average[N], q[N], q_dot[N];
-    static const double speeds[] = {0.1, 0.01, 1e-9};
-    for (size_t k = 0; k < 3; k++) {
-        const double speed = speeds[k], energy = pi / 2 * speed * speed;
+    EACH (speeds, 0.1, 0.01, 1e-9) {
+        const double speed = *speeds, energy = pi / 2 * speed * speed;
         const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
         const struct cor_disk_hard_wall_options options = {1e-3, 0};
         struct watched w = {.n = N, .mode = modes->mode, .q = q, .q_dot = q_dot};
@@ -420,27 +418,24 @@ TEST(refusals)
     const struct cor_disk_hard_wall_options good = {1e-3, 0};
     struct cor_disk_hard_wall out = {7, 7, 7, 7, 7, 7};
     const struct cor_disk_hard_wall untouched = out;
-    static const double tolerances[] = {0, -1, 1, NAN, 0.99e-7, INFINITY};
-    for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
-        const struct cor_disk_hard_wall_options options = {tolerances[i], 0};
+    EACH (tolerances, 0, -1, 1, NAN, 0.99e-7, INFINITY) {
+        const struct cor_disk_hard_wall_options options = {*tolerances, 0};
         assert_int_equal(cor_disk_hard_wall(modes, 1800, &options, 0.1, &out), COR_ERROR_TOLERANCE);
         assert_int_equal(cor_disk_hard_wall_nu(0.3, &options, 0.1, &out), COR_ERROR_TOLERANCE);
         assert_int_equal(cor_disk_hard_wall_workspace(modes, 1800, &options, 0.1), 0);
     }
-    static const double speeds[] = {NAN, INFINITY, 0.5000000001};
-    for (size_t i = 0; i < 3; i++) {
-        assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, speeds[i], &out), COR_ERROR_SPEED);
-        assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, speeds[i], &out), COR_ERROR_SPEED);
-        assert_int_equal(cor_disk_hard_wall_workspace(modes, 1800, &good, speeds[i]), 0);
+    EACH (speeds, NAN, INFINITY, 0.5000000001) {
+        assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, *speeds, &out), COR_ERROR_SPEED);
+        assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, *speeds, &out), COR_ERROR_SPEED);
+        assert_int_equal(cor_disk_hard_wall_workspace(modes, 1800, &good, *speeds), 0);
     }
     assert_int_equal(cor_disk_hard_wall(NULL, 1800, &good, 0.1, &out), COR_ERROR_NULL);
     assert_int_equal(cor_disk_hard_wall(modes, 1800, NULL, 0.1, &out), COR_ERROR_NULL);
     assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, 0.1, NULL), COR_ERROR_NULL);
     assert_int_equal(cor_disk_hard_wall_nu(0.3, NULL, 0.1, &out), COR_ERROR_NULL);
     assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, 0.1, NULL), COR_ERROR_NULL);
-    static const double nus[] = {-1, 1, NAN};
-    for (size_t i = 0; i < 3; i++)
-        assert_int_equal(cor_disk_hard_wall_nu(nus[i], &good, 0.1, &out), COR_ERROR_DISK_POISSON_RATIO);
+    EACH (nus, -1, 1, NAN)
+        assert_int_equal(cor_disk_hard_wall_nu(*nus, &good, 0.1, &out), COR_ERROR_DISK_POISSON_RATIO);
     assert_int_equal(cor_disk_hard_wall(modes, 0, &good, 0.1, &out), COR_ERROR_MODES);
     assert_int_equal(cor_disk_hard_wall(modes, 1801, &good, 0.1, &out), COR_ERROR_MODES);
     assert_int_equal(cor_disk_hard_wall(modes, 100, &good, 0.1, &out), COR_ERROR_MODES); /* one level */
@@ -482,11 +477,10 @@ TEST(refusals)
     assert_int_equal(cor_disk_hard_wall(modes, two, &good, 0.1, &out), COR_TOLERANCE_NOT_REACHED);
     assert_true(out.omega_levels == 2 && fabs(out.one_minus_eps2 - 0.1030893) <= out.error_estimate);
     /* a wall that is not touched */
-    static const double still[] = {0, -0.0, -1, -INFINITY};
-    for (size_t i = 0; i < 4; i++) {
-        assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, still[i], &out), COR_WALL_NOT_TOUCHED);
+    EACH (still, 0, -0.0, -1, -INFINITY) {
+        assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, *still, &out), COR_WALL_NOT_TOUCHED);
         assert_true(isnan(out.one_minus_eps2) && isnan(out.eps));
-        assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, still[i], &out), COR_WALL_NOT_TOUCHED);
+        assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, *still, &out), COR_WALL_NOT_TOUCHED);
     }
     char small[64];
     assert_int_equal(cor_disk_hard_wall_in(small, sizeof small, modes, 1800, &good, 0.1, &out, NULL),

@@ -194,27 +194,26 @@ TEST(steps_and_energy)
  * grows from level to level as the ladder expects. */
 TEST(budget)
 {
-    static const double speeds[] = {0.3, 0.01, 1e-9};
-    for (int i = 0; i < 3; i++) {
+    EACH (speeds, 0.3, 0.01, 1e-9) {
         const struct cor_disk_modes modes = modes_of(0.33, 120);
-        struct cor_hard_wall_settings settings = fine_settings(60, speeds[i]);
-        settings.point = speeds[i] < COR_DISK_HARD_WALL_POINT_SPEED;
-        const double before = level_of(&modes, speeds[i], &settings, COR_OK).work;
-        settings = fine_settings(60 * sqrt(2), speeds[i]);
-        settings.point = speeds[i] < COR_DISK_HARD_WALL_POINT_SPEED;
-        struct cor_hard_wall_result whole = level_of(&modes, speeds[i], &settings, COR_OK);
-        print_message("v = %g: %.3g multiplications, %.2f times those of the level before\n", speeds[i], whole.work,
+        struct cor_hard_wall_settings settings = fine_settings(60, *speeds);
+        settings.point = *speeds < COR_DISK_HARD_WALL_POINT_SPEED;
+        const double before = level_of(&modes, *speeds, &settings, COR_OK).work;
+        settings = fine_settings(60 * sqrt(2), *speeds);
+        settings.point = *speeds < COR_DISK_HARD_WALL_POINT_SPEED;
+        struct cor_hard_wall_result whole = level_of(&modes, *speeds, &settings, COR_OK);
+        print_message("v = %g: %.3g multiplications, %.2f times those of the level before\n", *speeds, whole.work,
                       whole.work / before);
         assert_true(whole.work > 1.2 * before && whole.work < 1.2 * COR_HARD_WALL_GROWTH * before);
         for (int of_steps = 0; of_steps < 2; of_steps++) {
             settings.work_per_step = of_steps;
-            whole = level_of(&modes, speeds[i], &settings, COR_OK);
+            whole = level_of(&modes, *speeds, &settings, COR_OK);
             settings.most_work = 0.5 * whole.work;
-            const double half = level_of(&modes, speeds[i], &settings, COR_TOLERANCE_NOT_REACHED).work / whole.work;
+            const double half = level_of(&modes, *speeds, &settings, COR_TOLERANCE_NOT_REACHED).work / whole.work;
             check(half > 0.5 && half < 0.52, "%.4f of the work", half);
             assert_true(!of_steps || whole.work == (double)whole.steps); /* work in steps */
             settings.most_work = 1.01 * whole.work;
-            level_of(&modes, speeds[i], &settings, COR_OK);
+            level_of(&modes, *speeds, &settings, COR_OK);
             settings.most_work = 0;
         }
     }

@@ -107,17 +107,16 @@ TEST(all_materials)
 /* Next to nu = -1, where the lowest modes are the conformal maps, omega^2 = (n + 1)(n + 2)/2, and next to 1 */
 TEST(ends)
 {
-    static const double nus[] = {-1 + 0x1p-53, -1 + 1e-12, -1 + 1e-6, -0.999, 0.999, 1 - 1e-6, 1 - 1e-12, 1 - 0x1p-53};
-    for (size_t i = 0; i < sizeof nus / sizeof *nus; i++) {
-        compute(nus[i], 300);
+    EACH (nus, -1 + 0x1p-53, -1 + 1e-12, -1 + 1e-6, -0.999, 0.999, 1 - 1e-6, 1 - 1e-12, 1 - 0x1p-53) {
+        compute(*nus, 300);
         for (size_t k = 0; k < 300; k++)
             check(isfinite(mode[k].omega) && isfinite(mode[k].c) && isfinite(mode[k].s) &&
                       (k == 0 || mode[k].omega > mode[k - 1].omega),
-                  "nu = %.17g, mode %zu", nus[i], k);
-        if (nus[i] < -0.999999)
+                  "nu = %.17g, mode %zu", *nus, k);
+        if (*nus < -0.999999)
             for (int n = 1; n < 20; n++)
                 check(mode[n].n == n && fabs(mode[n].omega / sqrt((n + 1) * (n + 2) / 2.0) - 1) < 1e-6,
-                      "nu = %.17g, n = %d: %.9f", nus[i], n, mode[n].omega);
+                      "nu = %.17g, n = %d: %.9f", *nus, n, mode[n].omega);
     }
 }
 
@@ -166,17 +165,15 @@ TEST(refusals)
     struct cor_disk_modes modes = {7, 7, NULL};
     assert_int_equal(cor_disk_modes_compute(0.3, 10, NULL, &modes), COR_ERROR_NULL);
     assert_int_equal(cor_disk_modes_compute(0.3, 10, mode, NULL), COR_ERROR_NULL);
-    static const double wrong[] = {-1, 1, NAN, INFINITY, -INFINITY, 2};
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        assert_int_equal(cor_disk_modes_compute(wrong[i], 10, mode, &modes), COR_ERROR_DISK_POISSON_RATIO);
-        assert_int_equal(cor_disk_modes_below(wrong[i], 10), 0);
+    EACH (wrong, -1, 1, NAN, INFINITY, -INFINITY, 2) {
+        assert_int_equal(cor_disk_modes_compute(*wrong, 10, mode, &modes), COR_ERROR_DISK_POISSON_RATIO);
+        assert_int_equal(cor_disk_modes_below(*wrong, 10), 0);
     }
     assert_int_equal(cor_disk_modes_compute(0.3, 0, mode, &modes), COR_ERROR_MODES);
     assert_int_equal(cor_disk_modes_compute(0.3, COR_DISK_MODES_MAX_COUNT + 1, mode, &modes), COR_ERROR_MODES);
     assert_true(modes.nu == 7 && modes.count == 7 && modes.mode == NULL);
-    static const double nowhere[] = {0, -1, NAN, INFINITY, 1.0001 * COR_DISK_MODES_MAX_OMEGA};
-    for (size_t i = 0; i < sizeof nowhere / sizeof *nowhere; i++)
-        assert_int_equal(cor_disk_modes_below(0.3, nowhere[i]), 0);
+    EACH (nowhere, 0, -1, NAN, INFINITY, 1.0001 * COR_DISK_MODES_MAX_OMEGA)
+        assert_int_equal(cor_disk_modes_below(0.3, *nowhere), 0);
     assert_int_equal(cor_disk_modes_below(0.33, 1.4385), 0);
     assert_int_equal(cor_disk_modes_below(0.33, 1.4386), 1);
     assert_int_equal(cor_disk_modes_compute(0.33, 1, mode, &modes), COR_OK);

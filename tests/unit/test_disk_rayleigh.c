@@ -335,9 +335,8 @@ TEST(test_statuses)
     modes.mode = NULL;
     FAILS(3, datum, 0.01, COR_ERROR_NULL);
     modes.mode = mode;
-    static const double bad_nu[] = {-1, 1, NAN};
-    for (int i = 0; i < 3; i++) {
-        modes.nu = bad_nu[i];
+    EACH (bad_nu, -1, 1, NAN) {
+        modes.nu = *bad_nu;
         FAILS(3, datum, 0.01, COR_ERROR_DISK_POISSON_RATIO);
     }
     modes.nu = 0.33;
@@ -362,11 +361,10 @@ TEST(test_statuses)
     modes.count = 3;
     mode[2].c = 1.1;
     out.fraction = 7;
-    static const double bad_tolerance[] = {0, 1, -0.5, NAN};
-    for (int i = 0; i < 4; i++)
-        check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, bad_tolerance[i], &out, &n) == COR_ERROR_TOLERANCE &&
+    EACH (bad_tolerance, 0, 1, -0.5, NAN)
+        check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, *bad_tolerance, &out, &n) == COR_ERROR_TOLERANCE &&
                   n == 7 && out.fraction == 7,
-              "%g", bad_tolerance[i]);
+              "%g", *bad_tolerance);
     check(cor_disk_rayleigh_tolerance(NULL, datum, 0.01, 0.1, &out, &n) == COR_ERROR_NULL, "modes");
     check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, 0.1, NULL, &n) == COR_ERROR_NULL, "out");
     check(cor_disk_rayleigh_tolerance(&modes, datum, 2, 0.1, &out, &n) == COR_ERROR_SPEED, "speed");

@@ -93,9 +93,8 @@ TEST(special_values)
     assert_true(cor_inline_fifth_root(INFINITY) == INFINITY);
     assert_true(isnan(cor_inline_fifth_root(NAN)));
     assert_true(cor_inline_fifth_root(-32) == -32); /* as it is: callers refuse it */
-    const double edge[] = {0x1p-900, 0x1p900, DBL_MIN, DBL_MAX, 5e-324};
-    for (size_t i = 0; i < sizeof edge / sizeof *edge; i++) {
-        const double side[3] = {nextafter(edge[i], 0), edge[i], nextafter(edge[i], DBL_MAX)};
+    EACH (edge, 0x1p-900, 0x1p900, DBL_MIN, DBL_MAX, 5e-324) {
+        const double side[3] = {nextafter(*edge, 0), *edge, nextafter(*edge, DBL_MAX)};
         for (int k = 0; k < 3; k++)
             if (side[k] > 0)
                 check(error_of(cor_inline_fifth_root(side[k]), root_exact(side[k])) <= 1.5L + slack, "%a", side[k]);

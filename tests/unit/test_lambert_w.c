@@ -46,13 +46,9 @@ TEST(t_of_q)
         check_t(random_log(&random, 1e-300, 1e4), worst);
         check_t(random_log(&random, 0.01, 100), worst);
     }
-    const double boundary[] = {0x1p-500, 0.1, 3, 0x1p400};
-    for (size_t i = 0; i < sizeof boundary / sizeof *boundary; i++)
+    EACH (boundary, 0x1p-500, 0.1, 3, 0x1p400)
         for (int k = 0; k < 3; k++)
-            check_t(k == 0   ? nextafter(boundary[i], 0)
-                    : k == 1 ? boundary[i]
-                             : nextafter(boundary[i], INFINITY),
-                    worst);
+            check_t(k == 0 ? nextafter(*boundary, 0) : k == 1 ? *boundary : nextafter(*boundary, INFINITY), worst);
     print_message("t: %.2Lf ulp; 1 + t: %.2Lf 2^-53 at the worst\n", worst[0], worst[1]);
 }
 

@@ -23,9 +23,8 @@ static double crossley_force(double a, double beta)
     return most;
 }
 
-static void forces(void **state)
+TEST(forces)
 {
-    (void)state;
     const struct cor_exponents linear = cor_law_exponents[COR_LAW_LINEAR], tsuji = cor_law_exponents[COR_LAW_TSUJI],
                                crossley = cor_law_exponents[COR_LAW_HUNT_CROSSLEY],
                                sphere = cor_law_exponents[COR_LAW_VISCOELASTIC];
@@ -92,9 +91,8 @@ static double force_by_steps(double a, double beta)
 }
 
 /* Any damping, up to the largest doubles: the integration and the limit without the spring meet */
-static void strong_damping(void **state)
+TEST(strong_damping)
 {
-    (void)state;
     struct random_state random = random_start();
     const struct cor_exponents dashpot = cor_law_exponents[COR_LAW_HERTZ_DASHPOT];
     const double weak = random_uniform(&random, 0.1, 1.2);
@@ -113,8 +111,4 @@ static void strong_damping(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(forces), cmocka_unit_test(strong_damping)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(forces, strong_damping)

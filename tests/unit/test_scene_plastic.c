@@ -156,7 +156,6 @@ static void near(const char *what, double x, double computed, long double refere
 
 TEST(piecewise_contact)
 {
-    static const double ratios[] = {0.5, 0.99, 1.0001, 1.2, 2, 10, 100, 3e3};
     const struct cor_scene scene = scene_of_steel();
     const struct cor_scene_contact contact = contact_of(&scene);
     struct spheres s = {.modulus = 2.1e11L / (2 * (1 - 0.09L)), .radius = 2.5e-3L, .yield_pressure = 1.6e9L};
@@ -167,33 +166,33 @@ TEST(piecewise_contact)
     near("v_y", 1, contact.yield_speed_m_s, onset, 1e-14);
     near("factor", 1, COR_YIELD_FACTOR, sqrtl(powl(pi_long, 5) / 30), 1e-15);
     near("yield stress", 1, cor_scene_yield_stress(&contact, (double)onset), 1e9L, 1e-14);
-    for (size_t i = 0; i < sizeof ratios / sizeof *ratios; i++) {
-        const double speed = contact.yield_speed_m_s * ratios[i];
+    EACH (ratios, 0.5, 0.99, 1.0001, 1.2, 2, 10, 100, 3e3) {
+        const double speed = contact.yield_speed_m_s * *ratios;
         struct cor_scene_impact impact;
         struct spheres t = s;
         const long double h = s.yield_overlap / speed / 4000, later = s.yield_overlap / onset / 4000;
         long double y[2] = {0, speed};
         long double time = 0, force, radius;
-        if (ratios[i] > 1)
+        if (*ratios > 1)
             time += run(&t, y, h, 0, s.yield_overlap, 1);
         time += run(&t, y, later, 1, 0, -1);
         const long double overlap = y[0];
         force = contact_force(&t, overlap);
         radius = sqrtl(s.radius * overlap);
-        if (ratios[i] > 1) { /* Hertz's contact of the same force and radius */
+        if (*ratios > 1) { /* Hertz's contact of the same force and radius */
             t.larger = 4 * s.modulus * radius * radius * radius / (3 * force);
             t.rest = overlap - radius * radius / t.larger;
         }
         time += run(&t, y, later, 0, t.rest, -1);
         assert_int_equal(cor_scene_impact(&impact, &contact, speed), COR_FAULT_NONE);
         for (int end = 0; end < COR_SCENE_ENDS; end++) {
-            near("eps", ratios[i], impact.eps[end], -y[1] / speed, 1e-9);
-            near("duration", ratios[i], impact.duration_s[end], time, 1e-9);
+            near("eps", *ratios, impact.eps[end], -y[1] / speed, 1e-9);
+            near("duration", *ratios, impact.duration_s[end], time, 1e-9);
         }
-        near("overlap", ratios[i], impact.max_overlap_m, overlap, 1e-9);
-        near("force", ratios[i], cor_scene_force_max_n(&contact, speed), force, 1e-9);
-        near("contact radius", ratios[i], cor_scene_contact_radius(&contact, impact.max_overlap_m), radius, 1e-9);
-        near("pressure", ratios[i], cor_scene_pressure(&contact, impact.max_overlap_m),
+        near("overlap", *ratios, impact.max_overlap_m, overlap, 1e-9);
+        near("force", *ratios, cor_scene_force_max_n(&contact, speed), force, 1e-9);
+        near("contact radius", *ratios, cor_scene_contact_radius(&contact, impact.max_overlap_m), radius, 1e-9);
+        near("pressure", *ratios, cor_scene_pressure(&contact, impact.max_overlap_m),
              fminl(3 * force / (2 * pi_long * radius * radius), s.yield_pressure), 1e-9);
     }
 }

@@ -23,9 +23,8 @@ enum { ASKED = sizeof asked / sizeof *asked };
 
 /* ---- realised for asked: numbers found by running or reading each simulator, five digits ---- */
 
-static void realised(void **state)
+TEST(realised)
 {
-    (void)state;
     static const struct {
         const char *simulator, *model;
         double value[ASKED];
@@ -109,9 +108,8 @@ MAP(herbert, 6 * (1 - e) / ((2 * e - 1) * (2 * e - 1) + 3))
 MAP(hu, 1.5 * (1 - e) / e)
 MAP(flores, 1.6 * (1 - e) / e)
 
-static void formulas_for_hunt_and_crossley(void **state)
+TEST(formulas_for_hunt_and_crossley)
 {
-    (void)state;
     static const struct {
         double (*map)(double);
         double value[3]; /* at 0.1, 0.5, 0.9 */
@@ -132,9 +130,8 @@ static void formulas_for_hunt_and_crossley(void **state)
 
 /* ---- the cure ---- */
 
-static void cures(void **state)
+TEST(cures)
 {
-    (void)state;
     enum cor_simulator_status status;
     /* the cure e' of the exact zero-overlap formula where the force is cut off */
     static const double wanted[ASKED] = {NAN, 0.03446, 0.16522, 0.43629, 0.67919, 0.79117, 0.89789, 0.94948, 0.98998};
@@ -181,9 +178,8 @@ static void cures(void **state)
     }
 }
 
-static void limits(void **state)
+TEST(limits)
 {
-    (void)state;
     enum cor_simulator_status status;
     double least, most;
     /* LIGGGHTS takes nothing up to 0.05: with the force limit it cannot realise less than 0.2137 */
@@ -340,9 +336,8 @@ static double integrated_eps(force_law *force, enum cor_end end, double n, const
     return NAN;
 }
 
-static void units(void **state)
+TEST(units)
 {
-    (void)state;
     struct random_state random = random_start();
     size_t numbers = 0;
     for (size_t i = 0; i < cor_simulator_model_count; i++)
@@ -392,9 +387,8 @@ static void units(void **state)
 }
 
 /* Every row says what a reader needs. */
-static void rows_are_whole(void **state)
+TEST(rows_are_whole)
 {
-    (void)state;
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
         const struct cor_simulator_model *m = &cor_simulator_models[i];
         const char *const words[] = {m->simulator, m->model, m->parameter, m->file, m->known, m->advice, m->version};
@@ -414,12 +408,4 @@ static void rows_are_whole(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(realised), cmocka_unit_test(formulas_for_hunt_and_crossley),
-        cmocka_unit_test(cures),    cmocka_unit_test(limits),
-        cmocka_unit_test(units),    cmocka_unit_test(rows_are_whole),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(realised, formulas_for_hunt_and_crossley, cures, limits, units, rows_are_whole)

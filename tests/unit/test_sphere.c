@@ -316,13 +316,12 @@ TEST(inverse)
 
 TEST(special_values)
 {
-    const double outside[] = {-INFINITY, NAN, -1, -smallest, -DBL_MIN, -DBL_MAX, -1e-30};
     for (int k = 0; k < FUNCTIONS; k++) {
         const struct function *f = &functions[k];
-        for (size_t i = 0; i < sizeof outside / sizeof *outside; i++) {
-            check(isnan(f->value(outside[i])), "%s(%a)", f->name, outside[i]);
-            const float narrow = (float)outside[i];
-            check(isnan(f->valuef(narrow)) || narrow == 0, "%sf(%a)", f->name, outside[i]);
+        EACH (outside, -INFINITY, NAN, -1, -smallest, -DBL_MIN, -DBL_MAX, -1e-30) {
+            check(isnan(f->value(*outside)), "%s(%a)", f->name, *outside);
+            const float narrow = (float)*outside;
+            check(isnan(f->valuef(narrow)) || narrow == 0, "%sf(%a)", f->name, *outside);
         }
         check(f->value(0.0) == f->at_zero && f->value(-0.0) == f->at_zero, "%s(0) = %a", f->name, f->value(0.0));
         check(!signbit(f->value(-0.0)), "%s(-0)", f->name);
@@ -331,17 +330,15 @@ TEST(special_values)
         check(f->valuef(INFINITY) == (float)f->at_infinity, "%sf(inf)", f->name);
         check(isnan(f->valuef(NAN)), "%sf(NaN)", f->name);
         /* subnormal arguments; the losses are tested elsewhere */
-        const double small[] = {smallest, 3 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 0x1p-1000};
-        for (size_t i = 0; i < sizeof small / sizeof *small; i++)
-            check(f->value(small[i]) == f->at_zero || f->at_zero == 0, "%s(%a)", f->name, small[i]);
+        EACH (small, smallest, 3 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 0x1p-1000)
+            check(f->value(*small) == f->at_zero || f->at_zero == 0, "%s(%a)", f->name, *small);
         const double last = f->value(DBL_MAX);
         check(last >= 0 && (last <= DBL_MAX || f->at_infinity > 1), "%s(DBL_MAX) = %a", f->name, last);
     }
     for (int end = 0; end < 2; end++) {
         sphere_function *const f = beta_function[end];
-        const double bad[] = {-smallest, -1, nextafter(1, 2), 2, INFINITY, -INFINITY, NAN};
-        for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-            check(isnan(f(bad[i])), "%s, %a", end_name[end], bad[i]);
+        EACH (bad, -smallest, -1, nextafter(1, 2), 2, INFINITY, -INFINITY, NAN)
+            check(isnan(f(*bad)), "%s, %a", end_name[end], *bad);
         assert_true(f(1) == 0 && !signbit(f(1)));
         assert_true(f(0.0) == INFINITY && f(-0.0) == INFINITY);
         assert_true(f(smallest) < DBL_MAX && f(smallest) > 1e60);
@@ -521,24 +518,21 @@ TEST(simple_theory)
 
 TEST(simple_theory_special_values)
 {
-    const double bad[] = {-1, -4.9406564584124654e-324, -INFINITY, NAN};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        assert_true(isnan(cor_sphere_eps_simple(bad[i])));
-        assert_true(isnan(cor_sphere_eps_simple_fraction(bad[i], 3)));
-        assert_true(isnan(cor_sphere_eps_published_pade(bad[i])));
+    EACH (bad, -1, -4.9406564584124654e-324, -INFINITY, NAN) {
+        assert_true(isnan(cor_sphere_eps_simple(*bad)));
+        assert_true(isnan(cor_sphere_eps_simple_fraction(*bad, 3)));
+        assert_true(isnan(cor_sphere_eps_published_pade(*bad)));
     }
-    const double zero[] = {0.0, -0.0};
-    for (int i = 0; i < 2; i++) {
-        assert_true(cor_sphere_eps_simple(zero[i]) == 1);
-        assert_true(cor_sphere_eps_simple_fraction(zero[i], 5) == 1);
-        assert_true(cor_sphere_eps_published_pade(zero[i]) == 1);
+    EACH (zero, 0.0, -0.0) {
+        assert_true(cor_sphere_eps_simple(*zero) == 1);
+        assert_true(cor_sphere_eps_simple_fraction(*zero, 5) == 1);
+        assert_true(cor_sphere_eps_published_pade(*zero) == 1);
     }
-    const double large[] = {INFINITY, DBL_MAX};
-    for (int i = 0; i < 2; i++) {
-        assert_true(cor_sphere_eps_simple(large[i]) == 0);
-        assert_true(cor_sphere_eps_simple_fraction(large[i], 0) == 1);
-        assert_true(cor_sphere_eps_simple_fraction(large[i], 4) == 0);
-        assert_true(cor_sphere_eps_published_pade(large[i]) == 0);
+    EACH (large, INFINITY, DBL_MAX) {
+        assert_true(cor_sphere_eps_simple(*large) == 0);
+        assert_true(cor_sphere_eps_simple_fraction(*large, 0) == 1);
+        assert_true(cor_sphere_eps_simple_fraction(*large, 4) == 0);
+        assert_true(cor_sphere_eps_published_pade(*large) == 0);
     }
     assert_true(cor_sphere_eps_simple_fraction(1, 0) == 1);
     assert_true(isnan(cor_sphere_eps_simple_fraction(1, -1)));
