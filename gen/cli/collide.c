@@ -8,6 +8,7 @@
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 /* The columns: names of the dimensionless collision and in SI units, NULL: none; the end at which the number holds */
@@ -53,21 +54,16 @@ static bool is_printed(int i, const struct problem *problem)
 }
 
 /* f = F T/(m g) in SI units; 0: none */
-static void pressing_force(arb_t force, const struct problem *problem, const arb_t time_unit, slong prec)
+static void pressing_force(arb_t force, const struct problem *problem, const arb_t T, slong prec)
 {
     const struct collide_arguments *const o = problem->given;
-    LOCAL(arb, x);
-    arb_zero(force);
+    const fmpq *const F = o->force.value, *const m = o->effective_mass.value, *const g = o->speed.value;
     if (!o->force.text)
-        return;
-    arb_set_fmpq(force, o->force.value, prec);
-    if (!problem->in_si)
-        return;
-    arb_mul(force, force, time_unit, prec);
-    arb_set_fmpq(x, o->effective_mass.value, prec);
-    arb_div(force, force, x, prec);
-    arb_set_fmpq(x, o->speed.value, prec);
-    arb_div(force, force, x, prec);
+        arb_zero(force);
+    else if (problem->in_si)
+        LET(force, prec, "F*T/(m*g)", F, T, m, g);
+    else
+        arb_set_fmpq(force, F, prec);
 }
 
 static int problem_solve(struct collision *c, const arb_t beta, const arb_t force, const struct problem *problem,
@@ -102,45 +98,29 @@ static char *beta_text(const struct problem *problem, const arb_t beta)
     return text;
 }
 
-/* In SI units: beta = (C/m) (m/K)^((b+1)/(a+1)) g^q, and what times of the scaled collision are multiplied by */
+/* In SI units: beta, and what times of the scaled collision are multiplied by */
 static void scales(arb_t beta, arb_t time_unit, const struct problem *problem, slong prec)
 {
     const struct collide_arguments *const o = problem->given;
-    const struct ratio one = {1, 1}, a1 = ratio_add(problem->law.a, one);
-    LOCAL(arb, softness, speed, x);
-    arb_set_fmpq(softness, o->effective_mass.value, prec);
-    arb_set_fmpq(x, o->stiffness.value, prec);
-    arb_div(softness, softness, x, prec);
-    arb_set_fmpq(speed, o->speed.value, prec);
-    arb_pow_ratio(time_unit, softness, ratio_div(one, a1), prec);
-    arb_pow_ratio(x, speed, ratio_div(ratio_sub(one, problem->law.a), a1), prec);
-    arb_mul(time_unit, time_unit, x, prec);
-    arb_pow_ratio(beta, softness, ratio_div(ratio_add(problem->law.b, one), a1), prec);
-    arb_pow_ratio(x, speed, law_speed_exponent(&problem->law), prec);
-    arb_mul(beta, beta, x, prec);
-    arb_set_fmpq(x, o->damping_coefficient.value, prec);
-    arb_mul(beta, beta, x, prec);
-    arb_set_fmpq(x, o->effective_mass.value, prec);
-    arb_div(beta, beta, x, prec);
+    const fmpq *const K = o->stiffness.value, *const C = o->damping_coefficient.value,
+                      *const m = o->effective_mass.value, *const g = o->speed.value;
+    const struct ratio a = problem->law.a, b = problem->law.b, q = law_speed_exponent(&problem->law);
+    LET(time_unit, prec, "(m/K)^(1/(a + 1))*g^((1 - a)/(a + 1))", m, K, a, g);
+    LET(beta, prec, "(C/m)*(m/K)^((b + 1)/(a + 1))*g^q", C, m, K, a, b, g, q);
 }
 
-static int to_si(struct collision *c, arb_t force, const struct problem *problem, const arb_t beta,
-                 const arb_t time_unit, slong bits)
+static int to_si(struct collision *c, arb_t force, const struct problem *problem, const arb_t beta, const arb_t T,
+                 slong bits)
 {
     const struct collide_arguments *const o = problem->given;
+    const fmpq *const m = o->effective_mass.value, *const g = o->speed.value;
     const slong prec = 3 * bits + 256;
     arb_ptr times[] = {c->t_max, c->t_zero_overlap, c->t_zero_force};
-    LOCAL(arb, speed, mass);
     const int status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &problem->law, bits);
-    arb_set_fmpq(speed, o->speed.value, prec);
-    arb_set_fmpq(mass, o->effective_mass.value, prec);
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
-        arb_mul(times[i], times[i], time_unit, prec);
-    arb_mul(c->x_max, c->x_max, time_unit, prec);
-    arb_mul(c->x_max, c->x_max, speed, prec);
-    arb_mul(force, force, mass, prec);
-    arb_mul(force, force, speed, prec);
-    arb_div(force, force, time_unit, prec);
+        arb_mul(times[i], times[i], T, prec);
+    LET(c->x_max, prec, "c->x_max*T*g", c->x_max, T, g);
+    LET(force, prec, "force*m*g/T", force, m, g, T);
     return status;
 }
 

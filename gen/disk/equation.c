@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "runtime/disk/mode_source.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 /* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and A
@@ -186,11 +187,6 @@ static void combine(arb_t f, arb_t rest, arb_srcptr t, const struct disk *disk, 
     arb_sub(f, rest, f, prec);
 }
 
-static int sign_of(const arb_t x)
-{
-    return arb_is_positive(x) - arb_is_negative(x);
-}
-
 enum { UNDECIDED_SIGN = 3 };
 
 /* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive factors, the 2 x 2
@@ -204,7 +200,7 @@ static int eigenvalues(arb_srcptr t, const struct disk *disk, const struct waves
 
     /* F, D and P times d D of the waves */
     combine(f, x, t, disk, v->g, n);
-    const int sign_f = sign_of(f);
+    const int sign_f = arb_sgn_nonzero(f);
 
     arb_mul(f, v->a.z, t + 2, prec);
     arb_div_si(f, f, 2 * (n + 1), prec);
@@ -213,7 +209,7 @@ static int eigenvalues(arb_srcptr t, const struct disk *disk, const struct waves
     arb_sub(x, y, x, prec);
     arb_mul_si(x, x, n, prec);
     arb_add(x, x, f, prec);
-    const int sign_det = sign_of(x);
+    const int sign_det = arb_sgn_nonzero(x);
 
     arb_mul_si(x, t + 1, n - 1, prec);
     arb_add(x, x, y, prec);
@@ -221,14 +217,14 @@ static int eigenvalues(arb_srcptr t, const struct disk *disk, const struct waves
     arb_mul(y, v->b.h, v->a.d, prec);
     arb_submul(x, y, v->g, prec);
     arb_add(x, x, f, prec);
-    const int sign_p = sign_of(x);
+    const int sign_p = arb_sgn_nonzero(x);
 
     arb_mul(y, v->g, v->b.h, prec);
     arb_div_si(y, y, n + 1, prec);
     arb_mul_si(x, v->b.d, n, prec);
     arb_sub(y, x, y, prec);
-    const int sign_poles = sign_of(v->a.d) * sign_of(v->b.d);
-    const int sign_y = sign_of(y) * sign_of(v->b.d);
+    const int sign_poles = arb_sgn_nonzero(v->a.d) * arb_sgn_nonzero(v->b.d);
+    const int sign_y = arb_sgn_nonzero(y) * arb_sgn_nonzero(v->b.d);
 
     if (sign_f && sign_det && sign_poles) {
         const int open = sign_f * sign_det < 0 ? 1 : sign_p == sign_det ? 2 : 0;
@@ -249,11 +245,11 @@ slong disk_count(const struct disk *disk, slong n, const arb_t w)
     } else if (n == 0) {
         arb_mul(t + 0, disk->e, v.a.d, disk->prec);
         arb_submul(t + 0, disk->s, v.a.k, disk->prec);
-        const int positive = sign_of(v.a.h) * sign_of(v.a.d) > 0; /* A */
+        const int positive = arb_sgn_nonzero(v.a.h) * arb_sgn_nonzero(v.a.d) > 0; /* A */
         if (!positive)
             count = v.a.zeros;
-        else if (sign_of(t + 0))
-            count = v.a.zeros + (sign_of(t + 0) * sign_of(v.a.d) < 0);
+        else if (arb_sgn_nonzero(t + 0))
+            count = v.a.zeros + (arb_sgn_nonzero(t + 0) * arb_sgn_nonzero(v.a.d) < 0);
     } else {
         products(t, disk, v.a.h, v.a.d, v.a.k, &v.b);
         const int rim = eigenvalues(t, disk, &v, n);
@@ -305,59 +301,36 @@ static slong accuracy(const arb_t x, const arb_t y)
 int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const arb_t w)
 {
     const slong prec = disk->prec;
-    if (n == 0) { /* C^2 = omega^2/(omega^2 - 1) */
-        arb_sub_si(c, w, 1, prec);
-        arb_div(c, w, c, prec);
-        arb_sqrt(c, c, prec);
+    if (n == 0) {
+        LET(c, prec, "sqrt(w/(w - 1))", w);
         arb_zero(s);
         return arb_is_positive(c);
     }
 
-    LOCAL(arb, a, b, x, y, stiff);
+    LOCAL(arb, x, y);
     LOCAL_INIT(waves, v, (&v));
-    int done = waves_set(&v, disk, n, w);
-    if (done) {
-        /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S. Each row degenerates for some modes, so
-         * the code uses the row with the smaller relative error. */
-        arb_sub_si(stiff, v.g, n * (n - 1), prec);
-        arb_mul(a, v.a.z, v.a.h, prec);
-        arb_div_si(a, a, 2 * (n + 1), prec);
-        arb_mul(s, stiff, v.a.d, prec);
-        arb_sub(s, s, a, prec);
-        arb_mul_si(c, v.a.d, n - 1, prec);
-        arb_sub(c, c, a, prec);
-        arb_mul_si(c, c, n, prec);
-
-        arb_mul(b, v.g, v.b.h, prec);
-        arb_div_si(b, b, n + 1, prec);
-        arb_mul_si(y, v.b.d, n - 1, prec);
-        arb_sub(y, y, b, prec);
-        arb_mul_si(y, y, n, prec);
-        arb_mul(x, stiff, v.b.d, prec);
-        arb_sub(x, x, b, prec);
-        if (accuracy(x, y) > accuracy(c, s)) {
-            arb_swap(c, x);
-            arb_swap(s, y);
-        }
-        arb_neg(s, s);
-
-        /* omega^2 (C^2 + S^2) - (C + n S)^2 = 2 omega^2 */
-        arb_mul(x, c, c, prec);
-        arb_addmul(x, s, s, prec);
-        arb_mul(x, x, w, prec);
-        arb_mul_si(y, s, n, prec);
-        arb_add(y, y, c, prec);
-        arb_submul(x, y, y, prec);
-        arb_mul_2exp_si(y, w, 1);
-        arb_div(x, y, x, prec);
-        done = arb_is_positive(x) && (sign_of(c) || sign_of(s));
-        if (done) {
-            arb_sqrt(x, x, prec);
-            if (sign_of(c) < 0 || (arb_is_zero(c) && sign_of(s) < 0))
-                arb_neg(x, x);
-            arb_mul(c, c, x, prec);
-            arb_mul(s, s, x, prec);
-        }
+    if (!waves_set(&v, disk, n, w))
+        return 0;
+    /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S. Each row degenerates for some modes, so the
+     * code uses the row with the smaller relative error. */
+    LET(s, prec, "(v.g - n*(n - 1))*v.a.d - v.a.z*v.a.h/(2*(n + 1))", v.g, n, v.a.d, v.a.z, v.a.h);
+    LET(c, prec, "n*((n - 1)*v.a.d - v.a.z*v.a.h/(2*(n + 1)))", n, v.a.d, v.a.z, v.a.h);
+    LET(x, prec, "n*((n - 1)*v.b.d - v.g*v.b.h/(n + 1))", n, v.b.d, v.g, v.b.h);
+    LET(y, prec, "(v.g - n*(n - 1))*v.b.d - v.g*v.b.h/(n + 1)", v.g, n, v.b.d, v.b.h);
+    if (accuracy(x, y) > accuracy(c, s)) {
+        arb_swap(c, y);
+        arb_swap(s, x);
     }
-    return done;
+    arb_neg(s, s);
+
+    /* omega^2 (C^2 + S^2) - (C + n S)^2 = 2 omega^2 */
+    LET(x, prec, "2*w/((c^2 + s^2)*w - (c + n*s)^2)", w, c, s, n);
+    if (!arb_is_positive(x) || !(arb_sgn_nonzero(c) || arb_sgn_nonzero(s)))
+        return 0;
+    arb_sqrt(x, x, prec);
+    if (arb_sgn_nonzero(c) < 0 || (arb_is_zero(c) && arb_sgn_nonzero(s) < 0))
+        arb_neg(x, x);
+    arb_mul(c, c, x, prec);
+    arb_mul(s, s, x, prec);
+    return 1;
 }
