@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "approximation/enclosed_function.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 #include <math.h>
@@ -80,39 +81,29 @@ void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, cons
 
 void enclosed_variable(arb_poly_t x, double lo, double hi)
 {
-    LOCAL(arb, a, b, middle);
-    arb_set_d(a, lo);
-    arb_set_d(b, hi);
-    arb_add(middle, a, b, ENCLOSED_BITS);
-    arb_sub(b, b, a, ENCLOSED_BITS);
-    arb_mul_2exp_si(middle, middle, -1);
-    arb_mul_2exp_si(b, b, -1);
     arb_poly_zero(x);
-    arb_poly_set_coeff_arb(x, 1, b);
-    arb_poly_set_coeff_arb(x, 0, middle);
+    arb_poly_fit_length(x, 2);
+    LET(x->coeffs, ENCLOSED_BITS, "(lo + hi)/2", lo, hi);
+    LET(x->coeffs + 1, ENCLOSED_BITS, "(hi - lo)/2", lo, hi);
+    _arb_poly_set_length(x, 2);
+    _arb_poly_normalise(x);
 }
 
 void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x)
 {
     enum { TERMS = 30 };
-    LOCAL(arb, middle, step, term);
-    arb_set_d(term, numerator);
-    arb_div_si(term, term, denominator, ENCLOSED_BITS);
-    arb_poly_get_coeff_arb(middle, x, 0);
+    LOCAL(arb, step, term);
+    arb_poly_get_coeff_arb(term, x, 0);
     arb_poly_get_coeff_arb(step, x, 1);
-    arb_mul(middle, middle, term, ENCLOSED_BITS);
-    arb_mul(step, step, term, ENCLOSED_BITS);
-    arb_exp(middle, middle, ENCLOSED_BITS);
-    arb_set(term, middle);
+    LET(term, ENCLOSED_BITS, "exp(term*(numerator/denominator))", term, numerator, denominator);
+    LET(step, ENCLOSED_BITS, "step*(numerator/denominator)", step, numerator, denominator);
     arb_poly_zero(y);
     for (ulong k = 0; k < TERMS; k++) {
         arb_poly_set_coeff_arb(y, (slong)k, term);
         arb_mul(term, term, step, ENCLOSED_BITS);
         arb_div_ui(term, term, k + 1, ENCLOSED_BITS);
     }
-    arb_abs(step, step);
-    arb_exp(step, step, ENCLOSED_BITS);
-    arb_mul(term, term, step, ENCLOSED_BITS); /* bounds the terms left out */
+    LET(term, ENCLOSED_BITS, "term*exp(abs(step))", term, step); /* bounds the terms left out */
     enclosed_add_radius(y, term);
     enclosed_shorten(y);
 }
@@ -137,11 +128,7 @@ void enclosed_exp(arb_poly_t y, const arb_poly_t p)
         arb_poly_scalar_div(sum, sum, x, ENCLOSED_BITS);
         enclosed_add_double(sum, 1);
     }
-    arb_pow_ui(x, most, TERMS + 1, ENCLOSED_BITS);
-    arb_exp(most, most, ENCLOSED_BITS);
-    arb_mul(x, x, most, ENCLOSED_BITS);
-    arb_fac_ui(most, TERMS + 1, ENCLOSED_BITS);
-    arb_div(x, x, most, ENCLOSED_BITS);
+    LET(x, ENCLOSED_BITS, "most^(TERMS + 1)*exp(most)/gamma(TERMS + 2)", most, TERMS);
     enclosed_add_radius(sum, x);
     arb_exp(c, c, ENCLOSED_BITS);
     arb_poly_scalar_mul(y, sum, c, ENCLOSED_BITS);
@@ -163,8 +150,7 @@ bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
     enclosed_range(most, rest);
     enclosed_range(least, s);
     const bool done = positive && arb_is_positive(least);
-    arb_div(most, most, least, ENCLOSED_BITS);
-    arb_abs(most, most);
+    LET(most, ENCLOSED_BITS, "abs(most/least)", most, least);
     arb_poly_set(y, s);
     if (done)
         enclosed_add_radius(y, most);
@@ -190,18 +176,16 @@ static bool series_in_rest(arb_poly_t y, arb_t c, const arb_poly_t p, bool logar
     mag_zero(arb_radref(most));
     arb_poly_zero(y);
     for (slong k = TERMS; k >= 1; k--) {
-        arb_set_si(x, k % 2 ? 1 : -1);
+        const slong sign = k % 2 ? 1 : -1;
         if (logarithm)
-            arb_div_si(x, x, k, ENCLOSED_BITS);
+            LET(x, ENCLOSED_BITS, "sign/k", sign, k);
         else
-            arb_neg(x, x);
+            arb_set_si(x, -sign);
         enclosed_add_number(y, x);
         enclosed_multiply(y, y, w);
     }
-    arb_set_d(x, 0.5);
-    const bool done = positive && arb_lt(most, x);
-    arb_pow_ui(x, most, LEFT_OUT, ENCLOSED_BITS);
-    arb_mul_2exp_si(x, x, 1);
+    const bool done = positive && HOLDS(ENCLOSED_BITS, "most < 1/2", most);
+    LET(x, ENCLOSED_BITS, "2*most^LEFT_OUT", most, LEFT_OUT);
     enclosed_add_radius(y, x);
     return done;
 }

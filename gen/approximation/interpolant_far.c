@@ -27,9 +27,7 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *l
 {
     const struct ratio power = law_mu_power(law);
     LOCAL(arb, mu, term);
-    arb_mul_si(mu, u, -power.num, prec);
-    arb_div_ui(mu, mu, (ulong)power.den, prec);
-    arb_exp(mu, mu, prec);
+    interpolant_power(mu, u, ratio_mul((struct ratio){-1, 1}, power), prec);
     slong column = 0;
     for (slong order = 0; order < 3; order++) {
         arb_pow_ui(term, mu, (ulong)order, prec);
@@ -146,7 +144,7 @@ int interpolant_make_far(struct interpolant *f)
 void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
 {
     const struct law *law = &f->layout->law;
-    LOCAL(arb, power);
+    LOCAL(arb, power, own);
     LOCAL_MATRIX(1, INTERPOLANT_FAR, basis);
     far_basis(basis, 0, u, law, INTERPOLANT_BITS);
     arb_zero(y);
@@ -154,9 +152,8 @@ void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity q
         arb_addmul(y, arb_mat_entry(basis, 0, k), &f->far[quantity][k], prec);
     if (quantity == DURATION_ZERO_OVERLAP && !arb_is_zero(f->fall)) {
         interpolant_power(power, u, far_excess(law, false), prec);
-        arb_mul(y, y, power, prec);
-        interpolant_power(power, u, far_excess(law, true), prec);
-        arb_addmul(y, f->fall, power, prec);
+        interpolant_power(own, u, far_excess(law, true), prec);
+        LET(y, prec, "y*power + f->fall*own", y, power, f->fall, own);
     }
     interpolant_power(power, u, interpolant_tail_power(law, quantity), prec);
     arb_mul(y, y, power, prec);
@@ -184,11 +181,9 @@ void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
     for (slong k = 0; k < INTERPOLANT_FAR_INVERSE - 1; k++) {
         const slong power = k < 3 ? k : k - 3;
         arb_poly_get_coeff_arb(c, k < 3 ? q1 : q2, power);
-        arb_mul_ui(c, c, 15, prec);
-        if (k >= 3) {
+        arb_zero(d);
+        if (k >= 3)
             arb_poly_get_coeff_arb(d, second, power);
-            arb_addmul_ui(c, d, 9, prec);
-        }
-        arb_div_ui(coefficient + 1 + k, c, 25, prec);
+        LET(coefficient + 1 + k, prec, "(15*c + 9*d)/25", c, d);
     }
 }

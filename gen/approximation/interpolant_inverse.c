@@ -20,20 +20,15 @@ static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t w
 {
     const slong prec = INTERPOLANT_BITS, root = s->f->layout->root;
     interpolant_at(y, s->f, s->of_loss ? s->loss_quotient : s->eps, s->variable, w, prec);
-    if (s->of_loss) {
-        if (s->variable == INTERVAL_ROOT) {
-            arb_root_ui(y, y, (ulong)root, prec);
-            arb_mul(y, y, w, prec);
-        } else {
-            LOCAL(arb, beta);
-            interpolant_beta(beta, s->f, s->variable, w, prec);
-            arb_mul(y, y, beta, prec);
-            arb_root_ui(y, y, (ulong)root, prec);
-        }
+    if (!s->of_loss) {
+        LET(y, prec, "log(y) - wanted", y, wanted);
+    } else if (s->variable == INTERVAL_ROOT) {
+        LET(y, prec, "y^(1/root)*w - wanted", y, root, w, wanted);
     } else {
-        arb_log(y, y, prec);
+        LOCAL(arb, beta);
+        interpolant_beta(beta, s->f, s->variable, w, prec);
+        LET(y, prec, "(y*beta)^(1/root) - wanted", y, beta, root, wanted);
     }
-    arb_sub(y, y, wanted, prec);
     arb_get_mid_arb(y, y);
 }
 
@@ -65,13 +60,10 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
     bool found = false;
     for (int k = 0; k < STEPS && !found; k++) {
         excess(f1, s, w, wanted);
-        arb_sub(f0, f1, f0, INTERPOLANT_BITS);
-        arb_sub(step, w, before, INTERPOLANT_BITS);
-        arb_set(before, w);
         found = arb_is_zero(f1);
         if (!found) {
-            arb_mul(step, step, f1, INTERPOLANT_BITS);
-            arb_div(step, step, f0, INTERPOLANT_BITS);
+            LET(step, INTERPOLANT_BITS, "(w - before)*f1/(f1 - f0)", w, before, f1, f0);
+            arb_set(before, w);
             arb_sub(w, w, step, INTERPOLANT_BITS);
             arb_get_mid_arb(w, w);
             arb_set(f0, f1);

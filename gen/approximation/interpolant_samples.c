@@ -89,25 +89,16 @@ static arb_srcptr field(const struct collision *c, enum quantity quantity)
 static void scaled(arb_t y, const struct law *law, const struct interval *interval, enum quantity quantity,
                    const struct collision *c, const arb_t beta, slong prec)
 {
+    const struct ratio power = interpolant_tail_power(law, quantity);
     arb_set(y, field(c, quantity));
-    if (interval->form == FORM_POWER && interval->variable == INTERVAL_BELOW) {
-        const struct ratio one = {1, 1};
-        LOCAL(arb, power);
-        arb_pow_ratio(power, c->eps_zero_overlap, ratio_div(ratio_sub(law->a, one), ratio_add(law->a, one)), prec);
-        arb_mul(y, y, power, prec);
-        return;
-    }
-    if (interval->form == FORM_QUOTIENT && is_eps(quantity)) {
-        arb_sub_ui(y, y, 1, prec);
-        arb_neg(y, y);
-        arb_div(y, y, beta, prec);
-    } else if (interval->form == FORM_LOG && is_eps(quantity)) {
+    if (interval->form == FORM_POWER && interval->variable == INTERVAL_BELOW)
+        LET(y, prec, "y*c->eps_zero_overlap^((law->a - 1)/(law->a + 1))", y, c->eps_zero_overlap, law->a);
+    else if (interval->form == FORM_QUOTIENT && is_eps(quantity))
+        LET(y, prec, "(1 - y)/beta", y, beta);
+    else if (interval->form == FORM_LOG && is_eps(quantity))
         arb_log(y, y, prec);
-    } else if (interval->form == FORM_POWER) {
-        LOCAL(arb, power);
-        arb_pow_ratio(power, beta, interpolant_tail_power(law, quantity), prec);
-        arb_div(y, y, power, prec);
-    }
+    else if (interval->form == FORM_POWER)
+        LET(y, prec, "y/beta^power", y, beta, power);
 }
 
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
@@ -147,8 +138,8 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     const bool overlap = interval->set & SET_ZERO_OVERLAP, force = interval->set & SET_ZERO_FORCE;
     LOCAL(arb, press);
     if (f->layout->press) {
-        arb_pow_ratio(press, beta, interpolant_press_power(law), prec + more);
-        arb_mul(press, press, f->layout->press, prec + more);
+        const struct ratio power = interpolant_press_power(law);
+        LET(press, prec + more, "beta^power*f->layout->press", beta, power, f->layout->press);
     }
     const int status = f->layout->press   ? collision_solve_pressed(&c, beta, press, law, force ? 1 : 0, bits + more)
                        : overlap && force ? collision_solve(&c, beta, law, bits + more)
@@ -223,9 +214,7 @@ static int make_constants(struct interpolant *f, double beta_max)
         return status;
     }
     if (n.num == 0) {
-        arb_set_ratio(f->threshold, ratio_mul((struct ratio){2, 1}, ratio_add(law->a, (struct ratio){1, 1})),
-                      INTERPOLANT_BITS);
-        arb_sqrt(f->threshold, f->threshold, INTERPOLANT_BITS);
+        LET(f->threshold, INTERPOLANT_BITS, "sqrt(2*(law->a + 1))", law->a);
         return STATUS_OK;
     }
     const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);
@@ -365,13 +354,12 @@ static int check_place(double *error, const struct interpolant *f, int i, double
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!holds(interval, (enum quantity)q))
             continue;
+        const arb_srcptr known = value + q;
         interpolant_polynomial_at(y, f, i, (enum quantity)q, variable, INTERPOLANT_BITS);
-        if (interval->form == FORM_LOG && is_eps((enum quantity)q)) {
-            arb_sub(y, y, value + q, INTERPOLANT_BITS); /* for a logarithm the absolute error counts */
-        } else {
-            arb_div(y, y, value + q, INTERPOLANT_BITS);
-            arb_sub_ui(y, y, 1, INTERPOLANT_BITS);
-        }
+        if (interval->form == FORM_LOG && is_eps((enum quantity)q))
+            LET(y, INTERPOLANT_BITS, "y - known", y, known); /* for a logarithm the absolute error counts */
+        else
+            LET(y, INTERPOLANT_BITS, "y/known - 1", y, known);
         *error = fmax(*error, fabs(arf_get_d(arb_midref(y), ARF_RND_UP)));
     }
     return status;

@@ -26,23 +26,14 @@ struct ratio interpolant_tail_power(const struct law *law, enum quantity quantit
 
 void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec)
 {
-    arb_mul_si(y, u, power.num, prec);
-    arb_div_ui(y, y, (ulong)power.den, prec);
-    arb_exp(y, y, prec);
+    const slong num = power.num, den = power.den;
+    LET(y, prec, "exp(u*num/den)", u, num, den);
 }
 
 /* q = 0: eps at zero overlap, exp(-pi beta/sqrt(beta_c^2 - beta^2)), and its logarithm */
 static void linear_log_eps(arb_t y, const struct interpolant *f, const arb_t beta, slong prec)
 {
-    LOCAL(arb, square);
-    arb_sqr(square, f->threshold, prec);
-    arb_sqr(y, beta, prec);
-    arb_sub(square, square, y, prec);
-    arb_sqrt(square, square, prec);
-    arb_const_pi(y, prec);
-    arb_mul(y, y, beta, prec);
-    arb_div(y, y, square, prec);
-    arb_neg(y, y);
+    LET(y, prec, "-(pi*beta/sqrt(f->threshold^2 - beta^2))", beta, f->threshold);
 }
 
 void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
@@ -87,14 +78,12 @@ void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_var
 static void unscaled(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity quantity,
                      const arb_t x, slong prec)
 {
+    const slong root = f->layout->root;
     LOCAL(arb, scale);
     if (interval->form == FORM_VALUE || (interval->form != FORM_POWER && !is_eps(quantity)))
         return;
     if (interval->form == FORM_QUOTIENT) {
-        for (slong k = 0; k < f->layout->root; k++)
-            arb_mul(y, y, x, prec);
-        arb_sub_ui(y, y, 1, prec);
-        arb_neg(y, y);
+        LET(y, prec, "1 - y*x^root", y, x, root);
     } else if (interval->form == FORM_LOG) {
         arb_exp(y, y, prec);
     } else {
@@ -107,22 +96,15 @@ static void unscaled(arb_t y, const struct interpolant *f, const struct interval
 static void loss_quotient(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity eps,
                           const arb_t x, slong prec)
 {
+    LOCAL(arb, beta);
     if (interval->form == FORM_QUOTIENT)
         return;
+    interpolant_beta(beta, f, interval->variable, x, prec);
     if (interval->form == FORM_LOG) {
-        arb_expm1(y, y, prec);
+        LET(y, prec, "-expm1(y)/beta", y, beta);
     } else {
         unscaled(y, f, interval, eps, x, prec);
-        arb_sub_ui(y, y, 1, prec);
-    }
-    arb_neg(y, y);
-    if (interval->variable == INTERVAL_ROOT) {
-        for (slong k = 0; k < f->layout->root; k++)
-            arb_div(y, y, x, prec);
-    } else {
-        LOCAL(arb, beta);
-        interpolant_beta(beta, f, interval->variable, x, prec);
-        arb_div(y, y, beta, prec);
+        LET(y, prec, "(1 - y)/beta", y, beta);
     }
 }
 
@@ -130,40 +112,29 @@ static void loss_quotient(arb_t y, const struct interpolant *f, const struct int
  * beta eps^q, w = h^((a+1)/(a-b)) (docs/theory.md, 5 and 9). The loss quotient needs only G - 1. */
 static void backward(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
-    const struct law *law = &f->layout->law;
-    const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one), difference = ratio_sub(law->a, law->b);
-    const bool loss = quantity == LOSS_QUOTIENT_ZERO_FORCE;
+    const struct ratio a = f->layout->law.a, b = f->layout->law.b, q = law_speed_exponent(&f->layout->law);
     LOCAL(arb, beta, eps, h, w, part);
     interpolant_beta(beta, f, INTERVAL_ROOT, x, prec);
     interpolant_value(eps, f, EPS_ZERO_OVERLAP, x, prec);
-    arb_pow_ratio(h, eps, law_speed_exponent(law), prec);
-    arb_mul(h, h, beta, prec);
-    if (arb_is_zero(beta))
-        arb_zero(w);
-    else
-        arb_pow_ratio(w, h, ratio_div(a1, difference), prec);
+    const bool elastic = arb_is_zero(beta); /* h = w = 0 */
+    if (!elastic) {
+        LET(h, prec, "eps^q*beta", eps, q, beta);
+        LET(w, prec, "h^((a + 1)/(a - b))", h, a, b);
+        LET(h, prec, "h^(1/(a - b))", h, a, b);
+    }
     if (quantity == DURATION_ZERO_FORCE) {
         arb_poly_evaluate(part, f->backward_time, w, prec);
-        if (arb_is_zero(beta))
-            arb_zero(h);
-        else
-            arb_pow_ratio(h, h, ratio_div(one, difference), prec);
-        arb_mul(part, part, h, prec);
-        arb_pow_ratio(w, eps, ratio_div(ratio_sub(one, law->a), a1), prec);
-        arb_mul(part, part, w, prec);
         interpolant_value(y, f, DURATION_ZERO_OVERLAP, x, prec);
-        arb_sub(y, y, part, prec);
-    } else if (loss) {
+        LET(y, prec, "y - part*h*eps^((1 - a)/(1 + a))", y, part, h, eps, a);
+        return;
+    }
+    arb_poly_evaluate(part, f->backward, w, prec);
+    if (quantity == LOSS_QUOTIENT_ZERO_FORCE) {
         /* (1 - eps G)/beta = (1 - eps)/beta - eps (G - 1)/beta */
-        arb_poly_evaluate(part, f->backward, w, prec);
-        arb_sub_ui(part, part, 1, prec);
-        arb_mul(part, part, eps, prec);
-        if (!arb_is_zero(beta))
-            arb_div(part, part, beta, prec);
         interpolant_value(y, f, LOSS_QUOTIENT_ZERO_OVERLAP, x, prec);
-        arb_sub(y, y, part, prec);
+        if (!elastic)
+            LET(y, prec, "y - (part - 1)*eps/beta", y, part, eps, beta);
     } else {
-        arb_poly_evaluate(part, f->backward, w, prec);
         arb_mul(y, eps, part, prec);
     }
 }
@@ -190,32 +161,25 @@ enum quantity interpolant_end(const struct interpolant *f, enum quantity quantit
 static void approach_only(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                           const arb_t x, slong prec)
 {
-    const struct ratio one = {1, 1}, two = {2, 1}, a1 = ratio_add(f->layout->law.a, one);
-    LOCAL(arb, beta, eps, part);
+    const struct ratio a = f->layout->law.a;
+    LOCAL(arb, beta, eps, part, zero);
     interpolant_beta(beta, f, variable, x, prec);
     if (quantity == LOSS_QUOTIENT_APPROACH_ONLY && arf_cmpabs_2exp_si(arb_midref(beta), -90) < 0) {
-        arb_zero(part); /* the next order is negligible */
-        interpolant_at(y, f, LOSS_QUOTIENT_ZERO_OVERLAP, INTERVAL_ROOT, part, prec);
+        /* the next order is negligible */
+        interpolant_at(y, f, LOSS_QUOTIENT_ZERO_OVERLAP, INTERVAL_ROOT, zero, prec);
         arb_mul_2exp_si(y, y, -1);
         return;
     }
     interpolant_at(eps, f, MAX_OVERLAP, variable, x, prec);
-    arb_pow_ratio(eps, eps, a1, prec);
-    arb_set_ratio(part, ratio_div(two, a1), prec);
-    arb_mul(eps, eps, part, prec);
-    arb_sqrt(eps, eps, prec);
+    LET(eps, prec, "sqrt(eps^(a + 1)*(2/(a + 1)))", eps, a);
     if (quantity == EPS_APPROACH_ONLY) {
         arb_set(y, eps);
     } else if (quantity == LOSS_QUOTIENT_APPROACH_ONLY) {
-        arb_sub_ui(y, eps, 1, prec);
-        arb_neg(y, y);
-        arb_div(y, y, beta, prec);
+        LET(y, prec, "(1 - eps)/beta", eps, beta);
     } else {
-        arb_pow_ratio(eps, eps, ratio_div(ratio_sub(two, a1), a1), prec);
-        arb_zero(beta);
-        interpolant_at(part, f, TIME_OF_MAX_OVERLAP, INTERVAL_ROOT, beta, prec);
+        interpolant_at(part, f, TIME_OF_MAX_OVERLAP, INTERVAL_ROOT, zero, prec);
         interpolant_at(y, f, TIME_OF_MAX_OVERLAP, variable, x, prec);
-        arb_addmul(y, part, eps, prec);
+        LET(y, prec, "y + part*eps^((1 - a)/(1 + a))", y, part, eps, a);
     }
 }
 
@@ -236,11 +200,10 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
         LOCAL(arb, beta);
         interpolant_beta(beta, f, variable, x, prec);
         linear_log_eps(y, f, beta, prec);
-        (loss ? arb_expm1 : arb_exp)(y, y, prec);
-        if (loss) {
-            arb_neg(y, y);
-            arb_div(y, y, beta, prec);
-        }
+        if (loss)
+            LET(y, prec, "-expm1(y)/beta", y, beta);
+        else
+            arb_exp(y, y, prec);
         return;
     }
     if (i < 0) {

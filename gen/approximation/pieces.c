@@ -140,14 +140,10 @@ struct pieces_function pieces_of_collision(const struct interpolant *f)
 /* s of the header at y */
 static void factor(arb_t s, const struct cell *cell, const arb_t y)
 {
-    LOCAL(arb, node);
-    arb_set_d(node, cell->node);
-    if (!cell->plain) {
-        arb_sqr(s, y, WORKING_BITS);
-        arb_submul(s, node, node, WORKING_BITS);
-    } else {
-        arb_sub(s, y, node, WORKING_BITS);
-    }
+    if (cell->plain)
+        LET(s, WORKING_BITS, "y - cell->node", y, cell->node);
+    else
+        LET(s, WORKING_BITS, "y^2 - cell->node^2", y, cell->node);
 }
 
 /* A sample point of the cell: a double of few bits between its ends */
@@ -174,7 +170,8 @@ static void round_head(arb_t head, const struct pieces *p, const arb_t value)
 static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f, const struct cell *cell)
 {
     const slong n = p->degree;
-    arb_ptr t = _arb_vec_init(n), quotient = _arb_vec_init(n);
+    LOCAL_VECTOR(t, n);
+    LOCAL_VECTOR(quotient, n);
     LOCAL(arb_poly, polynomial);
     LOCAL(arb, node, y, s);
     arb_set_d(node, cell->node);
@@ -182,10 +179,10 @@ static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f
     for (slong j = 0; j < n && status == STATUS_OK; j++) {
         /* never the node itself, where the quotient is 0/0 */
         arb_set_d(y, between(p, cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
+        const arb_srcptr f_y = quotient + j;
         status = f.at(quotient + j, f.context, p, cell, y);
-        arb_sub(quotient + j, quotient + j, c, WORKING_BITS);
         factor(s, cell, y);
-        arb_div(quotient + j, quotient + j, s, WORKING_BITS);
+        LET(quotient + j, WORKING_BITS, "(f_y - c)/s", f_y, c, s);
         arb_sub(t + j, y, node, WORKING_BITS);
     }
     arb_poly_interpolate_barycentric(polynomial, t, quotient, n, WORKING_BITS);
@@ -195,8 +192,6 @@ static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f
     arb_sub(c + 1, c, node, WORKING_BITS);
     if (p->head_bits > 0)
         arb_set(c, node);
-    _arb_vec_clear(t, n);
-    _arb_vec_clear(quotient, n);
     return status;
 }
 
@@ -215,10 +210,7 @@ static int cut_row_of_doubles(double *c, struct pieces *p, struct pieces_functio
 /* y = y x + c */
 static void horner(arb_t y, const arb_t x, double c)
 {
-    LOCAL(arb, term);
-    arb_set_d(term, c);
-    arb_mul(y, y, x, WORKING_BITS);
-    arb_add(y, y, term, WORKING_BITS);
+    LET(y, WORKING_BITS, "y*x + c", y, x, c);
 }
 
 /* ---- rows of floats ---- */
@@ -284,7 +276,8 @@ static void columns_of_cubic(double c[PIECES_FLOATS], const double a[PIECES_FLOA
  * exceeds 1, however the caller rounds. */
 static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_function f, const struct cell *cell)
 {
-    arb_ptr t = _arb_vec_init(PIECES_FLOATS), value = _arb_vec_init(PIECES_FLOATS);
+    LOCAL_VECTOR(t, PIECES_FLOATS);
+    LOCAL_VECTOR(value, PIECES_FLOATS);
     double a[PIECES_FLOATS];
     LOCAL(arb, y, head, rest);
     LOCAL(arb_poly, cubic);
@@ -306,8 +299,6 @@ static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_fu
     }
     c[0] = arf_get_d(arb_midref(head), ARF_RND_NEAR);
     columns_of_cubic(c, a, cell);
-    _arb_vec_clear(t, CUBIC + 1);
-    _arb_vec_clear(value, CUBIC + 1);
     return status;
 }
 
@@ -317,8 +308,7 @@ static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_fu
 static void row_value(arb_t value, const struct pieces *p, const struct cell *cell, const double *c, const arb_t y)
 {
     LOCAL(arb, t, s);
-    arb_set_d(t, cell->node);
-    arb_sub(t, y, t, WORKING_BITS);
+    LET(t, WORKING_BITS, "y - cell->node", y, cell->node);
     factor(s, cell, y);
     arb_zero(value);
     for (slong k = pieces_columns(p) - 1; k >= (p->floats ? 1 : 2); k--)
@@ -343,8 +333,7 @@ static double sample_row(double *bits, const struct pieces *p, struct pieces_fun
             worst = NAN;
         row_value(value, p, cell, c, y);
         rest = fmax(rest, fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR) / c[0] - 1));
-        arb_sub(value, value, exact, WORKING_BITS);
-        arb_div(value, value, exact, WORKING_BITS);
+        LET(value, WORKING_BITS, "(value - exact)/exact", value, exact);
         const double error = fabs(arf_get_d(arb_midref(value), ARF_RND_UP)) + mag_get_d(arb_radref(value));
         worst = error <= worst ? worst : error; /* a NaN stays */
     }

@@ -35,14 +35,8 @@ struct interpolant_proof {
 /* w = (x - middle)/half */
 static void to_unit(arb_t w, const arb_t x, const struct interval *interval)
 {
-    LOCAL(arb, lo, hi);
-    arb_set_d(lo, interval->lo);
-    arb_set_d(hi, interval->hi);
-    arb_mul_2exp_si(w, x, 1);
-    arb_sub(w, w, lo, PREC);
-    arb_sub(w, w, hi, PREC);
-    arb_sub(hi, hi, lo, PREC);
-    arb_div(w, w, hi, PREC);
+    const double lo = interval->lo, hi = interval->hi;
+    LET(w, PREC, "(2*x - lo - hi)/(hi - lo)", x, lo, hi);
 }
 
 /* Exact Chebyshev point j of n in ascending order */
@@ -61,19 +55,11 @@ static void lebesgue(arb_t bound, arb_srcptr w, slong n)
     LOCAL(arb, d, x);
     for (slong j = 0; j < n; j++) {
         exact_point(x, j, n);
-        arb_sub(x, x, w + j, PREC);
-        arb_abs(x, x);
-        arb_max(d, d, x, PREC);
+        const arb_srcptr node = w + j;
+        LET(d, PREC, "max(d, abs(x - node))", d, x, node);
     }
-    arb_log_ui(bound, (ulong)n, PREC);
-    arb_mul_2exp_si(bound, bound, 1);
-    arb_const_pi(x, PREC);
-    arb_div(bound, bound, x, PREC);
-    arb_add_ui(bound, bound, 1, PREC);
-    arb_mul(d, d, bound, PREC);
-    arb_mul_ui(d, d, (ulong)((n - 1) * (n - 1)), PREC);
-    arb_sub_ui(d, d, 1, PREC);
-    arb_neg(d, d);
+    LET(bound, PREC, "2*log(n)/pi + 1", n);
+    LET(d, PREC, "1 - d*bound*(n - 1)^2", d, bound, n);
     if (arb_is_positive(d))
         arb_div(bound, bound, d, PREC);
     else
@@ -86,22 +72,15 @@ static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enu
                              const arb_t constant, arb_srcptr value, const struct interval *interval)
 {
     const slong n = interval->count;
-    LOCAL(arb, rho, x);
-    arb_set_d(rho, bound->rho);
-    arb_pow_ui(x, rho, (ulong)(n - 1), PREC);
-    arb_sub_ui(rho, rho, 1, PREC);
-    arb_mul(x, x, rho, PREC);
-    arb_set_d(error, 2 * bound->modulus[quantity]);
-    arb_div(error, error, x, PREC);
-    arb_add_ui(x, constant, 1, PREC);
-    arb_mul(error, error, x, PREC);
-    arb_zero(rho);
+    const double rho = bound->rho, M = bound->modulus[quantity];
+    const slong bits = interval->bits;
+    LOCAL(arb, x, largest);
     for (slong j = 0; j < n; j++) {
         arb_abs(x, value + j);
-        arb_max(rho, rho, x, PREC);
+        arb_max(largest, largest, x, PREC);
     }
-    arb_mul_2exp_si(rho, rho, -interval->bits);
-    arb_addmul(error, rho, constant, PREC);
+    LET(error, PREC, "2*M/(rho^(n - 1)*(rho - 1))*(constant + 1) + largest/2^bits*constant", M, rho, n, constant,
+        largest, bits);
 }
 
 /* Whether the last Chebyshev coefficients a_k of the interpolant agree with the proof: |a_k| <= 2 M rho^-k + 2 error. A
@@ -110,7 +89,8 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
                                const arb_t error, slong n)
 {
     LOCAL_VECTOR(value, n);
-    LOCAL(arb, x, sum, limit);
+    const double rho = bound->rho, M = bound->modulus[quantity];
+    LOCAL(arb, x, sum);
     LOCAL(fmpq, angle);
     bool agree = true;
     for (slong j = 0; j < n; j++) {
@@ -124,16 +104,7 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
             arb_cos_pi_fmpq(x, angle, PREC);
             arb_addmul(sum, x, value + j, PREC);
         }
-        arb_mul_2exp_si(sum, sum, 1);
-        arb_div_ui(sum, sum, (ulong)n, PREC);
-        arb_abs(sum, sum);
-        arb_set_d(limit, bound->rho);
-        arb_pow_ui(limit, limit, (ulong)k, PREC);
-        arb_set_d(x, bound->modulus[quantity]);
-        arb_div(limit, x, limit, PREC);
-        arb_add(limit, limit, error, PREC);
-        arb_mul_2exp_si(limit, limit, 1);
-        agree = agree && arb_le(sum, limit);
+        agree = agree && HOLDS(PREC, "abs(2*sum/n) < 2*(M/rho^k + error)", sum, n, M, rho, k, error);
     }
     return agree;
 }
@@ -175,13 +146,8 @@ static int prove_stated(struct ellipse_bound *bound, const struct interval *inte
 /* 2 ln(Y) and r = 1/Y at zero force, for exact u = ln(beta) and eps beta^(5/3) there: Y = beta^(5/3) sqrt(that) */
 static void creep_begin(arb_t log_square, arb_t r, const arb_t u, const arb_t scaled_eps)
 {
-    arb_mul_ui(r, u, 10, PREC);
-    arb_div_ui(r, r, 3, PREC);
-    arb_log(log_square, scaled_eps, PREC);
-    arb_add(log_square, log_square, r, PREC);
-    arb_mul_2exp_si(r, log_square, -1);
-    arb_neg(r, r);
-    arb_exp(r, r, PREC);
+    LET(log_square, PREC, "log(scaled_eps) + 10*u/3", scaled_eps, u);
+    LET(r, PREC, "exp(-log_square/2)", log_square);
 }
 
 /* C from collision j of an interval in ln(beta): the time from zero force to zero overlap, without the series. Returns
@@ -201,12 +167,10 @@ static bool creep_constant_of(arb_t constant, const struct interpolant_proof *pr
             arb_add_error(exact[q], x);
         }
     }
-    creep_begin(x, r, node + j, exact[EPS_ZERO_FORCE]);
-    arb_sub(constant, exact[DURATION_ZERO_OVERLAP], x, PREC);
-    arb_mul_si(power, node + j, -5, PREC); /* beta^(-5/3) */
-    arb_div_ui(power, power, 3, PREC);
-    arb_exp(power, power, PREC);
-    arb_submul(constant, power, exact[DURATION_ZERO_FORCE], PREC);
+    const arb_srcptr u = node + j; /* ln(beta) */
+    creep_begin(x, r, u, exact[EPS_ZERO_FORCE]);
+    LET(constant, PREC, "exact[DURATION_ZERO_OVERLAP] - x - exp(-5*u/3)*exact[DURATION_ZERO_FORCE]",
+        exact[DURATION_ZERO_OVERLAP], x, u, exact[DURATION_ZERO_FORCE]);
     arb_one(power);
     for (slong k = 1; k <= CREEP_SERIES_ORDER; k++) {
         arb_mul(power, power, r, PREC);
@@ -405,8 +369,7 @@ bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof
     arb_poly_add(sum, sum, r, ENCLOSED_BITS);
     enclosed_multiply(r, time, mu);
     arb_poly_add(sum, sum, r, ENCLOSED_BITS);
-    arb_set_ui(c, 10);
-    arb_div_ui(c, c, 3, ENCLOSED_BITS);
+    LET(c, ENCLOSED_BITS, "10/3");
     arb_poly_scalar_mul(r, u, c, ENCLOSED_BITS);
     arb_poly_add(duration, sum, r, ENCLOSED_BITS);
     return done && logarithm;
@@ -428,21 +391,19 @@ static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t midd
 static void piece_init(struct piece *w, double lo, double hi)
 {
     const enum quantity stored = stored_quantity(w->p->quantity);
-    LOCAL(arb, a, b, middle);
+    LOCAL(arb, a, b, middle, half);
     FOR_ALL(arb_poly, init, w->x, w->stored, w->beta);
     enclosed_variable(w->x, lo, hi);
     arb_set_d(a, lo);
     arb_set_d(b, hi);
     to_unit(a, a, w->interval);
     to_unit(b, b, w->interval);
-    arb_add(middle, a, b, PREC);
-    arb_sub(b, b, a, PREC);
-    arb_mul_2exp_si(middle, middle, -1);
-    arb_mul_2exp_si(b, b, -1);
+    LET(middle, PREC, "(a + b)/2", a, b);
+    LET(half, PREC, "(b - a)/2", a, b);
     if (is_creep(w->interval, stored))
-        creep_duration(w->stored, w, middle, b);
+        creep_duration(w->stored, w, middle, half);
     else
-        stored_on(w->stored, w, stored, middle, b);
+        stored_on(w->stored, w, stored, middle, half);
     if (w->interval->variable == INTERVAL_ROOT)
         enclosed_multiply(w->beta, w->x, w->x);
     else
@@ -539,9 +500,7 @@ static bool row_of(arb_poly_t row, const struct piece *w)
     const bool done = variable_of(t, w);
     if (!w->cell.plain) {
         LOCAL(arb, square);
-        arb_set_d(square, w->cell.node);
-        arb_sqr(square, square, ENCLOSED_BITS);
-        arb_neg(square, square);
+        LET(square, ENCLOSED_BITS, "-w->cell.node^2", w->cell.node);
         enclosed_multiply(s, t, t);
         enclosed_add_number(s, square);
     }

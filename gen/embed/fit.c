@@ -149,10 +149,8 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
         for (slong k = 0; k <= FLINT_MAX(m, n); k++) {
             if (k <= m)
                 arb_set(arb_mat_entry(a, j, k), term);
-            if (k < n) {
-                arb_mul(arb_mat_entry(a, j, m + 1 + k), eps, term, EMBED_BITS);
-                arb_neg(arb_mat_entry(a, j, m + 1 + k), arb_mat_entry(a, j, m + 1 + k));
-            }
+            if (k < n)
+                LET(arb_mat_entry(a, j, m + 1 + k), EMBED_BITS, "-eps*term", eps, term);
             if (k == n)
                 arb_mul(arb_mat_entry(b, j, 0), eps, term, EMBED_BITS);
             arb_mul(term, term, x, EMBED_BITS);
@@ -160,12 +158,11 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     }
     bool good = arb_mat_solve(b, a, b, EMBED_BITS);
     if (good) {
-        arb_ptr c = _arb_vec_init(count + 1);
+        LOCAL_VECTOR(c, count + 1);
         for (slong k = 0; k < count; k++)
             arb_set(c + k, arb_mat_entry(b, k, 0));
         arb_one(c + count);
         good = finish_quotient(f, c, scale);
-        _arb_vec_clear(c, count + 1);
     }
     return good;
 }
@@ -175,13 +172,13 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
 {
     const slong m = f->numerator, n = f->denominator;
     LOCAL_VECTOR(c, m + n + 2);
-    LOCAL(arb, unit, power);
+    LOCAL(arb, unit);
     arb_root_ui(unit, s->beta_per_root, (ulong)root, EMBED_BITS); /* z = unit speed^(1/(5 root)) */
     for (slong k = 0; k <= m + n + 1; k++) {
         const slong degree = k <= m ? k : k - m - 1;
         arb_poly_get_coeff_arb(c + k, k <= m ? p : q, degree);
-        arb_pow_ui(power, unit, (ulong)degree, EMBED_BITS);
-        arb_mul(c + k, c + k, power, EMBED_BITS);
+        const arb_srcptr own = c + k;
+        LET(c + k, EMBED_BITS, "own*unit^degree", own, unit, degree);
     }
     return finish_quotient(f, c, 0);
 }
@@ -202,7 +199,9 @@ bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
     const double lo = pow(s->speed_min, 0.2) * (1 - error), hi = pow(s->speed_max, 0.2) * (1 + error);
     f->slope = embed_rounded(s, (double)f->rows / (hi - lo));
     f->shift = embed_rounded(s, -lo * f->slope);
-    arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
+    LOCAL_VECTOR(exact, f->rows * columns);
+    LOCAL_VECTOR(t, columns);
+    LOCAL_VECTOR(eps, columns);
     LOCAL(arb, x);
     for (slong row = 0; row < f->rows; row++) {
         for (slong j = 0; j < columns; j++) {
@@ -210,18 +209,12 @@ bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
             y = fmin(fmax(y, pow(s->speed_min, 0.2) * (1 + 1e-14)), pow(s->speed_max, 0.2) * (1 - 1e-14));
             arb_set_d(x, y);
             eps_at(eps + j, f, s, x);
-            arb_set_d(t + j, f->slope);
-            arb_mul(x, x, t + j, EMBED_BITS);
-            arb_set_d(t + j, f->shift - (double)row);
-            arb_add(t + j, t + j, x, EMBED_BITS);
+            const double shift = f->shift - (double)row;
+            LET(t + j, EMBED_BITS, "x*f->slope + shift", x, f->slope, shift);
         }
         fit_row(exact + row * columns, t, eps, columns);
     }
-    const bool good = round_numbers(f, exact, f->rows * columns);
-    _arb_vec_clear(exact, f->rows * columns);
-    _arb_vec_clear(t, columns);
-    _arb_vec_clear(eps, columns);
-    return good;
+    return round_numbers(f, exact, f->rows * columns);
 }
 
 bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits, slong more_than,
@@ -234,7 +227,9 @@ bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, i
     const slong bytes = f->rows * columns * (f->single ? 4 : 8);
     if (bytes <= more_than || bytes > at_most)
         return false;
-    arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
+    LOCAL_VECTOR(exact, f->rows * columns);
+    LOCAL_VECTOR(t, columns);
+    LOCAL_VECTOR(eps, columns);
     LOCAL(arb, g);
     for (slong row = 0; row < f->rows; row++) {
         const double start = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
@@ -242,17 +237,12 @@ bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, i
         const double lo = fmax(start, s->speed_min), hi = fmin(end, s->speed_max);
         const slong used = hi - lo > 1e-6 * (end - start) ? columns : 1;
         for (slong j = 0; j < used; j++) {
-            double x = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, used);
+            const double x = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, used);
             arb_set_d(g, fmin(fmax(x, lo), hi));
             embed_scene_eps(eps + j, s, g);
-            arb_set_d(t + j, start);
-            arb_sub(t + j, g, t + j, EMBED_BITS);
+            LET(t + j, EMBED_BITS, "g - start", g, start);
         }
         fit_row(exact + row * columns, t, eps, used);
     }
-    const bool good = round_numbers(f, exact, f->rows * columns);
-    _arb_vec_clear(exact, f->rows * columns);
-    _arb_vec_clear(t, columns);
-    _arb_vec_clear(eps, columns);
-    return good;
+    return round_numbers(f, exact, f->rows * columns);
 }

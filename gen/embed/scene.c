@@ -33,10 +33,10 @@ double embed_rounded(const struct embed_scene *s, double x)
 /* eps beta^(5/3) at zero force, ln(beta) > 10 */
 static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, const arb_t u)
 {
-    arb_ptr a = _arb_vec_init(INTERPOLANT_FAR);
+    LOCAL_VECTOR(a, INTERPOLANT_FAR);
     LOCAL(arb, mu, order);
     interpolant_far(a, s->interpolant, EPS_ZERO_FORCE);
-    arb_pow_ratio(mu, beta, ratio_make(-5, 3), EMBED_BITS);
+    LET(mu, EMBED_BITS, "beta^(-5/3)", beta);
     /* ((a_8 u + ...) mu + (a_4 u + ...)) mu + a_1 u + a_0 */
     static const int first[] = {0, 2, 5, INTERPOLANT_FAR};
     arb_zero(y);
@@ -46,10 +46,8 @@ static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, co
             arb_mul(order, order, u, EMBED_BITS);
             arb_add(order, order, a + k, EMBED_BITS);
         }
-        arb_mul(y, y, mu, EMBED_BITS);
-        arb_add(y, y, order, EMBED_BITS);
+        LET(y, EMBED_BITS, "y*mu + order", y, mu, order);
     }
-    _arb_vec_clear(a, INTERPOLANT_FAR);
 }
 
 static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta)
@@ -58,8 +56,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     const bool overlap = s->end == END_ZERO_OVERLAP;
     LOCAL(arb, z);
     if (overlap && b >= OVERLAP_FAR) {
-        arb_pow_ui(z, beta, 5, EMBED_BITS);
-        arb_div(eps, s->h_star_5, z, EMBED_BITS);
+        LET(eps, EMBED_BITS, "s->h_star_5/beta^5", s->h_star_5, beta);
     } else if (b < FORCE_FAR) {
         arb_sqrt(z, beta, EMBED_BITS);
         interpolant_value(eps, s->interpolant, overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, z, EMBED_BITS);
@@ -69,8 +66,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
             interpolant_tail(eps, s->interpolant, EPS_ZERO_FORCE, z, EMBED_BITS);
         else
             far_force(eps, s, beta, z);
-        arb_pow_ratio(z, beta, ratio_make(-5, 3), EMBED_BITS);
-        arb_mul(eps, eps, z, EMBED_BITS);
+        LET(eps, EMBED_BITS, "eps*beta^(-5/3)", eps, beta);
     }
     /* The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 }
@@ -83,16 +79,9 @@ static bool is_wet(const struct embed_scene *s)
 /* `whole` is the impact speed, of which a liquid leaves less */
 static void beta_of_speed(arb_t beta, const struct embed_scene *s, const arb_t whole, const arb_t beta_per_root)
 {
-    LOCAL(arb, speed);
-    arb_set_d(speed, s->origin);
-    arb_add(speed, speed, whole, EMBED_BITS);
-    if (is_wet(s))
-        arb_sub(speed, speed, s->liquid_speed, EMBED_BITS);
-    if (law_is_sphere(&s->law))
-        arb_root_ui(beta, speed, 5, EMBED_BITS);
-    else
-        arb_pow_ratio(beta, speed, law_speed_exponent(&s->law), EMBED_BITS);
-    arb_mul(beta, beta, beta_per_root, EMBED_BITS);
+    const struct ratio q = law_speed_exponent(&s->law);
+    LET(beta, EMBED_BITS, "(s->origin + whole - s->liquid_speed)^q*beta_per_root", s->origin, whole, s->liquid_speed, q,
+        beta_per_root);
 }
 
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed)
@@ -122,12 +111,8 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
         eps_of_beta(eps, s, beta);
     else
         interpolant_at_beta(eps, s->interpolant, quantity_of(s), beta, EMBED_BITS);
-    if (is_wet(s)) { /* (eps (v - s) - s)/v */
-        arb_sub(beta, speed, s->liquid_speed, EMBED_BITS);
-        arb_mul(eps, eps, beta, EMBED_BITS);
-        arb_sub(eps, eps, s->liquid_speed, EMBED_BITS);
-        arb_div(eps, eps, speed, EMBED_BITS);
-    }
+    if (is_wet(s))
+        LET(eps, EMBED_BITS, "(eps*(speed - s->liquid_speed) - s->liquid_speed)/speed", eps, speed, s->liquid_speed);
 }
 
 /* ---- the scene ---- */
@@ -214,20 +199,15 @@ enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS =
  * B = beta_1 f_1^(n/(2a)), the same at every speed, and the unit of speed is f_1^((a+1)/(2a)). */
 static int find_sticking_speed(struct embed_scene *s, const struct embed_request *request)
 {
-    const struct ratio a2 = ratio_mul(ratio_make(2, 1), s->law.a), n = law_fall_power(&s->law);
+    const struct ratio a = s->law.a, n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
     LOCAL(arb, force, damping, x);
     embed_contact_force(force, request, &s->law, EMBED_BITS);
-    arb_pow_ratio(s->press, s->beta_enclosed, ratio_div(a2, n), EMBED_BITS);
-    arb_mul(s->press, s->press, force, EMBED_BITS);
-    arb_pow_ratio(damping, force, ratio_div(n, a2), EMBED_BITS);
-    arb_mul(damping, damping, s->beta_enclosed, EMBED_BITS);
+    LET(s->press, EMBED_BITS, "s->beta_enclosed^(2*a/n)*force", s->beta_enclosed, a, n, force);
+    LET(damping, EMBED_BITS, "force^(n/(2*a))*s->beta_enclosed", force, n, a, s->beta_enclosed);
     if (collision_sticking_speed(s->sticking_speed, damping, &s->law, (int)s->end, STICKING_BITS))
         return STATUS_FAILED;
-    arb_pow_ratio(x, force, ratio_div(ratio_add(s->law.a, ratio_make(1, 1)), a2), EMBED_BITS);
-    arb_mul(s->sticking_speed, s->sticking_speed, x, EMBED_BITS);
-    arb_pow_ratio(x, s->sticking_speed, law_speed_exponent(&s->law), EMBED_BITS);
-    arb_mul(x, x, s->beta_enclosed, EMBED_BITS);
-    arb_log(x, x, EMBED_BITS);
+    LET(s->sticking_speed, EMBED_BITS, "s->sticking_speed*force^((a + 1)/(2*a))", s->sticking_speed, force, a);
+    LET(x, EMBED_BITS, "log(s->sticking_speed^q*s->beta_enclosed)", s->sticking_speed, q, s->beta_enclosed);
     s->sticking_log = arf_get_d(arb_midref(x), ARF_RND_NEAR);
     return STATUS_OK;
 }
@@ -407,14 +387,8 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact)
 {
     *s = (struct embed_scene){.end = (enum contact_end)request->end, .single = request->type == EMBED_FLOAT};
-    arb_init(s->beta_per_root);
-    arb_init(s->beta_enclosed);
-    arb_init(s->eps);
-    arb_init(s->h_star_5);
-    arb_init(s->yield_speed);
-    arb_init(s->liquid_speed);
-    arb_init(s->press);
-    arb_init(s->sticking_speed);
+    FOR_ALL(arb, init, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
+            s->press, s->sticking_speed);
     int status = embed_request_check(request);
     if (status == STATUS_OK)
         status = embed_request_law(&s->law, request);
@@ -455,14 +429,8 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
 
 void embed_scene_clear(struct embed_scene *s)
 {
-    arb_clear(s->beta_per_root);
-    arb_clear(s->beta_enclosed);
-    arb_clear(s->eps);
-    arb_clear(s->h_star_5);
-    arb_clear(s->yield_speed);
-    arb_clear(s->liquid_speed);
-    arb_clear(s->press);
-    arb_clear(s->sticking_speed);
+    FOR_ALL(arb, clear, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
+            s->press, s->sticking_speed);
     free(s->samples.speed);
     interpolant_free(s->interpolant);
     law_layout_clear(&s->layout);

@@ -205,18 +205,13 @@ static void magnitudes_norm(arb_t y, const struct magnitudes *f, const mag_t U, 
 /* (3.1): nu = |V|/(1 - |1 - B V| - |Z - B| |V|). With a divisor below 1/2 the bound would be useless. */
 static bool bound_inverse(arb_t nu, const struct power_evidence *e, const mag_t U, const mag_t rho)
 {
-    LOCAL(arb, divisor, term);
+    LOCAL(arb, defect, outer, divisor);
     magnitudes_norm(nu, &e->inverse, U, rho);
-    magnitudes_norm(term, &e->outer, U, rho);
-    arb_mul(term, term, nu, NORM_BITS);
-    magnitudes_norm(divisor, &e->defect, U, rho);
-    arb_add(divisor, divisor, term, NORM_BITS);
-    arb_sub_si(divisor, divisor, 1, NORM_BITS);
-    arb_neg(divisor, divisor);
+    magnitudes_norm(outer, &e->outer, U, rho);
+    magnitudes_norm(defect, &e->defect, U, rho);
+    LET(divisor, NORM_BITS, "1 - (defect + outer*nu)", defect, outer, nu);
     arb_div(nu, nu, divisor, NORM_BITS);
-    arb_mul_2exp_si(divisor, divisor, 1);
-    arb_sub_si(divisor, divisor, 1, NORM_BITS);
-    return arb_is_positive(divisor);
+    return HOLDS(NORM_BITS, "2*divisor > 1", divisor);
 }
 
 /* (3.2): |N| <= sum over i + j > J of (j + p i) |Z^(i)| |P^(j)|. The coefficients of N up to s^J vanish, and the factor
@@ -244,18 +239,14 @@ static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struc
 /* (3.2): |E| <= nu |N|/(J + 1 - p nu |th(Z)|) and |Z^p| <= |P| + |E| for power i. */
 static bool bound_power(struct power_bounds *b, int i, const struct power_evidence *e, mag_srcptr z, mag_srcptr power)
 {
-    LOCAL(arb, divisor);
+    const struct ratio p = e->exponent[i];
+    LOCAL(arb, divisor, size);
     columns_norm(divisor, z, e->J + 1, 1);
-    arb_mul(divisor, divisor, b->inverse, NORM_BITS);
-    arb_set_ratio(b->size[i], e->exponent[i], NORM_BITS);
-    arb_mul(divisor, divisor, b->size[i], NORM_BITS);
-    arb_sub_si(divisor, divisor, e->J + 1, NORM_BITS);
-    arb_neg(divisor, divisor);
-    bound_defect(b->error[i], z, power, e->J, e->exponent[i]);
-    arb_mul(b->error[i], b->error[i], b->inverse, NORM_BITS);
-    arb_div(b->error[i], b->error[i], divisor, NORM_BITS);
-    columns_norm(b->size[i], power, e->J + 1, 0);
-    arb_add(b->size[i], b->size[i], b->error[i], NORM_BITS);
+    LET(divisor, NORM_BITS, "e->J + 1 - divisor*b->inverse*p", e->J, divisor, b->inverse, p);
+    bound_defect(b->error[i], z, power, e->J, p);
+    LET(b->error[i], NORM_BITS, "b->error[i]*b->inverse/divisor", b->error[i], b->inverse, divisor);
+    columns_norm(size, power, e->J + 1, 0);
+    arb_add(b->size[i], size, b->error[i], NORM_BITS);
     return arb_is_positive(divisor);
 }
 

@@ -30,13 +30,7 @@ enum {
 /* y = (1 - eta)^(-p) - 1, computed by expm1 so that a tiny eta does not cancel */
 static void power_growth(arb_t y, const arb_t eta, struct ratio p)
 {
-    LOCAL(arb, q);
-    arb_neg(y, eta);
-    arb_log1p(y, y, NORM_BITS);
-    arb_set_ratio(q, p, NORM_BITS);
-    arb_mul(y, y, q, NORM_BITS);
-    arb_neg(y, y);
-    arb_expm1(y, y, NORM_BITS);
+    LET(y, NORM_BITS, "expm1(-p*log1p(-eta))", p, eta);
 }
 
 /* The proof for one choice of the weights U and rho. All numbers are upper bounds. */
@@ -58,8 +52,7 @@ static void tail_proof_init(struct tail_proof *p, const struct power_evidence *e
     p->rho = rho;
     power_bounds_init(&p->bounds);
     FOR_ALL(arb, init, p->first_exponent, p->last_divisor, p->delta, p->image);
-    arb_set_ratio(p->first_exponent, ratio_add(t->law.a, (struct ratio){1, 1}), NORM_BITS);
-    arb_mul_si(p->first_exponent, p->first_exponent, e->J + 1, NORM_BITS);
+    LET(p->first_exponent, NORM_BITS, "(t->law.a + 1)*(e->J + 1)", t->law.a, e->J);
     arb_add_si(p->last_divisor, p->first_exponent, 1, NORM_BITS);
 }
 
@@ -78,28 +71,20 @@ static bool image_of_ball(struct tail_proof *p)
 {
     const struct power_bounds *b = &p->bounds;
     const int damping = p->e->powers - 1;
-    LOCAL(arb, eta, term);
-    arb_mul(eta, b->inverse, p->delta, NORM_BITS);
-    arb_sub_si(term, eta, 1, NORM_BITS);
-    const bool converges = arb_is_negative(term);
-    if (converges) {
-        power_growth(p->image, eta, p->e->exponent[1]);
-        arb_mul(p->image, p->image, b->size[damping], NORM_BITS);
-        arb_add(p->image, p->image, b->error[damping], NORM_BITS);
-        arb_mul(p->image, p->image, p->U, NORM_BITS);
-        arb_set_ratio(term, p->e->exponent[1], NORM_BITS);
-        arb_div(p->image, p->image, term, NORM_BITS);
-
-        power_growth(term, eta, p->e->exponent[0]);
-        arb_mul(term, term, b->size[0], NORM_BITS);
-        arb_add(term, term, b->last_column, NORM_BITS);
-        arb_mul(term, term, p->rho, NORM_BITS);
-        arb_mul_2exp_si(term, term, p->shift);
-        arb_div(term, term, p->first_exponent, NORM_BITS);
-        arb_add(p->image, p->image, term, NORM_BITS);
-        arb_div(p->image, p->image, p->last_divisor, NORM_BITS);
-    }
-    return converges;
+    const struct ratio b1 = p->e->exponent[1];
+    const arb_srcptr size = b->size[damping], error = b->error[damping];
+    const slong shift = p->shift;
+    LOCAL(arb, eta, by_b, by_a);
+    LET(eta, NORM_BITS, "b->inverse*p->delta", b->inverse, p->delta);
+    if (!HOLDS(NORM_BITS, "eta < 1", eta))
+        return false;
+    power_growth(by_b, eta, b1);
+    power_growth(by_a, eta, p->e->exponent[0]);
+    LET(by_b, NORM_BITS, "(by_b*size + error)*p->U/b1", by_b, size, error, p->U, b1);
+    LET(by_a, NORM_BITS, "(by_a*b->size[0] + b->last_column)*p->rho*2^shift/p->first_exponent", by_a, b->size[0],
+        b->last_column, p->rho, shift, p->first_exponent);
+    LET(p->image, NORM_BITS, "(by_b + by_a)/p->last_divisor", by_b, by_a, p->last_divisor);
+    return true;
 }
 
 /* (3.4): finds a delta such that G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
@@ -164,17 +149,16 @@ enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TR
 static bool best_trial(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t,
                        const arb_t t0)
 {
-    const struct ratio a1 = ratio_add(t->law.a, (struct ratio){1, 1});
+    const struct ratio a = t->law.a;
+    const slong shift = t->shift;
     LOCAL(trajectory_tail, trial);
     double best = HUGE_VAL;
     LOCAL(arb, s0);
-    arb_pow_ratio(s0, t0, a1, NORM_BITS);
-    arb_mul_2exp_si(s0, s0, -t->shift);
+    LET(s0, NORM_BITS, "t0^(a + 1)/2^shift", t0, a, shift);
     for (int i = 0; i < TRIAL_PARTS; i++) {
         double best_here = HUGE_VAL;
-        arb_set_d(trial->rho, 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1));
-        arb_pow_ratio(trial->rho, trial->rho, a1, NORM_BITS);
-        arb_mul(trial->rho, trial->rho, s0, NORM_BITS);
+        const double radius = 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1);
+        LET(trial->rho, NORM_BITS, "radius^(a + 1)*s0", radius, a, s0);
         arb_get_mid_arb(trial->rho, trial->rho);
         for (int k = TRIAL_U_MAX; k >= TRIAL_U_MIN; k--) {
             arb_one(trial->U);
@@ -214,35 +198,22 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
 {
     /* For any r > 0 with s = (t0 + r)^(a+1)/2^shift <= rho, the sum over m of the jets times r^m is x_k's tail at
      * t0 + r: at most (t0 + r)^(k(b+1)+1) delta U^-k (s/rho)^(terms+1). */
-    const struct ratio one = {1, 1};
-    const struct ratio a1 = ratio_add(t->law.a, one), b1 = ratio_add(t->law.b, one);
-    LOCAL(arb, r, room, reach, value, factor);
+    const struct ratio a = t->law.a, b = t->law.b;
+    const slong shift = t->shift, terms = t->terms;
+    LOCAL(arb, r, room, reach, ratio);
     LOCAL(mag, candidate);
     mag_inf(bound);
     /* Circles between t0 and the radius that corresponds to rho */
-    arb_mul_2exp_si(room, tail->rho, t->shift);
-    arb_pow_ratio(room, room, ratio_div(one, a1), NORM_BITS);
-    arb_sub(room, room, t0, NORM_BITS);
+    LET(room, NORM_BITS, "(tail->rho*2^shift)^(1/(a + 1)) - t0", tail->rho, shift, a, t0);
     for (int i = 1; i <= CIRCLES; i++) {
-        arb_mul_si(r, room, i, NORM_BITS);
-        arb_div_si(r, r, CIRCLES + 1, NORM_BITS);
+        LET(r, NORM_BITS, "room*i/(CIRCLES + 1)", room, i, CIRCLES);
         arb_add(reach, t0, r, NORM_BITS);
-        arb_pow_ratio(value, reach, a1, NORM_BITS);
-        arb_mul_2exp_si(value, value, -t->shift);
-        arb_div(value, value, tail->rho, NORM_BITS);
-        arb_sub_si(factor, value, 1, NORM_BITS);
-        if (!arb_is_negative(factor))
+        LET(ratio, NORM_BITS, "reach^(a + 1)/2^shift/tail->rho", reach, a, shift, tail->rho);
+        if (!HOLDS(NORM_BITS, "ratio < 1", ratio))
             break;
-        arb_pow_ui(value, value, (ulong)(t->terms + 1), NORM_BITS);
-        arb_pow_ratio(factor, reach, b1, NORM_BITS);
-        arb_div(factor, factor, tail->U, NORM_BITS);
-        arb_pow_ui(factor, factor, (ulong)k, NORM_BITS);
-        arb_mul(value, value, factor, NORM_BITS);
-        arb_mul(value, value, reach, NORM_BITS);
-        arb_mul(value, value, tail->delta, NORM_BITS);
-        arb_pow_ui(factor, r, (ulong)m, NORM_BITS);
-        arb_div(value, value, factor, NORM_BITS);
-        arb_get_mag(candidate, value);
+        LET(ratio, NORM_BITS, "ratio^(terms + 1)*(reach^(b + 1)/tail->U)^k*reach*tail->delta/r^m", ratio, terms, reach,
+            b, tail->U, k, tail->delta, r, m);
+        arb_get_mag(candidate, ratio);
         mag_min(bound, bound, candidate);
     }
 }

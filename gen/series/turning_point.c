@@ -8,23 +8,11 @@
 
 void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong prec)
 {
-    const struct ratio one = {1, 1}, half = {1, 2};
-    const struct ratio a1 = ratio_add(law->a, one), inverse = ratio_div(one, a1);
-    LOCAL(fmpq, q);
-    LOCAL(arb, x, y);
-    arb_set_ratio(x, ratio_div(a1, (struct ratio){2, 1}), prec);
-    arb_pow_ratio(y0, x, inverse, prec);
+    LOCAL(fmpq, p);
+    EXACT(p, "1/(law->a + 1)", law->a);
+    LET(y0, prec, "((law->a + 1)/2)^p", law->a, p);
     /* B(p, 1/2) = Gamma(p) sqrt(pi) / Gamma(p + 1/2) */
-    fmpq_set_ratio(q, inverse);
-    arb_gamma_fmpq(x, q, prec);
-    fmpq_set_ratio(q, ratio_add(inverse, half));
-    arb_gamma_fmpq(y, q, prec);
-    arb_div(x, x, y, prec);
-    arb_const_sqrt_pi(y, prec);
-    arb_mul(x, x, y, prec);
-    arb_set_ratio(y, inverse, prec);
-    arb_mul(x, x, y, prec);
-    arb_mul(tau0, x, y0, prec);
+    LET(tau0, prec, "gamma(p)/gamma(p + 1/2)*sqrt(pi)*p*y0", p, y0);
 }
 
 /* Taylor coefficients of x at t0 to order m, as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k, k + m <=

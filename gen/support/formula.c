@@ -157,9 +157,11 @@ static void read_operand(struct value *y, const struct reader *r, const char *na
         x++;
     if (!x->name)
         refuse(r);
-    y->is_exact = !x->ball;
+    y->is_exact = !x->ball && isnan(x->real);
     if (x->ball)
         arb_set(y->ball, x->ball);
+    else if (!y->is_exact)
+        arb_set_d(y->ball, x->real);
     else if (x->exact)
         fmpq_set(y->exact, x->exact);
     else

@@ -5,14 +5,15 @@
  *     if (HOLDS(prec, "abs(x) + 1/8 < m->bound", x, m->bound))   false also where balls do not decide
  *     EXACT(q, "(1 - nu^2)/Y", nu, Y);                           a rational number, without rounding
  *
- * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong
- * or int; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole numbers,
- * rational operands and what is made of these alone are exact, and are rounded only where they meet a ball. Functions:
- * abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two numbers; the number pi.
- * A text that is no formula ends the program. */
+ * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong,
+ * int or double; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole
+ * numbers, rational operands and what is made of these alone are exact, and are rounded only where they meet a ball or a
+ * double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two
+ * numbers; the number pi. A text that is no formula ends the program. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
 #define COR_GEN_SUPPORT_FORMULA_H
 
+#include <math.h>
 #include <stdbool.h>
 
 #include "support/flint.h"
@@ -28,6 +29,7 @@ struct operand {
     const fmpq *exact;
     struct ratio ratio; /* den = 0: none */
     slong whole;        /* if there is no other */
+    double real;        /* NaN: none */
 };
 
 #define LET(y, prec, ...) formula_ball(y, prec, FORMULA(__VA_ARGS__))
@@ -43,7 +45,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
     {                                                                                                                  \
         FORMULA_OF(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0, 0)(__VA_ARGS__)                                          \
         {                                                                                                              \
-            NULL, NULL, NULL, {0, 0}, 0                                                                                \
+            NULL, NULL, NULL, {0, 0}, 0, 0                                                                             \
         }                                                                                                              \
     }
 #define FORMULA_TEXT(text, ...) text
@@ -61,6 +63,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 #define OPERAND(name, x)                                                                                               \
     {name, _Generic((x), arb_struct *: (x), const arb_struct *: (x), default: NULL),                                   \
      _Generic((x), fmpq *: (x), const fmpq *: (x), default: NULL),                                                     \
-     _Generic((x), struct ratio: (x), default: (struct ratio){0, 0}), _Generic((x), int: (x), slong: (x), default: 0)},
+     _Generic((x), struct ratio: (x), default: (struct ratio){0, 0}), _Generic((x), int: (x), slong: (x), default: 0), \
+     _Generic((x), double: (x), default: NAN)},
 
 #endif
