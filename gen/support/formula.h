@@ -7,8 +7,8 @@
  *
  * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong,
  * int or double; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole
- * numbers, rational operands and what is made of these alone are exact, and are rounded only where they meet a ball or a
- * double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two
+ * numbers, rational operands and what is made of these alone are exact, and are rounded only where they meet a ball or
+ * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two
  * numbers; the number pi. A text that is no formula ends the program. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
 #define COR_GEN_SUPPORT_FORMULA_H
