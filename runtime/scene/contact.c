@@ -10,6 +10,7 @@
 #include "runtime/scene/jkr.h"
 #include "runtime/scene/plastic.h"
 #include "runtime/scene/pressed.h"
+#include "runtime/scene/series.h"
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
 {
@@ -403,7 +404,7 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
 {
     enum { MOST_STEPS = 400 };
     const double wanted = log(eps);
-    double low = 0, high = 0, above = 0, below = 0, last = 0;
+    struct bracket bracket = {0, 0, 0, 0, 0};
     double x = log(fmax(1 - eps, 1e-16) / first_coefficient(&contact->law));
     for (int k = 0; k < MOST_STEPS; k++) {
         double got;
@@ -412,23 +413,10 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
         if (status != COR_FAULT_NONE)
             return status;
         const double rest = got > 0 ? log(got) - wanted : -1;
-        const int bracketed = below < 0 && above > 0;
-        if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) || (bracketed && high - low < 1e-15 * fmax(1, fabs(x))))
+        if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) ||
+            (is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
             return COR_FAULT_NONE;
-        if (rest > 0) {
-            below *= last > 0 ? 0.5 : 1;
-            low = x;
-            above = rest;
-        } else {
-            above *= last < 0 ? 0.5 : 1;
-            high = x;
-            below = rest;
-        }
-        last = rest;
-        if (below < 0 && above > 0)
-            x = (low * below - high * above) / (below - above);
-        else
-            x += above > 0 ? 1 : -1;
+        x = next_place(&bracket, x, rest, rest > 0 ? x + 1 : x - 1);
     }
     return COR_FAULT_NO_DAMPING;
 }

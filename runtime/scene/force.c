@@ -4,6 +4,7 @@
 
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/series.h"
 
 /* ---- q = 0: u = x^((a+1)/2) obeys u'' + 2 zeta w u' + w^2 u = 0 with w^2 = (a+1)/2 ----
  *
@@ -81,17 +82,8 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 
 struct force_system {
     double elastic, damper;
-    long d, ad, bd;
+    int d, ad, bd;
 };
-
-static double whole_power(double x, long n)
-{
-    double y = 1;
-    for (; n > 0; n /= 2, x *= x)
-        if (n % 2)
-            y *= x;
-    return y;
-}
 
 static double system_force(const struct force_system *system, const double y[2])
 {

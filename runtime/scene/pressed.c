@@ -103,14 +103,6 @@ static void motion_advance(struct motion *m)
     m->t[0] = t;
 }
 
-static double whole_power(double x, int n)
-{
-    double y = 1;
-    for (; n > 0; n /= 2, x *= x)
-        y *= n % 2 ? x : 1;
-    return y;
-}
-
 /* Functions of the place in a step: the force over the power of w that both of its terms have, the overlap above
  * `level`, and the slope of the force */
 typedef double function(const struct motion *m, double s, double level);

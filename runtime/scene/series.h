@@ -1,10 +1,44 @@
 /* SPDX-License-Identifier: MIT */
-/* Motions by Taylor series in doubles: what pressed.c and jkr.c share */
+/* Numerical parts that files of this folder share: motions by Taylor series, powers, roots */
 #ifndef COR_RUNTIME_SCENE_SERIES_H
 #define COR_RUNTIME_SCENE_SERIES_H
 
 #include <float.h>
 #include <math.h>
+
+static inline double whole_power(double x, int n)
+{
+    double y = 1;
+    for (; n > 0; n /= 2, x *= x)
+        y *= n % 2 ? x : 1;
+    return y;
+}
+
+/* Where a falling function vanishes, by the Illinois method; all 0 at first */
+struct bracket {
+    double low, high, above, below, last;
+};
+
+static inline int is_bracketed(const struct bracket *b)
+{
+    return b->above > 0 && b->below < 0;
+}
+
+/* Takes the value at x. Returns the next place, which is `otherwise` while all values have one sign. */
+static inline double next_place(struct bracket *b, double x, double value, double otherwise)
+{
+    if (value > 0) {
+        b->below *= b->last > 0 ? 0.5 : 1;
+        b->low = x;
+        b->above = value;
+    } else {
+        b->above *= b->last < 0 ? 0.5 : 1;
+        b->high = x;
+        b->below = value;
+    }
+    b->last = value;
+    return is_bracketed(b) ? (b->low * b->below - b->high * b->above) / (b->below - b->above) : otherwise;
+}
 
 enum { SERIES_ORDER = 24, SERIES_MOST_STEPS = 100000 };
 

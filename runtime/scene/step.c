@@ -7,6 +7,7 @@
 #include "cor/law.h"
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/series.h"
 
 const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step", "leapfrog", "symplectic-euler",
                                                                "verlet-full-step", NULL};
@@ -60,14 +61,6 @@ struct motion {
     int roots;    /* so many square roots give x^(1/denominator); negative: pow */
     int no_pull;  /* the contact ends at zero force */
 };
-
-static double whole_power(double x, int n)
-{
-    double y = 1;
-    for (; n > 0; n /= 2, x *= x)
-        y *= n % 2 ? x : 1;
-    return y;
-}
 
 /* x^a + beta x^b v, but 0 where the bodies are apart and where the simulator does not let them pull */
 static double force(const struct motion *m, double x, double v)
@@ -240,7 +233,8 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
     static const double stride = 1.1, converged = 1e-13;
     struct motion m;
     struct cor_step_error error = {0, 0, 0, 0};
-    double exact, factor = 1, low = 0, high = 0, above = 0, below = 0, last = 0;
+    struct bracket bracket = {0, 0, 0, 0, 0};
+    double exact, factor = 1;
     *corrected = *contact;
     corrected->damping = (double)NAN;
     if (!motion_init(&m, contact, speed_m_s, end, steps, integrator))
@@ -249,28 +243,15 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
     int status = cor_scene_eps(&exact, contact, speed_m_s, end);
     /* The mean falls with the damping: the Illinois method. */
     for (int k = 0; status == COR_FAULT_NONE && k < MOST_CALLS; k++) {
-        const int is_bracketed = above > 0 && below < 0;
         m.beta = beta * factor;
         status = phases(&error, &m, exact);
         if (status == COR_FAULT_NONE &&
-            (beta == 0 || fabs(error.bias) < converged || (is_bracketed && high - low < 1e-15 * high))) {
+            (beta == 0 || fabs(error.bias) < converged ||
+             (is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * bracket.high))) {
             corrected->damping = contact->damping * factor;
             return COR_FAULT_NONE;
         }
-        if (error.bias > 0) {
-            below *= last > 0 ? 0.5 : 1;
-            low = factor;
-            above = error.bias;
-        } else {
-            above *= last < 0 ? 0.5 : 1;
-            high = factor;
-            below = error.bias;
-        }
-        last = error.bias;
-        if (above > 0 && below < 0)
-            factor = (low * below - high * above) / (below - above);
-        else
-            factor *= above > 0 ? stride : 1 / stride;
+        factor = next_place(&bracket, factor, error.bias, factor * (error.bias > 0 ? stride : 1 / stride));
     }
     return status == COR_FAULT_NONE ? COR_FAULT_NO_DAMPING : status;
 }
