@@ -135,13 +135,3 @@ struct cor_inline_pair cor_log_ratio(const struct cor_logarithm *a, double x)
     const struct cor_inline_pair q = cor_log_ratio_far(a->log, x);
     return q.hi > COR_LOG_RATIO_NEAR ? q : cor_log_ratio_near(a->number, x);
 }
-
-static const struct cor_logarithm one_over_e = {{0.367879441171442334, -1.24287536727883626e-17}, {-1, 0}};
-
-double cor_lambert_w_minus1(double z)
-{
-    if (!(z < 0))
-        return z == 0 ? -INFINITY : NAN;
-    const struct cor_inline_pair t = cor_lambert_t_pair(cor_log_ratio(&one_over_e, -z)), y = cor_pair_two_sum(1, t.hi);
-    return -(y.hi + (y.lo + t.lo));
-}

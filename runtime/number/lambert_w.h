@@ -18,10 +18,6 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q);
 /* The same as one double, below 2 ulp: proved and sampled as above */
 double cor_lambert_t(double q);
 
-/* W_-1(z) for -1/e < z < 0, with z taken as exact. Error below 2 ulp, proved as above. -0 and 0 -> -inf; outside and
- * NaN -> NaN. */
-double cor_lambert_w_minus1(double z);
-
 /* A number and its logarithm, each with relative error 2^-104. */
 struct cor_logarithm {
     struct cor_inline_pair number, log;

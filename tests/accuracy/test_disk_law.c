@@ -489,10 +489,10 @@ static int search_leading(unsigned long points)
 
 /* ---- Lambert's W ---- */
 
-/* t of q, and W_-1 of a double: of every size, near the branch point, around the branches. */
+/* t of q of every size, around the branches */
 static int search_lambert(unsigned long points)
 {
-    struct worst worst_t = {0}, worst_w = {0};
+    struct worst worst = {0};
     LOCAL(arb, x, y);
     for (unsigned long i = 0; i < points; i++) {
         static const double of_t[] = {0x1p-500, 0.1, 3};
@@ -519,20 +519,9 @@ static int search_lambert(unsigned long points)
             arb_sub_ui(y, y, 1, 3000);
             error = ball_error(cor_lambert_t(q), y);
         }
-        worst_take(&worst_t, error < 0 ? HUGE_VAL : error, q, 0, 0);
-
-        const double end = -0x1.78b56362cef37p-2; /* the last double above -1/e */
-        const double part = i % 5 == 4 ? 1 - exp(random_uniform(&random_state, -37, 0)) : exp(-fmin(q, 744));
-        const double z = i % 5 == 0   ? moved(end, -choice(4))
-                         : i % 5 == 1 ? -double_of(1 + (uint64_t)random_uniform(&random_state, 0, 0x1p52))
-                         : i % 5 == 2 ? moved(-0x1p-900, choice(7) - 3)
-                                      : fmax(end, end * part);
-        arb_set_d(x, z);
-        arb_lambertw(y, x, 1, 192);
-        error = z == 0 ? 0 : ball_error(cor_lambert_w_minus1(z), y);
-        worst_take(&worst_w, error < 0 ? HUGE_VAL : error, z, 0, 0);
+        worst_take(&worst, error < 0 ? HUGE_VAL : error, q, 0, 0);
     }
-    return worst_report("t of q", &worst_t, 2, "ulp") & worst_report("W_-1", &worst_w, 2, "ulp");
+    return worst_report("t of q", &worst, 2, "ulp");
 }
 
 /* ---- contact time ---- */

@@ -169,7 +169,7 @@ int main(int argc, char **argv)
         if (row->value == log)
             worst_log = fmax(worst_log, worst.error);
     }
-    printf("log is %s%.2f ulp: the bounds of t(q) and W_-1 are those %s\n",
+    printf("log is %s%.2f ulp: the bound of t(q) is that %s\n",
            worst_log <= COR_PROOF_LOG_NEAR_ULP ? "within " : "not within ", COR_PROOF_LOG_NEAR_ULP,
            worst_log <= COR_PROOF_LOG_NEAR_ULP ? "of 2 ulp" : "for a log within 1 ulp");
     mpfr_free_cache();

@@ -602,7 +602,7 @@ struct law_formula {
     bool inverse; /* t of q, or t = q */
     int multiple; /* of the logarithm */
     formula *of;
-    const struct cor_logarithm *constant; /* of W_-1 and of a leading logarithm */
+    const struct cor_logarithm *constant; /* of a leading logarithm */
 };
 
 /* The function, without rounding, is its formula of t, whose q is slope nu + ln(limit at nu = 0) - ln(x), far from the
@@ -684,8 +684,6 @@ static void check_law(void)
          [](const mpq_class &x, const mpq_class &t, const mpq_class &r) {
              return mpq_class(x * of_pair(root_2) * (1 + t / 2) / newton_root(1 + t, r));
          }},
-        {"W_-1", [](Real x, Real, enum cor_disk_datum) { return cor_lambert_w_minus1(-x); }, LOAD, true, 1,
-         [](const mpq_class &, const mpq_class &t, const mpq_class &) { return mpq_class(-(1 + t)); }, &one_over_e},
         {"leading_compression", of_x<leading_compression>, LOAD, false, 1,
          [](const mpq_class &x, const mpq_class &q, const mpq_class &) {
              return mpq_class(x * of_pair(one_over_pi) * q);

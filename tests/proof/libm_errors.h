@@ -9,7 +9,7 @@
 #define COR_PROOF_CBRT_ULP 64
 #define COR_PROOF_LOG_ULP 1
 #define COR_PROOF_LOG1P_ULP 1
-/* of log, where t(q) and W_-1 are within 2 ulp */
+/* of log, where t(q) is within 2 ulp */
 #define COR_PROOF_LOG_NEAR_ULP 0.55
 
 #endif

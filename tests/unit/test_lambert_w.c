@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lambert's W_-1 and t of q (runtime/number/lambert_w.h) against long double and against values of arbitrary precision.
+/* Lambert's t of q (runtime/number/lambert_w.h) against long double.
  * tests/accuracy/test_disk_law.c has them against balls. */
 #include "check.h"
 
@@ -78,37 +78,6 @@ TEST(series)
     assert_true(isnan(cor_lambert_t(-0x1p-1074)) && isnan(cor_lambert_t(-1)) && isnan(cor_lambert_t(NAN)));
 }
 
-/* By arbitrary precision; the first is the last double above -1/e. */
-static const struct {
-    double z;
-    long double w;
-} known[] = {
-    {-0x1.78b56362cef37p-2, -1.00000001530425428464L},  {-0x1.78b56362cef36p-2, -1.00000002315189219977L},
-    {-0x1.78b2e9ccb7d41p-2, -1.00718148895107838543L},  {-0x1.77ced916872b0p-2, -1.07079188676805216693L},
-    {-0x1.3333333333333p-2, -1.78133702342162769635L},  {-0x1.999999999999ap-4, -3.57715206395729714136L},
-    {-0x1.47ae147ae147bp-7, -6.47277512439400467012L},  {-0x1.9b604aaaca626p-200, -143.118780497971037516L},
-    {-0x1.56e1fc2f8f359p-997, -697.32277629546016097L}, {-0x1p-1074, -751.061559539879080602L},
-};
-
-TEST(lower_branch)
-{
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        check(ulp_error(cor_lambert_w_minus1(known[i].z), known[i].w) <= 2, "W(%a) = %a", known[i].z,
-              cor_lambert_w_minus1(known[i].z));
-    assert_true(isnan(cor_lambert_w_minus1(nextafter(known[0].z, -1)))); /* below -1/e */
-    assert_true(isnan(cor_lambert_w_minus1(-1)) && isnan(cor_lambert_w_minus1(-INFINITY)));
-    assert_true(isnan(cor_lambert_w_minus1(0x1p-1074)) && isnan(cor_lambert_w_minus1(NAN)));
-    assert_true(cor_lambert_w_minus1(0) == -INFINITY && cor_lambert_w_minus1(-0.0) == -INFINITY);
-    /* w + ln(-w) = ln(-z) far from the branch point */
-    struct random_state random = random_start();
-    for (size_t i = 0; i < points(50000); i++) {
-        const double z = i % 2 ? -random_log(&random, 1e-320, 0.3) : -random_uniform(&random, 0.1, 0.36);
-        const long double w = cor_lambert_w_minus1(z);
-        const long double off = (w + logl(-w) - logl(-(long double)z)) / (1 + 1 / w);
-        check(fabsl(off) <= (2 + slack) * ulp(w), "W(%a) = %La", z, w);
-    }
-}
-
 /* ln(a/x) from the logarithm of a and from a */
 TEST(log_ratios)
 {
@@ -130,4 +99,4 @@ TEST(log_ratios)
     assert_true(isnan(cor_log_ratio(&pi, INFINITY).hi) && isnan(cor_log_ratio(&pi, NAN).hi));
 }
 
-RUN_TESTS(t_of_q, t_of_two_parts, series, lower_branch, log_ratios)
+RUN_TESTS(t_of_q, t_of_two_parts, series, log_ratios)
