@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cor/status.h"
+#include "runtime/disk/collision_loops.h"
 #include "runtime/disk/hard_wall.h"
 
 #define PI 3.14159265358979323846
@@ -34,6 +35,7 @@ struct sizes {
 struct level {
     struct sizes size;
     const struct cor_hard_wall_loops *loops;
+    const struct cor_collision_loops *rim; /* its gather and split */
     const struct cor_disk_mode *mode;
     double speed, h, spacing;
     struct cor_hard_wall_modes modes;
@@ -258,31 +260,6 @@ struct kick {
     size_t end; /* 1 more than the last angle in contact */
 };
 
-/* The rim's cosine series from the sums over the modes of each n */
-static void gather(const struct level *level, const double *sum_c, const double *sum_s, double *series)
-{
-    const size_t lanes = level->size.lanes;
-    memset(series, 0, level->size.terms * sizeof *series);
-    series[0] = 0.5 * (sum_c[1] - sum_s[1]);
-    series[1] = sum_c[0] + 0.5 * (sum_c[2] - sum_s[2]);
-    for (size_t k = 2; k < lanes - 1; k++)
-        series[k] = 0.5 * ((sum_c[k - 1] + sum_s[k - 1]) + (sum_c[k + 1] - sum_s[k + 1]));
-    for (size_t k = lanes - 1; k < lanes + 1; k++)
-        series[k] = 0.5 * (sum_c[k - 1] + sum_s[k - 1]);
-}
-
-/* The transpose of gather: the forces on c and s of each n. The wall pushes inwards. */
-static void spread(const struct level *level, const double *series, double *force_c, double *force_s)
-{
-    const size_t lanes = level->size.lanes;
-    force_c[0] = -series[1];
-    force_s[0] = 0;
-    for (size_t n = 1; n < lanes; n++) {
-        force_c[n] = -0.5 * (series[n + 1] + series[n - 1]);
-        force_s[n] = -0.5 * (series[n + 1] - series[n - 1]);
-    }
-}
-
 /* The load p of a point contact, whose point would be at `depth` in the wall without the load: depth = (p/pi)(a -
  * ln(p)) */
 static double point_load(double depth, double a)
@@ -320,8 +297,9 @@ static struct kick push_on_rim(struct level *level, double depth, const double *
                                double *force_c, double *force_s)
 {
     const struct sizes *const size = &level->size;
+    const struct cor_rim rim = {.blocks = size->blocks, .terms = size->terms};
     struct kick kick = {0, 0};
-    gather(level, sum_c, sum_s, level->series);
+    level->rim->gather(&rim, sum_c, sum_s, level->series);
     level->loops->cosines(size->lanes + 2, level->series, size->points, level->twice_cosine, level->reach);
     for (size_t j = 0; j < size->points; j++)
         level->reach[j] += depth + level->shape[j];
@@ -329,7 +307,7 @@ static struct kick push_on_rim(struct level *level, double depth, const double *
     for (size_t j = 0; j < kick.end; j++)
         kick.load += level->force[j];
     level->loops->cosines(kick.end, level->force, size->terms, level->twice_cosine, level->series);
-    spread(level, level->series, force_c, force_s);
+    level->rim->split(&rim, -1, level->series, force_c, force_s); /* the wall pushes inwards */
     return kick;
 }
 
@@ -536,6 +514,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     memset(&level, 0, sizeof level);
     level.loops = settings->loops ? settings->loops : cor_hard_wall_set(cor_widest_set());
     level.contact.loops = level.loops;
+    level.rim = cor_collision_set(cor_widest_set());
     level.mode = modes->mode;
     level.size = sizes_of(modes->mode, count, settings);
     level.speed = speed;
