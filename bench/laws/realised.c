@@ -18,11 +18,6 @@
 static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
 enum { ASKED = sizeof asked / sizeof *asked };
 
-static double realised(const struct cor_simulator_model *m, double e)
-{
-    return cor_simulator_realised(m, e);
-}
-
 static double cure(const struct cor_simulator_model *m, double e)
 {
     enum cor_simulator_status status;
@@ -50,7 +45,7 @@ static void print_row(const struct cor_simulator_model *m, double e)
     printf("%s: ", m->simulator);
     print_name(m->model);
     printf(",%s,%g", cor_end_names[m->end], e);
-    print_number(",", realised(m, e));
+    print_number(",", cor_simulator_realised(m, e));
     print_number(",", cure(m, e));
     printf("\n");
 }
@@ -75,7 +70,7 @@ static int same_row(const struct cor_simulator_model *a, const struct cor_simula
 {
     int same = b->damping_of_e && a->end == b->end;
     for (int k = 0; same && k < ASKED; k++)
-        same = same_number(realised(a, asked[k]), realised(b, asked[k])) &&
+        same = same_number(cor_simulator_realised(a, asked[k]), cor_simulator_realised(b, asked[k])) &&
                same_number(cure(a, asked[k]), cure(b, asked[k]));
     return same;
 }
@@ -157,7 +152,7 @@ int main(int argc, char **argv)
     if (strcmp(form, "table") == 0 || strcmp(form, "curve") == 0) {
         print_csv(*form == 'c');
     } else if (strcmp(form, "markdown") == 0) {
-        print_table("realised where a user asks for e =", realised);
+        print_table("realised where a user asks for e =", cor_simulator_realised);
     } else if (strcmp(form, "models") == 0) {
         print_models();
     } else if (strcmp(form, "speeds") == 0) {

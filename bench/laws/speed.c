@@ -4,10 +4,8 @@
  * Arguments are uniform in the interval of the row. Times are the least of many turns. The error of an eps or a loss is
  * relative. That of a damping is the relative change of eps that it causes, |eps(damping) - e|/e. Exact values are in
  * long double. */
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cor/cor.h>
