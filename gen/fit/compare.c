@@ -179,7 +179,7 @@ static double squares(const struct fit_estimate *e, size_t points)
 static bool is_significant(struct fit_outliers *o, int i, const struct fit_estimate *e, const struct fit_data *data)
 {
     const size_t freedom = o->rest.points - (size_t)e->parameters;
-    const double spread = data->sigma ? fmax(sqrt(e->chi2 / (double)freedom), 1) : 1;
+    const double spread = data->has_sigma ? fmax(sqrt(e->chi2 / (double)freedom), 1) : 1;
     double *const distance = &o->outlier[i].distance, times = 0;
     struct fit_data with;
     struct fit_estimate f;
@@ -194,13 +194,13 @@ static bool is_significant(struct fit_outliers *o, int i, const struct fit_estim
         *distance = fabs(again) < fabs(*distance) ? again : *distance;
     } else {
         const double change = squares(&f, with.points) - squares(e, o->rest.points);
-        *distance = copysign(sqrt(fmax(change, 0)), *distance) / (data->sigma ? 1 : e->scale);
+        *distance = copysign(sqrt(fmax(change, 0)), *distance) / (data->has_sigma ? 1 : e->scale);
     }
     fit_data_clear(&with);
     for (size_t item = 0; item < fit_items(data); item++)
         times += fit_is_item(data, item);
     const double t = *distance / spread;
-    const double tail = data->sigma && !(spread > 1) ? erfc(fabs(t) / sqrt(2)) : fisher_tail(t * t, 1, freedom);
+    const double tail = data->has_sigma && !(spread > 1) ? erfc(fabs(t) / sqrt(2)) : fisher_tail(t * t, 1, freedom);
     return times * tail < FIT_SIGNIFICANCE;
 }
 
@@ -236,7 +236,7 @@ void fit_find_outliers(struct fit_outliers *outliers, const struct fit_data *dat
     *outliers = (struct fit_outliers){.count = 0};
     robust.robust = true;
     fit_compare(&comparison, data, &robust);
-    if (!data->line || comparison.models == 0)
+    if (data->point[0].line == 0 || comparison.models == 0)
         return;
     outliers->curve = fit_models[comparison.ranked[0]].curve;
     collect_suspicious(outliers, data);

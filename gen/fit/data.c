@@ -387,29 +387,21 @@ static int read_header(struct fit_data *data, struct reader *r)
 /* ---- the points ---- */
 
 /* Adds a point. `bounce` describes it without its index, or is NULL. */
-static int add_point(struct fit_data *data, struct reader *r, double speed_m_s, double eps, const double *sigma,
-                     const struct fit_bounce *bounce)
+static int add_point(struct fit_data *data, struct reader *r, struct fit_point point, const struct fit_bounce *bounce)
 {
     if (data->points == FIT_MAX_POINTS)
         return refuse(r, COLUMNS, "more than %d points; allowed: at most that many, as every tenth", FIT_MAX_POINTS);
     if (data->points == r->capacity) {
         r->capacity = r->capacity ? 2 * r->capacity : 64;
-        data->speed_m_s = xrealloc(data->speed_m_s, r->capacity * sizeof(double));
-        data->eps = xrealloc(data->eps, r->capacity * sizeof(double));
-        data->line = xrealloc(data->line, r->capacity * sizeof(long));
-        if (sigma)
-            data->sigma = xrealloc(data->sigma, r->capacity * sizeof(double));
+        data->point = xrealloc(data->point, r->capacity * sizeof *data->point);
         if (bounce)
             data->bounce = xrealloc(data->bounce, r->capacity * sizeof *data->bounce);
     }
-    data->speed_m_s[data->points] = speed_m_s;
-    data->eps[data->points] = eps;
-    data->line[data->points] = bounce ? bounce->line[1] : r->number;
-    if (sigma)
-        data->sigma[data->points] = *sigma;
     if (bounce)
         data->bounce[data->points] = *bounce;
-    data->points++;
+    point.line = bounce ? bounce->line[1] : r->number;
+    point.row = data->points;
+    data->point[data->points++] = point;
     return STATUS_OK;
 }
 
@@ -430,7 +422,8 @@ static int read_point(struct fit_data *data, struct reader *r)
                       CELL_SHOWN, r->cell[r->place[EPS]], (eps > 1 ? eps - 1 : -eps) / sigma, eps > 1, FIT_MAX_BEYOND);
     if (speed * unit_m_s[r->unit] < 1e-30)
         return refuse_cell(r, SPEED, r->cell[r->place[SPEED]], "a speed of 1e-30 m/s or more, as 0.25");
-    return add_point(data, r, speed * unit_m_s[r->unit], eps, has(r, EPS_SIGMA) ? &sigma : NULL, NULL);
+    const struct fit_point point = {.speed_m_s = speed * unit_m_s[r->unit], .eps = eps, .sigma = sigma};
+    return add_point(data, r, point, NULL);
 }
 
 /* One drop of a ball */
@@ -475,7 +468,8 @@ static int read_bounce(struct fit_data *data, struct reader *r, struct drop *dro
     if (status == STATUS_OK && drop->bounces > 1) {
         const struct fit_bounce bounce = {
             0, drop->flight_s, drop->bounces == 2, {drop->line[0], drop->line[1], r->number}};
-        status = add_point(data, r, gravity_m_s2 * drop->flight_s / 2, flight / drop->flight_s, NULL, &bounce);
+        const struct fit_point point = {.speed_m_s = gravity_m_s2 * drop->flight_s / 2, .eps = flight / drop->flight_s};
+        status = add_point(data, r, point, &bounce);
     }
     drop->line[0] = drop->line[1];
     drop->line[1] = r->number;
@@ -515,37 +509,20 @@ static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s
 
 /* ---- the whole file ---- */
 
-struct point {
-    double speed, eps, sigma;
-    long line;
-    size_t row;
-};
-
 static int compare_points(const void *a, const void *b)
 {
-    const struct point *const p = a, *const q = b;
-    if (p->speed != q->speed)
-        return p->speed < q->speed ? -1 : 1;
+    const struct fit_point *const p = a, *const q = b;
+    if (p->speed_m_s != q->speed_m_s)
+        return p->speed_m_s < q->speed_m_s ? -1 : 1;
     return p->row < q->row ? -1 : p->row > q->row;
 }
 
 /* Sorts by speed; equal speeds stay in the order of the file. */
 static void sort_points(struct fit_data *data)
 {
-    struct point *const point = xmalloc(data->points * sizeof *point);
-    for (size_t i = 0; i < data->points; i++)
-        point[i] = (struct point){data->speed_m_s[i], data->eps[i], data->sigma ? data->sigma[i] : 0, data->line[i], i};
-    qsort(point, data->points, sizeof *point, compare_points);
-    for (size_t i = 0; i < data->points; i++) {
-        data->speed_m_s[i] = point[i].speed;
-        data->eps[i] = point[i].eps;
-        data->line[i] = point[i].line;
-        if (data->sigma)
-            data->sigma[i] = point[i].sigma;
-        if (data->bounce)
-            data->bounce[point[i].row].point = i;
-    }
-    free(point);
+    qsort(data->point, data->points, sizeof *data->point, compare_points);
+    for (size_t i = 0; data->bounce && i < data->points; i++)
+        data->bounce[data->point[i].row].point = i;
 }
 
 static int read_table(struct fit_data *data, struct reader *r, double gravity_m_s2)
@@ -564,6 +541,7 @@ static int read_table(struct fit_data *data, struct reader *r, double gravity_m_
     if (has(r, TIME) && r->unit != FIT_UNIT_OF_COLUMN)
         return refuse(r, TIME,
                       "--unit is that of a column speed, and times of bounces have none; allowed: seconds, as 0.52");
+    data->has_sigma = has(r, EPS_SIGMA);
     status = read_rows(data, r, gravity_m_s2);
     if (status == STATUS_OK && data->points < FIT_MIN_POINTS)
         status = refuse(r, COLUMNS, "the file ends after %zu point%s; allowed: %d or more%s", data->points,
@@ -609,22 +587,13 @@ void fit_data_copy(struct fit_data *copy, const struct fit_data *data, const boo
 {
     const size_t n = data->points;
     size_t *const place = xmalloc(n * sizeof *place), kept = 0;
-    *copy = (struct fit_data){.speed_m_s = xmalloc(n * sizeof(double)),
-                              .eps = xmalloc(n * sizeof(double)),
-                              .sigma = data->sigma ? xmalloc(n * sizeof(double)) : NULL,
-                              .line = data->line ? xmalloc(n * sizeof(long)) : NULL,
+    *copy = (struct fit_data){.point = xmalloc(n * sizeof *copy->point),
+                              .has_sigma = data->has_sigma,
                               .bounce = data->bounce ? xmalloc(n * sizeof *copy->bounce) : NULL};
     for (size_t i = 0; i < n; i++) {
-        const size_t to = place[i] = copy->points;
-        if (left_out[i])
-            continue;
-        copy->speed_m_s[to] = data->speed_m_s[i];
-        copy->eps[to] = data->eps[i];
-        if (data->sigma)
-            copy->sigma[to] = data->sigma[i];
-        if (data->line)
-            copy->line[to] = data->line[i];
-        copy->points++;
+        place[i] = copy->points;
+        if (!left_out[i])
+            copy->point[copy->points++] = data->point[i];
     }
     bool begins = false;
     for (size_t k = 0; data->bounce && k < n; k++) {
@@ -643,10 +612,7 @@ void fit_data_copy(struct fit_data *copy, const struct fit_data *data, const boo
 
 void fit_data_clear(struct fit_data *data)
 {
-    free(data->speed_m_s);
-    free(data->eps);
-    free(data->sigma);
-    free(data->line);
+    free(data->point);
     free(data->bounce);
     free(data->unused);
     *data = (struct fit_data){0};

@@ -23,18 +23,24 @@ enum { FIT_MAX_POINTS = 1000000, FIT_MIN_POINTS = 2 };
 
 /* The bounce between two flights of a ball, which three times determine: t_k, t_(k+1), t_(k+2) */
 struct fit_bounce {
-    size_t point;    /* its index in the arrays of fit_data */
+    size_t point;    /* its index in fit_data */
     double flight_s; /* T_k = t_(k+1) - t_k */
     bool begins;     /* the first of a drop; every other one shares two times with the one before it */
     long line[3];    /* of the times */
 };
 
+struct fit_point {
+    double speed_m_s;
+    double eps;   /* 0 to 1, or beyond by noise */
+    double sigma; /* standard deviation of eps, if has_sigma */
+    long line;    /* of a bounce that of its second time; 0: not known */
+    size_t row;   /* its place in the file, from 0 on */
+};
+
 struct fit_data {
     size_t points;
-    double *speed_m_s;         /* ascending */
-    double *eps;               /* 0 to 1, or beyond by noise */
-    double *sigma;             /* standard deviation of each eps, or NULL if the file has none */
-    long *line;                /* of each point; of a bounce that of its second time; NULL: not known */
+    struct fit_point *point; /* by ascending speed */
+    bool has_sigma;
     struct fit_bounce *bounce; /* as many as points, in the order of the file; NULL: the points are no bounces */
     char *unused;              /* the names of the columns that are not read, "a, b", or NULL */
 };

@@ -25,7 +25,8 @@ enum {
 struct problem {
     enum fit_curve curve;
     size_t points;
-    const double *eps, *sigma; /* sigma NULL: weight 1/scale */
+    const struct fit_point *point;
+    bool has_sigma; /* false: weight 1/scale */
     double *log_speed, *buffer;
     const struct fit_bounce *bounce; /* NULL: eps of each point has an error of its own */
     struct whitening {
@@ -114,7 +115,7 @@ static void plain_residuals(const struct problem *p, const double *theta, double
 {
     fit_curve_eps(p->curve, theta, p->log_speed, residual, p->points);
     for (size_t i = 0; i < p->points; i++)
-        residual[i] = p->eps[i] - residual[i];
+        residual[i] = p->point[i].eps - residual[i];
 }
 
 static void residuals(const void *context, const double *theta, double *residual)
@@ -128,7 +129,7 @@ static void residuals(const void *context, const double *theta, double *residual
         scale_whitened(p, p->ratio, whiten(p, 0, residual), residual, residual);
     }
     for (size_t i = 0; i < p->points; i++) {
-        const double z = residual[i] / (p->sigma ? p->sigma[i] : p->scale);
+        const double z = residual[i] / (p->has_sigma ? p->point[i].sigma : p->scale);
         residual[i] = p->robust ? huber_root(z) : z;
     }
 }
@@ -163,38 +164,40 @@ static void keep_better(double *best, double *best_theta, const struct problem *
     }
 }
 
-/* The problem on at most `most` of its points, without the covariance of bounces, for starts. Returns its memory. */
-static double *thin_problem(struct problem *thin, const struct problem *p, size_t most)
+struct thin {
+    struct problem p;
+    struct fit_point point[SCAN_POINTS];
+    double log_speed[SCAN_POINTS], buffer[SCAN_POINTS];
+};
+
+/* The problem on at most `most` of its points, without the covariance of bounces, for starts */
+static void thin_problem(struct thin *thin, const struct problem *p, size_t most)
 {
-    const size_t stride = (p->points + most - 1) / most;
-    double *const log_speed = xmalloc(4 * most * sizeof *log_speed), *const eps = log_speed + most,
-                  *const sigma = eps + most;
-    *thin = *p;
-    thin->points = 0;
-    for (size_t i = 0; i < p->points; i += stride, thin->points++) {
-        log_speed[thin->points] = p->log_speed[i];
-        eps[thin->points] = p->eps[i];
-        sigma[thin->points] = p->sigma ? p->sigma[i] : 0;
+    size_t n = 0;
+    for (size_t i = 0; i < p->points; i += (p->points + most - 1) / most, n++) {
+        thin->log_speed[n] = p->log_speed[i];
+        thin->point[n] = p->point[i];
     }
-    thin->bounce = NULL;
-    thin->robust = p->robust && !p->bounce;
-    thin->log_speed = log_speed;
-    thin->eps = eps;
-    thin->sigma = p->sigma ? sigma : NULL;
-    thin->buffer = sigma + most;
-    return log_speed;
+    thin->p = *p;
+    thin->p.points = n;
+    thin->p.bounce = NULL;
+    thin->p.robust = p->robust && !p->bounce;
+    thin->p.log_speed = thin->log_speed;
+    thin->p.point = thin->point;
+    thin->p.buffer = thin->buffer;
 }
 
 /* Scans the range of the only coordinate on a thinned set of points, and starts from the lowest local minima: eps of
  * the Hertzian dashpot has a kink where the contact ends to separate. */
 static double minimise_by_scan(double *theta, const struct problem *p)
 {
-    struct problem thin;
-    double *const memory = thin_problem(&thin, p, SCAN_POINTS), value[SCAN_STEPS + 1], best = INFINITY;
+    struct thin thin;
+    double value[SCAN_STEPS + 1], best = INFINITY;
+    thin_problem(&thin, p, SCAN_POINTS);
     const double step = (p->high[0] - p->low[0]) / (double)SCAN_STEPS;
     for (int i = 0; i <= SCAN_STEPS; i++) {
         const double at[FIT_MAX_PARAMETERS] = {p->low[0] + step * i};
-        value[i] = objective(&thin, at);
+        value[i] = objective(&thin.p, at);
     }
     for (int start = 0; start < STARTS; start++) {
         int lowest = -1;
@@ -208,7 +211,6 @@ static double minimise_by_scan(double *theta, const struct problem *p)
         keep_better(&best, theta, p, from);
         value[lowest] = INFINITY;
     }
-    free(memory);
     return best;
 }
 
@@ -236,15 +238,16 @@ static double minimise_on_grid(double *theta, const struct problem *p)
         low = fmax(low, dry_theta[0] - 4);
         high = fmin(high, dry_theta[0] + 0.5);
     }
-    struct problem thin;
-    double *const memory = thin_problem(&thin, p, POINTS), best = INFINITY;
+    struct thin thin;
+    double best = INFINITY;
+    thin_problem(&thin, p, POINTS);
     for (int part = 0; part < PARTS; part++) {
         double least = INFINITY, start[FIT_MAX_PARAMETERS] = {p->low[0], p->low[1]};
         for (int k = part * SECOND / PARTS; k < (part + 1) * SECOND / PARTS; k++)
             for (int i = 0; i <= FIRST; i++) {
                 const double at[FIT_MAX_PARAMETERS] = {low + (high - low) * i / FIRST,
                                                        p->low[1] + (p->high[1] - p->low[1]) * k / SECOND};
-                const double sum = objective(&thin, at);
+                const double sum = objective(&thin.p, at);
                 if (sum < least) {
                     least = sum;
                     memcpy(start, at, sizeof start);
@@ -252,7 +255,6 @@ static double minimise_on_grid(double *theta, const struct problem *p)
             }
         keep_better(&best, theta, p, start);
     }
-    free(memory);
     keep_better(&best, theta, p, dry_theta);
     return best;
 }
@@ -262,10 +264,10 @@ static double minimise_power_law(double *theta, const struct problem *p)
 {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, best = INFINITY;
     for (size_t i = 0; i < p->points; i++) {
-        if (p->eps[i] <= 0)
+        if (p->point[i].eps <= 0)
             continue;
-        const double s = p->sigma ? p->sigma[i] : 1, weight = p->eps[i] * p->eps[i] / (s * s);
-        const double lx = p->log_speed[i], ly = log(p->eps[i]);
+        const double s = p->has_sigma ? p->point[i].sigma : 1, weight = p->point[i].eps * p->point[i].eps / (s * s);
+        const double lx = p->log_speed[i], ly = log(p->point[i].eps);
         w += weight;
         x += weight * lx;
         y += weight * ly;
@@ -285,9 +287,9 @@ static double minimise_constant(double *theta, const struct problem *p)
 {
     double w = 0, sum = 0, best = INFINITY;
     for (size_t i = 0; i < p->points; i++) {
-        const double weight = p->sigma ? 1 / (p->sigma[i] * p->sigma[i]) : 1;
+        const double weight = p->has_sigma ? 1 / (p->point[i].sigma * p->point[i].sigma) : 1;
         w += weight;
-        sum += weight * p->eps[i];
+        sum += weight * p->point[i].eps;
     }
     const double mean[FIT_MAX_PARAMETERS] = {sum / w};
     keep_better(&best, theta, p, mean);
@@ -406,7 +408,7 @@ static double minimise_with_noise(double *theta, struct problem *p)
     const double best = minimise(theta, p);
     p->robust = robust;
     p->bounce = bounce;
-    if (!bounce && (!robust || p->sigma))
+    if (!bounce && (!robust || p->has_sigma))
         return robust ? minimise(theta, p) : best;
     set_noise(p, theta);
     struct problem other = *p;
@@ -520,11 +522,11 @@ static double profile_threshold(const struct problem *p, const double *theta, do
                                 enum distribution_level level)
 {
     const size_t freedom = p->points - (size_t)p->parameters;
-    const double quantile = p->sigma ? normal_quantile(level) : student_quantile(level, freedom);
+    const double quantile = p->has_sigma ? normal_quantile(level) : student_quantile(level, freedom);
     double unit = 1;
     if (p->robust)
         unit = huber_factor(p, theta);
-    else if (!p->sigma)
+    else if (!p->has_sigma)
         unit = minimum / (double)freedom;
     return quantile * quantile * unit;
 }
@@ -577,17 +579,17 @@ static void judge(struct fit_estimate *e, struct problem *p)
     plain_residuals(p, e->theta, r);
     for (size_t i = 0; i < p->points; i++) {
         squares += r[i] * r[i];
-        chi2 += p->sigma ? r[i] * r[i] / (p->sigma[i] * p->sigma[i]) : 0;
+        chi2 += p->has_sigma ? r[i] * r[i] / (p->point[i].sigma * p->point[i].sigma) : 0;
     }
     e->rms = sqrt(squares / (double)p->points);
-    e->chi2 = p->sigma ? chi2 : NAN;
-    e->p_of_chi2 = p->sigma && !p->robust;
+    e->chi2 = p->has_sigma ? chi2 : NAN;
+    e->p_of_chi2 = p->has_sigma && !p->robust;
     if (p->bounce) {
         set_slopes(p, e->theta);
         e->time_sigma_s = e->scale / scale_whitened(p, p->ratio, whiten(p, 0, r), r, r);
     }
     for (size_t i = 0; p->robust && i < p->points; i++) {
-        const double z = r[i] / (p->sigma ? p->sigma[i] : p->scale);
+        const double z = r[i] / (p->has_sigma ? p->point[i].sigma : p->scale);
         r[i] = fmin(fmax(z, -FIT_HUBER), FIT_HUBER);
     }
     e->p_value = e->p_of_chi2 ? chi_squared_tail(chi2, p->points - (size_t)p->parameters)
@@ -619,38 +621,31 @@ static void set_limit(struct fit_estimate *e, const struct problem *p)
 
 static void problem_init(struct problem *p, enum fit_curve curve, const struct fit_data *data, bool robust)
 {
+    const size_t n = data->points;
+    double *const memory = xmalloc((data->bounce ? 7 : 2) * n * sizeof *memory);
     *p = (struct problem){.curve = curve,
-                          .points = data->points,
-                          .eps = data->eps,
-                          .sigma = data->sigma,
-                          .log_speed = xmalloc(data->points * sizeof(double)),
-                          .buffer = xmalloc(data->points * sizeof(double)),
+                          .points = n,
+                          .point = data->point,
+                          .has_sigma = data->has_sigma,
+                          .log_speed = memory,
+                          .buffer = memory + n,
                           .bounce = data->bounce,
                           .scale = 1,
                           .robust = robust,
                           .parameters = fit_curve_parameters(curve),
                           .held = -1};
-    if (data->bounce) {
-        double **const array[] = {&p->w.y, &p->w.slope, &p->w.shifted, &p->w.above, &p->w.below};
-        for (size_t i = 0; i < sizeof array / sizeof *array; i++)
-            *array[i] = xmalloc(data->points * sizeof(double));
-        p->w.factor = xmalloc(data->points * sizeof *p->w.factor);
-    }
-    for (size_t i = 0; i < data->points; i++)
-        p->log_speed[i] = log(data->speed_m_s[i]);
+    if (data->bounce)
+        p->w = (struct whitening){memory + 2 * n, memory + 3 * n, xmalloc(n * sizeof *p->w.factor),
+                                  memory + 4 * n, memory + 5 * n, memory + 6 * n};
+    for (size_t i = 0; i < n; i++)
+        p->log_speed[i] = log(data->point[i].speed_m_s);
     for (int j = 0; j < p->parameters; j++)
-        fit_curve_range(curve, j, p->log_speed[0], p->log_speed[p->points - 1], &p->low[j], &p->high[j]);
+        fit_curve_range(curve, j, p->log_speed[0], p->log_speed[n - 1], &p->low[j], &p->high[j]);
 }
 
 static void problem_clear(struct problem *p)
 {
-    free(p->log_speed);
-    free(p->buffer);
-    free(p->w.y);
-    free(p->w.slope);
-    free(p->w.shifted);
-    free(p->w.above);
-    free(p->w.below);
+    free(p->log_speed); /* and all other arrays of numbers */
     free(p->w.factor);
 }
 
@@ -661,8 +656,8 @@ void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, con
         (struct fit_estimate){.curve = curve, .parameters = p.parameters, .fitted = p.points > (size_t)p.parameters};
     if (estimate->fitted) {
         const double minimum = minimise_with_noise(estimate->theta, &p);
-        estimate->scale = p.sigma ? NAN : p.scale;
-        if (!p.sigma && !robust)
+        estimate->scale = p.has_sigma ? NAN : p.scale;
+        if (!p.has_sigma && !robust)
             estimate->scale = sqrt(minimum / (double)(p.points - (size_t)p.parameters));
         estimate->ratio = p.ratio;
         find_intervals(estimate, &p, minimum);
@@ -676,7 +671,7 @@ double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data,
                const struct fit_estimate *best)
 {
     const double n = (double)data->points;
-    if (!data->sigma && !robust) {
+    if (!data->has_sigma && !robust) {
         const double scale = fmax(estimate->scale * sqrt((n - estimate->parameters) / n), LEAST_RESIDUAL);
         return 2 * n * log(scale) + 2 * (estimate->parameters + 1);
     }
@@ -701,7 +696,7 @@ bool fit_is_item(const struct fit_data *data, size_t item)
 
 long fit_item_line(const struct fit_data *data, size_t item)
 {
-    return data->bounce ? data->bounce[item / 3].line[item % 3] : data->line[item];
+    return data->bounce ? data->bounce[item / 3].line[item % 3] : data->point[item].line;
 }
 
 void fit_leave_out(bool *left_out, const struct fit_data *data, size_t item)
@@ -746,5 +741,5 @@ void fit_distances(double *distance, const struct fit_estimate *estimate, const 
     for (size_t item = 0; item < fit_items(data); item++)
         distance[item] = !fit_is_item(data, item) ? 0
                          : p.bounce               ? time_distance(&p, item) / estimate->time_sigma_s
-                                                  : p.buffer[item] / (p.sigma ? p.sigma[item] : estimate->scale);
+                                    : p.buffer[item] / (p.has_sigma ? p.point[item].sigma : estimate->scale);
 }

@@ -48,22 +48,23 @@ static void write_points(FILE *script, const struct fit_data *data)
 {
     fputs("$data << END\n", script);
     for (size_t i = 0; i < data->points; i += points_step(data))
-        fprintf(script, "%.9g %.9g %.9g\n", data->speed_m_s[i], data->eps[i], data->sigma ? data->sigma[i] : 0);
+        fprintf(script, "%.9g %.9g %.9g\n", data->point[i].speed_m_s, data->point[i].eps,
+                data->has_sigma ? data->point[i].sigma : 0);
     fputs("END\n", script);
 }
 
 static double residual(const struct fit_estimate *e, const struct fit_data *data, size_t point)
 {
-    const double x = log(data->speed_m_s[point]);
+    const double x = log(data->point[point].speed_m_s);
     double eps;
     fit_curve_eps(e->curve, e->theta, &x, &eps, 1);
-    return data->eps[point] - eps;
+    return data->point[point].eps - eps;
 }
 
 /* The curve, and the residuals of the points */
 static void write_curve(FILE *script, const struct fit_estimate *e, const struct fit_data *data)
 {
-    const double from = log(data->speed_m_s[0]), to = log(data->speed_m_s[data->points - 1]);
+    const double from = log(data->point[0].speed_m_s), to = log(data->point[data->points - 1].speed_m_s);
     fprintf(script, "$curve%d << END\n", (int)e->curve);
     for (int i = 0; i < CURVE_POINTS; i++) {
         const double x = from + (to - from) * i / (CURVE_POINTS - 1);
@@ -73,7 +74,8 @@ static void write_curve(FILE *script, const struct fit_estimate *e, const struct
     }
     fprintf(script, "END\n$residual%d << END\n", (int)e->curve);
     for (size_t i = 0; i < data->points; i += points_step(data))
-        fprintf(script, "%.9g %.9g %.9g\n", data->speed_m_s[i], residual(e, data, i), data->sigma ? data->sigma[i] : 0);
+        fprintf(script, "%.9g %.9g %.9g\n", data->point[i].speed_m_s, residual(e, data, i),
+                data->has_sigma ? data->point[i].sigma : 0);
     fputs("END\n", script);
 }
 
@@ -91,7 +93,7 @@ static const char *colour(int curve, int panel)
 /* `row` 0: curves and points; 1: what the points are off by */
 static void plot_panel(FILE *script, const struct fit_comparison *c, const struct fit_data *data, int panel, int row)
 {
-    const char *const points = data->sigma ? ":3 with yerrorbars" : " with points";
+    const char *const points = data->has_sigma ? ":3 with yerrorbars" : " with points";
     fprintf(script, row == 0 ? "plot $data using 1:2%s pt 7 ps 0.35 lc rgb grey notitle" : "plot 0 lc rgb black lw 0.7",
             points);
     for (int curve = (int)panels[panel].first; curve <= (int)panels[panel].last; curve++)
@@ -130,7 +132,7 @@ static void write_script(FILE *script, const struct fit_comparison *c, const str
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve])
             write_curve(script, &c->estimate[curve], data);
-    if (data->speed_m_s[data->points - 1] > WIDE_RANGE * data->speed_m_s[0])
+    if (data->point[data->points - 1].speed_m_s > WIDE_RANGE * data->point[0].speed_m_s)
         fputs("set logscale x\n", script);
     fputs("set key off\nset multiplot title ", script);
     gnuplot_quote(script, title);

@@ -56,17 +56,17 @@ void fit_report_print(const struct fit_report *report, enum output_format format
 
 static void remark_data(const struct fit_data *data, FILE *file)
 {
-    double least = data->eps[0], most = data->eps[0];
+    double least = data->point[0].eps, most = data->point[0].eps;
     for (size_t i = 1; i < data->points; i++) {
-        least = fmin(least, data->eps[i]);
-        most = fmax(most, data->eps[i]);
+        least = fmin(least, data->point[i].eps);
+        most = fmax(most, data->point[i].eps);
     }
     fprintf(file, "%zu points%s: %.4g to %.4g m/s, eps %.4g to %.4g; ", data->points,
-            data->bounce ? " from times of bounces" : "", data->speed_m_s[0], data->speed_m_s[data->points - 1], least,
-            most);
-    fputs(data->sigma    ? "weights 1/eps_sigma^2.\n"
-          : data->bounce ? "the scatter gives the errors of the times.\n"
-                         : "no eps_sigma: equal weights, and the scatter gives sigma.\n",
+            data->bounce ? " from times of bounces" : "", data->point[0].speed_m_s,
+            data->point[data->points - 1].speed_m_s, least, most);
+    fputs(data->has_sigma ? "weights 1/eps_sigma^2.\n"
+          : data->bounce  ? "the scatter gives the errors of the times.\n"
+                          : "no eps_sigma: equal weights, and the scatter gives sigma.\n",
           file);
     if (data->unused)
         fprintf(file, "Columns that are not read: %s.\n", data->unused);

@@ -14,13 +14,15 @@ enum { FEW = 40 };
 
 static void require_point(const struct fit_data *data, size_t i)
 {
-    REQUIRE(data->speed_m_s[i] > 0 && isfinite(data->speed_m_s[i]), "speed %a", data->speed_m_s[i]);
-    const double beyond = data->sigma    ? FIT_MAX_BEYOND * data->sigma[i] * (1 + 1e-9)
-                          : data->bounce ? FIT_MAX_FLIGHT_RATIO * (1 + 1e-9) - 1
-                                         : 0;
-    REQUIRE(data->eps[i] >= -beyond && data->eps[i] <= 1 + beyond, "eps %a", data->eps[i]);
-    REQUIRE(!data->sigma || (data->sigma[i] > 0 && isfinite(data->sigma[i])), "sigma %a", data->sigma[i]);
-    REQUIRE(i == 0 || data->speed_m_s[i - 1] <= data->speed_m_s[i], "speed %a is not sorted", data->speed_m_s[i]);
+    REQUIRE(data->point[i].speed_m_s > 0 && isfinite(data->point[i].speed_m_s), "speed %a", data->point[i].speed_m_s);
+    const double beyond = data->has_sigma ? FIT_MAX_BEYOND * data->point[i].sigma * (1 + 1e-9)
+                          : data->bounce  ? FIT_MAX_FLIGHT_RATIO * (1 + 1e-9) - 1
+                                          : 0;
+    REQUIRE(data->point[i].eps >= -beyond && data->point[i].eps <= 1 + beyond, "eps %a", data->point[i].eps);
+    REQUIRE(!data->has_sigma || (data->point[i].sigma > 0 && isfinite(data->point[i].sigma)), "sigma %a",
+            data->point[i].sigma);
+    REQUIRE(i == 0 || data->point[i - 1].speed_m_s <= data->point[i].speed_m_s, "speed %a is not sorted",
+            data->point[i].speed_m_s);
 }
 
 static void require_estimate(const struct fit_estimate *e)

@@ -98,8 +98,7 @@ static enum fit_curve curve_inside(enum fit_curve curve)
 }
 
 struct sample {
-    double speed[POINTS_MAX], eps[POINTS_MAX], sigma[POINTS_MAX];
-    long line[POINTS_MAX];
+    struct fit_point point[POINTS_MAX];
     struct fit_data data;
 };
 
@@ -115,18 +114,17 @@ static void draw_sample(struct sample *s, enum fit_curve curve, size_t n, double
 {
     for (size_t i = 0; i < n; i++) {
         const double x = log(0.1) + log(100) * (double)i / (double)(n - 1);
-        s->speed[i] = exp(x);
-        s->sigma[i] = with_sigma ? noise * random_uniform(r, 0.5, 2) : noise;
-        fit_curve_eps(curve, truth[curve], &x, &s->eps[i], 1);
-        s->eps[i] += s->sigma[i] * normal_deviate(r);
+        s->point[i] = (struct fit_point){.speed_m_s = exp(x)};
+        s->point[i].sigma = with_sigma ? noise * random_uniform(r, 0.5, 2) : noise;
+        fit_curve_eps(curve, truth[curve], &x, &s->point[i].eps, 1);
+        s->point[i].eps += s->point[i].sigma * normal_deviate(r);
     }
-    s->data =
-        (struct fit_data){.points = n, .speed_m_s = s->speed, .eps = s->eps, .sigma = with_sigma ? s->sigma : NULL};
+    s->data = (struct fit_data){.points = n, .point = s->point, .has_sigma = with_sigma};
 }
 
 static double weight(const struct sample *s, size_t i)
 {
-    return s->data.sigma ? 1 / (s->sigma[i] * s->sigma[i]) : 1;
+    return s->data.has_sigma ? 1 / (s->point[i].sigma * s->point[i].sigma) : 1;
 }
 
 /* ---- fits by other routes ---- */
@@ -140,8 +138,8 @@ TEST(the_power_law_satisfies_the_normal_equations)
     fit_estimate_curve(&e, FIT_POWER_LAW, &s.data, false);
     double normal[2] = {0}, size[2] = {0};
     for (size_t i = 0; i < 30; i++) {
-        const double x = log(s.speed[i]), eps = exp(e.theta[0]) * pow(s.speed[i], e.theta[1]);
-        const double part = weight(&s, i) * (s.eps[i] - eps) * eps;
+        const double x = log(s.point[i].speed_m_s), eps = exp(e.theta[0]) * pow(s.point[i].speed_m_s, e.theta[1]);
+        const double part = weight(&s, i) * (s.point[i].eps - eps) * eps;
         normal[0] += part;
         normal[1] += part * x;
         size[0] += fabs(part);
@@ -202,7 +200,7 @@ static double squares_of_parameter(const struct sample *s, const struct fit_mode
 {
     double sum = 0;
     for (size_t i = 0; i < s->data.points; i++) {
-        const double residual = s->eps[i] - eps_of_parameter(model, name, value, s->speed[i]);
+        const double residual = s->point[i].eps - eps_of_parameter(model, name, value, s->point[i].speed_m_s);
         sum += weight(s, i) * residual * residual;
     }
     return sum;
@@ -216,7 +214,7 @@ static void check_parameter(const struct sample *s, const struct fit_model *mode
     const char *const name = fit_parameter_name(model, 0, bodies);
     const double value = fit_parameter_value(model, 0, e->theta[0], bodies);
     const double least = squares_of_parameter(s, model, name, value);
-    if (s->data.sigma)
+    if (s->data.has_sigma)
         check_close(e->chi2, least, 1e-9);
     else
         check_close(e->rms, sqrt(least / (double)s->data.points), 1e-9);
@@ -228,8 +226,8 @@ static void check_parameter(const struct sample *s, const struct fit_model *mode
     const size_t freedom = s->data.points - 1;
     for (int level = 0; level < LEVELS; level++) {
         const enum distribution_level l = (enum distribution_level)level;
-        const double quantile = s->data.sigma ? normal_quantile(l) : student_quantile(l, freedom);
-        const double expected = quantile * quantile * (s->data.sigma ? 1 : least / (double)freedom);
+        const double quantile = s->data.has_sigma ? normal_quantile(l) : student_quantile(l, freedom);
+        const double expected = quantile * quantile * (s->data.has_sigma ? 1 : least / (double)freedom);
         const double end[] = {e->interval[0][level].low, e->interval[0][level].high};
         for (int side = 0; side < 2; side++) {
             const double at = fit_parameter_value(model, 0, end[side], bodies);
@@ -267,10 +265,10 @@ TEST(ice_has_the_g_star_of_a_golden_section)
     struct sample s;
     for (size_t i = 0; i < 400; i++) {
         const double speed_cm_s = 0.015 * pow(5.1 / 0.015, (double)i / 399);
-        s.speed[i] = speed_cm_s / 100;
-        s.eps[i] = 0.32 * pow(speed_cm_s, -0.234);
+        s.point[i] = (struct fit_point){.speed_m_s = speed_cm_s / 100};
+        s.point[i].eps = 0.32 * pow(speed_cm_s, -0.234);
     }
-    s.data = (struct fit_data){.points = 400, .speed_m_s = s.speed, .eps = s.eps};
+    s.data = (struct fit_data){.points = 400, .point = s.point};
     for (int i = 0; i < 2; i++) {
         struct fit_estimate e;
         fit_estimate_curve(&e, expected[i].curve, &s.data, false);
@@ -301,7 +299,8 @@ TEST(losses_have_the_least_squares)
                                                                   : e.theta[1] + 0.01 * (k - 30)};
                 long double sum = 0;
                 for (size_t point = 0; point < s.data.points; point++) {
-                    const long double residual = s.eps[point] - eps_of_theta(curve, theta, s.speed[point]);
+                    const long double residual =
+                        s.point[point].eps - eps_of_theta(curve, theta, s.point[point].speed_m_s);
                     sum += weight(&s, point) * (double)(residual * residual);
                 }
                 if (i == 0 && k == 30)
@@ -362,7 +361,7 @@ TEST(aic_is_that_of_the_likelihood)
     for (int curve = 0; curve < FIT_CURVES; curve++)
         check_close(c.estimate[curve].aic, c.estimate[curve].chi2 + 2 * fit_curve_parameters((enum fit_curve)curve),
                     1e-9);
-    s.data.sigma = NULL;
+    s.data.has_sigma = NULL;
     compare_all(&c, &s, false);
     for (int curve = 0; curve < FIT_CURVES; curve++)
         check_close(c.estimate[curve].aic,
@@ -456,7 +455,7 @@ TEST(outliers_move_the_robust_fit_little)
         draw_sample(&s, FIT_SPHERE_ZERO_FORCE, 40, 0.005, with_sigma, r);
         fit_estimate_curve(&clean, FIT_SPHERE_ZERO_FORCE, &s.data, false);
         for (size_t i = 3; i < 40; i += 12)
-            s.eps[i] -= 0.3;
+            s.point[i].eps -= 0.3;
         fit_estimate_curve(&plain, FIT_SPHERE_ZERO_FORCE, &s.data, false);
         fit_estimate_curve(&robust, FIT_SPHERE_ZERO_FORCE, &s.data, true);
         const struct fit_interval *const interval = &robust.interval[0][LEVEL_68];
@@ -472,8 +471,8 @@ TEST(outliers_move_the_robust_fit_little)
 
 TEST(elastic_data_have_no_upper_end)
 {
-    double speed[] = {0.1, 1, 10}, eps[] = {1, 1, 1}, sigma[] = {0.01, 0.01, 0.01};
-    const struct fit_data data = {.points = 3, .speed_m_s = speed, .eps = eps, .sigma = sigma};
+    struct fit_point point[] = {{0.1, 1, 0.01, 0, 0}, {1, 1, 0.01, 0, 1}, {10, 1, 0.01, 0, 2}};
+    const struct fit_data data = {.points = 3, .point = point, .has_sigma = true};
     struct fit_estimate e;
     fit_estimate_curve(&e, FIT_SPHERE_ZERO_OVERLAP, &data, false);
     const struct fit_model *const model = &fit_models[0];
@@ -488,8 +487,9 @@ TEST(elastic_data_have_no_upper_end)
 /* One datum, eps = 0, has all the weight: beta is infinite, and its intervals hold it. The mirror image has eps = 1. */
 TEST(an_end_of_the_range_is_in_its_interval)
 {
-    double speed[] = {1, 2, 3, 4, 5, 5}, eps[] = {0, 1, 0.2, 0.1, 0.2, 0.2}, sigma[] = {1e-40, 1e20, 1, 1, 0.5, 1};
-    const struct fit_data data = {.points = 6, .speed_m_s = speed, .eps = eps, .sigma = sigma};
+    struct fit_point point[] = {{1, 0, 1e-40, 0, 0}, {2, 1, 1e20, 0, 1},  {3, 0.2, 1, 0, 2},
+                                {4, 0.1, 1, 0, 3},   {5, 0.2, 0.5, 0, 4}, {5, 0.2, 1, 0, 5}};
+    const struct fit_data data = {.points = 6, .point = point, .has_sigma = true};
     int infinite = 0;
     for (int image = 0; image < 2; image++) {
         for (int curve = 0; curve < FIT_CURVES; curve++) {
@@ -506,15 +506,15 @@ TEST(an_end_of_the_range_is_in_its_interval)
                 infinite++;
         }
         for (size_t i = 0; i < 6; i++)
-            eps[i] = 1 - eps[i];
+            point[i].eps = 1 - point[i].eps;
     }
     check(infinite > 2, "%d infinite values of beta", infinite);
 }
 
 TEST(few_points_are_not_judged)
 {
-    double speed[] = {0.1, 1}, eps[] = {0.9, 0.8};
-    const struct fit_data data = {.points = 2, .speed_m_s = speed, .eps = eps};
+    struct fit_point point[] = {{0.1, 0.9, 0, 0, 0}, {1, 0.8, 0, 0, 1}};
+    const struct fit_data data = {.points = 2, .point = point};
     struct fit_estimate e;
     fit_estimate_curve(&e, FIT_CONSTANT, &data, false);
     assert_true(e.fitted && isnan(e.p_value) && fit_is_accepted(&e));
@@ -542,8 +542,8 @@ static void check_points(const char *text, enum fit_unit unit)
     struct fit_data data;
     assert_int_equal(read_text(&data, text, unit), STATUS_OK);
     assert_int_equal(data.points, 2);
-    assert_true(data.speed_m_s[0] == 0.25 && data.eps[0] == 0.9);
-    assert_true(data.speed_m_s[1] == 1.5 && data.eps[1] == 0.75);
+    assert_true(data.point[0].speed_m_s == 0.25 && data.point[0].eps == 0.9);
+    assert_true(data.point[1].speed_m_s == 1.5 && data.point[1].eps == 0.75);
     fit_data_clear(&data);
 }
 
@@ -556,7 +556,7 @@ TEST(csv_forms_agree)
     struct fit_data data;
     assert_int_equal(read_text(&data, "speed_m_s,eps,eps_sigma\n2,0.5,0.1\n1,0.6,0.2\n", FIT_UNIT_OF_COLUMN),
                      STATUS_OK);
-    assert_true(data.sigma && data.sigma[0] == 0.2 && data.sigma[1] == 0.1 && data.eps[0] == 0.6);
+    assert_true(data.has_sigma && data.point[0].sigma == 0.2 && data.point[1].sigma == 0.1 && data.point[0].eps == 0.6);
     fit_data_clear(&data);
 }
 
@@ -569,10 +569,10 @@ TEST(flights_give_speeds_and_eps)
     assert_int_equal(data.points, 3);
     const double expected_speed[] = {0.25, 0.4, 0.5}, expected_eps[] = {0.9, 0.8, 0.8};
     for (int i = 0; i < 3; i++) {
-        check_close(data.speed_m_s[i], expected_speed[i] * FIT_GRAVITY_M_S2, 1e-14);
-        check_close(data.eps[i], expected_eps[i], 1e-14);
+        check_close(data.point[i].speed_m_s, expected_speed[i] * FIT_GRAVITY_M_S2, 1e-14);
+        check_close(data.point[i].eps, expected_eps[i], 1e-14);
     }
-    assert_true(data.bounce && !data.sigma);
+    assert_true(data.bounce && !data.has_sigma);
     fit_data_clear(&data);
 }
 
@@ -1007,11 +1007,10 @@ TEST(outliers_are_named)
                 const size_t n = way == 0 ? 6 : 30, place = random_below(r, n);
                 draw_sample(&s, FIT_CONSTANT, n, 0.01, way > 1, r);
                 for (size_t i = 0; i < n; i++)
-                    s.line[i] = (long)(10 + i);
-                s.eps[place] -= planted ? 12 * s.sigma[place] : 0;
-                s.data.line = s.line;
+                    s.point[i].line = (long)(10 + i);
+                s.point[place].eps -= planted ? 12 * s.point[place].sigma : 0;
                 fit_find_outliers(&o, &s.data, &request);
-                found += planted && o.count == 1 && o.outlier[0].line == s.line[place] &&
+                found += planted && o.count == 1 && o.outlier[0].line == s.point[place].line &&
                          fabs(o.outlier[0].distance) > 4 && o.outlier[0].distance < 0;
             } else {
                 const long late = 2 + (long)random_below(r, 80);
@@ -1033,10 +1032,9 @@ TEST(outliers_are_named)
     struct fit_outliers o;
     draw_sample(&s, FIT_CONSTANT, 40, 0.005, false, r);
     for (size_t i = 0; i < 40; i++) {
-        s.line[i] = (long)(i + 2);
-        s.eps[i] -= i % 12 == 3 ? 0.3 : 0;
+        s.point[i].line = (long)(i + 2);
+        s.point[i].eps -= i % 12 == 3 ? 0.3 : 0;
     }
-    s.data.line = s.line;
     fit_find_outliers(&o, &s.data, &request);
     assert_int_equal(o.count, 4);
     for (int i = 0; i < 4; i++)
@@ -1056,15 +1054,15 @@ static int name_outliers(bool *out, double *distance, const struct sample *s)
         for (int round = 0; round < 200; round++) {
             double w = 0, sum = 0;
             for (size_t i = 0; i < n; i++) {
-                const double z = fabs(s->eps[i] - mean) / s->sigma[i];
+                const double z = fabs(s->point[i].eps - mean) / s->point[i].sigma;
                 const double part = out[i] ? 0 : fmin(1, FIT_HUBER / z) * weight(s, i);
                 w += part;
-                sum += part * s->eps[i];
+                sum += part * s->point[i].eps;
             }
             mean = sum / w;
         }
         for (size_t i = 0; i < n; i++) {
-            const double z = fabs(s->eps[i] - mean) / s->sigma[i];
+            const double z = fabs(s->point[i].eps - mean) / s->point[i].sigma;
             farthest = !out[i] && z > farthest_z ? i : farthest;
             farthest_z = out[i] ? farthest_z : fmax(farthest_z, z);
         }
@@ -1077,17 +1075,17 @@ static int name_outliers(bool *out, double *distance, const struct sample *s)
         double w = 0, mean = 0, chi2 = 0;
         for (size_t i = 0; i < n; i++) {
             w += out[i] ? 0 : weight(s, i);
-            mean += out[i] ? 0 : weight(s, i) * s->eps[i];
+            mean += out[i] ? 0 : weight(s, i) * s->point[i].eps;
         }
         mean /= w;
         for (size_t i = 0; i < n; i++)
-            chi2 += out[i] ? 0 : weight(s, i) * (s->eps[i] - mean) * (s->eps[i] - mean);
+            chi2 += out[i] ? 0 : weight(s, i) * (s->point[i].eps - mean) * (s->point[i].eps - mean);
         const double spread = fmax(chi2 / (double)(rest - 1), 1);
         back = n;
         for (size_t i = 0; i < n; i++) {
             if (!out[i])
                 continue;
-            distance[i] = (s->eps[i] - mean) / sqrt(s->sigma[i] * s->sigma[i] + 1 / w);
+            distance[i] = (s->point[i].eps - mean) / sqrt(s->point[i].sigma * s->point[i].sigma + 1 / w);
             const double tail = spread > 1 ? fisher_tail(distance[i] * distance[i] / spread, 1, rest - 1)
                                            : erfc(fabs(distance[i]) / sqrt(2));
             if ((double)n * tail >= FIT_SIGNIFICANCE && (back == n || fabs(distance[i]) < fabs(distance[back])))
@@ -1113,18 +1111,17 @@ TEST(outliers_follow_closed_forms)
         struct fit_outliers o;
         draw_sample(&s, FIT_CONSTANT, n, 0.01, true, r);
         for (size_t i = 0; i < n; i++) {
-            s.line[i] = (long)i;
-            s.eps[i] += random_below(r, 5) ? 0 : random_uniform(r, -6, 6) * s.sigma[i];
-            s.sigma[i] *= draw % 2 ? 0.7 : 1;
+            s.point[i].line = (long)i + 1;
+            s.point[i].eps += random_below(r, 5) ? 0 : random_uniform(r, -6, 6) * s.point[i].sigma;
+            s.point[i].sigma *= draw % 2 ? 0.7 : 1;
         }
-        s.data.line = s.line;
         const int count = name_outliers(out, distance, &s);
         fit_find_outliers(&o, &s.data, &request);
         check(o.count == count, "%d lines of %zu, expected %d", o.count, n, count);
         for (int i = 0; i < o.count; i++) {
             const struct fit_outlier *const at = &o.outlier[i];
-            check(out[at->line] && fabs(at->distance - distance[at->line]) < 1e-5, "line %ld, distance %g", at->line,
-                  at->distance);
+            check(out[at->line - 1] && fabs(at->distance - distance[at->line - 1]) < 1e-5, "line %ld, distance %g",
+                  at->line, at->distance);
         }
         lines[count < 3 ? count : 3]++;
         fit_data_clear(&o.rest);
