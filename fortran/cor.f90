@@ -387,6 +387,10 @@ module cor
     pure real(c_double) function c_cor_disk_load(compression, nu, datum) bind(c, name="cor_disk_load")
       import; real(c_double), value :: compression; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
+    subroutine cor_disk_load_array(compression, nu, datum, load, n) bind(c)
+      import; real(c_double), intent(in) :: compression(*); real(c_double), value :: nu; integer(c_int), value :: datum
+      real(c_double), intent(inout) :: load(*); integer(c_size_t), value :: n
+    end subroutine
     pure real(c_double) function c_cor_disk_compression(load, nu, datum) bind(c, name="cor_disk_compression")
       import; real(c_double), value :: load; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
@@ -405,6 +409,10 @@ module cor
     pure real(c_double) function c_cor_disk_contact_time(speed, nu, datum) bind(c, name="cor_disk_contact_time")
       import; real(c_double), value :: speed; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
+    subroutine cor_disk_contact_time_array(speed, nu, datum, time, n) bind(c)
+      import; real(c_double), intent(in) :: speed(*); real(c_double), value :: nu; integer(c_int), value :: datum
+      real(c_double), intent(inout) :: time(*); integer(c_size_t), value :: n
+    end subroutine
     pure real(c_double) function c_cor_disk_compression_leading_log(load) bind(c, &
       name="cor_disk_compression_leading_log")
       import; real(c_double), value :: load
@@ -490,6 +498,10 @@ module cor
     pure real(c_double) function c_cor_disk_eps(speed, nu) bind(c, name="cor_disk_eps")
       import; real(c_double), value :: speed; real(c_double), value :: nu
     end function
+    subroutine cor_disk_eps_array(speed, nu, eps, n) bind(c)
+      import; real(c_double), intent(in) :: speed(*); real(c_double), value :: nu
+      real(c_double), intent(inout) :: eps(*); integer(c_size_t), value :: n
+    end subroutine
     pure real(c_double) function c_cor_disk_eps_uncertainty(speed, nu) bind(c, name="cor_disk_eps_uncertainty")
       import; real(c_double), value :: speed; real(c_double), value :: nu
     end function
@@ -2213,12 +2225,13 @@ module cor
     cor_plate_sphere_crossings, cor_plate_least_half_width_m, cor_half_space_wave_factor, &
     cor_half_space_wave_coefficient, cor_contact_wave_loss, cor_disk_modes_read, cor_disk_modes_compute, &
     cor_disk_modes_below, cor_disk_load_limit, cor_disk_compression_limit, cor_disk_energy_limit, &
-    cor_disk_speed_limit, cor_disk_load, cor_disk_compression, cor_disk_energy, cor_disk_load_of_energy, &
-    cor_disk_max_load, cor_disk_max_compression, cor_disk_contact_time, cor_disk_compression_leading_log, &
-    cor_disk_load_leading_log, cor_disk_energy_leading_log, cor_disk_max_compression_leading_log, &
-    cor_disk_contact_time_leading_log, cor_disk_rayleigh, cor_disk_rayleigh_array, cor_disk_rayleigh_tolerance, &
-    cor_disk_collision, cor_disk_collision_array, cor_disk_collision_workspace, cor_disk_collision_in, &
-    cor_disk_hard_wall, cor_disk_hard_wall_nu, cor_disk_hard_wall_workspace, cor_disk_hard_wall_in, cor_disk_eps, &
+    cor_disk_speed_limit, cor_disk_load, cor_disk_load_array, cor_disk_compression, cor_disk_energy, &
+    cor_disk_load_of_energy, cor_disk_max_load, cor_disk_max_compression, cor_disk_contact_time, &
+    cor_disk_contact_time_array, cor_disk_compression_leading_log, cor_disk_load_leading_log, &
+    cor_disk_energy_leading_log, cor_disk_max_compression_leading_log, cor_disk_contact_time_leading_log, &
+    cor_disk_rayleigh, cor_disk_rayleigh_array, cor_disk_rayleigh_tolerance, cor_disk_collision, &
+    cor_disk_collision_array, cor_disk_collision_workspace, cor_disk_collision_in, cor_disk_hard_wall, &
+    cor_disk_hard_wall_nu, cor_disk_hard_wall_workspace, cor_disk_hard_wall_in, cor_disk_eps, cor_disk_eps_array, &
     cor_disk_eps_uncertainty, cor_disk_one_minus_eps2, cor_disk_one_minus_eps2_uncertainty, &
     cor_hertz_dashpot_eps_zero_overlap, cor_hertz_dashpot_eps_zero_overlap_array, cor_hertz_dashpot_eps_zero_force, &
     cor_hertz_dashpot_eps_zero_force_array, cor_hertz_dashpot_loss_zero_overlap, &

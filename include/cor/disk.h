@@ -22,7 +22,7 @@
  *
  * cor.h says what holds of threads, memory and the floating-point environment, with three exceptions. Every function
  * rounds to nearest and keeps subnormal numbers in every mode of the caller; results of cor_disk_eps and the three
- * functions beside it alone change, by a relative 1e-9 at most. observe is called in the default environment and must
+ * functions of one number beside it alone change, by a relative 1e-9 at most. observe is called in the default environment and must
  * return. Six functions allocate memory and free it: cor_disk_modes_compute, cor_disk_rayleigh_array,
  * cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall and cor_disk_hard_wall_nu. (cor_disk_modes_read
  * opens a file, for which the C library may allocate a buffer.)
@@ -151,8 +151,10 @@ COR_API double cor_disk_speed_limit(double nu, enum cor_disk_datum datum);
  * load of an energy.
  * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP (proved), with the arguments taken as exact. Results
  * below the smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or NaN -> NaN.
- */
+ * Array functions, here and below, give n numbers, each that of the function of one; load may be compression. */
 COR_API double cor_disk_load(double compression, double nu, enum cor_disk_datum datum);
+COR_API void cor_disk_load_array(const double *compression, double nu, enum cor_disk_datum datum, double *load,
+                                 size_t n);
 COR_API double cor_disk_compression(double load, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_energy(double load, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum);
@@ -167,6 +169,8 @@ COR_API double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_d
 COR_API double cor_disk_max_load(double speed, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_contact_time(double speed, double nu, enum cor_disk_datum datum);
+COR_API void cor_disk_contact_time_array(const double *speed, double nu, enum cor_disk_datum datum, double *time,
+                                         size_t n);
 
 /* The functions above to leading logarithm, as the paper simplifies them, without nu and datum. At nu = 0.33 the
  * neglected constants nearly cancel in (61), which is within 7 % of the law for v <= 1e-2. They do not cancel in (59),
@@ -459,7 +463,7 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  *                                  random points off the grid and 400 on and near borders of cells
  *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
- *     eps, eps_uncertainty         the same for eps
+ *     eps, eps_uncertainty         the same for eps; eps_array: of many speeds, the same numbers
  * The functions are continuous: where v differs by 2e-13 v, or nu by 2e-13, 1 - eps^2 and eps differ by at most
  * COR_DISK_EPS_MAX_JUMP (sampled at 14 10^6 places on borders). The uncertainty may jump.
  * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.
@@ -474,6 +478,7 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
 #define COR_DISK_EPS_MAX_UNCERTAINTY_FAST 1e-4
 #define COR_DISK_EPS_MAX_JUMP 1e-12
 COR_API double cor_disk_eps(double speed, double nu);
+COR_API void cor_disk_eps_array(const double *speed, double nu, double *eps, size_t n);
 COR_API double cor_disk_eps_uncertainty(double speed, double nu);
 COR_API double cor_disk_one_minus_eps2(double speed, double nu);
 COR_API double cor_disk_one_minus_eps2_uncertainty(double speed, double nu);

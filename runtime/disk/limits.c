@@ -4,6 +4,7 @@
 
 #include "cor/disk.h"
 #include "generated/disk_limits.h"
+#include "runtime/number/environment.h"
 
 static const struct cor_disk_limit_table table = {
     COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
@@ -36,6 +37,20 @@ double cor_disk_one_minus_eps2_uncertainty(double speed, double nu)
 double cor_disk_eps(double speed, double nu)
 {
     return sqrt(1 - cor_disk_one_minus_eps2(speed, nu));
+}
+
+static void eps_of_speeds(const double *speed, double nu, double *eps, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        eps[i] = cor_disk_eps(speed[i], nu);
+}
+
+void cor_disk_eps_array(const double *speed, double nu, double *eps, size_t n)
+{
+    void (*const volatile in_environment)(const double *, double, double *, size_t) = eps_of_speeds;
+    const struct cor_environment caller = cor_environment_enter();
+    in_environment(speed, nu, eps, n);
+    cor_environment_leave(&caller);
 }
 
 /* d eps = d(1 - eps^2)/(2 eps); eps is above 0.7 */

@@ -49,6 +49,19 @@ static double law_contact_time(double speed, double nu, enum cor_disk_datum datu
 
 #define LAW(name)                                                                                                      \
     COR_IN_ENVIRONMENT(double, cor_disk_##name, law_##name, (double x, double nu, enum cor_disk_datum datum),          \
-                       (x, nu, datum))
+                       (x, nu, datum))                                                                                 \
+    static void many_##name(const double *x, double nu, enum cor_disk_datum datum, double *y, size_t n)                \
+    {                                                                                                                  \
+        for (size_t i = 0; i < n; i++)                                                                                 \
+            y[i] = law_##name(x[i], nu, datum);                                                                        \
+    }                                                                                                                  \
+    void cor_disk_##name##_array(const double *x, double nu, enum cor_disk_datum datum, double *y, size_t n)           \
+    {                                                                                                                  \
+        void (*const volatile in_environment)(const double *, double, enum cor_disk_datum, double *, size_t) =         \
+            many_##name;                                                                                               \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        in_environment(x, nu, datum, y, n);                                                                            \
+        cor_environment_leave(&caller);                                                                                \
+    }
 LAW(load)
 LAW(contact_time)
