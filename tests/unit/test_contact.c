@@ -139,24 +139,80 @@ TEST(against_long_double)
         check(worst[k] <= COR_CONTACT_MAX_ULP, "%d: %Lg ulp", k, worst[k]);
 }
 
+typedef double contact_function(const struct cor_sphere_contact *, double);
+
+static contact_function *const eps_at_speed[2] = {cor_contact_eps_zero_overlap, cor_contact_eps_zero_force};
+static double (*const eps_at_beta[2])(double) = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
+
+static double (*const time_of_eps[2])(const struct cor_sphere_contact *, double, double) = {
+    cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
+
+/* The functions of a speed; those of seconds and metres need a scale. Their values at the speeds 0 and infinity, and at
+ * infinity without dissipation */
+static const struct {
+    const char *name;
+    contact_function *of;
+    int scaled;
+    double at_zero, at_infinity, elastic;
+} functions[] = {{"beta", cor_contact_beta, 0, 0, INFINITY, INFINITY},
+                 {"eps, zero overlap", cor_contact_eps_zero_overlap, 0, 1, 0, 1},
+                 {"eps, zero force", cor_contact_eps_zero_force, 0, 1, 0, 1},
+                 {"duration, zero overlap", cor_contact_duration_s_zero_overlap, 1, INFINITY, INFINITY, 0},
+                 {"duration, zero force", cor_contact_duration_s_zero_force, 1, INFINITY, 0, 0},
+                 {"largest overlap", cor_contact_max_overlap_m, 1, 0, INFINITY, INFINITY}};
+
+static void special_speeds(const struct cor_sphere_contact *c, int elastic)
+{
+    for (size_t k = 0; k < COUNT_OF(functions); k++) {
+        contact_function *const f = functions[k].of;
+        const int known = !isnan(c->beta_per_root) && !(functions[k].scaled && isnan(c->scale));
+        const double last = elastic ? functions[k].elastic : functions[k].at_infinity;
+        EACH (bad, -1, -smallest, -INFINITY, NAN)
+            check(isnan(f(c, *bad)), "%s at %g", functions[k].name, *bad);
+        EACH (zero, 0.0, -0.0)
+            check(known ? f(c, *zero) == functions[k].at_zero : isnan(f(c, *zero)), "%s at 0", functions[k].name);
+        EACH (speed, smallest, 1e-3, 1, 1e300, DBL_MAX)
+            check(isnan(f(c, *speed)) == !known, "%s at %g", functions[k].name, *speed);
+        if (k > 0 || !elastic)
+            check(known ? f(c, INFINITY) == last : isnan(f(c, INFINITY)), "%s at infinity", functions[k].name);
+    }
+    const int known = !isnan(c->scale);
+    for (int end = 0; end < 2; end++) {
+        check(known ? time_of_eps[end](c, 1, 1) == 0 : isnan(time_of_eps[end](c, 1, 1)), "A of 1");
+        EACH (zero, 0.0, -0.0)
+            check(known ? time_of_eps[end](c, 1, *zero) > DBL_MAX : isnan(time_of_eps[end](c, 1, *zero)), "A of 0");
+        EACH (no_eps, -smallest, nextafter(1, 2), INFINITY, -INFINITY, NAN)
+            check(isnan(time_of_eps[end](c, 1, *no_eps)), "A of %g", *no_eps);
+        EACH (no_speed, 0, -0.0, -1, INFINITY, -INFINITY, NAN)
+            check(isnan(time_of_eps[end](c, *no_speed, 0.5)), "A at %g", *no_speed);
+    }
+}
+
 TEST(speeds)
 {
-    struct cor_sphere_contact c;
+    struct cor_sphere_contact c, elastic;
+    const struct cor_body body = glass();
+    struct cor_body lossless = glass();
+    lossless.dissipation_time_s = 0;
+    assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
+    special_speeds(&c, 0);
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, INFINITY), COR_OK);
+    special_speeds(&c, 1);
+    assert_int_equal(cor_sphere_contact_init(&elastic, &lossless, &lossless), COR_OK);
+    special_speeds(&elastic, 1);
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
-    EACH (bad, -1, -smallest, -INFINITY, NAN) {
-        assert_true(isnan(cor_contact_beta(&c, *bad)));
-        assert_true(isnan(cor_contact_eps_zero_overlap(&c, *bad)));
-        assert_true(isnan(cor_contact_eps_zero_force(&c, *bad)));
+    special_speeds(&c, 0);
+    for (int end = 0; end < 2; end++) {
+        EACH (speed, smallest, 1, DBL_MAX)
+            check(eps_at_speed[end](&elastic, *speed) == 1, "speed %g", *speed);
+        assert_true(eps_at_speed[end](&c, smallest) == 1 && eps_at_speed[end](&c, DBL_MAX) > 0);
     }
-    EACH (zero, 0.0, -0.0) {
-        assert_true(cor_contact_beta(&c, *zero) == 0);
-        assert_true(cor_contact_eps_zero_overlap(&c, *zero) == 1);
-        assert_true(cor_contact_eps_zero_force(&c, *zero) == 1);
-    }
-    assert_true(cor_contact_beta(&c, INFINITY) == INFINITY);
-    assert_true(cor_contact_eps_zero_overlap(&c, INFINITY) == 0 && cor_contact_eps_zero_force(&c, INFINITY) == 0);
-    assert_true(cor_contact_eps_zero_overlap(&c, DBL_MAX) > 0 && cor_contact_eps_zero_force(&c, DBL_MAX) > 0);
-    assert_true(cor_contact_eps_zero_overlap(&c, smallest) == 1 && cor_contact_eps_zero_force(&c, smallest) == 1);
+    /* T = 2 tau_0 scale g^(-1/5) at both ends, by Hertz, and x_max = y_0 scale g^(4/5) */
+    const long double root = powl(0.3, 0.2L), time = 3.21806545971904308454L * elastic.scale / root;
+    check(ulp_error(cor_contact_duration_s_zero_overlap(&elastic, 0.3), time) <= 6, "duration");
+    check(ulp_error(cor_contact_duration_s_zero_force(&elastic, 0.3), time) <= 6, "duration");
+    const long double overlap = 1.09336207394327805637L * elastic.scale * root * root * root * root;
+    check(ulp_error(cor_contact_max_overlap_m(&elastic, 0.3), overlap) <= 10, "overlap");
     /* subnormal speeds: the fifth root of the smallest one is 2^(-1074/5) */
     EACH (tiny, smallest, 7 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 1e-310)
         check(ulp_error(cor_contact_beta(&c, *tiny), c.beta_per_root * powl(*tiny, 0.2L)) <= 2, "%a", *tiny);
@@ -215,28 +271,13 @@ TEST(characteristic_speed)
     assert_true(c.beta_per_root == 0 && cor_contact_eps_zero_force(&c, 1e5) == 1);
 }
 
-/* A contact that does not know its scale has neither seconds nor metres. */
-static void no_dimensions(const struct cor_sphere_contact *c)
-{
-    EACH (speed, 0, -0.0, 1e-3, 1, 1e300, INFINITY, NAN, -1) {
-        assert_true(isnan(cor_contact_duration_s_zero_overlap(c, *speed)));
-        assert_true(isnan(cor_contact_duration_s_zero_force(c, *speed)));
-        assert_true(isnan(cor_contact_max_overlap_m(c, *speed)));
-        assert_true(isnan(cor_contact_dissipation_time_s_zero_overlap(c, *speed, 0.5)));
-        assert_true(isnan(cor_contact_dissipation_time_s_zero_force(c, *speed, 0.5)));
-    }
-}
-
 static void all_nan(const struct cor_sphere_contact *c)
 {
     assert_true(isnan(c->effective_mass_kg) && isnan(c->effective_radius_m) && isnan(c->elastic_constant_n_m15) &&
                 isnan(c->dissipation_time_s) && isnan(c->beta_per_root) && isnan(c->scale) &&
                 isnan(c->beta5_per_speed));
-    assert_true(isnan(cor_contact_beta(c, 1)) && isnan(cor_contact_beta(c, 0)));
-    assert_true(isnan(cor_contact_eps_zero_overlap(c, 1)));
-    assert_true(isnan(cor_contact_eps_zero_force(c, 0)) && isnan(cor_contact_eps_zero_overlap(c, INFINITY)));
     assert_true(isnan(cor_contact_g_star_m_s(c)));
-    no_dimensions(c);
+    special_speeds(c, 0);
 }
 
 /* Puts a wrong value into one member of a good body, as first and as second. */
@@ -452,11 +493,6 @@ TEST(mass_of_a_sphere)
     }
 }
 
-typedef double contact_function(const struct cor_sphere_contact *, double);
-
-static contact_function *const eps_at_speed[2] = {cor_contact_eps_zero_overlap, cor_contact_eps_zero_force};
-static double (*const eps_at_beta[2])(double) = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
-
 /* |d ln(eps)/d ln(beta)|, a few digits of it */
 static long double steepness(int end, double beta)
 {
@@ -560,69 +596,6 @@ TEST(extreme_contacts)
     assert_true(cor_contact_eps_zero_force(&extreme, 1) == 1);
 }
 
-TEST(without_dissipation)
-{
-    struct cor_body elastic = glass();
-    elastic.dissipation_time_s = 0;
-    struct cor_sphere_contact c[2];
-    assert_int_equal(cor_sphere_contact_init(&c[0], &elastic, &elastic), COR_OK);
-    assert_int_equal(cor_sphere_contact_init_g_star(&c[1], INFINITY), COR_OK);
-    const double speed[] = {0, -0.0, smallest, 1, DBL_MAX, INFINITY}, bad[] = {-smallest, -1, -INFINITY, NAN};
-    for (int k = 0; k < 2; k++)
-        for (int end = 0; end < 2; end++) {
-            for (size_t i = 0; i < sizeof speed / sizeof *speed; i++)
-                check(eps_at_speed[end](&c[k], speed[i]) == 1, "speed %g", speed[i]);
-            for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-                check(isnan(eps_at_speed[end](&c[k], bad[i])), "speed %g", bad[i]);
-        }
-    /* T = 2 tau_0 scale g^(-1/5) at both ends, by Hertz, and x_max = y_0 scale g^(4/5) */
-    const long double root = powl(0.3, 0.2L);
-    const long double time = 3.21806545971904308454L * c[0].scale / root;
-    check(ulp_error(cor_contact_duration_s_zero_overlap(&c[0], 0.3), time) <= 6, "duration");
-    check(ulp_error(cor_contact_duration_s_zero_force(&c[0], 0.3), time) <= 6, "duration");
-    const long double overlap = 1.09336207394327805637L * c[0].scale * root * root * root * root;
-    check(ulp_error(cor_contact_max_overlap_m(&c[0], 0.3), overlap) <= 10, "overlap");
-    assert_true(cor_contact_duration_s_zero_overlap(&c[0], INFINITY) == 0);
-    assert_true(cor_contact_duration_s_zero_force(&c[0], INFINITY) == 0);
-    assert_true(cor_contact_max_overlap_m(&c[0], INFINITY) == INFINITY);
-    no_dimensions(&c[1]);
-}
-
-TEST(special_values_of_dimensions)
-{
-    const struct cor_body body = glass();
-    struct cor_sphere_contact c;
-    assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
-    contact_function *const duration[2] = {cor_contact_duration_s_zero_overlap, cor_contact_duration_s_zero_force};
-    const double zero[] = {0.0, -0.0}, bad[] = {-1, -smallest, -INFINITY, NAN};
-    for (int i = 0; i < 2; i++) {
-        for (int end = 0; end < 2; end++)
-            check(duration[end](&c, zero[i]) > DBL_MAX, "duration at %g: %g", zero[i], duration[end](&c, zero[i]));
-        check(cor_contact_max_overlap_m(&c, zero[i]) == 0, "overlap at %g", zero[i]);
-    }
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        for (int end = 0; end < 2; end++)
-            check(isnan(duration[end](&c, bad[i])), "duration at %g", bad[i]);
-        check(isnan(cor_contact_max_overlap_m(&c, bad[i])), "overlap at %g", bad[i]);
-    }
-    assert_true(cor_contact_duration_s_zero_overlap(&c, INFINITY) > DBL_MAX);
-    assert_true(cor_contact_duration_s_zero_force(&c, INFINITY) == 0);
-    assert_true(cor_contact_max_overlap_m(&c, INFINITY) > DBL_MAX);
-
-    double (*const time[2])(const struct cor_sphere_contact *, double, double) = {
-        cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
-    for (int end = 0; end < 2; end++) {
-        assert_true(time[end](&c, 1, 1) == 0);
-        assert_true(time[end](&c, 1, 0) > DBL_MAX && time[end](&c, 1, -0.0) > DBL_MAX);
-        EACH (no_eps, -smallest, nextafter(1, 2), INFINITY, -INFINITY, NAN)
-            check(isnan(time[end](&c, 1, *no_eps)), "eps = %g", *no_eps);
-        EACH (no_speed, 0, -0.0, -1, INFINITY, -INFINITY, NAN)
-            check(isnan(time[end](&c, *no_speed, 0.5)), "speed %g", *no_speed);
-    }
-    assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
-    no_dimensions(&c);
-}
-
 /* From the materials, all in long double, and through the equation of motion. */
 TEST(dimensions_against_long_double)
 {
@@ -656,8 +629,6 @@ TEST(dimensions_against_long_double)
 TEST(dissipation_time_from_eps)
 {
     struct random_state random = random_start();
-    double (*const time[2])(const struct cor_sphere_contact *, double, double) = {
-        cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
     for (size_t i = 0; i < points(20000); i++) {
         struct cor_body body = glass();
         body.dissipation_time_s = random_log(&random, 1e-12, 1e-2);
@@ -669,7 +640,7 @@ TEST(dissipation_time_from_eps)
         assert_int_equal(cor_sphere_contact_init(&other, &body, &body), COR_OK);
         const double speed = random_log(&random, 1e-6, 1e3), beta = cor_contact_beta(&c, speed);
         for (int end = 0; end < 2; end++) {
-            const double eps = eps_at_speed[end](&c, speed), back = time[end](&other, speed, eps);
+            const double eps = eps_at_speed[end](&c, speed), back = time_of_eps[end](&other, speed, eps);
             const double loss = end ? cor_sphere_loss_zero_force(beta) : cor_sphere_loss_zero_overlap(beta);
             /* |d ln(beta)/d ln(eps)| is about eps/(1 - eps) and less than 1 where eps is small */
             const long double condition = 2.0L * eps / loss + 1;
@@ -688,5 +659,4 @@ TEST(version)
 
 RUN_TESTS(two_glass_spheres, sphere_and_wall, different_materials, against_long_double, speeds, characteristic_speed,
           wrong_inputs, status_texts, dissipation_time, mass_of_a_sphere, oblique_impacts, eps_at_a_speed,
-          extreme_contacts, without_dissipation, special_values_of_dimensions, dimensions_against_long_double,
-          dissipation_time_from_eps, version)
+          extreme_contacts, dimensions_against_long_double, dissipation_time_from_eps, version)
