@@ -8,8 +8,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum {
     BITS = MOTION_BITS,
@@ -347,40 +345,6 @@ int reference_build(void)
     interpolation_clear(&in);
     fall_clear(&fall);
     return 0;
-}
-
-static const struct {
-    void *at;
-    size_t size;
-} built[] = {{cells, sizeof cells}, {series, sizeof series}, {&h_star_5, sizeof h_star_5}, {&ln2, sizeof ln2}};
-
-int reference_save(void)
-{
-    const char *path = getenv("COR_REFERENCE_FILE");
-    if (!path)
-        return 0;
-    FILE *file = fopen(path, "wb");
-    bool good = file != NULL;
-    for (size_t i = 0; i < sizeof built / sizeof *built; i++)
-        good = good && fwrite(built[i].at, built[i].size, 1, file) == 1;
-    if ((file && fclose(file) != 0) || !good) {
-        fprintf(stderr, "cannot write %s\n", path);
-        return 1;
-    }
-    return 0;
-}
-
-int reference_open(void)
-{
-    const char *path = getenv("COR_REFERENCE_FILE");
-    FILE *file = path ? fopen(path, "rb") : NULL;
-    bool good = file != NULL;
-    for (size_t i = 0; i < sizeof built / sizeof *built; i++)
-        good = good && fread(built[i].at, built[i].size, 1, file) == 1;
-    good = good && getc(file) == EOF;
-    if (file)
-        fclose(file);
-    return good ? 0 : reference_build();
 }
 
 /* ---- evaluation ---- */

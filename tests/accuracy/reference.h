@@ -7,7 +7,7 @@
  * 2^48 <= beta         powers of beta and ln(beta), what is next is below 2^-70
  * zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
  *
- * Nothing of it comes from collision_solve, the source of the library's tables: test_reference compares the two. */
+ * Nothing of it comes from collision_solve, the source of the library's tables: test_reference.c compares the two. */
 #ifndef COR_TESTS_ACCURACY_REFERENCE_H
 #define COR_TESTS_ACCURACY_REFERENCE_H
 
@@ -31,12 +31,6 @@ enum quantity {
 /* Makes the tables, some seconds; once, before any thread calls the functions below. Returns 0, or 1 after saying
  * what failed. */
 int reference_build(void);
-
-/* The tables by way of a file, for programs that follow each other: reference_save writes the file that the variable
- * COR_REFERENCE_FILE names, if it is set; reference_open reads it, or builds the tables where there is none. Both
- * return 0, or 1 after saying what failed. */
-int reference_save(void);
-int reference_open(void);
 
 long double reference_value(enum quantity quantity, long double beta);
 

@@ -66,6 +66,10 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
 
 bool search_wants(const struct search_options *o, const char *name);
 
+/* The parts of test_accuracy: the reference against balls, and the functions of floats. They print what they find. */
+bool reference_is_good(const struct search_options *o);
+bool floats_are_good(const struct search_options *o);
+
 /* Calls part(job of size `size`) for each of the jobs, on as many threads. */
 void search_on_threads(void *(*part)(void *), void *jobs, size_t size, int threads);
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Every sphere function of the library against the reference: random points, all doubles near every boundary of a
  * piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; these lines
- * are what the documentation quotes. --help lists the options. */
+ * are what the documentation quotes. The reference itself is tested before (test_reference.c), and functions of floats
+ * after it (test_floats.c). --help lists the options. */
 #include "cor/contact.h"
 #include "cor/sphere.h"
 
-#include "boundaries.h"
 #include "reference.h"
 #include "search.h"
 #include "ulp.h"
@@ -151,6 +151,15 @@ static void *search_random(void *argument)
     return NULL;
 }
 
+/* Cells of width 1/16 around i/16, in beta at zero overlap and in sqrt(beta) at zero force; their edges and middles
+ * up to these numbers of cells. */
+enum { CELLS_IN_BETA = 16 * 16, CELLS_IN_ROOT = 16 * 16 };
+
+/* Edges of regions, ends of the number formats, and where results leave them. Powers of two come on top. */
+static const double region_boundaries[] = {
+    0x1p-1074, 0x1p-1022, 0x1p-149, 0x1p-126, 7.0, 0x1.fffffep+127, 0x1.fffffffffffffp+1023, 1.39e62, 1.01e65, 7.6e304,
+};
+
 static void search_boundaries(struct worst *worst, const struct search_function *search)
 {
     const struct function *f = search->row;
@@ -272,7 +281,7 @@ static bool function_is_good(const struct function *f, const struct search_optio
     return check_specials(f) && good;
 }
 
-static int functions_run(const struct search_options *o)
+static bool functions_are_good(const struct search_options *o)
 {
     bool good = true;
     worst_heading(o->seed);
@@ -287,20 +296,26 @@ static int functions_run(const struct search_options *o)
         good = worst_report(contact_functions[i].name, "", &worst, 1) && good;
     }
     printf("contact: error as a part of (2 + 2 |d ln eps/d ln beta|) 2^-53, argument the speed\n");
-    return good ? 0 : 1;
+    return good;
 }
 
-static const char help[] = "test_accuracy [--points N] [--threads N] [--seed N] [--only TEXT]\n"
-                           "    --points N   random doubles for each function, 1e6 if not said (1e9: a long run)\n"
-                           "    --threads N  1 if not said\n"
-                           "    --seed N     repeats a run\n"
-                           "    --only TEXT  only functions with this in their name\n";
+static const char help[] =
+    "test_accuracy [--points N] [--stride N] [--hashes FILE] [--threads N] [--seed N] [--only TEXT]\n"
+    "    --points N     random doubles for each function, 1e6 if not said (1e9: a long run)\n"
+    "    --stride N     every Nth float, 2141 if not said (a prime: every last bit occurs)\n"
+    "    --hashes FILE  those of all floats: tests/accuracy/float_hashes.txt\n"
+    "    --threads N    1 if not said\n"
+    "    --seed N       repeats a run\n"
+    "    --only TEXT    only functions with this in their name\n";
 
 int main(int argc, char **argv)
 {
-    struct search_options o = {.points = 1000000, .seed = 19990101, .threads = 1};
+    struct search_options o = {.points = 1000000, .seed = 19990101, .threads = 1, .stride = 2141};
     const int status = search_options_read(&o, argc, argv, help);
     if (status != 0)
         return status;
-    return reference_open() != 0 ? 1 : functions_run(&o);
+    if (reference_build() != 0)
+        return 1;
+    const bool of_reference = o.only != NULL || reference_is_good(&o), of_doubles = functions_are_good(&o);
+    return of_reference && floats_are_good(&o) && of_doubles ? 0 : 1;
 }

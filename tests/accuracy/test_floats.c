@@ -10,12 +10,10 @@
  * results are not correctly rounded, by the double functions, whose bound counts as part of the error. From 16 on they
  * return cor_sphere_..f; 1 in FAR_STRIDE floats are taken there.
  *
- *     test_floats [--only TEXT] [--threads N] [--stride N] [--hashes FILE]
- *
- * --stride N takes every Nth float, of the arrays in float arithmetic FAST_SHARE times as many, and no hash. --hashes
- * FILE compares with a file of lines "hash function"; lines that the file lacks are printed. The exit status is 1 if a
- * result is wrong, if the reference cannot decide, or if a hash differs. Negative numbers and NaN give NaN, and -0
- * counts as 0: tests/unit tests that. */
+ * test_accuracy --stride N takes every Nth float, of the arrays in float arithmetic FAST_SHARE times as many, and no
+ * hash. --hashes FILE compares with a file of lines "hash function"; lines that the file lacks are printed. It is a
+ * failure if a result is wrong, if the reference cannot decide, or if a hash differs. Negative numbers and NaN give
+ * NaN, and -0 counts as 0: tests/unit tests that. */
 #include "cor/sphere.h"
 
 #include "reference.h"
@@ -280,17 +278,11 @@ static int report(const struct function *f, const struct search_options *o)
     return status;
 }
 
-int main(int argc, char **argv)
+bool floats_are_good(const struct search_options *o)
 {
-    struct search_options o = {.threads = 1, .stride = 1};
-    int status = search_options_read(
-        &o, argc, argv, "test_floats [--only TEXT] [--threads 1..64] [--stride 1..1000000] [--hashes FILE]\n");
-    if (status != 0)
-        return status;
-    if (reference_open())
-        return 1;
+    int status = 0;
     for (int i = 0; i < FUNCTIONS; i++)
-        if (search_wants(&o, functions[i].name))
-            status |= report(&functions[i], &o);
-    return status;
+        if (search_wants(o, functions[i].name))
+            status |= report(&functions[i], o);
+    return status == 0;
 }

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* The reference of the accuracy test against balls of collision_solve with 30 digits, at random beta. */
-#include "check.h"
-
 #include "enclosure/collision.h"
 #include "reference.h"
+#include "search.h"
 #include "support/local.h"
+
+#include <math.h>
+#include <stdio.h>
 
 /* Largest difference allowed, relative: 2^-61, that is 1/256 unit of the last place of a double. */
 static const double MAX_DIFFERENCE = 0x1p-61;
 enum { BITS = 100 };
-
-static struct random_state state;
 
 static double difference(enum quantity quantity, double beta, const arb_t exact)
 {
@@ -28,18 +28,19 @@ static double difference(enum quantity quantity, double beta, const arb_t exact)
     return result;
 }
 
-/* Random beta between the limits, all quantities. */
-static void compare(double low, double high, size_t count)
+/* Random beta between the limits, all quantities */
+static bool compare(struct random_state *state, double low, double high, uint64_t count)
 {
-    double worst = 0, at = 0;
+    struct worst worst = {0};
     LOCAL(collision, c);
     LOCAL(arb, beta, loss);
-    for (size_t i = 0; i < count; i++) {
-        const double b = random_log(&state, low, high);
+    for (uint64_t i = 0; i < count; i++) {
+        const double b = random_log(state, low, high);
         arb_set_d(beta, b);
         /* 1 - eps loses what beta is small by; with more bits the collision is integrated to its end up to beta = 16 */
         const slong bits = b < 1 ? BITS - (slong)logb(b) : b > 8 && b < 16 ? 2 * BITS : BITS;
-        assert_int_equal(collision_solve(c, beta, &law_sphere, bits), 0);
+        if (collision_solve(c, beta, &law_sphere, bits) != 0)
+            return false;
         const arb_srcptr exact[QUANTITIES] = {
             [EPS_ZERO_OVERLAP] = c->eps_zero_overlap,
             [EPS_ZERO_FORCE] = c->eps_zero_force,
@@ -51,48 +52,27 @@ static void compare(double low, double high, size_t count)
         for (int q = 0; q < QUANTITIES; q++) {
             arb_sub_si(loss, q == LOSS_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force, 1, 4 * BITS);
             arb_neg(loss, loss);
-            const double error = difference((enum quantity)q, b, exact[q] != NULL ? exact[q] : loss);
-            if (error > worst) {
-                worst = error;
-                at = b;
-            }
-            check(error <= MAX_DIFFERENCE, "quantity %d, beta = %a: relative difference %g", q, b, error);
+            worst_take(&worst, difference((enum quantity)q, b, exact[q] != NULL ? exact[q] : loss), b);
         }
     }
-    print_message("%g <= beta <= %g: %zu points, worst relative difference %.3g = 2^%.2f at %a\n", low, high, count,
-                  worst, log2(worst), at);
+    const bool good = worst.error <= MAX_DIFFERENCE;
+    printf("%s  reference, %g <= beta <= %g: %llu points, worst relative difference %.3g = 2^%.2f at %a\n",
+           good ? "ok  " : "FAIL", low, high, (unsigned long long)count, worst.error, log2(worst.error), worst.at);
+    return good;
 }
 
-TEST(test_series)
+/* Where the series, the interpolation and the asymptotics serve: so many of 10^5 points */
+bool reference_is_good(const struct search_options *o)
 {
-    compare(1e-6, 0.125, points(few_or_all(7, 20)));
-    compare(1e-60, 1e-6, points(few_or_all(2, 4)));
-}
-
-TEST(test_interpolation)
-{
-    compare(0.125, 1, points(few_or_all(6, 18)));
-    compare(1, 4, points(few_or_all(6, 18)));
-    compare(4, 8, points(few_or_all(4, 12)));
-    compare(8, 16, points(few_or_all(2, 6)));
-    compare(16, 64, points(few_or_all(2, 6)));
-    compare(64, 0x1p48, points(few_or_all(2, 6)));
-}
-
-TEST(test_asymptotics)
-{
-    compare(0x1p48, 1e17, points(few_or_all(1, 3)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {test_series, test_interpolation, test_asymptotics};
-    if (LDBL_MANT_DIG < 64) {
-        print_message("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
-        return 77;
-    }
-    state = random_start();
-    if (reference_build() != 0 || reference_save() != 0)
-        return 1;
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    static const struct {
+        double low, high;
+        uint64_t points;
+    } part[] = {{1e-6, 0.125, 7}, {1e-60, 1e-6, 2}, {0.125, 1, 6},   {1, 4, 6},        {4, 8, 4},
+                {8, 16, 2},       {16, 64, 2},      {64, 0x1p48, 2}, {0x1p48, 1e17, 1}};
+    const uint64_t times = o->points < 10000000 ? 1 : 12;
+    struct random_state state = random_seeded(o->seed);
+    bool good = true;
+    for (size_t i = 0; i < COUNT_OF(part); i++)
+        good = compare(&state, part[i].low, part[i].high, times * part[i].points) && good;
+    return good;
 }
