@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Arguments x at which the float nearest to the double result is not the float y nearest to the function: the function
  * lies within 1/2 ulp of a double of the middle of two floats there. tests/accuracy/test_floats.c finds them. A
- * function without such an argument has NaN, which equals no argument. second_x is not in the function's table, so that loops
- * over rows watch for x alone. */
+ * function without such an argument has NaN, which equals no argument. second_x is not in the function's table, so that
+ * loops over rows watch for x alone. */
 #ifndef COR_RUNTIME_SPHERE_FLOAT_EXCEPTIONS_H
 #define COR_RUNTIME_SPHERE_FLOAT_EXCEPTIONS_H
 
