@@ -50,9 +50,7 @@ static void far_cell_init(struct far_cell *cell, double lo, double hi)
     if (hi <= WIDE_FROM) {
         enclosed_exponential(cell->mu, -5, 3, cell->u);
     } else {
-        arb_set_d(x, -5 * lo);
-        arb_div_ui(x, x, 3, ENCLOSED_BITS);
-        arb_exp(x, x, ENCLOSED_BITS);
+        LET(x, ENCLOSED_BITS, "exp(-5*lo/3)", lo);
         enclosed_add_radius(cell->mu, x);
     }
 }

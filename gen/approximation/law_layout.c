@@ -142,12 +142,10 @@ static int find_threshold(struct law_layout *layout)
     const struct law *law = &layout->interpolant.law;
     LOCAL(arb, beta_c, x);
     int status = STATUS_OK;
-    if (law_is_linear(law)) {
-        arb_set_ratio(beta_c, ratio_mul((struct ratio){2, 1}, ratio_add(law->a, (struct ratio){1, 1})), CONSTANT_BITS);
-        arb_sqrt(beta_c, beta_c, CONSTANT_BITS);
-    } else {
+    if (law_is_linear(law))
+        LET(beta_c, CONSTANT_BITS, "sqrt(2*(law->a + 1))", law->a);
+    else
         status = collision_threshold(beta_c, x, law, CONSTANT_BITS);
-    }
     layout->threshold = arf_get_d(arb_midref(beta_c), ARF_RND_NEAR);
     const double below = arf_get_d(arb_midref(beta_c), ARF_RND_DOWN);
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
@@ -156,8 +154,7 @@ static int find_threshold(struct law_layout *layout)
     /* beta_c - overlap_end, which is a power of two up to rounding, may begin another octave, which then needs a row */
     const double distance = exp2(floor(log2(layout->threshold / 2)));
     layout->overlap_end = layout->threshold - distance;
-    arb_set_d(x, layout->overlap_end);
-    arb_sub(x, beta_c, x, CONSTANT_BITS);
+    LET(x, CONSTANT_BITS, "beta_c - layout->overlap_end", beta_c, layout->overlap_end);
     const bool another_octave = arf_cmp_d(arb_midref(x), nextafter(distance, 0)) > 0;
     layout->below_end = distance * (another_octave ? 1 + 0x1p-20 : 1 + 0x1p-40);
     return status;
@@ -166,14 +163,12 @@ static int find_threshold(struct law_layout *layout)
 /* Whether beta^(1/q) eps equals v_f to double precision */
 static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, double beta)
 {
-    LOCAL(arb, x, power);
+    const struct ratio power = interpolant_tail_power(law, EPS_ZERO_OVERLAP);
+    LOCAL(arb, x);
     LOCAL_INIT(collision, c, (&c));
     arb_set_d(x, beta);
     const int status = collision_solve_overlap(&c, x, law, DEVIATION_BITS + 16);
-    arb_pow_ratio(power, x, interpolant_tail_power(law, EPS_ZERO_OVERLAP), CONSTANT_BITS);
-    arb_mul(power, power, v_f, CONSTANT_BITS);
-    arb_div(x, c.eps_zero_overlap, power, CONSTANT_BITS);
-    arb_sub_ui(x, x, 1, CONSTANT_BITS);
+    LET(x, CONSTANT_BITS, "c.eps_zero_overlap/(x^power*v_f) - 1", c.eps_zero_overlap, x, power, v_f);
     *fallen = arf_cmpabs_2exp_si(arb_midref(x), -DEVIATION_BITS) < 0;
     return status;
 }

@@ -166,25 +166,19 @@ static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struc
 /* w = (x - middle)/half. Returns false if w is not within [-1, 1] and the little beyond that the error allows. */
 static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *interval)
 {
-    LOCAL(arb, lo, hi, half);
-    arb_set_d(lo, interval->lo);
-    arb_set_d(hi, interval->hi);
-    arb_sub(half, hi, lo, ENCLOSED_BITS);
-    arb_mul_2exp_si(half, half, -1);
-    arb_add(lo, lo, hi, ENCLOSED_BITS);
-    arb_mul_2exp_si(lo, lo, -1);
-    arb_neg(lo, lo);
+    const double lo = interval->lo, hi = interval->hi, most = 1 + BEYOND;
+    LOCAL(arb, middle, half, end);
+    LET(half, ENCLOSED_BITS, "(hi - lo)/2", hi, lo);
+    LET(middle, ENCLOSED_BITS, "-(lo + hi)/2", lo, hi);
     arb_poly_set(w, x);
-    enclosed_add_number(w, lo);
+    enclosed_add_number(w, middle);
     arb_poly_scalar_div(w, w, half, ENCLOSED_BITS);
     /* x rises or falls with t, so that its ends are at t = -1 and t = 1 */
     bool inside = true;
     for (int t = -1; t <= 1; t += 2) {
-        arb_set_si(lo, t);
-        arb_poly_evaluate(hi, w, lo, ENCLOSED_BITS);
-        arb_abs(hi, hi);
-        arb_set_d(half, 1 + BEYOND);
-        inside = inside && arb_le(hi, half);
+        arb_set_si(end, t);
+        arb_poly_evaluate(end, w, end, ENCLOSED_BITS);
+        inside = inside && HOLDS(ENCLOSED_BITS, "abs(end) < most", end, most);
     }
     return inside;
 }
@@ -200,8 +194,8 @@ static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, const 
         enclosed_shorten(y);
         enclosed_add_number(y, c);
     }
-    arb_set_d(c, MORE_ERROR);
-    arb_mul(c, c, error, ENCLOSED_BITS);
+    const double more = MORE_ERROR;
+    LET(c, ENCLOSED_BITS, "error*more", error, more);
     enclosed_add_radius(y, c);
 }
 
@@ -210,7 +204,7 @@ static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const s
                           const arb_poly_t log_beta, const arb_poly_t beta)
 {
     const struct ratio power = interpolant_tail_power(interpolant_law(proof->f), proof->eps);
-    arb_poly_t factor;
+    LOCAL(arb_poly, factor);
     switch (interval->form) {
     case FORM_QUOTIENT: /* (1 - eps)/beta */
         enclosed_multiply(eps, eps, beta);
@@ -221,10 +215,8 @@ static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const s
         enclosed_exp(eps, eps);
         break;
     case FORM_POWER:
-        arb_poly_init(factor);
         enclosed_exponential(factor, (double)power.num, power.den, log_beta);
         enclosed_multiply(eps, eps, factor);
-        arb_poly_clear(factor);
         break;
     case FORM_VALUE:
         break;

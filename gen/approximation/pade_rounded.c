@@ -160,9 +160,7 @@ static double upper_bound(const arb_t x)
 static double relative(const arb_t approximate, const arb_t exact)
 {
     LOCAL(arb, x);
-    arb_div(x, approximate, exact, BITS);
-    arb_sub_ui(x, x, 1, BITS);
-    arb_abs(x, x);
+    LET(x, BITS, "abs(approximate/exact - 1)", approximate, exact);
     return upper_bound(x);
 }
 
@@ -174,21 +172,19 @@ static void set_z(arb_t z, const struct pade_rounded *r, const arb_t beta)
 void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
                               const struct references *s)
 {
-    LOCAL(arb, beta, z, q, value, exact);
+    LOCAL(arb, beta, z, p, q, l, lost);
     e->eps = e->loss = 0;
     for (slong i = 0; i < s->count; i++) {
+        const arb_srcptr exact = s->eps[end] + i;
         arb_set_fmpq(beta, s->beta + i, BITS);
         set_z(z, r, beta);
+        arb_poly_evaluate(p, r->p_double, z, BITS);
         arb_poly_evaluate(q, r->q_double, z, BITS);
-        arb_poly_evaluate(value, r->p_double, z, BITS);
-        arb_div(value, value, q, BITS);
-        const double eps = relative(value, s->eps[end] + i);
-        arb_poly_evaluate(value, r->l_double, z, BITS);
-        arb_mul(value, value, beta, BITS);
-        arb_div(value, value, q, BITS);
-        arb_sub_ui(exact, s->eps[end] + i, 1, BITS);
-        arb_neg(exact, exact);
-        const double loss = relative(value, exact);
+        arb_poly_evaluate(l, r->l_double, z, BITS);
+        LET(p, BITS, "p/q", p, q);
+        LET(l, BITS, "l*beta/q", l, beta, q);
+        LET(lost, BITS, "1 - exact", exact);
+        const double eps = relative(p, exact), loss = relative(l, lost);
         if (!(eps <= e->eps)) {
             e->eps = eps;
             fmpq_set(e->eps_at_beta, s->beta + i);
@@ -203,12 +199,7 @@ void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r
 /* gamma_k = k u/(1 - k u), u = 2^-53 */
 static void gamma_bound(arb_t g, slong k)
 {
-    LOCAL(arb, d);
-    arb_set_si(g, k);
-    arb_mul_2exp_si(g, g, -53);
-    arb_sub_ui(d, g, 1, BITS);
-    arb_neg(d, d);
-    arb_div(g, g, d, BITS);
+    LET(g, BITS, "k/(2^53 - k)", k);
 }
 
 /* Relative error of P(z) by Horner's rule for every z of the interval: each coefficient carries at most
@@ -217,19 +208,14 @@ static void gamma_bound(arb_t g, slong k)
 static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude, const arb_poly_t slope,
                          const arb_t z)
 {
-    LOCAL(arb, value, centre, radius);
+    LOCAL(arb, centre, at_centre, rise, gamma);
     /* mean value form: P at the midpoint, P' over the interval */
     arb_get_mid_arb(centre, z);
-    arb_sub(radius, z, centre, BITS);
-    arb_poly_evaluate(value, slope, z, BITS);
-    arb_mul(radius, radius, value, BITS);
-    arb_poly_evaluate(value, p, centre, BITS);
-    arb_add(value, value, radius, BITS);
-    arb_abs(value, value);
+    arb_poly_evaluate(rise, slope, z, BITS);
+    arb_poly_evaluate(at_centre, p, centre, BITS);
     arb_poly_evaluate(error, magnitude, z, BITS);
-    arb_div(error, error, value, BITS);
-    gamma_bound(value, OPERATIONS_PER_DEGREE * arb_poly_degree(p) + 1);
-    arb_mul(error, error, value, BITS);
+    gamma_bound(gamma, OPERATIONS_PER_DEGREE * arb_poly_degree(p) + 1);
+    LET(error, BITS, "error/abs(at_centre + (z - centre)*rise)*gamma", error, at_centre, z, centre, rise, gamma);
 }
 
 static void set_magnitude(arb_poly_t magnitude, const arb_poly_t p)
@@ -242,41 +228,20 @@ static void set_magnitude(arb_poly_t magnitude, const arb_poly_t p)
 /* (1 + n)/(1 - d) (1 + u)^rounded - 1 */
 static double quotient_error(const arb_t n, const arb_t d, slong rounded)
 {
-    LOCAL(arb, x, y);
-    arb_sub_ui(y, d, 1, BITS);
-    arb_neg(y, y);
-    double bound = INFINITY;
-    if (arb_is_positive(y)) {
-        arb_add_ui(x, n, 1, BITS);
-        arb_div(x, x, y, BITS);
-        gamma_bound(y, rounded);
-        arb_add_ui(y, y, 1, BITS);
-        arb_mul(x, x, y, BITS);
-        arb_sub_ui(x, x, 1, BITS);
-        bound = upper_bound(x);
-    }
-    return bound;
+    LOCAL(arb, x, gamma);
+    gamma_bound(gamma, rounded);
+    LET(x, BITS, "(1 + n)/(1 - d)*(1 + gamma) - 1", n, d, gamma);
+    return HOLDS(BITS, "d < 1", d) ? upper_bound(x) : INFINITY;
 }
 
 /* z where piece k begins: PIECES equal ones up to PADE_NEAR, as many of one ratio beyond */
 static void piece_end(arb_t z, const struct pade_rounded *r, slong beta_max, slong k)
 {
     const slong near = FLINT_MIN(beta_max, PADE_NEAR);
-    arb_set_si(z, near);
-    if (k <= PIECES) {
-        set_z(z, r, z);
-        arb_mul_si(z, z, k, BITS);
-        arb_div_si(z, z, PIECES, BITS);
-        return;
-    }
-    LOCAL(arb, power);
-    arb_set_si(power, k - PIECES);
-    arb_div_si(power, power, PIECES, BITS);
-    arb_set_si(z, beta_max);
-    arb_div_si(z, z, near, BITS);
-    arb_pow(z, z, power, BITS);
-    arb_mul_si(z, z, near, BITS);
-    set_z(z, r, z);
+    if (k <= PIECES)
+        LET(z, BITS, "near^(1/r->root)*k/PIECES", near, r->root, k, PIECES);
+    else
+        LET(z, BITS, "((beta_max/near)^((k - PIECES)/PIECES)*near)^(1/r->root)", beta_max, near, k, PIECES, r->root);
 }
 
 /* Whether a partial sum of Horner's rule may exceed the doubles: sum |p_i| z^i at the largest z bounds all */

@@ -61,13 +61,12 @@ struct prover {
 /* eps at zero overlap for beta >= EMBED_FAR, as a function of x = ln(beta) */
 static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct prover *w)
 {
-    LOCAL(arb, radius, error);
+    const double error = EMBED_FAR_ERROR;
+    LOCAL(arb, radius);
     enclosed_exponential(eps, -5, 1, x);
     arb_poly_scalar_mul(eps, eps, w->s->h_star_5, ENCLOSED_BITS);
     enclosed_range(radius, eps);
-    arb_abs(radius, radius);
-    arb_set_d(error, EMBED_FAR_ERROR);
-    arb_mul(radius, radius, error, ENCLOSED_BITS);
+    LET(radius, ENCLOSED_BITS, "abs(radius)*error", radius, error);
     enclosed_add_radius(eps, radius);
 }
 
@@ -231,16 +230,14 @@ static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb
 static void part_place(arb_poly_t y, const struct prover *w, slong row)
 {
     const struct embed_form *const f = w->f;
-    arb_t slope;
+    LOCAL(arb, slope);
     if (f->family == FAMILY_PIECES_SPEED) {
         enclosed_add_double(y, -embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits));
     } else if (f->family == FAMILY_PIECES_BETA) {
-        arb_init(slope);
         arb_set_d(slope, f->slope);
         arb_poly_scalar_mul(y, y, slope, ENCLOSED_BITS);
         enclosed_add_double(y, f->shift);
         enclosed_add_double(y, -(double)row);
-        arb_clear(slope);
     }
 }
 
@@ -313,14 +310,8 @@ static double place_of_speed(const struct prover *w, double speed, bool by_log, 
     LOCAL(arf, end);
     arb_set_d(x, speed);
     embed_scene_beta_enclosed(x, w->s, x);
-    if (by_log)
-        arb_log(x, x, EMBED_BITS);
-    else
-        arb_sqrt(x, x, EMBED_BITS);
-    if (above)
-        arb_get_ubound_arf(end, x, EMBED_BITS);
-    else
-        arb_get_lbound_arf(end, x, EMBED_BITS);
+    (by_log ? arb_log : arb_sqrt)(x, x, EMBED_BITS);
+    (above ? arb_get_ubound_arf : arb_get_lbound_arf)(end, x, EMBED_BITS);
     return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
 }
 
@@ -420,11 +411,9 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
 /* A form that is one number, its coefficient */
 static void prove_constant(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
 {
-    LOCAL(arb, x, difference);
-    arb_set_d(x, f->number[0]);
-    arb_sub(difference, x, s->eps, EMBED_BITS);
-    arb_div(difference, difference, s->eps, EMBED_BITS);
+    LOCAL(arb, difference);
     LOCAL(arf, bound);
+    LET(difference, EMBED_BITS, "(f->number[0] - s->eps)/s->eps", f->number[0], s->eps);
     arb_get_abs_ubound_arf(bound, difference, EMBED_BITS);
     *proof = (struct embed_proof){.error = arf_get_d(bound, ARF_RND_CEIL), .proved = true};
     proof->formula = proof->error;
@@ -480,15 +469,12 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     else
         w.far_known = false;
     if (status == STATUS_OK) {
-        arb_init(w.factor);
-        arb_init(w.speed_factor);
-        const struct ratio speed_power = ratio_div((struct ratio){1, 1}, law_speed_exponent(&s->law));
-        arb_pow_ratio(w.speed_factor, s->beta_enclosed, ratio_make(-speed_power.num, speed_power.den), EMBED_BITS);
-        const struct ratio power = variable_power(s, f);
-        arb_pow_ratio(w.factor, s->beta_enclosed, ratio_make(-power.num, power.den), EMBED_BITS);
+        const struct ratio q = law_speed_exponent(&s->law), power = variable_power(s, f);
+        FOR_ALL(arb, init, w.factor, w.speed_factor);
+        LET(w.speed_factor, EMBED_BITS, "s->beta_enclosed^(-1/q)", s->beta_enclosed, q);
+        LET(w.factor, EMBED_BITS, "s->beta_enclosed^-power", s->beta_enclosed, power);
         prove_formula(proof, &w, &rounding);
-        arb_clear(w.factor);
-        arb_clear(w.speed_factor);
+        FOR_ALL(arb, clear, w.factor, w.speed_factor);
     }
     if (w.far_known)
         far_proof_clear(&w.far);

@@ -189,9 +189,8 @@ static double root_step_rounding(const double *c, slong degree, double e, const 
     rounded_mul_add(&fourth, &r, &r, 0, a);
     rounded_mul_add(&fourth, &fourth, &fourth, 0, a);
     arb_set_d(radius, e);
-    arb_one(product.exact);
+    arb_set_si(product.exact, -1);
     arb_add_error(product.exact, radius);
-    arb_neg(product.exact, product.exact);
     product.error = rounding_of(&product, a);
     rounded_mul_add(&off, &product, &fourth, 1, a);
     rounded_horner(&series, c, degree, 1, &off, a);
@@ -291,8 +290,7 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
         relative += (1 + relative) * a.unit;
         least /= magnitude(q_value);
         relative += a.least / least;
-        arb_div(q_slope, q_slope, q_value, BITS);
-        arb_sub(slope, slope, q_slope, BITS);
+        LET(slope, BITS, "slope - q_slope/q_value", slope, q_slope, q_value);
     }
     const double of_x = expm1(magnitude(slope) * x_error);
     const double bound = both(relative, of_x) * RAISE + 1e-18;
@@ -336,22 +334,11 @@ static void bound_cell(void *context, slong i)
 /* speed^(1/5) slope (1 + error) + shift - limit, as a lower or an upper bound */
 static double place_beyond(const struct embed_form *f, double speed, double error, double limit, bool above)
 {
-    LOCAL(arb, y, number);
+    LOCAL(arb, y);
     LOCAL(arf, end);
-    arb_set_d(y, speed);
-    arb_root_ui(y, y, 5, ENCLOSED_BITS);
-    arb_set_d(number, f->slope);
-    arb_mul(y, y, number, ENCLOSED_BITS);
-    arb_set_d(number, error);
-    arb_addmul(y, y, number, ENCLOSED_BITS);
-    arb_set_d(number, f->shift);
-    arb_add(y, y, number, ENCLOSED_BITS);
-    arb_set_d(number, limit);
-    arb_sub(y, y, number, ENCLOSED_BITS);
-    if (above)
-        arb_get_ubound_arf(end, y, BITS);
-    else
-        arb_get_lbound_arf(end, y, BITS);
+    LET(y, ENCLOSED_BITS, "speed^(1/5)*f->slope", speed, f->slope);
+    LET(y, ENCLOSED_BITS, "y + y*error + f->shift - limit", y, error, f->shift, limit);
+    (above ? arb_get_ubound_arf : arb_get_lbound_arf)(end, y, BITS);
     return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
 }
 
