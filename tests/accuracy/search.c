@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include <mpfr.h>
+
 #include "ulp.h"
 
 /* ---- the worst point ---- */
@@ -18,7 +20,7 @@ void worst_take(struct worst *worst, double error, double at)
     }
 }
 
-void worst_merge(struct worst *into, const struct worst *from)
+static void worst_merge(struct worst *into, const struct worst *from)
 {
     into->points += from->points;
     into->rises += from->rises;
@@ -92,50 +94,35 @@ bool worst_report(const char *name, const char *suffix, const struct worst *wors
     return good;
 }
 
-/* ---- arrays ---- */
+/* ---- random points on threads ---- */
 
-static bool same_double(double x, double y)
+struct job {
+    const struct search_function *f;
+    uint64_t seed, first, points, step;
+    struct worst worst;
+};
+
+static void *search_part(void *argument)
 {
-    return same_bits(&x, &y, sizeof x) || (isnan(x) && isnan(y));
+    struct job *const job = argument;
+    struct random_state r = random_seeded(job->seed);
+    for (uint64_t i = job->first; i < job->points; i += job->step)
+        worst_random(&job->worst, job->f, &r);
+    mpfr_free_cache();
+    return NULL;
 }
 
-static bool same_float(float x, float y)
+struct worst search_random(const struct search_function *f, const struct search_options *o, uint64_t points)
 {
-    return same_bits(&x, &y, sizeof x) || (isnan(x) && isnan(y));
-}
-
-bool search_arrays(const struct search_function *f, const double *special, size_t specials, int blocks, uint64_t seed)
-{
-    enum { LONGEST = 300, SHORT = 68 };
-    double x[LONGEST + 4], y[LONGEST + 4];
-    float xf[LONGEST + 4], yf[LONGEST + 4];
-    struct random_state r = random_seeded(seed);
-    uint64_t wrong = 0;
-    f->array(NULL, NULL, 0);
-    f->arrayf(NULL, NULL, 0);
-    for (int block = 0; block < blocks; block++) {
-        const size_t n = random_below(&r, block % 8 ? SHORT : LONGEST + 1);
-        const size_t from = random_below(&r, 4), to = random_below(&r, 4);
-        const bool mixed = block % 2 == 0, in_place = block % 3 == 0;
-        for (size_t i = from; i < from + n; i++) {
-            x[i] = mixed && random_below(&r, 16) == 0 ? special[random_below(&r, specials)]
-                                                      : f->random_argument(&r, f->row);
-            xf[i] = (float)x[i];
-        }
-        memcpy(y + to, x + from, n * sizeof *y);
-        memcpy(yf + to, xf + from, n * sizeof *yf);
-        f->array(in_place ? y + to : x + from, y + to, n);
-        f->arrayf(in_place ? yf + to : xf + from, yf + to, n);
-        for (size_t i = 0; i < n; i++) {
-            const double at = x[from + i];
-            const float atf = xf[from + i], onef = f->valuef(atf);
-            const bool good = same_double(f->value(at), y[to + i]) && same_float(onef, yf[to + i]) &&
-                              (!f->float_is_rounded || same_float((float)f->value((double)atf), onef));
-            if (!good && wrong++ == 0)
-                printf("FAIL  %s: array element %zu of %zu, argument %a\n", f->name, i, n, at);
-        }
-    }
-    return wrong == 0;
+    struct worst worst = {0};
+    struct job job[SEARCH_MAX_THREADS];
+    for (int i = 0; i < o->threads; i++)
+        job[i] =
+            (struct job){f, o->seed * SEARCH_MAX_THREADS + (uint64_t)i, (uint64_t)i, points, (uint64_t)o->threads, worst};
+    search_on_threads(search_part, job, sizeof *job, o->threads);
+    for (int i = 0; i < o->threads; i++)
+        worst_merge(&worst, &job[i].worst);
+    return worst;
 }
 
 /* ---- options and threads ---- */

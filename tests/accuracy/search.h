@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The search for the worst error of a function of one double, which test_accuracy.c and test_laws.c share: random
- * points on several threads, every double near a place, uphill from the worst point; arrays against their scalars;
- * options. */
+ * points on several threads, every double near a place, uphill from the worst point; options. */
 #ifndef COR_TESTS_ACCURACY_SEARCH_H
 #define COR_TESTS_ACCURACY_SEARCH_H
 
@@ -13,12 +12,9 @@
 struct search_function {
     const char *name;
     double (*value)(double);
-    void (*array)(const double *, double *, size_t);
-    float (*valuef)(float);
-    void (*arrayf)(const float *, float *, size_t);
-    double last;                  /* the largest argument: 1 of an inverse, else infinity */
-    uint64_t largest_rise;        /* of a function that falls from 1 to 0, in ulp, from one double >= 0 to the next */
-    bool falls, float_is_rounded; /* valuef(x) is value(x) rounded once */
+    double last;           /* the largest argument: 1 of an inverse, else infinity */
+    uint64_t largest_rise; /* of a function that falls from 1 to 0, in ulp, from one double >= 0 to the next */
+    bool falls;
     double (*error)(const void *row, double computed, double x); /* in ulp; infinite or NaN where it is wrong */
     double (*random_argument)(struct random_state *r, const void *row);
     const void *row; /* of the table of the test */
@@ -30,7 +26,6 @@ struct worst {
 };
 
 void worst_take(struct worst *worst, double error, double at);
-void worst_merge(struct worst *into, const struct worst *from);
 
 /* One random point, and the order of its value and the next double's */
 void worst_random(struct worst *worst, const struct search_function *f, struct random_state *r);
@@ -47,10 +42,6 @@ void worst_heading(uint64_t seed);
 /* Prints one line; returns whether the worst error is within the bound and nothing rose. */
 bool worst_report(const char *name, const char *suffix, const struct worst *worst, double bound);
 
-/* Arrays of random and special arguments of any length and place, in place or not, are their scalars to the bit.
- * Prints the first difference; returns whether there is none. */
-bool search_arrays(const struct search_function *f, const double *special, size_t specials, int blocks, uint64_t seed);
-
 enum { SEARCH_MAX_THREADS = 64 };
 
 struct search_options {
@@ -63,6 +54,9 @@ struct search_options {
 /* Reads --points, --threads, --seed, --only, --stride and --hashes. Returns 0, or the exit status: 2 after the help
  * for wrong ones, 77 where long double is too short for a reference. */
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help);
+
+/* The worst of so many random points, on the threads of the options */
+struct worst search_random(const struct search_function *f, const struct search_options *o, uint64_t points);
 
 bool search_wants(const struct search_options *o, const char *name);
 

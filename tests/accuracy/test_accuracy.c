@@ -132,25 +132,6 @@ static struct search_function search_of(const struct function *f)
                                     .row = f};
 }
 
-/* Part `thread` of the work on one function. */
-struct job {
-    const struct search_function *f;
-    const struct search_options *options;
-    int thread;
-    struct worst worst;
-};
-
-static void *search_random(void *argument)
-{
-    struct job *const job = argument;
-    const struct search_options *o = job->options;
-    const uint64_t threads = (uint64_t)o->threads, part = (uint64_t)job->thread;
-    struct random_state r = random_seeded(o->seed * SEARCH_MAX_THREADS + part);
-    for (uint64_t i = part; i < o->points / share_of(job->f->row); i += threads)
-        worst_random(&job->worst, job->f, &r);
-    return NULL;
-}
-
 /* Cells of width 1/16 around i/16, in beta at zero overlap and in sqrt(beta) at zero force; their edges and middles
  * up to these numbers of cells. */
 enum { CELLS_IN_BETA = 16 * 16, CELLS_IN_ROOT = 16 * 16 };
@@ -268,13 +249,7 @@ static void search_contacts(struct worst *worst, const struct contact_function *
 static bool function_is_good(const struct function *f, const struct search_options *o)
 {
     const struct search_function search = search_of(f);
-    struct worst worst = {0};
-    struct job job[SEARCH_MAX_THREADS];
-    for (int i = 0; i < o->threads; i++)
-        job[i] = (struct job){.f = &search, .options = o, .thread = i};
-    search_on_threads(search_random, job, sizeof *job, o->threads);
-    for (int i = 0; i < o->threads; i++)
-        worst_merge(&worst, &job[i].worst);
+    struct worst worst = search_random(&search, o, o->points / share_of(f));
     search_boundaries(&worst, &search);
     worst_climb(&worst, &search, 4096, 16);
     bool good = worst_report(f->name, "", &worst, f->max_ulp);

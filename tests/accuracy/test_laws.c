@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Every function of law.h that has a closed form against long double in another formulation, and against MPFR where
  * long double has too few digits: random points, doubles near every boundary of a kernel, the neighbours of the worst
- * point, floats, arrays, special values. Prints one line for each function; these lines are what docs/accuracy.md
- * quotes.
+ * point, special values. Prints one line for each function; these lines are what docs/accuracy.md quotes.
  *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, 20000 if not
  *     said) */
 #include "cor/law.h"
@@ -14,6 +13,7 @@
 #include "enclosure/collision.h"
 #include "reference_law.h"
 #include "search.h"
+#include "support/local.h"
 #include "ulp.h"
 
 /* ---- the exact values ---- */
@@ -132,9 +132,6 @@ enum family { RATIO, CROSSLEY, CROSSLEY_APPROACH, CROSSLEY_TIMES };
 struct function {
     const char *name;
     double (*value)(double);
-    void (*array)(const double *, double *, size_t);
-    float (*valuef)(float);
-    void (*arrayf)(const float *, float *, size_t);
     enum shape shape;
     enum family law;
     enum law_end end;
@@ -144,7 +141,7 @@ struct function {
 
 #define ROW(name, shape, law, end, time, max_ulp)                                                                      \
     {                                                                                                                  \
-#name, cor_##name, cor_##name##_array, cor_##name##f, cor_##name##_arrayf, shape, law, end, time, max_ulp      \
+#name, cor_##name, shape, law, end, time, max_ulp                                                              \
     }
 #define RATIO_ROWS(law, name, end)                                                                                     \
     ROW(law##_eps_##name, EPS, RATIO, end, NULL, COR_LAW_EPS_MAX_ULP),                                                 \
@@ -264,18 +261,6 @@ static long double crossley_approach(double a, double beta)
     static double cor_##function##_##suffix(double beta)                                                               \
     {                                                                                                                  \
         return cor_##function(beta, a);                                                                                \
-    }                                                                                                                  \
-    static float cor_##function##_##suffix##f(float beta)                                                              \
-    {                                                                                                                  \
-        return cor_##function##f(beta, (float)(a));                                                                    \
-    }                                                                                                                  \
-    static void cor_##function##_##suffix##_array(const double *x, double *y, size_t n)                                \
-    {                                                                                                                  \
-        cor_##function##_array(x, a, y, n);                                                                            \
-    }                                                                                                                  \
-    static void cor_##function##_##suffix##_arrayf(const float *x, float *y, size_t n)                                 \
-    {                                                                                                                  \
-        cor_##function##_arrayf(x, (float)(a), y, n);                                                                  \
     }                                                                                                                  \
     static long double function##_##suffix##_exact(double beta)                                                        \
     {                                                                                                                  \
@@ -436,62 +421,21 @@ static struct search_function search_of(const struct function *f)
 {
     return (struct search_function){.name = f->name,
                                     .value = f->value,
-                                    .array = f->array,
-                                    .valuef = f->valuef,
-                                    .arrayf = f->arrayf,
                                     .last = is_inverse(f) ? 1 : HUGE_VAL,
                                     .largest_rise = 2,
                                     .falls = f->shape == EPS,
-                                    .float_is_rounded = true,
                                     .error = error_of,
                                     .random_argument = random_argument,
                                     .row = f};
 }
 
-struct job {
-    const struct search_function *f;
-    const struct search_options *options;
-    int thread;
-    struct worst worst;
-};
-
-static void *search_random(void *argument)
-{
-    struct job *job = argument;
-    const struct search_options *o = job->options;
-    const struct function *f = job->f->row;
-    struct random_state r = random_seeded(o->seed * SEARCH_MAX_THREADS + (uint64_t)job->thread);
-    const uint64_t points = o->points / (f->shape == SLOW_TIME ? SLOW_SHARE : 1);
-    for (uint64_t i = (uint64_t)job->thread; i < points; i += (uint64_t)o->threads)
-        worst_random(&job->worst, job->f, &r);
-    mpfr_free_cache();
-    return NULL;
-}
-
 /* Where kernels and series meet (runtime/law/damping_ratio.h, hunt_crossley.h), and the ends of the number format */
-static const double damping_boundaries[] = {
-    1,        3,          11,      2.157, 2,        0.7,       2.0 / 3, 0x1p-20, 0x1p-60,  0x1p64, 0x1p100,
-    0x1p500,  0x1p540,    0x1p511, 1e300, 0x1p-900, 0x1p-1022, 0x1p28,  800,     0x1p-537, 0x1p53, 2.23606797749979,
-    0x1p1023, 0x1.8p1022, 0.84,    1000,  0x1p200,  0x1p900,
-};
-static const double eps_boundaries[] = {
-    0.02385,
-    0.1545,
-    0.0319,
-    0.3908,
-    0.6714,
-    0.1353352832366127,
-    0.4065696597405991,
-    0.1495686192226351,
-    0x1p-900,
-    0x1p-200,
-    1e-154,
-    2.7813423231340017e-309,
-    1.9667060174891983e-309,
-    5.562684646268003e-309,
-    0x1p-60,
-    0x1p-30,
-};
+static NUMBERS(damping_boundaries, 1, 3, 11, 2.157, 2, 0.7, 2.0 / 3, 0x1p-20, 0x1p-60, 0x1p64, 0x1p100, 0x1p500,
+               0x1p540, 0x1p511, 1e300, 0x1p-900, 0x1p-1022, 0x1p28, 800, 0x1p-537, 0x1p53, 2.23606797749979, 0x1p1023,
+               0x1.8p1022, 0.84, 1000, 0x1p200, 0x1p900);
+static NUMBERS(eps_boundaries, 0.02385, 0.1545, 0.0319, 0.3908, 0.6714, 0.1353352832366127, 0.4065696597405991,
+               0.1495686192226351, 0x1p-900, 0x1p-200, 1e-154, 2.7813423231340017e-309, 1.9667060174891983e-309,
+               5.562684646268003e-309, 0x1p-60, 0x1p-30);
 
 static void search_boundaries(struct worst *worst, const struct search_function *search)
 {
@@ -519,49 +463,31 @@ static void search_boundaries(struct worst *worst, const struct search_function 
 
 /* ---- special values ---- */
 
-static const double specials[] = {0.0,
-                                  -0.0,
-                                  HUGE_VAL,
-                                  -HUGE_VAL,
-                                  NAN,
-                                  -1.0,
-                                  -0x1p-1074,
-                                  1.0,
-                                  0x1p-1074,
-                                  1.5,
-                                  0x1p-1022,
-                                  2.0,
-                                  0x1.fffffffffffffp-1,
-                                  0x1.0000000000001p+0,
-                                  -0.5,
-                                  0x1p1023};
-enum { SPECIALS = sizeof specials / sizeof *specials };
+static NUMBERS(specials, 0.0, -0.0, HUGE_VAL, -HUGE_VAL, NAN, -1.0, -0x1p-1074, 1.0, 0x1p-1074, 1.5, 0x1p-1022, 2.0,
+               0x1.fffffffffffffp-1, 0x1.0000000000001p+0, -0.5, 0x1p1023);
 
-static uint64_t check_specials(const struct function *f)
+static bool check_specials(const struct function *f)
 {
-    uint64_t wrong = 0;
-    for (int i = 0; i < SPECIALS; i++) {
+    bool good = true;
+    for (size_t i = 0; i < COUNT_OF(specials); i++) {
         const double x = specials[i], y = f->value(x);
         if (error_of(f, y, x) <= f->max_ulp)
             continue;
         printf("FAIL  %s(%a) = %a\n", f->name, x, y);
-        wrong++;
+        good = false;
     }
-    return wrong;
+    return good;
 }
 
 /* ---- Hunt and Crossley's times by quadrature, against enclosed collisions ---- */
 
 static double relative_error_of_ball(double computed, const arb_t exact)
 {
-    arb_t off;
-    arb_init(off);
+    LOCAL(arb, off);
     arb_set_d(off, computed);
     arb_sub(off, off, exact, 200);
     arb_div(off, off, exact, 200);
-    const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_NEAR)) : HUGE_VAL;
-    arb_clear(off);
-    return error;
+    return arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_NEAR)) : HUGE_VAL;
 }
 
 /* Exponents and beta up to the largest that a collision is enclosed for within seconds: the fast and the slow motion,
@@ -570,13 +496,11 @@ static bool crossley_times_are_enclosed(const struct search_options *o)
 {
     const double most = COR_HUNT_CROSSLEY_TIME_MAX_ERROR;
     struct random_state r = random_seeded(o->seed);
-    struct collision c;
-    arb_t beta_ball;
+    LOCAL(collision, c);
+    LOCAL(arb, beta_ball);
     double worst = 0;
     bool good = true;
     const uint64_t points = o->points / 2500;
-    collision_init(&c);
-    arb_init(beta_ball);
     for (uint64_t i = 0; i < points; i++) {
         const unsigned denominator = i % 2 == 0 ? 1 : 8;
         const unsigned numerator = (unsigned)(i % 2 == 0 ? 9 + random_below(&r, 16) : 1 + random_below(&r, 64));
@@ -585,9 +509,9 @@ static bool crossley_times_are_enclosed(const struct search_options *o)
         struct law law;
         snprintf(text, sizeof text, "%u/%u", numerator, denominator);
         arb_set_d(beta_ball, beta);
-        const bool solved = law_parse(&law, text, text) == NULL && collision_solve(&c, beta_ball, &law, 72) == 0;
-        const double max = relative_error_of_ball(cor_hunt_crossley_time_of_max_overlap(beta, a), c.t_max);
-        const double duration = relative_error_of_ball(cor_hunt_crossley_duration(beta, a), c.t_zero_overlap);
+        const bool solved = law_parse(&law, text, text) == NULL && collision_solve(c, beta_ball, &law, 72) == 0;
+        const double max = relative_error_of_ball(cor_hunt_crossley_time_of_max_overlap(beta, a), c->t_max);
+        const double duration = relative_error_of_ball(cor_hunt_crossley_duration(beta, a), c->t_zero_overlap);
         worst = fmax(worst, fmax(max, duration));
         if (solved && max <= most && duration <= most)
             continue;
@@ -597,8 +521,6 @@ static bool crossley_times_are_enclosed(const struct search_options *o)
     }
     printf("Hunt and Crossley's times by quadrature: off by %.1e at most, %llu enclosed collisions\n", worst,
            (unsigned long long)points);
-    collision_clear(&c);
-    arb_clear(beta_ball);
     return good;
 }
 
@@ -671,18 +593,11 @@ static bool no_slip_is_good(const struct search_options *o)
 static bool function_is_good(const struct function *f, const struct search_options *o)
 {
     const struct search_function search = search_of(f);
-    struct worst worst = {0};
-    struct job job[SEARCH_MAX_THREADS];
-    for (int i = 0; i < o->threads; i++)
-        job[i] = (struct job){.f = &search, .options = o, .thread = i};
-    search_on_threads(search_random, job, sizeof *job, o->threads);
-    for (int i = 0; i < o->threads; i++)
-        worst_merge(&worst, &job[i].worst);
+    struct worst worst = search_random(&search, o, o->points / (f->shape == SLOW_TIME ? SLOW_SHARE : 1));
     search_boundaries(&worst, &search);
     worst_climb(&worst, &search, f->shape == SLOW_TIME ? 2 : 200, 8);
     bool good = worst_report(f->name, "", &worst, f->max_ulp);
-    good = check_specials(f) == 0 && good;
-    return search_arrays(&search, specials, SPECIALS, 200, o->seed) && good;
+    return check_specials(f) && good;
 }
 
 static const char help[] = "test_laws [--points N] [--threads N] [--only TEXT] [--seed N]\n";

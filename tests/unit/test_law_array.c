@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Loops of the laws are their scalars to the last bit: every function, any length, any place, every instruction set,
  * numbers inside and outside the kernels' intervals and at their ends. (Public array functions:
- * tests/accuracy/test_laws.c.) */
+ * test_environment.c.) */
 #include "check.h"
 
 #include <cor/cor.h>
