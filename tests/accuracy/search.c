@@ -117,8 +117,8 @@ struct worst search_random(const struct search_function *f, const struct search_
     struct worst worst = {0};
     struct job job[SEARCH_MAX_THREADS];
     for (int i = 0; i < o->threads; i++)
-        job[i] =
-            (struct job){f, o->seed * SEARCH_MAX_THREADS + (uint64_t)i, (uint64_t)i, points, (uint64_t)o->threads, worst};
+        job[i] = (struct job){
+            f, o->seed * SEARCH_MAX_THREADS + (uint64_t)i, (uint64_t)i, points, (uint64_t)o->threads, worst};
     search_on_threads(search_part, job, sizeof *job, o->threads);
     for (int i = 0; i < o->threads; i++)
         worst_merge(&worst, &job[i].worst);
