@@ -47,6 +47,12 @@ void web_put_number(double x, int digits)
         web_put("%.*g", digits, x);
 }
 
+void web_put_cell(double x, int digits)
+{
+    web_put(",");
+    web_put_number(x, digits);
+}
+
 const char *web_text(void)
 {
     return text ? text : "";
@@ -93,10 +99,8 @@ WEB_EXPORT(web_summary) const char *web_summary(int digits)
         if (isnan(cor_scene_quantity(&web_now.contact[0], cor_scene_quantities[i].number)))
             continue;
         web_put("%s", cor_scene_quantities[i].name);
-        for (int k = 0; k < web_now.count; k++) {
-            web_put(",");
-            web_put_number(cor_scene_quantity(&web_now.contact[k], cor_scene_quantities[i].number), digits);
-        }
+        for (int k = 0; k < web_now.count; k++)
+            web_put_cell(cor_scene_quantity(&web_now.contact[k], cor_scene_quantities[i].number), digits);
         web_put(",%s\n", cor_scene_quantities[i].unit);
     }
     return web_text();
@@ -230,21 +234,15 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     for (size_t row = 0; row < contacts * n; row++) {
         const size_t k = row / n, i = row % n;
         put_exact(web_now.speed_m_s[i]);
-        for (size_t c = 0; c < COLUMNS; c++) {
-            web_put(",");
-            web_put_number(y[(k * COLUMNS + c) * n + i], digits);
-        }
-        for (size_t c = 0; c < more; c++) {
-            web_put(",");
-            web_put_number(error[(more * k + c) * n + i], STEP_DIGITS);
-        }
+        for (size_t c = 0; c < COLUMNS; c++)
+            web_put_cell(y[(k * COLUMNS + c) * n + i], digits);
+        for (size_t c = 0; c < more; c++)
+            web_put_cell(error[(more * k + c) * n + i], STEP_DIGITS);
         web_put("%s", contacts == 1 ? "" : k == 0 ? ",zero-overlap" : ",zero-force");
         if (spheres) {
             const double overlap = y[(k * COLUMNS + OVERLAP) * n + i];
-            web_put(",");
-            web_put_number(cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
-            web_put(",");
-            web_put_number(cor_scene_pressure(&web_now.contact[k], overlap), digits);
+            web_put_cell(cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
+            web_put_cell(cor_scene_pressure(&web_now.contact[k], overlap), digits);
         }
         web_put("\n");
     }

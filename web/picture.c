@@ -333,10 +333,8 @@ WEB_EXPORT(web_curves) const char *web_curves(int digits)
         put_quoted(curves[i].label);
     for (int k = 0; k < POINTS; k++) {
         web_put("\n%.*g", digits, speed_of(k));
-        for (int i = 0; i < curve_count; i++) {
-            web_put(",");
-            web_put_number(curves[i].eps[k], digits);
-        }
+        for (int i = 0; i < curve_count; i++)
+            web_put_cell(curves[i].eps[k], digits);
     }
     web_put("\n");
     return web_text();

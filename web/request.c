@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Options as text become a request. The ranges and sentences are those of corgen. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,10 +11,14 @@
 struct web_request web_now;
 struct web_wrong web_wrong;
 
-static int refuse(struct web_wrong *wrong, const char *option, const char *text)
+__attribute__((format(printf, 3, 4))) static int refuse(struct web_wrong *wrong, const char *option, const char *format,
+                                                        ...)
 {
+    va_list arguments;
     snprintf(wrong->option, sizeof wrong->option, "%s", option);
-    snprintf(wrong->text, sizeof wrong->text, "%s", text);
+    va_start(arguments, format);
+    vsnprintf(wrong->text, sizeof wrong->text, format, arguments);
+    va_end(arguments);
     return 0;
 }
 
@@ -64,39 +69,31 @@ static int is_number(double *value, const char *from, const char *to, const stru
 static int read_number(double *value, struct web_wrong *wrong, const char *option, const char *text,
                        const struct range *range)
 {
-    char why[300];
-    if (is_number(value, text, text + strlen(text), range))
-        return 1;
-    snprintf(why, sizeof why, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option, text, range->allowed);
-    return refuse(wrong, option, why);
+    return is_number(value, text, text + strlen(text), range) ||
+           refuse(wrong, option, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option, text, range->allowed);
 }
 
 static int read_viscosity(double eta[2], struct web_wrong *wrong, const char *option, const char *text)
 {
-    char why[300];
     const char *const comma = strchr(text, ',');
     if (comma && is_number(&eta[0], text, comma, &not_negative) &&
         is_number(&eta[1], comma + 1, text + strlen(text), &not_negative))
         return 1;
-    snprintf(why, sizeof why,
-             "--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as 1e3,2e3",
-             option, text);
-    return refuse(wrong, option, why);
+    return refuse(wrong, option,
+                  "--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as 1e3,2e3",
+                  option, text);
 }
 
 static int read_speeds(struct web_request *r, struct web_wrong *wrong, const char *option, const char *text)
 {
-    char why[300];
     r->speeds = 0;
     for (const char *from = text;; from++) {
         const char *const to = from + strcspn(from, ",");
-        if (r->speeds == WEB_SPEEDS || !is_number(&r->speed_m_s[r->speeds++], from, to, &positive)) {
-            snprintf(why, sizeof why,
-                     "--%s: '%.*s' is not a finite number above 0 m/s; allowed: up to %d of them, with commas, as "
-                     "0.1,1,10",
-                     option, (int)(to - from), from, WEB_SPEEDS);
-            return refuse(wrong, option, why);
-        }
+        if (r->speeds == WEB_SPEEDS || !is_number(&r->speed_m_s[r->speeds++], from, to, &positive))
+            return refuse(wrong, option,
+                          "--%s: '%.*s' is not a finite number above 0 m/s; allowed: up to %d of them, with commas, as "
+                          "0.1,1,10",
+                          option, (int)(to - from), from, WEB_SPEEDS);
         from = to;
         if (*from == '\0')
             return 1;
@@ -107,27 +104,25 @@ static int read_speeds(struct web_request *r, struct web_wrong *wrong, const cha
 
 static int read_law(struct web_request *r, struct web_wrong *wrong, const char *text)
 {
-    char why[300];
+    char why[300] = "";
     for (int law = 0; law <= COR_LAW_PLATE; law++) {
         if (strcmp(text, cor_law_names[law]) == 0) {
             r->law = (enum cor_law)law;
             return 1;
         }
     }
-    snprintf(why, sizeof why, "--law: '%s' is not a law; allowed: ", text);
     for (int law = 0; law <= COR_LAW_PLATE; law++)
         snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "", cor_law_names[law]);
-    return refuse(wrong, "law", why);
+    return refuse(wrong, "law", "--law: '%s' is not a law; allowed: %s", text, why);
 }
 
 static int read_end(struct web_request *r, struct web_wrong *wrong, const char *text)
 {
-    char why[200];
     r->scene.end = strcmp(text, "zero-overlap") == 0 ? COR_END_ZERO_OVERLAP
                    : strcmp(text, "zero-force") == 0 ? COR_END_ZERO_FORCE
                                                      : COR_BOTH_ENDS;
-    snprintf(why, sizeof why, "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force", text);
-    return r->scene.end != COR_BOTH_ENDS || refuse(wrong, "end", why);
+    return r->scene.end != COR_BOTH_ENDS ||
+           refuse(wrong, "end", "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force", text);
 }
 
 static int read_simulator(struct web_request *r, struct web_wrong *wrong, const char *text)
@@ -138,7 +133,7 @@ static int read_simulator(struct web_request *r, struct web_wrong *wrong, const 
     if (r->simulator)
         return 1;
     cor_simulator_lines(why, sizeof why, &unknown);
-    return refuse(wrong, "for", why);
+    return refuse(wrong, "for", "%s", why);
 }
 
 /* ---- options ---- */
@@ -153,7 +148,6 @@ static int read_option(struct web_request *r, struct web_wrong *wrong, const cha
                {"speed-min", &r->speed_min_m_s, &plotted},
                {"speed-max", &r->speed_max_m_s, &plotted},
                {"tolerance", &r->tolerance, &tolerances}};
-    char why[200];
     r->steps_given = r->steps_given || strcmp(name, "steps") == 0;
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (strcmp(name, own[i].name) == 0)
@@ -179,8 +173,7 @@ static int read_option(struct web_request *r, struct web_wrong *wrong, const cha
             return read_viscosity(&r->scene.number[number], wrong, name, value);
         return read_number(&r->scene.number[number], wrong, name, value, range_of(number));
     }
-    snprintf(why, sizeof why, "'%s' is not an option; allowed are those of corgen contact, as young", name);
-    return refuse(wrong, name, why);
+    return refuse(wrong, name, "'%s' is not an option; allowed are those of corgen contact, as young", name);
 }
 
 /* The option at which a fault is shown: that of its number, or what lacks */
@@ -216,13 +209,10 @@ static int make_contact(struct web_request *r, struct web_wrong *wrong)
     r->scene.plate = r->law == COR_LAW_PLATE;
     if (cor_scene_contacts(r->contact, &r->count, &fault, &r->scene) != COR_FAULT_NONE) {
         cor_scene_fault_text(why, sizeof why, &fault, cor_law_names[r->law], NULL);
-        return refuse(wrong, option_of(&fault), why);
+        return refuse(wrong, option_of(&fault), "%s", why);
     }
-    if (!(r->speed_min_m_s < r->speed_max_m_s)) {
-        snprintf(why, sizeof why, "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
-        return refuse(wrong, "speed-max", why);
-    }
-    return 1;
+    return r->speed_min_m_s < r->speed_max_m_s ||
+           refuse(wrong, "speed-max", "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
 }
 
 int web_request_read(struct web_request *request, struct web_wrong *wrong, const char *options)

@@ -10,32 +10,23 @@
 #include "support/console.h"
 #include "support/words.h"
 
-static int print_whole(const char *text)
+/* What was printed on standard output arrives, or its failure is reported. */
+static int printed(void)
 {
     struct output out;
-    if (output_open(&out, NULL) != STATUS_OK)
-        return STATUS_FAILED;
-    fputs(text, out.file);
-    return output_commit(&out);
+    return output_open(&out, NULL) == STATUS_OK ? output_commit(&out) : STATUS_FAILED;
 }
 
 static int print_overview(const struct subcommand *const *table)
 {
-    struct output out;
-    if (output_open(&out, NULL) != STATUS_OK)
-        return STATUS_FAILED;
-    overview_print(table, out.file);
-    return output_commit(&out);
+    overview_print(table, stdout);
+    return printed();
 }
 
-static int print_version(const char *version)
+static int print_help_of(const struct subcommand *cmd)
 {
-    struct output out;
-    if (output_open(&out, NULL) != STATUS_OK)
-        return STATUS_FAILED;
-    fprintf(out.file, "corgen %s (GMP %s, MPFR %s, FLINT %s)\n", version, gmp_version, mpfr_get_version(),
-            flint_version);
-    return output_commit(&out);
+    fputs(cmd->help, stdout);
+    return printed();
 }
 
 enum { SUBCOMMANDS_MOST = 32 };
@@ -78,16 +69,13 @@ static bool word_is(const char *text, const char *word)
 /* corgen --completion SHELL */
 static int print_completion(const struct subcommand *const *table, int argc, char **argv)
 {
-    struct output out;
     int shell = 0;
     while (argc == 1 && completion_shells[shell] && strcmp(completion_shells[shell], argv[0]) != 0)
         shell++;
     if (argc != 1 || !completion_shells[shell])
         return usage_error("--completion takes one shell, bash or zsh, as corgen --completion bash");
-    if (output_open(&out, NULL) != STATUS_OK)
-        return STATUS_FAILED;
-    completion_print((enum completion_shell)shell, table, out.file);
-    return output_commit(&out);
+    completion_print((enum completion_shell)shell, table, stdout);
+    return printed();
 }
 
 /* corgen help [SUBCOMMAND] */
@@ -98,7 +86,7 @@ static int print_help(const struct subcommand *const *table, int argc, char **ar
     if (argc == 0)
         return print_overview(table);
     const struct subcommand *const cmd = subcommand_named(table, argv[0]);
-    return cmd ? print_whole(cmd->help) : STATUS_USAGE;
+    return cmd ? print_help_of(cmd) : STATUS_USAGE;
 }
 
 static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, char **argv)
@@ -108,7 +96,7 @@ static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, ch
     bool help;
     int status = options_parse(arguments, cmd->options, argc, argv, &help);
     if (status == STATUS_OK)
-        status = help ? print_whole(cmd->help) : subcommand_start(cmd, arguments);
+        status = help ? print_help_of(cmd) : subcommand_start(cmd, arguments);
     options_clear(arguments, cmd->options);
     free(arguments);
     return status;
@@ -117,12 +105,15 @@ static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, ch
 int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
 {
     const char *const name = argc < 2 ? NULL : argv[1];
+    output_report_size_limit();
     if (word_is(name, "--help") || word_is(name, "-h"))
         return print_overview(table);
     if (word_is(name, "help"))
         return print_help(table, argc - 2, argv + 2);
-    if (word_is(name, "--version"))
-        return print_version(version);
+    if (word_is(name, "--version")) {
+        printf("corgen %s (GMP %s, MPFR %s, FLINT %s)\n", version, gmp_version, mpfr_get_version(), flint_version);
+        return printed();
+    }
     if (word_is(name, "--completion"))
         return print_completion(table, argc - 2, argv + 2);
     const struct subcommand *const cmd = subcommand_named(table, name);

@@ -121,8 +121,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
     header_name(name, r);
     command_line(command, r, o->force);
     snprintf(guard, sizeof guard, "%s_h", name);
-    for (char *c = guard; *c; c++)
-        *c = (char)(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
+    emit_capitals(guard);
     char z[32] = "";
     if (f->root > 1)
         snprintf(z, sizeof z, "^(1/%ld)", (long)f->root);

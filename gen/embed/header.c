@@ -328,12 +328,6 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
     }
 }
 
-static void upper_case(char *text)
-{
-    for (; *text; text++)
-        *text = (char)(*text >= 'a' && *text <= 'z' ? *text - 'a' + 'A' : *text);
-}
-
 static void emit_macros(struct emit *e, const char *name, const struct embed_request *request)
 {
     static const struct {
@@ -343,7 +337,7 @@ static void emit_macros(struct emit *e, const char *name, const struct embed_req
     for (size_t i = 0; i < sizeof macros / sizeof *macros; i++) {
         char macro[NAME_MAX_HERE], value[NAME_MAX_HERE];
         snprintf(macro, sizeof macro, "%s_%s", name, macros[i].suffix);
-        upper_case(macro);
+        emit_capitals(macro);
         const int length = snprintf(value, sizeof value, "%.17g", embed_number(request, macros[i].which));
         if (!strpbrk(value, ".e"))
             snprintf(value + length, sizeof value - (size_t)length, ".0");
@@ -357,7 +351,7 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     const char *name = request->name ? request->name : default_name;
     char guard[NAME_MAX_HERE];
     snprintf(guard, sizeof guard, "%s_h", name);
-    upper_case(guard);
+    emit_capitals(guard);
     struct text *banner = xmalloc(sizeof *banner);
     banner->length = 0;
     append_title(banner, s, name);

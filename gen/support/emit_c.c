@@ -315,6 +315,12 @@ void emit_include(struct emit *e, const char *name)
     fprintf(e->file, "#include %s\n", name);
 }
 
+void emit_capitals(char *name)
+{
+    for (; *name; name++)
+        *name = (char)toupper((unsigned char)*name);
+}
+
 void emit_define(struct emit *e, const char *name, const char *text)
 {
     fprintf(e->file, "#define %s %s\n", name, text);

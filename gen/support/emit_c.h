@@ -83,6 +83,9 @@ void emit_inline_quotient(struct emit *e, const char *name, const char *argument
 /* #include of a name with its quotes or angle brackets */
 void emit_include(struct emit *e, const char *name);
 
+/* Makes the letters of a name capitals. */
+void emit_capitals(char *name);
+
 /* #define NAME text */
 void emit_define(struct emit *e, const char *name, const char *text);
 

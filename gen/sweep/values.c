@@ -30,14 +30,14 @@ static bool value_inside(const struct values_rule *rule, const fmpq_t x)
     return decimal_inside(&rule->range, x) && (!rule->whole || fmpz_is_one(fmpq_denref(x)));
 }
 
-static int values_add(struct values *values, const struct values_rule *rule, const fmpq_t x, size_t *capacity)
+static int values_add(struct values *values, const struct values_rule *rule, const fmpq_t x)
 {
     if (values->count == VALUES_MAX)
         return usage_error("--%s: more than %d values; split the sweep", rule->option, VALUES_MAX);
-    if (values->count == *capacity) {
-        *capacity = *capacity ? 2 * *capacity : 16;
-        values->exact = xrealloc(values->exact, *capacity * sizeof *values->exact);
-        values->nearest = xrealloc(values->nearest, *capacity * sizeof *values->nearest);
+    if (values->count == values->capacity) {
+        values->capacity = values->capacity ? 2 * values->capacity : 16;
+        values->exact = xrealloc(values->exact, values->capacity * sizeof *values->exact);
+        values->nearest = xrealloc(values->nearest, values->capacity * sizeof *values->nearest);
     }
     fmpq_init(values->exact + values->count);
     fmpq_set(values->exact + values->count, x);
@@ -91,7 +91,7 @@ static void value_between(fmpq_t x, const struct values_rule *rule, bool geometr
 }
 
 static int values_add_stepped(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
-                              const fmpq_t b, const char *step_text, size_t *capacity)
+                              const fmpq_t b, const char *step_text)
 {
     LOCAL(fmpq, step, x);
     int status = STATUS_OK;
@@ -107,13 +107,13 @@ static int values_add_stepped(struct values *values, const struct values_rule *r
             status = usage_error("--%s: the step of '%s' leads away from its last value; %s", rule->option, text,
                                  ranges_are);
         for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
-            status = values_add(values, rule, x, capacity);
+            status = values_add(values, rule, x);
     }
     return status;
 }
 
 static int values_add_spread(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
-                             const fmpq_t b, const char *kind, const char *count, size_t *capacity)
+                             const fmpq_t b, const char *kind, const char *count)
 {
     const bool geometric = strcmp(kind, "log") == 0;
     errno = 0;
@@ -127,13 +127,13 @@ static int values_add_spread(struct values *values, const struct values_rule *ru
     int status = STATUS_OK;
     for (slong i = 0; i < n && status == STATUS_OK; i++) {
         value_between(x, rule, geometric, a, b, i, n - 1);
-        status = values_add(values, rule, x, capacity);
+        status = values_add(values, rule, x);
     }
     return status;
 }
 
 /* Adds one member of the list, and modifies its text. */
-static int values_add_member(struct values *values, const struct values_rule *rule, char *text, size_t *capacity)
+static int values_add_member(struct values *values, const struct values_rule *rule, char *text)
 {
     char whole[TOKEN_MAX];
     snprintf(whole, sizeof whole, "%s", text);
@@ -154,9 +154,9 @@ static int values_add_member(struct values *values, const struct values_rule *ru
     if (status == STATUS_OK && parts > 1)
         status = value_read(b, rule, part[1]);
     if (status == STATUS_OK)
-        status = stepped  ? values_add_stepped(values, rule, whole, a, b, part[2], capacity)
-                 : spread ? values_add_spread(values, rule, whole, a, b, part[2], part[3], capacity)
-                          : values_add(values, rule, a, capacity);
+        status = stepped  ? values_add_stepped(values, rule, whole, a, b, part[2])
+                 : spread ? values_add_spread(values, rule, whole, a, b, part[2], part[3])
+                          : values_add(values, rule, a);
     return status;
 }
 
@@ -200,7 +200,6 @@ static void values_drop_repeated(struct values *values)
 int values_parse(struct values *values, const struct values_rule *rule, const char *text)
 {
     *values = (struct values){.text = text};
-    size_t capacity = 0;
     char *copy = xstrdup(text);
     int status = STATUS_OK;
     for (char *member = copy, *next; member && status == STATUS_OK; member = next) {
@@ -212,7 +211,7 @@ int values_parse(struct values *values, const struct values_rule *rule, const ch
                                  "as 0.1,0.2 or 0.1:0.5:+0.1",
                                  rule->option, text);
         else
-            status = values_add_member(values, rule, member, &capacity);
+            status = values_add_member(values, rule, member);
     }
     free(copy);
     if (status == STATUS_OK)
@@ -231,21 +230,18 @@ void values_clear(struct values *values)
     *values = (struct values){0};
 }
 
-/* The least value (sign -1) or the largest (1) */
-static double extreme(const struct values *values, int sign)
-{
-    double most = values->nearest[0];
-    for (size_t i = 1; i < values->count; i++)
-        most = sign * values->nearest[i] > sign * most ? values->nearest[i] : most;
-    return most;
-}
-
 double values_least(const struct values *values)
 {
-    return extreme(values, -1);
+    double least = values->nearest[0];
+    for (size_t i = 1; i < values->count; i++)
+        least = fmin(least, values->nearest[i]);
+    return least;
 }
 
 double values_largest(const struct values *values)
 {
-    return extreme(values, 1);
+    double largest = values->nearest[0];
+    for (size_t i = 1; i < values->count; i++)
+        largest = fmax(largest, values->nearest[i]);
+    return largest;
 }

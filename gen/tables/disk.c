@@ -117,8 +117,8 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     char nu[NU_NAME] = "", upper[NU_NAME] = "", guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
     char banner[sizeof banner_format + 4 * LINE_LENGTH];
     nu_name(nu, table->poisson.text);
-    for (size_t i = 0; nu[i]; i++)
-        upper[i] = (char)toupper((unsigned char)nu[i]);
+    nu_name(upper, table->poisson.text);
+    emit_capitals(upper);
     snprintf(guard, sizeof guard, "COR_DISK_MODES_NU%s_H", upper);
     snprintf(name, sizeof name, "cor_disk_mode_rows_nu%s", nu);
     command_text(command, table);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tables/law_header.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -39,19 +38,11 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
 
 /* ---- the evaluators ---- */
 
-static const char *capitals(char text[TEXT_MAX], const char *name)
-{
-    size_t i = 0;
-    for (; i < TEXT_MAX - 1 && name[i]; i++)
-        text[i] = (char)toupper((unsigned char)name[i]);
-    text[i] = '\0';
-    return text;
-}
-
 static void emit_table_field(struct emit *e, const char *field, const struct pieces *p)
 {
     char macro[TEXT_MAX];
-    capitals(macro, p->name);
+    snprintf(macro, sizeof macro, "%s", p->name);
+    emit_capitals(macro);
     if (p->variable >= VARIABLE_POWER_OCTAVES)
         emit_builder_set(e, field, "cor_inline_law_octaves(%s, COR_INLINE_OCTAVES(%s), %s_END)", p->name, macro, macro);
     else
@@ -230,7 +221,7 @@ static const char always_inline[] =
 int law_header_write(FILE *file, const struct law *law, const char *name)
 {
     struct law_tables *t = xmalloc(sizeof *t);
-    char banner[4096], guard[TEXT_MAX], text[TEXT_MAX], threshold[TEXT_MAX], accuracy[512];
+    char banner[4096], guard[TEXT_MAX], threshold[TEXT_MAX], accuracy[512];
     int status = tables_of_law(t, law, name);
     if (status == STATUS_OK) {
         threshold_text(threshold, t);
@@ -262,9 +253,10 @@ int law_header_write(FILE *file, const struct law *law, const char *name)
                  name, law_equation(law).text, name, name, name, name, name, name, name,
                  law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy, ratio_text(law->a).text,
                  ratio_text(law->b).text, name);
-        snprintf(text, sizeof text, "COR_LAW_%s_EMBEDDED_H", name);
+        snprintf(guard, sizeof guard, "COR_LAW_%s_EMBEDDED_H", name);
+        emit_capitals(guard);
         struct emit e;
-        emit_open(&e, file, capitals(guard, text), banner);
+        emit_open(&e, file, guard, banner);
         e.decimal = true;
         fprintf(file, "\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_pair, evaluator_row,
                 evaluator_law);

@@ -171,13 +171,19 @@ struct scenes {
     long count, capacity;
 };
 
-static void add_scene(struct scene **list, long *count, long *capacity, struct scene scene)
+static void add_scene(struct scenes *to, struct scene scene)
 {
-    if (*count == *capacity) {
-        *capacity = *capacity ? 2 * *capacity : 1024;
-        *list = xrealloc(*list, (size_t)*capacity * sizeof **list);
+    if (to->count == to->capacity) {
+        to->capacity = to->capacity ? 2 * to->capacity : 1024;
+        to->scene = xrealloc(to->scene, (size_t)to->capacity * sizeof *to->scene);
     }
-    (*list)[(*count)++] = scene;
+    to->scene[to->count++] = scene;
+}
+
+static void sort_scenes(struct scenes *scenes)
+{
+    if (scenes->count)
+        qsort(scenes->scene, (size_t)scenes->count, sizeof *scenes->scene, by_place);
 }
 
 static const struct scene *known_scene(const struct scenes *scenes, int32_t x, int32_t nu)
@@ -199,43 +205,33 @@ static int32_t sixth_of(const struct cell *cell)
 }
 
 /* The points of a cell: i and j both even for its 16 values, or both odd for 9 points that test the polynomial */
-static void need_places(const struct cell *cell, const struct scenes *scenes, struct scene **needed, long *count,
-                        long *capacity)
+static void need_places(const struct cell *cell, const struct scenes *scenes, struct scenes *needed)
 {
     for (int j = 0; j <= SIXTHS; j++)
         for (int i = j % 2; i <= SIXTHS; i += 2) {
             const struct scene scene = {cell->x + i * sixth_of(cell), cell->nu + j * sixth_of(cell), 0, 0};
             if (!known_scene(scenes, scene.x, scene.nu))
-                add_scene(needed, count, capacity, scene);
+                add_scene(needed, scene);
         }
-}
-
-static long without_repetitions(struct scene *scene, long count)
-{
-    long kept = 0;
-    if (count)
-        qsort(scene, (size_t)count, sizeof *scene, by_place);
-    for (long i = 0; i < count; i++)
-        if (kept == 0 || by_place(&scene[kept - 1], &scene[i]) != 0)
-            scene[kept++] = scene[i];
-    return kept;
 }
 
 static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells)
 {
-    struct scene *needed = NULL;
-    long count = 0, capacity = 0;
+    struct scenes needed = {0};
+    long count = 0;
     for (int i = 0; i < cells; i++)
-        need_places(&cell[i], scenes, &needed, &count, &capacity);
-    count = without_repetitions(needed, count);
+        need_places(&cell[i], scenes, &needed);
+    sort_scenes(&needed);
+    for (long i = 0; i < needed.count; i++) /* each once */
+        if (count == 0 || by_place(&needed.scene[count - 1], &needed.scene[i]) != 0)
+            needed.scene[count++] = needed.scene[i];
     char name[LINE];
     snprintf(name, sizeof name, "collisions for %d cells", cells);
-    const int status = collide_all(needed, count, name);
+    const int status = collide_all(needed.scene, count, name);
     for (long i = 0; i < count; i++)
-        add_scene(&scenes->scene, &scenes->count, &scenes->capacity, needed[i]);
-    if (scenes->count)
-        qsort(scenes->scene, (size_t)scenes->count, sizeof *scenes->scene, by_place);
-    free(needed);
+        add_scene(scenes, needed.scene[i]);
+    sort_scenes(scenes);
+    free(needed.scene);
     return status;
 }
 

@@ -3,7 +3,6 @@
 
 #include "tables/pade.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,9 +16,8 @@ enum { NAME_MAX_LENGTH = 128 };
 /* Writes the prefix in capitals and the suffix. */
 static void macro_name(char name[NAME_MAX_LENGTH], const char *prefix, const char *suffix)
 {
-    int n = snprintf(name, NAME_MAX_LENGTH, "%s%s", prefix, suffix);
-    for (int i = 0; i < n && i + 1 < NAME_MAX_LENGTH; i++)
-        name[i] = (char)toupper((unsigned char)name[i]);
+    snprintf(name, NAME_MAX_LENGTH, "%s%s", prefix, suffix);
+    emit_capitals(name);
 }
 
 static int emit_polynomial(struct emit *e, const char *prefix, const char *suffix, const arb_poly_t p)
