@@ -125,9 +125,8 @@ static double stored_modulus(const struct interval *interval, enum quantity quan
 {
     const struct complex_ball fields[QUANTITIES] = {c->eps_zero_overlap, c->eps_zero_force, c->t_zero_overlap,
                                                     c->t_zero_force,     c->x_max,          c->t_max};
-    const bool is_eps = quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
     struct complex_ball y = fields[quantity];
-    if (interval->form == FORM_QUOTIENT && is_eps)
+    if (interval->form == FORM_QUOTIENT && is_eps(quantity))
         y = ball_mul(ball_sub(ball_of(1, 0), y), ball_inv(ball_sqr(x)));
     return ball_is_finite(y) ? ball_above(y) : HUGE_VAL;
 }
@@ -163,7 +162,7 @@ static void cover_square(void *context, slong i)
 static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta, const struct cover *work,
                        struct complex_ball x)
 {
-    const double threshold = arf_get_d(arb_midref(interpolant_threshold(work->f)), ARF_RND_NEAR);
+    const double threshold = arf_get_d(arb_midref(work->f->threshold), ARF_RND_NEAR);
     *log_beta = x;
     switch (work->interval->variable) {
     case INTERVAL_ROOT: /* the root is 1 */
@@ -181,7 +180,7 @@ static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta,
 /* ln(eps) to the number that the interval stores */
 static struct complex_ball stored_of_law(const struct cover *work, struct complex_ball log_eps, struct complex_ball x)
 {
-    const struct ratio power = interpolant_tail_power(interpolant_law(work->f), work->quantity);
+    const struct ratio power = interpolant_tail_power(&work->f->layout->law, work->quantity);
     switch (work->interval->form) {
     case FORM_QUOTIENT:
         return ball_mul(ball_sub(ball_of(1, 0), ball_exp(log_eps)), ball_inv(x));
@@ -202,10 +201,10 @@ static struct complex_ball stored_of_law(const struct cover *work, struct comple
 static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, const struct cover *work)
 {
     struct complex_law_pressing pressing = {{0, 0, 0}, {0, 0, 0}};
-    const arb_srcptr press = interpolant_layout_of(work->f)->press;
+    const arb_srcptr press = work->f->layout->press;
     if (!press)
         return pressing;
-    const struct law *const law = interpolant_law(work->f);
+    const struct law *const law = &work->f->layout->law;
     const struct ratio power = interpolant_press_power(law), q = law_speed_exponent(law);
     const double strip = STRIP * fabs((double)q.num / (double)q.den), p = (double)power.num / (double)power.den;
     const double middle = (floor(log_beta->re / strip) + 0.5) * strip;
@@ -223,13 +222,13 @@ static void cover_square_of_law(void *context, slong i)
 {
     struct cover *const work = context;
     const struct interval *const interval = work->interval;
-    const struct law *const law = interpolant_law(work->f);
+    const struct law *const law = &work->f->layout->law;
     const struct complex_ball x = ball_around(interval, &work->list.square[i]);
     double *const modulus = &work->modulus[i * QUANTITIES], range[2];
     struct complex_ball beta, log_beta, log_eps;
     damping_of(&beta, &log_beta, work, x);
     const struct complex_law_pressing pressing = pressing_of(&log_beta, work);
-    if (interpolant_layout_of(work->f)->press)
+    if (work->f->layout->press)
         beta = ball_exp(log_beta);
     work->failed[i] = work->quantity == EPS_ZERO_FORCE
                           ? !complex_law_zero_force(&log_eps, law, log_beta, &pressing, &work->path)
@@ -294,7 +293,7 @@ int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *inter
 /* Near the sticking speed v_s, what is left of the energy at the end is as small as v/v_s - 1. */
 static double resolution_at(const struct interpolant *f, const struct interval *interval)
 {
-    const struct interpolant_layout *const layout = interpolant_layout_of(f);
+    const struct interpolant_layout *const layout = f->layout;
     const double q = fabs((double)law_speed_exponent(&layout->law).num / (double)law_speed_exponent(&layout->law).den);
     const double distance = fmin(fabs(interval->lo - layout->press_log), fabs(interval->hi - layout->press_log)) / q;
     return fmin(1, NEAR_STICKING * distance);
@@ -303,14 +302,14 @@ static double resolution_at(const struct interpolant *f, const struct interval *
 bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
                           enum quantity eps, double rho)
 {
-    const struct law *const law = interpolant_law(f);
+    const struct law *const law = &f->layout->law;
     struct cover work = {
         .interval = interval, .rho = rho, .cover_square = cover_square_of_law, .f = f, .quantity = eps};
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
     if (force && !log)
         return false;
     /* zero overlap: in ln(beta), n > 0 */
-    const bool pressed = interpolant_layout_of(f)->press != NULL;
+    const bool pressed = f->layout->press != NULL;
     const bool may_be_strong = force || (log && !pressed && law_fall_power(law).num > 0);
     const double above = (interval->lo + interval->hi) / 2 - (force ? STRONG_FORCE : STRONG_OVERLAP);
     const bool strong = may_be_strong && above > 0;

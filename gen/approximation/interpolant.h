@@ -84,26 +84,39 @@ struct interpolant_layout {
 /* The sphere's. row_proof.h proves what it gives. */
 extern const struct interpolant_layout interpolant_sphere_proof;
 
-struct interpolant;
+/* Nodes, weights and values of the polynomial of an interval; not known where beta_min to beta_max does not meet it */
+struct samples {
+    bool known;
+    arb_ptr beta, node, weight, value[QUANTITIES];
+};
+
+/* Coefficients for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2
+ * u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For laws other than the sphere's, the duration at zero overlap is
+ * this sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n), which is 0 if a - b = 1 or n = 1 - a, where the sum
+ * contains that term (docs/theory.md, 9). */
+enum { INTERPOLANT_FAR = 9 };
+
+struct interpolant {
+    const struct interpolant_layout *layout;
+    struct samples *samples; /* of each interval */
+    arb_struct far[QUANTITIES][INTERPOLANT_FAR];
+    arb_t fall;
+    arb_t threshold, final_speed;       /* beta_c for q < 0 and q = 0, v_f for q > 0; else infinite, 0 */
+    arb_poly_t backward, backward_time; /* G and T, if an interval computes zero force from them */
+};
+
+static inline bool is_eps(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
+}
 
 /* Computes the interpolant for arguments between beta_min and beta_max, which may be INFINITY. The layout must live as
  * long as the interpolant. Returns NULL after reporting the failure on stderr. */
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);
 void interpolant_free(struct interpolant *f);
 
-const struct law *interpolant_law(const struct interpolant *f);
-slong interpolant_root(const struct interpolant *f);
-const arb_struct *interpolant_final_speed(const struct interpolant *f); /* v_f, if q > 0 */
-const arb_struct *interpolant_threshold(const struct interpolant *f);   /* beta_c; infinite without a threshold */
-
 /* The power of beta in the force of a layout with one */
 struct ratio interpolant_press_power(const struct law *law);
-
-const struct interpolant_layout *interpolant_layout_of(const struct interpolant *f);
-/* Nodes and values of the polynomial that interval i holds for a quantity; node[k] and value[k], k < count. Returns
- * false if they were not computed, because beta_min to beta_max does not meet the interval. */
-bool interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
-                         enum quantity quantity);
 
 /* The quantity at a place of a variable with an interval that samples it. (1 - eps)/beta does not cancel where eps is
  * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
@@ -127,13 +140,8 @@ void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quant
  * to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after reporting the failure. */
 int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec);
 
-/* Coefficients for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2
- * u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For laws other than the sphere's, the duration at zero overlap is
- * this sum times beta^(a/(b+1)) plus interpolant_far_fall times beta^((a-1)/n). interpolant_far_fall is 0 if a - b = 1
- * or n = 1 - a, where the sum contains that term (docs/theory.md, 9). */
-enum { INTERPOLANT_FAR = 9 };
+/* The far coefficients of a quantity */
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity);
-void interpolant_far_fall(arb_t coefficient, const struct interpolant *f);
 
 /* Coefficients a; b_0, b_1, b_2; c_0, ..., c_4 of the inverse of eps at zero force beyond the last u, for spheres:
  *

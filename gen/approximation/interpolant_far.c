@@ -17,11 +17,6 @@ void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quan
         arb_set(coefficient + k, &f->far[interpolant_end(f, quantity)][k]);
 }
 
-void interpolant_far_fall(arb_t coefficient, const struct interpolant *f)
-{
-    arb_set(coefficient, f->fall);
-}
-
 /* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
 static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law, slong prec)
 {

@@ -8,25 +8,6 @@
 
 enum { INTERPOLANT_BITS = 320 /* working precision */ };
 
-struct samples {
-    bool known;
-    arb_ptr beta, node, weight, value[QUANTITIES];
-};
-
-struct interpolant {
-    const struct interpolant_layout *layout;
-    struct samples *samples;
-    arb_struct far[QUANTITIES][INTERPOLANT_FAR];
-    arb_t fall;                         /* interpolant_far_fall */
-    arb_t threshold, final_speed;       /* beta_c for q < 0 and q = 0, v_f for q > 0; else infinite, 0 */
-    arb_poly_t backward, backward_time; /* G and T, if an interval computes zero force from them */
-};
-
-static inline bool is_eps(enum quantity quantity)
-{
-    return quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
-}
-
 static inline bool holds(const struct interval *interval, enum quantity quantity)
 {
     return interval->set & 1u << quantity;

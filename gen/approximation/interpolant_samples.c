@@ -38,42 +38,9 @@ const struct interpolant_layout interpolant_sphere_proof = {.law = {{3, 2}, {1, 
                                                                 sizeof sphere_intervals / sizeof *sphere_intervals,
                                                             .far = true};
 
-const struct law *interpolant_law(const struct interpolant *f)
-{
-    return &f->layout->law;
-}
-
-const struct interpolant_layout *interpolant_layout_of(const struct interpolant *f)
-{
-    return f->layout;
-}
-
 struct ratio interpolant_press_power(const struct law *law)
 {
     return ratio_div(ratio_mul((struct ratio){-2, 1}, law->a), law_fall_power(law));
-}
-
-bool interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
-                         enum quantity quantity)
-{
-    *node = f->samples[i].node;
-    *value = f->samples[i].value[quantity];
-    return f->samples[i].known;
-}
-
-slong interpolant_root(const struct interpolant *f)
-{
-    return f->layout->root;
-}
-
-const arb_struct *interpolant_final_speed(const struct interpolant *f)
-{
-    return f->final_speed;
-}
-
-const arb_struct *interpolant_threshold(const struct interpolant *f)
-{
-    return f->threshold;
 }
 
 /* ---- samples ---- */

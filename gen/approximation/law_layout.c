@@ -215,11 +215,6 @@ static int find_radius(double *radius, struct law_layout *layout)
 
 /* ---- tables ---- */
 
-static bool is_eps(enum quantity quantity)
-{
-    return quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
-}
-
 static bool of_force(enum quantity quantity)
 {
     return quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;

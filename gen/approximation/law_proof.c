@@ -31,7 +31,7 @@ struct law_proof {
 /* ln(beta) at the ends of an interval */
 static void log_range(double range[2], const struct interpolant *f, const struct interval *interval)
 {
-    const double threshold = arf_get_d(arb_midref(interpolant_threshold(f)), ARF_RND_NEAR);
+    const double threshold = arf_get_d(arb_midref(f->threshold), ARF_RND_NEAR);
     switch (interval->variable) {
     case INTERVAL_ROOT:
         range[0] = log(interval->lo);
@@ -57,7 +57,7 @@ static double radius_for(const struct interval *interval, double modulus, double
 /* Proves interval i. The modulus of a cover shows whether a larger ellipse is needed. */
 static int prove_interval(struct law_proof *proof, int i, double wanted)
 {
-    const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
+    const struct interval *const interval = &proof->f->layout->interval[i];
     double rho = radius_for(interval, 1, wanted);
     int status = STATUS_OK;
     LOCAL(arb_poly, p);
@@ -81,7 +81,7 @@ static int prove_interval(struct law_proof *proof, int i, double wanted)
 struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, double beta_min, double beta_max,
                                 double wanted)
 {
-    const struct interpolant_layout *const layout = interpolant_layout_of(f);
+    const struct interpolant_layout *const layout = f->layout;
     struct law_proof *proof = xmalloc(sizeof *proof);
     *proof = (struct law_proof){.f = f, .eps = eps};
     proof->polynomial = xmalloc((size_t)layout->intervals * sizeof *proof->polynomial);
@@ -93,11 +93,10 @@ struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, 
     }
     int status = STATUS_OK;
     for (int i = 0; i < layout->intervals && status == STATUS_OK; i++) {
-        arb_srcptr node, value;
         double range[2];
         log_range(range, f, &layout->interval[i]);
-        if (layout->interval[i].set & 1u << eps && interpolant_samples(&node, &value, f, i, eps) &&
-            range[0] <= log(beta_max) + SLACK && range[1] >= log(beta_min) - SLACK)
+        if (layout->interval[i].set & 1u << eps && f->samples[i].known && range[0] <= log(beta_max) + SLACK &&
+            range[1] >= log(beta_min) - SLACK)
             status = prove_interval(proof, i, wanted);
     }
     if (status == STATUS_OK)
@@ -110,7 +109,7 @@ void law_proof_free(struct law_proof *proof)
 {
     if (!proof)
         return;
-    for (int i = 0; i < interpolant_layout_of(proof->f)->intervals; i++) {
+    for (int i = 0; i < proof->f->layout->intervals; i++) {
         arb_poly_clear(&proof->polynomial[i]);
         arb_clear(&proof->error[i]);
     }
@@ -128,7 +127,7 @@ double law_proof_error(const struct law_proof *proof, int i)
 
 int law_proof_interval(double *end, const struct law_proof *proof, double u)
 {
-    const struct interpolant_layout *const layout = interpolant_layout_of(proof->f);
+    const struct interpolant_layout *const layout = proof->f->layout;
     int found = -1;
     for (int i = 0; i < layout->intervals; i++) {
         double range[2];
@@ -157,7 +156,7 @@ static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struc
         break;
     case INTERVAL_BELOW:
         arb_poly_neg(x, beta);
-        enclosed_add_number(x, interpolant_threshold(proof->f));
+        enclosed_add_number(x, proof->f->threshold);
         return enclosed_logarithm(x, x);
     }
     return true;
@@ -203,7 +202,7 @@ static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, const 
 static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const struct interval *interval,
                           const arb_poly_t log_beta, const arb_poly_t beta)
 {
-    const struct ratio power = interpolant_tail_power(interpolant_law(proof->f), proof->eps);
+    const struct ratio power = interpolant_tail_power(&proof->f->layout->law, proof->eps);
     LOCAL(arb_poly, factor);
     switch (interval->form) {
     case FORM_QUOTIENT: /* (1 - eps)/beta */
@@ -225,7 +224,7 @@ static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const s
 
 bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *proof, int i, double lo, double hi)
 {
-    const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
+    const struct interval *const interval = &proof->f->layout->interval[i];
     LOCAL(arb_poly, beta, w);
     enclosed_variable(log_beta, lo, hi);
     enclosed_exponential(beta, 1, 1, log_beta);

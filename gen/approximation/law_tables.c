@@ -136,9 +136,7 @@ bool law_tables_have_far(const struct law_tables *t, enum quantity quantity)
 
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity)
 {
-    LOCAL(arb, fall);
-    interpolant_far_fall(fall, t->f);
-    return quantity == DURATION_ZERO_OVERLAP && law_tables_have_far(t, quantity) && !arb_is_zero(fall);
+    return quantity == DURATION_ZERO_OVERLAP && law_tables_have_far(t, quantity) && !arb_is_zero(t->f->fall);
 }
 
 /* Splits a value into its nearest double and the remainder. */
@@ -160,7 +158,7 @@ static int emit_pair(struct emit *e, const char *name, const arb_t value)
 int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name)
 {
     LOCAL(arb, speed);
-    arb_set(speed, interpolant_final_speed(t->f));
+    arb_set(speed, t->f->final_speed);
     if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* an interval that contains 1 cannot be split */
         arb_one(speed);
     return emit_pair(e, name, speed);
@@ -191,9 +189,7 @@ int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantit
 
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name)
 {
-    LOCAL(arb, fall);
-    interpolant_far_fall(fall, t->f);
-    return emit_pair(e, name, fall);
+    return emit_pair(e, name, t->f->fall);
 }
 
 int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name)

@@ -29,7 +29,7 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats);
 int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const char *prefix);
 
 /* Whether the quantity has coefficients beyond the rows, and whether it has a further term there
- * (interpolant_far_fall) */
+ * (`fall` of interpolant.h) */
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 

@@ -74,7 +74,7 @@ struct cell pieces_cell(const struct pieces *p, slong row)
 /* The root of beta at y, the interpolant's variable near beta = 0 */
 static void root_of_beta(arb_t z, const struct pieces *p, const struct interpolant *f, const arb_t y)
 {
-    if (p->variable == VARIABLE_ROOT_BETA && p->root == interpolant_root(f)) {
+    if (p->variable == VARIABLE_ROOT_BETA && p->root == f->layout->root) {
         arb_set(z, y);
         return;
     }
@@ -82,7 +82,7 @@ static void root_of_beta(arb_t z, const struct pieces *p, const struct interpola
         arb_pow_ui(z, y, (ulong)p->root, WORKING_BITS);
     else
         arb_set(z, y);
-    arb_root_ui(z, z, (ulong)interpolant_root(f), WORKING_BITS);
+    arb_root_ui(z, z, (ulong)f->layout->root, WORKING_BITS);
 }
 
 static int collision_at(arb_t value, const void *interpolant, const struct pieces *p, const struct cell *cell,

@@ -112,14 +112,13 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
 int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *f, int i, enum quantity quantity,
                            const struct ellipse_bound *bound)
 {
-    const struct interval *const interval = &interpolant_layout_of(f)->interval[i];
+    const struct interval *const interval = &f->layout->interval[i];
     const slong n = interval->count;
-    arb_srcptr node, value;
-    interpolant_samples(&node, &value, f, i, quantity);
+    const arb_srcptr value = f->samples[i].value[quantity];
     LOCAL_VECTOR(w, n);
     LOCAL(arb, constant);
     for (slong j = 0; j < n; j++)
-        to_unit(w + j, node + j, interval);
+        to_unit(w + j, f->samples[i].node + j, interval);
     lebesgue(constant, w, n);
     arb_poly_interpolate_newton(p, w, value, n, PREC);
     polynomial_error(error, bound, quantity, constant, value, interval);
@@ -154,23 +153,19 @@ static void creep_begin(arb_t log_square, arb_t r, const arb_t u, const arb_t sc
  * false if the fall begins where the series has no bound. */
 static bool creep_constant_of(arb_t constant, const struct interpolant_proof *proof, int i, slong j)
 {
-    const slong bits = interpolant_layout_of(proof->f)->interval[i].bits;
-    arb_srcptr node, value[QUANTITIES];
-    LOCAL(arb, x, r, power);
-    arb_t exact[QUANTITIES];
-    for (int q = 0; q < QUANTITIES; q++) {
-        interpolant_samples(&node, &value[q], proof->f, i, (enum quantity)q);
-        arb_init(exact[q]);
-        if (q == EPS_ZERO_FORCE || q == DURATION_ZERO_FORCE || q == DURATION_ZERO_OVERLAP) {
-            arb_set(exact[q], value[q] + j); /* rounded to `bits` bits */
-            arb_mul_2exp_si(x, exact[q], -bits);
-            arb_add_error(exact[q], x);
-        }
+    const slong bits = proof->f->layout->interval[i].bits;
+    const struct samples *const s = &proof->f->samples[i];
+    LOCAL(arb, x, r, power, eps, time, end);
+    const arb_ptr exact[] = {eps, time, end};
+    static const enum quantity of[] = {EPS_ZERO_FORCE, DURATION_ZERO_FORCE, DURATION_ZERO_OVERLAP};
+    for (int k = 0; k < 3; k++) { /* rounded to `bits` bits */
+        arb_set(exact[k], s->value[of[k]] + j);
+        arb_mul_2exp_si(x, exact[k], -bits);
+        arb_add_error(exact[k], x);
     }
-    const arb_srcptr u = node + j; /* ln(beta) */
-    creep_begin(x, r, u, exact[EPS_ZERO_FORCE]);
-    LET(constant, PREC, "exact[DURATION_ZERO_OVERLAP] - x - exp(-5*u/3)*exact[DURATION_ZERO_FORCE]",
-        exact[DURATION_ZERO_OVERLAP], x, u, exact[DURATION_ZERO_FORCE]);
+    const arb_srcptr u = s->node + j; /* ln(beta) */
+    creep_begin(x, r, u, eps);
+    LET(constant, PREC, "end - x - exp(-5*u/3)*time", end, x, u, time);
     arb_one(power);
     for (slong k = 1; k <= CREEP_SERIES_ORDER; k++) {
         arb_mul(power, power, r, PREC);
@@ -179,15 +174,13 @@ static bool creep_constant_of(arb_t constant, const struct interpolant_proof *pr
     creep_series_remainder(x, &proof->creep, r);
     const bool known = arb_is_finite(x);
     arb_add_error(constant, x);
-    for (int q = 0; q < QUANTITIES; q++)
-        arb_clear(exact[q]);
     return known;
 }
 
 /* Every collision of the interval gives the same C. */
 static int prove_creep(struct interpolant_proof *proof, int i)
 {
-    const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
+    const struct interval *const interval = &proof->f->layout->interval[i];
     int status = STATUS_OK;
     LOCAL(arb, c);
     arb_zero_pm_one(proof->creep_constant);
@@ -205,10 +198,9 @@ static int prove_creep(struct interpolant_proof *proof, int i)
 
 static int prove_interval(struct interpolant_proof *proof, int i, unsigned quantities, enum ellipse_source source)
 {
-    const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
+    const struct interval *const interval = &proof->f->layout->interval[i];
     const unsigned set = ellipse_bound_set(interval) & quantities;
-    arb_srcptr node, value;
-    if (!interpolant_samples(&node, &value, proof->f, i, EPS_ZERO_OVERLAP))
+    if (!proof->f->samples[i].known)
         return STATUS_OK;
     proof->bound[i] = ellipse_stated[i];
     int status = source == ELLIPSES_PROVED ? prove_stated(&proof->bound[i], interval) : STATUS_OK;
@@ -237,7 +229,7 @@ static bool is_sphere(const struct interpolant_layout *layout)
 struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, unsigned quantities,
                                                 enum ellipse_source source)
 {
-    const int intervals = interpolant_layout_of(f)->intervals;
+    const int intervals = f->layout->intervals;
     struct interpolant_proof *proof = xmalloc(sizeof *proof);
     proof->f = f;
     creep_series_init(&proof->creep, PREC);
@@ -254,7 +246,7 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
             arb_pos_inf(&proof->error[i][q]);
         }
     int status = STATUS_OK;
-    if (!is_sphere(interpolant_layout_of(f)))
+    if (!is_sphere(f->layout))
         status = fail("only the interpolant of interpolant_sphere_proof can be proved");
     for (int i = 0; i < intervals && status == STATUS_OK; i++)
         if (ellipse_stated[i].rho > 0)
@@ -269,7 +261,7 @@ void interpolant_proof_free(struct interpolant_proof *proof)
 {
     if (!proof)
         return;
-    for (int i = 0; i < interpolant_layout_of(proof->f)->intervals; i++)
+    for (int i = 0; i < proof->f->layout->intervals; i++)
         for (int q = 0; q < QUANTITIES; q++) {
             arb_poly_clear(&proof->polynomial[i][q]);
             arb_clear(&proof->error[i][q]);
@@ -436,7 +428,7 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
                            enum quantity quantity, double lo, double hi)
 {
     const struct pieces p = {.quantity = quantity};
-    struct piece w = {.proof = proof, .p = &p, .i = i, .interval = &interpolant_layout_of(proof->f)->interval[i]};
+    struct piece w = {.proof = proof, .p = &p, .i = i, .interval = &proof->f->layout->interval[i]};
     piece_init(&w, lo, hi);
     loss_of(eps, &w);
     arb_poly_neg(eps, eps);
@@ -579,7 +571,7 @@ static double piece_error(const struct interpolant_proof *proof, const struct pi
                       .cell = pieces_cell(p, row),
                       .c = c,
                       .i = i,
-                      .interval = &interpolant_layout_of(proof->f)->interval[i]};
+                      .interval = &proof->f->layout->interval[i]};
     LOCAL(arb_poly, difference, scale);
     piece_init(&w, lo, hi);
     const bool done = relative_error(difference, scale, &w);
@@ -660,11 +652,8 @@ static bool cell_range(struct range *range, const struct interpolant_proof *proo
 static int side_of(const struct interpolant_proof *proof, const struct pieces *p, slong row, int i, double x,
                    double limit)
 {
-    struct piece w = {.proof = proof,
-                      .p = p,
-                      .cell = pieces_cell(p, row),
-                      .i = i,
-                      .interval = &interpolant_layout_of(proof->f)->interval[i]};
+    struct piece w = {
+        .proof = proof, .p = p, .cell = pieces_cell(p, row), .i = i, .interval = &proof->f->layout->interval[i]};
     LOCAL(arb_poly, y);
     LOCAL(arb, range);
     piece_init(&w, x, x);
@@ -721,7 +710,7 @@ static int part_of(struct part *part, double *reached, const struct range *range
  * the cell. */
 static int split_cell(struct part *part, const struct interpolant_proof *proof, const struct pieces *p, slong row)
 {
-    const struct interpolant_layout *const layout = interpolant_layout_of(proof->f);
+    const struct interpolant_layout *const layout = proof->f->layout;
     const enum quantity stored = stored_quantity(p->quantity);
     const struct cell cell = pieces_cell(p, row);
     struct range range;

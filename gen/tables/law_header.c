@@ -82,7 +82,7 @@ static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enu
 {
     const struct law *law = &t->layout.interpolant.law;
     const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one);
-    int status = emit_builder_pair(e, "threshold", interpolant_threshold(t->f));
+    int status = emit_builder_pair(e, "threshold", t->f->threshold);
     if (quantity == DURATION_ZERO_OVERLAP)
         emit_builder_set(e, "beyond", "cor_inline_infinity()");
     if (law_is_linear(law) && status == STATUS_OK) {

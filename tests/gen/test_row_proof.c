@@ -259,11 +259,11 @@ TEST(test_rows)
 /* A sample that is wrong in its 52nd bit, or a node in its 40th: no proof. */
 TEST(test_samples)
 {
-    arb_srcptr node, value;
     LOCAL(arb, kept, factor);
-    assert_true(interpolant_samples(&node, &value, interpolant, 1, EPS_ZERO_FORCE));
+    const struct samples *const samples = &interpolant->samples[1];
+    assert_true(samples->known);
     const slong j = (slong)random_below(&random_state, 40);
-    const arb_ptr wrong[] = {(arb_ptr)value + j, (arb_ptr)node + j};
+    const arb_ptr wrong[] = {samples->value[EPS_ZERO_FORCE] + j, samples->node + j};
     for (int k = 0; k < 2; k++) {
         arb_set(kept, wrong[k]);
         arb_one(factor);
@@ -440,12 +440,11 @@ TEST(test_creep_rows)
     }
     proof = kept;
     assert_int_equal(row_proof_table(&p, creep), 0);
-    arb_srcptr node, value;
     const int last = interpolant_sphere_proof.intervals - 1;
     static const enum quantity used[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, EPS_ZERO_FORCE};
     for (int k = 0; k < 3; k++) {
-        assert_true(interpolant_samples(&node, &value, f, last, used[k]));
-        arb_struct *const wrong = (arb_ptr)value + random_below(&random_state, 20);
+        assert_true(f->samples[last].known);
+        arb_struct *const wrong = f->samples[last].value[used[k]] + random_below(&random_state, 20);
         LOCAL(arb, exact);
         arb_set(exact, wrong);
         arb_mul_2exp_si(wrong, exact, -58);
