@@ -222,7 +222,7 @@ COR_LAW_DECLARE_WITH_EXPONENT_(hunt_crossley_max_overlap)
 /* double cor_hunt_crossley_duration(double beta, double elastic_exponent), _duration_approach_only,
  * _time_of_max_overlap: times in units of T = (m/K)^(1/(a+1)) g^((1-a)/(a+1)).
  * Domain: -1 < beta <= inf, 0 <= a < inf. Accuracy: for a = 1 or 3/2 and beta >= 0 tables give COR_LAW_TIME_MAX_ULP.
- * For beta < 0 and for every other a <= COR_HUNT_CROSSLEY_MAX_EXPONENT, a quadrature of some ten microseconds gives
+ * For beta < 0 and for every other a <= COR_HUNT_CROSSLEY_MAX_EXPONENT, a quadrature of a few microseconds gives
  * COR_HUNT_CROSSLEY_TIME_MAX_ERROR, relative, for every beta.
  * Special values: beta = +-0 -> the elastic collision's, for a = 1 pi and pi/2; +inf -> +inf (duration), 0 (time of the
  * largest overlap); a > COR_HUNT_CROSSLEY_MAX_EXPONENT, outside the domain and NaN -> NaN. */

@@ -116,7 +116,7 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
     return cor_kernel_exp_minus_pair(cor_inline_pair_times(exponent, cor_kernel_minus_log(x)));
 }
 
-/* ---- every exponent: double exponential quadrature ----
+/* ---- every exponent: quadrature ----
  *
  * Loading, with tau = ln((1 + beta)/(1 + beta v)), and rebound, with tau = ln((1 + beta v)/(1 - h)) from the end
  * backwards, take the time
@@ -126,11 +126,12 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
  * with k = a/(a + 1), end = ln(1 + beta) or -ln(1 - h) and E(x) = (exp(x) - 1)/x. With tau = end w and b = B/(beta r),
  * r = 1 or eps, so that b(0) = 1, both times are
  *
- *     ((a + 1) end/beta)^(1/(a+1)) r^-k (1 + (1 - k) int_0^1 w^-k (b(w)^-k - 1) dw)
+ *     ((a + 1) end/beta)^(1/(a+1)) r^-k (1 - k) int_0^1 w^-k b(w)^-k dw
  *
- * The integral of w^-k alone, the whole singularity at w = 0, is done by hand: what is left vanishes there like w^(1-k)
- * for every a. In the map of the quadrature the nearest singularity of b, tau = 2 pi i of the loading with the largest
- * beta, is 0.28 from the real line. */
+ * b is a function without singularities, whose zeros are next to tau = 2 pi i m, m != 0, for the loading, and beyond
+ * the end for the rebound: at end + ln(1 + beta), where the collision began, and with imaginary parts of 7 or more. The
+ * interval is divided so that polynomials of degree 24 through b^-k at Chebyshev points, which converge like 3.7^-24 at worst,
+ * replace it. In the first panel they are integrated with the weight w^-k. */
 
 struct crossley_side {
     double end, rest;   /* end; 1 - h of the rebound */
@@ -174,66 +175,131 @@ static double crossley_minus_log(double x)
     return cor_kernel_minus_log(cor_pair(x, 0)).hi;
 }
 
-/* The integral with w = 1/(1 + exp(-pi sinh(t))). The step leaves out 2^-53 at most, and the cut-off 2^-58. */
-static double crossley_quadrature(const struct crossley_side *side, double k)
+enum { DEGREE = 24 };
+
+/* (1 + cos(pi j/24))/2, and weights of Clenshaw and Curtis's rule on [0, 1], which are symmetric */
+static const double crossley_place[DEGREE + 1] = {
+    0x1.0000000000000p+0, 0x1.fdcf54976344ep-1, 0x1.f746ea3a45f8ap-1, 0x1.ec835e79946a3p-1, 0x1.ddb3d742c2655p-1,
+    0x1.cb19345ab9249p-1, 0x1.b504f333f9de6p-1, 0x1.9bd7c9fca89f5p-1, 0x1.8000000000000p-1, 0x1.61f78a9abaa59p-1,
+    0x1.4241f7064c1a4p-1, 0x1.216a2a1edb45ap-1, 0x1.0000000000000p-1, 0x1.bd2babc24974cp-2, 0x1.7b7c11f367cb8p-2,
+    0x1.3c10eaca8ab4fp-2, 0x1.0000000000000p-2, 0x1.90a0d80d5d82cp-3, 0x1.2bec333018867p-3, 0x1.a7365d2a36db8p-4,
+    0x1.126145e9ecd56p-4, 0x1.37ca1866b95cfp-5, 0x1.1722b8b740eb4p-6, 0x1.1855b44e5d92fp-8, 0x1.53fad78fd8edep-284};
+static const double clenshaw_curtis[DEGREE / 2 + 1] = {
+    0x1.c7e7115d0ce95p-11, 0x1.1136155e7fab0p-7, 0x1.16bd58d300657p-6, 0x1.99c110b8e71e5p-6, 0x1.0c44dafeb6b01p-5,
+    0x1.46449f78293b1p-5,  0x1.7b38f95df064dp-5, 0x1.a94a8680bc943p-5, 0x1.d065d7f1c74a7p-5, 0x1.ef4b6714c6798p-5,
+    0x1.02f96654f0e63p-4,  0x1.09c399b07d2b9p-4, 0x1.0c1b703601543p-4};
+
+/* k = a/(a + 1), share = 1 - k, and the weights of (1 - k) int_0^1 w^-k f(w) dw */
+struct crossley_rule {
+    struct cor_inline_pair plus, share, k; /* a + 1 */
+    double weight[DEGREE + 1];
+};
+
+/* The integrals of Chebyshev's polynomials follow from each other as in Piessens and Branders, J. Comput. Appl. Math.
+ * 1, 55 (1975). */
+static void crossley_rule_make(struct crossley_rule *rule, double a)
 {
-    enum { STEPS = 144 };
-    const double pi = 3.14159265358979311600, end = 3.2512; /* pi sinh(end) = 40.5 */
-    const double step = 2 * end / (double)STEPS;
-    double sum = 0;
-    for (int j = 0; j <= STEPS; j++) {
-        const double t = step * (j - STEPS / 2), grow = crossley_exp(t), fall = 1 / grow;
-        const double q = crossley_exp(0.5 * pi * (fall - grow)), w = 1 / (1 + q), below = q / (1 + q);
-        const double weight = 0.5 * pi * (grow + fall) * w * below;
-        const double log_w = crossley_minus_log(w), log_b = crossley_minus_log(crossley_b(side, w, below));
-        sum += weight * (crossley_exp(k * (log_w + log_b)) - crossley_exp(k * log_w));
+    double moment[DEGREE + 1], cosine[2 * DEGREE];
+    rule->plus = cor_pair_two_sum(1, a);
+    rule->share = cor_pair_over(cor_pair(1, 0), rule->plus);
+    rule->k = cor_pair_over(cor_pair(a, 0), rule->plus);
+    const double share = rule->share.hi;
+    moment[0] = 1;
+    moment[1] = -rule->k.hi / (1 + share);
+    for (int n = 2; n <= DEGREE; n++)
+        moment[n] = -(share + n * (n - 1 - share) * moment[n - 1]) / ((n - 1) * (n + share));
+    moment[0] *= 0.5;
+    moment[DEGREE] *= 0.5;
+    for (int j = 0; j < 2 * DEGREE; j++)
+        cosine[j] = 2 * crossley_place[j <= DEGREE ? j : 2 * DEGREE - j] - 1;
+    for (int j = 0; j <= DEGREE / 2; j++) {
+        double even = moment[0], odd = 0;
+        for (int n = 1, at = j; n < DEGREE; n += 2) {
+            const int next = at + j < 2 * DEGREE ? at + j : at + j - 2 * DEGREE;
+            odd += moment[n] * cosine[at];
+            even += moment[n + 1] * cosine[next];
+            at = next + j < 2 * DEGREE ? next + j : next + j - 2 * DEGREE;
+        }
+        const double scale = j ? 2.0 / DEGREE : 1.0 / DEGREE;
+        rule->weight[j] = scale * (even + odd);
+        rule->weight[DEGREE - j] = scale * (even - odd);
     }
-    return sum * step;
 }
 
-static double crossley_side_time(const struct crossley_side *side, double a)
+/* The beginning of the panel that ends at w: 0, or a place as far from the singularity of w^-k as the panel is long */
+static double crossley_panel(const struct crossley_side *side, double w)
 {
-    const struct cor_inline_pair plus = cor_pair_two_sum(1, a), share = cor_pair_over(cor_pair(1, 0), plus),
-                                 k = cor_pair_over(cor_pair(a, 0), plus);
+    const double tau = side->end * w, least = 0x1p-52 * side->end; /* shorter panels count for nothing */
+    const double gap = side->end - tau + cor_kernel_log_plus_1(side->beta).hi;
+    const double longest = side->rebound ? cor_kernel_max(2.0 * gap, least) : 5;
+    if (tau <= longest)
+        return 0;
+    return cor_kernel_max(side->rebound ? w - longest / side->end : 0, w / 2.2);
+}
+
+/* (1 - k) int_0^1 w^-k b^-k dw. In the first panel the integral of w^-k (b^-k - 1), which is small where k is near 1, is
+ * added to that of w^-k. */
+static double crossley_quadrature(const struct crossley_side *side, const struct crossley_rule *rule)
+{
+    const double k = rule->k.hi, share = rule->share.hi;
+    double sum = 0;
+    for (double to = 1, from; to > 0; to = from) {
+        from = crossley_panel(side, to);
+        const double length = to - from;
+        double part = 0;
+        for (int j = 0; j <= DEGREE; j++) {
+            const double w = from + length * crossley_place[j];
+            const double b = crossley_b(side, w, (1 - to) + length * crossley_place[DEGREE - j]);
+            const double value = crossley_exp(k * crossley_minus_log(from > 0 ? w * b : b));
+            part +=
+                from > 0 ? value * clenshaw_curtis[j <= DEGREE / 2 ? j : DEGREE - j] : (value - 1) * rule->weight[j];
+        }
+        sum += from > 0 ? share * length * part : (1 + part) * crossley_exp(share * -crossley_minus_log(to));
+    }
+    return sum;
+}
+
+static double crossley_side_time(const struct crossley_side *side, const struct crossley_rule *rule)
+{
     const struct cor_inline_pair log_speed = cor_kernel_minus_log(cor_pair(side->speed, 0)),
                                  log_beta = cor_kernel_minus_log(cor_pair(side->beta, 0)),
-                                 log_end = cor_kernel_minus_log(cor_pair(side->end / side->beta * plus.hi, 0));
+                                 log_end = cor_kernel_minus_log(cor_pair(side->end / side->beta * rule->plus.hi, 0));
     /* -ln of the factors: a power of beta alone would lose digits where k ln(beta) is large */
     const struct cor_inline_pair slow = cor_pair_plus(log_beta, cor_pair(-log_speed.hi, -log_speed.lo));
-    const struct cor_inline_pair factor =
-        cor_kernel_exp_minus_pair(cor_pair_plus(cor_inline_pair_times(share, log_end), cor_inline_pair_times(k, slow)));
-    return factor.hi * (1 + share.hi * crossley_quadrature(side, k.hi));
+    const struct cor_inline_pair factor = cor_kernel_exp_minus_pair(
+        cor_pair_plus(cor_inline_pair_times(rule->share, log_end), cor_inline_pair_times(rule->k, slow)));
+    return factor.hi * crossley_quadrature(side, rule);
 }
 
-static double crossley_loading(double beta, double a)
+static double crossley_loading(double beta, const struct crossley_rule *rule)
 {
     const struct crossley_side side = {cor_kernel_log_plus_1(beta).hi, 0, beta, beta, 0};
-    return crossley_side_time(&side, a);
+    return crossley_side_time(&side, rule);
 }
 
 /* -ln(1 - h) is U = beta + 1 - ln(1 + beta) - (1 - h) or, for small beta, -ln(1 - h) itself */
-static double crossley_rebound(double beta, double a)
+static double crossley_rebound(double beta, const struct crossley_rule *rule)
 {
     const int weak = beta < 2;
     const double h = cor_kernel_min(beta * cor_crossley_eps(beta), 1), rest = 1 - h;
     const double end = weak ? cor_kernel_minus_log_one_minus(h).hi : beta + 1 - cor_kernel_log_plus_1(beta).hi - rest;
     const struct crossley_side side = {end, rest, h, beta, 1};
-    return crossley_side_time(&side, a);
+    return crossley_side_time(&side, rule);
 }
 
 /* Loading or rebound. A collision with negative damping, in backward time, is the damped collision that starts with the
  * speed eps, with h = -beta. The loading of one is the rebound of the other. */
-static double crossley_half(double beta, double a, int rebound)
+static double crossley_half(double beta, const struct crossley_rule *rule, int rebound)
 {
     if (fabs(beta) < 1e-15)
-        return crossley_loading(1e-15, a);
+        return crossley_loading(1e-15, rule);
     if (beta > 0)
-        return rebound ? crossley_rebound(beta, a) : crossley_loading(beta, a);
+        return rebound ? crossley_rebound(beta, rule) : crossley_loading(beta, rule);
     const double eps = cor_crossley_eps(beta), damped = -beta * eps;
-    const struct cor_inline_pair power = cor_pair_over(cor_pair_two_sum(1, -a), cor_pair_two_sum(1, a));
+    const struct cor_inline_pair power = cor_pair_plus(rule->share, cor_pair(-rule->k.hi, -rule->k.lo));
     const double unit = crossley_power(cor_pair(eps, 0), power).hi;
     const struct crossley_side backward = {-cor_kernel_log_plus_1(beta).hi, 1 + beta, -beta, damped, 1};
-    return unit * (rebound ? crossley_loading(damped, a) : crossley_side_time(&backward, a));
+    return unit * (rebound ? crossley_loading(damped, rule) : crossley_side_time(&backward, rule));
 }
 
 /* ---- the functions ---- */
@@ -261,7 +327,9 @@ static double cor_crossley_inline_duration(double beta, double elastic_exponent)
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_table_duration(&tables, beta);
     }
-    return crossley_half(beta, a, 0) + crossley_half(beta, a, 1);
+    struct crossley_rule rule;
+    crossley_rule_make(&rule, a);
+    return crossley_half(beta, &rule, 0) + crossley_half(beta, &rule, 1);
 }
 
 static double cor_crossley_inline_time_of_max_overlap(double beta, double elastic_exponent)
@@ -275,7 +343,9 @@ static double cor_crossley_inline_time_of_max_overlap(double beta, double elasti
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_max(&tables, beta).hi;
     }
-    return crossley_half(beta, a, 0);
+    struct crossley_rule rule;
+    crossley_rule_make(&rule, a);
+    return crossley_half(beta, &rule, 0);
 }
 
 /* The elastic rebound to the speed eps takes half of the elastic duration times eps^((1 - a)/(1 + a)). */
@@ -300,7 +370,9 @@ static double cor_crossley_inline_duration_approach_only(double beta, double ela
         const struct cor_inline_pair rebound = cor_inline_pair_times(half, crossley_elastic_rebound(beta, a));
         return cor_pair_plus(rebound, crossley_max(&tables, beta)).hi;
     }
-    return crossley_half(beta, a, 0) + crossley_half(0, a, 0) * crossley_elastic_rebound(beta, a).hi;
+    struct crossley_rule rule;
+    crossley_rule_make(&rule, a);
+    return crossley_half(beta, &rule, 0) + crossley_half(0, &rule, 0) * crossley_elastic_rebound(beta, a).hi;
 }
 
 LAW_DEFINE_WITH_EXPONENT(hunt_crossley_duration, crossley_inline_duration)
