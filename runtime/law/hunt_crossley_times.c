@@ -130,8 +130,8 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
  *
  * b is a function without singularities, whose zeros are next to tau = 2 pi i m, m != 0, for the loading, and beyond
  * the end for the rebound: at end + ln(1 + beta), where the collision began, and with imaginary parts of 7 or more. The
- * interval is divided so that polynomials of degree 24 through b^-k at Chebyshev points, which converge like 3.7^-24 at worst,
- * replace it. In the first panel they are integrated with the weight w^-k. */
+ * interval is divided so that polynomials of degree 24 through b^-k at Chebyshev points, which converge like 3.7^-24 at
+ * worst, replace it. In the first panel they are integrated with the weight w^-k. */
 
 struct crossley_side {
     double end, rest;   /* end; 1 - h of the rebound */
@@ -237,8 +237,8 @@ static double crossley_panel(const struct crossley_side *side, double w)
     return cor_kernel_max(side->rebound ? w - longest / side->end : 0, w / 2.2);
 }
 
-/* (1 - k) int_0^1 w^-k b^-k dw. In the first panel the integral of w^-k (b^-k - 1), which is small where k is near 1, is
- * added to that of w^-k. */
+/* (1 - k) int_0^1 w^-k b^-k dw. In the first panel the integral of w^-k (b^-k - 1), which is small where k is near 1,
+ * is added to that of w^-k. */
 static double crossley_quadrature(const struct crossley_side *side, const struct crossley_rule *rule)
 {
     const double k = rule->k.hi, share = rule->share.hi;
