@@ -278,19 +278,10 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
         *eps = cor_scene_has_end(contact, end) ? cor_wet_eps(*eps, speed_m_s, contact->liquid_speed_m_s) : (double)NAN;
         return status;
     }
-    if (yields(contact, speed_m_s)) {
-        *eps = cor_elastic_plastic_eps(speed_m_s / contact->yield_speed_m_s);
-        return COR_FAULT_NONE;
-    }
-    if (contact->adhesion_j_m2 > 0) {
-        struct cor_jkr_impact impact;
-        const int status = adhesive_impact(&impact, contact, speed_m_s);
-        *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;
-        return status;
-    }
-    if (contact->force_n > 0 && cor_scene_has_end(contact, end)) {
-        struct cor_pressed_impact impact;
-        const int status = pressed_impact(&impact, contact, cor_scene_beta(contact, speed_m_s), speed_m_s);
+    if (yields(contact, speed_m_s) || contact->adhesion_j_m2 > 0 ||
+        (contact->force_n > 0 && cor_scene_has_end(contact, end))) {
+        struct cor_scene_impact impact;
+        const int status = cor_scene_impact(&impact, contact, speed_m_s);
         *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;
         return status;
     }

@@ -105,6 +105,11 @@ static void part(struct cor_jkr_impact *impact, int end, const struct motion *m,
     impact->duration[end] = series_at(m->t, s);
 }
 
+static double opposite(const double *c, double s)
+{
+    return -series_at(c, s);
+}
+
 /* In the units of jkr.h */
 static int solve(struct cor_jkr_impact *impact, double kappa, int power, double speed)
 {
@@ -121,15 +126,7 @@ static int solve(struct cor_jkr_impact *impact, double kappa, int power, double 
         double last = m.step; /* where the bodies turn inward again: they have less energy than the way out takes */
         int turned = 0;
         if (series_at(m.p, last) > 0) {
-            double low = k == 0 ? m.step * 0x1p-20 : 0, high = last;
-            for (int i = 0; i < 80 && low < high; i++) {
-                const double middle = low + (high - low) / 2;
-                if (series_at(m.p, middle) < 0)
-                    low = middle;
-                else
-                    high = middle;
-            }
-            last = high;
+            last = series_root(opposite, m.p, 0, k == 0 ? m.step * 0x1p-20 : 0, last);
             turned = 1;
         }
         for (int end = 0; end < COR_SCENE_ENDS; end++)
