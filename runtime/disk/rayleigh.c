@@ -139,11 +139,7 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
     add_modes(&sums, &table, 0, n_modes, &spectrum, mode_fraction);
     out->fraction = sums.fraction;
     add_modes(&sums, &table, n_modes, all, &spectrum, NULL);
-    struct cor_disk_rayleigh whole = *out;
-    whole.fraction = sums.fraction;
-    rayleigh_finish(&whole, &table, &spectrum, &sums);
-    out->tail = whole.fraction - out->fraction + whole.tail;
-    out->error_estimate = whole.error_estimate;
+    rayleigh_finish(out, &table, &spectrum, &sums);
     return result_status(out, speed);
 }
 
@@ -159,7 +155,7 @@ static struct cor_disk_rayleigh trial_of(const struct cor_disk_modes *modes, siz
     size_t first = few;
     cor_rayleigh_table_init(&table, spectrum->set, modes, n);
     add_modes(&sums, &table, few, n, spectrum, NULL);
-    trial.fraction = sum_few + sums.fraction;
+    trial.fraction = sums.fraction = sum_few + sums.fraction;
     while (first > 0 && modes->mode[first - 1].omega > table.fading.echo_from)
         first--;
     add_modes(&below, &table, first, few, spectrum, NULL);
@@ -312,11 +308,7 @@ static void list_evaluate(const struct list *list, const struct cor_spectrum *sp
         cor_rayleigh_add(spectrum, &list->chunk[k], &sums, NULL);
     for (size_t k = list->taken; k < list->with_surface; k++)
         cor_rayleigh_add(spectrum, &list->chunk[k], &beyond, NULL);
-    struct cor_disk_rayleigh whole = *out;
-    whole.fraction = sums.fraction;
-    cor_rayleigh_finish(&whole, &list->table, spectrum, &sums, beyond.faded);
-    out->tail = whole.fraction - out->fraction + whole.tail;
-    out->error_estimate = whole.error_estimate;
+    cor_rayleigh_finish(out, &list->table, spectrum, &sums, beyond.faded);
 }
 
 /* The piece that contains q0, or FIRST_PIECE - 1 */

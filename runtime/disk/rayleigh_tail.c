@@ -300,7 +300,8 @@ void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleig
     const double curvature = surface->known ? more / (bump_integral(low) + bump_integral(high)) : 0;
     if (surface->known)
         surface_sum += surface_rest(spectrum, surface);
-    out->tail = integrals.mean + curvature * integrals.curvature - sums->faded + surface_sum;
+    const double tail = integrals.mean + curvature * integrals.curvature - sums->faded + surface_sum;
+    out->tail = sums->fraction - out->fraction + tail;
 
     const double echo = echo_of(sums->high, high) + factors.echo_low * echo_of(sums->low, low);
     const double half_echo = echo_of(sums->high + 2, high) + factors.half_echo_low * echo_of(sums->low + 2, low);
@@ -310,5 +311,5 @@ void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleig
     const double rest = surface->known ? known : factors.unknown;
     out->error_estimate = (factors.of_echo * echo + rest) * integrals.mean +
                           (factors.of_half_echo * half_echo + rest) * integrals.half +
-                          ROUNDING * (out->fraction + fabs(out->tail));
+                          ROUNDING * (sums->fraction + fabs(tail));
 }
