@@ -53,7 +53,8 @@ void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode
 int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_rayleigh_set *set,
                            struct cor_mode_chunk *chunk);
 
-/* Sets the tail beyond out->fraction, and the error estimate. `sums` are those of all modes of the table. surface_sum is the sum `faded` of the chunks of all surface modes. */
+/* Sets the tail beyond out->fraction, and the error estimate. `sums` are those of all modes of the table. surface_sum
+ * is the sum `faded` of the chunks of all surface modes. */
 void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
                          const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums, double surface_sum);
 
