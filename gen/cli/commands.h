@@ -98,10 +98,10 @@ struct contact_arguments {
     struct embed_request scene;
     struct values speed;
     struct decimal steps, time_step, step_tolerance, friction;
-    int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the host */
+    int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the simulator */
     bool step_corrected;
-    const char *host, *plot; /* NULL: not given */
-    const char *version;     /* of the host; NULL: any */
+    const char *simulator, *plot; /* NULL: not given */
+    const char *version;          /* of the simulator; NULL: any */
 };
 
 struct sample_arguments {

@@ -6,8 +6,8 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "contact/contact_host.h"
 #include "contact/contact_rows.h"
+#include "contact/contact_simulator.h"
 #include "support/console.h"
 #include "support/eps_plot.h"
 #include "support/gnuplot.h"
@@ -43,14 +43,14 @@ static int check_options(const struct contact_arguments *o, const struct contact
                            "--poisson 0.2 --radius 1e-3 --density 2500: their stiffness against sliding is Mindlin's");
     if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
         return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
-    if (o->step_corrected && !o->host && contact_end(contacts, 0) == COR_BOTH_ENDS)
+    if (o->step_corrected && !o->simulator && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
     if (c->adhesion_j_m2 > 0 && o->scene.end != OPTIONS_NOT_GIVEN)
         return usage_error(
             "--end: a contact that adheres as in JKR ends with its tail or at the largest pull; leave it "
             "out, and both are printed");
     const bool forced = c->force_n > 0 || c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
-    if ((c->plastic || (!o->host && forced)) && step_of(o).errors)
+    if ((c->plastic || (!o->simulator && forced)) && step_of(o).errors)
         return usage_error(
             "the error of a time step is known without --gravity, --adhesion, --viscosity-liquid and --law "
             "elastic-plastic alone; leave out --steps, --time-step, --step-tolerance, --step-corrected and "
@@ -148,13 +148,14 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
 
 /* ---- the command ---- */
 
-static int print_for_host(const struct contact_arguments *o, const struct contacts *contacts)
+static int print_for_simulator(const struct contact_arguments *o, const struct contacts *contacts)
 {
     struct contact_step step = step_of(o);
     struct output out;
     if (o->integrator == OPTIONS_NOT_GIVEN)
         step.integrator = COR_NO_INTEGRATOR; /* that of the simulator */
-    char *const text = contact_host_text(o->host, o->version, contacts, o->speed.nearest, o->speed.count, &step);
+    char *const text =
+        contact_simulator_text(o->simulator, o->version, contacts, o->speed.nearest, o->speed.count, &step);
     if (!text)
         return STATUS_USAGE;
     int status = output_open(&out, o->common.output);
@@ -173,8 +174,8 @@ static int run_contact(const void *arguments)
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
     /* a list, or a name that is none, needs no contact */
-    if (o->host && (contact_host_is_list(o->host, o->version) || !cor_simulator_named(o->host)))
-        return print_for_host(o, NULL);
+    if (o->simulator && (contact_simulator_is_list(o->simulator, o->version) || !cor_simulator_named(o->simulator)))
+        return print_for_simulator(o, NULL);
     int status = contacts_of_request(&contacts, &o->scene);
     if (status == STATUS_OK)
         status = check_options(o, &contacts);
@@ -184,8 +185,8 @@ static int run_contact(const void *arguments)
         contact_warn_yield(&contacts, values_largest(&o->speed));
     else if (embed_given(&o->scene, COR_SCENE_AT))
         contact_warn_yield(&contacts, embed_number(&o->scene, COR_SCENE_AT));
-    if (o->host)
-        return print_for_host(o, &contacts);
+    if (o->simulator)
+        return print_for_simulator(o, &contacts);
     if (o->plot)
         status = draw(o, &contacts);
     return status == STATUS_OK ? print_tables(o, &contacts) : status;
@@ -240,7 +241,7 @@ static const struct option_rule options[] = {
     OPTION("step-corrected", FLAG, step_corrected, .needs = "speed"),
     OPTION("integrator", WORD, integrator, .range.words = cor_integrator_names, .why = "an integrator",
            .needs = "speed"),
-    OPTION("for", TEXT, host, .range.words = contact_host_names, .excludes = "format plot"),
+    OPTION("for", TEXT, simulator, .range.words = contact_simulator_names, .excludes = "format plot"),
     OPTION("simulator-version", TEXT, version, .needs = "for"),
     OPTION("friction", REAL, friction, .range.number = &option_not_negative, .excludes = "for speed"),
     OPTION("plot", FILE, plot, .needs = "speed"),

@@ -5,8 +5,8 @@
 #include "check.h"
 
 #include "contact/contact.h"
-#include "contact/contact_host.h"
 #include "contact/contact_rows.h"
+#include "contact/contact_simulator.h"
 #include "cor/hertz_dashpot.h"
 #include "cor/law.h"
 #include "cor/sphere.h"
@@ -588,7 +588,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
     const struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);
     const double eps = 0.7, speed = 0.4;
     const struct cor_simulator_wish wish = {&contacts.scene, contacts.contact, contacts.count, speed, eps, 0};
-    char *const text = contact_host_text(host, NULL, &contacts, &speed, 1, &(struct contact_step){0});
+    char *const text = contact_simulator_text(host, NULL, &contacts, &speed, 1, &(struct contact_step){0});
     const bool same_law = text && !strstr(text, "does not have the law of the contact");
     size_t found = 0;
     for (size_t i = 0; text && i < cor_simulator_model_count; i++) {
@@ -621,7 +621,7 @@ static void hosts_realise_what_is_wished(void **state)
                {"rebound", 1, 1, 0}, {"modelica", 1, 0, 0}};
     const struct given *const wished = GIVEN({COR_SCENE_RESTITUTION, 0.7});
     const struct given *const measured = GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4});
-    char *const list = contact_host_text(CONTACT_HOST_LIST, NULL, NULL, NULL, 0, &(struct contact_step){0});
+    char *const list = contact_simulator_text(CONTACT_SIMULATOR_LIST, NULL, NULL, NULL, 0, &(struct contact_step){0});
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         char line[40];
         const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, GIVEN(SPRING), wished);
@@ -635,7 +635,7 @@ static void hosts_realise_what_is_wished(void **state)
     free(list);
     assert_int_equal(sizeof row / sizeof *row, cor_simulator_count);
     for (size_t i = 0; i < cor_simulator_count; i++)
-        assert_string_equal(cor_simulators[i].name, contact_host_names[i]);
+        assert_string_equal(cor_simulators[i].name, contact_simulator_names[i]);
     assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, GIVEN(BODIES), measured), 1);
     assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, GIVEN(BODIES), measured), 2);
     assert_null(cor_simulator_named("kratos")); /* in the table, without lines */
@@ -661,7 +661,7 @@ static void chrono_finds_the_radius(void **state)
                         GIVEN({COR_SCENE_YOUNG, random_log(&random, 1e6, 1e11)}, {COR_SCENE_POISSON, 0.3},
                               {COR_SCENE_DENSITY, 2500}, {COR_SCENE_RADIUS, r1}, {COR_SCENE_RADIUS_2, r2}),
                         GIVEN({COR_SCENE_RESTITUTION, e}, {COR_SCENE_AT, speed}));
-        char *const lines = contact_host_text("chrono", NULL, &contacts, &speed, 1, &(struct contact_step){0});
+        char *const lines = contact_simulator_text("chrono", NULL, &contacts, &speed, 1, &(struct contact_step){0});
         assert_non_null(lines);
         const double kn = number_after(lines, "SetKn(", NAN), gn = number_after(lines, "SetGn(", NAN);
         const double found[] = {number_after(lines, "SetDefaultEffectiveCurvatureRadius(", 0.1), r1 * r2 / (r1 + r2)};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "contact/contact_host.h"
+#include "contact/contact_simulator.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -7,27 +7,29 @@
 #include "support/console.h"
 
 /* For the completion of shells; tests/gen/test_contact.c compares it with cor_simulators. */
-const char *const contact_host_names[] = {
-    "lammps", "liggghts", "yade",    "mercurydpm", "chrono",  "mfix",     "openfoam",        "esys-particle",
-    "mujoco", "drake",    "simbody", "bullet",     "rebound", "modelica", CONTACT_HOST_LIST, NULL};
+const char *const contact_simulator_names[] = {
+    "lammps",  "liggghts", "yade",          "mercurydpm", "chrono",
+    "mfix",    "openfoam", "esys-particle", "mujoco",     "drake",
+    "simbody", "bullet",   "rebound",       "modelica",   CONTACT_SIMULATOR_LIST,
+    NULL};
 
-bool contact_host_is_list(const char *host, const char *version)
+bool contact_simulator_is_list(const char *simulator, const char *version)
 {
-    return strcmp(host, CONTACT_HOST_LIST) == 0 || (version && strcmp(version, CONTACT_HOST_LIST) == 0);
+    return strcmp(simulator, CONTACT_SIMULATOR_LIST) == 0 || (version && strcmp(version, CONTACT_SIMULATOR_LIST) == 0);
 }
 
-static long write_text(char *text, size_t size, const char *host, const struct cor_simulator_request *request)
+static long write_text(char *text, size_t size, const char *simulator, const struct cor_simulator_request *request)
 {
     if (request->contacts)
         return cor_simulator_lines(text, size, request);
-    return cor_simulator_list(text, size, cor_simulator_named(host));
+    return cor_simulator_list(text, size, cor_simulator_named(simulator));
 }
 
-char *contact_host_text(const char *host, const char *version, const struct contacts *contacts, const double *speed_m_s,
-                        size_t speeds, const struct contact_step *step)
+char *contact_simulator_text(const char *simulator, const char *version, const struct contacts *contacts,
+                             const double *speed_m_s, size_t speeds, const struct contact_step *step)
 {
     char reason[COR_SIMULATOR_REASON];
-    const struct cor_simulator_request request = {.simulator = host,
+    const struct cor_simulator_request request = {.simulator = simulator,
                                                   .version = version,
                                                   .scene = contacts ? &contacts->scene : NULL,
                                                   .contacts = contacts ? contacts->contact : NULL,
@@ -40,17 +42,17 @@ char *contact_host_text(const char *host, const char *version, const struct cont
                                                   .step_corrected = step->corrected,
                                                   .integrator = step->integrator,
                                                   .step_errors = step->errors};
-    if (strcmp(host, CONTACT_HOST_LIST) != 0 && !cor_simulator_named(host)) {
+    if (strcmp(simulator, CONTACT_SIMULATOR_LIST) != 0 && !cor_simulator_named(simulator)) {
         cor_simulator_lines(reason, sizeof reason, &request);
-        usage_error("--for: %s, " CONTACT_HOST_LIST, reason);
+        usage_error("--for: %s, " CONTACT_SIMULATOR_LIST, reason);
         return NULL;
     }
-    const long length = write_text(reason, sizeof reason, host, &request);
+    const long length = write_text(reason, sizeof reason, simulator, &request);
     if (length < 0) {
         usage_error("%s", reason);
         return NULL;
     }
     char *const text = malloc((size_t)length + 1);
-    write_text(text, (size_t)length + 1, host, &request);
+    write_text(text, (size_t)length + 1, simulator, &request);
     return text;
 }
