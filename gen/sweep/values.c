@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 enum { TOKEN_MAX = 200, BITS = 256, PARTS = 4 };
@@ -61,30 +62,17 @@ static void value_between(fmpq_t x, const struct values_rule *rule, bool geometr
         fmpq_set(x, i == 0 ? a : b);
         return;
     }
-    if (!geometric) {
-        fmpq_sub(x, b, a);
-        fmpq_mul_si(x, x, i);
-        fmpz_mul_si(fmpq_denref(x), fmpq_denref(x), n);
-        fmpq_canonicalise(x);
-        fmpq_add(x, x, a);
-    } else {
-        LOCAL(arb, first, ratio);
-        fmpq_div(x, b, a);
-        arb_set_fmpq(ratio, x, BITS);
-        arb_log(ratio, ratio, BITS);
-        arb_mul_si(ratio, ratio, i, BITS);
-        arb_div_si(ratio, ratio, n, BITS);
-        arb_exp(ratio, ratio, BITS);
-        arb_set_fmpq(first, a, BITS);
-        arb_mul(first, first, ratio, BITS);
+    if (geometric) {
+        LOCAL(arb, y);
+        LET(y, BITS, "a*(b/a)^(i/n)", a, b, i, n);
         if (!rule->whole)
-            arf_set_round(arb_midref(first), arb_midref(first), DBL_MANT_DIG, ARF_RND_NEAR);
-        arf_get_fmpq(x, arb_midref(first));
+            arf_set_round(arb_midref(y), arb_midref(y), DBL_MANT_DIG, ARF_RND_NEAR);
+        arf_get_fmpq(x, arb_midref(y));
+    } else {
+        EXACT(x, "a + (b - a)*i/n", a, b, i, n);
     }
     if (rule->whole) { /* floor(x + 1/2) */
-        fmpz_mul_2exp(fmpq_numref(x), fmpq_numref(x), 1);
-        fmpz_add(fmpq_numref(x), fmpq_numref(x), fmpq_denref(x));
-        fmpz_mul_2exp(fmpq_denref(x), fmpq_denref(x), 1);
+        EXACT(x, "x + 1/2", x);
         fmpz_fdiv_q(fmpq_numref(x), fmpq_numref(x), fmpq_denref(x));
         fmpz_one(fmpq_denref(x));
     }
