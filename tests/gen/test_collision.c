@@ -535,6 +535,26 @@ TEST(test_strong_damping)
     assert_true(fabs(t[1] - t[0]) < 1e-4 && fabs(t[2] - t[1]) < 1e-5);
 }
 
+/* The ends of an enclosure of the force from which on the bodies stay together: at the lower one they part, at the
+ * upper one they do not. B of beta = 6 lies next to the damping from which on motions escape. */
+TEST(test_sticking_force)
+{
+    static const char *const betas[] = {"2", "6"};
+    LOCAL(collision, c);
+    LOCAL(arb, beta, force, end);
+    for (int i = 0; i < 2; i++) {
+        set_number(beta, betas[i]);
+        assert_int_equal(collision_sticking_force(force, beta, &law_sphere, 0, 30), 0);
+        assert_bits(force, 30);
+        arb_get_lbound_arf(arb_midref(end), force, PREC);
+        assert_int_equal(collision_solve_pressed(c, beta, end, &law_sphere, 0, 20), 0);
+        assert_true(arb_is_positive(c->eps_zero_overlap));
+        arb_get_ubound_arf(arb_midref(end), force, PREC);
+        assert_int_equal(collision_solve_pressed(c, beta, end, &law_sphere, 0, 20), 0);
+        assert_true(arb_is_zero(c->eps_zero_overlap));
+    }
+}
+
 /* ---- hard cases ---- */
 
 /* a = b = 0, a constant force: x_max = (beta - ln(1+beta))/beta^2, duration (ln(1+beta) - ln(1 - beta eps))/beta. */
@@ -673,5 +693,5 @@ TEST(test_edges)
 
 RUN_TESTS(test_force, test_final_speed, test_threshold, test_collisions, test_tsuji, test_series, test_involution,
           test_backward_series, test_closed_forms, test_angle, test_slow_manifold, test_forgetting,
-          test_missed_manifold, test_below_threshold, test_strong_force, test_strong_damping, test_constant_force,
-          test_critical, test_one_end, test_edges)
+          test_missed_manifold, test_below_threshold, test_strong_force, test_strong_damping, test_sticking_force,
+          test_constant_force, test_critical, test_one_end, test_edges)

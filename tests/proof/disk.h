@@ -8,71 +8,39 @@
 
 /* ---- parts of lists of operations ---- */
 
-static operation what_is(int id)
+/* The exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers) */
+static void exact_two_sum(gappa &g, int hi, int lo)
 {
-    return nodes()[(std::size_t)id].what;
-}
-
-static void expect(bool yes, const char *what)
-{
-    if (!yes)
-        die(std::string(what) + " has changed");
-}
-
-/* Names the exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers). */
-static void exact_two_sum(gappa &g, const struct cor_inline_pair &pair)
-{
-    const int hi = pair.hi.node(), lo = pair.lo.node();
     const char *const name = "cor_pair_two_sum";
-    expect(what_is(hi) == ADD && what_is(lo) == ADD, name);
-    const int x = first_of(hi), y = second_of(hi), left = first_of(lo), right = second_of(lo);
-    expect(what_is(left) == SUBTRACT && what_is(right) == SUBTRACT && first_of(left) == x && first_of(right) == y,
-           name);
-    const int part = second_of(right), other = second_of(left);
-    expect(what_is(part) == SUBTRACT && first_of(part) == hi && second_of(part) == x, name);
-    expect(what_is(other) == SUBTRACT && first_of(other) == hi && second_of(other) == part, name);
+    const int x = at(hi, "a"), y = at(hi, "b");
+    for (const int difference : {at(lo, "a"), at(lo, "b"), at(lo, "bb"), at(lo, "ab")})
+        expect(what_is(difference) == SUBTRACT, name);
+    expect(what_is(hi) == ADD && what_is(lo) == ADD && at(lo, "aa") == x && at(lo, "ba") == y, name);
+    expect(at(lo, "bba") == hi && at(lo, "bbb") == x && at(lo, "aba") == hi && at(lo, "abb") == at(lo, "bb"), name);
     g.define(hi);
-    const std::string sum = constant_of(y) == 0 ? g.rounded(x) : g.rounded(x) + " + " + g.rounded(y);
-    g.text << g.rounded(lo) << " = (" << sum << ") - " << g.rounded(hi) << ";\n"
-           << g.exact(lo) << " = " << g.rounded(lo) << ";\n";
-    g.done[lo] = true;
+    g.call({{"hi", hi}});
+    g.give(lo, constant_of(y) == 0 ? "= ($hi.a) - $hi" : "= ($hi.a + $hi.b) - $hi", "same");
 }
 
-/* The same for cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem). */
-static void exact_sum(gappa &g, const struct cor_inline_pair &pair)
+/* The same for cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem) */
+static void exact_sum(gappa &g, int hi, int lo)
 {
-    const int hi = pair.hi.node(), lo = pair.lo.node();
-    const char *const name = "cor_inline_sum";
-    expect(what_is(hi) == ADD && what_is(lo) == SUBTRACT, name);
-    const int a = first_of(hi), b = second_of(hi), z = second_of(lo);
-    expect(first_of(lo) == b && what_is(z) == SUBTRACT && first_of(z) == hi && second_of(z) == a, name);
+    expect(what_is(hi) == ADD && what_is(lo) == SUBTRACT && at(lo, "a") == at(hi, "b") &&
+               what_is(at(lo, "b")) == SUBTRACT && at(lo, "ba") == hi && at(lo, "bb") == at(hi, "a"),
+           "cor_inline_sum");
     g.define(hi);
-    g.text << g.rounded(lo) << " = (" << g.rounded(a) << " + " << g.rounded(b) << ") - " << g.rounded(hi) << ";\n"
-           << g.exact(lo) << " = " << g.rounded(lo) << ";\n";
-    g.done[lo] = true;
+    g.call({{"hi", hi}});
+    g.give(lo, "= ($hi.a + $hi.b) - $hi", "same");
 }
 
-/* A double that the goal takes from `interval`; its exact value is the same. */
-static std::string cut(gappa &g, int id, const std::string &interval)
+/* The first operation of a kind, or the last one, which must be there */
+static int find_operation(operation what, bool last = false)
 {
-    g.text << g.rounded(id) << " = rnd(cut" << id << ");\n" << g.exact(id) << " = " << g.rounded(id) << ";\n";
-    if (!interval.empty())
-        g.hypotheses.push_back(g.rounded(id) + " in " + interval);
-    g.done[id] = true;
-    return g.rounded(id);
-}
-
-static int find_operation(operation what)
-{
-    for (std::size_t i = 0; i < nodes().size(); i++)
-        if (nodes()[i].what == what)
-            return (int)i;
-    die("an operation is missing: " + std::to_string(what));
-}
-
-static std::string units(number error)
-{
-    return " in [-" + hex(error) + ", " + hex(error) + "]";
+    int found = last_where([&](const node &n) { return n.what == what; });
+    for (int i = found; i >= 0 && !last; i--)
+        found = what_is(i) == what ? i : found;
+    expect(found >= 0, "an operation, " + std::to_string(what) + ",");
+    return found;
 }
 
 /* ---- logarithms ---- */
@@ -90,43 +58,36 @@ static void write_log_far(void)
         const struct cor_inline_pair a = {variable("a", 1.3), variable("a_lo", 1e-17)};
         const Real x = variable("x", p.low);
         const struct cor_inline_pair q = cor_log_ratio_far(a, x);
-        const int l = find_operation(LOG), m = first_of(l);
+        const int l = find_operation(LOG), m = at(l, "a");
         int e;
         std::frexp(p.low / nodes()[(std::size_t)m].value, &e);
         e--;
         expect(what_is(m) == SEED && std::ldexp(nodes()[(std::size_t)m].value, e) == p.low, "cor_log_ratio_far");
-        for (const number at : {p.low, p.high}) /* within 1e-6 of sqrt(1/2) and sqrt(2) */
-            expect(std::ldexp(at, -e) > 0.7071061 && std::ldexp(at, -e) < 1.4142136, "cor_log_ratio_far");
+        for (const number end : {p.low, p.high}) /* within 1e-6 of sqrt(1/2) and sqrt(2) */
+            expect(std::ldexp(end, -e) > 0.7071061 && std::ldexp(end, -e) < 1.4142136, "cor_log_ratio_far");
         expect(e == last || e == last + 1, "cor_log_ratio_far: an exponent");
         last = e;
         gappa g;
-        const std::string ah = cut(g, a.hi.node(), "[-4, 3]"), al = cut(g, a.lo.node(), "[-1b-51, 1b-51]");
-        const std::string nl = cut(g, l, "[-0.3466, 0.3466]");
-        /* q is the sum of all.hi and the rest; `all` and `large` are exact sums of two numbers */
-        const int rest = second_of(q.hi.node()), all_hi = first_of(q.hi.node()), all_lo = first_of(rest);
-        const int inner = second_of(rest), large_lo = first_of(inner), last_part = second_of(inner);
-        const int large_hi = first_of(all_hi);
-        exact_two_sum(g, {Real(0, large_hi), Real(0, large_lo)});
-        exact_two_sum(g, {Real(0, all_hi), Real(0, all_lo)});
-        expect(second_of(all_hi) >= 0 && what_is(second_of(all_hi)) == NEGATE && first_of(large_hi) == a.hi.node() &&
-                   first_of(last_part) == a.lo.node(),
+        g.cut("ah", a.hi.node(), "[-4, 3]");
+        g.cut("al", a.lo.node(), "[-1b-51, 1b-51]");
+        g.cut("l", l, "[-0.3466, 0.3466]");
+        /* q is the sum of all and the rest; `all` and `large` are exact sums of two numbers */
+        const int all = at(q.hi.node(), "a"), rest = at(q.hi.node(), "b"), large = at(all, "a");
+        exact_two_sum(g, large, at(rest, "ba"));
+        exact_two_sum(g, all, at(rest, "a"));
+        expect(at(all, "b") >= 0 && what_is(at(all, "b")) == NEGATE && at(large, "a") == a.hi.node() &&
+                   at(rest, "bba") == a.lo.node(),
                "cor_log_ratio_far");
-        exact_sum(g, q);
-        g.hypotheses.push_back(g.rounded(all_hi) + " in [-10, 800]");
-        g.hypotheses.push_back("LN2 in [" + std::string(ln2_low) + ", " + ln2_high + "]");
-        const std::string c = g.rounded(second_of(large_hi)), c2 = g.rounded(second_of(last_part));
-        const std::string nr = g.rounded(rest), ni = g.rounded(inner), np = g.rounded(last_part);
-        const std::string multiple = e == 0 ? "" : " - (" + std::to_string(e) + ") * LN2";
-        g.text << "off = (" << g.rounded(q.hi.node()) << " + " << g.rounded(q.lo.node()) << ") - ((" << ah << " + "
-               << al << ")" << multiple << " - " << nl << ");\n";
-        g.hints.push_back("off -> (" + nr + " - (" + g.rounded(all_lo) + " + " + ni + ")) + (" + ni + " - (" +
-                          g.rounded(large_lo) + " + " + np + "))" +
-                          (e == 0 ? ";"
-                                  : " + (" + np + " - (" + al + " - " + c2 + ")) + ((" + c + " - " + c2 + ") + (" +
-                                        std::to_string(e) + ") * LN2);"));
-        char name[64];
-        snprintf(name, sizeof name, "disk_far_%04d", (int)(&p - &pieces[0]));
-        g.write(name, {}, "off" + units(COR_PROOF_FAR) + " /\\ |" + nr + "| in [0, 1b-30]");
+        exact_sum(g, q.hi.node(), q.lo.node());
+        g.call({{"q", q.hi}, {"ql", q.lo}, {"rest", rest}, {"all", all}});
+        g.assume("$all in [-10, 800]");
+        g.assume(ln2);
+        const std::string multiple = "(" + std::to_string(e) + ") * LN2";
+        g.say("off = ($q + $ql) - (($ah + $al)" + (e == 0 ? "" : " - " + multiple) + " - $l);");
+        g.hint("off -> ($rest - ($rest.a + $rest.b)) + ($rest.b - ($rest.ba + $rest.bb))" +
+               (e == 0 ? "" : " + ($rest.bb - ($al - $rest.bbb)) + (($all.ab - $rest.bbb) + " + multiple + ")"));
+        g.write(numbered("disk_far", (int)(&p - &pieces[0])), {},
+                "off" + units(COR_PROOF_FAR) + " /\\ |$rest| in [0, 1b-30]");
     }
     expect(last == 3 || last == 2, "cor_log_ratio_far: the last exponent");
 }
@@ -139,37 +100,37 @@ static void write_log_near(void)
     const struct cor_inline_pair a = {variable("a", 1.5), variable("a_lo", 1e-17)};
     const Real x = variable("x", 1.25);
     const struct cor_inline_pair q = cor_log_ratio_near(a, x);
-    const int quotient = q.lo.node(), d = first_of(q.hi.node()), difference = first_of(d), rest = first_of(quotient);
-    const int first = first_of(rest), hi = second_of(first), lo = second_of(rest);
+    const int quotient = q.lo.node(), d = at(q.hi.node(), "a"), difference = at(d, "a"), rest = at(quotient, "a");
+    const int exact_part = at(difference, "a");
     const char *const name = "cor_log_ratio_near";
     expect(what_is(q.hi.node()) == LOG1P && what_is(quotient) == DIVIDE && what_is(d) == DIVIDE, name);
-    expect(second_of(d) == x.node() && first_of(first) == difference && what_is(second_of(quotient)) == ADD, name);
-    expect(what_is(difference) == ADD && second_of(difference) == a.lo.node(), name);
-    const int exact_part = first_of(difference);
-    expect(what_is(exact_part) == SUBTRACT && first_of(exact_part) == a.hi.node(), name);
-    expect(second_of(exact_part) == x.node(), name);
+    expect(at(d, "b") == x.node() && at(rest, "aa") == difference && what_is(at(quotient, "b")) == ADD, name);
+    expect(what_is(difference) == ADD && at(difference, "b") == a.lo.node(), name);
+    expect(what_is(exact_part) == SUBTRACT && at(exact_part, "a") == a.hi.node() && at(exact_part, "b") == x.node(),
+           name);
     {
         gappa g;
-        const std::string nd = cut(g, difference, "[1, 4]"), nx = cut(g, x.node(), "[1, 2]");
+        g.cut("d", difference, "[1, 4]");
+        g.cut("x", x.node(), "[1, 2]");
         g.define(rest);
-        g.hypotheses.push_back(g.rounded(d) + " in [1, 2]");
-        const std::string product = product_error(g, hi, lo), nr = g.rounded(rest), nq = g.rounded(d);
-        g.text << "exact = " << nd << " - " << nq << " * " << nx << ";\n";
-        g.hints.push_back("exact -> " + nx + " * (" + nd + " / " + nx + " - " + nq + ") { " + nx + " <> 0 };");
-        g.hints.push_back(nd + " - " + g.rounded(hi) + " -> exact - (" + g.rounded(hi) + " - " + nq + " * " + nx +
-                          ");");
-        g.hints.push_back(nr + " - exact -> (" + nr + " - (" + g.rounded(first) + " - " + g.rounded(lo) + ")) + (" +
-                          g.rounded(first) + " - (" + nd + " - " + g.rounded(hi) + ")) - " + product + ";");
-        g.write("disk_near_remainder", {}, "|" + nr + " - exact| in [0, " + hex(COR_PROOF_NEAR) + "]");
+        g.call({{"q", d}, {"rest", rest}});
+        g.assume("$q in [1, 2]");
+        const std::string product = product_error(g, at(rest, "ab"), at(rest, "b"));
+        g.say("exact = $d - $q * $x;");
+        g.hint("exact -> $x * ($d / $x - $q) { $x <> 0 }");
+        g.hint("$d - $rest.ab -> exact - ($rest.ab - $q * $x)");
+        g.hint("$rest - exact -> ($rest - ($rest.a - $rest.b)) + ($rest.a - ($d - $rest.ab)) - " + product);
+        g.write("disk_near_remainder", {}, "|$rest - exact|" + at_most(COR_PROOF_NEAR));
     }
     /* a.hi - x is exact for x <= a.hi <= 1.66 x */
     for (int k = 0; k < 2; k++) {
         gappa g;
-        const std::string nx = cut(g, x.node(), "[1, 2]"), na = cut(g, a.hi.node(), k ? "[2, 4]" : "[1, 2]");
+        g.cut("x", x.node(), "[1, 2]");
+        g.cut("a", a.hi.node(), k ? "[2, 4]" : "[1, 2]");
+        g.call({{"part", exact_part}});
         g.define(exact_part);
-        g.hypotheses.push_back(na + " - " + nx + " in [0, 1.4]");
-        g.write("disk_near_difference_" + std::to_string(k), {},
-                g.rounded(exact_part) + " - (" + na + " - " + nx + ") in [0, 0]");
+        g.assume("$a - $x in [0, 1.4]");
+        g.write("disk_near_difference_" + std::to_string(k), {}, "$part - ($a - $x) in [0, 0]");
     }
 }
 
@@ -181,25 +142,21 @@ static void write_root_correction(const std::string &name, int p, int correction
                                   int lo)
 {
     gappa g;
-    const int sum = first_of(correction), minus_lo = first_of(sum), first = first_of(minus_lo);
-    const std::string np = cut(g, p, "[1, 2]"), nt = cut(g, twice, "[0.99, 4.01]");
-    const std::string nl = cut(g, twice_lo, "[-1b-50, 1b-50]");
+    g.cut("p", p, "[1, 2]");
+    g.cut("t", twice, "[0.99, 4.01]");
+    g.cut("tl", twice_lo, "[-1b-50, 1b-50]");
     g.define(correction);
-    const std::string product = product_error(g, hi, lo), nc = g.rounded(correction), ns = g.rounded(sum);
+    g.call({{"c", correction}, {"h", hi}});
+    const std::string product = product_error(g, hi, lo);
     /* p is within 2^-53 p of the root */
-    g.hypotheses.push_back(nt + " - " + np + " * " + np + " in [-1b-50, 1b-50]");
-    g.text << "R = (" << nt << " - " << np << " * " << np << ") + " << nl << ";\n";
-    g.hints.push_back(nt + " - " + g.rounded(hi) + " -> (" + nt + " - " + np + " * " + np + ") - (" + g.rounded(hi) +
-                      " - " + np + " * " + np + ");");
-    g.hints.push_back(ns + " - R -> (" + ns + " - (" + g.rounded(minus_lo) + " + " + nl + ")) + (" +
-                      g.rounded(minus_lo) + " - (" + g.rounded(first) + " - " + g.rounded(lo) + ")) + (" +
-                      g.rounded(first) + " - (" + nt + " - " + g.rounded(hi) + ")) - " + product + ";");
-    g.hints.push_back(ns + " -> R + (" + ns + " - R);");
-    const std::string twice_p = g.rounded(second_of(correction));
-    g.hints.push_back(nc + " - R / (2 * " + np + ") -> (" + nc + " - " + ns + " / " + twice_p + ") + (" + ns +
-                      " - R) / (2 * " + np + ") + " + ns + " * (2 * " + np + " - " + twice_p + ") / (" + twice_p +
-                      " * (2 * " + np + ")) { " + np + " <> 0, " + twice_p + " <> 0 };");
-    g.write(name, {}, "|" + nc + " - R / (2 * " + np + ")| in [0, 1b-70]");
+    g.assume("$t - $p * $p in [-1b-50, 1b-50]");
+    g.say("R = ($t - $p * $p) + $tl;");
+    g.hint("$t - $h -> ($t - $p * $p) - ($h - $p * $p)");
+    g.hint("$c.a - R -> ($c.a - ($c.aa + $tl)) + ($c.aa - ($c.aaa - $off)) + ($c.aaa - ($t - $h)) - " + product);
+    g.hint("$c.a -> R + ($c.a - R)");
+    g.hint("$c - R / (2 * $p) -> ($c - $c.a / $c.b) + ($c.a - R) / (2 * $p) + $c.a * (2 * $p - $c.b) / ($c.b * (2 * "
+           "$p)) { $p <> 0, $c.b <> 0 }");
+    g.write(name, {}, "|$c - R / (2 * $p)| in [0, 1b-70]");
 }
 
 /* The number of a constant's double */
@@ -238,27 +195,28 @@ static void write_series(void)
 {
     start();
     const struct cor_inline_pair q = {variable("q", 0.04), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
-    const int p = t.hi.node(), correction = first_of(t.lo.node()), rest = second_of(t.lo.node());
+    const int p = t.hi.node(), correction = at(t.lo.node(), "a"), rest = at(t.lo.node(), "b"),
+              sum = at(correction, "a");
     const char *const name = "the series of cor_lambert_t_pair";
     expect(what_is(t.lo.node()) == ADD && what_is(p) == SQRT && what_is(correction) == DIVIDE, name);
     check_disk_formula(name, rest, p, [](const mpq_class &z, assignment &) {
-        mpq_class sum = 0;
+        mpq_class series = 0;
         for (std::size_t k = sizeof lambert_series / sizeof *lambert_series; k-- > 0;)
-            sum = sum * z + rational(lambert_series[k].value);
-        return mpq_class(sum * z * z);
+            series = series * z + rational(lambert_series[k].value);
+        return mpq_class(series * z * z);
     });
     {
         gappa g;
-        cut(g, p, "[1b-251, " + hex(COR_PROOF_SERIES_MAX_P) + "]");
+        g.cut("p", p, "[1b-251, " + hex(COR_PROOF_SERIES_MAX_P) + "]");
+        g.call({{"rest", rest}});
         g.define(rest);
-        g.write("disk_series", {},
-                "(" + g.rounded(rest) + " - " + g.exact(rest) + ") / " + g.exact(rest) + units(COR_PROOF_SERIES));
+        g.write("disk_series", {}, "($rest - @rest) / @rest" + units(COR_PROOF_SERIES));
     }
-    const int sum = first_of(correction), twice_lo = second_of(sum), minus_lo = first_of(sum);
-    const int first = first_of(minus_lo), lo = second_of(minus_lo), twice = first_of(first), hi = second_of(first);
-    expect(what_is(sum) == ADD && what_is(minus_lo) == SUBTRACT && what_is(first) == SUBTRACT && first_of(p) == twice,
+    expect(what_is(sum) == ADD && what_is(at(sum, "a")) == SUBTRACT && what_is(at(sum, "aa")) == SUBTRACT &&
+               at(p, "a") == at(sum, "aaa"),
            name);
-    write_root_correction("disk_series_correction", p, correction, twice, twice_lo, hi, lo);
+    write_root_correction("disk_series_correction", p, correction, at(p, "a"), at(sum, "b"), at(sum, "aab"),
+                          at(sum, "ab"));
 }
 
 /* (q <= 3) the start 1 + p (1 + p (1/3 + p (1/36 - p/270))) has a relative error below 2^-48 */
@@ -267,54 +225,49 @@ static void write_start(void)
     start();
     const struct cor_inline_pair q = {variable("q", 1.1), variable("q_lo", 1e-19)};
     cor_lambert_t_pair(q);
-    const int p = find_operation(SQRT), y = first_of(find_operation(LOG));
+    const int p = find_operation(SQRT), y = at(find_operation(LOG), "a");
     check_disk_formula("the start of t", y, p, [](const mpq_class &z, assignment &) {
         return mpq_class(1 + z * (1 + z * (rational(1.0 / 3) + z * (rational(1.0 / 36) - z * rational(1.0 / 270)))));
     });
     gappa g;
-    cut(g, p, "[0.44, 2.46]");
+    g.cut("p", p, "[0.44, 2.46]");
+    g.call({{"y", y}});
     g.define(y);
-    g.write("disk_start", {}, "(" + g.rounded(y) + " - " + g.exact(y) + ") / " + g.exact(y) + units(COR_PROOF_START));
+    g.write("disk_start", {}, "($y - @y) / @y" + units(COR_PROOF_START));
 }
 
 /* The operations of both steps for y = 1 + t: logarithms, residuals r, u = y - 1, and the pair -ln(y) = q - u */
 struct steps {
-    int qh, ql, y0, l0, r0, over, y1, l1, u1, r1, lo, total, low, mh, ml;
+    int qh, ql, y0, l0, r0, over, y1, l1, u1, r1, lo;
 };
 
-static steps find_steps(number at)
+static steps find_steps(number place)
 {
     const char *const name = "cor_lambert_t_pair";
     steps f;
     start();
-    const struct cor_inline_pair q = {variable("q", at), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
+    const struct cor_inline_pair q = {variable("q", place), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
     f.qh = q.hi.node();
     f.ql = q.lo.node();
     f.l0 = find_operation(LOG);
-    f.y0 = first_of(f.l0);
-    for (std::size_t i = 0; i < nodes().size(); i++)
-        if (nodes()[i].what == LOG)
-            f.l1 = (int)i;
-    f.y1 = first_of(f.l1);
+    f.y0 = at(f.l0, "a");
+    f.l1 = find_operation(LOG, true);
+    f.y1 = at(f.l1, "a");
     f.u1 = t.hi.node();
     f.lo = t.lo.node();
-    expect(f.l0 != f.l1 && what_is(f.lo) == MULTIPLY && first_of(f.lo) == f.y1, name);
-    expect(what_is(second_of(f.lo)) == DIVIDE && second_of(second_of(f.lo)) == f.u1, name);
-    expect(what_is(f.u1) == SUBTRACT && first_of(f.u1) == f.y1 && is_constant(second_of(f.u1), 1), name);
-    f.r1 = first_of(second_of(f.lo));
-    expect(what_is(f.y1) == ADD && first_of(f.y1) == f.y0 && what_is(second_of(f.y1)) == MULTIPLY, name);
-    const int ratio = second_of(second_of(f.y1));
-    f.over = first_of(ratio);
+    expect(f.l0 != f.l1 && what_is(f.lo) == MULTIPLY && at(f.lo, "a") == f.y1, name);
+    expect(what_is(at(f.lo, "b")) == DIVIDE && at(f.lo, "bb") == f.u1, name);
+    expect(what_is(f.u1) == SUBTRACT && at(f.u1, "a") == f.y1 && is_constant(at(f.u1, "b"), 1), name);
+    f.r1 = at(f.lo, "ba");
+    expect(what_is(f.y1) == ADD && at(f.y1, "a") == f.y0 && what_is(at(f.y1, "b")) == MULTIPLY, name);
+    const int ratio = at(f.y1, "bb");
+    f.over = at(ratio, "a");
     expect(what_is(ratio) == MULTIPLY && what_is(f.over) == DIVIDE, name);
-    f.r0 = first_of(f.over);
-    const int u0 = second_of(f.over);
-    expect(what_is(f.r0) == ADD && second_of(f.r0) == f.l0 && what_is(u0) == SUBTRACT && first_of(u0) == f.y0, name);
-    f.total = first_of(f.r1);
-    f.low = second_of(f.r1);
-    expect(what_is(f.r1) == ADD && what_is(f.total) == ADD && what_is(f.low) == ADD, name);
-    expect(second_of(f.total) == f.l1 && second_of(f.low) == f.ql, name);
-    f.mh = first_of(f.total);
-    f.ml = first_of(f.low);
+    f.r0 = at(f.over, "a");
+    const int u0 = at(f.over, "b");
+    expect(what_is(f.r0) == ADD && at(f.r0, "b") == f.l0 && what_is(u0) == SUBTRACT && at(u0, "a") == f.y0, name);
+    expect(what_is(f.r1) == ADD && what_is(at(f.r1, "a")) == ADD && what_is(at(f.r1, "b")) == ADD, name);
+    expect(at(f.r1, "ab") == f.l1 && at(f.r1, "bb") == f.ql, name);
     return f;
 }
 
@@ -347,18 +300,15 @@ struct step_cell {
 static void write_first_step(const steps &f, const step_cell &cell)
 {
     gappa g;
-    cut(g, f.y0, cell.y);
-    cut(g, f.l0, cell.log);
-    cut(g, f.qh, cell.q);
+    g.cut("y0", f.y0, cell.y);
+    g.cut("l", f.l0, cell.log);
+    g.cut("q", f.qh, cell.q);
     g.define(f.y1);
-    g.hypotheses.push_back(g.exact(f.r0) + units(COR_PROOF_FIRST_RESIDUAL * cell.low));
-    const std::string nr = g.rounded(f.r0), er = g.exact(f.r0), no = g.rounded(f.over);
-    const std::string nu = g.rounded(second_of(f.over)), eu = g.exact(second_of(f.over));
-    g.hints.push_back(no + " - " + g.exact(f.over) + " -> (" + no + " - " + nr + " / " + nu + ") + (" + nr + " - " +
-                      er + ") / " + nu + " + " + er + " * (" + eu + " - " + nu + ") / (" + nu + " * " + eu + ") { " +
-                      nu + " <> 0, " + eu + " <> 0 };");
-    g.write("disk_step_" + cell.index, {},
-            "(" + g.rounded(f.y1) + " - " + g.exact(f.y1) + ") / " + g.exact(f.y1) + units(COR_PROOF_STEP));
+    g.call({{"y", f.y1}, {"o", f.over}});
+    g.assume("@o.a" + units(COR_PROOF_FIRST_RESIDUAL * cell.low));
+    g.hint("$o - @o -> ($o - $o.a / $o.b) + ($o.a - @o.a) / $o.b + @o.a * (@o.b - $o.b) / ($o.b * @o.b)"
+           " { $o.b <> 0, @o.b <> 0 }");
+    g.write("disk_step_" + cell.index, {}, "($y - @y) / @y" + units(COR_PROOF_STEP));
 }
 
 /* Newton's step is within COR_PROOF_NEWTON y of y R/u, where R is the residual with the double L that log(y) returns.
@@ -366,30 +316,26 @@ static void write_first_step(const steps &f, const step_cell &cell)
 static void write_newton_step(const steps &f, const step_cell &cell)
 {
     gappa g;
-    const std::string y = cut(g, f.y1, cell.y), l = cut(g, f.l1, cell.log), nq = cut(g, f.qh, cell.q);
-    const std::string ql = cut(g, f.ql, "[-1b-42, 1b-42]");
-    exact_sum(g, {Real(0, f.mh), Real(0, f.ml)});
+    g.cut("y", f.y1, cell.y);
+    g.cut("l", f.l1, cell.log);
+    g.cut("q", f.qh, cell.q);
+    g.cut("ql", f.ql, "[-1b-42, 1b-42]");
+    exact_sum(g, at(f.r1, "aa"), at(f.r1, "ba"));
     g.define(f.lo);
-    const std::string nr = g.rounded(f.r1), nt = g.rounded(f.total), nlow = g.rounded(f.low), mh = g.rounded(f.mh);
-    const std::string nu = g.rounded(f.u1), ml = g.rounded(f.ml), no = g.rounded(second_of(f.lo));
-    const std::string lost = "((" + y + " - 1) - " + nu + ")", nlo = g.rounded(f.lo);
-    g.text << "R = ((" << nq << " + " << ql << ") - (" << y << " - 1)) + " << l << ";\n";
-    g.hypotheses.push_back("R" + units(COR_PROOF_SECOND_RESIDUAL * cell.low));
-    g.hints.push_back(mh + " + " + l + " -> R - (" + ml + " + " + ql + ") + " + lost + ";");
-    g.hints.push_back(nr + " - R -> (" + nr + " - (" + nt + " + " + nlow + ")) + (" + nt + " - (" + mh + " + " + l +
-                      ")) + (" + nlow + " - (" + ml + " + " + ql + ")) + " + lost + ";");
-    g.hints.push_back(nr + " -> R + (" + nr + " - R);");
-    g.hints.push_back(nlo + " - " + y + " * R / " + nu + " -> (" + nlo + " - " + y + " * " + no + ") + " + y + " * (" +
-                      no + " - " + nr + " / " + nu + ") + " + y + " / " + nu + " * (" + nr + " - R) { " + nu +
-                      " <> 0 };");
-    g.write("disk_newton_" + cell.index, {},
-            "|" + nlo + " - " + y + " * R / " + nu + "| in [0, " + hex(COR_PROOF_NEWTON * cell.low) + "]");
+    g.call({{"r", f.r1}, {"u", f.u1}, {"lo", f.lo}});
+    g.say("R = (($q + $ql) - ($y - 1)) + $l;");
+    g.assume("R" + units(COR_PROOF_SECOND_RESIDUAL * cell.low));
+    g.hint("$r.aa + $l -> R - ($r.ba + $ql) + (($y - 1) - $u)");
+    g.hint("$r - R -> ($r - ($r.a + $r.b)) + ($r.a - ($r.aa + $l)) + ($r.b - ($r.ba + $ql)) + (($y - 1) - $u)");
+    g.hint("$r -> R + ($r - R)");
+    g.hint("$lo - $y * R / $u -> ($lo - $y * $lo.b) + $y * ($lo.b - $r / $u) + $y / $u * ($r - R) { $u <> 0 }");
+    g.write("disk_newton_" + cell.index, {}, "|$lo - $y * R / $u|" + at_most(COR_PROOF_NEWTON * cell.low));
 }
 
 static void write_steps(void)
 {
-    for (const number at : {0.2, 3.1, 700.0}) /* with either start the steps are the same */
-        check_steps(find_steps(at));
+    for (const number place : {0.2, 3.1, 700.0}) /* with either start the steps are the same */
+        check_steps(find_steps(place));
     const steps f = find_steps(1.1);
     std::vector<number> ends; /* no cell has a power of two inside, which changes the unit of y */
     for (number power = 1; power < 2048; power *= 2)
@@ -399,11 +345,10 @@ static void write_steps(void)
     for (std::size_t i = 0; i + 1 < ends.size(); i++) {
         const number low = ends[i], high = ends[i + 1], slack = 2 * COR_PROOF_FIRST_RESIDUAL * high;
         const number log_low = std::log(low) * (1 - 1e-9), log_high = std::log(high) * (1 + 1e-9);
-        const auto text = [](number a, number b) { return "[" + hex(a) + ", " + hex(b) + "]"; };
         char index[32];
         snprintf(index, sizeof index, "%02zu", i);
-        const step_cell cell = {low, text(low, high), text(log_low, log_high),
-                                text(std::max(0.05, low - 1 - log_high - slack), high - 1 - log_low + slack), index};
+        const step_cell cell = {low, within(low, high), within(log_low, log_high),
+                                within(std::max(0.05, low - 1 - log_high - slack), high - 1 - log_low + slack), index};
         write_first_step(f, cell);
         write_newton_step(f, cell);
     }
@@ -415,32 +360,29 @@ static void write_steps(void)
  * because the 27 lower bits of a factor are below 2^-25 - 2^-52. Returns the text of hi + lo - x y. */
 static std::string sharp_product(gappa &g, int hi, int lo)
 {
-    const int last = second_of(lo), c = first_of(lo), b = first_of(c), a = first_of(b);
     const char *const name = "cor_inline_product";
-    expect(what_is(lo) == ADD && what_is(c) == ADD && what_is(b) == ADD && what_is(a) == SUBTRACT, name);
-    const int xl = first_of(last), yl = second_of(last);
-    const std::string x = g.rounded(first_of(hi)), y = g.rounded(second_of(hi)), h = g.rounded(hi);
-    const std::string nxl = g.rounded(xl), nyl = g.rounded(yl), nxh = g.rounded(second_of(xl)),
-                      nyh = g.rounded(second_of(yl));
-    expect(what_is(xl) == SUBTRACT && what_is(yl) == SUBTRACT && what_is(second_of(xl)) == HEAD, name);
-    const std::string high = std::to_string((1L << 27) - 1) + "b-52";
-    g.hypotheses.push_back(x + " - " + nxh + " in [0, " + high + "]");
-    g.hypotheses.push_back(y + " - " + nyh + " in [0, " + high + "]");
-    const std::string nc = g.rounded(c), nl = g.rounded(lo);
-    const std::string off = "(" + x + " * " + y + " - " + h + ")";
-    const std::string tail_x = "(" + x + " - " + nxh + ")", tail_y = "(" + y + " - " + nyh + ")";
+    for (const char *sum : {"", "a", "aa"})
+        expect(what_is(at(lo, sum)) == ADD, name);
+    for (const char *difference : {"aaa", "ba", "bb"})
+        expect(what_is(at(lo, difference)) == SUBTRACT, name);
+    expect(what_is(at(lo, "bab")) == HEAD, name);
+    g.call({{"h", hi}, {"l", lo}, {"xh", at(lo, "bab")}, {"yh", at(lo, "bbb")}});
+    const std::string high = std::to_string((1L << 27) - 1) + "b-52", id = std::to_string(lo);
+    g.assume("$h.a - $xh in [0, " + high + "]");
+    g.assume("$h.b - $yh in [0, " + high + "]");
     /* in terms of the rounding error of hi */
-    const std::string exact_a = nxh + " * " + nyh + " - " + h, exact_b = "(" + exact_a + ") + " + nxh + " * " + tail_y;
-    const std::string exact_c = "(" + exact_b + ") + " + tail_x + " * " + nyh;
-    g.text << "pa" << lo << " = " << exact_a << ";\npb" << lo << " = " << exact_b << ";\npc" << lo << " = " << exact_c
-           << ";\npd" << lo << " = " << tail_x << " * " << tail_y << ";\n";
-    const std::string id = std::to_string(lo), pa = "pa" + id, pb = "pb" + id, pc = "pc" + id, pd = "pd" + id;
-    g.hints.push_back(pa + " -> " + off + " - " + tail_x + " * " + y + " - " + nxh + " * " + tail_y + ";");
-    g.hints.push_back(pb + " -> " + off + " - " + tail_x + " * " + y + ";");
-    g.hints.push_back(pc + " -> " + off + " - " + pd + ";");
-    return "(" + nl + " - (" + nc + " + " + g.rounded(last) + ")) + (" + g.rounded(last) + " - " + pd + ") + (" + nc +
-           " - " + pc + ")";
+    const std::string a = "$xh * $yh - $h", b = "(" + a + ") + $xh * ($h.b - $yh)";
+    g.say("pa" + id + " = " + a + ";");
+    g.say("pb" + id + " = " + b + ";");
+    g.say("pc" + id + " = (" + b + ") + ($h.a - $xh) * $yh;");
+    g.say("pd" + id + " = ($h.a - $xh) * ($h.b - $yh);");
+    g.hint("pa" + id + " -> ($h.a * $h.b - $h) - ($h.a - $xh) * $h.b - $xh * ($h.b - $yh)");
+    g.hint("pb" + id + " -> ($h.a * $h.b - $h) - ($h.a - $xh) * $h.b");
+    g.hint("pc" + id + " -> ($h.a * $h.b - $h) - pd" + id);
+    return g.filled("($l - ($l.a + $l.b)) + ($l.b - pd" + id + ") + ($l.a - pc" + id + ")");
 }
+
+static const std::string below_2 = "[1, " + std::to_string((1L << 53) - 1) + "b-52]";
 
 static void write_sharp_product(void)
 {
@@ -448,13 +390,12 @@ static void write_sharp_product(void)
     const Real x = variable("x", 1.3), y = variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_product(x, y);
     gappa g;
-    const std::string below_2 = "[1, " + std::to_string((1L << 53) - 1) + "b-52]";
-    cut(g, x.node(), below_2);
-    cut(g, y.node(), below_2);
+    g.cut("x", x.node(), below_2);
+    g.cut("y", y.node(), below_2);
     g.define(p.lo.node());
     const std::string error = sharp_product(g, p.hi.node(), p.lo.node());
-    g.text << "off = " << sum_text(g, p) << " - " << g.rounded(x.node()) << " * " << g.rounded(y.node()) << ";\n";
-    g.hints.push_back("off -> " + error + ";");
+    g.say("off = ($h + $l) - $x * $y;");
+    g.hint("off -> " + error);
     g.write("disk_product", {}, "|off| in [0, 1b-102]");
 }
 
@@ -464,20 +405,20 @@ static void write_sharp_pair_times(void)
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_times(x, y);
+    const int rest = at(p.hi.node(), "b");
     gappa g;
-    const std::string below_2 = "[1, " + std::to_string((1L << 53) - 1) + "b-52]", low = "[-1b-53, 1b-53]";
-    const std::string xh = cut(g, x.hi.node(), below_2), yh = cut(g, y.hi.node(), below_2);
-    const std::string xl = cut(g, x.lo.node(), low), yl = cut(g, y.lo.node(), low);
-    const int rest = second_of(p.hi.node()), hi = first_of(p.hi.node()), lo = first_of(rest);
-    exact_sum(g, p);
-    const std::string product = sharp_product(g, hi, lo), nr = g.rounded(rest);
-    const std::string crossed = g.rounded(second_of(rest));
-    g.text << "off = " << sum_text(g, p) << " - (" << xh << " + " << xl << ") * (" << yh << " + " << yl << ");\n"
-           << "low = " << g.rounded(lo) << ";\n";
-    g.hints.push_back("low -> (" + product + ") + (" + xh + " * " + yh + " - " + g.rounded(hi) + ");");
-    g.hints.push_back("off -> (" + nr + " - (" + g.rounded(lo) + " + " + crossed + ")) + (" + crossed + " - (" + xh +
-                      " * " + yl + " + " + xl + " * " + yh + ")) + " + product + " - " + xl + " * " + yl + ";");
-    g.write("disk_pair_times", {}, "|off| in [0, " + hex(COR_PROOF_PAIR_TIMES) + "] /\\ |low| in [0, 1b-51]");
+    g.cut("xh", x.hi.node(), below_2);
+    g.cut("yh", y.hi.node(), below_2);
+    g.cut("xl", x.lo.node(), "[-1b-53, 1b-53]");
+    g.cut("yl", y.lo.node(), "[-1b-53, 1b-53]");
+    exact_sum(g, p.hi.node(), p.lo.node());
+    const std::string product = sharp_product(g, at(p.hi.node(), "a"), at(rest, "a"));
+    g.call({{"xh", x.hi}, {"yh", y.hi}, {"s", p.hi}, {"sl", p.lo}, {"rest", rest}});
+    g.say("off = ($s + $sl) - ($xh + $xl) * ($yh + $yl);");
+    g.say("low = $l;");
+    g.hint("low -> (" + product + ") + ($xh * $yh - $h)");
+    g.hint("off -> ($rest - ($l + $rest.b)) + ($rest.b - ($xh * $yl + $xl * $yh)) + " + product + " - $xl * $yl");
+    g.write("disk_pair_times", {}, "|off|" + at_most(COR_PROOF_PAIR_TIMES) + " /\\ |low| in [0, 1b-51]");
 }
 
 /* cor_pair_plus(1, t) and cor_pair_plus(1/2, q): rounding errors of the low parts. t.lo is below 0.09 after the series,
@@ -494,16 +435,16 @@ static void write_sums(void)
         start();
         const struct cor_inline_pair t = {variable("t", 0.3), variable("t_lo", 0.01)};
         const struct cor_inline_pair y = f.one == 1 ? one_plus(t) : cor_pair_plus(cor_pair(f.one, 0), t);
-        const int sum_hi = first_of(y.hi.node()), rest = second_of(y.hi.node()), sum_lo = first_of(rest);
+        const int rest = at(y.hi.node(), "b");
         gappa g;
-        const std::string th = cut(g, t.hi.node(), "[0, " + hex(f.hi) + "]");
-        const std::string tl = cut(g, t.lo.node(), "[-" + hex(f.low) + ", " + hex(f.low) + "]");
-        exact_two_sum(g, {Real(0, sum_hi), Real(0, sum_lo)});
-        exact_sum(g, y);
-        g.text << "off = " << sum_text(g, y) << " - (" << hex(f.one) << " + " << th << " + " << tl << ");\n";
-        g.hints.push_back("off -> (" + g.rounded(rest) + " - (" + g.rounded(sum_lo) + " + " +
-                          g.rounded(second_of(rest)) + ")) + (" + g.rounded(second_of(rest)) + " - " + tl + ");");
-        g.write(f.name, {}, "off" + units(f.bound) + " /\\ |" + g.rounded(rest) + "| in [0, 0.25]");
+        g.cut("th", t.hi.node(), "[0, " + hex(f.hi) + "]");
+        g.cut("tl", t.lo.node(), within(-f.low, f.low));
+        exact_two_sum(g, at(y.hi.node(), "a"), at(rest, "a"));
+        exact_sum(g, y.hi.node(), y.lo.node());
+        g.call({{"y", y.hi}, {"yl", y.lo}, {"rest", rest}});
+        g.say("off = ($y + $yl) - (" + hex(f.one) + " + $th + $tl);");
+        g.hint("off -> ($rest - ($rest.a + $rest.b)) + ($rest.b - $tl)");
+        g.write(f.name, {}, "off" + units(f.bound) + " /\\ |$rest| in [0, 0.25]");
     }
 }
 
@@ -514,46 +455,36 @@ static void write_pair_sqrt(void)
 {
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), root = pair_sqrt(x);
-    const int p = first_of(root.hi.node()), correction = second_of(root.hi.node()), sum = first_of(correction);
-    const int first = first_of(first_of(sum)), lo = second_of(first_of(sum)), hi = second_of(first);
-    expect(what_is(p) == SQRT && second_of(sum) == x.lo.node() && first_of(p) == x.hi.node(), "pair_sqrt");
-    write_root_correction("disk_pair_sqrt", p, correction, x.hi.node(), x.lo.node(), hi, lo);
+    const int p = at(root.hi.node(), "a"), correction = at(root.hi.node(), "b"), sum = at(correction, "a");
+    expect(what_is(p) == SQRT && at(sum, "b") == x.lo.node() && at(p, "a") == x.hi.node(), "pair_sqrt");
+    write_root_correction("disk_pair_sqrt", p, correction, x.hi.node(), x.lo.node(), at(sum, "aab"), at(sum, "ab"));
 }
 
-/* times and square_times: the number that is rounded last is within 2^-68 of x f or x^2 f, x and f from [1, 2). */
+/* times: the number that is rounded last is within 2^-68 of x f, x and f from [1, 2). square_times: the square and its
+ * product with f, both within 2^-70 by the goals of pairs */
 static void write_times(void)
 {
-    for (int squared = 0; squared < 2; squared++) {
-        start();
-        const Real x = variable("x", 1.3);
-        const struct cor_inline_pair f = pair_variable("f", 1.7);
-        const Real value = squared ? square_times(x, f) : times(x, f);
-        const int last = squared ? value.node() : first_of(value.node());
-        expect(what_is(last) == ADD && (squared || is_constant(second_of(value.node()), 1)), "times");
-        gappa g;
-        cut(g, x.node(), "[1, 2]");
-        pair_in(g, f);
-        const std::string nx = g.rounded(x.node()), fh = g.rounded(f.hi.node()), fl = g.rounded(f.lo.node());
-        if (!squared) {
-            const int hi = first_of(last), rest = second_of(last), lo = first_of(rest);
-            g.define(rest);
-            const std::string product = product_error(g, hi, lo), nr = g.rounded(rest),
-                              add = g.rounded(second_of(rest));
-            g.text << "off = (" << g.rounded(hi) << " + " << nr << ") - " << nx << " * (" << fh << " + " << fl
-                   << ");\n";
-            g.hints.push_back("off -> (" + nr + " - (" + g.rounded(lo) + " + " + add + ")) + (" + add + " - " + nx +
-                              " * " + fl + ") + " + product + ";");
-            g.write("disk_times", {}, "|off| in [0, " + hex(COR_PROOF_PAIRS) + "]");
-        } else {
-            /* the square and its product with f, both within 2^-70 by the goals of pairs */
-            const int hi = first_of(last), lo = second_of(last), square = first_of(first_of(hi));
-            expect(what_is(square) == MULTIPLY && first_of(square) == x.node() && second_of(square) == x.node(),
-                   "square_times");
-            const struct cor_inline_pair result = {Real(0, hi), Real(0, lo)}, product = cor_inline_product(x, x),
-                                         again = cor_inline_pair_times(product, f);
-            expect(again.hi.node() == hi && again.lo.node() == lo, "square_times");
-        }
-    }
+    start();
+    const Real x = variable("x", 1.3);
+    const struct cor_inline_pair f = pair_variable("f", 1.7);
+    const Real value = times(x, f);
+    const int last = at(value.node(), "a");
+    expect(what_is(last) == ADD && is_constant(at(value.node(), "b"), 1), "times");
+    gappa g;
+    g.cut("x", x.node(), "[1, 2]");
+    pair_in(g, f, "fh", "fl");
+    g.define(at(last, "b"));
+    g.call({{"s", last}});
+    const std::string product = product_error(g, at(last, "a"), at(last, "ba"));
+    g.say("off = ($s.a + $s.b) - $x * ($fh + $fl);");
+    g.hint("off -> ($s.b - ($s.ba + $s.bb)) + ($s.bb - $x * $fl) + " + product);
+    g.write("disk_times", {}, "|off|" + at_most(COR_PROOF_PAIRS));
+    const int square_last = square_times(x, f).node(), square = at(square_last, "aaa");
+    expect(what_is(square_last) == ADD && what_is(square) == MULTIPLY && at(square, "a") == x.node() &&
+               at(square, "b") == x.node(),
+           "square_times");
+    const struct cor_inline_pair again = cor_inline_pair_times(cor_inline_product(x, x), f);
+    expect(again.hi.node() == at(square_last, "a") && again.lo.node() == at(square_last, "b"), "square_times");
 }
 
 /* ---- the formulas of the law ---- */
@@ -565,18 +496,13 @@ struct found_t {
 
 static found_t find_t(void)
 {
-    found_t t = {-1, -1, -1};
-    for (std::size_t i = 0; i < nodes().size(); i++)
-        if (nodes()[i].what == LOG)
-            t.log = (int)i;
-    const int y = first_of(t.log);
-    for (std::size_t i = 0; i < nodes().size(); i++) {
-        const node &n = nodes()[i];
-        if (n.what == SUBTRACT && n.a == y && is_constant(n.b, 1))
-            t.hi = (int)i;
-        if (n.what == MULTIPLY && n.a == y && what_is(n.b) == DIVIDE && second_of(n.b) == t.hi)
-            t.lo = (int)i;
-    }
+    found_t t;
+    t.log = find_operation(LOG, true);
+    const int y = at(t.log, "a");
+    t.hi = last_where([&](const node &n) { return n.what == SUBTRACT && n.a == y && is_constant(n.b, 1); });
+    t.lo = last_where([&](const node &n) {
+        return n.what == MULTIPLY && n.a == y && what_is(n.b) == DIVIDE && at(n.b, "b") == t.hi;
+    });
     expect(t.hi >= 0 && t.lo >= 0, "the law of the disk");
     return t;
 }
@@ -751,7 +677,7 @@ static void check_limit(void)
         value *= value;
     value *= of_pair(limit.at_zero.number);
     expect(exact_value(pair.hi.node(), known) + exact_value(pair.lo.node(), known) == value, "limit_number");
-    expect(exact_value(first_of(q.hi.node()), known) == (value - mpq_class(3, 4)) / mpq_class(3, 4),
+    expect(exact_value(at(q.hi.node(), "a"), known) == (value - mpq_class(3, 4)) / mpq_class(3, 4),
            "cor_log_ratio_near");
 }
 

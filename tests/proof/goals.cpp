@@ -17,6 +17,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <regex>
 #include <sstream>
 
 #include "cor/contact.h"
@@ -61,6 +62,21 @@ static std::string hex(number x)
     char text[64];
     snprintf(text, sizeof text, "%a", x);
     return text;
+}
+
+static std::string within(number low, number high)
+{
+    return "[" + hex(low) + ", " + hex(high) + "]";
+}
+
+/* Of an error's absolute value, and of an error */
+static std::string at_most(number error)
+{
+    return " in [0, " + hex(error) + "]";
+}
+static std::string units(number error)
+{
+    return " in [-" + hex(error) + ", " + hex(error) + "]";
 }
 
 /* ---- what the tables say ---- */
@@ -297,6 +313,34 @@ static std::vector<piece> pieces_of(const function &f, number first, number end)
     return all;
 }
 
+/* The operand of an operand ... of an operation: "ab" is the second one of the first */
+static int at(int id, const char *operands)
+{
+    for (; *operands; operands++)
+        id = *operands == 'a' ? nodes()[(std::size_t)id].a : nodes()[(std::size_t)id].b;
+    return id;
+}
+
+static operation what_is(int id)
+{
+    return nodes()[(std::size_t)id].what;
+}
+
+/* The last operation that is wanted, or -1 */
+static int last_where(const std::function<bool(const node &)> &wanted)
+{
+    int i = (int)nodes().size() - 1;
+    while (i >= 0 && !wanted(nodes()[(std::size_t)i]))
+        i--;
+    return i;
+}
+
+static void expect(bool yes, const std::string &what)
+{
+    if (!yes)
+        die(what + " has changed");
+}
+
 /* ---- Gappa ---- */
 
 static const char *output_directory;
@@ -328,11 +372,14 @@ static number constant_of(int id)
     return nodes()[(std::size_t)id].what == CONSTANT ? nodes()[(std::size_t)id].value : NAN;
 }
 
-/* The text of a Gappa file that is being written: rounded (n..) and exact (e..) versions of every operation */
+/* The text of a Gappa file that is being written: rounded (n..) and exact (e..) versions of every operation. In what is
+ * said, assumed, hinted and concluded, "$x" is the rounded version of the operation that `names` has as x, "@x" the
+ * exact one, and "$x.ab" an operand, as at() has it. */
 struct gappa {
     std::ostringstream text;
     std::map<int, bool> done;
     std::vector<std::string> hypotheses, hints;
+    std::map<std::string, int> names;
 
     gappa()
     {
@@ -353,19 +400,75 @@ struct gappa {
         return n.what == CONSTANT ? "(" + hex(n.value) + ")" : kind + std::to_string(id);
     }
 
+    std::string filled(const std::string &with_names) const
+    {
+        static const std::regex reference("([$@])([A-Za-z_]\\w*)(?:\\.([ab]+))?");
+        std::string full, rest = with_names;
+        for (std::smatch m; std::regex_search(rest, m, reference); rest = m.suffix())
+            full += m.prefix().str() + name_of(at(names.at(m[2]), m[3].str().c_str()), m[1] == "$" ? 'n' : 'e');
+        return full + rest;
+    }
+
+    void say(const std::string &line)
+    {
+        text << filled(line) << "\n";
+    }
+
+    void assume(const std::string &hypothesis)
+    {
+        hypotheses.push_back(filled(hypothesis));
+    }
+
+    void hint(const std::string &rule)
+    {
+        hints.push_back(filled(rule) + ";");
+    }
+
+    struct call_name {
+        const char *name;
+        int id;
+        call_name(const char *n, int i) : name(n), id(i)
+        {
+        }
+        call_name(const char *n, Real x) : name(n), id(x.node())
+        {
+        }
+    };
+    void call(std::initializer_list<call_name> list)
+    {
+        for (const call_name &f : list)
+            names[f.name] = f.id;
+    }
+
+    /* An operation whose text is given: the rounded version and, where it is another, the exact one */
+    void give(int id, const std::string &round, const std::string &precise = "")
+    {
+        text << rounded(id) << " " << filled(round) << ";\n";
+        if (!precise.empty())
+            text << exact(id) << " = " << (precise == "same" ? rounded(id) : filled(precise)) << ";\n";
+        done[id] = true;
+    }
+
+    /* A double that the goal takes from `interval`; its exact value is the same. */
+    void cut(const char *name, int id, const std::string &interval)
+    {
+        call({{name, id}});
+        give(id, "= rnd(cut" + std::to_string(id) + ")", "same");
+        assume(rounded(id) + " in " + interval);
+    }
+
     /* A double in an interval; exact and rounded version are the same. */
     void variable_in(int id, interval x)
     {
-        text << rounded(id) << " = rnd(v" << id << ");\n" << exact(id) << " = " << rounded(id) << ";\n";
-        hypotheses.push_back(rounded(id) + " in [" + hex(x.low) + ", " + hex(x.high) + "]");
-        done[id] = true;
+        give(id, "= rnd(v" + std::to_string(id) + ")", "same");
+        assume(rounded(id) + " in " + within(x.low, x.high));
     }
 
     /* A real number in an interval, and the double next to it */
     void rounded_in(int id, interval x)
     {
         text << exact(id) << " = v" << id << ";\n" << rounded(id) << " = rnd(v" << id << ");\n";
-        hypotheses.push_back("v" + std::to_string(id) + " in [" + hex(x.low) + ", " + hex(x.high) + "]");
+        assume("v" + std::to_string(id) + " in " + within(x.low, x.high));
         done[id] = true;
     }
 
@@ -415,11 +518,18 @@ struct gappa {
         all.insert(all.end(), more.begin(), more.end());
         for (std::size_t i = 0; i < all.size(); i++)
             out << (i ? " /\\ " : "") << all[i];
-        out << " -> " << conclusion << " }\n";
+        out << " -> " << filled(conclusion) << " }\n";
         for (const std::string &hint : hints)
             out << hint << "\n";
     }
 };
+
+static std::string numbered(const std::string &name, int i)
+{
+    char digits[16];
+    snprintf(digits, sizeof digits, "_%04d", i);
+    return name + digits;
+}
 
 static std::string power_of_two(int k)
 {
@@ -614,9 +724,7 @@ static void write_row_piece(const evaluator &f, const piece &p, int index)
     } else {
         g.variable_in(l.x, known[l.x] = {p.low, p.high});
     }
-    char name[128];
-    snprintf(name, sizeof name, "%s_%04d", f.name, index);
-    write_goals(name, g, result, known, f.ulp);
+    write_goals(numbered(f.name, index), g, result, known, f.ulp);
 }
 
 static void write_rows(const evaluator &f)
@@ -634,20 +742,16 @@ static void write_rows(const evaluator &f)
  * hi + lo a name. */
 static std::string hint_sum(gappa &g, const struct cor_inline_pair &pair, const char *name)
 {
-    const int lo = pair.lo.node(), s = pair.hi.node();
-    const int b = nodes()[(std::size_t)lo].a, z = nodes()[(std::size_t)lo].b, a = nodes()[(std::size_t)z].b;
-    const node sum = nodes()[(std::size_t)s];
-    if (nodes()[(std::size_t)z].a != s || sum.what != ADD || sum.a != a || sum.b != b)
-        die("cor_inline_sum has changed");
-    const std::string na = g.rounded(a), nb = g.rounded(b), ns = g.rounded(s), nz = g.rounded(z), nl = g.rounded(lo);
-    g.hints.push_back(nb + " - " + nz + " -> ((" + na + " + " + nb + ") - " + ns + ") + ((" + ns + " - " + na + ") - " +
-                      nz + ");");
-    g.text << name << " = " << ns << " + " << nl << ";\n";
-    return "((" + ns + " - " + na + ") - " + nz + ") + (" + nl + " - (" + nb + " - " + nz + "))";
+    const int lo = pair.lo.node(), s = pair.hi.node(), a = at(lo, "bb");
+    expect(at(lo, "ba") == s && what_is(s) == ADD && at(s, "a") == a && at(s, "b") == at(lo, "a"), "cor_inline_sum");
+    g.call({{"sum", s}, {"left", lo}});
+    g.hint("$left.a - $left.b -> (($left.bb + $left.a) - $sum) + (($sum - $left.bb) - $left.b)");
+    g.say(std::string(name) + " = $sum + $left;");
+    return g.filled("(($sum - $left.bb) - $left.b) + ($left - ($left.a - $left.b))");
 }
 
 /* ln(2) to 31 digits, rounded down and up */
-static const char ln2_low[] = "0.693147180559945309417232121458", ln2_high[] = "0.693147180559945309417232121459";
+static const char ln2[] = "LN2 in [0.693147180559945309417232121458, 0.693147180559945309417232121459]";
 
 /* |hi + lo - ln(beta)| <= 2^-53 if log(m) is within COR_PROOF_LOG_ULP ulp of its largest values, 2^-54 each, of ln(m).
  * One goal for each exponent e of beta = m 2^e, |ln(m)| < 0.3466. */
@@ -658,29 +762,21 @@ static void write_log(void)
         const bool up = e == 1024;
         const Real beta = variable("x", std::ldexp(up ? 1.75 : 1.25, up ? e - 1 : e));
         const struct cor_inline_pair u = cor_inline_log(beta);
-        const int hi = u.hi.node(), lo = u.lo.node();
-        int log_node = -1;
-        for (std::size_t i = 0; i < nodes().size(); i++)
-            if (nodes()[i].what == LOG)
-                log_node = (int)i;
+        const int log = last_where([](const node &n) { return n.what == LOG; });
+        const std::string exponent = std::to_string(e);
         gappa g;
-        const std::string l = g.rounded(log_node);
-        g.text << l << " = rnd(v);\n" << g.exact(log_node) << " = LNM;\n";
-        g.done[log_node] = true;
-        g.define(lo);
-        g.define(hi);
+        g.give(log, "= rnd(v)", "LNM");
+        g.call({{"l", log}, {"hi", u.hi}});
+        g.define(u.lo.node());
+        g.define(u.hi.node());
         const std::string off = hint_sum(g, u, "pair");
-        g.text << "exact = " << e << " * LN2 + LNM;\n";
-        const node sum = nodes()[(std::size_t)hi], low = nodes()[(std::size_t)sum.b];
-        const std::string heads = g.rounded(sum.a) + " + " + g.rounded(low.a), b = g.rounded(sum.b);
-        g.hints.push_back("pair - exact -> " + off + " + (" + b + " - (" + g.rounded(low.a) + " + " + l + ")) + (" + l +
-                          " - LNM) + ((" + heads + ") - " + std::to_string(e) + " * LN2);");
-        g.hypotheses.push_back("LNM in [-0.3466, 0.3466]");
-        g.hypotheses.push_back("LN2 in [" + std::string(ln2_low) + ", " + ln2_high + "]");
-        g.hypotheses.push_back("|" + l + " - LNM| <= " + hex(std::ldexp(COR_PROOF_LOG_ULP, -54)));
-        char name[64];
-        snprintf(name, sizeof name, "log_%04d", e);
-        g.write(name, {}, "|pair - exact| in [0, 1b-53]");
+        g.say("exact = " + exponent + " * LN2 + LNM;");
+        g.hint("pair - exact -> " + off + " + ($hi.b - ($hi.ba + $l)) + ($l - LNM) + (($hi.a + $hi.ba) - " + exponent +
+               " * LN2)");
+        g.assume("LNM in [-0.3466, 0.3466]");
+        g.assume(ln2);
+        g.assume("|$l - LNM| <= " + hex(std::ldexp(COR_PROOF_LOG_ULP, -54)));
+        g.write(numbered("log", e), {}, "|pair - exact| in [0, 1b-53]");
     }
 }
 
@@ -711,15 +807,12 @@ static const tail tails[] = {
 /* u.hi and u.lo become variables with |hi + lo - U| <= 2^-53, which the goals of write_log prove; U is ln(beta). */
 static void cut_log(gappa &g, const struct cor_inline_pair &u, interval range)
 {
-    const int hi = u.hi.node(), lo = u.lo.node();
-    g.text << g.rounded(lo) << " = rnd(low);\n"
-           << g.exact(lo) << " = " << g.rounded(lo) << ";\n"
-           << g.rounded(hi) << " = rnd(high);\n"
-           << g.exact(hi) << " = U - " << g.rounded(lo) << ";\n";
-    g.hypotheses.push_back("|" + g.rounded(lo) + "| <= " + hex(std::ldexp(range.high, -52)));
-    g.hypotheses.push_back(g.rounded(hi) + " in [" + hex(range.low) + ", " + hex(range.high) + "]");
-    g.hypotheses.push_back(g.rounded(hi) + " - " + g.exact(hi) + " in [-1b-53, 1b-53]");
-    g.done[hi] = g.done[lo] = true;
+    g.call({{"hi", u.hi}, {"lo", u.lo}});
+    g.give(u.lo.node(), "= rnd(low)", "same");
+    g.give(u.hi.node(), "= rnd(high)", "U - $lo");
+    g.assume("|$lo| <= " + hex(std::ldexp(range.high, -52)));
+    g.assume("$hi in " + within(range.low, range.high));
+    g.assume("$hi - @hi in [-1b-53, 1b-53]");
 }
 
 /* |pair - E| <= error 2^-53 E for a row of a tail. The row may be used a little beyond its cell, because log is
@@ -747,13 +840,8 @@ static void write_tail_row(const tail &f, const row &r, int index)
     cut_log(g, u, {r.low - slack, r.high + slack});
     g.define(lo);
     const std::string off = hint_sum(g, pair, "pair");
-    const node sum = nodes()[(std::size_t)hi];
-    g.hints.push_back("pair - " + g.exact(hi) + " -> " + off + " + (" + g.rounded(sum.b) + " - " + g.exact(sum.b) +
-                      ");");
-    char name[128];
-    snprintf(name, sizeof name, "%s_%04d", f.name, index);
-    g.write(name, {},
-            "|(pair - " + g.exact(hi) + ") / " + g.exact(hi) + "| in [0, " + hex(std::ldexp(f.error, -53)) + "]");
+    g.hint("pair - @sum -> " + off + " + ($sum.b - @sum.b)");
+    g.write(numbered(f.name, index), {}, "|(pair - @sum) / @sum|" + at_most(std::ldexp(f.error, -53)));
 }
 
 static void write_tails(void)
@@ -767,23 +855,18 @@ static void write_tails(void)
  * for the rounded x and y. */
 static std::string product_error(gappa &g, int hi, int lo)
 {
-    const auto operand = [](int id, operation what, bool second) {
-        const node &n = nodes()[(std::size_t)id];
-        if (n.what != what)
-            die("cor_inline_product has changed");
-        return second ? n.b : n.a;
-    };
-    const int first = operand(operand(operand(lo, ADD, false), ADD, false), ADD, false);
-    const int heads = operand(first, SUBTRACT, false);
-    const std::string x = g.rounded(operand(hi, MULTIPLY, false)), y = g.rounded(operand(hi, MULTIPLY, true));
-    const std::string xh = g.rounded(operand(heads, MULTIPLY, false)), yh = g.rounded(operand(heads, MULTIPLY, true));
+    const int first = at(lo, "aaa");
+    expect(what_is(lo) == ADD && what_is(at(lo, "a")) == ADD && what_is(at(lo, "aa")) == ADD &&
+               what_is(first) == SUBTRACT && what_is(at(first, "a")) == MULTIPLY && what_is(hi) == MULTIPLY,
+           "cor_inline_product");
     const std::string low = "low" + std::to_string(lo);
-    g.text << low << " = (((" << xh << " * " << yh << " - " << g.rounded(hi) << ") + " << xh << " * (" << y << " - "
-           << yh << ")) + (" << x << " - " << xh << ") * " << yh << ") + (" << x << " - " << xh << ") * (" << y << " - "
-           << yh << ");\n";
-    g.hints.push_back(low + " -> " + x + " * " + y + " - " + g.rounded(hi) + ";");
-    g.hints.push_back(g.rounded(lo) + " -> " + low + " + (" + g.rounded(lo) + " - " + low + ");");
-    return "(" + g.rounded(lo) + " - " + low + ")";
+    g.call({{"product", hi}, {"off", lo}, {"heads", at(first, "a")}});
+    g.say(low +
+          " = ((($heads.a * $heads.b - $product) + $heads.a * ($product.b - $heads.b)) + ($product.a - $heads.a)" +
+          " * $heads.b) + ($product.a - $heads.a) * ($product.b - $heads.b);");
+    g.hint(low + " -> $product.a * $product.b - $product");
+    g.hint("$off -> " + low + " + ($off - " + low + ")");
+    return g.filled("($off - " + low + ")");
 }
 
 /* The relative error of mu = 1/beta/(root root), from two roots and three operations */
@@ -795,18 +878,11 @@ static void write_far_binade(const tail &f, interval range, int index)
     start();
     const Real beta = variable("x", std::exp(range.low * 1.0001));
     const struct cor_inline_pair u = cor_inline_log(beta), pair = f.factor(beta);
-    const auto a_of = [](int id) { return nodes()[(std::size_t)id].a; };
-    const auto b_of = [](int id) { return nodes()[(std::size_t)id].b; };
     const int v = u.hi.node(), ulo = u.lo.node(), lo = pair.lo.node(), hi = pair.hi.node();
-    const int rest = b_of(hi), sum_lo = a_of(rest), more = b_of(rest), sum_hi = a_of(hi);
-    const int part = a_of(more), last = b_of(more), slope_part = a_of(part), third = b_of(part);
-    const int slope_lo = a_of(slope_part), second = b_of(slope_part), orders = b_of(last);
-    const int slope_hi =
-        b_of(sum_hi) >= 0 && nodes()[(std::size_t)b_of(sum_hi)].what == MULTIPLY ? b_of(sum_hi) : a_of(sum_hi);
-    int mu = -1;
-    for (std::size_t i = 0; i < nodes().size(); i++)
-        if (nodes()[i].what == DIVIDE && nodes()[(std::size_t)nodes()[i].b].what == MULTIPLY)
-            mu = (int)i;
+    const int rest = at(hi, "b"), sum_lo = at(rest, "a"), sum_hi = at(hi, "a");
+    const int slope_lo = at(rest, "baaa"), orders = at(rest, "bbb"), second = at(sum_hi, "b");
+    const int slope_hi = second >= 0 && what_is(second) == MULTIPLY ? second : at(sum_hi, "a");
+    const int mu = last_where([](const node &n) { return n.what == DIVIDE && what_is(n.b) == MULTIPLY; });
     const row &r = tables["far_" + std::string(f.name).substr(5)][0];
     for (int i = 1; i <= 16; i++) {
         assignment known;
@@ -825,44 +901,33 @@ static void write_far_binade(const tail &f, interval range, int index)
         if (exact_value(hi, known) + exact_value(lo, known) != sum)
             die(std::string(f.name) + ": the evaluator does not compute the formula beyond u = 10");
     }
-    gappa g;
-    const std::string nv = g.rounded(v), nu = g.rounded(ulo), nm = g.rounded(mu);
     const number most = std::max(std::exp(-5 * range.low / 3) * (1 + 0x1p-40), 0x1p-900); /* mu may underflow */
-    g.text << nv << " = rnd(high);\n"
-           << g.exact(v) << " = U;\n"
-           << nu << " = rnd(low);\n"
-           << g.exact(ulo) << " = 0;\n"
-           << nm << " = rnd(m);\n"
-           << g.exact(mu) << " = MU;\n";
-    g.done[v] = g.done[ulo] = g.done[mu] = true;
-    g.hypotheses = {nv + " in [" + hex(range.low - 0x1p-40) + ", " + hex(range.high) + "]",
-                    "U in [" + hex(range.low) + ", " + hex(range.high) + "]",
-                    "|" + nu + "| <= " + hex(std::ldexp(range.high, -52)),
-                    "(" + nv + " + " + nu + ") - U in [-1b-53, 1b-53]",
-                    nv + " - U in [-" + hex(std::ldexp(range.high, -51)) + ", " + hex(std::ldexp(range.high, -51)) +
-                        "]",
-                    "MU in [0, " + hex(most) + "]",
-                    "|" + nm + " - MU| <= " + hex(most * mu_error)};
+    gappa g;
+    g.call({{"v", v}, {"u", ulo}, {"mu", mu}});
+    g.give(v, "= rnd(high)", "U");
+    g.give(ulo, "= rnd(low)", "0");
+    g.give(mu, "= rnd(m)", "MU");
+    g.assume("$v in " + within(range.low - 0x1p-40, range.high));
+    g.assume("U in " + within(range.low, range.high));
+    g.assume("|$u| <= " + hex(std::ldexp(range.high, -52)));
+    g.assume("($v + $u) - U in [-1b-53, 1b-53]");
+    g.assume("$v - U" + units(std::ldexp(range.high, -51)));
+    g.assume("MU in [0, " + hex(most) + "]");
+    g.assume("|$mu - MU| <= " + hex(most * mu_error));
     g.define(lo);
     const std::string off_2 = hint_sum(g, pair, "pair");
     const struct cor_inline_pair inner = {Real(0, sum_hi), Real(0, sum_lo)};
     const std::string off_1 = hint_sum(g, inner, "inner"), slope = product_error(g, slope_hi, slope_lo);
-    const std::string c0 = "(" + hex(strtod(r.value[0].c_str(), nullptr)) + ")",
-                      c1 = "(" + hex(strtod(r.value[1].c_str(), nullptr)) + ")",
-                      c2 = "(" + hex(strtod(r.value[2].c_str(), nullptr)) + ")",
-                      c3 = "(" + hex(strtod(r.value[3].c_str(), nullptr)) + ")";
-    g.text << "exact = " << c0 << " + " << c1 << " + (" << c2 << " + " << c3 << ") * U + " << g.exact(orders) << ";\n"
-           << "terms = ((" << g.rounded(slope_lo) << " + " << c2 << " * " << nu << ") + " << c3 << " * " << nv
-           << ") + (" << c1 << " + " << g.rounded(orders) << ");\n";
-    (void)second;
-    (void)third;
-    g.hints.push_back("pair - exact -> " + off_2 + " + (" + g.rounded(rest) + " - (" + g.rounded(sum_lo) + " + " +
-                      g.rounded(more) + ")) + " + off_1 + " + " + slope + " + (" + g.rounded(more) + " - terms) + " +
-                      c2 + " * ((" + nv + " + " + nu + ") - U) + " + c3 + " * (" + nv + " - U) + (" +
-                      g.rounded(orders) + " - " + g.exact(orders) + ");");
-    char name[128];
-    snprintf(name, sizeof name, "far_%s_%d", f.name + 5, index);
-    g.write(name, {}, "|(pair - exact) / exact| in [0, " + hex(std::ldexp(f.far_error, -53)) + "]");
+    g.call({{"rest", rest}, {"slope_lo", slope_lo}, {"orders", orders}});
+    std::vector<std::string> c;
+    for (int k = 0; k < 4; k++)
+        c.push_back("(" + hex(strtod(r.value[(std::size_t)k].c_str(), nullptr)) + ")");
+    g.say("exact = " + c[0] + " + " + c[1] + " + (" + c[2] + " + " + c[3] + ") * U + @orders;");
+    g.say("terms = (($slope_lo + " + c[2] + " * $u) + " + c[3] + " * $v) + (" + c[1] + " + $orders);");
+    g.hint("pair - exact -> " + off_2 + " + ($rest - ($rest.a + $rest.b)) + " + off_1 + " + " + slope +
+           " + ($rest.b - terms) + " + c[2] + " * (($v + $u) - U) + " + c[3] + " * ($v - U) + ($orders - @orders)");
+    g.write("far_" + std::string(f.name + 5) + "_" + std::to_string(index), {},
+            "|(pair - exact) / exact|" + at_most(std::ldexp(f.far_error, -53)));
 }
 
 static void write_far(void)
@@ -887,26 +952,12 @@ static struct cor_inline_pair pair_variable(const std::string &name, number hi)
     return {variable(name, hi), variable(name + "_lo", hi * 0x1p-54)};
 }
 
-/* hi in [1, 2], |lo| <= 2^-52 */
-static void pair_in(gappa &g, const struct cor_inline_pair &pair)
+/* hi in [1, 2], |lo| <= 2^-52, by the names `hi` and `lo` */
+static void pair_in(gappa &g, const struct cor_inline_pair &pair, const char *hi, const char *lo)
 {
+    g.call({{hi, pair.hi}, {lo, pair.lo}});
     g.variable_in(pair.hi.node(), {1, 2});
     g.variable_in(pair.lo.node(), {-0x1p-52, 0x1p-52});
-}
-
-static std::string sum_text(const gappa &, const struct cor_inline_pair &pair)
-{
-    return "(" + gappa::rounded(pair.hi.node()) + " + " + gappa::rounded(pair.lo.node()) + ")";
-}
-
-static int first_of(int id)
-{
-    return nodes()[(std::size_t)id].a;
-}
-
-static int second_of(int id)
-{
-    return nodes()[(std::size_t)id].b;
 }
 
 /* cor_inline_product: |hi + lo - x y| <= 2^-74 */
@@ -921,8 +972,8 @@ static void write_product(void)
     g.define(p.hi.node());
     g.define(p.lo.node());
     const std::string error = product_error(g, p.hi.node(), p.lo.node());
-    g.text << "off = " << sum_text(g, p) << " - " << g.rounded(x.node()) << " * " << g.rounded(y.node()) << ";\n";
-    g.hints.push_back("off -> " + error + ";");
+    g.say("off = ($product + $off) - $product.a * $product.b;");
+    g.hint("off -> " + error);
     g.write("pair_product", {}, "|off| in [0, 1b-74]");
 }
 
@@ -932,20 +983,17 @@ static void write_pair_times(void)
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_times(x, y);
+    const int rest = at(p.hi.node(), "b");
     gappa g;
-    pair_in(g, x);
-    pair_in(g, y);
+    pair_in(g, x, "xh", "xl");
+    pair_in(g, y, "yh", "yl");
     g.define(p.lo.node());
+    g.call({{"rest", rest}});
     const std::string off = hint_sum(g, p, "pair");
-    const int rest = second_of(p.hi.node()), hi = first_of(p.hi.node()), lo = first_of(rest);
-    const std::string product = product_error(g, hi, lo);
-    const std::string xh = g.rounded(x.hi.node()), xl = g.rounded(x.lo.node()), yh = g.rounded(y.hi.node()),
-                      yl = g.rounded(y.lo.node());
-    const std::string crossed = xh + " * " + yl + " + " + xl + " * " + yh;
-    g.text << "off = pair - (" << xh << " + " << xl << ") * (" << yh << " + " << yl << ");\n"
-           << "terms = " << g.rounded(lo) << " + (" << crossed << ");\n";
-    g.hints.push_back("off -> " + off + " + (" + g.rounded(rest) + " - terms) + " + product + " - " + xl + " * " + yl +
-                      ";");
+    const std::string product = product_error(g, at(p.hi.node(), "a"), at(rest, "a"));
+    g.say("off = pair - ($xh + $xl) * ($yh + $yl);");
+    g.say("terms = $rest.a + ($xh * $yl + $xl * $yh);");
+    g.hint("off -> " + off + " + ($rest - terms) + " + product + " - $xl * $yl");
     g.write("pair_times", {}, "|off| in [0, 1b-72]");
 }
 
@@ -955,31 +1003,24 @@ static void write_pair_over(void)
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_over(x, y);
+    const int correction = at(p.hi.node(), "b"), rest = at(correction, "a");
     gappa g;
-    pair_in(g, x);
-    pair_in(g, y);
+    pair_in(g, x, "xh", "xl");
+    pair_in(g, y, "yh", "yl");
     g.define(p.hi.node());
-    const int q = first_of(p.hi.node()), correction = second_of(p.hi.node()), rest = first_of(correction);
-    const int head = first_of(rest), lo = second_of(head), hi = second_of(first_of(head));
-    const std::string product = product_error(g, hi, lo);
-    const std::string xh = g.rounded(x.hi.node()), xl = g.rounded(x.lo.node()), yh = g.rounded(y.hi.node()),
-                      yl = g.rounded(y.lo.node()), nq = g.rounded(q), nr = g.rounded(rest), nc = g.rounded(correction);
-    g.text << "exact = (" << xh << " + " << xl << ") / (" << yh << " + " << yl << ");\n"
-           << "terms = ((" << xh << " - " << g.rounded(hi) << ") - " << g.rounded(lo) << ") + (" << xl << " - " << nq
-           << " * " << yl << ");\n"
-           << "residue = (" << xh << " - " << nq << " * " << yh << ") + (" << xl << " - " << nq << " * " << yl << ");\n"
-           << "off = (" << nq << " + " << nc << ") - exact;\n";
-    g.hints.push_back("off -> (" + nc + " - " + nr + " / " + yh + ") + (" + nr + " - residue) / " + yh + " + " + yl +
-                      " * (exact - " + nq + ") / " + yh + " { " + yh + " <> 0, (" + yh + " + " + yl + ") <> 0 };");
-    g.hints.push_back(nr + " - residue -> (" + nr + " - terms) - " + product + ";");
-    g.hints.push_back("exact - " + nq + " -> (" + xh + " / " + yh + " - " + nq + ") + (" + xl + " - " + yl + " * " +
-                      xh + " / " + yh + ") / (" + yh + " + " + yl + ") { " + yh + " <> 0, (" + yh + " + " + yl +
-                      ") <> 0 };");
-    g.hints.push_back(nr + " -> residue + (" + nr + " - residue);");
-    g.hints.push_back("residue -> " + yh + " * (" + xh + " / " + yh + " - " + nq + ") + (" + xl + " - " + nq + " * " +
-                      yl + ") { " + yh + " <> 0 };");
-    g.hints.push_back(xh + " - " + g.rounded(hi) + " -> " + yh + " * (" + xh + " / " + yh + " - " + nq + ") - (" +
-                      g.rounded(hi) + " - " + nq + " * " + yh + ") { " + yh + " <> 0 };");
+    g.call({{"q", at(p.hi.node(), "a")}, {"c", correction}, {"rest", rest}, {"hi", at(rest, "aab")}});
+    const std::string product = product_error(g, at(rest, "aab"), at(rest, "ab"));
+    g.say("exact = ($xh + $xl) / ($yh + $yl);");
+    g.say("terms = (($xh - $hi) - $rest.ab) + ($xl - $q * $yl);");
+    g.say("residue = ($xh - $q * $yh) + ($xl - $q * $yl);");
+    g.say("off = ($q + $c) - exact;");
+    g.hint("off -> ($c - $rest / $yh) + ($rest - residue) / $yh + $yl * (exact - $q) / $yh"
+           " { $yh <> 0, ($yh + $yl) <> 0 }");
+    g.hint("$rest - residue -> ($rest - terms) - " + product);
+    g.hint("exact - $q -> ($xh / $yh - $q) + ($xl - $yl * $xh / $yh) / ($yh + $yl) { $yh <> 0, ($yh + $yl) <> 0 }");
+    g.hint("$rest -> residue + ($rest - residue)");
+    g.hint("residue -> $yh * ($xh / $yh - $q) + ($xl - $q * $yl) { $yh <> 0 }");
+    g.hint("$xh - $hi -> $yh * ($xh / $yh - $q) - ($hi - $q * $yh) { $yh <> 0 }");
     g.write("pair_over", {}, "|off| in [0, 1b-70]");
 }
 
@@ -988,14 +1029,22 @@ static void write_pair_over(void)
 static void write_rounding(const std::string &name, number error, number ulp)
 {
     gappa g;
-    g.text << "V = rnd(S);\n";
-    g.hypotheses = {"E in [" + std::to_string((1L << 57) - 1) + "b-57, " + std::to_string((1L << 57) + 1) + "b-56]",
-                    "S - E in [-" + hex(std::ldexp(error, -52)) + ", " + hex(std::ldexp(error, -52)) + "]"};
+    g.say("V = rnd(S);");
+    g.assume("E in [" + std::to_string((1L << 57) - 1) + "b-57, " + std::to_string((1L << 57) + 1) + "b-56]");
+    g.assume("S - E" + units(std::ldexp(error, -52)));
     /* error 2^-53 E is largest at E = 2 */
-    const std::string goal = "|V - E| in [0, " + hex(std::ldexp(ulp, -52)) + "]";
+    const std::string goal = "|V - E|" + at_most(std::ldexp(ulp, -52));
     g.write(name + "_below", {"S <= 1"}, goal);
     g.write(name + "_in", {"S in [1, 2]"}, goal);
     g.write(name + "_above", {"S >= 2"}, goal);
+}
+
+/* The head of a root, known only to lie in `interval` */
+static void give_head(gappa &g, int id, const char *of, const std::string &interval)
+{
+    g.call({{"r", id}});
+    g.give(id, std::string("= head(") + of + ")", "same");
+    g.assume("$r in " + interval);
 }
 
 /* beta^(2/3), m = beta 2^-k in [2^i, 2^(i + 1)], i = 0, 1, 2: the pair is within 2^-70 m^(2/3) of r^2 (1 + (2/3) D +
@@ -1006,47 +1055,48 @@ static void write_two_thirds(void)
         start();
         const Real m = variable("m", std::ldexp(1.3, i));
         const struct cor_inline_pair p = cor_inline_two_thirds(m);
+        const int s = p.hi.node(), square = at(s, "a");
+        const int d = last_where([&](const node &n) { return n.what == DIVIDE && n.b == m.node(); }), rest = at(d, "a");
         gappa g;
+        g.call({{"m", m}, {"s", s}, {"square", square}, {"d", d}, {"hi", at(rest, "ab")}});
         g.variable_in(m.node(), {std::ldexp(1, i), std::ldexp(1, i + 1)});
-        const int s = p.hi.node(), square = first_of(s), r = first_of(square);
-        g.text << g.rounded(r) << " = head(C);\n" << g.exact(r) << " = " << g.rounded(r) << ";\n";
-        g.hypotheses.push_back(g.rounded(r) + " in [0.99, 2]");
-        g.done[r] = true;
-        int d = -1;
-        for (std::size_t k = 0; k < nodes().size(); k++)
-            if (nodes()[k].what == DIVIDE && nodes()[k].b == m.node())
-                d = (int)k;
-        const int rest = first_of(d), lo = second_of(rest), hi = second_of(first_of(rest));
-        const std::string nr = g.rounded(r), nm = g.rounded(m.node());
+        give_head(g, at(square, "a"), "C", "[0.99, 2]");
         g.define(rest);
-        const std::string product = product_error(g, hi, lo);
-        g.text << g.rounded(d) << " rnd= " << g.rounded(rest) << " / " << nm << ";\n"
-               << "D = (" << nm << " - " << nr << " * " << nr << " * " << nr << ") / " << nm << ";\n"
-               << g.exact(d) << " = D;\n";
+        const std::string product = product_error(g, at(rest, "ab"), at(rest, "b"));
+        g.say("$d rnd= $d.a / $m;");
+        g.say("D = ($m - $r * $r * $r) / $m;");
+        g.say("@d = D;");
         g.done[d] = true;
-        g.hypotheses.push_back("D in [-1b-23, 1b-23]");
+        g.assume("D in [-1b-23, 1b-23]");
         g.define(p.lo.node());
-        const std::string off = hint_sum(g, p, "pair"), b = g.rounded(second_of(s));
-        g.text << "exact = " << nr << " * " << nr << " * (1 + D * (2 / 3 + D * (5 / 9)));\n"
-               << "series = " << nr << " * " << nr << " * (D * (2 / 3 + D * (5 / 9)));\n"
-               << "terms = (" << nm << " - " << g.rounded(hi) << ") - " << g.rounded(lo) << ";\n";
-        g.hints.push_back(nm + " - " + g.rounded(hi) + " -> D * " + nm + " - (" + g.rounded(hi) + " - " +
-                          g.rounded(square) + " * " + nr + ") - (" + g.rounded(square) + " - " + nr + " * " + nr +
-                          ") * " + nr + " { " + nm + " <> 0 };");
-        g.hints.push_back(g.rounded(d) + " - D -> (" + g.rounded(d) + " - " + g.rounded(rest) + " / " + nm + ") + (" +
-                          g.rounded(rest) + " - terms) / " + nm + " - (" + product + " + (" + g.rounded(square) +
-                          " - " + nr + " * " + nr + ") * " + nr + ") / " + nm + " { " + nm + " <> 0 };");
-        g.hints.push_back("pair - exact -> " + off + " + (" + b + " - series) + (" + g.rounded(square) + " - " + nr +
-                          " * " + nr + ");");
+        const std::string off = hint_sum(g, p, "pair");
+        g.say("exact = $r * $r * (1 + D * (2 / 3 + D * (5 / 9)));");
+        g.say("series = $r * $r * (D * (2 / 3 + D * (5 / 9)));");
+        g.say("terms = ($m - $hi) - $d.ab;");
+        g.hint("$m - $hi -> D * $m - ($hi - $square * $r) - ($square - $r * $r) * $r { $m <> 0 }");
+        g.hint("$d - D -> ($d - $d.a / $m) + ($d.a - terms) / $m - (" + product + " + ($square - $r * $r) * $r) / $m" +
+               " { $m <> 0 }");
+        g.hint("pair - exact -> " + off + " + ($s.b - series) + ($square - $r * $r)");
         g.write("two_thirds_" + std::to_string(i), {}, "|pair - exact| in [0, 1b-70]");
     }
     /* r and D, where C is root (1 + off), root^3 = m */
     gappa g;
     const number off = COR_PROOF_CBRT_ULP * 0x1p-52;
-    g.text << "r = head(C);\ncut = (r - C) / C;\n"
-           << "D = 1 - (1 + off) * (1 + off) * (1 + off) * (1 + cut) * (1 + cut) * (1 + cut);\n";
-    g.hypotheses = {"C in [" + hex(1 - off) + ", " + hex(2 + 2 * off) + "]", "|off| <= " + hex(off)};
+    g.say("r = head(C);\ncut = (r - C) / C;");
+    g.say("D = 1 - (1 + off) * (1 + off) * (1 + off) * (1 + cut) * (1 + cut) * (1 + cut);");
+    g.hypotheses = {"C in " + within(1 - off, 2 + 2 * off), "|off| <= " + hex(off)};
     g.write("two_thirds_head", {}, "r in [0.99, 2] /\\ |D| in [0, 1b-23]");
+}
+
+/* The pair r + lo, by the names r and lo, is within `error` of r (1 + P), where P is the series of (1 + D)^(1/5). */
+static void write_fifth_root_pair(gappa &g, const char *name, number error)
+{
+    g.say("P = D * ((0.2 - 0.08 * D) + (D * D) * (0.048 - 0.0336 * D));");
+    g.say("exact = $r * (1 + P);");
+    g.say("pair = $r + $lo;");
+    g.hint("(pair - exact) / exact -> ($lo / $r - P) / (1 + P) { $r <> 0, (1 + P) <> 0 }");
+    g.hint("$lo / $r - P -> ($lo - $r * $lo.b) / $r + ($lo.b - P) { $r <> 0 }");
+    g.write(name, {}, "|(pair - exact) / exact|" + at_most(error));
 }
 
 /* x^(1/5) = r (1 + D)^(1/5), r^5 (1 + D) = x, |D| <= 4e-4, which tests/proof/seeds.c shows for every x. The goals: head
@@ -1056,45 +1106,26 @@ static void write_fifth_root(void)
     start();
     const Real x = variable("x", 1.3);
     const struct cor_inline_pair root = cor_inline_fifth_root_parts(x);
-    const int lo = root.lo.node(), r = root.hi.node();
-    int d = -1;
-    for (std::size_t k = 0; k < nodes().size(); k++)
-        if (nodes()[k].what == DIVIDE && first_of((int)k) >= 0 &&
-            nodes()[(std::size_t)first_of((int)k)].what == SUBTRACT)
-            d = (int)k; /* the last one */
+    const int d = last_where([](const node &n) { return n.what == DIVIDE && n.a >= 0 && what_is(n.a) == SUBTRACT; });
     gappa g;
-    const std::string nr = g.rounded(r), nx = g.rounded(x.node());
-    g.text << nr << " = head(R);\n" << g.exact(r) << " = " << nr << ";\n" << nx << " = rnd(X);\n";
-    g.done[r] = g.done[x.node()] = true;
-    g.define(second_of(d));
-    const int fifth = second_of(d), rest = first_of(d);
-    g.text << g.exact(x.node()) << " = " << nx << ";\n"
-           << "five = " << nr << " * " << nr << " * (" << nr << " * " << nr << ") * " << nr << ";\n"
-           << "D = (" << nx << " - five) / five;\n"
-           << g.rounded(rest) << " rnd= " << nx << " - " << g.rounded(fifth) << ";\n"
-           << g.rounded(d) << " rnd= " << g.rounded(rest) << " / " << g.rounded(fifth) << ";\n"
-           << g.exact(d) << " = D;\n";
-    g.done[d] = true;
-    g.define(lo);
-    g.hypotheses = {nr + " in [1, 2]", "D in [-4e-4, 4e-4]"};
-    g.text << "P = D * ((0.2 - 0.08 * D) + (D * D) * (0.048 - 0.0336 * D));\n"
-           << "exact = " << nr << " * (1 + P);\n"
-           << "pair = " << nr << " + " << g.rounded(lo) << ";\n"
-           << "delta = (" << g.rounded(fifth) << " - five) / five;\n";
-    g.hints.push_back(nx + " -> five * (1 + D) { five <> 0 };");
-    g.hints.push_back(nx + " - " + g.rounded(fifth) + " -> five * (D - delta) { five <> 0 };");
-    g.hints.push_back("(" + nx + " - " + g.rounded(fifth) + ") / " + g.rounded(fifth) +
-                      " -> (D - delta) / (1 + delta) { five <> 0, " + g.rounded(fifth) + " <> 0, (1 + delta) <> 0 };");
-    g.hints.push_back(g.rounded(d) + " - D -> (" + g.rounded(d) + " - " + g.rounded(rest) + " / " + g.rounded(fifth) +
-                      ") + (" + g.rounded(rest) + " - (" + nx + " - " + g.rounded(fifth) + ")) / " + g.rounded(fifth) +
-                      " - delta * (1 + D) / (1 + delta) { five <> 0, " + g.rounded(fifth) +
-                      " <> 0, (1 + delta) <> 0 };");
-    g.hints.push_back("(pair - exact) / exact -> (" + g.rounded(lo) + " / " + nr + " - P) / (1 + P) { " + nr +
-                      " <> 0, (1 + P) <> 0 };");
-    g.hints.push_back(g.rounded(lo) + " / " + nr + " - P -> (" + g.rounded(lo) + " - " + nr + " * " +
-                      g.rounded(second_of(lo)) + ") / " + nr + " + (" + g.rounded(second_of(lo)) + " - P) { " + nr +
-                      " <> 0 };");
-    g.write("fifth_root_parts", {}, "|(pair - exact) / exact| in [0, " + hex(std::ldexp(0.41, -53)) + "]");
+    g.call({{"x", x}, {"d", d}, {"fifth", at(d, "b")}, {"lo", root.lo}});
+    give_head(g, root.hi.node(), "R", "[1, 2]");
+    g.give(x.node(), "= rnd(X)");
+    g.define(at(d, "b"));
+    g.say("@x = $x;");
+    g.say("five = $r * $r * ($r * $r) * $r;");
+    g.say("D = ($x - five) / five;");
+    g.say("$d.a rnd= $x - $fifth;");
+    g.give(d, "rnd= $d.a / $fifth", "D");
+    g.define(root.lo.node());
+    g.assume("D in [-4e-4, 4e-4]");
+    g.say("delta = ($fifth - five) / five;");
+    g.hint("$x -> five * (1 + D) { five <> 0 }");
+    g.hint("$x - $fifth -> five * (D - delta) { five <> 0 }");
+    g.hint("($x - $fifth) / $fifth -> (D - delta) / (1 + delta) { five <> 0, $fifth <> 0, (1 + delta) <> 0 }");
+    g.hint("$d - D -> ($d - $d.a / $fifth) + ($d.a - ($x - $fifth)) / $fifth - delta * (1 + D) / (1 + delta)"
+           " { five <> 0, $fifth <> 0, (1 + delta) <> 0 }");
+    write_fifth_root_pair(g, "fifth_root_parts", std::ldexp(0.41, -53));
 }
 
 /* cor_inline_fifth_root_of_pair, beta(eps) at zero overlap for small eps: head + tail are within 2^-58 of r (1 + D/5 -
@@ -1104,56 +1135,39 @@ static void write_fifth_root_of_pair(void)
 {
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), root = cor_inline_fifth_root_of_pair(x);
-    const int lo = root.lo.node(), r = root.hi.node();
-    int d = -1;
-    for (std::size_t k = 0; k < nodes().size(); k++)
-        if (nodes()[k].what == DIVIDE && nodes()[(std::size_t)first_of((int)k)].what == ADD &&
-            second_of(first_of((int)k)) == x.lo.node())
-            d = (int)k;
-    if (d < 0)
-        die("cor_inline_fifth_root_of_pair has changed");
-    const int total = first_of(d), r5_hi = second_of(d), r5_lo = second_of(first_of(total));
+    const int d = last_where(
+        [&](const node &n) { return n.what == DIVIDE && what_is(n.a) == ADD && at(n.a, "b") == x.lo.node(); });
+    expect(d >= 0, "cor_inline_fifth_root_of_pair");
+    const int r5_hi = at(d, "b"), r5_lo = at(d, "aab");
     gappa g;
-    const std::string nr = g.rounded(r), xh = g.rounded(x.hi.node()), xl = g.rounded(x.lo.node());
-    const std::string ph = g.rounded(r5_hi), pl = g.rounded(r5_lo), nd = g.rounded(d), nt = g.rounded(total);
-    g.text << nr << " = head(R);\n" << g.exact(r) << " = " << nr << ";\n";
-    for (const int id : {x.hi.node(), x.lo.node(), r5_hi, r5_lo}) {
-        g.text << g.rounded(id) << " = rnd(V" << id << ");\n";
-        g.done[id] = true;
-    }
-    g.done[r] = true;
-    for (const int id : {first_of(first_of(total)), first_of(total), total, d}) {
-        static const std::map<operation, const char *> sign = {{ADD, " + "}, {SUBTRACT, " - "}, {DIVIDE, " / "}};
-        g.text << g.rounded(id) << " rnd= " << g.rounded(first_of(id)) << sign.at(nodes()[(std::size_t)id].what)
-               << g.rounded(second_of(id)) << ";\n";
-    }
-    g.text << "five = " << nr << " * " << nr << " * " << nr << " * " << nr << " * " << nr << ";\n"
-           << "D = ((" << xh << " + " << xl << ") - five) / five;\n"
-           << "T = ((" << xh << " - " << ph << ") - " << pl << ") + " << xl << ";\n"
-           << "eta = ((" << ph << " + " << pl << ") - five) / five;\n"
-           << "lambda = " << pl << " / five;\n"
-           << g.exact(d) << " = D;\n";
+    g.call({{"xh", x.hi}, {"xl", x.lo}, {"ph", r5_hi}, {"pl", r5_lo}, {"d", d}, {"lo", root.lo}});
+    give_head(g, root.hi.node(), "R", "[1, 2]");
+    for (const int id : {x.hi.node(), x.lo.node(), r5_hi, r5_lo})
+        g.give(id, "= rnd(V" + std::to_string(id) + ")");
+    g.say("$d.aaa rnd= $d.aaaa - $d.aaab;");
+    g.say("$d.aa rnd= $d.aaa - $d.aab;");
+    g.say("$d.a rnd= $d.aa + $d.ab;");
+    g.say("$d rnd= $d.a / $d.b;");
+    g.say("five = $r * $r * $r * $r * $r;");
+    g.say("D = (($xh + $xl) - five) / five;");
+    g.say("T = (($xh - $ph) - $pl) + $xl;");
+    g.say("eta = (($ph + $pl) - five) / five;");
+    g.say("lambda = $pl / five;");
+    g.say("@d = D;");
     g.done[d] = true;
-    g.define(lo);
-    g.hypotheses = {nr + " in [1, 2]", "D in [-4e-4, 4e-4]", "eta in [-1b-68, 1b-68]", "lambda in [-1b-52, 1b-52]",
-                    "|" + xl + "| <= 1b-46"};
-    const std::string rest = g.rounded(second_of(lo));
-    g.text << "P = D * ((0.2 - 0.08 * D) + (D * D) * (0.048 - 0.0336 * D));\n"
-           << "exact = " << nr << " * (1 + P);\n"
-           << "pair = " << nr << " + " << g.rounded(lo) << ";\n";
-    const std::string nonzero = " { five <> 0, " + ph + " <> 0, (1 + eta - lambda) <> 0 };";
-    g.hints.push_back(ph + " -> five * (1 + eta - lambda) { five <> 0 };");
-    g.hints.push_back("five -> " + ph + " / (1 + eta - lambda)" + nonzero);
-    g.hints.push_back(xh + " -> five * (1 + D) - " + xl + " { five <> 0 };");
-    g.hints.push_back(xh + " - " + ph + " -> five * (D - eta + lambda) - " + xl + " { five <> 0 };");
-    g.hints.push_back("T -> five * (D - eta) { five <> 0 };");
-    g.hints.push_back(nd + " - D -> (" + nd + " - " + nt + " / " + ph + ") + (" + nt + " - T) / " + ph +
-                      " + (D * (lambda - eta) - eta) / (1 + eta - lambda)" + nonzero);
-    g.hints.push_back("(pair - exact) / exact -> (" + g.rounded(lo) + " / " + nr + " - P) / (1 + P) { " + nr +
-                      " <> 0, (1 + P) <> 0 };");
-    g.hints.push_back(g.rounded(lo) + " / " + nr + " - P -> (" + g.rounded(lo) + " - " + nr + " * " + rest + ") / " +
-                      nr + " + (" + rest + " - P) { " + nr + " <> 0 };");
-    g.write("fifth_root_of_pair", {}, "|(pair - exact) / exact| in [0, 1b-58]");
+    g.define(root.lo.node());
+    for (const char *known : {"D in [-4e-4, 4e-4]", "eta in [-1b-68, 1b-68]", "lambda in [-1b-52, 1b-52]"})
+        g.assume(known);
+    g.assume("|$xl| <= 1b-46");
+    const std::string nonzero = " { five <> 0, $ph <> 0, (1 + eta - lambda) <> 0 }";
+    g.hint("$ph -> five * (1 + eta - lambda) { five <> 0 }");
+    g.hint("five -> $ph / (1 + eta - lambda)" + nonzero);
+    g.hint("$xh -> five * (1 + D) - $xl { five <> 0 }");
+    g.hint("$xh - $ph -> five * (D - eta + lambda) - $xl { five <> 0 }");
+    g.hint("T -> five * (D - eta) { five <> 0 }");
+    g.hint("$d - D -> ($d - $d.a / $ph) + ($d.a - T) / $ph + (D * (lambda - eta) - eta) / (1 + eta - lambda)" +
+           nonzero);
+    write_fifth_root_pair(g, "fifth_root_of_pair", 0x1p-58);
 }
 
 /* cor_inline_beta_force_far: the sum that is rounded last is within 2^-55 of R^3 (1 + e (r_1 + e r_2)). R = r + rest is
@@ -1162,67 +1176,49 @@ static void write_beta_force_far(void)
 {
     start();
     const Real eps = variable("x", 0x1p-30);
-    const int value = first_of(cor_inline_beta_force_far(eps).node()); /* times 1 */
-    const int cube_hi = first_of(value), square = first_of(cube_hi), r = second_of(cube_hi);
+    const int value = at(cor_inline_beta_force_far(eps).node(), "a"); /* times 1 */
+    const int cube_hi = at(value, "a"), added = at(value, "b"), lo = at(added, "a");
     const struct cor_inline_pair root =
         cor_inline_fifth_root_of_pair(cor_inline_over_eps(cor_rows_far_beta_zero_force(0), eps, 0));
-    const int root_lo = root.lo.node();
-    int log_node = -1, e = -1;
-    for (std::size_t k = 0; k < nodes().size(); k++)
-        if (nodes()[k].what == LOG) {
-            log_node = (int)k;
-            e = nodes()[k].a;
-        }
-    int v = -1;
-    for (std::size_t k = 0; k < nodes().size(); k++)
-        if (nodes()[k].what == MULTIPLY && (nodes()[k].a == log_node || nodes()[k].b == log_node))
-            v = (int)k;
-    if (root.hi.node() != r || v < 0)
-        die("cor_inline_beta_force_far has changed");
+    const int log = last_where([](const node &n) { return n.what == LOG; });
+    const int v = last_where([&](const node &n) { return n.what == MULTIPLY && (n.a == log || n.b == log); });
+    expect(root.hi.node() == at(cube_hi, "b") && v >= 0, "cor_inline_beta_force_far");
     gappa g;
-    const std::string nr = g.rounded(r);
-    g.text << nr << " = head(R);\n" << g.exact(r) << " = " << nr << ";\n";
-    for (const int id : {root_lo, e, v}) {
-        g.text << g.rounded(id) << " = rnd(V" << id << ");\n" << g.exact(id) << " = E" << id << ";\n";
-        g.done[id] = true;
-    }
-    g.done[r] = true;
+    give_head(g, root.hi.node(), "R", "[1, 2]");
+    for (const int id : {root.lo.node(), at(log, "a"), v})
+        g.give(id, "= rnd(V" + std::to_string(id) + ")", "E" + std::to_string(id));
     g.define(cube_hi);
-    const int added = second_of(value), lo = first_of(added), cube_lo = first_of(lo);
     g.define(value);
-    const std::string product = product_error(g, cube_hi, cube_lo);
-    const std::string rl = g.rounded(root_lo), el = g.exact(root_lo), nl = g.rounded(lo);
-    const int orders = second_of(second_of(added));
-    g.hypotheses = {nr + " in [1, 2]",
-                    rl + " in [-1b-12, 1b-12]",
-                    rl + " - " + el + " in [-1b-57, 1b-57]",
-                    g.exact(e) + " in [0, 9.2e-8]",
-                    g.rounded(e) + " - " + g.exact(e) + " in [-1b-75, 1b-75]",
-                    g.exact(v) + " in [9, 210]",
-                    g.rounded(v) + " - " + g.exact(v) + " in [-1b-43, 1b-43]"};
-    g.text << "cubic = " << el << " * (3 * " << nr << " * " << nr << " + " << el << " * (3 * " << nr << " + " << el
-           << "));\n"
-           << "exact = (" << nr << " + " << el << ") * (" << nr << " + " << el << ") * (" << nr << " + " << el
-           << ") * (1 + " << g.exact(orders) << ");\n"
-           << "tail = " << nl << " - " << g.rounded(cube_lo) << ";\n"
-           << "whole = " << nr << " * " << nr << " * " << nr << " + cubic;\n"
-           << "S = " << g.rounded(cube_hi) << " + " << g.rounded(added) << ";\n"
-           << "part = " << g.rounded(second_of(added)) << ";\n";
-    g.hints.push_back("S - exact -> (" + g.rounded(added) + " - (" + nl + " + part)) + " + product + " + (" +
-                      g.rounded(square) + " - " + nr + " * " + nr + ") * " + nr +
-                      " + (tail - cubic) + (part - whole * " + g.exact(orders) + ");");
-    const std::string nc = g.rounded(first_of(second_of(added))), no = g.rounded(orders);
-    g.hints.push_back("part - whole * " + g.exact(orders) + " -> (part - " + nc + " * " + no + ") + (" + nc +
-                      " - whole) * " + no + " + whole * (" + no + " - " + g.exact(orders) + ");");
-    g.hints.push_back(nc + " - whole -> (" + nc + " - (" + g.rounded(cube_hi) + " + " + nl + ")) + " + product +
-                      " + (" + g.rounded(square) + " - " + nr + " * " + nr + ") * " + nr + " + (tail - cubic);");
-    g.hints.push_back("tail - cubic -> (" + nl + " - (" + g.rounded(cube_lo) + " + " + g.rounded(second_of(lo)) +
-                      ")) + (" + g.rounded(second_of(lo)) + " - cubic);");
-    g.hints.push_back("|(S - exact) / exact| $ " + nr + " in 8;");
+    g.call({{"rl", root.lo},
+            {"e", at(log, "a")},
+            {"v", v},
+            {"cube", cube_hi},
+            {"square", at(cube_hi, "a")},
+            {"added", added},
+            {"lo", lo},
+            {"orders", at(added, "bb")}});
+    const std::string product = product_error(g, cube_hi, at(lo, "a"));
+    for (const char *known : {"$rl in [-1b-12, 1b-12]", "$rl - @rl in [-1b-57, 1b-57]", "@e in [0, 9.2e-8]",
+                              "$e - @e in [-1b-75, 1b-75]", "@v in [9, 210]", "$v - @v in [-1b-43, 1b-43]"})
+        g.assume(known);
+    g.say("cubic = @rl * (3 * $r * $r + @rl * (3 * $r + @rl));");
+    g.say("exact = ($r + @rl) * ($r + @rl) * ($r + @rl) * (1 + @orders);");
+    g.say("tail = $lo - $lo.a;");
+    g.say("whole = $r * $r * $r + cubic;");
+    g.say("S = $cube + $added;");
+    g.say("part = $added.b;");
+    g.hint("S - exact -> ($added - ($lo + part)) + " + product + " + ($square - $r * $r) * $r + (tail - cubic) + " +
+           "(part - whole * @orders)");
+    g.hint("part - whole * @orders -> (part - $added.ba * $orders) + ($added.ba - whole) * $orders + " +
+           std::string("whole * ($orders - @orders)"));
+    g.hint("$added.ba - whole -> ($added.ba - ($cube + $lo)) + " + product +
+           " + ($square - $r * $r) * $r + (tail - cubic)");
+    g.hint("tail - cubic -> ($lo - ($lo.a + $lo.b)) + ($lo.b - cubic)");
+    g.hint("|(S - exact) / exact| $ $r in 8");
     g.write("beta_force_far", {}, "|(S - exact) / exact| in [0, 1b-55]");
     /* the hypothesis about v: an ulp of log(e) is at most 2^-44 */
     gappa h;
-    h.text << "E = rnd(l);\nV rnd= " << hex(-0.6) << " * E;\nexact = -0.6 * LN;\n";
+    h.say("E = rnd(l);\nV rnd= " + hex(-0.6) + " * E;\nexact = -0.6 * LN;");
     h.hypotheses = {"LN in [-350, -16]", "|E - LN| <= " + hex(COR_PROOF_LOG_ULP * 0x1p-44 + 0x1p-51)};
     h.write("beta_force_log", {}, "|V - exact| in [0, 1b-43]");
 }
@@ -1233,16 +1229,15 @@ static void write_linear_tail(void)
     start();
     const Real b = variable("b", 1.3);
     const struct cor_inline_pair factor = pair_variable("F", 1.7);
-    const int value = cor_inline_linear_tail(b, factor).node(), hi = first_of(value), rest = second_of(value);
+    const int value = cor_inline_linear_tail(b, factor).node();
     gappa g;
+    g.call({{"b", b}, {"s", value}});
     g.variable_in(b.node(), {1, 2});
-    pair_in(g, factor);
+    pair_in(g, factor, "fh", "fl");
     g.define(value);
-    const std::string product = product_error(g, hi, first_of(rest));
-    const std::string nb = g.rounded(b.node()), fl = g.rounded(factor.lo.node()), nr = g.rounded(rest);
-    g.text << "off = (" << g.rounded(hi) << " + " << nr << ") - " << nb << " * " << sum_text(g, factor) << ";\n";
-    g.hints.push_back("off -> " + product + " + (" + nr + " - (" + g.rounded(first_of(rest)) + " + " + nb + " * " + fl +
-                      "));");
+    const std::string product = product_error(g, at(value, "a"), at(value, "ba"));
+    g.say("off = ($s.a + $s.b) - $b * ($fh + $fl);");
+    g.hint("off -> " + product + " + ($s.b - ($s.ba + $b * $fl))");
     g.write("linear_tail", {}, "|off| in [0, 1b-70]");
 }
 
@@ -1255,16 +1250,17 @@ static void write_far_root(void)
     const row &h = tables["h_star_5"][0];
     for (int side = 0; side < 2; side++) {
         gappa g;
+        g.call({{"x", x}, {"value", value}});
         g.variable_in(x.node(), {1, 2});
         g.define(value);
-        g.text << "S = " << g.rounded(first_of(value)) << " / " << g.rounded(x.node()) << ";\n"
-               << "exact = (" << h.value[0] << " + " << h.value[1] << ") / " << g.rounded(x.node()) << ";\n";
-        g.hints.push_back("S - exact -> -(" + h.value[1] + ") / " + g.rounded(x.node()) + ";");
+        g.say("S = $value.a / $x;");
+        g.say("exact = (" + h.value[0] + " + " + h.value[1] + ") / $x;");
+        g.hint("S - exact -> -(" + h.value[1] + ") / $x");
         const int k = side + 1; /* the exact value lies in [2^k, 2^(k + 1)] */
-        for (const char *at : {"S <= 4", "S >= 4"})
-            g.write("far_root_" + std::to_string(k) + (at[2] == '<' ? "_below" : "_above"),
-                    {"exact in [" + power_of_two(k) + ", " + power_of_two(k + 1) + "]", at},
-                    "|" + g.rounded(value) + " - exact| in [0, " + hex(std::ldexp(0.9, k - 52)) + "]");
+        for (const char *where : {"S <= 4", "S >= 4"})
+            g.write("far_root_" + std::to_string(k) + (where[2] == '<' ? "_below" : "_above"),
+                    {"exact in [" + power_of_two(k) + ", " + power_of_two(k + 1) + "]", where},
+                    "|$value - exact|" + at_most(std::ldexp(0.9, k - 52)));
     }
 }
 
@@ -1281,9 +1277,9 @@ static void write_last_steps(void)
     write_rounding("last_fifth_root", 0.41 + pairs, 0.92);
     /* 1 - eps for eps <= 2^-8 */
     gappa g;
-    g.text << "eps = rnd(e);\nV = rnd(1 - eps);\n";
+    g.say("eps = rnd(e);\nV = rnd(1 - eps);");
     g.hypotheses = {"eps in [0, 1b-8]", "eps - E in [-1b-60, 1b-60]"};
-    g.write("last_loss", {}, "|V - (1 - E)| in [0, " + hex(std::ldexp(0.51, -53)) + "]");
+    g.write("last_loss", {}, "|V - (1 - E)|" + at_most(std::ldexp(0.51, -53)));
     /* A normal number within 0.8 ulp of E, scaled to a subnormal number: 0.91 units of 2^-1074 */
     gappa s;
     s.text << "@subnormal = fixed<-1074, ne>;\nV = subnormal(S);\n";

@@ -158,23 +158,17 @@ static void write_contact_beta(void)
     const Real factor = variable("factor", 1.3);
     const struct cor_inline_pair root = {variable("root", 1.25), variable("root_lo", 1e-5)};
     const int value = cor_contact_beta_of_root(factor, root).node();
-    const int r = root.hi.node(), lo = root.lo.node(), f = factor.node();
     gappa g;
-    g.variable_in(f, {1, 2});
-    g.text << g.rounded(r) << " = head(R);\n" << g.exact(r) << " = " << g.rounded(r) << ";\n";
-    g.hypotheses.push_back(g.rounded(r) + " in [1, 2]");
-    g.done[r] = true;
-    g.variable_in(lo, {-0x1p-12, 0x1p-12});
+    g.call({{"f", factor}, {"lo", root.lo}, {"value", value}});
+    g.variable_in(factor.node(), {1, 2});
+    give_head(g, root.hi.node(), "R", "[1, 2]");
+    g.variable_in(root.lo.node(), {-0x1p-12, 0x1p-12});
     g.define(value);
-    const int product = first_of(value), rest = second_of(value), tail = second_of(first_of(rest));
-    const std::string nf = g.rounded(f), nr = g.rounded(r), nl = g.rounded(lo), nt = g.rounded(tail),
-                      nh = g.rounded(second_of(product)), ns = g.rounded(rest);
-    g.text << "exact = " << nf << " * (" << nr << " + " << nl << ");\n"
-           << "S = " << g.rounded(product) << " + " << ns << ";\n"
-           << "terms = " << nr << " * " << nt << " + " << nl << " * " << nf << ";\n";
-    g.hints.push_back("S - exact -> (" + g.rounded(product) + " - " + nr + " * " + nh + ") + (" + ns + " - terms) + " +
-                      nr + " * (" + nt + " - (" + nf + " - " + nh + "));");
-    g.write("contact_beta", {}, "|" + g.rounded(value) + " -/ exact| <= " + hex(std::ldexp(1.001, -53)));
+    g.say("exact = $f * ($r + $lo);");
+    g.say("S = $value.a + $value.b;");
+    g.say("terms = $r * $value.bab + $lo * $f;");
+    g.hint("S - exact -> ($value.a - $r * $value.ab) + ($value.b - terms) + $r * ($value.bab - ($f - $value.ab))");
+    g.write("contact_beta", {}, "|$value -/ exact| <= " + hex(std::ldexp(1.001, -53)));
 }
 
 static void check_speed(void)
