@@ -301,15 +301,14 @@ void results_clear(struct results *r)
     r->count = r->capacity = 0;
 }
 
-static void put_contact(struct results *r, const struct cor_sphere_contact *c)
+/* The first n numbers of a struct that begins with doubles */
+static void put_numbers(struct results *r, const void *numbers, size_t n)
 {
-    results_put(r, c->effective_mass_kg);
-    results_put(r, c->effective_radius_m);
-    results_put(r, c->elastic_constant_n_m15);
-    results_put(r, c->dissipation_time_s);
-    results_put(r, c->beta_per_root);
-    results_put(r, c->scale);
-    results_put(r, c->beta5_per_speed);
+    double x;
+    for (size_t i = 0; i < n; i++) {
+        memcpy(&x, (const char *)numbers + i * sizeof x, sizeof x);
+        results_put(r, x);
+    }
 }
 
 int public_is_part(const struct public_function *function)
@@ -349,7 +348,7 @@ int public_is_part(const struct public_function *function)
         for (size_t i = 0; i < a->n; i++) {                                                                            \
             struct type out;                                                                                           \
             results_put(r, function given);                                                                            \
-            put_contact(r, &out);                                                                                      \
+            put_numbers(r, &out, sizeof out / sizeof(double));                                                         \
         }                                                                                                              \
     }
 #include "public_functions.inc"
@@ -430,20 +429,12 @@ static void call_cor_disk_modes_compute(const struct arguments *a, struct result
     results_put(r, mode[31].s);
 }
 
-static void put_rayleigh(struct results *r, const struct cor_disk_rayleigh *out)
-{
-    results_put(r, out->fraction);
-    results_put(r, out->tail);
-    results_put(r, out->error_estimate);
-    results_put(r, out->contact_time);
-}
-
 static void call_cor_disk_rayleigh(const struct arguments *a, struct results *r)
 {
     struct cor_disk_rayleigh out = {0, 0, 0, 0};
     double fraction[12] = {0};
     results_put(r, cor_disk_rayleigh(&a->modes[0], a->n_modes[0], a->datum[0], a->speed[0], &out, fraction));
-    put_rayleigh(r, &out);
+    put_numbers(r, &out, 4);
     results_put(r, fraction[0]);
 }
 
@@ -457,7 +448,7 @@ static void call_cor_disk_rayleigh_array(const struct arguments *a, struct resul
     results_put(r,
                 cor_disk_rayleigh_array(&a->modes[0], a->n_modes[0], a->datum[0], a->speed, n, out, fraction, status));
     for (size_t i = 0; i < n; i++)
-        put_rayleigh(r, &out[i]);
+        put_numbers(r, &out[i], 4);
 }
 
 static void call_cor_disk_rayleigh_tolerance(const struct arguments *a, struct results *r)
@@ -465,16 +456,13 @@ static void call_cor_disk_rayleigh_tolerance(const struct arguments *a, struct r
     struct cor_disk_rayleigh out = {0, 0, 0, 0};
     size_t modes = 0;
     results_put(r, cor_disk_rayleigh_tolerance(&a->modes[0], a->datum[0], a->speed[0], a->tolerance[0], &out, &modes));
-    put_rayleigh(r, &out);
+    put_numbers(r, &out, 4);
     results_put(r, (double)modes);
 }
 
 static void put_collision(struct results *r, const struct cor_disk_collision *out)
 {
-    results_put(r, out->eps);
-    results_put(r, out->one_minus_eps2);
-    results_put(r, out->contact_time);
-    results_put(r, out->max_compression);
+    put_numbers(r, out, 4);
     results_put(r, (double)out->steps);
 }
 
@@ -523,11 +511,7 @@ static void call_cor_disk_collision_in(const struct arguments *a, struct results
 
 static void put_hard_wall(struct results *r, const struct cor_disk_hard_wall *out)
 {
-    results_put(r, out->one_minus_eps2);
-    results_put(r, out->eps);
-    results_put(r, out->contact_time);
-    results_put(r, out->max_compression);
-    results_put(r, out->error_estimate);
+    put_numbers(r, out, 5);
     results_put(r, (double)out->omega_levels);
 }
 

@@ -297,20 +297,6 @@ TEST(joins)
     free((void *)modes.mode);
 }
 
-/* Without a table: what a table of as many modes gives */
-TEST(without_a_table)
-{
-    const struct cor_disk_hard_wall_options options = {1e-5, 0};
-    const struct cor_disk_modes modes = modes_of(0.25, 9);
-    struct cor_disk_hard_wall out;
-    const struct cor_disk_hard_wall by_table = wall_collide(&modes, 0.02, 1e-5, COR_OK);
-    assert_int_equal(cor_disk_hard_wall_nu(0.25, &options, 0.02, &out), COR_OK);
-    check(fabs(out.one_minus_eps2 - by_table.one_minus_eps2) < 1e-10 && out.omega_levels == by_table.omega_levels,
-          "%.12f and %.12f, %zu and %zu levels", out.one_minus_eps2, by_table.one_minus_eps2, out.omega_levels,
-          by_table.omega_levels);
-    free((void *)modes.mode);
-}
-
 /* ---- details ---- */
 
 struct watched {
@@ -514,4 +500,4 @@ TEST(parts_of_the_estimate)
 }
 
 RUN_TESTS(known_answers, proved_modes, errors, budgets, whole_budget, levels_that_agree_by_chance, slower_and_slower,
-          joins, without_a_table, details, refusals, parts_of_the_estimate)
+          joins, details, refusals, parts_of_the_estimate)

@@ -685,12 +685,6 @@ TEST(oblique_impacts)
     const double wrong[][2] = {{-1e-9, 1}, {NAN, 1}, {1, NAN}, {1, 0}, {1, -1}, {1, 101}, {1.1e6, 1}, {1, INFINITY}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         assert_true(isnan(cor_tangential_no_slip(wrong[i][0], wrong[i][1])));
-    double y[2];
-    float yf[2];
-    cor_tangential_no_slip_array((const double[]){4.3, 5}, 1.5, y, 2);
-    cor_tangential_no_slip_arrayf((const float[]){4.3F, 5}, 1.5F, yf, 2);
-    assert_true(y[0] == cor_tangential_no_slip(4.3, 1.5) && y[1] == cor_tangential_no_slip(5, 1.5));
-    assert_true(yf[0] == cor_tangential_no_slipf(4.3F, 1.5F) && yf[1] == (float)y[1]);
 }
 
 /* u'/u of a displacement that friction limits, |kappa x^(1/2) s| <= kappa x^(3/2)/u for the limit L = 1 of u/v; *first
