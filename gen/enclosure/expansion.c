@@ -214,8 +214,8 @@ void expansion_power(struct expansion *y, const struct expansion *x, slong p, sl
     LOCAL_VECTOR(c, EXPANSION_ORDER + 1);
     arb_one(c);
     for (slong k = 0; k < EXPANSION_ORDER; k++) {
-        arb_mul_si(c + k + 1, c + k, p - k * q, EXPANSION_BITS);
-        arb_div_si(c + k + 1, c + k + 1, (k + 1) * q, EXPANSION_BITS);
+        const arb_srcptr c_k = c + k;
+        LET(c + k + 1, EXPANSION_BITS, "c_k*(p - k*q)/((k + 1)*q)", c_k, p, k, q);
     }
     expansion_series(y, x, c);
 }

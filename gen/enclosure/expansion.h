@@ -10,6 +10,7 @@
 
 #include <stdbool.h>
 
+#include "support/formula.h"
 #include "support/local.h"
 
 enum {

@@ -89,8 +89,7 @@ static void half_power(struct expansion *y, slong p, slong q)
     LOCAL(arb, exponent);
     LOCAL(mag, tail);
     set_line(line);
-    arb_set_si(exponent, p);
-    arb_div_si(exponent, exponent, q, BITS);
+    LET(exponent, BITS, "p/q", p, q);
     expansion_zero(y);
     arb_poly_pow_arb_series(expansion_term(y, 0, 0), line, exponent, EXPANSION_LENGTH, BITS);
     mag_set_ui_2exp_si(tail, 1, 1 - EXPANSION_LENGTH);
@@ -124,8 +123,8 @@ static void speed_map(struct expansion *w, const struct expansion *x, void *cont
     for (slong k = 0; k < EXPANSION_ORDER; k++) {
         const arb_poly_struct *const v = expansion_term_of(inverse, k, 0);
         for (slong n = 0; n < arb_poly_length(v); n++) {
-            arb_mul_si(c, arb_poly_get_coeff_ptr(v, n), -3, BITS);
-            arb_div_si(c, c, 5 * (k + 1) + 3 * n, BITS);
+            const arb_srcptr v_n = arb_poly_get_coeff_ptr(v, n);
+            LET(c, BITS, "-3*v_n/(5*(k + 1) + 3*n)", v_n, k, n);
             arb_poly_set_coeff_arb(expansion_term(w, k + 1, 0), n, c);
         }
     }
@@ -139,10 +138,7 @@ static void speed_map(struct expansion *w, const struct expansion *x, void *cont
 /* eta/mu = X* 2^(-5/3) where zeta = 1/2 */
 static void end_ratio(arb_t ratio, const struct motion *m)
 {
-    arb_set_d(ratio, 0.5);
-    arb_root_ui(ratio, ratio, 3, BITS);
-    arb_pow_ui(ratio, ratio, 5, BITS);
-    arb_mul(ratio, ratio, m->limit, BITS);
+    LET(ratio, BITS, "m->limit*(1/2)^(5/3)", m->limit);
 }
 
 /* The integral of dzeta/(Y w) up to zeta = 1/2, and w there, as series in mu. With Y = (X*)^(1/2) zeta^(1/3) the
@@ -162,9 +158,8 @@ static void start_end(struct motion *m, const struct expansion *w)
         expansion_add_number(&m->first_distance, k, 0, sum);
         arb_zero(sum);
         for (slong n = 0; n < arb_poly_length(v); n++) {
-            arb_mul_si(c, arb_poly_get_coeff_ptr(v, n), 3, BITS);
-            arb_div_si(c, c, 5 * k + 3 * n + 2, BITS);
-            arb_add(sum, sum, c, BITS);
+            const arb_srcptr v_n = arb_poly_get_coeff_ptr(v, n);
+            LET(sum, BITS, "sum + 3*v_n/(5*k + 3*n + 2)", sum, v_n, k, n);
         }
         arb_mul(sum, sum, scale, BITS);
         expansion_add_number(&m->first_time, k, 0, sum);
@@ -174,10 +169,7 @@ static void start_end(struct motion *m, const struct expansion *w)
     expansion_add_rest(&m->first_time, inverse->rest); /* twice, more than the 3/2 of the integral */
     expansion_add_rest(&m->first_time, inverse->rest);
     /* zeta^(2/3)/(X*)^(1/2) */
-    arb_set_d(c, 0.5);
-    arb_root_ui(c, c, 3, BITS);
-    arb_sqr(c, c, BITS);
-    arb_div(c, c, m->root_of_limit, BITS);
+    LET(c, BITS, "(1/2)^(2/3)/m->root_of_limit", m->root_of_limit);
     expansion_scale(&m->first_time, &m->first_time, c);
 }
 
@@ -186,13 +178,10 @@ static void add_manifold(struct motion *m)
 {
     LOCAL(arb, x);
     LOCAL_EXPANSION(&m->fall, inverse_root, S);
-    arb_set_ui(x, 2);
-    arb_root_ui(x, x, 3, BITS);
-    arb_div(x, x, m->root_of_limit, BITS);
+    LET(x, BITS, "2^(1/3)/m->root_of_limit", m->root_of_limit);
     expansion_add_number(inverse_root, 1, 0, x);
     manifold_sum(S, m->manifold.p, 0, inverse_root);
-    arb_sqr(x, x, BITS);
-    arb_inv(x, x, BITS);
+    LET(x, BITS, "1/x^2", x);
     expansion_scale(S, S, x);
     expansion_times_a(S, S, 1);
     expansion_add(&m->first_distance, &m->first_distance, S);
@@ -284,8 +273,7 @@ static void add_integral(struct expansion *y, const arb_t c, slong i, slong j, s
         arb_poly_set_coeff_arb(p, n, sum);
         if (k == j)
             break;
-        arb_mul_si(term, term, j - k, BITS);
-        arb_div_si(term, term, n, BITS);
+        LET(term, BITS, "term*(j - k)/n", term, j, k, n);
     }
     arb_neg(term, term);
     expansion_add_number(y, i + j, 0, term);
@@ -480,12 +468,8 @@ static void add_series(struct far_series *s, const struct expansion *x, slong lo
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
             arb_poly_get_coeff_arb(c, expansion_term_of(x, degree - j, j), 0);
-            for (slong k = 0; k < j; k++) {
-                arb_mul_ui(c, c, 5, BITS);
-                arb_div_ui(c, c, 3, BITS);
-            }
             arb_poly_get_coeff_arb(sum, &s->order[degree], j + logarithms);
-            arb_add(sum, sum, c, BITS);
+            LET(sum, BITS, "sum + c*(5/3)^j", sum, c, j);
             arb_poly_set_coeff_arb(&s->order[degree], j + logarithms, sum);
         }
     if (logarithms)
@@ -510,8 +494,7 @@ static void solve_event(struct far_series *overlap, struct far_series *time, str
     expansion_substitute(x, &m->time, tau, e);
     expansion_sub(x, x, theta);
     add_series(time, x, 0);
-    arb_set_si(c, 5 * power);
-    arb_div_ui(c, c, 3, BITS);
+    LET(c, BITS, "5*power/3", power);
     expansion_scale(per_l, per_l, c);
     add_series(time, per_l, 1);
 }
@@ -523,12 +506,10 @@ enum { SERIES = 4 };
 /* mu at FAR_MOTION_LEAST_U bounds mu, and 5/2 times mu ln(1/mu) there should bound tau. */
 static void set_domains(struct motion *m)
 {
+    const double least = FAR_MOTION_LEAST_U;
     LOCAL(arb, u, mu, x);
-    arb_set_d(u, FAR_MOTION_LEAST_U);
-    arb_mul_ui(u, u, 5, BITS);
-    arb_div_ui(u, u, 3, BITS);
-    arb_neg(mu, u);
-    arb_exp(mu, mu, BITS);
+    LET(u, BITS, "5*least/3", least);
+    LET(mu, BITS, "exp(-u)", u);
     arb_get_mag(m->fall.a, mu);
     arb_get_mag(m->event.a, mu);
     end_ratio(x, m);
@@ -536,8 +517,7 @@ static void set_domains(struct motion *m)
     arb_get_mag(m->start.a, x);
     arb_mul(x, u, mu, BITS);
     arb_get_mag(m->event.b, x);
-    arb_mul_ui(x, x, 5, BITS);
-    arb_mul_2exp_si(x, x, -1);
+    LET(x, BITS, "5*x/2", x);
     arb_get_mag(m->fall.b, x);
 }
 
@@ -547,8 +527,7 @@ static void motion_init(struct motion *m)
     manifold_init(&m->manifold);
     FOR_ALL(mag, init, m->defect, m->start.a, m->start.b, m->fall.a, m->fall.b, m->event.a, m->event.b);
     FOR_ALL(arb, init, m->limit, m->root_of_limit);
-    arb_set_d(m->root_of_limit, 1.5);
-    arb_root_ui(m->root_of_limit, m->root_of_limit, 3, BITS);
+    LET(m->root_of_limit, BITS, "(3/2)^(1/3)");
     arb_sqr(m->limit, m->root_of_limit, BITS);
     set_domains(m);
     EXPANSIONS_INIT(&m->fall, &m->first_distance, &m->first_time, &m->zeta, &m->overlap, &m->manifold_speed,
@@ -594,14 +573,11 @@ void far_series_value(arb_t y, const struct far_series *s, const arb_t u, slong 
 {
     LOCAL(arb, mu, x);
     LOCAL(mag, bound);
-    arb_mul_si(mu, u, -5, prec);
-    arb_div_ui(mu, mu, 3, prec);
-    arb_exp(mu, mu, prec);
+    LET(mu, prec, "exp(-5*u/3)", u);
     arb_zero(y);
     for (slong k = EXPANSION_ORDER; k >= 0; k--) {
-        arb_mul(y, y, mu, prec);
         arb_poly_evaluate(x, &s->order[k], u, prec);
-        arb_add(y, y, x, prec);
+        LET(y, prec, "y*mu + x", y, mu, x);
     }
     arb_get_mag(bound, u);
     mag_mul(bound, bound, s->rest_per_u);
