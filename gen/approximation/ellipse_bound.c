@@ -206,7 +206,7 @@ static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, co
         return pressing;
     const struct law *const law = &work->f->layout->law;
     const struct ratio power = interpolant_press_power(law), q = law_speed_exponent(law);
-    const double strip = STRIP * fabs((double)q.num / (double)q.den), p = (double)power.num / (double)power.den;
+    const double strip = STRIP * fabs(ratio_double(q)), p = ratio_double(power);
     const double middle = (floor(log_beta->re / strip) + 0.5) * strip;
     const double log_press = log(arf_get_d(arb_midref(press), ARF_RND_NEAR));
     const struct complex_ball log_force =
@@ -294,7 +294,7 @@ int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *inter
 static double resolution_at(const struct interpolant *f, const struct interval *interval)
 {
     const struct interpolant_layout *const layout = f->layout;
-    const double q = fabs((double)law_speed_exponent(&layout->law).num / (double)law_speed_exponent(&layout->law).den);
+    const double q = fabs(ratio_double(law_speed_exponent(&layout->law)));
     const double distance = fmin(fabs(interval->lo - layout->press_log), fabs(interval->hi - layout->press_log)) / q;
     return fmin(1, NEAR_STICKING * distance);
 }

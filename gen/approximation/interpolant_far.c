@@ -57,7 +57,7 @@ static struct ratio far_excess(const struct law *law, bool fall)
 static double far_place(const struct law *law, slong k)
 {
     const struct ratio power = law_mu_power(law);
-    const double sphere = 5.0 / 3, own = (double)power.num / (double)power.den;
+    const double sphere = 5.0 / 3, own = ratio_double(power);
     return (9.5 + 0.5 * (double)k) * (own == sphere ? 1 : sphere / own);
 }
 

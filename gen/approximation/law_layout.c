@@ -47,11 +47,6 @@ enum {
 #define LEAST_BITS_OF_TIMES 56.0
 #define MOST_REST 0.1
 
-static double ratio_double(struct ratio x)
-{
-    return (double)x.num / (double)x.den;
-}
-
 /* u at which mu equals that of spheres at u = 10 */
 static double last_log(const struct law *law)
 {

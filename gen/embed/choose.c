@@ -61,17 +61,19 @@ static double form_balanced_cost(const struct embed_form *f)
     return f->cost[USE_SCALAR] + 4 * f->cost[USE_ARRAY];
 }
 
-/* Keeps the cheaper of both in *best and clears the other. */
-static void form_keep_cheaper(struct embed_form *best, struct embed_form *f)
+/* Keeps the cheaper of both in *best, if f is good at all, and clears the other. Returns `good`. */
+static bool form_keep_cheaper(struct embed_form *best, struct embed_form *f, bool good)
 {
-    embed_form_price(f);
-    f->found = true;
-    if (best->found && form_balanced_cost(best) <= form_balanced_cost(f)) {
+    f->found = good;
+    if (good)
+        embed_form_price(f);
+    if (!good || (best->found && form_balanced_cost(best) <= form_balanced_cost(f))) {
         embed_form_clear(f);
     } else {
         embed_form_clear(best);
         *best = *f;
     }
+    return good;
 }
 
 static bool try_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable, slong m,
@@ -80,12 +82,7 @@ static bool try_rational(struct embed_form *best, const struct embed_scene *s, e
     struct embed_form f = form_blank(s, best->family, variable);
     f.numerator = m;
     f.denominator = n;
-    const bool good = embed_fit_rational(&f, s) && form_meets(&f, s);
-    if (good)
-        form_keep_cheaper(best, &f);
-    else
-        embed_form_clear(&f);
-    return good;
+    return form_keep_cheaper(best, &f, embed_fit_rational(&f, s) && form_meets(&f, s));
 }
 
 /* Searches the degrees nearest to the diagonal. */
@@ -115,12 +112,7 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     struct embed_form f = form_blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED);
     f.numerator = m;
     f.denominator = n;
-    const bool good = embed_fit_quotient(&f, s, p, q, root) && form_meets(&f, s);
-    if (good)
-        form_keep_cheaper(best, &f);
-    else
-        embed_form_clear(&f);
-    return good;
+    return form_keep_cheaper(best, &f, embed_fit_quotient(&f, s, p, q, root) && form_meets(&f, s));
 }
 
 /* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). And how near to it, chosen,
@@ -175,10 +167,7 @@ static void search_pieces_beta(struct embed_form *best, const struct embed_scene
             struct embed_form f = form_blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED);
             f.numerator = degree;
             f.rows = rows;
-            if (embed_fit_pieces_beta(&f, s) && form_meets(&f, s))
-                form_keep_cheaper(best, &f);
-            else
-                embed_form_clear(&f);
+            form_keep_cheaper(best, &f, embed_fit_pieces_beta(&f, s) && form_meets(&f, s));
         }
 }
 
@@ -190,10 +179,7 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
             for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
                 struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED);
                 f.numerator = degree;
-                if (embed_fit_pieces_speed(&f, s, bits, least, most) && form_meets(&f, s))
-                    form_keep_cheaper(best, &f);
-                else
-                    embed_form_clear(&f);
+                form_keep_cheaper(best, &f, embed_fit_pieces_speed(&f, s, bits, least, most) && form_meets(&f, s));
             }
     if (!best->found)
         snprintf(best->why, sizeof best->why, "no table of %d bytes or less meets the tolerance",
@@ -238,11 +224,17 @@ struct search {
 
 static void search_family(void *context, slong family)
 {
-    const struct search *const search = context;
-    const struct embed_scene *const s = search->scene;
-    const struct embed_series *const series = search->series;
-    struct embed_form *const form = &search->form[family];
-    const bool tenth = s->end == END_ZERO_FORCE; /* sqrt(beta), in which eps is analytic at 0 */
+    const struct search *const work = context;
+    const struct embed_scene *const s = work->scene;
+    const struct embed_series *const series = work->series;
+    struct embed_form *const form = &work->form[family];
+    static const enum embed_variable variable[FAMILIES] = {[FAMILY_POLYNOMIAL_BETA] = FIFTH_ROOT_OF_SPEED,
+                                                           [FAMILY_RATIONAL_BETA] = FIFTH_ROOT_OF_SPEED,
+                                                           [FAMILY_RATIONAL_SPEED] = SPEED,
+                                                           [FAMILY_RATIONAL_SQRT] = SQRT_OF_SPEED,
+                                                           [FAMILY_RATIONAL_FOURTH] = FOURTH_ROOT_OF_SPEED};
+    void (*const search)(struct embed_form *, const struct embed_scene *, enum embed_variable) =
+        family == FAMILY_POLYNOMIAL_BETA ? search_polynomial : search_rational;
     *form = form_blank(s, (enum embed_family)family, SPEED);
     if (s->constant) {
         snprintf(form->why, sizeof form->why, "eps is the same at every speed");
@@ -267,33 +259,16 @@ static void search_family(void *context, slong family)
     case FAMILY_TWO_POINT:
         search_two_point(form, s, series->eps);
         break;
-    case FAMILY_POLYNOMIAL_BETA:
-        search_polynomial(form, s, FIFTH_ROOT_OF_SPEED);
-        if (tenth)
-            search_polynomial(form, s, TENTH_ROOT_OF_SPEED);
-        break;
-    case FAMILY_RATIONAL_BETA:
-        search_rational(form, s, FIFTH_ROOT_OF_SPEED);
-        if (tenth)
-            search_rational(form, s, TENTH_ROOT_OF_SPEED);
-        break;
     case FAMILY_PIECES_BETA:
         search_pieces_beta(form, s);
         break;
     case FAMILY_PIECES_SPEED:
         search_pieces_speed(form, s);
         break;
-    case FAMILY_RATIONAL_SPEED:
-        search_rational(form, s, SPEED);
-        break;
-    case FAMILY_RATIONAL_SQRT:
-        search_rational(form, s, SQRT_OF_SPEED);
-        break;
-    case FAMILY_RATIONAL_FOURTH:
-        search_rational(form, s, FOURTH_ROOT_OF_SPEED);
-        break;
-    case FAMILIES:
-        break;
+    default:
+        search(form, s, variable[family]);
+        if (s->end == END_ZERO_FORCE && variable[family] == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
+            search(form, s, TENTH_ROOT_OF_SPEED);
     }
 }
 

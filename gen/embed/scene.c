@@ -321,7 +321,7 @@ static int scene_collide_once(struct embed_scene *s, const struct embed_request 
 static int scene_prepare(struct embed_scene *s, const struct embed_request *request)
 {
     const double per_root = arf_get_d(arb_midref(s->beta_per_root), ARF_RND_NEAR);
-    const double q = (double)law_speed_exponent(&s->law).num / (double)law_speed_exponent(&s->law).den;
+    const double q = ratio_double(law_speed_exponent(&s->law));
     const double lost = arf_get_d(arb_midref(s->liquid_speed), ARF_RND_NEAR) - s->origin;
     const double slow = per_root * pow(s->speed_min - lost, q), fast = per_root * pow(s->speed_max - lost, q);
     s->beta_min = fmin(slow, fast);

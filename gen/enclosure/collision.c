@@ -51,7 +51,7 @@ static struct route route_of(const arb_t beta, const struct law *law, enum ends 
 {
     const double ln_beta = fmax(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0x1p-1000);
     const struct ratio power = law_mu_power(law);
-    const double ln_mu = -log(ln_beta) * (double)power.num / (double)power.den, nat = 1 / log(2);
+    const double ln_mu = -log(ln_beta) * ratio_double(power), nat = 1 / log(2);
     const double loading = 2 * nat * fmax(-ln_mu, 0);
     struct route r = {.goal = MOTION_ZERO_OVERLAP, .manifold_bits = bits + MANIFOLD_BITS};
     double lost = loading, lost_directly = loading;

@@ -33,11 +33,6 @@ static struct complex_ball exponential(struct complex_ball x, double power)
     return ball_exp(ball_widened(ball_times(x, power), 0x1p-48 * ball_size(x)));
 }
 
-static double number(struct ratio x)
-{
-    return (double)x.num / (double)x.den;
-}
-
 /* ---- the equation along a path, c1, c2 and c3 as the path's user sets them ---- */
 
 /* dv/ds, c1 = beta, c3 = f */
@@ -125,7 +120,7 @@ static struct slopes creep(const struct path *p, struct complex_ball log_F, stru
 
 struct complex_law_path complex_law_path(const struct law *law, double largest_beta, bool strong)
 {
-    const double end = pow(APPROACH_LOSS / largest_beta, 1 / (number(law->b) + 1));
+    const double end = pow(APPROACH_LOSS / largest_beta, 1 / (ratio_double(law->b) + 1));
     return (struct complex_law_path){fmin(APPROACH_MOST, end), strong, 1};
 }
 
@@ -139,10 +134,10 @@ static bool turning_point(struct path *p, struct path_state *y, const struct law
                        .c3 = pressing->force,
                        .pressed = ball_size(pressing->force) > 0,
                        .resolution = path->resolution,
-                       .a = number(law->a),
-                       .b = number(law->b),
-                       .difference = number(ratio_sub(law->a, law->b)),
-                       .n = number(law_fall_power(law))};
+                       .a = ratio_double(law->a),
+                       .b = ratio_double(law->b),
+                       .difference = ratio_double(ratio_sub(law->a, law->b)),
+                       .n = ratio_double(law_fall_power(law))};
     *y = (struct path_state){p->pressed ? ball_exp(pressing->log_speed) : one, zero};
     if (!ball_is_finite(beta) || !path_follow(p, approach, zero, ball_of(s, 0), y))
         return false;
@@ -202,7 +197,7 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law,
     } else {
         done = done && path_follow(&p, turning, zero, one, &y);
         const struct ratio power = ratio_sub((struct ratio){1, 1}, ratio_sub(law->a, law->b)); /* k = beta x^power */
-        const struct complex_ball q = ball_add(log_beta, ball_times(y.value, number(power)));
+        const struct complex_ball q = ball_add(log_beta, ball_times(y.value, ratio_double(power)));
         p.c1 = ball_sqr(beta);
         p.c3 = ball_mul(pressing->force, p.c1);
         done = done && path_follow(&p, force_by_log, q, zero, &y);

@@ -18,7 +18,7 @@ static slong formal_degree(const struct law *law, slong bits)
 {
     const struct ratio n = law_fall_power(law), slope = ratio_div(ratio_sub(law->a, law->b), n);
     const double by_bits = (double)(bits + GUARD_BITS) * log(2) / (1 + log(2));
-    const double by_slope = (double)CLOSING * fabs((double)slope.num / (double)slope.den);
+    const double by_slope = (double)CLOSING * fabs(ratio_double(slope));
     return (slong)fmax(by_bits, by_slope) + CLOSING;
 }
 

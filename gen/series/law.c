@@ -158,7 +158,7 @@ bool law_force_has_one_peak(const struct law *law)
 double law_forgetting(const struct law *law)
 {
     const struct ratio n = law_fall_power(law);
-    const double power = (double)n.num / (double)n.den, b1 = (double)(law->bd + law->d) / (double)law->d;
+    const double power = ratio_double(n), b1 = (double)(law->bd + law->d) / (double)law->d;
     return pow(b1, power / b1) / power;
 }
 
@@ -172,6 +172,11 @@ double law_elastic_radius(const struct law *law)
 {
     const double half_turn = acos(-1.0), c = cos(half_turn * (double)law->d / (double)(law->ad + law->d));
     return c > 0.5 ? 1.0 / c : 2.0;
+}
+
+double ratio_double(struct ratio x)
+{
+    return (double)x.num / (double)x.den;
 }
 
 void arb_set_ratio(arb_t y, struct ratio x, slong prec)

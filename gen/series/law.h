@@ -81,6 +81,7 @@ struct law_text {
 };
 struct law_text law_equation(const struct law *law);
 
+double ratio_double(struct ratio x);
 void arb_set_ratio(arb_t y, struct ratio x, slong prec);
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */
 void arb_set_upper(arb_t y, const mag_t m);                             /* the number m itself */
