@@ -70,18 +70,16 @@ static int run_disk_modes(const void *arguments)
     struct disk_modes modes;
     disk_modes_init(&modes);
     status = disk_modes_solve(&modes, o->poisson.value, o->count, o->digits);
-    if (status != STATUS_OK) {
-        output_discard(&out);
-        return status;
-    }
     profile_step("printing");
-    struct table table;
-    fill_table(&table, &modes, o->digits);
+    if (status == STATUS_OK) {
+        struct table table;
+        fill_table(&table, &modes, o->digits);
+        table.json_strings = o->common.json_strings;
+        table_print(&table, (enum output_format)o->common.format, out.file);
+        table_clear(&table);
+    }
     disk_modes_clear(&modes);
-    table.json_strings = o->common.json_strings;
-    table_print(&table, (enum output_format)o->common.format, out.file);
-    table_clear(&table);
-    return output_commit(&out);
+    return output_finish(&out, status);
 }
 
 static const char help[] =

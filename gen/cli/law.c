@@ -23,10 +23,7 @@ static int run_law(const void *arguments)
     profile_step("tables");
     const int status = law_header_write(out.file, &law, o->name);
     profile_step(NULL);
-    if (status == STATUS_OK)
-        return output_commit(&out);
-    output_discard(&out);
-    return status;
+    return output_finish(&out, status);
 }
 
 static const char help[] =

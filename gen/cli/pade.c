@@ -152,10 +152,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
         emit_include(&e, "<math.h>");
         status = pade_emit(&e, &header, f, a);
         emit_close(&e);
-        if (status == STATUS_OK)
-            status = output_commit(&out);
-        else
-            output_discard(&out);
+        status = output_finish(&out, status);
     }
     if (assessed)
         references_clear(&references);

@@ -34,8 +34,5 @@ int proved_table_write(const struct proved_table *proved, const struct option_co
     else if (status == STATUS_OK)
         table_print(&table, format, out.file);
     table_clear(&table);
-    if (status == STATUS_OK)
-        return output_commit(&out);
-    output_discard(&out);
-    return status;
+    return output_finish(&out, status);
 }

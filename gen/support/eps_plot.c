@@ -50,13 +50,8 @@ int eps_plot(const char *path, const char *title, const char *label, double leas
         return fail("cannot make a temporary file: %s", strerror(errno));
     write_script(script, title, label, least, curve, curves);
     int status = output_open(&out, path);
-    if (status == STATUS_OK) {
-        status = gnuplot_run(script, out.file, path);
-        if (status == STATUS_OK)
-            status = output_commit(&out);
-        else
-            output_discard(&out);
-    }
+    if (status == STATUS_OK)
+        status = output_finish(&out, gnuplot_run(script, out.file, path));
     fclose(script);
     return status;
 }

@@ -295,6 +295,14 @@ int output_commit(struct output *out)
     return output_commit_all(out, 1);
 }
 
+int output_finish(struct output *out, int status)
+{
+    if (status == STATUS_OK)
+        return output_commit(out);
+    output_discard(out);
+    return status;
+}
+
 char *read_whole(FILE *file, size_t most, size_t *size)
 {
     size_t capacity = 1 << 16;

@@ -226,11 +226,7 @@ static int publish_journal(struct collide *run, const struct sweep_request *requ
     sweep_print_start(&run->printer, &run->sweep, request->format, out.file);
     int status = journal_read(&run->journal, print_line, &run->printer);
     sweep_print_end(&run->printer);
-    if (status == STATUS_OK)
-        status = output_commit(&out);
-    else
-        output_discard(&out);
-    return status;
+    return output_finish(&out, status);
 }
 
 /* The line that identifies a sweep by its command, malloc'ed */
