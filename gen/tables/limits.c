@@ -372,32 +372,22 @@ static int by_size(const void *a, const void *b)
     return (*x > *y) - (*x < *y);
 }
 
-static void summarise_node(struct summary *summary, const struct limits *limits, int node, int32_t x, int depth)
-{
-    const int number = limits->node[node];
-    if (number < 0) {
-        for (int k = 0; k < 4; k++)
-            summarise_node(summary, limits, -number + k, x + k % 2 * (ROOT_SIDE >> (depth + 1)), depth + 1);
-        return;
-    }
-    int32_t *const most = is_calm(x + 1) ? &summary->calm : &summary->fast;
-    const int32_t uncertainty = limits->cell[number].uncertainty;
-    *most = uncertainty > *most ? uncertainty : *most;
-    summary->depth[depth]++;
-    summary->deepest = depth > summary->deepest ? depth : summary->deepest;
-}
-
 static struct summary summary_of(const struct limits *limits)
 {
     struct summary summary = {0};
+    struct cell *const of_cell = places_of_cells();
     int32_t *const uncertainty = xmalloc((size_t)limits->cells * sizeof *uncertainty);
-    for (int i = 0; i < ROOTS; i++)
-        summarise_node(&summary, limits, i, i % X_ROOTS * ROOT_SIDE, 0);
-    for (int i = 0; i < limits->cells; i++)
+    for (int i = 0; i < limits->cells; i++) {
+        int32_t *const most = is_calm(of_cell[i].x + 1) ? &summary.calm : &summary.fast;
         uncertainty[i] = limits->cell[i].uncertainty;
+        *most = uncertainty[i] > *most ? uncertainty[i] : *most;
+        summary.depth[of_cell[i].depth]++;
+        summary.deepest = of_cell[i].depth > summary.deepest ? of_cell[i].depth : summary.deepest;
+    }
     qsort(uncertainty, (size_t)limits->cells, sizeof *uncertainty, by_size);
     summary.median = uncertainty[limits->cells / 2];
     free(uncertainty);
+    free(of_cell);
     return summary;
 }
 
