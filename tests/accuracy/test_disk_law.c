@@ -411,82 +411,6 @@ static int search_limits(unsigned long points)
     return wrong == 0;
 }
 
-/* ---- to leading logarithm ---- */
-
-static const struct leading {
-    const char *name;
-    double (*value)(double);
-    int four_pi;           /* the logarithm is ln(4 pi/x), or ln(4/x) */
-    int pi, argument, log; /* exponents of the factors, that of the logarithm times two */
-    int halved;
-    double end;
-} leading[] = {
-    {"compression_leading_log", cor_disk_compression_leading_log, 1, -1, 1, 2, 0, 0x1.27ddbf6271dbdp+2},
-    {"load_leading_log", cor_disk_load_leading_log, 0, 1, 1, -2, 0, 0x1.fffffffffffffp+1},
-    {"energy_leading_log", cor_disk_energy_leading_log, 0, 1, 2, -2, 1, 0x1.fffffffffffffp+1},
-    {"max_compression_leading_log", cor_disk_max_compression_leading_log, 0, 0, 1, 1, 0, 0x1.fffffffffffffp+1},
-    {"contact_time_leading_log", cor_disk_contact_time_leading_log, 0, 1, 0, 1, 0, 0x1.fffffffffffffp+1},
-};
-
-static int search_leading(unsigned long points)
-{
-    const slong prec = 192;
-    int good = 1;
-    LOCAL(arb, y, log, pi, x);
-    arb_const_pi(pi, prec);
-    for (size_t k = 0; k < sizeof leading / sizeof *leading; k++) {
-        const struct leading *f = &leading[k];
-        struct worst worst = {0};
-        for (unsigned long i = 0; i < points; i++) {
-            double argument;
-            switch (choice(6)) {
-            case 0:
-                argument = moved(f->end, -choice(4));
-                break;
-            case 1:
-                argument = moved((f->four_pi ? 0x1.921fb54442d18p+3 : 4) * exp(-0.5), choice(7) - 3);
-                argument = fmin(argument, f->end);
-                break;
-            case 2:
-                argument = moved(unit_boundary[choice(3)], choice(7) - 3);
-                break;
-            case 3:
-                argument = fmin(f->end, f->end * (1 - exp(random_uniform(&random_state, -37, 0))));
-                break;
-            case 4:
-                argument = f->end * exp(-random_uniform(&random_state, 0, 744));
-                break;
-            default:
-                argument = f->end * exp(-random_uniform(&random_state, 0, 7));
-            }
-            arb_set_d(x, argument);
-            arb_set_ui(log, 4);
-            if (f->four_pi)
-                arb_mul(log, log, pi, prec);
-            arb_div(log, log, x, prec);
-            arb_log(log, log, prec);
-            if (f->log == 1)
-                arb_sqrt(log, log, prec);
-            arb_set_ui(y, 1);
-            for (int n = 0; n < f->argument; n++)
-                arb_mul(y, y, x, prec);
-            if (f->pi > 0)
-                arb_mul(y, y, pi, prec);
-            if (f->pi < 0)
-                arb_div(y, y, pi, prec);
-            if (f->log > 0)
-                arb_mul(y, y, log, prec);
-            else
-                arb_div(y, y, log, prec);
-            if (f->halved)
-                arb_mul_2exp_si(y, y, -1);
-            worst_take(&worst, ball_error(f->value(argument), y), argument, 0, 0);
-        }
-        good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
-    }
-    return good;
-}
-
 /* ---- Lambert's W ---- */
 
 /* t of q of every size, around the branches */
@@ -586,7 +510,6 @@ int main(int argc, char **argv)
     random_state = random_seeded(seed);
     int good = search_laws(points);
     good &= search_limits(points);
-    good &= search_leading(points);
     good &= search_lambert(points);
     good &= search_contact_time(times);
     flint_cleanup();

@@ -308,11 +308,9 @@ TEST(special_values)
             check(value(-0.0, 0.33, datums[d]) == at_zero, "%s(-0)", functions[k].name);
             for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
                 check(isnan(value(bad[i], 0.33, datums[d])), "%s(%g)", functions[k].name, bad[i]);
-            const double arguments[] = {0, 1e-3, smallest};
-            for (int a = 0; a < 3; a++)
+            EACH (arguments, 0, 1e-3, smallest)
                 for (size_t i = 0; i < sizeof bad_nu / sizeof *bad_nu; i++)
-                    check(isnan(value(arguments[a], bad_nu[i], datums[d])), "%s, nu = %g", functions[k].name,
-                          bad_nu[i]);
+                    check(isnan(value(*arguments, bad_nu[i], datums[d])), "%s, nu = %g", functions[k].name, bad_nu[i]);
             for (size_t i = 0; i < sizeof bad_nu / sizeof *bad_nu; i++)
                 check(isnan(functions[k].limit(bad_nu[i], datums[d])), "limit, nu = %g", bad_nu[i]);
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* hertz_dashpot.h without a reference: known values, the asymptote at the threshold, the inverse of the function, no
- * steps between rows, order. Against enclosed collisions: tests/table/test_hertz_dashpot.c. */
+/* hertz_dashpot.h without a reference: known values, the asymptote at the threshold, the inverse of the function, order.
+ * Rows that join: test_row.c. Against enclosed collisions: tests/table/test_hertz_dashpot.c. */
 #include "check.h"
 #include "cor/hertz_dashpot.h"
 
@@ -128,46 +128,6 @@ TEST(test_every_size)
     }
 }
 
-static void no_step(dashpot_function *function, double x, const char *name)
-{
-    const double below = function(nextafter(x, 0)), at = function(x);
-    check(fabs(at - below) <= 5 * DBL_EPSILON * fabs(at), "%s has a step at %.17g: %.17g and %.17g", name, x, below,
-          at);
-}
-
-/* From a double to the next no function changes by more than its rounding, at the borders of rows and tables too. */
-TEST(test_no_steps)
-{
-    static dashpot_function *const lengths[] = {cor_hertz_dashpot_max_overlap, cor_hertz_dashpot_time_of_max_overlap};
-    for (int k = -12 * 64; k < 6 * 64; k++) {
-        const int octave = (k + 64 * 64) / 64 - 64;
-        const double part = (k + 64 * 64) % 64, beta = ldexp(64 + part, octave - 6);
-        for (int end = 0; end < 2; end++) {
-            no_step(lengths[end], beta, "a length");
-            if (end == 1 || beta < 1) {
-                no_step(eps[end], beta, "eps");
-                no_step(loss[end], beta, "loss");
-                no_step(duration[end], beta, "duration");
-            }
-        }
-        if (beta < 0.75)
-            no_step(beta_of_eps[1], beta, "beta at zero force");
-        if (beta < 0.6) { /* from there on the last place of the loss is more than that of beta */
-            no_step(beta_of_loss[0], beta, "beta of loss at zero overlap");
-            no_step(beta_of_loss[1], beta, "beta of loss at zero force");
-        }
-    }
-    /* beta^(5/2) eps, with the logarithm's rounding: the place of a border is known to a few doubles only */
-    for (double u = 2; u < 9; u += 1.0 / 64) {
-        const double below = exp(u) * (1 - 8e-15), above = exp(u) * (1 + 8e-15);
-        const double ratio = eps[1](above) / eps[1](below), power = 2.5 * 16e-15;
-        check(fabs(ratio - 1 + power) < 0.2 * power, "eps has a step at exp(%g): %.17g", u, ratio - 1);
-        for (int end = 0; end < 2; end++)
-            check(fabs(lengths[end](above) / lengths[end](below) - 1) < 2e-14, "a length has a step at exp(%g)", u);
-        check(fabs(duration[1](above) / duration[1](below) - 1) < 2e-14, "duration has a step at exp(%g)", u);
-    }
-}
-
 /* Special values, the ends of the doubles, and eps -> beta -> eps over all sizes of eps and of 1 - eps */
 TEST(test_approach_only)
 {
@@ -225,4 +185,4 @@ TEST(test_approach_only)
 }
 
 RUN_TESTS(test_known_values, test_approach_only, test_threshold, test_monotone, test_round_trip, test_every_size,
-          test_slowest_speed, test_no_steps)
+          test_slowest_speed)

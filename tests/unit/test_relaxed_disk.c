@@ -197,9 +197,8 @@ TEST(bad_input_is_refused)
 
     struct relaxed_disk *disk = finite_disk(64);
     struct relaxed_state before = {.load = 1}, out = before;
-    const double compressions[] = {NAN, 1.001, -1.001, INFINITY, -INFINITY};
-    for (size_t i = 0; i < sizeof compressions / sizeof *compressions; i++) {
-        check(!relaxed_disk_press(disk, compressions[i], &out), "%g", compressions[i]);
+    EACH (compressions, NAN, 1.001, -1.001, INFINITY, -INFINITY) {
+        check(!relaxed_disk_press(disk, *compressions, &out), "%g", *compressions);
         check(same_bits(out.load, before.load), "%g", out.load);
     }
     assert_false(relaxed_disk_press(NULL, 0.1, &out));
