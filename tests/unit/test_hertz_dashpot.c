@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* hertz_dashpot.h without a reference: known values, the asymptote at the threshold, the inverse of the function, order.
- * Rows that join: test_row.c. Against enclosed collisions: tests/table/test_hertz_dashpot.c. */
+/* hertz_dashpot.h without a reference: known values, the asymptote at the threshold, the inverse of the function,
+ * order. Rows that join: test_row.c. Against enclosed collisions: tests/table/test_hertz_dashpot.c. */
 #include "check.h"
 #include "cor/hertz_dashpot.h"
 
