@@ -80,6 +80,12 @@ static long double exact_crossley(long double beta)
     return -z / beta;
 }
 
+/* a = 3/2 */
+static long double exact_overlap(long double beta)
+{
+    return powl(2.5L * energy(beta) / (beta * beta), 0.4L);
+}
+
 static long double exact_sphere_force(long double beta)
 {
     return cor_sphere_eps_zero_force((double)beta); /* within a unit of its last place */
@@ -187,6 +193,26 @@ static double formula_crossley(double beta)
     return h / beta;
 }
 
+static double formula_overlap(double beta)
+{
+    return pow(2.5 * (beta - log1p(beta)) / (beta * beta), 0.4);
+}
+
+static double overlap(double beta)
+{
+    return cor_hunt_crossley_max_overlap(beta, 1.5);
+}
+
+static double duration(double beta)
+{
+    return cor_hunt_crossley_duration(beta, 1.5);
+}
+
+static double duration_by_quadrature(double beta)
+{
+    return cor_hunt_crossley_duration(beta, 1.25);
+}
+
 /* ---- the table ---- */
 
 typedef double scalar_function(double x);
@@ -244,6 +270,12 @@ static const struct method {
     {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", cor_flores_beta, NO_LOOP, exact_crossley, 1, 0.1, 0.99},
     {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", formula_lankarani, NO_LOOP, exact_crossley, 1,
      0.1, 0.99},
+    {"largest overlap; Hunt-Crossley, a = 3/2", "cor", overlap, NO_LOOP, exact_overlap, 0, 0.01, 5},
+    {"largest overlap; Hunt-Crossley, a = 3/2", "log1p and pow", formula_overlap, NO_LOOP, exact_overlap, 0, 0.01, 5},
+    {"duration; Hunt-Crossley, a = 3/2", "cor", duration, NO_LOOP, NULL, 0, 0.01, 5},
+    {"duration; Hunt-Crossley, a = 5/4", "cor", duration_by_quadrature, NO_LOOP, NULL, 0, 0.01, 5},
+    {"duration; Tsuji, zero overlap", "cor", cor_tsuji_duration_zero_overlap, NO_LOOP, NULL, 0, 0.01, 0.65},
+    {"duration; Tsuji, zero force", "cor", cor_tsuji_duration_zero_force, NO_LOOP, NULL, 0, 0.01, 2},
     {"eps of beta; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_eps_zero_overlap,
      DASHPOT_LOOP(eps_zero_overlap), NULL, 0, 0.01, 1.1},
     {"eps of beta; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_eps_zero_force,
