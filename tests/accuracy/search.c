@@ -141,6 +141,8 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
             o->only = argv[i + 1];
         } else if (strcmp(argv[i], "--stride") == 0 && o->stride > 0 && number >= 1 && number <= 1e6) {
             o->stride = (uint64_t)number;
+        } else if (strcmp(argv[i], "--times") == 0 && o->times > 0 && number >= 1 && number <= 1e15) {
+            o->times = (uint64_t)number;
         } else if (strcmp(argv[i], "--hashes") == 0 && o->stride > 0 && i + 1 < argc) {
             o->hashes = argv[i + 1];
         } else {

@@ -45,13 +45,13 @@ bool worst_report(const char *name, const char *suffix, const struct worst *wors
 enum { SEARCH_MAX_THREADS = 64 };
 
 struct search_options {
-    uint64_t points, seed, stride; /* stride 0: there are no --stride and --hashes */
+    uint64_t points, seed, stride, times; /* 0: there are no --stride and --hashes, no --times */
     int threads;
     const char *only; /* part of the names of the functions wanted; NULL for all */
     const char *hashes;
 };
 
-/* Reads --points, --threads, --seed, --only, --stride and --hashes. Returns 0, or the exit status: 2 after the help
+/* Reads --points, --threads, --seed, --only, --stride, --hashes and --times. Returns 0, or the exit status: 2 after the help
  * for wrong ones, 77 where long double is too short for a reference. */
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help);
 

@@ -6,15 +6,14 @@
  * function; these lines are what the documentation quotes. --help lists the options. */
 #include "cor/disk.h"
 
-#include "random.h"
 #include "runtime/number/lambert_w.h"
+#include "search.h"
 #include "support/flint.h"
 #include "support/local.h"
 #include "support/precision.h"
 #include "ulp.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 /* ---- random numbers ---- */
 
@@ -327,35 +326,14 @@ static double random_argument(enum disk_kind kind, double nu, int datum)
     }
 }
 
-struct worst {
-    double error, at, nu;
-    int datum;
-    unsigned long points;
-};
-
-static void worst_take(struct worst *worst, double error, double at, double nu, int datum)
-{
-    worst->points++;
-    if (error > worst->error)
-        *worst = (struct worst){error, at, nu, datum, worst->points};
-}
-
-static int worst_report(const char *name, const struct worst *worst, double bound, const char *unit)
-{
-    const int good = worst->error <= bound;
-    printf("%-30s %9lu points, %9.3g %s at %a, nu = %a, datum %d%s\n", name, worst->points, worst->error, unit,
-           worst->at, worst->nu, worst->datum, good ? "" : "  BEYOND THE BOUND");
-    return good;
-}
-
-static int search_laws(unsigned long points)
+static int search_laws(uint64_t points)
 {
     int good = 1;
     LOCAL(arb, exact);
     for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++) {
         const struct disk_function *f = &disk_functions[kind];
         struct worst worst = {0};
-        for (unsigned long i = 0; i < points; i++) {
+        for (uint64_t i = 0; i < points; i++) {
             const double nu = random_nu();
             const int datum = choice(3);
             const double x = random_argument(kind, nu, datum), y = f->value(x, nu, (enum cor_disk_datum)datum);
@@ -370,20 +348,20 @@ static int search_laws(unsigned long points)
                 if (error == HUGE_VAL && !arb_is_finite(exact))
                     error = -1; /* too wide to be inside the domain */
             } while (error < 0 && precision_raise(&p));
-            worst_take(&worst, error < 0 ? HUGE_VAL : error, x, nu, datum);
+            worst_take(&worst, error < 0 ? HUGE_VAL : error, x);
         }
-        good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
+        good &= worst_report(f->name, "", &worst, COR_DISK_LAW_MAX_ULP);
     }
     return good;
 }
 
 /* Each limit is inside, the next double is not, and the functions agree. */
-static int search_limits(unsigned long points)
+static int search_limits(uint64_t points)
 {
     static const enum disk_kind user[4] = {DISK_LOAD, DISK_COMPRESSION, DISK_MAX_LOAD, DISK_LOAD_OF_ENERGY};
-    unsigned long wrong = 0;
+    uint64_t wrong = 0;
     LOCAL(arb, b, exact, x);
-    for (unsigned long i = 0; i < points; i++) {
+    for (uint64_t i = 0; i < points; i++) {
         const double nu = random_nu();
         const int datum = choice(3), quantity = choice(4);
         const struct disk_function *f = &disk_functions[user[quantity]];
@@ -407,18 +385,19 @@ static int search_limits(unsigned long points)
         if (!good && wrong++ == 0)
             printf("limit %d: %a at nu = %a, datum %d\n", quantity, limit, nu, datum);
     }
-    printf("%-30s %9lu points, %lu wrong\n", "limits", points, wrong);
+    printf("%-4s  limits: %llu of %llu wrong\n", wrong == 0 ? "ok" : "FAIL", (unsigned long long)wrong,
+           (unsigned long long)points);
     return wrong == 0;
 }
 
 /* ---- Lambert's W ---- */
 
 /* t of q of every size, around the branches */
-static int search_lambert(unsigned long points)
+static int search_lambert(uint64_t points)
 {
     struct worst worst = {0};
     LOCAL(arb, x, y);
-    for (unsigned long i = 0; i < points; i++) {
+    for (uint64_t i = 0; i < points; i++) {
         static const double of_t[] = {0x1p-500, 0.1, 3};
         const int kind = choice(4);
         const double q = kind == 0   ? moved(of_t[choice(3)], choice(7) - 3)
@@ -443,20 +422,20 @@ static int search_lambert(unsigned long points)
             arb_sub_ui(y, y, 1, 3000);
             error = ball_error(cor_lambert_t(q), y);
         }
-        worst_take(&worst, error < 0 ? HUGE_VAL : error, q, 0, 0);
+        worst_take(&worst, error < 0 ? HUGE_VAL : error, q);
     }
-    return worst_report("t of q", &worst, 2, "ulp");
+    return worst_report("t of q", "", &worst, 2);
 }
 
 /* ---- contact time ---- */
 
-static int search_contact_time(unsigned long points)
+static int search_contact_time(uint64_t points)
 {
     int good = 1;
     struct worst worst = {0};
     LOCAL(arb, tau, halved, off);
     double largest_step = 0;
-    for (unsigned long i = 0; i < points; i++) {
+    for (uint64_t i = 0; i < points; i++) {
         const double nu = random_nu();
         const int datum = choice(3);
         const double v = random_argument(DISK_MAX_LOAD, nu, datum);
@@ -474,44 +453,31 @@ static int search_contact_time(unsigned long points)
         arb_div(off, off, tau, 128);
         arb_sub_ui(off, off, 1, 64);
         const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_UP)) : HUGE_VAL;
-        worst_take(&worst, error, v, nu, datum);
+        worst_take(&worst, error / COR_DISK_CONTACT_TIME_MAX_ERROR, v);
     }
     /* halving the step squares the error of the rule, or nearly */
     printf("%-30s halving the step of the reference changes it by %.2g\n", "", largest_step);
     good &= largest_step < 1e-11;
-    return worst_report("contact_time", &worst, COR_DISK_CONTACT_TIME_MAX_ERROR, "relative") & good;
+    return worst_report("contact_time, of its bound", "", &worst, 1) & good;
 }
 
 /* ---- */
 
-static const char usage[] = "usage: test_disk_law [--points N] [--times N] [--seed S]\n"
-                            "  --points N  random arguments for each algebraic function (50000)\n"
-                            "  --times N   random arguments for the contact time (200)\n"
-                            "  --seed S    of the random numbers (19990101)\n";
-
 int main(int argc, char **argv)
 {
-    unsigned long points = 50000, times = 200, seed = 19990101;
-    for (int i = 1; i < argc; i++) {
-        unsigned long *value = strcmp(argv[i], "--points") == 0  ? &points
-                               : strcmp(argv[i], "--times") == 0 ? &times
-                               : strcmp(argv[i], "--seed") == 0  ? &seed
-                                                                 : NULL;
-        char *end = NULL;
-        const double number = value != NULL && i + 1 < argc ? strtod(argv[++i], &end) : -1;
-        if (!end || !(number >= 0 && number < 1e15 && *end == '\0')) {
-            const int help = strcmp(argv[i], "--help") == 0;
-            fputs(usage, help ? stdout : stderr);
-            return help ? 0 : 2;
-        }
-        *value = (unsigned long)number;
-    }
-    printf("--points %lu --times %lu --seed %lu\n", points, times, seed);
-    random_state = random_seeded(seed);
-    int good = search_laws(points);
-    good &= search_limits(points);
-    good &= search_lambert(points);
-    good &= search_contact_time(times);
+    static const char help[] = "test_disk_law [--points N] [--times N] [--seed N]\n"
+                               "    --points N  random arguments for each algebraic function, 50000 if not said\n"
+                               "    --times N   random arguments for the contact time, 200 if not said\n";
+    struct search_options o = {.points = 50000, .times = 200, .seed = 19990101, .threads = 1};
+    const int status = search_options_read(&o, argc, argv, help);
+    if (status != 0)
+        return status;
+    random_state = random_seeded(o.seed);
+    worst_heading(o.seed);
+    int good = search_laws(o.points);
+    good &= search_limits(o.points);
+    good &= search_lambert(o.points);
+    good &= search_contact_time(o.times);
     flint_cleanup();
     return good ? 0 : 1;
 }
