@@ -51,8 +51,8 @@ struct search_options {
     const char *hashes;
 };
 
-/* Reads --points, --threads, --seed, --only, --stride, --hashes and --times. Returns 0, or the exit status: 2 after the help
- * for wrong ones, 77 where long double is too short for a reference. */
+/* Reads --points, --threads, --seed, --only, --stride, --hashes and --times. Returns 0, or the exit status: 2 after the
+ * help for wrong ones, 77 where long double is too short for a reference. */
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help);
 
 /* The worst of so many random points, on the threads of the options */
