@@ -169,16 +169,21 @@ def _one(out: Array) -> Any:
     return ffi.cast("struct cor_disk_rayleigh *", ffi.from_buffer("char[]", out, True))
 
 
-def _records(struct: str, whole: int, out: Array, status: Array, shape: Tuple[int, ...]) -> Any:
-    """The results of a list of speeds with their statuses. whole: the status of the call."""
+def _records(struct: str, speed: ArrayLike, call: Callable[[Array, Any, Any], int]) -> Any:
+    """An array of records of the results and the status, of the shape of speed; call(speeds, out, status) fills both
+    and returns the status of the whole."""
+    speeds = np.array(speed, np.float64, order="C")
+    out = np.zeros(speeds.size, plain_dtype(struct))
+    status = np.zeros(speeds.size, np.intc)
+    whole = call(speeds, ffi.from_buffer(f"struct {struct}[]", out, True), address(status, True))
     if whole and not status.any():
         raise CorError(whole)
-    judge(status.reshape(shape))
+    judge(status.reshape(speeds.shape))
     result = np.zeros(out.size, record_dtype(struct))
     for name in out.dtype.names or ():
         result[name] = out[name]
     result["status"] = status
-    return result.reshape(shape).view(np.recarray)[()]
+    return result.reshape(speeds.shape).view(np.recarray)[()]
 
 
 @_documented("cor_disk_rayleigh")
@@ -197,16 +202,13 @@ def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_frac
 def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike, mode_fraction: bool = False) -> Any:
     """An array of records of the results and the status, of the shape of speed; with mode_fraction also the fractions,
     an array with one more axis."""
-    speeds = np.array(speed, np.float64, order="C")
     table = _table(modes)
-    out = np.zeros(speeds.size, plain_dtype("cor_disk_rayleigh"))
-    status = np.zeros(speeds.size, np.intc)
-    fractions, at = _fractions_array(modes, n_modes, speeds.shape, mode_fraction)
-    pointer_out = ffi.from_buffer("struct cor_disk_rayleigh[]", out, True)
-    whole = lib.cor_disk_rayleigh_array(
-        table, n_modes, datum, address(speeds), speeds.size, pointer_out, at, address(status, True)
-    )
-    records = _records("cor_disk_rayleigh", whole, out, status, speeds.shape)
+    fractions, at = _fractions_array(modes, n_modes, np.shape(speed), mode_fraction)
+
+    def call(v: Array, out: Any, status: Any) -> int:
+        return int(lib.cor_disk_rayleigh_array(table, n_modes, datum, address(v), v.size, out, at, status))
+
+    records = _records("cor_disk_rayleigh", speed, call)
     return (records, fractions) if mode_fraction else records
 
 
@@ -223,19 +225,12 @@ def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: fl
 @_documented("cor_disk_collision_array")
 def collision_array(modes: DiskModes, n_modes: int, options: Any, speed: ArrayLike) -> Any:
     """An array of records of the results and the status, of the shape of speed."""
-    speeds = np.array(speed, np.float64, order="C")
-    out = np.zeros(speeds.size, plain_dtype("cor_disk_collision"))
-    status = np.zeros(speeds.size, np.intc)
-    whole = lib.cor_disk_collision_array(
-        _table(modes),
-        n_modes,
-        pointer(options, "cor_disk_collision_options"),
-        address(speeds),
-        speeds.size,
-        ffi.from_buffer("struct cor_disk_collision[]", out, True),
-        address(status, True),
-    )
-    return _records("cor_disk_collision", whole, out, status, speeds.shape)
+    table, c_options = _table(modes), pointer(options, "cor_disk_collision_options")
+
+    def call(v: Array, out: Any, status: Any) -> int:
+        return int(lib.cor_disk_collision_array(table, n_modes, c_options, address(v), v.size, out, status))
+
+    return _records("cor_disk_collision", speed, call)
 
 
 class _Detail:
