@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/wave_factor.h"
 
+#include "support/formula.h"
 #include "support/local.h"
 
 #include <math.h>
@@ -22,78 +23,28 @@ struct wave_parameters {
     acb_t gamma, gamma2;
 };
 
-/* D = (2 x^2 - 1)^2 */
-static void wave_square(acb_t d, const acb_t x, slong prec)
-{
-    acb_mul(d, x, x, prec);
-    acb_mul_2exp_si(d, d, 1);
-    acb_sub_ui(d, d, 1, prec);
-    acb_mul(d, d, d, prec);
-}
-
 static int pressure_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
 {
     const struct wave_parameters *const p = parameters;
-    LOCAL(acb, x, x2, a, b, d, u2);
-    acb_mul(u2, u, u, prec);
-    acb_sub_ui(x, u2, 1, prec);
-    acb_neg(x, x);
-    acb_mul(x, x, p->gamma, prec);
-    acb_mul(x2, x, x, prec);
-    /* a = gamma u sqrt(2 - u^2) */
-    acb_sub_ui(a, u2, 2, prec);
-    acb_neg(a, a);
-    acb_sqrt_analytic(a, a, order > 0, prec);
-    acb_mul(a, a, u, prec);
-    acb_mul(a, a, p->gamma, prec);
-    acb_sub_ui(b, x2, 1, prec);
-    acb_neg(b, b);
-    acb_sqrt_analytic(b, b, order > 0, prec);
-    wave_square(d, x, prec);
-    acb_mul(b, b, a, prec);
-    acb_mul(b, b, x2, prec);
-    acb_mul_2exp_si(b, b, 2);
-    acb_add(d, d, b, prec);
-    acb_mul(y, x, a, prec);
-    acb_div(y, y, d, prec);
-    acb_mul(y, y, u, prec);
-    acb_mul(y, y, p->gamma, prec);
-    acb_mul_2exp_si(y, y, 1);
+    const bool analytic = order > 0;
+    LOCAL(acb, x, a);
+    LET_COMPLEX(x, analytic, prec, "(1 - u^2)*p->gamma", u, p->gamma);
+    LET_COMPLEX(a, analytic, prec, "sqrt(2 - u^2)*u*p->gamma", u, p->gamma);
+    LET_COMPLEX(y, analytic, prec, "2*x*a/((2*x^2 - 1)^2 + 4*sqrt(1 - x^2)*a*x^2)*u*p->gamma", x, a, u, p->gamma);
     return 0;
 }
 
 static int shear_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
 {
     const struct wave_parameters *const p = parameters;
-    LOCAL(acb, x, x2, a2, b, d, width);
-    acb_sub_ui(width, p->gamma, 1, prec);
-    acb_neg(width, width);
-    acb_mul(x, u, u, prec);
-    acb_mul(x, x, width, prec);
-    acb_sub_ui(x, x, 1, prec);
-    acb_neg(x, x);
-    acb_mul(x2, x, x, prec);
-    acb_sub(a2, x2, p->gamma2, prec);
-    /* b = u sqrt((1 - gamma)(1 + x)) */
-    acb_add_ui(b, x, 1, prec);
-    acb_mul(b, b, width, prec);
-    acb_sqrt_analytic(b, b, order > 0, prec);
-    acb_mul(b, b, u, prec);
-    wave_square(d, x, prec);
-    acb_mul(d, d, d, prec);
-    /* y = 4 x^2 a^2 b; the denominator is D^2 + 4 x^2 b y */
-    acb_mul(y, x2, a2, prec);
-    acb_mul(y, y, b, prec);
-    acb_mul_2exp_si(y, y, 2);
-    acb_mul(a2, y, b, prec);
-    acb_mul(a2, a2, x2, prec);
-    acb_mul_2exp_si(a2, a2, 2);
-    acb_add(d, d, a2, prec);
-    acb_div(y, y, d, prec);
-    acb_mul(y, y, x, prec);
-    acb_mul(y, y, width, prec);
-    acb_mul(y, y, u, prec);
-    acb_mul_2exp_si(y, y, 1);
+    const bool analytic = order > 0;
+    LOCAL(acb, x, b, c, width);
+    LET_COMPLEX(width, analytic, prec, "1 - p->gamma", p->gamma);
+    LET_COMPLEX(x, analytic, prec, "1 - u^2*width", u, width);
+    LET_COMPLEX(b, analytic, prec, "sqrt((1 + x)*width)*u", x, width, u); /* u sqrt((1 - gamma)(1 + x)) */
+    LET_COMPLEX(c, analytic, prec, "4*x^2*(x^2 - p->gamma2)*b", x, p->gamma2,
+                b); /* the denominator is D^2 + 4 x^2 b c */
+    LET_COMPLEX(y, analytic, prec, "2*c/((2*x^2 - 1)^4 + 4*c*b*x^2)*x*width*u", c, x, b, width, u);
     return 0;
 }
 
@@ -109,20 +60,8 @@ static void wave_integral(acb_t y, acb_calc_func_t f, void *p, slong prec)
 /* p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2), and its derivative */
 static void rayleigh_cubic(acb_t f, acb_t df, const acb_t p, const acb_t gamma2, slong prec)
 {
-    LOCAL(acb, c);
-    acb_sub_ui(f, p, 8, prec);
-    acb_mul_ui(df, p, 3, prec);
-    acb_sub_ui(df, df, 16, prec);
-    acb_mul_ui(c, gamma2, 16, prec);
-    acb_sub_ui(c, c, 24, prec);
-    acb_mul(f, f, p, prec);
-    acb_sub(f, f, c, prec);
-    acb_mul(df, df, p, prec);
-    acb_sub(df, df, c, prec);
-    acb_mul(f, f, p, prec);
-    acb_sub_ui(c, gamma2, 1, prec);
-    acb_mul_ui(c, c, 16, prec);
-    acb_add(f, f, c, prec);
+    LET_COMPLEX(f, false, prec, "((p - 8)*p + 24 - 16*gamma2)*p - 16*(1 - gamma2)", p, gamma2);
+    LET_COMPLEX(df, false, prec, "(3*p - 16)*p + 24 - 16*gamma2", p, gamma2);
 }
 
 /* (c_R/c_s)^2 for every gamma^2 of the interval. Newton's method finds it, and the interval Newton method proves it.
@@ -142,8 +81,7 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     for (int k = 0; k < 60; k++) {
         acb_get_mid(p, p);
         rayleigh_cubic(f, df, p, middle2, prec);
-        acb_div(f, f, df, prec);
-        acb_sub(p, p, f, prec);
+        LET_COMPLEX(p, false, prec, "p - f/df", p, f, df);
     }
     acb_get_mid(mid, p);
     rayleigh_cubic(f, df, mid, gamma2, prec);
@@ -156,8 +94,7 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     acb_add_error_mag(try, size);
     rayleigh_cubic(p, df, try, gamma2, prec);
     rayleigh_cubic(f, p, mid, gamma2, prec);
-    acb_div(f, f, df, prec);
-    acb_sub(p, mid, f, prec);
+    LET_COMPLEX(p, false, prec, "mid - f/df", mid, f, df);
     if (!acb_contains(try, p))
         acb_indeterminate(p);
 }
@@ -166,28 +103,10 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
  * - pi A sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
 static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 {
-    LOCAL(acb, p, a, q, d);
+    LOCAL(acb, p, q);
     rayleigh_root(p, gamma2, prec);
-    acb_mul(a, p, gamma2, prec);
-    acb_sub_ui(q, p, 2, prec);
-    acb_neg(q, q); /* 2 - p */
-    acb_sub(d, q, a, prec);
-    acb_sub_ui(a, a, 1, prec);
-    acb_neg(a, a);
-    acb_sqrt(a, a, prec);
-    acb_mul(y, q, q, prec);
-    acb_div(d, d, y, prec);
-    acb_mul_2exp_si(d, d, 1);
-    acb_mul_2exp_si(y, y, -2);
-    acb_sub(q, q, y, prec);
-    acb_sub(d, q, d, prec);
-    acb_sqrt(p, p, prec);
-    acb_mul(y, a, p, prec);
-    acb_div(y, y, d, prec);
-    acb_const_pi(d, prec);
-    acb_mul(y, y, d, prec);
-    acb_mul_2exp_si(y, y, -3);
-    acb_neg(y, y);
+    LET_COMPLEX(q, false, prec, "2 - p", p);
+    LET_COMPLEX(y, false, prec, "-pi*sqrt(1 - gamma2*p)*sqrt(p)/(8*(q - q^2/4 - 2*(q - gamma2*p)/q^2))", gamma2, p, q);
 }
 
 /* ---- J along a path ---- */
@@ -215,19 +134,11 @@ static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong orde
     const struct path_parameters *const p = parameters;
     LOCAL(acb, x, x2, a, b, one);
     acb_one(one);
-    acb_mul(x, u, p->step, prec);
-    acb_add(x, x, p->from, prec);
+    LET_COMPLEX(x, false, prec, "u*p->step + p->from", u, p->step, p->from);
     acb_mul(x2, x, x, prec);
     path_root(a, p->gamma2, x2, p->far, order > 0, prec);
     path_root(b, one, x2, p->far, order > 0, prec);
-    wave_square(y, x, prec);
-    acb_mul(b, b, a, prec);
-    acb_mul(b, b, x2, prec);
-    acb_mul_2exp_si(b, b, 2);
-    acb_sub(y, y, b, prec);
-    acb_mul(x, x, a, prec);
-    acb_div(y, x, y, prec);
-    acb_mul(y, y, p->step, prec);
+    LET_COMPLEX(y, false, prec, "x*a/((2*x2 - 1)^2 - 4*a*b*x2)*p->step", x, a, x2, b, p->step);
     return 0;
 }
 
@@ -268,11 +179,8 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
     struct wave_parameters p;
     LOCAL(acb, part);
     FOR_ALL(acb, init, p.gamma, p.gamma2);
-    acb_mul(p.gamma2, tau, tau, prec + 20);
-    acb_add_ui(part, p.gamma2, 1, prec + 20);
-    acb_div(p.gamma2, p.gamma2, part, prec + 20);
-    acb_sqrt(part, part, prec + 20);
-    acb_div(p.gamma, tau, part, prec + 20);
+    LET_COMPLEX(p.gamma2, false, prec + 20, "tau^2/(1 + tau^2)", tau);
+    LET_COMPLEX(p.gamma, false, prec + 20, "tau/sqrt(1 + tau^2)", tau);
     if (route == WAVE_BY_PATH) {
         wave_factor_by_path(j, p.gamma2, prec);
     } else {

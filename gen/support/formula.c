@@ -10,29 +10,36 @@
 
 /* A number of a formula: the rational number `exact` until it meets a ball */
 struct value {
-    arb_t ball;
+    acb_t ball;
     fmpq_t exact;
     bool is_exact;
 };
 
 static void value_init(struct value *x)
 {
-    arb_init(x->ball);
+    acb_init(x->ball);
     fmpq_init(x->exact);
     x->is_exact = true;
 }
 
 static void value_clear(struct value *x)
 {
-    arb_clear(x->ball);
+    acb_clear(x->ball);
     fmpq_clear(x->exact);
 }
 LOCAL_STRUCT(value)
+
+/* The real part, the first of both members */
+static arb_ptr real_of(struct value *x)
+{
+    return (arb_ptr)x->ball;
+}
 
 struct reader {
     const char *at, *text;
     const struct operand *operands;
     slong prec;
+    bool in_plane, analytic;
 };
 
 static _Noreturn void refuse(const struct reader *r)
@@ -60,7 +67,7 @@ static void expect(struct reader *r, const char *which)
 static void become_ball(struct value *x, slong prec)
 {
     if (x->is_exact)
-        arb_set_fmpq(x->ball, x->exact, prec);
+        acb_set_fmpq(x->ball, x->exact, prec);
     x->is_exact = false;
 }
 
@@ -68,8 +75,11 @@ static const struct {
     char name;
     void (*exact)(fmpq_t z, const fmpq_t x, const fmpq_t y);
     void (*ball)(arb_t z, const arb_t x, const arb_t y, slong prec);
-} operations[] = {
-    {'+', fmpq_add, arb_add}, {'-', fmpq_sub, arb_sub}, {'*', fmpq_mul, arb_mul}, {'/', fmpq_div, arb_div}};
+    void (*plane)(acb_t z, const acb_t x, const acb_t y, slong prec);
+} operations[] = {{'+', fmpq_add, arb_add, acb_add},
+                  {'-', fmpq_sub, arb_sub, acb_sub},
+                  {'*', fmpq_mul, arb_mul, acb_mul},
+                  {'/', fmpq_div, arb_div, acb_div}};
 
 static void combine(struct value *y, char name, struct value *x, slong prec)
 {
@@ -79,21 +89,28 @@ static void combine(struct value *y, char name, struct value *x, slong prec)
     } else {
         become_ball(x, prec);
         become_ball(y, prec);
-        operations[i].ball(y->ball, y->ball, x->ball, prec);
+        if (acb_is_real(x->ball) && acb_is_real(y->ball))
+            operations[i].ball(real_of(y), real_of(y), real_of(x), prec);
+        else
+            operations[i].plane(y->ball, y->ball, x->ball, prec);
     }
 }
 
-static void power_of(struct value *y, const struct value *x, slong prec)
+static void power_of(struct value *y, struct value *x, slong prec)
 {
     if (y->is_exact && x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !fmpq_is_zero(y->exact)) {
         fmpq_pow_fmpz(y->exact, y->exact, fmpq_numref(x->exact));
         return;
     }
     become_ball(y, prec);
-    if (x->is_exact)
-        arb_pow_fmpq(y->ball, y->ball, x->exact, prec);
+    if (x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !acb_is_real(y->ball))
+        acb_pow_fmpz(y->ball, y->ball, fmpq_numref(x->exact), prec);
+    else if (!acb_is_real(y->ball) || !acb_is_real(x->ball))
+        acb_indeterminate(y->ball);
+    else if (x->is_exact)
+        arb_pow_fmpq(real_of(y), real_of(y), x->exact, prec);
     else
-        arb_pow(y->ball, y->ball, x->ball, prec);
+        arb_pow(real_of(y), real_of(y), real_of(x), prec);
 }
 
 static void ball_abs(arb_t y, const arb_t x, slong prec)
@@ -143,10 +160,14 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
         expect(r, ",");
         read_sum(x, r);
         become_ball(x, r->prec);
-        functions[i].of_two(y->ball, y->ball, x->ball, r->prec);
+        functions[i].of_two(real_of(y), real_of(y), real_of(x), r->prec);
+    } else if (r->in_plane && functions[i].of_one == arb_sqrt) {
+        acb_sqrt_analytic(y->ball, y->ball, r->analytic, r->prec);
     } else {
-        functions[i].of_one(y->ball, y->ball, r->prec);
+        functions[i].of_one(real_of(y), real_of(y), r->prec);
     }
+    if (r->in_plane && functions[i].of_one != arb_sqrt)
+        refuse(r);
     expect(r, ")");
 }
 
@@ -157,11 +178,15 @@ static void read_operand(struct value *y, const struct reader *r, const char *na
         x++;
     if (!x->name)
         refuse(r);
-    y->is_exact = !x->ball && isnan(x->real);
-    if (x->ball)
-        arb_set(y->ball, x->ball);
+    if (x->plane && !r->in_plane)
+        refuse(r);
+    y->is_exact = !x->ball && !x->plane && isnan(x->real);
+    if (x->plane)
+        acb_set(y->ball, x->plane);
+    else if (x->ball)
+        arb_set(real_of(y), x->ball);
     else if (!y->is_exact)
-        arb_set_d(y->ball, x->real);
+        arb_set_d(real_of(y), x->real);
     else if (x->exact)
         fmpq_set(y->exact, x->exact);
     else
@@ -173,7 +198,7 @@ static void read_factor(struct value *y, struct reader *r)
 {
     if (next_of(r, "-")) {
         read_factor(y, r);
-        arb_neg(y->ball, y->ball);
+        acb_neg(y->ball, y->ball);
         fmpq_neg(y->exact, y->exact);
         return;
     }
@@ -193,7 +218,7 @@ static void read_factor(struct value *y, struct reader *r)
             expect(r, ")");
         }
     } else if (is_named("pi", name, length)) {
-        arb_const_pi(y->ball, r->prec);
+        arb_const_pi(real_of(y), r->prec);
         y->is_exact = false;
     } else {
         read_operand(y, r, name, length);
@@ -237,16 +262,25 @@ static char read_side(struct value *x, struct reader *r, const char *ends)
 
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, prec};
+    struct reader r = {text, text, operands, prec, false, false};
     LOCAL(value, x);
     read_side(x, &r, "");
     become_ball(x, prec);
-    arb_swap(y, x->ball);
+    arb_swap(y, real_of(x));
+}
+
+void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands)
+{
+    struct reader r = {text, text, operands, prec, true, analytic};
+    LOCAL(value, x);
+    read_side(x, &r, "");
+    become_ball(x, prec);
+    acb_swap(y, x->ball);
 }
 
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, 2};
+    struct reader r = {text, text, operands, 2, false, false};
     LOCAL(value, x);
     read_side(x, &r, "");
     if (!x->is_exact)
@@ -256,11 +290,11 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands)
 
 bool formula_holds(slong prec, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, prec};
+    struct reader r = {text, text, operands, prec, false, false};
     LOCAL(value, x, y);
     const char sign = read_side(x, &r, "<>");
     read_side(y, &r, "");
     become_ball(x, prec);
     become_ball(y, prec);
-    return sign == '<' ? arb_lt(x->ball, y->ball) : arb_gt(x->ball, y->ball);
+    return sign == '<' ? arb_lt(real_of(x), real_of(y)) : arb_gt(real_of(x), real_of(y));
 }

@@ -9,7 +9,10 @@
  * int or double; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole
  * numbers, rational operands and what is made of these alone are exact, and are rounded only where they meet a ball or
  * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two
- * numbers; the number pi. A text that is no formula ends the program. */
+ * numbers; the number pi. A text that is no formula ends the program.
+ *
+ * LET_COMPLEX computes with acb_t, too, of which it knows + - * /, whole powers and sqrt; that is not finite on its cut
+ * if `analytic`. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
 #define COR_GEN_SUPPORT_FORMULA_H
 
@@ -26,6 +29,7 @@ struct ratio {
 struct operand {
     const char *name;
     arb_srcptr ball;
+    acb_srcptr plane; /* complex */
     const fmpq *exact;
     struct ratio ratio; /* den = 0: none */
     slong whole;        /* if there is no other */
@@ -33,10 +37,12 @@ struct operand {
 };
 
 #define LET(y, prec, ...) formula_ball(y, prec, FORMULA(__VA_ARGS__))
+#define LET_COMPLEX(y, analytic, prec, ...) formula_complex(y, analytic, prec, FORMULA(__VA_ARGS__))
 #define HOLDS(prec, ...) formula_holds(prec, FORMULA(__VA_ARGS__))
 #define EXACT(q, ...) formula_exact(q, FORMULA(__VA_ARGS__))
 
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands);
+void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands);
 bool formula_holds(slong prec, const char *text, const struct operand *operands);
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 
@@ -45,7 +51,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
     {                                                                                                                  \
         FORMULA_OF(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0, 0)(__VA_ARGS__)                                          \
         {                                                                                                              \
-            NULL, NULL, NULL, {0, 0}, 0, 0                                                                             \
+            NULL, NULL, NULL, NULL, {0, 0}, 0, 0                                                                       \
         }                                                                                                              \
     }
 #define FORMULA_TEXT(text, ...) text
@@ -61,7 +67,8 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 #define OPERANDS_8(t, x, ...) OPERAND(#x, x) OPERANDS_7(t, __VA_ARGS__)
 #define OPERANDS_9(t, x, ...) OPERAND(#x, x) OPERANDS_8(t, __VA_ARGS__)
 #define OPERAND(name, x)                                                                                               \
-    {name, _Generic((x), arb_struct *: (x), const arb_struct *: (x), default: NULL),                                   \
+    {name, _Generic((x), arb_struct *: (x), const arb_struct *: (x), default: NULL), \
+     _Generic((x), acb_struct *: (x), const acb_struct *: (x), default: NULL), \
      _Generic((x), fmpq *: (x), const fmpq *: (x), default: NULL),                                                     \
      _Generic((x), struct ratio: (x), default: (struct ratio){0, 0}), _Generic((x), int: (x), slong: (x), default: 0), \
      _Generic((x), double: (x), default: NAN)},

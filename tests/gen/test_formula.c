@@ -71,12 +71,30 @@ TEST(test_comparisons)
     assert_false(HOLDS(PREC, "x > 3/2", x) || HOLDS(PREC, "x < 3/2", x)); /* the ball decides neither */
 }
 
+TEST(test_complex)
+{
+    LOCAL(acb, z, w, y);
+    LOCAL(arb, x);
+    acb_set_d_d(z, 0.5, 1);
+    acb_set_d_d(w, 3, -0.25);
+    arb_set_ui(x, 2);
+    LET_COMPLEX(y, false, PREC, "sqrt(z^2 + x*z*w + w^2)/(z + w) - (z - w)^-1*(z - w)*x/2", z, x, w);
+    assert_true(acb_contains_zero(y) && mag_cmp_2exp_si(arb_radref(acb_realref(y)), -100) < 0);
+    for (int analytic = 0; analytic < 2; analytic++) { /* -4 +- i/8 contains a place of the cut */
+        acb_set_si(y, -4);
+        mag_set_ui_2exp_si(arb_radref(acb_imagref(y)), 1, -3);
+        LET_COMPLEX(y, analytic == 1, PREC, "sqrt(y)", y);
+        assert_true(acb_is_finite(y) == (analytic == 0));
+    }
+}
+
 static void ends(const char *text, int kind)
 {
     const pid_t child = fork();
     if (child == 0) {
         LOCAL(arb, x);
         LOCAL(fmpq, q);
+        LOCAL(acb, z);
         signal(SIGABRT, SIG_DFL);
         if (!freopen("/dev/null", "w", stderr))
             _exit(1);
@@ -84,6 +102,10 @@ static void ends(const char *text, int kind)
             LET(x, PREC, text, x);
         else if (kind == 1)
             EXACT(q, text, q);
+        else if (kind == 3)
+            LET(x, PREC, text, z);
+        else if (kind == 4)
+            LET_COMPLEX(z, false, PREC, text, z);
         else
             _exit(HOLDS(PREC, text, x));
         _exit(0);
@@ -103,6 +125,8 @@ TEST(test_refusals)
     ends("q + pi", 1);
     ends("x", 2);
     ends("x < 1 < 2", 2);
+    ends("z + 1", 3);
+    ends("exp(z)", 4);
 }
 
-RUN_TESTS(test_values, test_operands, test_comparisons, test_refusals)
+RUN_TESTS(test_values, test_operands, test_comparisons, test_complex, test_refusals)
