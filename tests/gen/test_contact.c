@@ -147,9 +147,8 @@ static void against_integration(const struct cor_scene_impact *got, double force
     }
 }
 
-static void impacts_against_integration(void **state)
+TEST(impacts_against_integration)
 {
-    (void)state;
     static const struct {
         struct cor_exponents law;
         double zeta_or_beta;
@@ -178,9 +177,8 @@ static void impacts_against_integration(void **state)
 
 /* docs/data/reference_collisions.csv, whose digits corgen collide proved: the functions of cor/scene.h and the
  * integration give them, too. */
-static void reference_collisions(void **state)
+TEST(reference_collisions)
 {
-    (void)state;
     enum { ROWS = 200, NUMBERS = 9, RESULTS = 4 };
     char line[1024], law[32], end_name[32];
     FILE *const file = fopen("docs/data/reference_collisions.csv", "r");
@@ -262,9 +260,8 @@ static struct contacts contacts_of(int law, int end, const struct given *bodies,
 
 #define GIVEN(...) ((const struct given[]){__VA_ARGS__, {NO_NUMBER, 0}})
 
-static void every_way_of_a_sphere(void **state)
+TEST(every_way_of_a_sphere)
 {
-    (void)state;
     const struct given *const bodies = GIVEN(BODIES);
     const struct cor_scene_contact contact =
         contacts_of(0, COR_BOTH_ENDS, bodies, GIVEN({COR_SCENE_DISSIPATION_TIME, 5e-7})).contact[0];
@@ -312,9 +309,8 @@ static void every_way_of_a_sphere(void **state)
 
 /* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. Integration of
  * the force in SI units lasts as long. */
-static void stiffness_from_a_duration(void **state)
+TEST(stiffness_from_a_duration)
 {
-    (void)state;
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
                                                 {1, 1, 1}, {2, 1, 1}, {4, 1, 2}, {2, 1, 2}, {5, 1, 4}};
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
@@ -362,9 +358,8 @@ static void stiffness_from_a_duration(void **state)
     close_to("elastic K", tsuji.contact[1].stiffness, 2e-3 * pow(elastic / 1e-3, 2.5) / sqrt(3), 1e-13);
 }
 
-static void other_laws(void **state)
+TEST(other_laws)
 {
-    (void)state;
     const struct cor_scene_contact linear =
         contacts_of(COR_LAW_LINEAR, END_ZERO_OVERLAP, GIVEN(SPRING), GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
     const double l = -log(0.7), pi = 3.14159265358979323846, zeta = l / sqrt(pi * pi + l * l);
@@ -407,9 +402,8 @@ static double middle(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-static void collisions_under_a_constant_force(void **state)
+TEST(collisions_under_a_constant_force)
 {
-    (void)state;
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
                                                 {2, 1, 1}, {2, 1, 2}, {8, 7, 4}, {1, 0, 2}};
     static const double betas[] = {0, 0.05, 0.5, 2.6}, forces[] = {1e-4, 0.1, 0.5, 2};
@@ -452,9 +446,8 @@ static void collisions_under_a_constant_force(void **state)
 
 /* On both sides of the threshold, an ulp of 60 bits away, the enclosed collisions differ; the backward integration in
  * doubles finds it, too. */
-static void thresholds_of_a_constant_force(void **state)
+TEST(thresholds_of_a_constant_force)
 {
-    (void)state;
     leave_to_turn(1, 3);
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 0, 2}, {2, 1, 2}};
     LOCAL(arb, beta, force, nearby);
@@ -484,9 +477,8 @@ static void thresholds_of_a_constant_force(void **state)
             }
 }
 
-static void the_time_step_is_for_all_speeds(void **state)
+TEST(the_time_step_is_for_all_speeds)
 {
-    (void)state;
     enum { SPEEDS = 5, STEP_COLUMN = 8 };
     struct random_state random = random_start();
     for (int ends = 1; ends <= 2; ends++) {
@@ -513,9 +505,8 @@ static void the_time_step_is_for_all_speeds(void **state)
 
 /* Bias and scatter of velocity Verlet with half-step velocities, viscoelastic spheres, zero overlap, for e and steps in
  * the elastic duration: means over 400 phases by another program, in two digits */
-static void errors_of_steps(void **state)
+TEST(errors_of_steps)
 {
-    (void)state;
     enum { BIAS_COLUMN = 9 };
     static const struct {
         double e, steps, bias, scatter;
@@ -609,9 +600,8 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
 }
 
 /* Every host of the list has lines, a version and a comment. */
-static void hosts_realise_what_is_wished(void **state)
+TEST(hosts_realise_what_is_wished)
 {
-    (void)state;
     static const struct {
         const char *host;
         size_t linear, tsuji, viscoelastic; /* models with lines for each law */
@@ -649,9 +639,8 @@ static double number_after(const char *text, const char *name, double otherwise)
 
 /* The lines for Chrono's Hertz contact, put through ChContactSMC's force: kn R sqrt(x) x + gn m R sqrt(x) x', never
  * attractive. Type::BULLET takes the default for R, 0.1 m unless set; Type::MULTICORE computes R1 R2/(R1 + R2). */
-static void chrono_finds_the_radius(void **state)
+TEST(chrono_finds_the_radius)
 {
-    (void)state;
     struct random_state random = random_start();
     for (int i = 0; i < 8; i++) {
         const double r1 = random_log(&random, 1e-4, 0.3), r2 = random_log(&random, 1e-4, 0.3);
@@ -679,20 +668,6 @@ static void chrono_finds_the_radius(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(impacts_against_integration),
-        cmocka_unit_test(reference_collisions),
-        cmocka_unit_test(every_way_of_a_sphere),
-        cmocka_unit_test(other_laws),
-        cmocka_unit_test(stiffness_from_a_duration),
-        cmocka_unit_test(collisions_under_a_constant_force),
-        cmocka_unit_test(thresholds_of_a_constant_force),
-        cmocka_unit_test(the_time_step_is_for_all_speeds),
-        cmocka_unit_test(errors_of_steps),
-        cmocka_unit_test(hosts_realise_what_is_wished),
-        cmocka_unit_test(chrono_finds_the_radius),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(impacts_against_integration, reference_collisions, every_way_of_a_sphere, other_laws,
+          stiffness_from_a_duration, collisions_under_a_constant_force, thresholds_of_a_constant_force,
+          the_time_step_is_for_all_speeds, errors_of_steps, hosts_realise_what_is_wished, chrono_finds_the_radius)
