@@ -511,25 +511,13 @@ TEST(an_end_of_the_range_is_in_its_interval)
     check(infinite > 2, "%d infinite values of beta", infinite);
 }
 
-TEST(few_points_are_not_judged)
-{
-    struct fit_point point[] = {{0.1, 0.9, 0, 0, 0}, {1, 0.8, 0, 0, 1}};
-    const struct fit_data data = {.points = 2, .point = point};
-    struct fit_estimate e;
-    fit_estimate_curve(&e, FIT_CONSTANT, &data, false);
-    assert_true(e.fitted && isnan(e.p_value) && fit_is_accepted(&e));
-    fit_estimate_curve(&e, FIT_POWER_LAW, &data, false);
-    assert_false(e.fitted);
-}
-
 /* ---- csv files ---- */
 
 static char path[] = "/tmp/cor_test_fit_XXXXXX";
 
-static int read_text(struct fit_data *data, const char *text, enum fit_unit unit)
+static int read_text(struct fit_data *data, const char *text)
 {
-    struct fit_form form = FIT_FORM_DEFAULT;
-    form.unit = unit;
+    const struct fit_form form = FIT_FORM_DEFAULT;
     FILE *const file = fopen(path, "w");
     assert_non_null(file);
     fputs(text, file);
@@ -537,26 +525,14 @@ static int read_text(struct fit_data *data, const char *text, enum fit_unit unit
     return fit_data_read(data, path, &form);
 }
 
-static void check_points(const char *text, enum fit_unit unit)
+/* Other forms of a file are in tests/cli. */
+TEST(points_are_in_the_order_of_speeds)
 {
     struct fit_data data;
-    assert_int_equal(read_text(&data, text, unit), STATUS_OK);
-    assert_int_equal(data.points, 2);
-    assert_true(data.point[0].speed_m_s == 0.25 && data.point[0].eps == 0.9);
-    assert_true(data.point[1].speed_m_s == 1.5 && data.point[1].eps == 0.75);
-    fit_data_clear(&data);
-}
-
-TEST(csv_forms_agree)
-{
-    check_points("speed_m_s,eps\n0.25,0.9\n1.5,0.75\n", FIT_UNIT_OF_COLUMN);
-    check_points("speed_m_s,eps\r\n0.25,0.9\r\n1.5,0.75", FIT_M_S);
-    check_points("\xef\xbb\xbf# a note\n\neps,\"speed_cm_s\",note\n0.75,150,\"a, b\"\n 0.9 ,25,\n", FIT_UNIT_OF_COLUMN);
-    check_points("speed,eps\n1500,7.5e-1\n250,.9\n", FIT_MM_S);
-    struct fit_data data;
-    assert_int_equal(read_text(&data, "speed_m_s,eps,eps_sigma\n2,0.5,0.1\n1,0.6,0.2\n", FIT_UNIT_OF_COLUMN),
-                     STATUS_OK);
-    assert_true(data.has_sigma && data.point[0].sigma == 0.2 && data.point[1].sigma == 0.1 && data.point[0].eps == 0.6);
+    assert_int_equal(read_text(&data, "speed_cm_s,eps,eps_sigma\n200,0.5,0.1\n25,0.6,0.2\n"), STATUS_OK);
+    const struct fit_point *const point = data.point;
+    assert_true(data.points == 2 && point[0].speed_m_s == 0.25 && point[1].speed_m_s == 2 && point[0].eps == 0.6);
+    assert_true(data.has_sigma && point[0].sigma == 0.2 && point[1].sigma == 0.1);
     fit_data_clear(&data);
 }
 
@@ -564,8 +540,7 @@ TEST(csv_forms_agree)
 TEST(flights_give_speeds_and_eps)
 {
     struct fit_data data;
-    assert_int_equal(read_text(&data, "run,t_s\na,0\na,1\na,1.8\na,2.44\nb,5\nb,5.5\nb,5.95\n", FIT_UNIT_OF_COLUMN),
-                     STATUS_OK);
+    assert_int_equal(read_text(&data, "run,t_s\na,0\na,1\na,1.8\na,2.44\nb,5\nb,5.5\nb,5.95\n"), STATUS_OK);
     assert_int_equal(data.points, 3);
     const double expected_speed[] = {0.25, 0.4, 0.5}, expected_eps[] = {0.9, 0.8, 0.8};
     for (int i = 0; i < 3; i++) {
@@ -1148,8 +1123,7 @@ int main(void)
                                        outliers_move_the_robust_fit_little,
                                        elastic_data_have_no_upper_end,
                                        an_end_of_the_range_is_in_its_interval,
-                                       few_points_are_not_judged,
-                                       csv_forms_agree,
+                                       points_are_in_the_order_of_speeds,
                                        flights_give_speeds_and_eps,
                                        times_hold_the_truth,
                                        times_agree_with_dense_matrices,
