@@ -175,7 +175,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
 {
     enum { DOUBLINGS = 60, ENOUGH = 40 };
     LOCAL(bracket, b);
-    LOCAL(arb, rest, force, middle);
+    LOCAL(arb, rest, force);
     double low = 0, high = 0;
     bool below = false, above = false;
     double place = log2(fmin(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0.5)), stride = 1;

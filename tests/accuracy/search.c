@@ -129,7 +129,7 @@ struct worst search_random(const struct search_function *f, const struct search_
 
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help)
 {
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; i += 2) {
         const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
         if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
             o->points = (uint64_t)number;
@@ -149,7 +149,6 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
             fputs(help, stderr);
             return 2;
         }
-        i++;
     }
     if (LDBL_MANT_DIG < 64) {
         printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);

@@ -588,7 +588,7 @@ TEST(test_pressed)
             continue;
         struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
         decimal_clear(&request.number[COR_SCENE_G_STAR]);
-        request.law = scenes[i].law;
+        request.law = (int)scenes[i].law;
         for (size_t k = 0; k < sizeof body / sizeof *body; k++)
             decimal_set(&request.number[body[k].number], body[k].value);
         decimal_set(&request.number[COR_SCENE_RESTITUTION], scenes[i].restitution);
