@@ -24,17 +24,10 @@
 #define FIRST_NU (-0.2)
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
-/* Nodes begin with the squares, of which a root has PER_ROOT to its side. */
-enum {
-    SQUARE_DEPTH = 2,
-    PER_ROOT = 1 << SQUARE_DEPTH,
-    X_SQUARES = X_ROOTS * PER_ROOT,
-    NU_SQUARES = NU_ROOTS * PER_ROOT
-};
 #define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
 /* Largest number of divisions of a cell. A fifth helps little (docs/disks.md). Coordinates are in sixths of the
  * side of a cell that is divided FINEST times, so that they do not depend on this number. */
-enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST, SQUARE = ROOT_SIDE / PER_ROOT };
+enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 
 /* Tolerances of the collisions up to a speed and beyond it, and the factor on the error of a cell's polynomial at the 9
  * points between its 16 */
@@ -42,15 +35,11 @@ enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST, SQUA
 #define CALM_TOLERANCE 1.5e-5
 #define FAST_TOLERANCE 5e-5
 #define SAFETY 1.5
-/* A cell with this or a smaller uncertainty is not divided any more, unless its polynomial misses collisions on a side
- * by more than the functions promise. */
+/* A cell with this or a smaller uncertainty is not divided any more. */
 #define CALM_WANTED 2e-5
 #define FAST_WANTED 1e-4
-/* Values of points on sides of larger cells are rounded to this part of COR_DISK_LIMIT_UNIT, far below the largest jump
- * that the functions promise. */
-#define VALUE_PARTS 1e7
 
-enum { NODES_MAX = INT16_MAX, LINE = 64, SAMPLE_MISSES = 3 };
+enum { NODES_MAX = INT16_MAX, CELL_TEXT = 200, LINE = 64, SAMPLE_MISSES = 3 };
 
 /* A collision, at x and nu in sixths from the corner of the plane */
 struct scene {
@@ -101,6 +90,12 @@ static double speed_at(int32_t x)
 static double nu_at(int32_t nu)
 {
     return FIRST_NU + NU_STEP * ((double)nu / (double)ROOT_SIDE);
+}
+
+static struct cor_disk_limit_table evaluable(const struct limits *limits)
+{
+    return (struct cor_disk_limit_table){
+        X_ROOTS, NU_ROOTS, x_of_speed(FIRST_SPEED), x_step(), FIRST_NU, NU_STEP, limits->node, limits->cell};
 }
 
 /* Whether a collision at x is asked for CALM_TOLERANCE: in all roots that begin below CALM_SPEED, so that no cell has
@@ -201,7 +196,7 @@ static const struct scene *known_scene(const struct scenes *scenes, int32_t x, i
 
 struct cell {
     int32_t x, nu; /* of its first corner */
-    int depth;
+    int depth, node;
 };
 
 static int32_t sixth_of(const struct cell *cell)
@@ -240,21 +235,12 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     return status;
 }
 
-/* The polynomial at a place in sixths, in COR_DISK_LIMIT_UNIT */
-static double polynomial_at(const struct cor_disk_limit_cell *cell, int32_t x, int32_t nu)
-{
-    return cor_disk_limit_value(cell, (double)x / (double)SQUARE, (double)nu / (double)SQUARE) / COR_DISK_LIMIT_UNIT;
-}
-
 /* Sets the cell's values and the uncertainty of its polynomial. */
 static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, const struct scenes *scenes)
 {
     const int32_t sixth = sixth_of(cell);
     int32_t estimate = 0;
     double missed = 0;
-    to->x = (double)cell->x / (double)SQUARE;
-    to->nu = (double)cell->nu / (double)SQUARE;
-    to->per_side = ldexp(1, cell->depth - SQUARE_DEPTH);
     for (int j = 0; j < COR_DISK_LIMIT_SIDE; j++)
         for (int i = 0; i < COR_DISK_LIMIT_SIDE; i++) {
             const struct scene *const s = known_scene(scenes, cell->x + 2 * i * sixth, cell->nu + 2 * j * sixth);
@@ -264,11 +250,12 @@ static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, c
     for (int j = 1; j < SIXTHS; j += 2)
         for (int i = 1; i < SIXTHS; i += 2) {
             const struct scene *const s = known_scene(scenes, cell->x + i * sixth, cell->nu + j * sixth);
-            missed = fmax(missed, fabs(polynomial_at(to, s->x, s->nu) - s->value));
+            const double value = cor_disk_limit_value(to, (double)i / (double)SIXTHS, (double)j / (double)SIXTHS);
+            missed = fmax(missed, fabs(value / COR_DISK_LIMIT_UNIT - s->value));
             estimate = s->estimate > estimate ? s->estimate : estimate;
         }
     /* the two parts are independent, and each is several times the actual error */
-    to->uncertainty = ceil(hypot(SAFETY * missed, estimate)) + 1;
+    to->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
 }
 
 /* What is wanted of a cell that begins at x */
@@ -282,7 +269,9 @@ static void cell_cut(const struct cell *cell, struct cell *quarter)
 {
     const int32_t half = SIXTHS / 2 * sixth_of(cell);
     for (int k = 0; k < 4; k++)
-        quarter[k] = (struct cell){cell->x + k % 2 * half, cell->nu + k / 2 * half, cell->depth + 1};
+        quarter[k] = (struct cell){cell->x + k % 2 * half, cell->nu + k / 2 * half, cell->depth + 1, table->nodes + k};
+    table->node[cell->node] = (int16_t)-table->nodes;
+    table->nodes += 4;
 }
 
 /* Cells of one depth become part of the table or are divided; *cell becomes the list of their quarters. */
@@ -294,12 +283,14 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
         const struct cell *const c = &(*cell)[i];
         struct cor_disk_limit_cell filled;
         fill_cell(&filled, c, scenes);
-        if (c->depth < MOST_CUTS && filled.uncertainty * COR_DISK_LIMIT_UNIT > wanted_at(c->x))
-            cell_cut(c, next + 4 * cut_cells++);
-        else if (table->cells < NODES_MAX)
+        if (c->depth == MOST_CUTS || filled.uncertainty * COR_DISK_LIMIT_UNIT <= wanted_at(c->x)) {
+            table->node[c->node] = (int16_t)table->cells;
             table->cell[table->cells++] = filled;
-        else
+        } else if (table->nodes + 4 > NODES_MAX) {
             status = fail("the table needs more than %d cells", NODES_MAX);
+        } else {
+            cell_cut(c, next + 4 * cut_cells++);
+        }
     }
     free(*cell);
     *cell = next;
@@ -307,131 +298,42 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
     return status;
 }
 
-static struct cell place_of(const struct cor_disk_limit_cell *cell)
+/* Sets the place of each cell. */
+static void place_cells(struct cell *of_cell, int node, struct cell cell)
 {
-    return (struct cell){(int32_t)(cell->x * SQUARE), (int32_t)(cell->nu * SQUARE),
-                         ilogb(cell->per_side) + SQUARE_DEPTH};
-}
-
-/* Whether a place is in a cell or on its sides */
-static bool contains(const struct cell *cell, int32_t x, int32_t nu)
-{
-    const int32_t side = SIXTHS * sixth_of(cell);
-    return x >= cell->x && x <= cell->x + side && nu >= cell->nu && nu <= cell->nu + side;
-}
-
-/* The largest of the cells at a place, or -1 if none is larger than those of `depth` */
-static int larger_cell(int32_t x, int32_t nu, int depth)
-{
-    int largest = -1;
-    for (int i = 0; i < table->cells; i++) {
-        const struct cell cell = place_of(&table->cell[i]);
-        if (cell.depth < depth && contains(&cell, x, nu)) {
-            depth = cell.depth;
-            largest = i;
-        }
+    const int number = table->node[node];
+    const int32_t half = SIXTHS / 2 * sixth_of(&cell);
+    if (number >= 0) {
+        of_cell[number] = cell;
+        return;
     }
-    return largest;
-}
-
-/* Gives a point of a cell on a side of a larger one the value there. SAFETY times what the larger one misses is a lower
- * bound of both uncertainties. Returns the number of the larger cell if this is more than the functions promise,
- * otherwise -1. */
-static int join_point(struct cor_disk_limit_cell *cell, int point)
-{
-    const struct cell place = place_of(cell);
-    const int32_t step = 2 * sixth_of(&place), x = place.x + point % COR_DISK_LIMIT_SIDE * step,
-                  nu = place.nu + point / COR_DISK_LIMIT_SIDE * step;
-    const int number = larger_cell(x, nu, place.depth);
-    if (number < 0)
-        return -1;
-    struct cor_disk_limit_cell *const larger = &table->cell[number];
-    const struct cell corner = place_of(larger);
-    const int32_t larger_step = 2 * sixth_of(&corner), i = (x - corner.x) / larger_step,
-                  j = (nu - corner.nu) / larger_step;
-    double value = nearbyint(polynomial_at(larger, x, nu) * VALUE_PARTS) / VALUE_PARTS;
-    if (corner.x + i * larger_step == x && corner.nu + j * larger_step == nu)
-        value = larger->value[COR_DISK_LIMIT_SIDE * j + i];
-    const double missed = SAFETY * fabs(value - cell->value[point]);
-    cell->value[point] = value;
-    cell->uncertainty = fmax(cell->uncertainty, ceil(missed));
-    larger->uncertainty = fmax(larger->uncertainty, ceil(missed));
-    const double promised = is_calm(x) ? COR_DISK_EPS_MAX_UNCERTAINTY : COR_DISK_EPS_MAX_UNCERTAINTY_FAST;
-    return missed * COR_DISK_LIMIT_UNIT > promised ? number : -1;
-}
-
-/* Joins all cells, large ones first, and returns how many cells miss too much. Those are set in `misses`. */
-static int join_cells(bool *misses)
-{
-    int count = 0;
-    for (int i = 0; i < table->cells; i++)
-        misses[i] = false;
-    for (int depth = 1; depth <= MOST_CUTS; depth++)
-        for (int i = 0; i < table->cells; i++)
-            for (int k = 0; k < COR_DISK_LIMIT_POINTS && place_of(&table->cell[i]).depth == depth; k++) {
-                const int missing = join_point(&table->cell[i], k);
-                count += missing >= 0 && !misses[missing];
-                if (missing >= 0)
-                    misses[missing] = true;
-            }
-    return count;
-}
-
-/* Joins the cells. Those that miss too much on their sides are divided first. */
-static int join_all(struct scenes *scenes)
-{
-    bool *const misses = xmalloc(NODES_MAX);
-    struct cor_disk_limit_cell *const alone = xmalloc(sizeof table->cell);
-    int status = STATUS_OK;
-    for (;;) {
-        const int all = table->cells;
-        memcpy(alone, table->cell, sizeof table->cell);
-        int cells = 4 * join_cells(misses), cut = 0;
-        if (cells == 0 || status != STATUS_OK)
-            break;
-        struct cell *cell = xmalloc((size_t)cells * sizeof *cell);
-        table->cells = 0;
-        for (int i = 0; i < all; i++) {
-            const struct cell place = place_of(&alone[i]);
-            if (misses[i])
-                cell_cut(&place, cell + 4 * cut++);
-            else
-                table->cell[table->cells++] = alone[i];
-        }
-        while (cells > 0 && status == STATUS_OK)
-            status = cell_refine(scenes, &cell, &cells);
-        free(cell);
-    }
-    free(alone);
-    free(misses);
-    return status;
-}
-
-/* Sets a node: the cell that contains its square or quarter, or four quarters. */
-static void set_node(int node, struct cell square)
-{
-    const int32_t half = SIXTHS / 2 * sixth_of(&square);
-    for (int i = 0; i < table->cells; i++) {
-        const struct cell cell = place_of(&table->cell[i]);
-        if (cell.depth <= square.depth && contains(&cell, square.x + half, square.nu + half)) {
-            table->node[node] = (int16_t)i;
-            return;
-        }
-    }
-    struct cell quarter[4];
-    const int first = table->nodes;
-    cell_cut(&square, quarter);
-    table->node[node] = (int16_t)-first;
-    table->nodes += 4;
     for (int k = 0; k < 4; k++)
-        set_node(first + k, quarter[k]);
+        place_cells(of_cell, -number + k,
+                    (struct cell){cell.x + k % 2 * half, cell.nu + k / 2 * half, cell.depth + 1, 0});
 }
 
-static void set_nodes(void)
+static struct cell *places_of_cells(void)
 {
-    table->nodes = X_SQUARES * NU_SQUARES;
-    for (int i = 0; i < X_SQUARES * NU_SQUARES; i++)
-        set_node(i, (struct cell){i % X_SQUARES * SQUARE, i / X_SQUARES * SQUARE, SQUARE_DEPTH});
+    struct cell *const of_cell = xmalloc((size_t)table->cells * sizeof *of_cell);
+    for (int i = 0; i < ROOTS; i++)
+        place_cells(of_cell, i, (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, 0});
+    return of_cell;
+}
+
+/* Marks the sides of each cell that are joined to smaller cells, from the centre of the cell. */
+static void mark_joined(struct limits *limits)
+{
+    const struct cor_disk_limit_table t = evaluable(limits);
+    struct cell *const of_cell = places_of_cells();
+    for (int i = 0; i < limits->cells; i++) {
+        const double half = (double)(SIXTHS / 2 * sixth_of(&of_cell[i]));
+        const struct cor_disk_limit_place at = cor_disk_limit_find(
+            &t, ((double)of_cell[i].x + half) / (double)ROOT_SIDE, ((double)of_cell[i].nu + half) / (double)ROOT_SIDE);
+        limits->cell[i].joined = 0;
+        for (int side = 0; side < 4; side++)
+            limits->cell[i].joined |= (cor_disk_limit_beyond(&t, &at, side & 1, side >> 1).side < at.side) << side;
+    }
+    free(of_cell);
 }
 
 int disk_limits_collide(void)
@@ -441,15 +343,14 @@ int disk_limits_collide(void)
     struct cell *cell = xmalloc(ROOTS * sizeof *cell);
     int cells = ROOTS, status = STATUS_OK;
     start_table();
+    table->nodes = ROOTS;
     for (int i = 0; i < ROOTS; i++)
-        cell[i] = (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0};
+        cell[i] = (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, i};
     while (cells > 0 && status == STATUS_OK)
         status = cell_refine(&scenes, &cell, &cells);
     free(cell);
     if (status == STATUS_OK)
-        status = join_all(&scenes);
-    if (status == STATUS_OK)
-        set_nodes();
+        mark_joined(table);
     table->scenes = scenes.count;
     table->seconds = lround(clock_processor_seconds() - start);
     table->known = status == STATUS_OK;
@@ -461,31 +362,32 @@ int disk_limits_collide(void)
 
 /* The largest uncertainty of cells below, and at and above, calm_end(), and the median of all */
 struct summary {
-    double calm, fast, median;
+    int32_t calm, fast, median;
     int depth[FINEST + 1], deepest;
 };
 
 static int by_size(const void *a, const void *b)
 {
-    const double *x = a, *y = b;
+    const int32_t *x = a, *y = b;
     return (*x > *y) - (*x < *y);
 }
 
 static struct summary summary_of(const struct limits *limits)
 {
     struct summary summary = {0};
-    double *const uncertainty = xmalloc((size_t)limits->cells * sizeof *uncertainty);
+    struct cell *const of_cell = places_of_cells();
+    int32_t *const uncertainty = xmalloc((size_t)limits->cells * sizeof *uncertainty);
     for (int i = 0; i < limits->cells; i++) {
-        const struct cell cell = place_of(&limits->cell[i]);
-        double *const most = is_calm(cell.x + 1) ? &summary.calm : &summary.fast;
+        int32_t *const most = is_calm(of_cell[i].x + 1) ? &summary.calm : &summary.fast;
         uncertainty[i] = limits->cell[i].uncertainty;
-        *most = fmax(*most, uncertainty[i]);
-        summary.depth[cell.depth]++;
-        summary.deepest = cell.depth > summary.deepest ? cell.depth : summary.deepest;
+        *most = uncertainty[i] > *most ? uncertainty[i] : *most;
+        summary.depth[of_cell[i].depth]++;
+        summary.deepest = of_cell[i].depth > summary.deepest ? of_cell[i].depth : summary.deepest;
     }
     qsort(uncertainty, (size_t)limits->cells, sizeof *uncertainty, by_size);
     summary.median = uncertainty[limits->cells / 2];
     free(uncertainty);
+    free(of_cell);
     return summary;
 }
 
@@ -513,15 +415,14 @@ static void write_banner(FILE *file, const struct limits *limits)
         "runtime/core/disk_limit.h.\n"
         " *\n"
         " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
-        " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions;\n"
-        " * on both sides of a larger cell's side not below %g times what its polynomial misses there.\n"
+        " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
         " * It is an estimate, no bound, and at most %.1e in cells below v = %g, %.2e in the others,\n"
         " * %.1e in half of all.\n"
         " *\n"
         " * Written by:  corgen tables --all, in %ld seconds of processor time\n"
         " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"
         " *              --check --all */\n",
-        SAFETY, SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, calm_end(), summary.fast * COR_DISK_LIMIT_UNIT,
+        SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, calm_end(), summary.fast * COR_DISK_LIMIT_UNIT,
         summary.median * COR_DISK_LIMIT_UNIT, limits->seconds);
 }
 
@@ -534,12 +435,12 @@ static void write_nodes(FILE *file, const struct limits *limits)
     fputs("\n};\n\n", file);
 }
 
-static void write_cell(FILE *file, const struct cor_disk_limit_cell *cell)
+static void cell_text(char text[CELL_TEXT], const struct cor_disk_limit_cell *cell)
 {
-    fprintf(file, "    {%g, %g, %g, %g, {", cell->x, cell->nu, cell->per_side, cell->uncertainty);
+    int n = snprintf(text, CELL_TEXT, "    {%" PRId32 ", %" PRId32 ", {", cell->uncertainty, cell->joined);
     for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++)
-        fprintf(file, "%s%.14g", k ? ", " : "", cell->value[k]);
-    fputs("}},\n", file);
+        n += snprintf(text + n, CELL_TEXT - (size_t)n, "%s%" PRId32, k ? ", " : "", cell->value[k]);
+    snprintf(text + n, CELL_TEXT - (size_t)n, "}},\n");
 }
 
 int disk_limits_write(FILE *file)
@@ -548,23 +449,24 @@ int disk_limits_write(FILE *file)
     fprintf(file,
             "#ifndef COR_DISK_LIMITS_H\n#define COR_DISK_LIMITS_H\n\n"
             "#include \"runtime/core/disk_limit.h\"\n\n"
-            "enum { COR_DISK_LIMIT_X_SQUARES = %d, COR_DISK_LIMIT_NU_SQUARES = %d };\n",
-            X_SQUARES, NU_SQUARES);
+            "enum { COR_DISK_LIMIT_X_ROOTS = %d, COR_DISK_LIMIT_NU_ROOTS = %d };\n",
+            X_ROOTS, NU_ROOTS);
     const struct {
         const char *name;
         double value;
-    } number[] = {{"X_FIRST", x_of_speed(FIRST_SPEED)},
-                  {"X_STEP", x_step() / (double)PER_ROOT},
-                  {"NU_FIRST", FIRST_NU},
-                  {"NU_STEP", NU_STEP / (double)PER_ROOT}};
+    } number[] = {
+        {"X_FIRST", x_of_speed(FIRST_SPEED)}, {"X_STEP", x_step()}, {"NU_FIRST", FIRST_NU}, {"NU_STEP", NU_STEP}};
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         fprintf(file, "#define COR_DISK_LIMIT_%s (%a) /* %.17g */\n", number[i].name, number[i].value, number[i].value);
     fprintf(file, "enum { COR_DISK_LIMIT_SCENES = %ld, COR_DISK_LIMIT_SECONDS = %ld };\n\n", table->scenes,
             table->seconds);
     write_nodes(file, table);
     fprintf(file, "static const struct cor_disk_limit_cell cor_disk_limit_cell[%d] = {\n", table->cells);
-    for (int i = 0; i < table->cells; i++)
-        write_cell(file, &table->cell[i]);
+    for (int i = 0; i < table->cells; i++) {
+        char text[CELL_TEXT];
+        cell_text(text, &table->cell[i]);
+        fputs(text, file);
+    }
     fputs("};\n\n#endif\n", file);
     return STATUS_OK;
 }
@@ -578,12 +480,11 @@ bool disk_limits_known(const struct cor_disk_limit_cell *cell)
         start_table();
         table->scenes = COR_DISK_LIMIT_SCENES;
         table->seconds = COR_DISK_LIMIT_SECONDS;
+        table->nodes = sizeof cor_disk_limit_node / sizeof *cor_disk_limit_node;
         table->cells = sizeof cor_disk_limit_cell / sizeof *cor_disk_limit_cell;
+        memcpy(table->node, cor_disk_limit_node, sizeof cor_disk_limit_node);
         memcpy(table->cell, cell ? cell : cor_disk_limit_cell, sizeof cor_disk_limit_cell);
-        bool *const misses = xmalloc(NODES_MAX);
-        join_cells(misses);
-        free(misses);
-        set_nodes();
+        mark_joined(table);
         table->known = true;
     }
 #else
@@ -594,28 +495,37 @@ bool disk_limits_known(const struct cor_disk_limit_cell *cell)
 
 /* ---- check of the table ---- */
 
+/* The table's value and uncertainty at a point of a cell, sides included, and whether it is a point of its grid */
+static struct cor_disk_limit_result result_at(const struct scene *scene, const struct cell *cell, bool *on_grid)
+{
+    const struct cor_disk_limit_table t = evaluable(table);
+    const int32_t sixth = sixth_of(cell), x = scene->x - cell->x, nu = scene->nu - cell->nu;
+    struct cor_disk_limit_place at = cor_disk_limit_find(&t, ((double)cell->x + sixth) / (double)ROOT_SIDE,
+                                                         ((double)cell->nu + sixth) / (double)ROOT_SIDE);
+    at.x_in = (double)x / (SIXTHS * sixth);
+    at.nu_in = (double)nu / (SIXTHS * sixth);
+    *on_grid = x % (2 * sixth) == 0 && nu % (2 * sixth) == 0;
+    return cor_disk_limit_in(&t, &at);
+}
+
 struct check {
     long places, between, wrong;
     double worst, worst_between; /* largest difference on the grid, and between the points relative to the
                                   * uncertainty */
 };
 
-/* A point of the grid has the value of its collision, unless it is on a side of a larger cell. */
-static void check_scene(struct check *check, const struct scene *scene, const struct cor_disk_limit_cell *cell)
+static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
 {
-    const struct cell place = place_of(cell);
-    const int32_t step = 2 * sixth_of(&place);
-    const bool on_grid = (scene->x - place.x) % step == 0 && (scene->nu - place.nu) % step == 0 &&
-                         larger_cell(scene->x, scene->nu, place.depth) < 0;
-    const double off = fabs(scene->value - polynomial_at(cell, scene->x, scene->nu)) * COR_DISK_LIMIT_UNIT;
-    const double uncertainty = cell->uncertainty * COR_DISK_LIMIT_UNIT;
-    const double allowed = on_grid ? DISK_LIMITS_AGREE : uncertainty;
+    bool on_grid;
+    const struct cor_disk_limit_result result = result_at(scene, cell, &on_grid);
+    const double off = fabs(scene->value * COR_DISK_LIMIT_UNIT - result.value);
+    const double allowed = on_grid ? DISK_LIMITS_AGREE : result.uncertainty;
     check->places += on_grid;
     check->between += !on_grid;
     if (on_grid)
         check->worst = fmax(check->worst, off);
     else
-        check->worst_between = fmax(check->worst_between, off / uncertainty);
+        check->worst_between = fmax(check->worst_between, off / result.uncertainty);
     if (!(off <= allowed) && check->wrong++ < SAMPLE_MISSES)
         fprintf(stderr, "corgen: " DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed\n",
                 speed_at(scene->x), nu_at(scene->nu), off, allowed);
@@ -649,20 +559,21 @@ int disk_limits_check_sample(uint64_t seed)
     uint64_t state = 2 * seed + 1;
     for (int i = 0; i < 8; i++) /* after a few draws, seeds that differ in few bits differ in all bits */
         sample_draw(&state, 2);
-    const struct cor_disk_limit_cell *const sampled = &table->cell[sample_draw(&state, (uint64_t)table->cells)];
-    const struct cell cell = place_of(sampled);
+    struct cell *const of_cell = places_of_cells();
+    const struct cell cell = of_cell[sample_draw(&state, (uint64_t)table->cells)];
     const int32_t sixth = sixth_of(&cell),
                   row = cell.nu + 2 * (int32_t)sample_draw(&state, COR_DISK_LIMIT_SIDE) * sixth;
     struct scene scene[COR_DISK_LIMIT_SIDE + 1];
     for (int32_t k = 0; k < COR_DISK_LIMIT_SIDE; k++)
         scene[k] = (struct scene){cell.x + 2 * k * sixth, row, 0, 0};
     scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)sample_draw(&state, 3)) * sixth, row, 0, 0};
+    free(of_cell);
     struct check check = {0};
     const int status = collide_all(scene, COR_DISK_LIMIT_SIDE + 1, "collisions");
     if (status != STATUS_OK)
         return status;
     for (int k = 0; k <= COR_DISK_LIMIT_SIDE; k++)
-        check_scene(&check, &scene[k], sampled);
+        check_scene(&check, &scene[k], &cell);
     char of_what[2 * LINE];
     snprintf(of_what, sizeof of_what, "nu = %.6g, v = %.4g to %.4g, seed %" PRIu64, nu_at(row), speed_at(cell.x),
              speed_at(cell.x + SIXTHS * sixth), seed);
@@ -671,9 +582,7 @@ int disk_limits_check_sample(uint64_t seed)
 
 int disk_limits_check_all(void)
 {
-    struct cell *const of_cell = xmalloc((size_t)table->cells * sizeof *of_cell);
-    for (int i = 0; i < table->cells; i++)
-        of_cell[i] = place_of(&table->cell[i]);
+    struct cell *const of_cell = places_of_cells();
     struct scenes scenes = {0};
     struct check check = {0};
     const int status = find_scenes(&scenes, of_cell, table->cells);
@@ -683,7 +592,7 @@ int disk_limits_check_all(void)
                 check_scene(&check,
                             known_scene(&scenes, of_cell[i].x + k * sixth_of(&of_cell[i]),
                                         of_cell[i].nu + j * sixth_of(&of_cell[i])),
-                            &table->cell[i]);
+                            &of_cell[i]);
     free(of_cell);
     free(scenes.scene);
     return status == STATUS_OK ? check_verdict(&check, "all") : status;

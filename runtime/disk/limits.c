@@ -7,8 +7,8 @@
 #include "runtime/number/environment.h"
 
 static const struct cor_disk_limit_table table = {
-    COR_DISK_LIMIT_X_SQUARES, COR_DISK_LIMIT_NU_SQUARES, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
-    COR_DISK_LIMIT_NU_FIRST,  COR_DISK_LIMIT_NU_STEP,    cor_disk_limit_node,    cor_disk_limit_cell};
+    COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
+    COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,  cor_disk_limit_node,    cor_disk_limit_cell};
 
 /* False if speed or nu is NaN, without FE_INVALID */
 static int is_inside(double speed, double nu)
@@ -17,20 +17,21 @@ static int is_inside(double speed, double nu)
            isgreaterequal(nu, COR_DISK_EPS_MIN_NU) && islessequal(nu, COR_DISK_EPS_MAX_NU);
 }
 
+static struct cor_disk_limit_result result_at(double speed, double nu)
+{
+    const struct cor_disk_limit_place at =
+        cor_disk_limit_find(&table, cor_disk_limit_x(&table, speed), cor_disk_limit_nu(&table, nu));
+    return cor_disk_limit_in(&table, &at);
+}
+
 double cor_disk_one_minus_eps2(double speed, double nu)
 {
-    if (!is_inside(speed, nu))
-        return NAN;
-    const double x = cor_disk_limit_x(&table, speed), y = cor_disk_limit_nu(&table, nu);
-    return cor_disk_limit_value(cor_disk_limit_find(&table, x, y), x, y);
+    return is_inside(speed, nu) ? result_at(speed, nu).value : NAN;
 }
 
 double cor_disk_one_minus_eps2_uncertainty(double speed, double nu)
 {
-    if (!is_inside(speed, nu))
-        return NAN;
-    const double x = cor_disk_limit_x(&table, speed), y = cor_disk_limit_nu(&table, nu);
-    return COR_DISK_LIMIT_UNIT * cor_disk_limit_find(&table, x, y)->uncertainty;
+    return is_inside(speed, nu) ? result_at(speed, nu).uncertainty : NAN;
 }
 
 double cor_disk_eps(double speed, double nu)

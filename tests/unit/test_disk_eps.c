@@ -14,52 +14,56 @@ enum { CELLS = sizeof cor_disk_limit_cell / sizeof *cor_disk_limit_cell };
 
 /* ---- the table ---- */
 
-/* A cell with its corner and side, in squares */
+/* Each node but the roots is one of the four quarters of one cell, and each cell belongs to one node. */
+TEST(test_tree)
+{
+    enum { NODES = sizeof cor_disk_limit_node / sizeof *cor_disk_limit_node };
+    static int quarters_of[NODES], nodes_of[CELLS];
+    for (int i = 0; i < NODES; i++) {
+        const int number = cor_disk_limit_node[i];
+        if (number >= 0) {
+            assert_true(number < CELLS);
+            nodes_of[number]++;
+            continue;
+        }
+        assert_true(-number > i && -number + 3 < NODES);
+        for (int k = 0; k < 4; k++)
+            quarters_of[-number + k]++;
+    }
+    for (int i = 0; i < NODES; i++)
+        assert_int_equal(quarters_of[i], i >= COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_NU_ROOTS);
+    for (int i = 0; i < CELLS; i++)
+        assert_int_equal(nodes_of[i], 1);
+    assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST, 8) / COR_DISK_EPS_MIN_SPEED - 1) < 1e-14);
+    assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST + (double)COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_X_STEP, 8) /
+                         COR_DISK_EPS_MAX_SPEED -
+                     1) < 1e-14);
+    assert_true(COR_DISK_LIMIT_NU_FIRST == COR_DISK_EPS_MIN_NU);
+    assert_true(fabs(COR_DISK_LIMIT_NU_FIRST + (double)COR_DISK_LIMIT_NU_ROOTS * COR_DISK_LIMIT_NU_STEP -
+                     COR_DISK_EPS_MAX_NU) < 1e-15);
+}
+
+/* A cell with its corner and sides, in the units of the roots */
 struct place {
     const struct cor_disk_limit_cell *cell;
     long double x, nu, side;
 };
 
-static struct place place_of_cell(const struct cor_disk_limit_cell *cell)
-{
-    return (struct place){cell, cell->x, cell->nu, 1 / (long double)cell->per_side};
-}
-
-/* By a search of all cells, where the library follows a tree; {NULL} where the table ends */
+/* By intervals that are halved, where the library follows a fraction */
 static struct place place_of(long double x, long double nu)
 {
-    for (int i = 0; i < CELLS; i++) {
-        const struct place at = place_of_cell(&cor_disk_limit_cell[i]);
-        if (x >= at.x && x <= at.x + at.side && nu >= at.nu && nu <= at.nu + at.side)
-            return at;
+    struct place at = {NULL, fminl(floorl(x), COR_DISK_LIMIT_X_ROOTS - 1),
+                       fminl(floorl(nu), COR_DISK_LIMIT_NU_ROOTS - 1), 1};
+    int number = cor_disk_limit_node[(int)at.nu * COR_DISK_LIMIT_X_ROOTS + (int)at.x];
+    while (number < 0) {
+        at.side /= 2;
+        const int right = x >= at.x + at.side, upper = nu >= at.nu + at.side;
+        at.x += right ? at.side : 0;
+        at.nu += upper ? at.side : 0;
+        number = cor_disk_limit_node[-number + 2 * upper + right];
     }
-    return (struct place){NULL, 0, 0, 0};
-}
-
-/* The nodes lead to every cell, near its corners too. The areas of the cells add up to that of the plane. */
-TEST(test_tree)
-{
-    const struct cor_disk_limit_table table = {
-        COR_DISK_LIMIT_X_SQUARES, COR_DISK_LIMIT_NU_SQUARES, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
-        COR_DISK_LIMIT_NU_FIRST,  COR_DISK_LIMIT_NU_STEP,    cor_disk_limit_node,    cor_disk_limit_cell};
-    double area = 0;
-    for (int i = 0; i < CELLS; i++) {
-        const struct cor_disk_limit_cell *const cell = &cor_disk_limit_cell[i];
-        const double side = 1 / cell->per_side;
-        area += side * side;
-        for (int k = 0; k < 4; k++)
-            assert_ptr_equal(cor_disk_limit_find(&table, cell->x + side * (k % 2 ? 0.01 : 0.99),
-                                                 cell->nu + side * (k / 2 ? 0.01 : 0.99)),
-                             cell);
-    }
-    assert_true(area == (double)(COR_DISK_LIMIT_X_SQUARES * COR_DISK_LIMIT_NU_SQUARES));
-    assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST, 8) / COR_DISK_EPS_MIN_SPEED - 1) < 1e-14);
-    assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST + (double)COR_DISK_LIMIT_X_SQUARES * COR_DISK_LIMIT_X_STEP, 8) /
-                         COR_DISK_EPS_MAX_SPEED -
-                     1) < 1e-14);
-    assert_true(COR_DISK_LIMIT_NU_FIRST == COR_DISK_EPS_MIN_NU);
-    assert_true(fabs(COR_DISK_LIMIT_NU_FIRST + (double)COR_DISK_LIMIT_NU_SQUARES * COR_DISK_LIMIT_NU_STEP -
-                     COR_DISK_EPS_MAX_NU) < 1e-15);
+    at.cell = &cor_disk_limit_cell[number];
+    return at;
 }
 
 /* Neville's scheme through four values at 0, 1/3, 2/3, 1 */
@@ -73,23 +77,55 @@ static long double neville(const long double value[4], long double t)
     return p[0];
 }
 
+/* The four values of a cell on a side: first or last in nu, or in x (across) */
+static void values_on_side(const struct cor_disk_limit_cell *cell, int across, int last, long double value[4])
+{
+    for (int k = 0; k < 4; k++)
+        value[k] = across ? cell->value[4 * k + 3 * last] : cell->value[12 * last + k];
+}
+
 /* The cell beyond a side, or {NULL} where the table ends */
 static struct place place_beyond(const struct place *at, int across, int last, long double x, long double y)
 {
-    *(across ? &x : &y) = (across ? at->x : at->nu) + (last ? 1 : 0) * at->side + (last ? 1 : -1) * 0x1p-12L;
-    return place_of(x, y);
+    const struct place none = {NULL, 0, 0, 0};
+    const long double beyond = (across ? at->x : at->nu) + (last ? 1 : 0) * at->side + (last ? 1 : -1) * 0x1p-12L;
+    *(across ? &x : &y) = beyond;
+    const int ends = beyond < 0 || beyond > (across ? COR_DISK_LIMIT_X_ROOTS : COR_DISK_LIMIT_NU_ROOTS);
+    return ends ? none : place_of(x, y);
 }
 
-static long double interpolated(const struct place *at, long double x, long double y)
+/* The joined polynomials again, by another route: those of smaller cells beyond a side take the place of the first or
+ * last of the four that are interpolated; what is left on the other two sides is interpolated beside zeros. */
+static long double joined(const struct place *at, long double x, long double y, long double *uncertainty)
 {
-    long double along[4];
+    const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;
+    long double along[4], beside[4] = {0};
     for (int j = 0; j < 4; j++) {
         long double row[4];
         for (int i = 0; i < 4; i++)
             row[i] = at->cell->value[4 * j + i];
-        along[j] = neville(row, (x - at->x) / at->side);
+        along[j] = neville(row, x_in);
     }
-    return 1e-7L * neville(along, (y - at->nu) / at->side);
+    *uncertainty = at->cell->uncertainty;
+    for (int side = 0; side < 4; side++) {
+        const int across = side / 2, last = side % 2;
+        const struct place other = place_beyond(at, across, last, x, y);
+        if (other.cell == NULL || other.side >= at->side)
+            continue;
+        long double own[4], others[4], unit[4] = {0};
+        unit[3 * last] = 1;
+        values_on_side(at->cell, across, last, own);
+        values_on_side(other.cell, across, !last, others);
+        const long double theirs = neville(others, across ? (y - other.nu) / other.side : (x - other.x) / other.side);
+        if (across)
+            beside[3 * last] = theirs - neville(own, y_in);
+        else
+            along[3 * last] = theirs;
+        const long double part = fabsl(neville(unit, across ? x_in : y_in));
+        *uncertainty = fmaxl(*uncertainty, (1 - part) * at->cell->uncertainty + part * other.cell->uncertainty);
+    }
+    *uncertainty *= 1e-7L;
+    return 1e-7L * (neville(along, y_in) + neville(beside, x_in));
 }
 
 TEST(test_between)
@@ -101,7 +137,8 @@ TEST(test_between)
         const long double x = (powl(v, 0.125L) - COR_DISK_LIMIT_X_FIRST) / COR_DISK_LIMIT_X_STEP,
                           y = ((long double)nu - COR_DISK_LIMIT_NU_FIRST) / COR_DISK_LIMIT_NU_STEP;
         const struct place at = place_of(x, y);
-        const long double value = interpolated(&at, x, y), uncertainty = 1e-7L * at.cell->uncertainty;
+        long double uncertainty;
+        const long double value = joined(&at, x, y, &uncertainty);
         const double found = cor_disk_one_minus_eps2(v, nu), off = cor_disk_one_minus_eps2_uncertainty(v, nu);
         check(fabsl(found - value) <= 1e-13L, "v = %a, nu = %a: %.15f instead of %.15Lf", v, nu, found, value);
         check(fabsl(off - uncertainty) <= 1e-17L, "v = %a, nu = %a: uncertainty %g instead of %Lg", v, nu, off,
@@ -138,17 +175,40 @@ static int border_draw(struct random_state *random, const struct place *at, int 
     return 1;
 }
 
+/* All cells with their places */
+static void place_all(struct place *of_cell, int node, struct place at)
+{
+    const int number = cor_disk_limit_node[node];
+    if (number >= 0) {
+        at.cell = &cor_disk_limit_cell[number];
+        of_cell[number] = at;
+        return;
+    }
+    const long double half = at.side / 2;
+    for (int k = 0; k < 4; k++)
+        place_all(of_cell, -number + k, (struct place){NULL, at.x + k % 2 * half, at.nu + k / 2 * half, half});
+}
+
+static const struct place *places_of_cells(void)
+{
+    static struct place of_cell[CELLS];
+    for (int i = 0; i < COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_NU_ROOTS; i++)
+        place_all(of_cell, i,
+                  (struct place){NULL, i % COR_DISK_LIMIT_X_ROOTS, i / COR_DISK_LIMIT_X_ROOTS, 1}); /* x fastest */
+    return of_cell;
+}
+
 /* The sides of all cells, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 14 10^6 pairs. */
 TEST(test_borders)
 {
     struct random_state random = random_start();
+    const struct place *const of_cell = places_of_cells();
     size_t pairs = 0, unequal = 0;
     double worst = 0;
     for (size_t k = points(20); k > 0; k--)
         for (int i = 0; i < 4 * CELLS; i++) {
             struct border at;
-            const struct place cell = place_of_cell(&cor_disk_limit_cell[i / 4]);
-            if (!border_draw(&random, &cell, i % 4, &at))
+            if (!border_draw(&random, &of_cell[i / 4], i % 4, &at))
                 continue;
             const double below = cor_disk_one_minus_eps2(at.below[0], at.below[1]),
                          above = cor_disk_one_minus_eps2(at.above[0], at.above[1]), jump = fabs(above - below);
@@ -208,17 +268,18 @@ TEST(test_uncertainty)
     tally_print(&tally, "off the grid");
 }
 
-/* Where a cell ends and those beyond are smaller, and beyond, up to a third of a cell of half the size from there: the
- * uncertainty of either side covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
+/* Where a cell ends and those beyond are smaller, and in the cell up to a third of it from there: the uncertainty of
+ * either side covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
 TEST(test_uncertainty_at_borders)
 {
     struct random_state random = random_start();
+    const struct place *const of_cell = places_of_cells();
     struct tally on = {0}, near = {0};
     for (size_t k = points(2); on.places + near.places < k;) {
-        const struct place cell = place_of_cell(&cor_disk_limit_cell[random_below(&random, CELLS)]);
+        const struct place *const cell = &of_cell[random_below(&random, CELLS)];
         const int side = (int)random_below(&random, 4), across = side / 2, last = side % 2;
         struct border at;
-        if (!border_draw(&random, &cell, side, &at) || !at.smaller)
+        if (!border_draw(&random, cell, side, &at) || !at.smaller)
             continue;
         if ((on.places + near.places) % 2 == 0) {
             compare(&on, at.v, at.nu,
@@ -226,9 +287,9 @@ TEST(test_uncertainty_at_borders)
                          cor_disk_one_minus_eps2_uncertainty(at.above[0], at.above[1])));
             continue;
         }
-        const double outwards = (double)cell.side * random_uniform(&random, 0, 1.0 / 6) * (last ? 1 : -1);
-        const double v = across ? pow(pow(at.v, 0.125) + outwards * COR_DISK_LIMIT_X_STEP, 8) : at.v;
-        const double nu = across ? at.nu : at.nu + outwards * COR_DISK_LIMIT_NU_STEP;
+        const double inwards = (double)cell->side * random_uniform(&random, 0, 1.0 / 3) * (last ? -1 : 1);
+        const double v = across ? pow(pow(at.v, 0.125) + inwards * COR_DISK_LIMIT_X_STEP, 8) : at.v;
+        const double nu = across ? at.nu : at.nu + inwards * COR_DISK_LIMIT_NU_STEP;
         compare(&near, v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
     }
     tally_print(&on, "on borders");
