@@ -69,7 +69,8 @@ static int run_embed(const void *arguments)
 static const char help[] =
     "Usage: corgen embed --speed-min G --speed-max G --tolerance T BODIES DISSIPATION [OPTION]...\n\n"
     "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"
-    "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n\n"
+    "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n"
+    "Under --gravity or --adhesion it is 0 up to the sticking speed.\n\n"
     "  --speed-min G, --speed-max G   the range of speeds in m/s; speeds outside give the value of the nearer end\n"
     "  --tolerance T    allowed relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END
     "  --type T         double (default) or float\n"
