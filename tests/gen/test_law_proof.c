@@ -235,4 +235,38 @@ TEST(pressed)
     }
 }
 
-RUN_TESTS(pressed, test_real_axis, test_complex_plane, test_singular, test_polynomials)
+/* The bound in an ellipse around an interval of several strips, whose contacts a force presses, against |ln(eps)| of
+ * collisions on the real axis */
+TEST(test_pressed_ellipse)
+{
+    const struct law law = law_of("3/2", "1/2");
+    const double lo = log(0.3), hi = lo + 0.2, rho = 1.5, first_force = 0.3;
+    const struct ratio power = interpolant_press_power(&law);
+    const struct interval interval = {INTERVAL_LOG, lo, hi, 12, 60, FORM_LOG, 1u << EPS_ZERO_OVERLAP};
+    struct ellipse_bound bound;
+    struct collision c;
+    double most = 0;
+    LOCAL(arb, press, beta, force, x);
+    arb_set_d(press, first_force * exp(-lo * (double)power.num / (double)power.den));
+    const struct interpolant_layout layout = {
+        .law = law, .root = 1, .interval = &interval, .intervals = 1, .press = press, .press_log = -10};
+    struct interpolant *const f = interpolant_new(&layout, exp(lo), exp(hi));
+    assert_non_null(f);
+    assert_true(ellipse_bound_of_law(&bound, f, &interval, EPS_ZERO_OVERLAP, rho));
+    collision_init(&c);
+    for (int k = -1; k <= 1; k++) { /* the ends of the ellipse, and its middle */
+        const double u = (lo + hi) / 2 + k * (hi - lo) / 4 * (rho + 1 / rho);
+        arb_set_d(beta, exp(u));
+        arb_pow_ratio(force, beta, power, 60);
+        arb_mul(force, force, press, 60);
+        assert_int_equal(collision_solve_pressed(&c, beta, force, &law, 0, 40), 0);
+        arb_log(x, c.eps_zero_overlap, 60);
+        most = fmax(most, -arf_get_d(arb_midref(x), ARF_RND_NEAR));
+    }
+    check(most <= bound.modulus[EPS_ZERO_OVERLAP] && bound.modulus[EPS_ZERO_OVERLAP] < 1.3 * most,
+          "%g bounds %g on the real axis", bound.modulus[EPS_ZERO_OVERLAP], most);
+    collision_clear(&c);
+    interpolant_free(f);
+}
+
+RUN_TESTS(pressed, test_pressed_ellipse, test_real_axis, test_complex_plane, test_singular, test_polynomials)
