@@ -130,7 +130,7 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
  *
  * b is a function without singularities, whose zeros are next to tau = 2 pi i m, m != 0, for the loading, and beyond
  * the end for the rebound: at end + ln(1 + beta), where the collision began, and with imaginary parts of 7 or more. The
- * interval is divided so that polynomials of degree 24 through b^-k at Chebyshev points, which converge like 3.7^-24 at
+ * interval is divided so that polynomials of degree 20 through b^-k at Chebyshev points, which converge like 3.7^-20 at
  * worst, replace it. In the first panel they are integrated with the weight w^-k. */
 
 struct crossley_side {
@@ -175,19 +175,19 @@ static double crossley_minus_log(double x)
     return cor_kernel_minus_log(cor_pair(x, 0)).hi;
 }
 
-enum { DEGREE = 24 };
+enum { DEGREE = 20 };
 
-/* (1 + cos(pi j/24))/2, and weights of Clenshaw and Curtis's rule on [0, 1], which are symmetric */
+/* (1 + cos(pi j/20))/2, and weights of Clenshaw and Curtis's rule on [0, 1], which are symmetric */
 static const double crossley_place[DEGREE + 1] = {
-    0x1.0000000000000p+0, 0x1.fdcf54976344ep-1, 0x1.f746ea3a45f8ap-1, 0x1.ec835e79946a3p-1, 0x1.ddb3d742c2655p-1,
-    0x1.cb19345ab9249p-1, 0x1.b504f333f9de6p-1, 0x1.9bd7c9fca89f5p-1, 0x1.8000000000000p-1, 0x1.61f78a9abaa59p-1,
-    0x1.4241f7064c1a4p-1, 0x1.216a2a1edb45ap-1, 0x1.0000000000000p-1, 0x1.bd2babc24974cp-2, 0x1.7b7c11f367cb8p-2,
-    0x1.3c10eaca8ab4fp-2, 0x1.0000000000000p-2, 0x1.90a0d80d5d82cp-3, 0x1.2bec333018867p-3, 0x1.a7365d2a36db8p-4,
-    0x1.126145e9ecd56p-4, 0x1.37ca1866b95cfp-5, 0x1.1722b8b740eb4p-6, 0x1.1855b44e5d92fp-8, 0x1.53fad78fd8edep-284};
+    0x1.0000000000000p+0,  0x1.fcd924a17f22ep-1, 0x1.f378709a22a80p-1, 0x1.e41900e9e9636p-1, 0x1.cf1bbcdcbfa54p-1,
+    0x1.b504f333f9de6p-1,  0x1.96791823aad2fp-1, 0x1.7438b8ad13780p-1, 0x1.4f1bbcdcbfa54p-1, 0x1.280c16cf50a6fp-1,
+    0x1.0000000000000p-1,  0x1.afe7d2615eb23p-2, 0x1.61c8864680b58p-2, 0x1.178e8ea5d9100p-2, 0x1.a61b9f7154b44p-3,
+    0x1.2bec333018867p-3,  0x1.8722191a02d61p-4, 0x1.be6ff16169c9bp-5, 0x1.90f1ecbbab00ap-6, 0x1.936daf406e919p-8,
+    0x1.53fad78fd8edep-284};
 static const double clenshaw_curtis[DEGREE / 2 + 1] = {
-    0x1.c7e7115d0ce95p-11, 0x1.1136155e7fab0p-7, 0x1.16bd58d300657p-6, 0x1.99c110b8e71e5p-6, 0x1.0c44dafeb6b01p-5,
-    0x1.46449f78293b1p-5,  0x1.7b38f95df064dp-5, 0x1.a94a8680bc943p-5, 0x1.d065d7f1c74a7p-5, 0x1.ef4b6714c6798p-5,
-    0x1.02f96654f0e63p-4,  0x1.09c399b07d2b9p-4, 0x1.0c1b703601543p-4};
+    0x1.4880522014880p-10, 0x1.88ddbc6c94bdfp-7, 0x1.8f64d1c1e488ap-6, 0x1.23a57ba9f2560p-5,
+    0x1.7a75f00c6ed6ep-5,  0x1.c6c0ba9c5f3a8p-5, 0x1.0456353477520p-4, 0x1.1e928048c5ae2p-4,
+    0x1.32029b0efece3p-4,  0x1.3dafadaabf1b0p-4, 0x1.41c002b231adfp-4};
 
 /* k = a/(a + 1), share = 1 - k, and the weights of (1 - k) int_0^1 w^-k f(w) dw */
 struct crossley_rule {
@@ -247,7 +247,7 @@ static double crossley_quadrature(const struct crossley_side *side, const struct
         from = crossley_panel(side, to);
         const double length = to - from;
         double part = 0;
-        for (int j = 0; j <= DEGREE; j++) {
+        for (int j = 0; j < DEGREE + (from > 0); j++) { /* at w = 0 the value is 1 */
             const double w = from + length * crossley_place[j];
             const double b = crossley_b(side, w, (1 - to) + length * crossley_place[DEGREE - j]);
             const double value = crossley_exp(k * crossley_minus_log(from > 0 ? w * b : b));
