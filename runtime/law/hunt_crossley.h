@@ -221,8 +221,6 @@ COR_INLINE double cor_crossley_loss_beyond_approach_only(double beta)
     if (isinf(beta))
         return 1;
     const struct cor_inline_pair eps = cor_hc_eps_approach_pair(beta);
-    if (beta < 0 && beta >= -2.0 / 3) /* next to 1 */
-        return cor_pair_over(cor_hc_approach_near(beta), cor_pair_plus(cor_pair(1, 0), eps)).hi;
     const struct cor_inline_pair less = cor_pair_two_sum(1, -eps.hi);
     return less.hi + (less.lo - eps.lo);
 }

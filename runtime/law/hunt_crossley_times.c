@@ -178,12 +178,13 @@ static double crossley_minus_log(double x)
 enum { DEGREE = 20 };
 
 /* (1 + cos(pi j/20))/2, and weights of Clenshaw and Curtis's rule on [0, 1], which are symmetric */
-static const double crossley_place[DEGREE + 1] = {
-    0x1.0000000000000p+0,  0x1.fcd924a17f22ep-1, 0x1.f378709a22a80p-1, 0x1.e41900e9e9636p-1, 0x1.cf1bbcdcbfa54p-1,
-    0x1.b504f333f9de6p-1,  0x1.96791823aad2fp-1, 0x1.7438b8ad13780p-1, 0x1.4f1bbcdcbfa54p-1, 0x1.280c16cf50a6fp-1,
-    0x1.0000000000000p-1,  0x1.afe7d2615eb23p-2, 0x1.61c8864680b58p-2, 0x1.178e8ea5d9100p-2, 0x1.a61b9f7154b44p-3,
-    0x1.2bec333018867p-3,  0x1.8722191a02d61p-4, 0x1.be6ff16169c9bp-5, 0x1.90f1ecbbab00ap-6, 0x1.936daf406e919p-8,
-    0x1.53fad78fd8edep-284};
+static const double crossley_place[DEGREE + 1] = {0x1.0000000000000p+0, 0x1.fcd924a17f22ep-1, 0x1.f378709a22a80p-1,
+                                                  0x1.e41900e9e9636p-1, 0x1.cf1bbcdcbfa54p-1, 0x1.b504f333f9de6p-1,
+                                                  0x1.96791823aad2fp-1, 0x1.7438b8ad13780p-1, 0x1.4f1bbcdcbfa54p-1,
+                                                  0x1.280c16cf50a6fp-1, 0x1.0000000000000p-1, 0x1.afe7d2615eb23p-2,
+                                                  0x1.61c8864680b58p-2, 0x1.178e8ea5d9100p-2, 0x1.a61b9f7154b44p-3,
+                                                  0x1.2bec333018867p-3, 0x1.8722191a02d61p-4, 0x1.be6ff16169c9bp-5,
+                                                  0x1.90f1ecbbab00ap-6, 0x1.936daf406e919p-8, 0};
 static const double clenshaw_curtis[DEGREE / 2 + 1] = {
     0x1.4880522014880p-10, 0x1.88ddbc6c94bdfp-7, 0x1.8f64d1c1e488ap-6, 0x1.23a57ba9f2560p-5,
     0x1.7a75f00c6ed6ep-5,  0x1.c6c0ba9c5f3a8p-5, 0x1.0456353477520p-4, 0x1.1e928048c5ae2p-4,

@@ -149,6 +149,7 @@ struct function {
         ROW(law##_zeta_##name, INVERSE, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP),                                    \
         ROW(law##_zeta_of_loss_##name, INVERSE_OF_LOSS, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP)
 
+#define CROSSLEY_OVERLAP_ROW(name) ROW(name, TIME, CROSSLEY_APPROACH, 0, name##_exact, COR_LAW_MAX_OVERLAP_MAX_ULP)
 #define CROSSLEY_ROW(name) ROW(name, SLOW_TIME, CROSSLEY_TIMES, 0, name##_exact, COR_LAW_TIME_MAX_ULP)
 
 static long double time_of_max_overlap(double zeta)
@@ -257,6 +258,12 @@ static long double crossley_approach(double a, double beta)
     return reference_crossley_duration_approach_only(a, beta);
 }
 
+static long double crossley_overlap(double a, double beta)
+{
+    const long double eps = beta == 0 ? 1 : isinf(beta) ? 0 : reference_hunt_crossley_approach_eps(beta), n = a + 1.0L;
+    return powl(n / 2 * eps * eps, 1 / n);
+}
+
 #define CROSSLEY_TIME(function, reference, suffix, a)                                                                  \
     static double cor_##function##_##suffix(double beta)                                                               \
     {                                                                                                                  \
@@ -272,6 +279,9 @@ CROSSLEY_TIME(hunt_crossley_time_of_max_overlap, crossley_max, 1, 1)
 CROSSLEY_TIME(hunt_crossley_time_of_max_overlap, crossley_max, 3_2, 1.5)
 CROSSLEY_TIME(hunt_crossley_duration_approach_only, crossley_approach, 1, 1)
 CROSSLEY_TIME(hunt_crossley_duration_approach_only, crossley_approach, 3_2, 1.5)
+CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 1, 1)
+CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 5_4, 1.25)
+CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 3_2, 1.5)
 
 static const struct function functions[] = {
     RATIO_ROWS(linear, zero_overlap, LAW_ZERO_OVERLAP),
@@ -296,6 +306,9 @@ static const struct function functions[] = {
     CROSSLEY_ROW(hunt_crossley_time_of_max_overlap_3_2),
     CROSSLEY_ROW(hunt_crossley_duration_approach_only_1),
     CROSSLEY_ROW(hunt_crossley_duration_approach_only_3_2),
+    CROSSLEY_OVERLAP_ROW(hunt_crossley_max_overlap_1),
+    CROSSLEY_OVERLAP_ROW(hunt_crossley_max_overlap_5_4),
+    CROSSLEY_OVERLAP_ROW(hunt_crossley_max_overlap_3_2),
     ROW(hunt_crossley_eps, EPS, CROSSLEY, 0, NULL, COR_LAW_EPS_MAX_ULP),
     ROW(hunt_crossley_loss, LOSS, CROSSLEY, 0, NULL, COR_LAW_LOSS_MAX_ULP),
     ROW(hunt_crossley_beta, INVERSE, CROSSLEY, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
@@ -430,10 +443,10 @@ static struct search_function search_of(const struct function *f)
 }
 
 /* Where kernels and series meet (runtime/law/damping_ratio.h, hunt_crossley.h), and the ends of the number format */
-static NUMBERS(damping_boundaries, 1, 3, 11, 2.157, 2, 0.7, 2.0 / 3, 0x1p-20, 0x1p-60, 0x1p64, 0x1p100, 0x1p500,
-               0x1p540, 0x1p511, 1e300, 0x1p-900, 0x1p-1022, 0x1p28, 800, 0x1p-537, 0x1p53, 2.23606797749979, 0x1p1023,
-               0x1.8p1022, 0.84, 1000, 0x1p200, 0x1p900);
-static NUMBERS(eps_boundaries, 0.02385, 0.1545, 0.0319, 0.3908, 0.6714, 0.1353352832366127, 0.4065696597405991,
+static NUMBERS(damping_boundaries, 0.25, 0.5, 0.75, 1, 2, 3, 4, 11, 16, 64, 0.7, 2.0 / 3, 0x1p-20, 0x1p-60, 0x1p64,
+               0x1p100, 0x1p500, 0x1p540, 0x1p511, 1e300, 0x1p-900, 0x1p-1022, 0x1p28, 800, 0x1p-537, 0x1p53,
+               2.23606797749979, 0x1p1023, 0x1.8p1022, 0.84, 1000, 0x1p200, 0x1p900);
+static NUMBERS(eps_boundaries, 0.5, 0.25, 0.125, 0x1p-5, 0x1p-6, 0.1353352832366127, 0.4065696597405991,
                0.1495686192226351, 0x1p-900, 0x1p-200, 1e-154, 2.7813423231340017e-309, 1.9667060174891983e-309,
                5.562684646268003e-309, 0x1p-60, 0x1p-30);
 

@@ -489,7 +489,7 @@ static double random_crossley_beta(struct random_state *random)
     case 4:
         return -1 + random_log(random, 1.2e-16, 0.9);
     default:
-        return random_uniform(random, 0, 4); /* kernels meet at 2.157 */
+        return random_uniform(random, 0, 4); /* two ways to the end of the rebound meet at 2 */
     }
 }
 

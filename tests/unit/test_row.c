@@ -3,10 +3,12 @@
  * number in any row shows, without a reference. */
 #include "check.h"
 
+#include "generated/disk_law_tables.h"
 #include "generated/hertz_dashpot_tables.h"
 #include "generated/hunt_crossley_tables.h"
 #include "generated/sphere_tables.h"
 #include "generated/tsuji_tables.h"
+#include "runtime/law/closed_form.h"
 #include "runtime/table/row.h"
 
 #define MOST 2 /* units of DBL_EPSILON: two roundings, and the errors of two rows */
@@ -35,8 +37,12 @@ struct table {
             1.0 / (1 << COR_ROWS_##NAME##_OCTAVE_BITS)                                                                 \
     }
 
+#define CLOSED_FORM(law, public, x, end, LAW, X, END)                                                                  \
+    GRID(law##_loss##end, LAW##_LOSS##END), OCTAVES(law##_eps##end, LAW##_EPS##END),                                   \
+        GRID(law##_near_##x##end, LAW##_NEAR_##X##END), OCTAVES(law##_##x##end, LAW##_##X##END),
+
 static const struct table tables[] = {
-    GRID(eps_zero_overlap, EPS_ZERO_OVERLAP),
+    COR_CLOSED_FORMS(CLOSED_FORM) GRID(eps_zero_overlap, EPS_ZERO_OVERLAP),
     ROOT_GRID(eps_zero_force, EPS_ZERO_FORCE),
     OCTAVES(power_eps_zero_overlap, POWER_EPS_ZERO_OVERLAP),
     OCTAVES(power_eps_zero_force, POWER_EPS_ZERO_FORCE),
@@ -88,6 +94,8 @@ static const struct table tables[] = {
     GRID(tsuji_duration_limited, TSUJI_DURATION_LIMITED),
     GRID(tsuji_duration_zero_overlap, TSUJI_DURATION_ZERO_OVERLAP),
     OCTAVES(tsuji_overlap_factor, TSUJI_OVERLAP_FACTOR),
+    OCTAVES(disk_contact_time, DISK_CONTACT_TIME),
+    OCTAVES(disk_load_factor, DISK_LOAD_FACTOR),
 };
 
 /* The value of row i at half a cell from its node, to one side */
