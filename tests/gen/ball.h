@@ -4,8 +4,22 @@
 #define COR_TESTS_GEN_BALL_H
 
 #include "check.h"
+#include "series/law.h"
 #include "support/flint.h"
+#include "support/formula.h"
 #include "support/local.h"
+
+static inline double middle(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+static inline struct law law_of(const char *a, const char *b)
+{
+    struct law law;
+    assert_null(law_parse(&law, a, b));
+    return law;
+}
 
 /* x is enclosed to so many relative bits. */
 static inline void assert_bits(const arb_t x, slong bits)
@@ -27,17 +41,22 @@ static inline void assert_overlap(const arb_t x, const arb_t y, const char *what
     }
 }
 
+/* The same of x and a formula, as LET has it */
+#define assert_is(x, what, index, ...)                                                                                 \
+    do {                                                                                                               \
+        LOCAL(arb, formula_);                                                                                          \
+        LET(formula_, 600, __VA_ARGS__);                                                                               \
+        assert_overlap(x, formula_, what, index);                                                                      \
+    } while (0)
+
 /* The decimal text is x cut after its last digit. */
 static inline void assert_truncates_to(const arb_t x, const char *text, int decimals)
 {
-    LOCAL(arb, low, ulp);
+    LOCAL(arb, low);
     arb_set_str(low, text, 300);
-    arb_set_si(ulp, 10);
-    arb_pow_ui(ulp, ulp, (ulong)decimals, 300);
-    arb_inv(ulp, ulp, 300);
     arb_sub(low, x, low, 300);
     arb_add_error_2exp_si(low, -200);
-    if (arb_is_negative(low) || !arb_lt(low, ulp)) {
+    if (arb_is_negative(low) || !HOLDS(300, "low < 10^-decimals", low, decimals)) {
         arb_fprintn(stderr, x, 40, 0);
         fail_msg(" does not truncate to %s", text);
     }
@@ -46,16 +65,12 @@ static inline void assert_truncates_to(const arb_t x, const char *text, int deci
 /* x and the decimal text differ by one unit of the text's last digit at most; all of x is meant. */
 static inline void assert_digits(const arb_t x, const char *text)
 {
-    LOCAL(arb, difference, unit);
+    LOCAL(arb, y);
     const char *point = strchr(text, '.');
-    assert_int_equal(arb_set_str(difference, text, 1000), 0);
-    arb_set_si(unit, 10);
-    arb_pow_ui(unit, unit, point ? strlen(point + 1) : 0, 1000);
-    arb_sub(difference, difference, x, 1000);
-    arb_mul(difference, difference, unit, 1000);
-    arb_abs(difference, difference);
-    arb_sub_si(difference, difference, 1, 1000);
-    if (!arb_is_nonpositive(difference)) {
+    const slong decimals = point ? (slong)strlen(point + 1) : 0;
+    assert_int_equal(arb_set_str(y, text, 1000), 0);
+    LET(y, 1000, "abs(y - x)*10^decimals - 1", y, x, decimals);
+    if (!arb_is_nonpositive(y)) {
         arb_fprintn(stderr, x, 50, 0);
         fail_msg(" is not %s", text);
     }

@@ -12,13 +12,6 @@
 
 static const slong PREC = 600;
 
-static struct law law_of(const char *a, const char *b)
-{
-    struct law law;
-    assert_null(law_parse(&law, a, b));
-    return law;
-}
-
 /* a decimal or a fraction */
 static void set_number(arb_t x, const char *text)
 {
@@ -148,8 +141,7 @@ TEST(test_tsuji)
     const struct law law = law_of("3/2", "1/4");
     LOCAL(collision, c);
     LOCAL(arb, beta);
-    arb_sqrt_ui(beta, 5, PREC);
-    arb_mul_2exp_si(beta, beta, -2);
+    LET(beta, PREC, "sqrt(5)/4");
     assert_int_equal(collision_solve(c, beta, &law, 90), 0);
     assert_digits(c->x_max, "0.832758608536924381");
     assert_digits(c->t_max, "1.468372332360592689");
@@ -175,6 +167,7 @@ TEST(test_series)
 {
     const slong ORDER = 60;
     static const char *const betas[] = {"1/64", "1/8", "0.4", "0.5"};
+    static const char *const names[] = {"x_max at beta", "t_max at beta", "zero overlap at beta", "zero force at beta"};
     LOCAL(series, s);
     LOCAL(collision, c);
     LOCAL(arb_poly, force);
@@ -187,22 +180,16 @@ TEST(test_series)
         assert_int_equal(collision_solve(c, x, &law_sphere, 120), 0);
         /* Terms fall like (beta/1.388)^k, at zero force somewhat slower: their sum is well below
          * (beta/0.75)^60. */
-        arb_set_d(y, 0.75);
-        arb_div(z, x, y, PREC);
-        arb_pow_ui(z, z, (ulong)ORDER, PREC);
-        arb_poly_evaluate(y, s->y, x, PREC);
-        arb_add_error(y, z);
-        assert_overlap(y, c->x_max, "x_max at beta", (slong)i);
-        arb_poly_evaluate(y, s->tau, x, PREC);
-        arb_add_error(y, z);
-        assert_overlap(y, c->t_max, "t_max at beta", (slong)i);
-        arb_poly_evaluate(y, s->c, x, PREC);
-        arb_add_error(y, z);
-        assert_overlap(y, c->eps_zero_overlap, "zero overlap at beta", (slong)i);
-        arb_sqrt(x, x, PREC);
-        arb_poly_evaluate(y, force, x, PREC);
-        arb_add_error(y, z);
-        assert_overlap(y, c->eps_zero_force, "zero force at beta", (slong)i);
+        LET(z, PREC, "(4*x/3)^ORDER", x, ORDER);
+        arb_sqrt(y, x, PREC);
+        const arb_srcptr value[] = {c->x_max, c->t_max, c->eps_zero_overlap, c->eps_zero_force};
+        const arb_poly_struct *const sum[] = {s->y, s->tau, s->c, force};
+        for (int k = 0; k < 4; k++) {
+            LOCAL(arb, found);
+            arb_poly_evaluate(found, sum[k], k == 3 ? y : x, PREC);
+            arb_add_error(found, z);
+            assert_overlap(found, value[k], names[k], (slong)i);
+        }
     }
 }
 
@@ -212,22 +199,17 @@ TEST(test_involution)
     enum { ORDER = 80 };
     LOCAL(series, s);
     LOCAL(collision, c);
-    LOCAL(arb, h, x, y, z);
+    LOCAL(arb, h, x, z);
     assert_int_equal(series_compute(s, ORDER, &law_sphere, 100), 0);
     collision_of(c, "0.5", &law_sphere, 100);
     arb_root_ui(z, c->eps_zero_overlap, 5, PREC);
-    arb_mul_2exp_si(h, z, -1);
-    arb_neg(h, h);
+    LET(h, PREC, "-z/2", z);
     arb_poly_evaluate(x, s->y, h, PREC);
     arb_add_error_2exp_si(x, -100);
-    arb_pow_ui(y, z, 4, PREC);
-    arb_mul(x, x, y, PREC);
-    assert_overlap(x, c->x_max, "x_max", 0);
+    assert_is(c->x_max, "x_max", 0, "x*z^4", x, z);
     arb_poly_evaluate(x, s->tau, h, PREC);
     arb_add_error_2exp_si(x, -100);
-    arb_div(x, x, z, PREC);
-    arb_add(x, x, c->t_max, PREC);
-    assert_overlap(x, c->t_zero_overlap, "duration", 0);
+    assert_is(c->t_zero_overlap, "duration", 0, "x/z + c->t_max", x, z, c->t_max);
 }
 
 /* eps_zero_force = eps_zero_overlap G(w), t_zero_force = t_zero_overlap - eps^(-1/5) h T(w), w = h^(5/2). */
@@ -243,20 +225,15 @@ TEST(test_backward_series)
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         collision_of(c, betas[i], &law_sphere, 90);
         arb_set_str(beta, betas[i], PREC);
-        arb_pow_ratio(w, beta, (struct ratio){5, 2}, PREC);
-        arb_sqrt(x, c->eps_zero_overlap, PREC);
-        arb_mul(w, w, x, PREC);
+        LET(w, PREC, "beta^(5/2)*sqrt(c->eps_zero_overlap)", beta, c->eps_zero_overlap);
         arb_poly_set_fmpq_poly(f, G, PREC);
         arb_poly_evaluate(x, f, w, PREC);
         arb_add_error_2exp_si(x, -80);
-        arb_mul(x, x, c->eps_zero_overlap, PREC);
-        assert_overlap(x, c->eps_zero_force, "eps", (slong)i);
+        assert_is(c->eps_zero_force, "eps", (slong)i, "x*c->eps_zero_overlap", x, c->eps_zero_overlap);
         arb_poly_set_fmpq_poly(f, T, PREC);
         arb_poly_evaluate(x, f, w, PREC);
-        arb_add_error_2exp_si(x, -80);
-        arb_mul(x, x, beta, PREC); /* eps^(-1/5) h = beta */
-        arb_sub(x, c->t_zero_overlap, x, PREC);
-        assert_overlap(x, c->t_zero_force, "time", (slong)i);
+        arb_add_error_2exp_si(x, -80); /* eps^(-1/5) h = beta */
+        assert_is(c->t_zero_force, "time", (slong)i, "c->t_zero_overlap - x*beta", c->t_zero_overlap, x, beta);
     }
 }
 
@@ -308,21 +285,13 @@ TEST(test_closed_forms)
  * 5/4; A(0) = pi/2; zeta A -> ln(2 zeta). */
 TEST(test_angle)
 {
-    LOCAL(arb, zeta, x, y);
+    LOCAL(arb, zeta, d, x, y);
     for (int sign = -1; sign <= 1; sign++) {
-        arb_set_si(zeta, sign);
-        arb_mul_2exp_si(zeta, zeta, -40);
-        LOCAL(arb_poly, series);
-        static const slong num[] = {1, -1, 2, -2}, den[] = {1, 3, 15, 35};
-        for (slong k = 0; k < 4; k++) {
-            arb_set_si(x, num[k]);
-            arb_div_si(x, x, den[k], PREC);
-            arb_poly_set_coeff_arb(series, k, x);
-        }
-        arb_poly_evaluate(y, series, zeta, PREC);
-        arb_add_error_2exp_si(y, -160);
-        arb_add_ui(zeta, zeta, 1, PREC);
+        LET(d, PREC, "sign/2^40", sign);
+        LET(zeta, PREC, "1 + d", d);
         closed_form_angle(x, zeta, 200);
+        LET(y, PREC, "1 - d/3 + 2*d^2/15 - 2*d^3/35", d);
+        arb_add_error_2exp_si(y, -160);
         assert_overlap(x, y, "A near 1", sign);
     }
     for (int side = 0; side < 2; side++)
@@ -330,28 +299,18 @@ TEST(test_angle)
             /* either formula by hand, on both sides of the place where the code changes */
             arb_set_d(zeta, (side ? 1.25 : 0.75) + k * 1e-3);
             closed_form_angle(x, zeta, 200);
-            arb_sqr(y, zeta, PREC);
-            arb_sub_ui(y, y, 1, PREC);
-            arb_abs(y, y);
-            arb_rsqrt(y, y, PREC);
-            LOCAL(arb, angle);
-            (side ? arb_acosh : arb_acos)(angle, zeta, PREC);
-            arb_mul(y, y, angle, PREC);
             assert_bits(x, 180);
-            assert_overlap(x, y, "A", k);
+            if (side)
+                assert_is(x, "A", k, "acosh(zeta)/sqrt(zeta^2 - 1)", zeta);
+            else
+                assert_is(x, "A", k, "acos(zeta)/sqrt(1 - zeta^2)", zeta);
         }
     arb_zero(zeta);
     closed_form_angle(x, zeta, 200);
-    arb_const_pi(y, PREC);
-    arb_mul_2exp_si(y, y, -1);
-    assert_overlap(x, y, "A(0)", 0);
+    assert_is(x, "A(0)", 0, "pi/2");
     arb_set_str(zeta, "1e300", PREC);
     closed_form_angle(x, zeta, 200);
-    arb_mul(x, x, zeta, PREC);
-    arb_mul_2exp_si(y, zeta, 1);
-    arb_log(y, y, PREC);
-    arb_sub(x, x, y, PREC);
-    assert_true(mag_cmp_2exp_si(arb_radref(x), -150) < 0 && arf_cmpabs_2exp_si(arb_midref(x), -150) < 0);
+    assert_true(HOLDS(PREC, "abs(x*zeta - log(2*zeta)) < 1/2^150", x, zeta));
 }
 
 /* The manifold serves 30 bits where the motion to the end serves hundreds: a - b below, at, above 1, a < b, a = b. */
@@ -392,7 +351,7 @@ TEST(test_forgetting)
     const size_t count = sizeof cases / sizeof *cases - (points(1) > 1 ? 0 : 1);
     for (size_t i = 0; i < count; i++) {
         const struct law law = law_of(cases[i].a, cases[i].b);
-        const struct ratio n_ratio = law_fall_power(&law);
+        const struct ratio n_ratio = law_fall_power(&law), speed_power = law_speed_exponent(&law);
         const double a = (double)law.a.num / (double)law.a.den, b1 = (double)law.b.num / (double)law.b.den + 1;
         const double n = (double)n_ratio.num / (double)n_ratio.den, q = n / (a + 1);
         const double P = 1 / q + 2 * (a - b1 + 1) * (2 / n - 1 / b1), k = law_forgetting(&law);
@@ -402,14 +361,10 @@ TEST(test_forgetting)
             const double at = cases[i].beta + j * cases[i].step;
             arb_set_d(beta, at);
             assert_int_equal(collision_solve_overlap(c, beta, &law, 110), 0);
-            arb_pow_ratio(x, beta, ratio_div((struct ratio){1, 1}, law_speed_exponent(&law)), PREC);
-            arb_mul(x, x, c->eps_zero_overlap, PREC);
-            arb_div(x, x, v, PREC);
-            arb_sub_ui(x, x, 1, PREC);
-            arb_neg(x, x);
+            LET(x, PREC, "1 - beta^(1/speed_power)*c->eps_zero_overlap/v", beta, speed_power, c->eps_zero_overlap, v);
             assert_true(arb_is_positive(x));
             arb_log(x, x, PREC);
-            constant[j] = arf_get_d(arb_midref(x), ARF_RND_NEAR) - P * log(at) + k * pow(at, (a + 1) / b1);
+            constant[j] = middle(x) - P * log(at) + k * pow(at, (a + 1) / b1);
         }
         /* a wrong k by 1 % or P by 0.1 would move them by more, and change with beta */
         assert_true(fabs(constant[1] - constant[0]) < 0.1);
@@ -449,31 +404,17 @@ TEST(test_below_threshold)
     assert_int_equal(collision_threshold(beta_c, s, &law, 200), 0);
     arb_set_str(s, "0.206987698804278902", PREC);
     for (slong bits = 20; bits <= 60; bits += 20) {
-        arb_one(d);
-        arb_mul_2exp_si(d, d, -bits);
-        arb_sub(x, beta_c, d, PREC);
+        LET(x, PREC, "beta_c - 1/2^bits", beta_c, bits);
         arb_get_mid_arb(x, x);
-        arb_sub(d, beta_c, x, PREC);
+        LET(d, PREC, "s*(beta_c - x)", s, beta_c, x);
         assert_int_equal(collision_solve_overlap(c, x, &law, 80), 0);
-        arb_log(y, c->eps_zero_overlap, PREC);
-        arb_addmul(y, x, c->t_zero_overlap, PREC);
-        arb_sub(x, beta_c, y, PREC);
-        assert_true(fabs(arf_get_d(arb_midref(y), ARF_RND_NEAR) - 3.06410) < 6e-6 + 10 * pow(2, -(double)bits / 2));
-        arb_mul(d, d, s, PREC);
-        arb_div(x, c->eps_zero_overlap, d, PREC);
-        arb_pow_ui(y, beta_c, 5, PREC);
-        arb_div(y, d, y, PREC);
-        arb_sqrt(y, y, PREC);
-        arb_const_pi(s, PREC);
-        arb_mul(y, y, s, PREC);
-        arb_sub(x, x, y, PREC);
-        arb_sub_ui(x, x, 1, PREC);
-        assert_true(fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR)) < 3 * (double)bits * pow(2, -(double)bits) + 1e-17);
-        arb_set_str(s, "0.206987698804278902", PREC);
+        const arb_srcptr eps = c->eps_zero_overlap, t = c->t_zero_overlap;
+        LET(y, PREC, "log(eps) + x*t", eps, x, t);
+        assert_true(fabs(middle(y) - 3.06410) < 6e-6 + 10 * pow(2, -(double)bits / 2));
+        LET(y, PREC, "eps/d - pi*sqrt(d/beta_c^5) - 1", eps, d, beta_c);
+        assert_true(fabs(middle(y)) < 3 * (double)bits * pow(2, -(double)bits) + 1e-17);
         /* as far above */
-        arb_one(d);
-        arb_mul_2exp_si(d, d, -bits);
-        arb_add(x, beta_c, d, PREC);
+        LET(x, PREC, "beta_c + 1/2^bits", beta_c, bits);
         assert_int_equal(collision_solve(c, x, &law, 60), 0);
         assert_true(arb_is_zero(c->eps_zero_overlap));
         assert_true(arf_is_pos_inf(arb_midref(c->t_zero_overlap)));
@@ -497,19 +438,14 @@ TEST(test_strong_force)
         double eps_rest[2], time_rest[2];
         for (int k = 0; k < 2; k++) {
             const double at = k ? 4e3 : 1e3, mu = pow(at, -(a + 1) / (b + 1));
-            LOCAL(arb, x, power);
+            LOCAL(arb, x);
             arb_set_d(beta, at);
             assert_int_equal(collision_solve_force(c, beta, &law, 90), 0);
-            arb_pow_ratio(power, beta, law_mu_power(&law), PREC);
-            arb_mul(x, c->eps_zero_force, power, PREC);
-            arb_set_ratio(power, ratio_add(law.b, (struct ratio){1, 1}), PREC);
-            arb_pow_ratio(power, power, ratio_div(ratio_sub(law.b, law.a), ratio_add(law.b, (struct ratio){1, 1})),
-                          PREC);
-            arb_mul(x, x, power, PREC);
-            arb_sub_ui(x, x, 1, PREC);
-            eps_rest[k] = arf_get_d(arb_midref(x), ARF_RND_NEAR) / mu + 2 * (a - b) * pow(X, a - 2 * b - 1) * -log(mu);
-            time_rest[k] =
-                arf_get_d(arb_midref(c->t_zero_force), ARF_RND_NEAR) * pow(at, 1 / (b + 1)) + 2 * pow(X, -b) * log(mu);
+            const struct ratio mu_power = law_mu_power(&law);
+            LET(x, PREC, "c->eps_zero_force*beta^mu_power*(law.b + 1)^((law.b - law.a)/(law.b + 1)) - 1",
+                c->eps_zero_force, beta, mu_power, law.b, law.a);
+            eps_rest[k] = middle(x) / mu + 2 * (a - b) * pow(X, a - 2 * b - 1) * -log(mu);
+            time_rest[k] = middle(c->t_zero_force) * pow(at, 1 / (b + 1)) + 2 * pow(X, -b) * log(mu);
             if (i == 0) { /* J = psi(5/2) + gamma */
                 const double J = 1.280372305546776;
                 assert_true(fabs(eps_rest[k] - 1.5 * (log(1.5) + J + 1)) < 300 * mu * log(mu) * log(mu));
@@ -530,7 +466,7 @@ TEST(test_strong_damping)
     for (int i = 0; i < 3; i++) {
         const double beta = strtod(betas[i], NULL);
         collision_of(c, betas[i], &law_sphere, 60);
-        t[i] = arf_get_d(arb_midref(c->t_zero_overlap), ARF_RND_NEAR) / beta - 10.0 / 3.0 * log(beta);
+        t[i] = middle(c->t_zero_overlap) / beta - 10.0 / 3.0 * log(beta);
     }
     assert_true(fabs(t[1] - t[0]) < 1e-4 && fabs(t[2] - t[1]) < 1e-5);
 }
@@ -560,23 +496,15 @@ TEST(test_constant_force)
     static const char *const betas[] = {"1e-9", "1/3", "10", "1e6"};
     const struct law law = law_of("0", "0");
     LOCAL(collision, c);
-    LOCAL(arb, beta, x, y);
+    LOCAL(arb, beta, l);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         set_number(beta, betas[i]);
         assert_int_equal(collision_solve(c, beta, &law, 90), 0);
-        arb_log1p(x, beta, PREC);
-        arb_sub(y, beta, x, PREC);
-        arb_div(y, y, beta, PREC);
-        arb_div(y, y, beta, PREC);
-        assert_overlap(y, c->x_max, "x_max", (slong)i);
-        arb_div(y, x, beta, PREC);
-        assert_overlap(y, c->t_max, "t_max", (slong)i);
-        arb_mul(y, beta, c->eps_zero_overlap, PREC);
-        arb_neg(y, y);
-        arb_log1p(y, y, PREC);
-        arb_sub(x, x, y, PREC);
-        arb_div(x, x, beta, PREC);
-        assert_overlap(x, c->t_zero_overlap, "duration", (slong)i);
+        arb_log1p(l, beta, PREC);
+        assert_is(c->x_max, "x_max", (slong)i, "(beta - l)/beta^2", beta, l);
+        assert_is(c->t_max, "t_max", (slong)i, "l/beta", l, beta);
+        assert_is(c->t_zero_overlap, "duration", (slong)i, "(l - log1p(-beta*c->eps_zero_overlap))/beta", l, beta,
+                  c->eps_zero_overlap);
         assert_true(arb_equal(c->eps_zero_overlap, c->eps_zero_force));
     }
 }
@@ -597,20 +525,15 @@ TEST(test_critical)
             assert_true(arb_is_zero(c->eps_zero_overlap));
             assert_true(arf_is_pos_inf(arb_midref(c->t_zero_overlap)));
         }
-        arb_set_si(x, -2);
-        arb_exp(x, x, PREC);
+        LET(x, PREC, "exp(-2)");
         arb_add_error_2exp_si(x, -50);
         assert_overlap(x, c->eps_zero_force, "exp(-2)", side);
     }
     collision_of(c, "1e300", &law, 60);
-    arb_set_str(x, "1e600", PREC); /* 1/(4 zeta^2) = beta^-2 */
-    arb_mul(x, x, c->eps_zero_force, PREC);
+    LET(x, PREC, "10^600*c->eps_zero_force", c->eps_zero_force); /* 1/(4 zeta^2) = beta^-2 */
     assert_digits(x, "1.00000000000");
     collision_of(c, "1e-300", &law, 1100);
-    arb_sub_ui(x, c->eps_zero_overlap, 1, 1200);
-    arb_neg(x, x);
-    arb_set_str(beta, "1e300", 1200);
-    arb_mul(x, x, beta, 1200);
+    LET(x, 1200, "(1 - c->eps_zero_overlap)*10^300", c->eps_zero_overlap);
     assert_digits(x, "1.570796326795"); /* pi zeta = pi beta/2 */
 }
 
@@ -679,9 +602,7 @@ TEST(test_edges)
     assert_overlap(c->t_zero_force, t0, "duration", 1);
     /* Next to beta = 1, where the scales change. */
     for (int side = -1; side <= 1; side++) {
-        arb_set_si(x, side);
-        arb_mul_2exp_si(x, x, -60);
-        arb_add_si(x, x, 1, PREC);
+        LET(x, PREC, "1 + side/2^60", side);
         assert_int_equal(collision_solve(c, x, &law_sphere, 100), 0);
         arb_add_error_2exp_si(c->eps_zero_overlap, -58);
         assert_truncates_to(c->eps_zero_overlap, "0.3311648104666409", 16);

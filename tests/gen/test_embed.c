@@ -100,12 +100,11 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
     enum { SPEEDS = 1500 };
     struct embed_proof proof;
     assert_int_equal(embed_prove(&proof, f, s), STATUS_OK);
-    if (!(proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding && proof.proved))
-        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, s), proof.error,
-                 proof.rounding, f->error);
-    if (!(proof.rounding < (s->single ? 3e-6 : 1e-11) + 0.1 * s->tolerance))
-        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, s), proof.error,
-                 proof.rounding, f->error);
+    check(proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding && proof.proved,
+          "%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, s), proof.error, proof.rounding,
+          f->error);
+    check(proof.rounding < (s->single ? 3e-6 : 1e-11) + 0.1 * s->tolerance, "%s: %g proved, %g by rounding, %g sampled",
+          embed_family_name(f->family, s), proof.error, proof.rounding, f->error);
     LOCAL(arb, g, eps);
     for (int k = 0; k < SPEEDS; k++) {
         double place = 0.61803398874989485 * k;
@@ -117,9 +116,8 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
             arb_set_d(g, embed_form_value(f, speed, fused));
             arb_div(g, g, eps, 200);
             arb_sub_ui(g, g, 1, 200);
-            if (!(fabs(middle(g)) <= proof.error))
-                fail_msg("%s at %.17g m/s: off by %g, %g proved", embed_family_name(f->family, s), speed,
-                         fabs(middle(g)), proof.error);
+            check(fabs(middle(g)) <= proof.error, "%s at %.17g m/s: off by %g, %g proved",
+                  embed_family_name(f->family, s), speed, fabs(middle(g)), proof.error);
         }
     }
     const double error = f->error, kept = f->number[0];
@@ -315,8 +313,8 @@ TEST(test_ways_of_a_contact)
         const struct cor_scene_contact *const contact = &contacts.contact[0];
         assert_int_equal(embed_contact_beta_per_root(beta, &request, contact, &contacts.law, 192), STATUS_OK);
         const double tolerance = 1e-13 + 1e-15 / (1 - (ways[i].at ? fmin(strtod(ways[i].value, NULL), 1 - 1e-9) : 0));
-        if (!(fabs(middle(beta) - cor_scene_beta(contact, 1)) <= tolerance * middle(beta)))
-            fail_msg("way %zu: beta %.17g, in doubles %.17g", i, middle(beta), cor_scene_beta(contact, 1));
+        check(fabs(middle(beta) - cor_scene_beta(contact, 1)) <= tolerance * middle(beta),
+              "way %zu: beta %.17g, in doubles %.17g", i, middle(beta), cor_scene_beta(contact, 1));
         assert_true(arb_is_zero(beta) || arb_rel_accuracy_bits(beta) > 50);
         if (ways[i].at && !arb_is_zero(beta)) {
             arb_set_d(eps, strtod(ways[i].at, NULL));
@@ -410,8 +408,8 @@ TEST(test_root)
             assert_true(worst >= embed_root_error(refinement, single) / 20);
             struct embed_rounding bound;
             embed_rounding_bound(&bound, &f);
-            if (!(worst <= bound.root && bound.root <= 3 * embed_root_error(refinement, single)))
-                fail_msg("fifth root, %d refinements: %g proved, %g found", refinement, bound.root, worst);
+            check(worst <= bound.root && bound.root <= 3 * embed_root_error(refinement, single),
+                  "fifth root, %d refinements: %g proved, %g found", refinement, bound.root, worst);
         }
 }
 
@@ -614,9 +612,9 @@ TEST(test_pressed)
         assert_true(chosen < FAMILIES);
         struct embed_form *const f = &form[chosen];
         assert_int_equal(embed_prove(&proof, f, &s), STATUS_OK);
-        if (!(proof.proved && proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding))
-            fail_msg("scene %zu, %s: %g proved, %g by rounding, %g sampled", i, embed_family_name(f->family, &s),
-                     proof.error, proof.rounding, f->error);
+        check(proof.proved && proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding,
+              "scene %zu, %s: %g proved, %g by rounding, %g sampled", i, embed_family_name(f->family, &s), proof.error,
+              proof.rounding, f->error);
         assert_true(proof.from == s.speed_min + s.origin);
         for (int k = 0; k <= 40; k++) {
             const double speed = s.speed_min * pow(s.speed_max / s.speed_min, k / 40.0);

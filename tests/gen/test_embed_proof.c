@@ -4,7 +4,7 @@
  * compared with counts by hand. */
 #include <math.h>
 
-#include "check.h"
+#include "ball.h"
 #include "embed/proof.h"
 #include "enclosure/collision.h"
 #include "support/local.h"
@@ -53,8 +53,8 @@ static struct embed_proof proof_of(const struct embed_form *f, const struct embe
 static void assert_proved(const struct embed_form *f, const struct embed_scene *s, double error, const char *what)
 {
     const struct embed_proof proof = proof_of(f, s);
-    if (!(proof.formula >= error * (1 - 1e-4) && proof.formula <= 1.1 * error && proof.proved))
-        fail_msg("%s: an error of %g, %g proved", what, error, proof.formula);
+    check(proof.formula >= error * (1 - 1e-4) && proof.formula <= 1.1 * error && proof.proved,
+          "%s: an error of %g, %g proved", what, error, proof.formula);
     assert_true(proof.rounding > 0 && proof.error >= proof.formula + proof.rounding);
 }
 
@@ -88,7 +88,7 @@ TEST(test_far_parts)
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 16, 40, NULL);
     assert_int_equal(collision_h_star(s.h_star_5, 128), 0);
     arb_pow_ui(s.h_star_5, s.h_star_5, 5, EMBED_BITS);
-    const double h5 = arf_get_d(arb_midref(s.h_star_5), ARF_RND_NEAR);
+    const double h5 = middle(s.h_star_5);
     arb_set_d(s.beta_per_root, 0.5);
     arb_set_d(s.beta_enclosed, 0.5);
     s.beta_min /= 2;
@@ -104,11 +104,10 @@ TEST(test_far_parts)
         if (i == 0) {
             const struct embed_proof proof = proof_of(&f, &s);
             LOCAL(arb, rest);
-            arb_set_d(rest, h5);
-            arb_sub(rest, rest, s.h_star_5, EMBED_BITS);
-            const double least = fabs(arf_get_d(arb_midref(rest), ARF_RND_NEAR)) / h5 + EMBED_FAR_ERROR;
-            if (!(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least))
-                fail_msg("h*^5/g is off by %g, %g proved", least, proof.formula);
+            LET(rest, EMBED_BITS, "abs(h5 - s.h_star_5)/h5", h5, s.h_star_5);
+            const double least = middle(rest) + EMBED_FAR_ERROR;
+            check(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least, "h*^5/g is off by %g, %g proved",
+                  least, proof.formula);
         }
         bump(number, &f.numerator, &f.denominator,
              i == 0   ? s.speed_min
@@ -229,9 +228,9 @@ TEST(test_rows)
             for (int k = 0; k <= DEGREE; k++, power /= width)
                 c[k] += at_end ? (k == DEGREE ? BUMP * last * power : 0) : BUMP * at_start * binomial[k] * power;
             const struct embed_proof proof = proof_of(&f, &s);
-            if (!(proof.formula > 0.9 * BUMP && proof.formula < 1.2 * BUMP && proof.proved))
-                fail_msg("row %ld of %ld, in %s: an error of %g at its %s, %g proved", (long)row, (long)f.rows,
-                         of_speed ? "the speed" : "beta", BUMP, at_end ? "end" : "start", proof.formula);
+            check(proof.formula > 0.9 * BUMP && proof.formula < 1.2 * BUMP && proof.proved,
+                  "row %ld of %ld, in %s: an error of %g at its %s, %g proved", (long)row, (long)f.rows,
+                  of_speed ? "the speed" : "beta", BUMP, at_end ? "end" : "start", proof.formula);
             memcpy(c, kept, sizeof kept);
         }
         free(number);
@@ -264,8 +263,8 @@ static void assert_rounding(struct embed_form f, double units, const char *what)
     f.speed_min = 0.5;
     f.speed_max = 16;
     assert_true(embed_rounding_bound(&bound, &f));
-    if (!(bound.error >= units * UNIT * (1 - 1e-9) && bound.error <= units * UNIT * 1.02))
-        fail_msg("%s: %g units proved, %g by hand", what, bound.error / UNIT, units);
+    check(bound.error >= units * UNIT * (1 - 1e-9) && bound.error <= units * UNIT * 1.02,
+          "%s: %g units proved, %g by hand", what, bound.error / UNIT, units);
 }
 
 /* Counts by hand for the speed x from 1/2 to 16, in units of 2^-53. Products, sums, the quotient and the roots are
@@ -319,8 +318,7 @@ TEST(test_limits)
                 worst = fmax(worst, fabs(embed_form_value(&f, g, fused) / (double)powl((long double)g, 0.2L) - 1));
         }
         assert_true(embed_rounding_bound(&bound, &f));
-        if (!(worst <= bound.root && bound.root <= 1.25 * worst))
-            fail_msg("fifth root: off by %g, %g proved", worst, bound.root);
+        check(worst <= bound.root && bound.root <= 1.25 * worst, "fifth root: off by %g, %g proved", worst, bound.root);
     }
     f.single = false;
     f.family = FAMILY_PIECES_BETA;

@@ -35,20 +35,14 @@ static void random_model(struct expansion *x, slong length)
 /* The model at a point of its domain, with `share` of its rest */
 static void value_at(arb_t y, struct expansion *x, double a, double b, const arb_t z, double share)
 {
-    LOCAL(arb, term, factor);
+    LOCAL(arb, term);
     arf_set_mag(arb_midref(y), x->rest);
     mag_zero(arb_radref(y));
-    arb_set_d(factor, share);
-    arb_mul(y, y, factor, BITS);
+    LET(y, BITS, "y*share", y, share);
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
             arb_poly_evaluate(term, expansion_term(x, degree - j, j), z, BITS);
-            arb_set_d(factor, a);
-            arb_pow_ui(factor, factor, (ulong)(degree - j), BITS);
-            arb_mul(term, term, factor, BITS);
-            arb_set_d(factor, b);
-            arb_pow_ui(factor, factor, (ulong)j, BITS);
-            arb_addmul(y, term, factor, BITS);
+            LET(y, BITS, "y + term*a^(degree - j)*b^j", y, term, a, degree, j, b);
         }
 }
 
@@ -58,30 +52,27 @@ static void assert_contains(struct expansion *x, double a, double b, const arb_t
     LOCAL(arb, value);
     value_at(value, x, a, b, z, 0);
     arb_add_error_mag(value, x->rest);
-    if (!arb_is_finite(value) || !arb_overlaps(value, y)) {
-        arb_fprintn(stderr, value, 40, 0);
-        fprintf(stderr, " and ");
-        arb_fprintn(stderr, y, 40, 0);
-        fail_msg(": %s at %a, %a", what, a, b);
-    }
+    check(arb_is_finite(value), "%s at %a, %a", what, a, b);
+    assert_overlap(value, y, what, 0);
 }
 
-static void domain_init(struct expansion_domain *domain, double a, double b)
+static struct expansion_domain domain_of(double a, double b)
 {
-    mag_init(domain->a);
-    mag_init(domain->b);
-    mag_set_d(domain->a, a);
-    mag_set_d(domain->b, b);
+    struct expansion_domain domain;
+    mag_init(domain.a);
+    mag_init(domain.b);
+    mag_set_d(domain.a, a);
+    mag_set_d(domain.b, b);
+    return domain;
 }
 
 /* Products, powers and substituted models contain what the numbers give. */
 TEST(test_models)
 {
-    struct expansion_domain domain, inner;
+    const struct expansion_domain domain = domain_of(smallest_a, smallest_b),
+                                  inner = domain_of(smallest_a, 4 * smallest_b);
     struct expansion x, y, z, tau, e;
     LOCAL(arb, at, other, f, g);
-    domain_init(&domain, smallest_a, smallest_b);
-    domain_init(&inner, smallest_a, 4 * smallest_b);
     expansion_init(&x, &domain);
     expansion_init(&y, &domain);
     expansion_init(&z, &domain);
@@ -100,19 +91,15 @@ TEST(test_models)
         expansion_multiply(&z, &x, &y);
         assert_contains(&z, a, b, at, f, "a product");
 
-        arb_set_d(f, a);
-        arb_pow_ui(f, f, (ulong)(k % 6), BITS);
-        arb_mul(f, f, g, BITS);
-        expansion_times_a(&z, &y, (slong)(k % 6));
+        const slong power = (slong)(k % 6);
+        LET(f, BITS, "a^power*g", a, power, g);
+        expansion_times_a(&z, &y, power);
         assert_contains(&z, a, b, at, f, "a product with a power of a");
 
         random_model(&x, 3);
         arb_poly_zero(expansion_term(&x, 0, 0));
         value_at(f, &x, a, b, at, share);
-        arb_add_ui(f, f, 1, BITS);
-        arb_set_ui(g, 1);
-        arb_div_si(g, g, -3, BITS);
-        arb_pow(f, f, g, BITS);
+        LET(f, BITS, "(f + 1)^(-1/3)", f);
         expansion_power(&z, &x, -1, 3);
         assert_contains(&z, a, b, at, f, "a power");
 
@@ -126,7 +113,7 @@ TEST(test_models)
         value_at(f, &tau, a, b, at, share);
         value_at(other, &e, a, b, at, more);
         if (arf_sgn(arb_midref(other)) >= 0) { /* z >= 0 */
-            value_at(g, &y, a, arf_get_d(arb_midref(f), ARF_RND_NEAR), other, 0);
+            value_at(g, &y, a, middle(f), other, 0);
             arb_add_error_2exp_si(g, -50); /* tau as a double */
             assert_contains(&z, a, b, at, g, "a model in a model");
         }
@@ -169,20 +156,14 @@ static void square_map(struct expansion *y, const struct expansion *x, void *con
 /* x = a + b x^2 has the root 2 a/(1 + (1 - 4 a b)^(1/2)). A map that expands is refused. */
 TEST(test_fixed_point)
 {
-    struct expansion_domain domain;
+    const struct expansion_domain domain = domain_of(smallest_a, smallest_b);
     struct expansion x;
     LOCAL(arb, c, exact, z);
-    domain_init(&domain, smallest_a, smallest_b);
     expansion_init(&x, &domain);
     arb_one(c);
     assert_true(expansion_fixed_point(&x, square_map, c));
     assert_true(mag_cmp_2exp_si(x.rest, -30) < 0); /* 2 a^3 b^2 is left out */
-    arb_set_d(exact, 1 - 4 * smallest_a * smallest_b);
-    arb_sqrt(exact, exact, BITS);
-    arb_add_ui(exact, exact, 1, BITS);
-    arb_set_d(z, 2 * smallest_a);
-    arb_div(exact, z, exact, BITS);
-    arb_zero(z);
+    LET(exact, BITS, "2*smallest_a/(1 + sqrt(1 - 4*smallest_a*smallest_b))", smallest_a, smallest_b);
     assert_contains(&x, smallest_a, smallest_b, z, exact, "a root");
     arb_set_ui(c, 1 << 14); /* no root at the corner */
     expansion_zero(&x);
@@ -220,15 +201,13 @@ static struct far_series *series_of(int i)
 /* The four quantities of a collision without their powers of beta */
 static void scaled_collision(arb_ptr value, struct collision *c, const arb_t u)
 {
-    LOCAL(arb, beta, power);
+    LOCAL(arb, beta);
     arb_exp(beta, u, 512);
     assert_int_equal(collision_solve_force(c, beta, &law_sphere, 110), 0);
     arb_struct *const field[SERIES] = {c->x_max, c->t_max, c->eps_zero_force, c->t_zero_force};
     for (int i = 0; i < SERIES; i++) {
-        arb_mul_ui(power, u, i == 2 ? 5 : 2, 512);
-        arb_div_ui(power, power, 3, 512);
-        arb_exp(power, power, 512);
-        arb_mul(value + i, field[i], power, 512);
+        const int thirds = i == 2 ? 5 : 2;
+        LET(value + i, 512, "field[i]*exp(thirds*u/3)", field[i], thirds, u);
     }
 }
 
@@ -255,8 +234,7 @@ TEST(test_collisions)
                 if (arb_contains_zero(wrong))
                     continue;
                 arb_set(kept, wrong);
-                arb_mul_ui(wrong, wrong, 1025, BITS);
-                arb_mul_2exp_si(wrong, wrong, -10);
+                LET(wrong, BITS, "wrong*(1 + 1/2^10)", wrong);
                 far_series_value(y, s, u, BITS);
                 if (arb_overlaps(y, exact + i) && j > 0)
                     fail_msg("series %d does not depend on coefficient %ld of mu^3", i, (long)j);
@@ -288,44 +266,21 @@ static void assert_coefficient(int i, slong order, slong power, const arb_t exac
 /* The leading terms, and the highest logarithms that the drift alone explains */
 TEST(test_closed_forms)
 {
-    LOCAL(arb, limit, rate, K, x, y);
-    arb_set_d(limit, 1.5); /* X* = (3/2)^(2/3), rate = (2/3) X* */
-    arb_root_ui(limit, limit, 3, BITS);
-    arb_sqr(limit, limit, BITS);
-    arb_mul_2exp_si(rate, limit, 1);
-    arb_div_ui(rate, rate, 3, BITS);
-    arb_set_ui(x, 3); /* K = ln(3)/2 - sqrt(3) pi/6 */
-    arb_log(K, x, BITS);
-    arb_mul_2exp_si(K, K, -1);
-    arb_sqrt(x, x, BITS);
-    arb_const_pi(y, BITS);
-    arb_mul(x, x, y, BITS);
-    arb_div_ui(x, x, 6, BITS);
-    arb_sub(K, K, x, BITS);
+    LOCAL(arb, limit, rate, K, x);
+    LET(limit, BITS, "(3/2)^(2/3)"); /* X* */
+    LET(rate, BITS, "2*limit/3", limit);
+    LET(K, BITS, "log(3)/2 - sqrt(3)*pi/6");
     for (int force = 0; force < 2; force++) {
         assert_coefficient(2 * force, 0, 0, limit, "limit of overlap and eps");
-        arb_set_ui(x, 3);
-        arb_div(x, x, limit, BITS); /* 3/X*, or 3/sqrt(X*) */
-        arb_sqrt(y, limit, BITS);
-        if (force)
-            arb_mul(x, x, y, BITS);
-        arb_log(x, x, BITS);
-        arb_add(x, x, K, BITS);
-        arb_mul(x, x, rate, BITS);
+        LET(x, BITS, "rate*(K + log(3/limit*sqrt(limit)^force))", rate, K, limit, force);
         assert_coefficient(1 + 2 * force, 0, 0, x, "constant of the time");
-        arb_set_ui(x, force ? 10 : 5);
-        arb_div_ui(x, x, 3, BITS);
-        arb_mul(y, x, rate, BITS);
-        assert_coefficient(1 + 2 * force, 0, 1, y, "slope of the time");
+        LET(x, BITS, "5*(1 + force)/3*rate", force, rate);
+        assert_coefficient(1 + 2 * force, 0, 1, x, "slope of the time");
         /* X falls as X' = -mu X at first: by mu s X* = mu (5/3) u (2/3) X*^2, X*^3 = 9/4, and (25/36) (mu u)^2 next. */
-        arb_sqr(y, limit, BITS);
-        arb_mul(y, y, x, BITS);
-        arb_mul_si(y, y, -2, BITS);
-        arb_div_ui(y, y, 3, BITS);
-        assert_coefficient(2 * force, 1, 1, y, "first drift");
-        arb_sqr(y, x, BITS);
-        arb_mul_2exp_si(y, y, -2);
-        assert_coefficient(2 * force, 2, 2, y, "second drift");
+        LET(x, BITS, "-2/3*limit^2*5*(1 + force)/3", limit, force);
+        assert_coefficient(2 * force, 1, 1, x, "first drift");
+        LET(x, BITS, "(5*(1 + force)/3)^2/4", force);
+        assert_coefficient(2 * force, 2, 2, x, "second drift");
         for (slong order = 0; order <= EXPANSION_ORDER; order++)
             assert_true(arb_poly_length(&series_of(2 * force)->order[order]) <= order + 1);
     }
@@ -357,21 +312,16 @@ static double factor_of(int k, double u)
 /* The error of a formula, relative to the series, at u */
 static double formula_error(const struct formula *f, int i, double at)
 {
-    LOCAL(arb, u, y, sum, x);
+    LOCAL(arb, u, y, sum);
     arb_set_d(u, at);
     for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
-        arb_mul_si(x, u, k < 4 ? 0 : k < 7 ? -5 : -10, BITS);
-        arb_div_ui(x, x, 3, BITS);
-        arb_exp(x, x, BITS);
-        for (int power = k < 4 ? k / 2 : k < 7 ? k - 4 : k - 7; power > 0; power--)
-            arb_mul(x, x, u, BITS);
-        arb_set_d(y, f->row(0)[k]);
-        arb_addmul(sum, x, y, BITS);
+        const int order = k < 4 ? 0 : k < 7 ? 1 : 2, power = k < 4 ? k / 2 : k < 7 ? k - 4 : k - 7;
+        const double c = f->row(0)[k];
+        LET(sum, BITS, "sum + c*exp(-5*order*u/3)*u^power", sum, c, order, u, power);
     }
     far_series_value(y, series_of(i), u, BITS);
-    arb_sub(sum, sum, y, BITS);
-    arb_div(sum, sum, y, BITS);
-    return fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR));
+    LET(sum, BITS, "sum/y - 1", sum, y);
+    return fabs(middle(sum));
 }
 
 /* The proved bounds of the stored formulas are the largest sampled errors, or a little larger. Any wrong coefficient is
@@ -385,16 +335,16 @@ TEST(test_formulas)
         const double bits = far_proof_bits(&proof, f->quantity, c);
         for (double u = FAR_PROOF_FROM; u < FAR_PROOF_TO; u *= 1.003)
             worst = fmax(worst, formula_error(f, i, u));
-        if (!(bits >= f->least_bits && bits <= -log2(worst) && bits >= -log2(worst) - 0.3))
-            fail_msg("quantity %d: %g bits proved, %g sampled", (int)f->quantity, bits, -log2(worst));
+        check(bits >= f->least_bits && bits <= -log2(worst) && bits >= -log2(worst) - 0.3,
+              "quantity %d: %g bits proved, %g sampled", (int)f->quantity, bits, -log2(worst));
         for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
             if (!in_turn((size_t)k + (size_t)i, 4))
                 continue;
             const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
             c[k] += (random_below(&random_state, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
                     (k == 0 || k == 2 ? 1 : 0x1p-10); /* the heads have no smaller bits */
-            if (!(far_proof_bits(&proof, f->quantity, c) < 61))
-                fail_msg("quantity %d is proved with a wrong coefficient %d", (int)f->quantity, k);
+            check(far_proof_bits(&proof, f->quantity, c) < 61, "quantity %d is proved with a wrong coefficient %d",
+                  (int)f->quantity, k);
             c[k] = kept;
         }
     }
@@ -406,20 +356,18 @@ TEST(test_inverse)
     double c[INTERPOLANT_FAR_INVERSE + 1];
     memcpy(c, cor_rows_far_beta_zero_force(0), sizeof c);
     const double bits = far_proof_bits(&proof, BETA_ZERO_FORCE, c), e = 0x1p-23 / c[0], v = -0.6 * log(e);
-    if (!(bits >= 55.5 && bits <= 57))
-        fail_msg("%g bits proved of the inverse", bits);
+    check(bits >= 55.5 && bits <= 57, "%g", bits);
     LOCAL(arb, u, eps); /* The inverse is used where eps < 2^-23 only. */
     arb_set_d(u, FAR_PROOF_INVERSE_FROM);
     far_series_value(eps, &proof.motion.eps_zero_force, u, BITS);
-    assert_true(arf_get_d(arb_midref(eps), ARF_RND_NEAR) * exp(-5 * FAR_PROOF_INVERSE_FROM / 3) > 1.01 * 0x1p-23);
+    assert_true(middle(eps) * exp(-5 * FAR_PROOF_INVERSE_FROM / 3) > 1.01 * 0x1p-23);
     for (int k = 0; k < INTERPOLANT_FAR_INVERSE + 1; k++) {
         if (!in_turn((size_t)k, 4))
             continue;
         const double kept = c[k], factor = k < 2 ? 0.6 / c[0] : k < 5 ? e * pow(v, k - 2) : e * e * pow(v, k - 5);
         c[k] += 0x1p-51 / factor;
         const double wrong = far_proof_bits(&proof, BETA_ZERO_FORCE, c);
-        if (!(wrong < 51.5))
-            fail_msg("the inverse is proved to %g bits with a wrong coefficient %d", wrong, k);
+        check(wrong < 51.5, "the inverse is proved to %g bits with a wrong coefficient %d", wrong, k);
         c[k] = kept;
     }
 }
@@ -436,13 +384,12 @@ TEST(test_duration)
     double c[INTERPOLANT_FAR + 2];
     memcpy(c, cor_rows_far_duration_zero_overlap(0), sizeof c);
     const double bits = far_proof_bits(&proof, DURATION_ZERO_OVERLAP, c);
-    if (!(bits >= 70))
-        fail_msg("%g bits proved of the duration at zero overlap", bits);
+    check(bits >= 70, "%g bits proved of the duration at zero overlap", bits);
     for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
         const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
         c[k] += 0x1p-50 * value / factor_of(k, FAR_PROOF_FROM);
-        if (!(far_proof_bits(&proof, DURATION_ZERO_OVERLAP, c) < 51))
-            fail_msg("the duration at zero overlap is proved with a wrong coefficient %d", k);
+        check(far_proof_bits(&proof, DURATION_ZERO_OVERLAP, c) < 51,
+              "the duration at zero overlap is proved with a wrong coefficient %d", k);
         c[k] = kept;
     }
     interpolant_proof_free(rows);

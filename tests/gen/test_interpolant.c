@@ -27,70 +27,58 @@ static double relative(const arb_t x, const arb_t y)
 {
     LOCAL(arb, d);
     LOCAL(arf, bound);
-    arb_div(d, x, y, PREC);
-    arb_sub_ui(d, d, 1, PREC);
+    LET(d, PREC, "x/y - 1", x, y);
     arb_get_abs_ubound_arf(bound, d, 30);
-    const double error = arf_get_d(bound, ARF_RND_UP);
-    return error;
+    return arf_get_d(bound, ARF_RND_UP);
 }
 
 /* Both functions enclose the same numbers, whichever way the first of them went. */
 TEST(test_loading_alone)
 {
     static const double betas[] = {1e-20, 0.01, 0.5, 1, 1.0000001, 3, 7, 12, 40, 1000, 1e6};
-    struct collision whole, loading;
+    LOCAL(collision, whole, loading);
     LOCAL(arb, beta);
-    collision_init(&whole);
-    collision_init(&loading);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         arb_set_d(beta, betas[i]);
-        assert_int_equal(collision_solve(&whole, beta, &law_sphere, 60), 0);
-        assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 100), 0);
+        assert_int_equal(collision_solve(whole, beta, &law_sphere, 60), 0);
+        assert_int_equal(collision_solve_force(loading, beta, &law_sphere, 100), 0);
         const enum quantity quantities[] = {EPS_ZERO_FORCE, DURATION_ZERO_FORCE, MAX_OVERLAP, TIME_OF_MAX_OVERLAP};
         for (size_t k = 0; k < sizeof quantities / sizeof *quantities; k++) {
-            assert_bits(field(&loading, quantities[k]), 100);
-            assert_overlap(field(&whole, quantities[k]), field(&loading, quantities[k]), "loading alone, beta",
-                           (slong)i);
+            assert_bits(field(loading, quantities[k]), 100);
+            assert_overlap(field(whole, quantities[k]), field(loading, quantities[k]), "loading alone, beta", (slong)i);
         }
         /* unknown, unless the last step reached that far */
-        assert_overlap(whole.eps_zero_overlap, loading.eps_zero_overlap, "the end, beta", (slong)i);
-        assert_true(betas[i] < 0.1 || !arb_is_finite(loading.t_zero_overlap));
+        assert_overlap(whole->eps_zero_overlap, loading->eps_zero_overlap, "the end, beta", (slong)i);
+        assert_true(betas[i] < 0.1 || !arb_is_finite(loading->t_zero_overlap));
     }
     /* beta = 0 has no force to vanish; neither have laws with a <= b */
     arb_zero(beta);
-    assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 60), 1);
+    assert_int_equal(collision_solve_force(loading, beta, &law_sphere, 60), 1);
     arb_set_si(beta, -1);
-    assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 60), 1);
+    assert_int_equal(collision_solve_force(loading, beta, &law_sphere, 60), 1);
     arb_indeterminate(beta);
-    assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 60), 1);
-    collision_clear(&whole);
-    collision_clear(&loading);
+    assert_int_equal(collision_solve_force(loading, beta, &law_sphere, 60), 1);
 }
 
 /* Between the methods: too early for the slow manifold at so many bits. It was tried for ever. The alarm ends the
  * test, and the answer is that of the loading and of h*^5 beta^-5. */
 TEST(test_between_methods)
 {
-    struct collision c, loading;
+    LOCAL(collision, c, loading);
     LOCAL(arb, beta, h);
-    collision_init(&c);
-    collision_init(&loading);
     alarm(120);
     for (int k = 0; k < 2; k++) {
         arb_set_d(beta, k == 0 ? 13.155 : 12.5);
-        assert_int_equal(collision_solve(&c, beta, &law_sphere, 114), 0);
-        assert_bits(c.eps_zero_overlap, 114);
-        assert_bits(c.t_zero_overlap, 114);
-        assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 114), 0);
-        assert_overlap(c.eps_zero_force, loading.eps_zero_force, "eps at zero force", k);
+        assert_int_equal(collision_solve(c, beta, &law_sphere, 114), 0);
+        assert_bits(c->eps_zero_overlap, 114);
+        assert_bits(c->t_zero_overlap, 114);
+        assert_int_equal(collision_solve_force(loading, beta, &law_sphere, 114), 0);
+        assert_overlap(c->eps_zero_force, loading->eps_zero_force, "eps at zero force", k);
         assert_int_equal(collision_h_star(h, 114), 0);
-        arb_div(h, h, beta, PREC);
-        arb_pow_ui(h, h, 5, PREC);
-        assert_true(relative(c.eps_zero_overlap, h) < 0x1p-112);
+        LET(h, PREC, "(h/beta)^5", h, beta);
+        assert_true(relative(c->eps_zero_overlap, h) < 0x1p-112);
     }
     alarm(0);
-    collision_clear(&c);
-    collision_clear(&loading);
 }
 
 TEST(test_points)
@@ -108,23 +96,21 @@ TEST(test_points)
 TEST(test_small_beta)
 {
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 0, 0.375);
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, z, beta, y, exact);
     double worst = 0, error;
     assert_non_null(f);
-    collision_init(&c);
     for (int k = 0; k < (int)few_or_all(20, 60); k++) {
         arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : random_uniform(&random_state, 0, 0.612));
         arb_sqr(beta, z, PREC);
-        assert_int_equal(collision_solve(&c, beta, &law_sphere, 110), 0);
+        assert_int_equal(collision_solve(c, beta, &law_sphere, 110), 0);
         for (int q = 0; q < QUANTITIES; q++) {
             interpolant_value(y, f, (enum quantity)q, z, PREC);
-            worst = fmax(worst, relative(y, field(&c, (enum quantity)q)));
+            worst = fmax(worst, relative(y, field(c, (enum quantity)q)));
             if (q != EPS_ZERO_OVERLAP && q != EPS_ZERO_FORCE)
                 continue;
-            arb_sub_ui(exact, field(&c, (enum quantity)q), 1, PREC);
-            arb_div(exact, exact, beta, PREC);
-            arb_neg(exact, exact);
+            const arb_srcptr eps = field(c, (enum quantity)q);
+            LET(exact, PREC, "(1 - eps)/beta", eps, beta);
             interpolant_value(y, f, q == EPS_ZERO_FORCE ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP, z,
                               PREC);
             worst = fmax(worst, relative(y, exact));
@@ -135,7 +121,6 @@ TEST(test_small_beta)
     assert_int_equal(interpolant_check(&error, f, 3), 0);
     assert_true(error < 1e-17);
     interpolant_free(f);
-    collision_clear(&c);
 }
 
 /* Strong damping: sqrt(beta) up to 17, then ln(beta) with the powers taken out. */
@@ -144,11 +129,10 @@ TEST(test_large_beta)
     if (!few_or_all(0, 1)) /* building takes 10 s; accuracy.functions tests what is made of it */
         skip();
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 8.5, 9);
-    struct collision c;
-    LOCAL(arb, x, beta, y, exact, power);
+    LOCAL(collision, c);
+    LOCAL(arb, x, beta, y);
     double worst[2] = {0};
     assert_non_null(f);
-    collision_init(&c);
     for (int k = 0; k < 40; k++) {
         const bool tail = k >= 20;
         if (tail) {
@@ -160,26 +144,24 @@ TEST(test_large_beta)
         }
         const bool whole = tail && k % 8 == 0; /* these cost the most */
         assert_int_equal(
-            whole ? collision_solve(&c, beta, &law_sphere, 80) : collision_solve_force(&c, beta, &law_sphere, 80), 0);
+            whole ? collision_solve(c, beta, &law_sphere, 80) : collision_solve_force(c, beta, &law_sphere, 80), 0);
         for (int q = 0; q < QUANTITIES; q++) {
             const enum quantity quantity = (enum quantity)q;
             if (quantity == EPS_ZERO_OVERLAP || (quantity == DURATION_ZERO_OVERLAP && !whole))
                 continue;
-            arb_set(exact, field(&c, quantity));
             if (tail) {
                 interpolant_tail(y, f, quantity, x, PREC);
-                arb_pow_ratio(power, beta, interpolant_tail_power(&law_sphere, quantity), PREC);
-                arb_mul(y, y, power, PREC);
+                const struct ratio power = interpolant_tail_power(&law_sphere, quantity);
+                LET(y, PREC, "y*beta^power", y, beta, power);
             } else {
                 interpolant_value(y, f, quantity, x, PREC);
             }
-            worst[tail] = fmax(worst[tail], relative(y, exact));
+            worst[tail] = fmax(worst[tail], relative(y, field(c, quantity)));
         }
     }
     print_message("beta > 8: %.1e, in ln(beta) %.1e\n", worst[0], worst[1]);
     assert_true(worst[0] < 1e-18 && worst[1] < 1e-17);
     interpolant_free(f);
-    collision_clear(&c);
 }
 
 RUN_TESTS(test_loading_alone, test_between_methods, test_points, test_small_beta, test_large_beta)

@@ -17,25 +17,15 @@
 
 enum way { WAY_OVERLAP, WAY_CREEP, WAY_FORCE, WAY_STRONG_FORCE };
 
-static struct law law_of(const char *elastic, const char *damping)
-{
-    struct law law;
-    assert_null(law_parse(&law, elastic, damping));
-    return law;
-}
-
 /* ln(eps) from an enclosed collision */
 static double exact_log_eps(const struct law *law, double beta, enum way way)
 {
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, x);
-    collision_init(&c);
     arb_set_d(x, beta);
-    assert_int_equal(collision_solve(&c, x, law, 60), 0);
-    arb_log(x, way == WAY_OVERLAP || way == WAY_CREEP ? c.eps_zero_overlap : c.eps_zero_force, 60);
-    const double y = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-    collision_clear(&c);
-    return y;
+    assert_int_equal(collision_solve(c, x, law, 60), 0);
+    arb_log(x, way == WAY_OVERLAP || way == WAY_CREEP ? c->eps_zero_overlap : c->eps_zero_force, 60);
+    return middle(x);
 }
 
 static bool enclose(struct complex_ball *y, const struct law *law, struct complex_ball log_beta, enum way way)
@@ -154,7 +144,7 @@ static double largest_error(const struct law_proof *proof, const struct law *law
         arb_set_si(t, -1);
         arb_poly_evaluate(y, eps, t, 200);
         arb_log(y, y, 200);
-        const double found = arf_get_d(arb_midref(y), ARF_RND_NEAR), exact = exact_log_eps(law, beta, way);
+        const double found = middle(y), exact = exact_log_eps(law, beta, way);
         largest = fmax(largest, fabs(found - exact));
         check(fabs(found - exact) <= mag_get_d(arb_radref(y)) + 4e-15, "beta = %g: %.17g, not %.17g", beta, found,
               exact);
@@ -207,30 +197,27 @@ TEST(pressed)
                  {1.5, 0, 0.4, 0.05, 1.1},
                  {1.5, 1.5, 0.5, 0.2, 1.2}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct law law;
         char a[16], b[16];
         snprintf(a, sizeof a, "%g", cases[i].a);
         snprintf(b, sizeof b, "%g", cases[i].b);
-        assert_null(law_parse(&law, a, b));
+        const struct law law = law_of(a, b);
         const double v = cases[i].speed, q = (2 * cases[i].b - cases[i].a + 1) / (cases[i].a + 1);
         const struct complex_law_pressing pressing = {ball_of(cases[i].force, 0), {log(v), 0, 1e-6}};
         for (int force = 0; force < (law_force_ends(&law) ? 2 : 1); force++) {
             struct complex_law_path path = complex_law_path(&law, cases[i].beta, false);
             struct complex_ball y;
-            struct collision c;
+            LOCAL(collision, c);
             LOCAL(arb, beta, f);
             path.resolution = 0.1;
-            collision_init(&c);
             arb_set_d(beta, cases[i].beta * pow(v, q));
             arb_set_d(f, cases[i].force * pow(v, -2 * cases[i].a / (cases[i].a + 1)));
-            assert_int_equal(collision_solve_pressed(&c, beta, f, &law, force, 60), 0);
-            arb_log(f, force ? c.eps_zero_force : c.eps_zero_overlap, 60);
-            const double exact = arf_get_d(arb_midref(f), ARF_RND_NEAR);
-            collision_clear(&c);
+            assert_int_equal(collision_solve_pressed(c, beta, f, &law, force, 60), 0);
+            arb_log(f, force ? c->eps_zero_force : c->eps_zero_overlap, 60);
+            const double exact = middle(f);
             assert_true(force ? complex_law_zero_force(&y, &law, ball_of(log(cases[i].beta), 0), &pressing, &path)
                               : complex_law_zero_overlap(&y, &law, ball_of(cases[i].beta, 0), &pressing, &path));
-            if (!(hypot(y.re - exact, y.im) <= y.radius && y.radius < 0.1 && fabs(y.re - exact) < 0.01))
-                fail_msg("case %zu, end %d: %.6g, enclosed %.6g +- %.1e", i, force, exact, y.re, y.radius);
+            check(hypot(y.re - exact, y.im) <= y.radius && y.radius < 0.1 && fabs(y.re - exact) < 0.01,
+                  "case %zu, end %d: %.6g, enclosed %.6g +- %.1e", i, force, exact, y.re, y.radius);
         }
     }
 }
@@ -244,8 +231,8 @@ TEST(test_pressed_ellipse)
     const struct ratio power = interpolant_press_power(&law);
     const struct interval interval = {INTERVAL_LOG, lo, hi, 12, 60, FORM_LOG, 1u << EPS_ZERO_OVERLAP};
     struct ellipse_bound bound;
-    struct collision c;
     double most = 0;
+    LOCAL(collision, c);
     LOCAL(arb, press, beta, force, x);
     arb_set_d(press, first_force * exp(-lo * (double)power.num / (double)power.den));
     const struct interpolant_layout layout = {
@@ -253,19 +240,16 @@ TEST(test_pressed_ellipse)
     struct interpolant *const f = interpolant_new(&layout, exp(lo), exp(hi));
     assert_non_null(f);
     assert_true(ellipse_bound_of_law(&bound, f, &interval, EPS_ZERO_OVERLAP, rho));
-    collision_init(&c);
     for (int k = -1; k <= 1; k++) { /* the ends of the ellipse, and its middle */
         const double u = (lo + hi) / 2 + k * (hi - lo) / 4 * (rho + 1 / rho);
         arb_set_d(beta, exp(u));
-        arb_pow_ratio(force, beta, power, 60);
-        arb_mul(force, force, press, 60);
-        assert_int_equal(collision_solve_pressed(&c, beta, force, &law, 0, 40), 0);
-        arb_log(x, c.eps_zero_overlap, 60);
-        most = fmax(most, -arf_get_d(arb_midref(x), ARF_RND_NEAR));
+        LET(force, 60, "press*beta^power", press, beta, power);
+        assert_int_equal(collision_solve_pressed(c, beta, force, &law, 0, 40), 0);
+        arb_log(x, c->eps_zero_overlap, 60);
+        most = fmax(most, -middle(x));
     }
     check(most <= bound.modulus[EPS_ZERO_OVERLAP] && bound.modulus[EPS_ZERO_OVERLAP] < 1.3 * most,
           "%g bounds %g on the real axis", bound.modulus[EPS_ZERO_OVERLAP], most);
-    collision_clear(&c);
     interpolant_free(f);
 }
 

@@ -87,9 +87,8 @@ static double evaluate(const struct pieces *p, slong r, double fraction, double 
 
 TEST(test_rows_are_the_function)
 {
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, x, loss);
-    collision_init(&c);
     for (int kind = 0; kind < 4; kind++) {
         struct pieces p = table(kind);
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 0);
@@ -98,15 +97,13 @@ TEST(test_rows_are_the_function)
             double beta;
             const double value = evaluate(&p, r, 0.8, &beta);
             arb_set_d(x, beta);
-            assert_int_equal(collision_solve(&c, x, &law_sphere, 80), 0);
-            arb_srcptr eps = p.quantity == EPS_ZERO_FORCE ? c.eps_zero_force : c.eps_zero_overlap;
-            arb_sub_ui(loss, eps, 1, PREC);
-            arb_div(loss, loss, x, PREC);
-            arb_neg(loss, loss);
-            const double exact = arf_get_d(arb_midref(kind == 2 ? loss : eps), ARF_RND_NEAR);
+            assert_int_equal(collision_solve(c, x, &law_sphere, 80), 0);
+            const arb_srcptr eps = p.quantity == EPS_ZERO_FORCE ? c->eps_zero_force : c->eps_zero_overlap;
+            LET(loss, PREC, "(1 - eps)/x", eps, x);
+            const double exact = middle(kind == 2 ? loss : eps);
             /* in plain doubles, so a few units for the sum and for beta */
-            if (!(fabs(value / exact - 1) < 2e-15))
-                fail_msg("kind %d, row %ld, beta = %g: %.17g, not %.17g", kind, (long)r, beta, value, exact);
+            check(fabs(value / exact - 1) < 2e-15, "kind %d, row %ld, beta = %g: %.17g, not %.17g", kind, (long)r, beta,
+                  value, exact);
             /* c_0' is the remainder of c_0 */
             double c0, c1;
             assert_true(digits_to_double(&c0, p.coefficient + r * (p.degree + 2)));
@@ -115,7 +112,6 @@ TEST(test_rows_are_the_function)
         }
         pieces_clear(&p);
     }
-    collision_clear(&c);
 }
 
 /* The same rows to more bits than they have, and rows too wide for their degree. */

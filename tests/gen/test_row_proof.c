@@ -19,52 +19,43 @@ static struct random_state random_state = {20081999};
 static void assert_in(struct complex_ball ball, double complex exact, double slack, const char *what)
 {
     const double off = cabs(ball.re + I * ball.im - exact);
-    if (!(off <= ball.radius + slack * cabs(exact)))
-        fail_msg("%s: %g %+g i +- %g does not contain %g %+g i", what, ball.re, ball.im, ball.radius, creal(exact),
-                 cimag(exact));
+    check(off <= ball.radius + slack * cabs(exact), "%s: %g %+g i +- %g does not contain %g %+g i", what, ball.re,
+          ball.im, ball.radius, creal(exact), cimag(exact));
     if (!(off <= 0.02 * cabs(exact))) /* the centre is close */
         fail_msg("%s: the centre %g %+g i is far from %g %+g i", what, ball.re, ball.im, creal(exact), cimag(exact));
-}
-
-static double real_value(const arb_t x)
-{
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
 TEST(test_real_axis)
 {
     static const double places[] = {0.2, 0.6, 1.07, 1.3, 1.66, 1.68, 2.2, 2.8, 3.4, 4.1};
-    struct collision exact;
     struct complex_collision c;
+    LOCAL(collision, exact);
     LOCAL(arb, beta);
-    collision_init(&exact);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         const double z = places[i];
         const bool overlap = z < 3;
-        arb_set_d(beta, z);
-        arb_sqr(beta, beta, 200);
+        LET(beta, 200, "z^2", z);
         assert_true(complex_collision_root(&c, ball_of(z, 0), overlap));
-        assert_int_equal(overlap ? collision_solve(&exact, beta, &law_sphere, 50)
-                                 : collision_solve_force(&exact, beta, &law_sphere, 50),
+        assert_int_equal(overlap ? collision_solve(exact, beta, &law_sphere, 50)
+                                 : collision_solve_force(exact, beta, &law_sphere, 50),
                          0);
-        assert_in(c.x_max, real_value(exact.x_max), 1e-12, "largest overlap");
-        assert_in(c.t_max, real_value(exact.t_max), 1e-12, "its time");
-        assert_in(c.eps_zero_force, real_value(exact.eps_zero_force), 1e-12, "eps at zero force");
-        assert_in(c.t_zero_force, real_value(exact.t_zero_force), 1e-12, "time of zero force");
+        assert_in(c.x_max, middle(exact->x_max), 1e-12, "largest overlap");
+        assert_in(c.t_max, middle(exact->t_max), 1e-12, "its time");
+        assert_in(c.eps_zero_force, middle(exact->eps_zero_force), 1e-12, "eps at zero force");
+        assert_in(c.t_zero_force, middle(exact->t_zero_force), 1e-12, "time of zero force");
         if (overlap) {
-            assert_in(c.eps_zero_overlap, real_value(exact.eps_zero_overlap), 1e-12, "eps at zero overlap");
-            assert_in(c.t_zero_overlap, real_value(exact.t_zero_overlap), 1e-12, "time of zero overlap");
+            assert_in(c.eps_zero_overlap, middle(exact->eps_zero_overlap), 1e-12, "eps at zero overlap");
+            assert_in(c.t_zero_overlap, middle(exact->t_zero_overlap), 1e-12, "time of zero overlap");
         }
         const double u = 2 * log(z), power = pow(z, 4.0 / 3);
         if (u < 0.5)
             continue;
         assert_true(complex_collision_log(&c, ball_of(u, 0)));
-        assert_in(c.x_max, power * real_value(exact.x_max), 1e-12, "largest overlap by ln(beta)");
-        assert_in(c.t_max, power * real_value(exact.t_max), 1e-12, "its time by ln(beta)");
-        assert_in(c.eps_zero_force, pow(z, 10.0 / 3) * real_value(exact.eps_zero_force), 1e-12, "eps by ln(beta)");
-        assert_in(c.t_zero_force, power * real_value(exact.t_zero_force), 1e-12, "time of zero force by ln(beta)");
+        assert_in(c.x_max, power * middle(exact->x_max), 1e-12, "largest overlap by ln(beta)");
+        assert_in(c.t_max, power * middle(exact->t_max), 1e-12, "its time by ln(beta)");
+        assert_in(c.eps_zero_force, pow(z, 10.0 / 3) * middle(exact->eps_zero_force), 1e-12, "eps by ln(beta)");
+        assert_in(c.t_zero_force, power * middle(exact->t_zero_force), 1e-12, "time of zero force by ln(beta)");
     }
-    collision_clear(&exact);
 }
 
 /* One step of Runge and Kutta's method for dw/ds = v/2, dv/ds = -w^2 (beta v + w^2), dt/ds = w (derivation, 6) */
@@ -204,8 +195,8 @@ static void assert_row_guarded(struct pieces *p, slong row, double *c)
     const slong k = 1 + (slong)random_below(&random_state, (unsigned)p->degree + 1);
     const double kept = c[k], change = k == 1 ? 0x1p-49 * c[0] : 0x1p-49 * c[0] / (s * pow(t, (double)(k - 2)));
     c[k] += change;
-    if (!(row_proof_bits(proof, p, row, c) < 51))
-        fail_msg("row %ld is proved with a wrong coefficient %ld, %a", (long)row, (long)k, change);
+    check(row_proof_bits(proof, p, row, c) < 51, "row %ld is proved with a wrong coefficient %ld, %a", (long)row,
+          (long)k, change);
     c[k] = kept;
 
     const double rest = -log2(fabs(c[1] / c[0])), dropped = c[1];
@@ -236,9 +227,8 @@ TEST(test_rows)
         for (slong row = 0; row < p.rows; row++) {
             double *const c = p.value + row * columns;
             const double bits = row_proof_bits(proof, &p, row, c);
-            if (!(bits <= p.bits[row] + 1e-9 && bits >= fmin(p.bits[row], 62) - 1))
-                fail_msg("table %d, row %ld: %g bits proved, %g sampled", (int)p.quantity, (long)row, bits,
-                         p.bits[row]);
+            check(bits <= p.bits[row] + 1e-9 && bits >= fmin(p.bits[row], 62) - 1,
+                  "table %d, row %ld: %g bits proved, %g sampled", (int)p.quantity, (long)row, bits, p.bits[row]);
             c[0] *= 1 + 0x1p-49;
             assert_true(row_proof_bits(proof, &p, row, c) < 50);
             c[0] /= 1 + 0x1p-49;
@@ -259,20 +249,17 @@ TEST(test_rows)
 /* A sample that is wrong in its 52nd bit, or a node in its 40th: no proof. */
 TEST(test_samples)
 {
-    LOCAL(arb, kept, factor);
+    LOCAL(arb, kept);
     const struct samples *const samples = &interpolant->samples[1];
     assert_true(samples->known);
     const slong j = (slong)random_below(&random_state, 40);
     const arb_ptr wrong[] = {samples->value[EPS_ZERO_FORCE] + j, samples->node + j};
     for (int k = 0; k < 2; k++) {
         arb_set(kept, wrong[k]);
-        arb_one(factor);
-        arb_mul_2exp_si(factor, factor, k == 0 ? -52 : -40);
-        arb_add_ui(factor, factor, 1, 200);
-        arb_mul(wrong[k], wrong[k], factor, 200);
+        const int bit = k == 0 ? 52 : 40;
+        LET(wrong[k], 200, "kept*(1 + 1/2^bit)", kept, bit);
         struct interpolant_proof *none = interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED);
-        if (none)
-            fail_msg("proved with a wrong %s %ld", k == 0 ? "sample" : "node", (long)j);
+        check(!none, "proved with a wrong %s %ld", k == 0 ? "sample" : "node", (long)j);
         arb_set(wrong[k], kept);
     }
 }
@@ -302,26 +289,18 @@ TEST(test_unknown)
 static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_series *s, const arb_t beta, bool last)
 {
     enum { PREC = 200, BITS = 110 };
-    struct collision c;
-    LOCAL(arb, x, r);
-    collision_init(&c);
-    assert_int_equal(collision_solve(&c, beta, &law_sphere, BITS), 0);
-    arb_mul(Y, beta, c.eps_zero_force, PREC); /* x = beta eps at zero force */
-    arb_sqrt(Y, Y, PREC);
-    arb_mul(Y, Y, beta, PREC);
-    arb_mul(Y, Y, beta, PREC);
-    arb_sub(rest, c.t_zero_overlap, c.t_zero_force, PREC);
-    arb_div(rest, rest, beta, PREC);
-    arb_log(x, Y, PREC);
-    arb_submul_ui(rest, x, 2, PREC);
+    LOCAL(collision, c);
+    LOCAL(arb, r);
+    assert_int_equal(collision_solve(c, beta, &law_sphere, BITS), 0);
+    LET(Y, PREC, "sqrt(beta*c->eps_zero_force)*beta^2", beta, c->eps_zero_force); /* x = beta eps at zero force */
+    LET(rest, PREC, "(c->t_zero_overlap - c->t_zero_force)/beta - 2*log(Y)", c->t_zero_overlap, c->t_zero_force, beta,
+        Y);
     arb_inv(r, Y, PREC);
-    arb_one(x);
     for (slong j = 1; j <= CREEP_SERIES_ORDER - (last ? 0 : 1); j++) {
-        arb_mul(x, x, r, PREC);
-        arb_submul(rest, x, s->a + j, PREC);
+        const arb_srcptr a_j = s->a + j;
+        LET(rest, PREC, "rest - a_j*r^j", rest, a_j, r, j);
     }
     creep_series_remainder(bound, s, r);
-    collision_clear(&c);
 }
 
 /* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same C within the remainder, also where Y
@@ -333,18 +312,18 @@ TEST(test_creep_series)
     LOCAL(arb, beta, constant, rest, Y, bound, x);
     creep_series_init(&s, 200);
     for (int j = 0; j < 4; j++)
-        assert_true(real_value(s.a + j + 1) == first[j]);
+        assert_true(middle(s.a + j + 1) == first[j]);
     arb_set_d(beta, 1e4);
     creep_rest(constant, Y, bound, &s, beta, true);
-    assert_true(real_value(bound) < 1e-100);
+    assert_true(middle(bound) < 1e-100);
     for (int i = 0; i < 3; i++) {
         const double b = i == 0 ? 8.2 : random_uniform(&random_state, 8.2, i == 1 ? 9 : 20);
         for (int last = 1; last >= (i == 0 ? 0 : 1); last--) {
             arb_set_d(beta, b);
             creep_rest(rest, Y, bound, &s, beta, last);
-            assert_true(real_value(Y) > (double)CREEP_SERIES_LEAST_Y && arb_is_finite(bound));
-            arb_sub(rest, rest, constant, 200);
-            const double off = fabs(real_value(rest)), allowed = real_value(bound);
+            assert_true(middle(Y) > (double)CREEP_SERIES_LEAST_Y && arb_is_finite(bound));
+            LET(rest, 200, "abs(rest - constant)", rest, constant);
+            const double off = middle(rest), allowed = middle(bound);
             if (last && !(off <= allowed + 1e-31))
                 fail_msg("beta = %a: the series is off by %g, more than the remainder's bound %g", b, off, allowed);
             if (i == 0 && !last && !(off > allowed))
@@ -361,8 +340,8 @@ TEST(test_creep_series)
         creep_series_remainder(bound, &s, x);
         assert_true(arb_is_finite(bound) == (i >= 0));
         if (i >= 0)
-            assert_true(real_value(bound) < before);
-        before = i >= 0 ? real_value(bound) : HUGE_VAL;
+            assert_true(middle(bound) < before);
+        before = i >= 0 ? middle(bound) : HUGE_VAL;
     }
     creep_series_clear(&s);
 }
@@ -372,11 +351,11 @@ TEST(test_enclosed_functions)
 {
     LOCAL(arb_poly, p, log_p, inverse);
     LOCAL(arb, t, x, y);
-    enclosed_add_double(p, 2);
-    arb_set_d(x, 0.3);
-    arb_poly_set_coeff_arb(p, 1, x);
-    arb_set_d(x, 0.1);
-    arb_poly_set_coeff_arb(p, 2, x);
+    for (slong k = 0; k < 3; k++) {
+        static const double c[] = {2, 0.3, 0.1};
+        arb_set_d(x, c[k]);
+        arb_poly_set_coeff_arb(p, k, x);
+    }
     assert_true(enclosed_logarithm(log_p, p) && enclosed_inverse(inverse, p));
     for (int i = 0; i < 20; i++) {
         arb_set_d(t, i == 0 ? 1 : random_uniform(&random_state, -1, 1));
@@ -434,8 +413,8 @@ TEST(test_creep_rows)
         const double sampled = p.bits[row];
         p.bits[row] = row_proof_bits(proof, &p, row, c);
         /* the polynomial with which sampling compares is off by 4e-18 */
-        if (!(p.bits[row] >= fmin(sampled, 60) - 2))
-            fail_msg("row %ld: %g bits proved, %g sampled", (long)row, p.bits[row], sampled);
+        check(p.bits[row] >= fmin(sampled, 60) - 2, "row %ld: %g bits proved, %g sampled", (long)row, p.bits[row],
+              sampled);
         assert_row_guarded(&p, row, c);
     }
     proof = kept;
@@ -447,11 +426,9 @@ TEST(test_creep_rows)
         arb_struct *const wrong = f->samples[last].value[used[k]] + random_below(&random_state, 20);
         LOCAL(arb, exact);
         arb_set(exact, wrong);
-        arb_mul_2exp_si(wrong, exact, -58);
-        arb_add(wrong, wrong, exact, 200);
+        LET(wrong, 200, "exact*(1 + 1/2^58)", exact);
         struct interpolant_proof *none = interpolant_proof_new(f, SET_ALL, ELLIPSES_STATED);
-        if (none)
-            fail_msg("proved with a wrong sample of quantity %d", (int)used[k]);
+        check(!none, "proved with a wrong sample of quantity %d", (int)used[k]);
         arb_set(wrong, exact);
     }
     interpolant_proof_free(creep);

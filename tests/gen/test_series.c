@@ -9,13 +9,6 @@
 
 static const slong BITS = 160, PREC = 320;
 
-static struct law law_of(const char *a, const char *b)
-{
-    struct law law;
-    assert_null(law_parse(&law, a, b));
-    return law;
-}
-
 /* ---- against collisions ---- */
 
 /* sum f_k x^k, k <= order, differs from `value` by x^(order + 1/2) at most: without the term of order + 1, the
@@ -28,8 +21,7 @@ static void assert_sum(const arb_poly_t f, const arb_t x, slong order, const arb
     arb_poly_set(head, f);
     arb_poly_truncate(head, order + 1);
     arb_poly_evaluate(sum, head, x, prec);
-    arb_sqrt(bound, x, prec);
-    arb_pow_ui(bound, bound, (ulong)(2 * order + 1), prec);
+    LET(bound, prec, "sqrt(x)^(2*order + 1)", x, order);
     arb_add_error(sum, bound);
     assert_overlap(sum, value, what, order);
     /* and the collision is narrow enough to tell */
@@ -48,8 +40,7 @@ static void compare_with_collision(const struct law *law, slong order, slong shi
     LOCAL(arb, x);
     const slong exact = shift * (order + 1) + 40, root = restitution_zero_force_root(law);
     assert_int_equal(series_compute(s, order, law, exact), 0);
-    arb_one(x);
-    arb_mul_2exp_si(x, x, -shift);
+    LET(x, exact, "1/2^shift", shift);
     assert_int_equal(collision_solve(c, x, law, exact), 0);
     assert_sum(s->y, x, order, c->x_max, 2 * exact, "x_max");
     assert_sum(s->tau, x, order, c->t_max, 2 * exact, "t_max");
@@ -141,32 +132,18 @@ TEST(test_first_terms)
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"1", "0"}, {"1", "1/2"},
                                           {"1/2", "0"},   {"0", "0"},   {"1", "2"}, {"24", "1/16"}};
     LOCAL(series, s);
-    LOCAL(arb, c1, x, y);
+    LOCAL(arb, x, y, c, c_1);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
         const struct law law = law_of(laws[i][0], laws[i][1]);
-        const struct ratio one = {1, 1}, two = {2, 1}, a1 = ratio_add(law.a, one), b1 = ratio_add(law.b, one);
+        const struct ratio q = law_speed_exponent(&law);
         assert_int_equal(series_compute(s, 2, &law, 100), 0);
         turning_point_elastic(x, y, &law, PREC);
-        arb_pow_ratio(c1, x, b1, PREC);
-        arb_set_ratio(x, ratio_div(b1, a1), PREC);
-        arb_gamma(y, x, PREC);
-        arb_mul(c1, c1, y, PREC);
-        arb_set_d(y, 1.5);
-        arb_add(x, x, y, PREC);
-        arb_gamma(x, x, PREC);
-        arb_div(c1, c1, x, PREC);
-        arb_gamma(y, y, PREC);
-        arb_mul(c1, c1, y, PREC);
-        arb_set_ratio(x, ratio_div(two, a1), PREC);
-        arb_mul(c1, c1, x, PREC);
-        arb_neg(c1, c1);
-        arb_poly_get_coeff_arb(x, s->c, 1);
-        assert_overlap(x, c1, "C_1", (slong)i);
-        arb_sqr(y, c1, PREC);
-        arb_set_ratio(c1, ratio_div(ratio_add(one, law_speed_exponent(&law)), two), PREC);
-        arb_mul(y, y, c1, PREC);
-        arb_poly_get_coeff_arb(x, s->c, 2);
-        assert_overlap(x, y, "C_2", (slong)i);
+        LET(y, PREC, "(law.b + 1)/(law.a + 1)", law.b, law.a);
+        LET(c_1, PREC, "-2/(law.a + 1)*x^(law.b + 1)*gamma(y)*gamma(3/2)/gamma(y + 3/2)", law.a, x, law.b, y);
+        arb_poly_get_coeff_arb(c, s->c, 1);
+        assert_overlap(c, c_1, "C_1", (slong)i);
+        arb_poly_get_coeff_arb(c, s->c, 2);
+        assert_is(c, "C_2", (slong)i, "(1 + q)/2*c_1^2", q, c_1);
     }
 }
 
@@ -201,8 +178,8 @@ TEST(test_linear_laws)
     LOCAL(arb_poly, want, got);
     for (int i = 0; i < 4; i++) {
         slong root;
-        arb_set_si(scale, i / 2 == 0 ? 4 : 5);
-        arb_rsqrt(scale, scale, 2 * PREC);
+        const int square = i / 2 == 0 ? 4 : 5;
+        LET(scale, 2 * PREC, "1/sqrt(square)", square);
         assert_int_equal(series_eps(got, &root, i % 2 ? END_ZERO_FORCE : END_ZERO_OVERLAP, order, &laws[i / 2], BITS),
                          0);
         dashpot(want, scale, i % 2 ? 2 : 0, order + 1, 2 * PREC);
@@ -272,9 +249,8 @@ TEST(test_radius)
     assert_int_equal(collision_h_star(y, 80), 0);
     arb_poly_get_coeff_arb(x, s->c, 60);
     arb_poly_get_coeff_arb(z, s->c, 59);
-    arb_div(x, z, x, PREC);
-    arb_div(x, x, y, PREC);
-    assert_true(fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) + 1) < 0.05);
+    LET(x, PREC, "z/x/y", z, x, y);
+    assert_true(fabs(middle(x) + 1) < 0.05);
 }
 
 /* Peaks of memory in docs/speed/generator.csv, less the 7.5 MB of a program that computes little */

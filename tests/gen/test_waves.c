@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* J(nu): known values, the two routes to it, and the bound on an ellipse from which the error of the table follows. */
-#include "check.h"
+#include "ball.h"
 
 #include "enclosure/wave_factor.h"
 #include "support/local.h"
@@ -8,11 +8,10 @@
 
 static void set_tau(acb_t tau, const char *nu, slong prec)
 {
-    arb_set_str(acb_realref(tau), nu, prec);
-    arb_mul_si(acb_realref(tau), acb_realref(tau), -2, prec);
-    arb_add_ui(acb_realref(tau), acb_realref(tau), 1, prec);
-    arb_sqrt(acb_realref(tau), acb_realref(tau), prec);
-    arb_zero(acb_imagref(tau));
+    LOCAL(arb, x);
+    arb_set_str(x, nu, prec);
+    acb_zero(tau);
+    LET(acb_realref(tau), prec, "sqrt(1 - 2*x)", x);
 }
 
 /* Miller and Pursey's half-space: J from two contours that agree to 30 digits */
@@ -51,14 +50,7 @@ static void on_ellipse(acb_t tau, double angle, double radius)
     arb_set_d(acb_realref(w), angle);
     mag_set_d(arb_radref(acb_realref(w)), radius);
     acb_exp_pi_i(w, w, 53);
-    acb_mul_ui(w, w, 3, 53);
-    acb_mul_2exp_si(w, w, -1); /* WAVE_ELLIPSE */
-    acb_inv(tau, w, 53);
-    acb_add(tau, tau, w, 53);
-    acb_mul_2exp_si(tau, tau, -1);
-    acb_add_ui(tau, tau, 1, 53);
-    acb_mul_ui(tau, tau, 7, 53);
-    acb_mul_2exp_si(tau, tau, -3);
+    LET_COMPLEX(tau, false, 53, "7/8*(1 + (3/2*w + 2/(3*w))/2)", w); /* WAVE_ELLIPSE */
 }
 
 /* |J| < bound on the arc, by either route, or on both halves of it */
