@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/completion.h"
+#include "cli/dispatch.h"
 
 #include <string.h>
 
-const char *const completion_shells[] = {[COMPLETION_BASH] = "bash", [COMPLETION_ZSH] = "zsh", NULL};
+static const char shells[] = "bash zsh";
 
 /* What corgen takes instead of a subcommand, or help */
-static const char *const other_words[] = {"help", "--help", "--version", "--completion", NULL};
+static const char other_words[] = "help --help --version --completion";
 
 static void print_words(const char *const *words, FILE *file)
 {
@@ -70,16 +70,14 @@ static void print_bash(const struct subcommand *const *table, FILE *file)
           "        words='",
           file);
     print_subcommands(table, file);
-    print_words(other_words, file);
-    fputs("'\n"
-          "    else\n"
-          "        case ${COMP_WORDS[1]}:$previous in\n"
-          "        help:help) words='",
-          file);
+    fprintf(file,
+            "%s'\n"
+            "    else\n"
+            "        case ${COMP_WORDS[1]}:$previous in\n"
+            "        help:help) words='",
+            other_words);
     print_subcommands(table, file);
-    fputs("' ;;\n        --completion:--completion) words='", file);
-    print_words(completion_shells, file);
-    fputs("' ;;\n", file);
+    fprintf(file, "' ;;\n        --completion:--completion) words='%s' ;;\n", shells);
     for (; *table; table++)
         print_bash_subcommand(*table, file);
     fputs("        esac\n"
@@ -125,21 +123,17 @@ static void print_zsh(const struct subcommand *const *table, FILE *file)
           file);
     for (const struct subcommand *const *row = table; *row; row++)
         fprintf(file, "    '%s:%s'\n", (*row)->name, (*row)->summary);
-    fputs(")\nif ((CURRENT == 2)); then\n"
-          "    _describe subcommand subcommands\n"
-          "    compadd -- ",
-          file);
-    print_words(other_words, file);
-    fputs("\n    return\n"
-          "fi\n"
-          "shift words\n"
-          "((CURRENT--))\n"
-          "case $words[1] in\n"
-          "help) _describe subcommand subcommands ;;\n"
-          "--completion) compadd -- ",
-          file);
-    print_words(completion_shells, file);
-    fputs(" ;;\n", file);
+    fprintf(file,
+            ")\nif ((CURRENT == 2)); then\n"
+            "    _describe subcommand subcommands\n"
+            "    compadd -- %s\n    return\n"
+            "fi\n"
+            "shift words\n"
+            "((CURRENT--))\n"
+            "case $words[1] in\n"
+            "help) _describe subcommand subcommands ;;\n"
+            "--completion) compadd -- %s ;;\n",
+            other_words, shells);
     for (; *table; table++) {
         fprintf(file, "%s) _arguments '--help'", (*table)->name);
         for (const struct option_rule *rule = (*table)->options; rule->name; rule++)
@@ -149,10 +143,11 @@ static void print_zsh(const struct subcommand *const *table, FILE *file)
     fputs("esac\n", file);
 }
 
-void completion_print(enum completion_shell shell, const struct subcommand *const *table, FILE *file)
+bool completion_print(const char *shell, const struct subcommand *const *table, FILE *file)
 {
-    if (shell == COMPLETION_BASH)
-        print_bash(table, file);
-    else
-        print_zsh(table, file);
+    const bool bash = strcmp(shell, "bash") == 0;
+    if (!bash && strcmp(shell, "zsh") != 0)
+        return false;
+    (bash ? print_bash : print_zsh)(table, file);
+    return true;
 }

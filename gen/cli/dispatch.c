@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/completion.h"
-#include "cli/overview.h"
 #include "support/console.h"
 #include "support/words.h"
 
@@ -69,13 +67,9 @@ static bool word_is(const char *text, const char *word)
 /* corgen --completion SHELL */
 static int print_completion(const struct subcommand *const *table, int argc, char **argv)
 {
-    int shell = 0;
-    while (argc == 1 && completion_shells[shell] && strcmp(completion_shells[shell], argv[0]) != 0)
-        shell++;
-    if (argc != 1 || !completion_shells[shell])
-        return usage_error("--completion takes one shell, bash or zsh, as corgen --completion bash");
-    completion_print((enum completion_shell)shell, table, stdout);
-    return printed();
+    return argc == 1 && completion_print(argv[0], table, stdout)
+               ? printed()
+               : usage_error("--completion takes one shell, bash or zsh, as corgen --completion bash");
 }
 
 /* corgen help [SUBCOMMAND] */

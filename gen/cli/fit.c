@@ -119,7 +119,7 @@ static int run_fit(const void *arguments)
     struct fit_data data;
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
-    int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : option_ends[o->end]);
+    int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : contact_end_options[o->end]);
     if (status == STATUS_OK)
         status = read_form(&form, o);
     if (status == STATUS_OK && bodies_given(&o->scene)) {

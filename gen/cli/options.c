@@ -19,8 +19,6 @@ enum { LONG_OPTION = 256 /* beyond every character */ };
 
 static const char help_name[] = "help";
 
-const char *const option_ends[] = {
-    [END_ZERO_OVERLAP] = "zero-overlap", [END_ZERO_FORCE] = "zero-force", [END_ZERO_FORCE + 1] = NULL};
 const char *const option_formats[] = {[FORMAT_TEXT] = "text", [FORMAT_CSV] = "csv", [FORMAT_JSON] = "json", NULL};
 const char *const option_formats_latex[] = {
     [FORMAT_TEXT] = "text", [FORMAT_CSV] = "csv", [FORMAT_JSON] = "json", [FORMAT_LATEX] = "latex", NULL};

@@ -78,14 +78,13 @@ struct option_common {
 #define OPTION_JSON_STRINGS OPTION("json-strings", FLAG, common.json_strings, .needs = "format")
 #define OPTION_DIGITS                                                                                                  \
     OPTION("digits", WHOLE, digits, .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits would take too long")
-#define OPTION_END(FIELD) OPTION("end", WORD, FIELD, .range.words = option_ends, .why = "an end of contact")
+#define OPTION_END(FIELD) OPTION("end", WORD, FIELD, .range.words = contact_end_options, .why = "an end of contact")
 #define OPTION_LAW OPTION_PLAIN("elastic", TEXT, law.elastic), OPTION_PLAIN("damping", TEXT, law.damping)
 #define OPTION_COUNT_WHY "the time grows like the power 3/2 of it, past ten hours"
 
 #define OPTIONS_MAX_DIGITS 10000000
 #define OPTIONS_DEFAULT_DIGITS 20
 
-extern const char *const option_ends[];          /* in the order of enum contact_end */
 extern const char *const option_formats[];       /* text, csv, json */
 extern const char *const option_formats_latex[]; /* text, csv, json, latex */
 extern const struct option_numbers option_positive, option_positive_or_infinite, option_not_negative,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/overview.h"
+#include "cli/dispatch.h"
 
 #include <string.h>
 

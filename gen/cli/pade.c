@@ -61,17 +61,12 @@ static int compute_coefficients(struct pade *f, struct pade_analysis *a, struct 
     return fail("a coefficient lies too near the middle of two numbers of %ld digits", (long)digits);
 }
 
-static const char *end_option(enum contact_end end)
-{
-    return end == END_ZERO_FORCE ? "zero-force" : "zero-overlap";
-}
-
 /* The command line that writes the header again */
 static void command_line(char text[TEXT_MAX], const struct pade_request *r, bool force)
 {
     const struct law *law = &r->law;
     int n = snprintf(text, TEXT_MAX, "corgen pade --numerator %ld --denominator %ld --end %s", (long)r->numerator,
-                     (long)r->denominator, end_option(r->end));
+                     (long)r->denominator, contact_end_options[r->end]);
     if (!law_is_sphere(law))
         n += snprintf(text + n, TEXT_MAX - (size_t)n, " --elastic %ld/%ld --damping %ld/%ld", (long)law->a.num,
                       (long)law->a.den, (long)law->b.num, (long)law->b.den);
@@ -92,7 +87,7 @@ static void header_name(char name[TEXT_MAX], const struct pade_request *r)
              r->kind == PADE_TWO_POINT      ? "_two_point"
              : r->kind == PADE_AS_PUBLISHED ? "_as_published"
                                             : "",
-             r->end == END_ZERO_FORCE ? "zero_force" : "zero_overlap", (long)r->numerator, (long)r->denominator);
+             contact_end_names[r->end], (long)r->numerator, (long)r->denominator);
 }
 
 static const char *header_title(const struct pade_request *r, slong root)
@@ -183,16 +178,16 @@ static int print_result(const struct pade_arguments *o, const struct pade_reques
     int status = output_open(&out, o->common.output);
     if (status)
         return status;
-    if (o->common.format == FORMAT_TEXT) {
+    const bool text = o->common.format == FORMAT_TEXT;
+    if (text)
         fprintf(out.file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator, header_title(r, f->root));
-        table_print(t, (enum output_format)o->common.format, out.file);
+    table_print(t, (enum output_format)o->common.format, out.file);
+    if (text) {
         fprintf(out.file, "\n");
         pade_print_analysis(out.file, a, "");
-        if (r->kind == PADE_AS_PUBLISHED)
-            print_published(out.file, f);
-    } else {
-        table_print(t, (enum output_format)o->common.format, out.file);
     }
+    if (text && r->kind == PADE_AS_PUBLISHED)
+        print_published(out.file, f);
     return output_commit(&out);
 }
 

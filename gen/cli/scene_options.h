@@ -79,7 +79,7 @@
         SCENE_NUMBER("zeta", COR_SCENE_ZETA, &option_not_negative, NULL, APART),                                       \
         SCENE_POSITIVE("at", COR_SCENE_AT, "m/s", APART), SCENE_WORD("law", law, contact_law_names, "a law", APART),   \
         SCENE_TEXT("elastic", elastic, "law " APART), SCENE_TEXT("damping", damping, "law " APART),                    \
-        SCENE_WORD("end", end, option_ends, "an end of contact", APART)
+        SCENE_WORD("end", end, contact_end_options, "an end of contact", APART)
 #define SCENE_PURPOSE(APART) SCENE_WORD("for", purpose, embed_purpose_names, "a use", APART)
 
 #endif

@@ -11,39 +11,39 @@
 
 enum { MAX_ORDER = 100000 };
 
-/* Adds the coefficient to the table, or returns false if its digits are not proved. */
-static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k, slong digits)
-{
-    LOCAL(arb, c);
-    arb_poly_get_coeff_arb(c, poly, k);
-    char *text = digits_of_ball(c, digits);
-    if (text)
-        table_add(table, text);
-    return text != NULL;
-}
-
 struct problem {
     const struct series_arguments *arguments;
     struct law law;
 };
 
+/* Rows of the coefficients of several series, up to the first that is undecided */
+static void add_rows(struct table *table, char undecided[PROVED_TABLE_NAME], const struct problem *problem,
+                     const arb_poly_struct *const *poly, int polys)
+{
+    LOCAL(arb, c);
+    profile_step("digits");
+    for (slong k = 0; k <= problem->arguments->order && !*undecided; k++) {
+        table_add_integer(table, k);
+        for (int i = 0; i < polys && !*undecided; i++) {
+            arb_poly_get_coeff_arb(c, poly[i], k);
+            char *const text = digits_of_ball(c, problem->arguments->digits);
+            if (text)
+                table_add(table, text);
+            else
+                snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld", (long)k);
+        }
+    }
+}
+
 static int fill_zero_overlap(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct problem *const problem = arguments;
-    const slong order = problem->arguments->order, digits = problem->arguments->digits;
     profile_step("series");
     table_init(table, "k,y_k,tau_k,C_k", "nddd");
-    struct series series;
-    series_init(&series);
-    const int status = series_compute(&series, order, &problem->law, bits);
-    profile_step("digits");
-    for (slong k = 0; k <= order && status == STATUS_OK && !*undecided; k++) {
-        table_add_integer(table, k);
-        if (!add_coefficient(table, series.y, k, digits) || !add_coefficient(table, series.tau, k, digits) ||
-            !add_coefficient(table, series.c, k, digits))
-            snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld", (long)k);
-    }
-    series_clear(&series);
+    LOCAL(series, s);
+    const int status = series_compute(s, problem->arguments->order, &problem->law, bits);
+    if (status == STATUS_OK)
+        add_rows(table, undecided, problem, (const arb_poly_struct *const[]){s->y, s->tau, s->c}, 3);
     return status;
 }
 
@@ -51,23 +51,18 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
 {
     char header[64];
     const struct problem *const problem = arguments;
-    const slong order = problem->arguments->order;
     profile_step("series");
     slong root = 1;
     LOCAL(arb_poly, eps);
-    const int status = series_eps(eps, &root, END_ZERO_FORCE, order, &problem->law, bits);
+    const int status = series_eps(eps, &root, END_ZERO_FORCE, problem->arguments->order, &problem->law, bits);
     snprintf(header, sizeof header,
              root == 1   ? "power_of_beta,coefficient"
              : root == 2 ? "power_of_sqrt_beta,coefficient"
                          : "power_of_beta_root_%ld,coefficient",
              (long)root);
     table_init(table, header, "nd");
-    profile_step("digits");
-    for (slong k = 0; k <= order && status == STATUS_OK && !*undecided; k++) {
-        table_add_integer(table, k);
-        if (!add_coefficient(table, eps, k, problem->arguments->digits))
-            snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld", (long)k);
-    }
+    if (status == STATUS_OK)
+        add_rows(table, undecided, problem, (const arb_poly_struct *const[]){eps}, 1);
     return status;
 }
 

@@ -261,9 +261,8 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
         if (step->errors)
             status = add_step(table, &t, i, step, quantity);
         if (contacts->count > 1)
-            table_add_text(table, is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull")
-                                  : i < speeds     ? "zero-overlap"
-                                                   : "zero-force");
+            table_add_text(table,
+                           is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull") : contact_end_options[i / speeds]);
         if (spheres) {
             const struct cor_scene_contact *const contact = &contacts->contact[i / speeds];
             table_add_number(table, cor_scene_contact_radius(contact, t.impact[i].max_overlap_m), digits);

@@ -51,7 +51,7 @@ static void print_promise(FILE *file, const char *before, const struct sample *s
             interpolation_name(request), request->duration ? "eps and duration" : "eps", sample->best.error, after);
     char law[CONTACT_LAW_TEXT];
     fprintf(file, "%s%s, contact ends at %s.%s\n", before, contact_law_text(law, request->contact, request->law),
-            request->end == END_ZERO_FORCE ? "zero force" : "zero overlap", after);
+            cor_end_names[request->end], after);
 }
 
 /* ---- text, csv, json ---- */

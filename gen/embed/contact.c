@@ -7,7 +7,9 @@
 
 /* ---- bodies: include/cor/contact.h ---- */
 
-static const fmpq *number_of(const struct embed_request *request, int which, int body)
+typedef const fmpq *exact; /* a number as it is written */
+
+static exact number_of(const struct embed_request *request, int which, int body)
 {
     return embed_number_of_body(request, which, body)->value;
 }
@@ -15,8 +17,7 @@ static const fmpq *number_of(const struct embed_request *request, int which, int
 /* (1 - nu^2)/Y */
 static void compliance_of(fmpq_t c, const struct embed_request *request, int body)
 {
-    const fmpq *const nu = number_of(request, COR_SCENE_POISSON, body), *const Y =
-                                                                            number_of(request, COR_SCENE_YOUNG, body);
+    const exact nu = number_of(request, COR_SCENE_POISSON, body), Y = number_of(request, COR_SCENE_YOUNG, body);
     EXACT(c, "(1 - nu^2)/Y", nu, Y);
 }
 
@@ -30,8 +31,7 @@ static void dissipation_time_of(fmpq_t time, const struct embed_request *request
             fmpq_set(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body));
         return;
     }
-    const fmpq *const nu = number_of(request, COR_SCENE_POISSON, body), *const Y =
-                                                                            number_of(request, COR_SCENE_YOUNG, body);
+    const exact nu = number_of(request, COR_SCENE_POISSON, body), Y = number_of(request, COR_SCENE_YOUNG, body);
     struct decimal eta[2] = {{0}};
     embed_viscosity(eta, viscosity);
     EXACT(time, "(1 + nu)/(1 - nu)*(2/3*(1 - nu + nu^2)*eta[0].value + (1 - 2*nu)^2*eta[1].value)/Y", nu, eta[0].value,
@@ -43,20 +43,18 @@ static void dissipation_time_of(fmpq_t time, const struct embed_request *request
 /* m_i, or m_i = (4/3) pi R_i^3 density_i if the mass is not given */
 static void mass_of(arb_t mass, const struct embed_request *request, int body, slong prec)
 {
-    if (embed_mass_is_given(request, body)) {
+    const exact R = number_of(request, COR_SCENE_RADIUS, body), density = number_of(request, COR_SCENE_DENSITY, body);
+    if (embed_mass_is_given(request, body))
         arb_set_fmpq(mass, number_of(request, COR_SCENE_MASS, body), prec);
-        return;
-    }
-    const fmpq *const R = number_of(request, COR_SCENE_RADIUS, body), *const density =
-                                                                          number_of(request, COR_SCENE_DENSITY, body);
-    LET(mass, prec, "4*R^3*density*pi/3", R, density);
+    else
+        LET(mass, prec, "4*R^3*density*pi/3", R, density);
 }
 
 /* m/Z, Z = 4 h^2 sqrt(E rho/(3 (1 - nu^2))) of the plate */
 static void plate_time(arb_t time, const struct embed_request *request, const arb_t mass, slong prec)
 {
-    const fmpq *const h = request->number[COR_SCENE_PLATE_THICKNESS].value, *const density = number_of(
-                                                                                request, COR_SCENE_DENSITY, 2);
+    const exact h = request->number[COR_SCENE_PLATE_THICKNESS].value,
+                density = number_of(request, COR_SCENE_DENSITY, 2);
     LOCAL(fmpq, c);
     compliance_of(c, request, 2);
     LET(time, prec, "mass/sqrt(16*h^4*density/(3*c))", mass, h, density, c);
@@ -90,62 +88,6 @@ static void bodies_of(arb_t mass, arb_t stiffness, arb_t time, const struct embe
     LET(time, prec, "time + weighted/compliance", time, weighted, compliance);
 }
 
-/* ---- the characteristic speed ---- */
-
-/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9. For spheres this
- * is sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (30) of Ramirez et al. (1999). */
-static void first_coefficient(arb_t c, const struct law *law, slong prec)
-{
-    LOCAL(fmpq, h, s);
-    EXACT(h, "(law->a + 1)/2", law->a);
-    EXACT(s, "(law->b + 1)/(law->a + 1)", law->a, law->b);
-    /* Gamma(3/2) = sqrt(pi)/2 */
-    LET(c, prec, "h^s/h*gamma(s)/gamma(s + 3/2)*sqrt(pi)/2", h, s);
-}
-
-/* beta g^-q = g*^-q/|C_1|, from eps = 1 - (g/g*)^q + ... = 1 - |C_1| beta + ..., (29) to (31) */
-static void beta_of_g_star(arb_t beta, const struct decimal *g_star, const struct law *law, slong prec)
-{
-    const struct ratio q = law_speed_exponent(law);
-    LOCAL(arb, c);
-    first_coefficient(c, law, prec);
-    LET(beta, prec, "1/(g_star->value^q*c)", g_star->value, q, c);
-}
-
-/* ---- beta at a speed ---- */
-
-static void beta_of_beta(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
-{
-    const fmpq *const given = request->number[COR_SCENE_BETA].value, *const at = request->number[COR_SCENE_AT].value;
-    const struct ratio q = law_speed_exponent(law);
-    if (law_is_linear(law))
-        arb_set_fmpq(beta, given, prec);
-    else
-        LET(beta, prec, "given/at^q", given, at, q);
-}
-
-/* ---- the force K x^a + C x^b x' ---- */
-
-/* beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9. C is given, or (3/2) A K. */
-static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
-{
-    LOCAL(arb, mass, stiffness, coefficient);
-    if (embed_given(request, COR_SCENE_YOUNG)) {
-        bodies_of(mass, stiffness, coefficient, request, prec);
-    } else {
-        arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
-        arb_set_fmpq(stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
-        if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
-            arb_set_fmpq(coefficient, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
-    }
-    if (embed_given(request, COR_SCENE_DAMPING_COEFFICIENT))
-        arb_set_fmpq(coefficient, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
-    else
-        LET(coefficient, prec, "coefficient*stiffness*3/2", coefficient, stiffness);
-    LET(beta, prec, "(mass/stiffness)^((law->b + 1)/(law->a + 1))*coefficient/mass", mass, stiffness, law->a, law->b,
-        coefficient);
-}
-
 /* R of 1/R = 1/R_1 + 1/R_2 */
 static void radius_of(arb_t radius, const struct embed_request *request, slong prec)
 {
@@ -156,6 +98,49 @@ static void radius_of(arb_t radius, const struct embed_request *request, slong p
     }
     fmpq_inv(x, inverse);
     arb_set_fmpq(radius, x, prec);
+}
+
+/* The same of bodies, or of a spring and an effective mass */
+static void contact_of(arb_t mass, arb_t stiffness, arb_t time, const struct embed_request *request, slong prec)
+{
+    if (embed_given(request, COR_SCENE_YOUNG)) {
+        bodies_of(mass, stiffness, time, request, prec);
+        return;
+    }
+    arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
+    arb_set_fmpq(stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
+    if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
+        arb_set_fmpq(time, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
+}
+
+/* ---- beta ---- */
+
+/* beta g^-q = g*^-q/|C_1|, from eps = 1 - (g/g*)^q + ... = 1 - |C_1| beta + ..., where |C_1| = (2/(a+1)) X_0^(b+1)
+ * B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9. For spheres this is
+ * sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (29) to (31) of Ramirez et al. (1999). */
+static void beta_of_g_star(arb_t beta, exact g_star, const struct law *law, slong prec)
+{
+    const struct ratio q = law_speed_exponent(law);
+    LOCAL(arb, c);
+    LOCAL(fmpq, h, s);
+    EXACT(h, "(law->a + 1)/2", law->a);
+    EXACT(s, "(law->b + 1)/(law->a + 1)", law->a, law->b);
+    /* Gamma(3/2) = sqrt(pi)/2 */
+    LET(c, prec, "h^s/h*gamma(s)/gamma(s + 3/2)*sqrt(pi)/2", h, s);
+    LET(beta, prec, "1/(g_star^q*c)", g_star, q, c);
+}
+
+/* Of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9. C is given, or (3/2) A K. */
+static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
+{
+    LOCAL(arb, mass, stiffness, coefficient);
+    contact_of(mass, stiffness, coefficient, request, prec);
+    if (embed_given(request, COR_SCENE_DAMPING_COEFFICIENT))
+        arb_set_fmpq(coefficient, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
+    else
+        LET(coefficient, prec, "coefficient*stiffness*3/2", coefficient, stiffness);
+    LET(beta, prec, "(mass/stiffness)^((law->b + 1)/(law->a + 1))*coefficient/mass", mass, stiffness, law->a, law->b,
+        coefficient);
 }
 
 /* ---- a constant force ---- */
@@ -170,18 +155,12 @@ static struct ratio force_power(const struct law *law)
 void embed_contact_force(arb_t force, const struct embed_request *request, const struct law *law, slong prec)
 {
     const bool heavy = embed_given(request, COR_SCENE_GRAVITY), sticky = embed_given(request, COR_SCENE_ADHESION);
-    const fmpq *const G = request->number[COR_SCENE_GRAVITY].value, *const w =
-                                                                        request->number[COR_SCENE_ADHESION].value;
+    const exact G = request->number[COR_SCENE_GRAVITY].value, w = request->number[COR_SCENE_ADHESION].value;
     LOCAL(arb, mass, stiffness, R);
     arb_zero(force);
     if (!heavy && !sticky)
         return;
-    if (embed_given(request, COR_SCENE_YOUNG)) {
-        bodies_of(mass, stiffness, R, request, prec);
-    } else {
-        arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
-        arb_set_fmpq(stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
-    }
+    contact_of(mass, stiffness, R, request, prec);
     if (sticky) {
         radius_of(R, request, prec);
         LET(force, prec, "2*pi*w*R/mass", w, R, mass);
@@ -202,14 +181,12 @@ enum {
 
 int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const struct law *law, int end, slong bits)
 {
-    struct collision c;
     const bool force = end == END_ZERO_FORCE && law_force_ends(law) && !arb_is_zero(beta);
-    collision_init(&c);
+    LOCAL_INIT(collision, c, (&c));
     const int status = !arb_is_zero(pressing)
                            ? collision_solve_pressed(&c, beta, pressing, law, end, bits)
                            : (force ? collision_solve_force : collision_solve_overlap)(&c, beta, law, bits);
     arb_set(eps, force ? c.eps_zero_force : c.eps_zero_overlap);
-    collision_clear(&c);
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
@@ -239,8 +216,7 @@ static int solve_beta(arb_t beta, const arb_t wanted, const arb_t pressing, cons
 static int beta_of_restitution(arb_t beta, const struct embed_request *request, const struct cor_scene_contact *contact,
                                const struct law *law)
 {
-    const fmpq *const eps = request->number[COR_SCENE_RESTITUTION].value, *const at =
-                                                                              request->number[COR_SCENE_AT].value;
+    const exact eps = request->number[COR_SCENE_RESTITUTION].value, at = request->number[COR_SCENE_AT].value;
     const struct ratio q = law_speed_exponent(law), power = force_power(law);
     if (fmpq_is_one(eps) || law_is_linear(law)) {
         arb_set_d(beta, cor_scene_beta(contact, 1));
@@ -259,31 +235,25 @@ static int beta_of_restitution(arb_t beta, const struct embed_request *request, 
 int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request,
                                 const struct cor_scene_contact *contact, const struct law *law, slong prec)
 {
-    const fmpq *const zeta = request->number[COR_SCENE_ZETA].value;
+    const exact zeta = request->number[COR_SCENE_ZETA].value, beta = request->number[COR_SCENE_BETA].value,
+                at = request->number[COR_SCENE_AT].value;
+    const struct ratio q = law_speed_exponent(law);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return beta_of_restitution(beta_per_root, request, contact, law);
     if (embed_given(request, COR_SCENE_G_STAR))
-        beta_of_g_star(beta_per_root, &request->number[COR_SCENE_G_STAR], law, prec);
+        beta_of_g_star(beta_per_root, request->number[COR_SCENE_G_STAR].value, law, prec);
     else if (embed_given(request, COR_SCENE_ZETA))
         LET(beta_per_root, prec, "zeta*sqrt(2*(law->a + 1))", zeta, law->a);
-    else if (embed_given(request, COR_SCENE_BETA))
-        beta_of_beta(beta_per_root, request, law, prec);
-    else
+    else if (!embed_given(request, COR_SCENE_BETA))
         beta_of_force(beta_per_root, request, law, prec);
+    else if (law_is_linear(law))
+        arb_set_fmpq(beta_per_root, beta, prec);
+    else
+        LET(beta_per_root, prec, "beta/at^q", beta, at, q);
     return STATUS_OK;
 }
 
 /* ---- yield, and a liquid ---- */
-
-/* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) */
-static void yield_speed_of_stress(arb_t speed, const struct embed_request *request, slong prec)
-{
-    const fmpq *const p = request->number[COR_SCENE_YIELD_STRESS].value; /* p_y = 1.6 p */
-    LOCAL(arb, mass, K, unused, R);
-    bodies_of(mass, K, unused, request, prec);
-    radius_of(R, request, prec);
-    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/mass)", p, R, K, mass);
-}
 
 void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_speed, slong prec)
 {
@@ -325,21 +295,25 @@ static int yield_speed_of_restitution(arb_t speed, const struct embed_request *r
     return STATUS_OK;
 }
 
+/* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) and p_y = 1.6 p */
 int embed_contact_yield_speed(arb_t speed, const struct embed_request *request, const struct cor_scene_contact *contact,
                               slong prec)
 {
+    const exact p = request->number[COR_SCENE_YIELD_STRESS].value;
+    LOCAL(arb, mass, K, unused, R);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return yield_speed_of_restitution(speed, request, contact->yield_speed_m_s, prec);
-    yield_speed_of_stress(speed, request, prec);
+    bodies_of(mass, K, unused, request, prec);
+    radius_of(R, request, prec);
+    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/mass)", p, R, K, mass);
     return STATUS_OK;
 }
 
 /* 6 pi eta R^2 ln(outer/inner)/m */
 void embed_contact_liquid_speed(arb_t speed, const struct embed_request *request, slong prec)
 {
-    const fmpq *const outer = request->number[COR_SCENE_GAP_OUTER].value,
-                      *const inner = request->number[COR_SCENE_GAP_INNER].value,
-                      *const eta = request->number[COR_SCENE_LIQUID_VISCOSITY].value;
+    const exact outer = request->number[COR_SCENE_GAP_OUTER].value, inner = request->number[COR_SCENE_GAP_INNER].value,
+                eta = request->number[COR_SCENE_LIQUID_VISCOSITY].value;
     LOCAL(arb, mass, stiffness, unused, R);
     arb_zero(speed);
     if (!embed_given(request, COR_SCENE_LIQUID_VISCOSITY))

@@ -57,7 +57,7 @@ static double fit_node(const struct embed_form *f, double lo, double hi, slong j
 static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_scene *s, const arb_t x)
 {
     LOCAL(arb, g);
-    arb_pow_ui(g, x, (ulong)embed_root_degree(f->variable), EMBED_BITS);
+    arb_pow_ui(g, x, (ulong)embed_roots[f->variable].degree, EMBED_BITS);
     embed_scene_eps(eps, s, g);
 }
 
@@ -124,7 +124,7 @@ static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
     }
     if (!round_numbers(f, c, count))
         return false;
-    const double power = 1 / embed_root_degree(f->variable);
+    const double power = 1 / (double)embed_roots[f->variable].degree;
     return n == 0 || quotient_is_positive(f->number + m + 1, n, pow(f->speed_min, power) * (1 - 1e-5),
                                           pow(f->speed_max, power) * (1 + 1e-5));
 }
@@ -134,7 +134,7 @@ static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
 bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
 {
     const slong m = f->numerator, n = f->denominator, count = m + n + 1;
-    const double power = 1 / embed_root_degree(f->variable);
+    const double power = 1 / (double)embed_roots[f->variable].degree;
     /* a little inside the range, because x^5 must not leave it */
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);

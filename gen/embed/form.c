@@ -44,11 +44,11 @@ void embed_form_size(char *text, size_t size, const struct embed_form *f)
         snprintf(text, size, "[%ld/%ld]", (long)f->numerator, (long)f->denominator);
 }
 
-double embed_root_degree(enum embed_variable variable)
-{
-    static const double degree[] = {1, 2, 4, 5, 10};
-    return degree[variable];
-}
+const struct embed_root embed_roots[] = {[SPEED] = {1, false, 0},
+                                         [SQRT_OF_SPEED] = {2, false, 1},
+                                         [FOURTH_ROOT_OF_SPEED] = {4, false, 2},
+                                         [FIFTH_ROOT_OF_SPEED] = {5, true, 0},
+                                         [TENTH_ROOT_OF_SPEED] = {10, true, 1}};
 
 double embed_root_error(int refinement, bool single)
 {
@@ -103,10 +103,11 @@ double embed_from_bits(const struct embed_form *f, uint64_t bits)
     return x;
 }
 
-static double form_horner(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
+/* c[0] + c[step] x + ... + c[degree] x^(degree/step) */
+static double form_horner(const struct embed_form *f, const double *c, slong degree, slong step, double x, bool fused)
 {
     double y = c[degree];
-    for (slong k = degree - 1; k >= 0; k--)
+    for (slong k = degree - step; k >= 0; k -= step)
         y = mul_add(f, x, y, c[k], fused);
     return y;
 }
@@ -115,16 +116,10 @@ static double form_horner(const struct embed_form *f, const double *c, slong deg
 static double form_split_polynomial(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
 {
     if (degree < EMBED_SPLIT)
-        return form_horner(f, c, degree, x, fused);
+        return form_horner(f, c, degree, 1, x, fused);
     const double square = form_product(f, x, x);
-    double part[2];
-    for (int odd = 0; odd < 2; odd++) {
-        slong k = degree - (degree - odd) % 2;
-        part[odd] = c[k];
-        for (k -= 2; k >= 0; k -= 2)
-            part[odd] = mul_add(f, square, part[odd], c[k], fused);
-    }
-    return mul_add(f, x, part[1], part[0], fused);
+    const double even = form_horner(f, c, degree - degree % 2, 2, square, fused);
+    return mul_add(f, x, form_horner(f, c + 1, degree - 1 - (degree - 1) % 2, 2, square, fused), even, fused);
 }
 
 const double embed_root_seed[4] = {0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971};
@@ -148,38 +143,19 @@ static double fifth_root(const struct embed_form *f, double g, bool fused)
         double c[4];
         for (int i = 0; i < 4; i++)
             c[i] = form_rounded(f, k == 0 ? embed_root_seed[i] : embed_root_step[i]);
-        r = form_product(f, r, form_horner(f, c, k == 0 ? 3 : f->refinement, e, fused));
+        r = form_product(f, r, form_horner(f, c, k == 0 ? 3 : f->refinement, 1, e, fused));
     }
     const double square = form_product(f, r, r);
     return form_product(f, g, form_product(f, square, square));
-}
-
-static double form_sqrt(const struct embed_form *f, double x)
-{
-    return form_rounded(f, sqrt(x));
 }
 
 double embed_form_value(const struct embed_form *f, double speed, bool fused)
 {
     const double above = speed > f->speed_min ? speed : f->speed_min;
     const double g = above < f->speed_max ? above : f->speed_max;
-    double x = g;
-    switch (f->variable) {
-    case SPEED:
-        break;
-    case SQRT_OF_SPEED:
-        x = form_sqrt(f, g);
-        break;
-    case FOURTH_ROOT_OF_SPEED:
-        x = form_sqrt(f, form_sqrt(f, g));
-        break;
-    case FIFTH_ROOT_OF_SPEED:
-        x = fifth_root(f, g, fused);
-        break;
-    case TENTH_ROOT_OF_SPEED:
-        x = form_sqrt(f, fifth_root(f, g, fused));
-        break;
-    }
+    double x = embed_roots[f->variable].fifth ? fifth_root(f, g, fused) : g;
+    for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
+        x = form_rounded(f, sqrt(x));
     double value;
     const double *number = f->number;
     if (f->family == FAMILY_PIECES_SPEED) {
@@ -193,7 +169,7 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
         x = form_rounded(f, place - row);
     }
     if (f->rows > 0)
-        value = form_horner(f, number, f->numerator, x, fused);
+        value = form_horner(f, number, f->numerator, 1, x, fused);
     else
         value = form_split_polynomial(f, number, f->numerator, x, fused);
     if (f->denominator > 0)
@@ -235,23 +211,9 @@ void embed_form_price(struct embed_form *f)
     memset(n, 0, sizeof f->operations);
     n[OP_COMPARE] = f->onset > 0 ? 4 : 3;
     n[OP_ADD] = f->origin > 0 ? 1 : 0;
-    switch (f->variable) {
-    case SPEED:
-        break;
-    case SQRT_OF_SPEED:
-        n[OP_SQRT] = 1;
-        break;
-    case FOURTH_ROOT_OF_SPEED:
-        n[OP_SQRT] = 2;
-        break;
-    case TENTH_ROOT_OF_SPEED:
-        n[OP_SQRT] = 1;
+    n[OP_SQRT] = embed_roots[f->variable].square_roots;
+    if (embed_roots[f->variable].fifth)
         count_root(n, f);
-        break;
-    case FIFTH_ROOT_OF_SPEED:
-        count_root(n, f);
-        break;
-    }
     if (f->rows > 0) {
         n[OP_LOAD] += (int)f->numerator + 1;
         n[OP_BITS] += f->family == FAMILY_PIECES_SPEED ? 3 : 0; /* shift, subtraction of the first row, and shift

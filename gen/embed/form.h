@@ -42,8 +42,12 @@ extern const char *const embed_operation_names[OPERATIONS];
 
 enum embed_use { USE_SCALAR, USE_ARRAY, USES };
 
-/* The variable is speed^(1/degree). */
-double embed_root_degree(enum embed_variable variable);
+/* It is speed^(1/degree): the speed or its fifth root, of which so many square roots are taken. */
+extern const struct embed_root {
+    slong degree;
+    bool fifth;
+    int square_roots;
+} embed_roots[];
 
 /* Fifth roots from bits: the largest number of refinements, and the relative error after each */
 enum { EMBED_REFINEMENTS = 4 };

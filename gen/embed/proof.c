@@ -146,7 +146,7 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
 /* The variable of the polynomials as a power of beta: the speed is proportional to beta^(1/q) */
 static struct ratio variable_power(const struct embed_scene *s, const struct embed_form *f)
 {
-    const struct ratio root = {(slong)embed_root_degree(f->variable), 1};
+    const struct ratio root = {embed_roots[f->variable].degree, 1};
     return ratio_div((struct ratio){1, 1}, ratio_mul(law_speed_exponent(&s->law), root));
 }
 
@@ -207,23 +207,23 @@ static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb
         enclosed_add_number(eps, lost);
         enclosed_add_number(v, w->s->liquid_speed);
     }
-    arb_poly_set(y, v);
+    const struct embed_root *const root = &embed_roots[w->f->variable];
     LOCAL(arb_poly, z);
-    switch (w->f->variable) {
-    case SPEED:
-        return true;
-    case SQRT_OF_SPEED:
-        return enclosed_square_root(y, v);
-    case FOURTH_ROOT_OF_SPEED:
-        return enclosed_square_root(z, v) && enclosed_square_root(y, z);
-    default:
+    if (root->fifth) {
         if (!enclosed_logarithm(z, v))
             return false;
-        arb_set_si(lost, w->f->variable == FIFTH_ROOT_OF_SPEED ? 5 : 10);
+        arb_set_si(lost, root->degree);
         arb_poly_scalar_div(z, z, lost, ENCLOSED_BITS);
         enclosed_exp(y, z);
         return true;
     }
+    arb_poly_set(y, v);
+    bool done = true;
+    for (int k = 0; k < root->square_roots && done; k++) {
+        arb_poly_set(z, y);
+        done = enclosed_square_root(y, z);
+    }
+    return done;
 }
 
 /* The argument of the polynomials of a row: its distance from the start of the row */

@@ -226,22 +226,14 @@ static double fifth_root_bound(const struct embed_form *f, const struct arithmet
     return both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
 }
 
-/* Relative error of the variable of the polynomials */
+/* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. */
 static double variable_bound(const struct embed_form *f, const struct arithmetic *a)
 {
-    switch (f->variable) {
-    case SPEED:
-        return 0;
-    case SQRT_OF_SPEED:
-        return a->unit;
-    case FOURTH_ROOT_OF_SPEED:
-        return 1.5 * a->unit * (1 + 1e-6);
-    case FIFTH_ROOT_OF_SPEED:
-        return fifth_root_bound(f, a);
-    case TENTH_ROOT_OF_SPEED:
-        return (0.5 * fifth_root_bound(f, a) + a->unit) * (1 + 1e-4);
-    }
-    return HUGE_VAL;
+    static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
+    double error = embed_roots[f->variable].fifth ? fifth_root_bound(f, a) : 0;
+    for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
+        error = 0.5 * error + a->unit;
+    return error * (1 + more[f->variable]);
 }
 
 /* ---- polynomials on a cell ---- */
@@ -356,7 +348,7 @@ static double place_bound(const struct cells *w, const struct arithmetic *a)
 bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form *f)
 {
     const struct arithmetic a = arithmetic_of(f->single);
-    const double power = 1 / embed_root_degree(f->variable);
+    const double power = 1 / (double)embed_roots[f->variable].degree;
     const slong count = f->rows > 0 ? f->rows : CELLS;
     struct cells w = {.f = f,
                       .lo = pow(f->speed_min, power) * (1 - 1e-12),

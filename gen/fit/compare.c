@@ -143,11 +143,17 @@ static void copy_without(struct fit_data *copy, const struct fit_data *data, con
     free(left_out);
 }
 
+static void set_rest(struct fit_outliers *o, const struct fit_data *data)
+{
+    fit_data_clear(&o->rest);
+    copy_without(&o->rest, data, o, -1);
+}
+
 /* Collects suspicious lines; `rest` holds the others. */
 static void collect_suspicious(struct fit_outliers *o, const struct fit_data *data)
 {
     const size_t enough = 3 * data->points / 4;
-    copy_without(&o->rest, data, o, -1);
+    set_rest(o, data);
     while (o->count < FIT_MAX_OUTLIERS) {
         struct fit_estimate e;
         double distance;
@@ -158,12 +164,10 @@ static void collect_suspicious(struct fit_outliers *o, const struct fit_data *da
         if ((double)o->rest.points * erfc(fabs(distance) / sqrt(2)) > 0.05)
             break;
         o->outlier[o->count++].line = fit_item_line(&o->rest, item);
-        fit_data_clear(&o->rest);
-        copy_without(&o->rest, data, o, -1);
+        set_rest(o, data);
         if (o->rest.points < enough) { /* too many: the last one stays */
             o->count--;
-            fit_data_clear(&o->rest);
-            copy_without(&o->rest, data, o, -1);
+            set_rest(o, data);
             break;
         }
     }
@@ -218,8 +222,7 @@ static void keep_significant(struct fit_outliers *o, const struct fit_data *data
         if (nearest < 0)
             break;
         o->outlier[nearest] = o->outlier[--o->count];
-        fit_data_clear(&o->rest);
-        copy_without(&o->rest, data, o, -1);
+        set_rest(o, data);
     }
 }
 

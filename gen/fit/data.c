@@ -11,6 +11,7 @@
 
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/words.h"
 
 enum { LINE_LENGTH = 65536, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
 
@@ -40,6 +41,7 @@ struct reader {
     const char *name;
     FILE *file;
     long number; /* of the line */
+    bool ended;  /* there are no more lines */
     char line[LINE_LENGTH + 2];
     char *cell[MAX_COLUMNS];
     int cells;
@@ -86,8 +88,6 @@ static int refuse_cell(const struct reader *r, enum column column, const char *t
 
 /* ---- lines and cells ---- */
 
-enum line_status { LINE_READ, LINE_END, LINE_REFUSED, LINE_FAILED };
-
 /* UTF-16 by its byte-order mark, or by the zero byte beside an ASCII character; NULL: not */
 static const char *utf_16_name(const char *line, size_t length)
 {
@@ -99,39 +99,32 @@ static const char *utf_16_name(const char *line, size_t length)
 }
 
 /* Reads a line without its end, which is LF or CR LF. A UTF-8 byte-order mark before the first line is skipped. */
-static enum line_status read_line(struct reader *r)
+static int read_line(struct reader *r)
 {
     size_t length = 0;
     int c;
     bool null = false;
     r->number++;
     while ((c = getc(r->file)) != EOF && c != '\n') {
-        if (length == LINE_LENGTH) {
-            refuse(r, COLUMNS, "longer than %d characters; allowed: a csv file, as speed_m_s,eps", LINE_LENGTH);
-            return LINE_REFUSED;
-        }
+        if (length == LINE_LENGTH)
+            return refuse(r, COLUMNS, "longer than %d characters; allowed: a csv file, as speed_m_s,eps", LINE_LENGTH);
         null = null || c == '\0';
         r->line[length++] = (char)c;
     }
     if (c == EOF && ferror(r->file))
-        return LINE_FAILED;
-    if (c == EOF && length == 0)
-        return LINE_END;
+        return fail("cannot read %s: %s", r->name, strerror(errno));
+    r->ended = c == EOF && length == 0;
     if (length > 0 && r->line[length - 1] == '\r')
         length--;
     r->line[length] = '\0';
     if (r->number == 1 && length >= 3 && memcmp(r->line, "\xef\xbb\xbf", 3) == 0)
         memmove(r->line, r->line + 3, length - 3 + 1);
     const char *const utf_16 = r->number == 1 ? utf_16_name(r->line, length) : NULL;
-    if (utf_16) {
-        refuse(r, COLUMNS, "the text is %s; allowed: UTF-8, as from iconv -f %s -t UTF-8 FILE", utf_16, utf_16);
-        return LINE_REFUSED;
-    }
-    if (null || strchr(r->line, '\r')) {
-        refuse(r, COLUMNS, "has a control character; allowed: text with lines that end in LF or CR LF");
-        return LINE_REFUSED;
-    }
-    return LINE_READ;
+    if (utf_16)
+        return refuse(r, COLUMNS, "the text is %s; allowed: UTF-8, as from iconv -f %s -t UTF-8 FILE", utf_16, utf_16);
+    if (null || strchr(r->line, '\r'))
+        return refuse(r, COLUMNS, "has a control character; allowed: text with lines that end in LF or CR LF");
+    return STATUS_OK;
 }
 
 static char *trimmed(char *text)
@@ -189,20 +182,18 @@ static bool split_line(struct reader *r)
     }
 }
 
-/* The next line that is neither empty nor a comment, split into its cells */
-static enum line_status next_row(struct reader *r)
+/* The next line that is neither empty nor a comment, split into its cells, if there is one */
+static int next_row(struct reader *r)
 {
     for (;;) {
-        const enum line_status status = read_line(r);
-        if (status != LINE_READ)
+        const int status = read_line(r);
+        if (status != STATUS_OK || r->ended)
             return status;
         const char *const text = r->line + strspn(r->line, " \t");
-        if (*text == '\0' || *text == '#')
-            continue;
-        if (split_line(r))
-            return LINE_READ;
-        refuse(r, COLUMNS, "more than %d cells; allowed: a csv file, as speed_m_s,eps", MAX_COLUMNS);
-        return LINE_REFUSED;
+        if (*text != '\0' && *text != '#')
+            return split_line(r)
+                       ? STATUS_OK
+                       : refuse(r, COLUMNS, "more than %d cells; allowed: a csv file, as speed_m_s,eps", MAX_COLUMNS);
     }
 }
 
@@ -242,21 +233,6 @@ static void plain_name(char plain[CELL_SHOWN + 1], const char *name)
     plain[n] = '\0';
 }
 
-/* Whether two names differ by one letter, or by two that are exchanged, or not at all */
-static bool nearly_equal(const char *a, const char *b)
-{
-    while (*a && *a == *b) {
-        a++;
-        b++;
-    }
-    size_t m = strlen(a), n = strlen(b);
-    while (m > 0 && n > 0 && a[m - 1] == b[n - 1]) {
-        m--;
-        n--;
-    }
-    return (m <= 1 && n <= 1) || (m == 2 && n == 2 && a[0] == b[1] && a[1] == b[0]);
-}
-
 /* "sigma", "eps_err", "std of eps": an error of eps by another name */
 static bool means_sigma(const char *plain)
 {
@@ -292,7 +268,7 @@ static enum column nearest_column(const struct reader *r, const char *name)
     plain_name(plain, name);
     for (int column = 0; column < COLUMNS; column++) {
         plain_name(known, column_names[column]);
-        const bool near = strlen(known) < 3 ? strcmp(plain, known) == 0 : nearly_equal(plain, known);
+        const bool near = strlen(known) < 3 ? strcmp(plain, known) == 0 : slips_between(plain, known) <= 1;
         if (is_wanting(r, (enum column)column) && (near || (column == EPS_SIGMA && means_sigma(plain))))
             return (enum column)column;
     }
@@ -482,8 +458,8 @@ static int read_bounce(struct fit_data *data, struct reader *r, struct drop *dro
 static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s2)
 {
     struct drop drop = {.bounces = 0};
-    enum line_status line;
-    while ((line = next_row(r)) == LINE_READ) {
+    int status;
+    while ((status = next_row(r)) == STATUS_OK && !r->ended) {
         if (r->cells != r->header_cells)
             return refuse(r, COLUMNS,
                           "%d cells, but the first row names %d columns; allowed: as many, separated by %s, and "
@@ -493,18 +469,14 @@ static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s
                           : r->separator == ';' ? "semicolons"
                                                 : "tabs",
                           r->decimal_comma ? "comma" : "point");
-        const int status = has(r, TIME) ? read_bounce(data, r, &drop, gravity_m_s2) : read_point(data, r);
+        status = has(r, TIME) ? read_bounce(data, r, &drop, gravity_m_s2) : read_point(data, r);
         if (status != STATUS_OK)
             return status;
         if (r->number % 1024 == 0)
             progress("reading", r->number, 0);
     }
     progress_end();
-    if (line == LINE_REFUSED)
-        return STATUS_USAGE;
-    if (line == LINE_FAILED)
-        return fail("cannot read %s: %s", r->name, strerror(errno));
-    return end_drop(r, &drop);
+    return status == STATUS_OK ? end_drop(r, &drop) : status;
 }
 
 /* ---- the whole file ---- */
@@ -528,14 +500,11 @@ static void sort_points(struct fit_data *data)
 static int read_table(struct fit_data *data, struct reader *r, double gravity_m_s2)
 {
     errno = 0;
-    const enum line_status line = next_row(r);
-    if (line == LINE_REFUSED)
-        return STATUS_USAGE;
-    if (line == LINE_FAILED)
-        return fail("cannot read %s: %s", r->name, strerror(errno));
-    if (line == LINE_END)
+    int status = next_row(r);
+    if (status == STATUS_OK && r->ended)
         return refuse(r, COLUMNS, "the file is empty; allowed: names of columns and points, as speed_m_s,eps");
-    int status = read_header(data, r);
+    if (status == STATUS_OK)
+        status = read_header(data, r);
     if (status != STATUS_OK)
         return status;
     if (has(r, TIME) && r->unit != FIT_UNIT_OF_COLUMN)
@@ -554,13 +523,11 @@ int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, cons
 {
     struct reader *const r = xmalloc(sizeof *r);
     *data = (struct fit_data){0};
-    r->name = name;
-    r->file = file;
-    r->number = 0;
-    r->unit = form->unit;
-    r->separator = form->separator;
-    r->decimal_comma = form->decimal_comma;
-    r->capacity = 0;
+    *r = (struct reader){.name = name,
+                         .file = file,
+                         .unit = form->unit,
+                         .separator = form->separator,
+                         .decimal_comma = form->decimal_comma};
     const int status = read_table(data, r, form->gravity_m_s2);
     free(r);
     progress_end();

@@ -44,21 +44,30 @@ static size_t points_step(const struct fit_data *data)
     return (data->points + MAX_POINTS - 1) / MAX_POINTS;
 }
 
-static void write_points(FILE *script, const struct fit_data *data)
+static double eps_at(const struct fit_estimate *e, double log_speed)
 {
-    fputs("$data << END\n", script);
-    for (size_t i = 0; i < data->points; i += points_step(data))
-        fprintf(script, "%.9g %.9g %.9g\n", data->point[i].speed_m_s, data->point[i].eps,
-                data->has_sigma ? data->point[i].sigma : 0);
-    fputs("END\n", script);
+    double eps;
+    fit_curve_eps(e->curve, e->theta, &log_speed, &eps, 1);
+    return eps;
 }
 
+/* eps less that of a curve, if there is one */
 static double residual(const struct fit_estimate *e, const struct fit_data *data, size_t point)
 {
-    const double x = log(data->point[point].speed_m_s);
-    double eps;
-    fit_curve_eps(e->curve, e->theta, &x, &eps, 1);
-    return data->point[point].eps - eps;
+    return data->point[point].eps - (e ? eps_at(e, log(data->point[point].speed_m_s)) : 0);
+}
+
+/* The points as a table whose name ends with the number of the curve, if there is one */
+static void write_points(FILE *script, const struct fit_estimate *e, const struct fit_data *data)
+{
+    if (e)
+        fprintf(script, "$residual%d << END\n", (int)e->curve);
+    else
+        fputs("$data << END\n", script);
+    for (size_t i = 0; i < data->points; i += points_step(data))
+        fprintf(script, "%.9g %.9g %.9g\n", data->point[i].speed_m_s, residual(e, data, i),
+                data->has_sigma ? data->point[i].sigma : 0);
+    fputs("END\n", script);
 }
 
 /* The curve, and the residuals of the points */
@@ -68,15 +77,10 @@ static void write_curve(FILE *script, const struct fit_estimate *e, const struct
     fprintf(script, "$curve%d << END\n", (int)e->curve);
     for (int i = 0; i < CURVE_POINTS; i++) {
         const double x = from + (to - from) * i / (CURVE_POINTS - 1);
-        double eps;
-        fit_curve_eps(e->curve, e->theta, &x, &eps, 1);
-        fprintf(script, "%.9g %.9g\n", exp(x), eps);
+        fprintf(script, "%.9g %.9g\n", exp(x), eps_at(e, x));
     }
-    fprintf(script, "END\n$residual%d << END\n", (int)e->curve);
-    for (size_t i = 0; i < data->points; i += points_step(data))
-        fprintf(script, "%.9g %.9g %.9g\n", data->point[i].speed_m_s, residual(e, data, i),
-                data->has_sigma ? data->point[i].sigma : 0);
     fputs("END\n", script);
+    write_points(script, e, data);
 }
 
 static bool is_drawn(const struct fit_comparison *c, int panel)
@@ -128,7 +132,7 @@ static void write_script(FILE *script, const struct fit_comparison *c, const str
     const int columns = drawn < MOST_COLUMNS ? drawn : MOST_COLUMNS, rows = (drawn + columns - 1) / columns;
     const double height = rows * PANEL_HEIGHT + HEAD + FOOT;
     gnuplot_style(script, columns * PANEL_WIDTH, (int)height);
-    write_points(script, data);
+    write_points(script, NULL, data);
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve])
             write_curve(script, &c->estimate[curve], data);

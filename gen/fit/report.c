@@ -72,25 +72,23 @@ static void remark_data(const struct fit_data *data, FILE *file)
         fprintf(file, "Columns that are not read: %s.\n", data->unused);
 }
 
-static void print_model(const struct fit_model *model, FILE *file)
+/* "viscoelastic zero-overlap"; "constant" */
+static struct model_text {
+    char text[64];
+} model_text(const struct fit_model *model)
 {
     const bool both = strcmp(model->end, "both") == 0;
-    fprintf(file, "%s%s%s", model->name, both ? "" : " ", both ? "" : model->end);
+    struct model_text name;
+    snprintf(name.text, sizeof name.text, "%s%s%s", model->name, both ? "" : " ", both ? "" : model->end);
+    return name;
 }
 
 /* The two errors of bounces, for the model with the least AIC */
 static void remark_noise(const struct fit_comparison *c, FILE *file)
 {
     const struct fit_estimate *const e = &c->estimate[fit_models[c->ranked[0]].curve];
-    fprintf(file, "sigma of a time %.2g s, of eps at a bounce %.2g, from the residuals of ", e->time_sigma_s,
-            e->time_sigma_s * sqrt(e->ratio));
-    print_model(&fit_models[c->ranked[0]], file);
-    fputs(".\n", file);
-}
-
-static void remark_robust(FILE *file)
-{
-    fprintf(file, "Robust: Huber's function, linear beyond %g sigma.\n", FIT_HUBER);
+    fprintf(file, "sigma of a time %.2g s, of eps at a bounce %.2g, from the residuals of %s.\n", e->time_sigma_s,
+            e->time_sigma_s * sqrt(e->ratio), model_text(&fit_models[c->ranked[0]]).text);
 }
 
 /* "viscoelastic zero-overlap, plate zero-overlap": the models of one curve */
@@ -101,8 +99,7 @@ static void print_models_of(const struct fit_comparison *c, enum fit_curve curve
         const struct fit_model *const model = &fit_models[c->ranked[i]];
         if (model->curve != curve)
             continue;
-        fputs(separator, file);
-        print_model(model, file);
+        fprintf(file, "%s%s", separator, model_text(model).text);
         separator = ", ";
     }
 }
@@ -155,9 +152,8 @@ static void remark_verdict(const struct fit_comparison *c, FILE *file)
         best = fits && !best ? model : best;
     }
     if (judged == 0) {
-        fputs("The points are too few to judge any of these models. Of them, ", file);
-        print_model(&fit_models[c->ranked[0]], file);
-        fputs(" has the least AIC.\n", file);
+        fprintf(file, "The points are too few to judge any of these models. Of them, %s has the least AIC.\n",
+                model_text(&fit_models[c->ranked[0]]).text);
     } else if (accepted == 0) {
         fprintf(file, "None of these models fits the data%s.\n",
                 judged < c->models ? ", of those that the points are enough to judge" : "");
@@ -165,9 +161,7 @@ static void remark_verdict(const struct fit_comparison *c, FILE *file)
         fputs("None of these laws of contact fits the data. The power law does; it is a formula without a contact.\n",
               file);
     } else {
-        fputs("Of the models that fit, ", file);
-        print_model(best, file);
-        fputs(" has the least AIC.\n", file);
+        fprintf(file, "Of the models that fit, %s has the least AIC.\n", model_text(best).text);
     }
 }
 
@@ -187,9 +181,8 @@ static void remark_outliers(const struct fit_report *report, FILE *file)
     const struct fit_estimate *const e = &c->estimate[model->curve];
     const struct fit_bodies *const bodies = report->request->bodies;
     char p_value[P_VALUE];
-    fprintf(file, "Without %s ", o->count == 1 ? "it" : "these lines");
-    print_model(model, file);
-    fprintf(file, " has the least AIC (%s, %s):", verdict_on(e), p_value_text(p_value, e));
+    fprintf(file, "Without %s %s has the least AIC (%s, %s):", o->count == 1 ? "it" : "these lines",
+            model_text(model).text, verdict_on(e), p_value_text(p_value, e));
     for (int j = 0; j < e->parameters; j++) {
         const double a = fit_parameter_value(model, j, e->interval[j][LEVEL_95].low, bodies);
         const double b = fit_parameter_value(model, j, e->interval[j][LEVEL_95].high, bodies);
@@ -204,7 +197,7 @@ void fit_report_remarks(const struct fit_report *report, FILE *file)
     const struct fit_comparison *const comparison = &report->comparison;
     remark_data(report->data, file);
     if (report->request->robust)
-        remark_robust(file);
+        fprintf(file, "Robust: Huber's function, linear beyond %g sigma.\n", FIT_HUBER);
     if (comparison->too_many_parameters > 0)
         fprintf(file, "%d model%s left out: more points than parameters are needed.\n", comparison->too_many_parameters,
                 comparison->too_many_parameters == 1 ? " is" : "s are");

@@ -52,12 +52,12 @@ enum {
 static const double ns_law[QUANTITIES] = {0, 770, 130}, ns_leading_log[QUANTITIES] = {0, 40, 40};
 
 struct outcome {
-    double value[QUANTITIES]; /* NaN if unknown */
-    bool reached;             /* whether the tolerance was reached */
+    double value[QUANTITIES]; /* eps, contact time, largest compression; NaN if unknown */
     double steps;
 };
 
 struct disks {
+    const struct plan *plan;
     const struct plan_disks_request *request;
     struct cor_disk_modes modes;
     struct outcome *grid; /* [point][count][wall] */
@@ -82,27 +82,17 @@ static void disks_collide_one(const struct disks *d, struct outcome *out, size_t
     const size_t bytes = cor_disk_collision_workspace(&d->modes, modes, &options);
     void *const memory = xmalloc(bytes);
     struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0, (double)NAN};
-    const int status = cor_disk_collision_in(memory, bytes, &d->modes, modes, &options, speed, &c, NULL);
+    cor_disk_collision_in(memory, bytes, &d->modes, modes, &options, speed, &c, NULL);
     free(memory);
-    out->value[PLAN_EPS] = c.eps;
-    out->value[PLAN_CONTACT_TIME] = c.contact_time;
-    out->value[PLAN_COMPRESSION] = c.max_compression;
-    out->reached = status == COR_OK;
-    out->steps = (double)c.steps;
+    *out = (struct outcome){{c.eps, c.contact_time, c.max_compression}, (double)c.steps};
 }
-
-struct collisions {
-    const struct plan *plan;
-    struct disks *disks;
-};
 
 /* Task i: the collisions of one row of a point's grid, with the most modes first, or the paper's collision */
 static void disks_collide_row(void *context, slong i)
 {
-    const struct collisions *const work = context;
-    struct disks *const d = work->disks;
-    const slong points = work->plan->points, point = i % points;
-    const double speed = work->plan->speed[point];
+    struct disks *const d = context;
+    const slong points = d->plan->points, point = i % points;
+    const double speed = d->plan->speed[point];
     const int count = COUNTS - 1 - (int)(i / points);
     if (count < 0) {
         disks_collide_one(d, &d->paper[point], PAPER_MODES, PAPER_ALPHA, speed);
@@ -116,8 +106,7 @@ static void disks_collide_all(struct plan *plan, struct disks *d)
 {
     d->grid = xmalloc((size_t)plan->points * COUNTS * WALLS * sizeof *d->grid);
     d->paper = xmalloc((size_t)plan->points * sizeof *d->paper);
-    struct collisions work = {plan, d};
-    parallel_for(disks_collide_row, &work, plan->points * (COUNTS + 1), "collisions");
+    parallel_for(disks_collide_row, d, plan->points * (COUNTS + 1), "collisions");
 }
 
 /* ---- the rigid wall ---- */
@@ -126,10 +115,7 @@ static int collide_rigid(struct disks *d, struct outcome *out, double *uncertain
 {
     struct cor_disk_hard_wall h;
     const int status = hard_wall_collide(&h, &d->tables, tolerance, 0, speed);
-    out->value[PLAN_EPS] = h.eps;
-    out->value[PLAN_CONTACT_TIME] = h.contact_time;
-    out->value[PLAN_COMPRESSION] = h.max_compression;
-    out->reached = status == COR_OK;
+    *out = (struct outcome){{h.eps, h.contact_time, h.max_compression}, 0};
     *uncertainty = h.error_estimate / (2 * h.eps);
     return status == COR_OK || status == COR_TOLERANCE_NOT_REACHED ? STATUS_OK : STATUS_FAILED;
 }
@@ -171,10 +157,17 @@ static char *modes_text(const struct disks *d, size_t count)
                    poisson, count);
 }
 
-static const char *quantity_field(enum plan_quantity quantity)
+static const char *quantity_field(const struct disks *d)
 {
     static const char *const fields[QUANTITIES] = {"eps", "contact_time", "max_compression"};
-    return fields[quantity];
+    return fields[d->request->quantity];
+}
+
+static void model_is(struct plan_model *m, double cost, const char *leaves_out, char *use)
+{
+    m->cost = cost;
+    m->leaves_out = leaves_out;
+    m->use = use;
 }
 
 static bool is_relative(const struct disks *d)
@@ -200,12 +193,11 @@ static int add_rigid(struct plan *plan, struct disks *d, int k)
     m->promised = quantity == PLAN_EPS;
     if (!m->promised)
         plan_compare(plan, m, true);
-    m->cost = rigid[k].cost;
-    m->leaves_out = "nothing; estimated, not proved";
-    m->use = xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
+    model_is(m, rigid[k].cost, "nothing; estimated, not proved",
+             xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
                      "struct cor_disk_hard_wall out;\n"
                      "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
-                     rigid[k].tolerance, d->request->poisson.text, quantity_field(quantity));
+                     rigid[k].tolerance, d->request->poisson.text, quantity_field(d)));
     return status;
 }
 
@@ -226,17 +218,16 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
         steps += out->steps / (double)plan->points;
     }
     plan_compare(plan, m, is_relative(d));
-    m->cost = steps * (NS_STEP + NS_STEP_MODE * (double)modes);
-    m->leaves_out = leaves_out;
     char *table = modes_text(d, modes), alpha[64];
     if (hard > 0)
         snprintf(alpha, sizeof alpha, "fmax(%d, %g / v)", COR_DISK_COLLISION_MIN_ALPHA, hard);
     else
         snprintf(alpha, sizeof alpha, "%g", PAPER_ALPHA);
-    m->use = xprintf("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
+    model_is(m, steps * (NS_STEP + NS_STEP_MODE * (double)modes), leaves_out,
+             xprintf("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
                      "struct cor_disk_collision out;\n"
                      "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
-                     table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d->request->quantity));
+                     table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d)));
     free(table);
 }
 
@@ -267,42 +258,40 @@ static void add_rayleigh(struct plan *plan, const struct disks *d)
             m->outside = m->outside || status != COR_OK;
         }
         plan_compare(plan, m, false);
-        m->cost = NS_RAYLEIGH + NS_RAYLEIGH_MODE * (double)taken[k];
-        m->leaves_out = "that vibrations act back on the load";
         char *table = modes_text(d, taken[k]);
-        m->use = xprintf("%sstruct cor_disk_modes cut = {modes->nu, %zu, modes->mode};\nstruct cor_disk_rayleigh out;\n"
+        model_is(m, NS_RAYLEIGH + NS_RAYLEIGH_MODE * (double)taken[k], "that vibrations act back on the load",
+                 xprintf("%sstruct cor_disk_modes cut = {modes->nu, %zu, modes->mode};\nstruct cor_disk_rayleigh out;\n"
                          "int status = cor_disk_rayleigh(&cut, %zu, COR_DISK_DATUM_CENTRE_OF_MASS, v, &out, NULL);\n"
                          "double eps = sqrt(1 - (out.fraction + out.tail));\n",
-                         table, taken[k], taken[k]);
+                         table, taken[k], taken[k]));
         free(table);
     }
 }
 
+static void add_constant(struct plan *plan, const char *name, const char *eps, const char *leaves_out)
+{
+    struct plan_model *const m = plan_add(plan, "%s", name);
+    for (slong i = 0; i < plan->points; i++)
+        m->value[i] = strtod(eps, NULL);
+    plan_compare(plan, m, false);
+    model_is(m, 0, leaves_out, xprintf("double eps = %s;\n", eps));
+}
+
 static void add_models_of_eps(struct plan *plan, const struct disks *d)
 {
-    struct plan_model *m = plan_add(plan, "eps = 1");
-    for (slong i = 0; i < plan->points; i++)
-        m->value[i] = 1;
-    plan_compare(plan, m, false);
-    m->leaves_out = "vibrations";
-    m->use = xprintf("double eps = 1;\n");
     double low = 1, high = 0;
     for (slong i = 0; i < plan->points; i++) {
         low = fmin(low, plan->truth[i]);
         high = fmax(high, plan->truth[i]);
     }
-    char text[32];
-    snprintf(text, sizeof text, "%.6f", (low + high) / 2);
-    m = plan_add(plan, "constant eps");
-    for (slong i = 0; i < plan->points; i++)
-        m->value[i] = strtod(text, NULL);
-    plan_compare(plan, m, false);
-    m->leaves_out = "how eps goes with the speed";
-    m->use = xprintf("double eps = %s;\n", text);
+    char middle[32];
+    snprintf(middle, sizeof middle, "%.6f", (low + high) / 2);
+    add_constant(plan, "eps = 1", "1", "vibrations");
+    add_constant(plan, "constant eps", middle, "how eps goes with the speed");
     add_rayleigh(plan, d);
 
     /* the error is the promised uncertainty, for what the table is compared with comes from the same collisions */
-    m = plan_add(plan, "table: cor_disk_eps");
+    struct plan_model *const m = plan_add(plan, "table: cor_disk_eps");
     m->outside = !(d->modes.nu >= COR_DISK_EPS_MIN_NU && d->modes.nu <= COR_DISK_EPS_MAX_NU);
     for (slong i = 0; i < plan->points; i++) {
         m->value[i] = cor_disk_eps(plan->speed[i], d->modes.nu);
@@ -313,9 +302,8 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
             m->outside || !(plan->speed[i] >= COR_DISK_EPS_MIN_SPEED && plan->speed[i] <= COR_DISK_EPS_MAX_SPEED);
     }
     m->promised = true;
-    m->cost = NS_EPS_TABLE;
-    m->leaves_out = "nothing; estimated, not proved";
-    m->use = xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->request->poisson.text);
+    model_is(m, NS_EPS_TABLE, "nothing; estimated, not proved",
+             xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->request->poisson.text));
 }
 
 typedef double law(double speed, double nu, enum cor_disk_datum datum);
@@ -331,19 +319,16 @@ static void add_laws(struct plan *plan, const struct disks *d)
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = (time ? cor_disk_contact_time_leading_log : cor_disk_max_compression_leading_log)(plan->speed[i]);
     plan_compare(plan, m, true);
-    m->cost = ns_leading_log[d->request->quantity];
-    m->leaves_out = "all beside ln(4/v); vibrations";
-    m->use = xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d->request->quantity),
-                     called);
+    model_is(m, ns_leading_log[d->request->quantity], "all beside ln(4/v); vibrations",
+             xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d), called));
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
             m->value[i] = function(plan->speed[i], d->modes.nu, (enum cor_disk_datum)k);
         plan_compare(plan, m, true);
-        m->cost = ns_law[d->request->quantity];
-        m->leaves_out = "vibrations";
-        m->use = xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
-                         quantity_field(d->request->quantity), called, d->request->poisson.text, datum[k]);
+        model_is(m, ns_law[d->request->quantity], "vibrations",
+                 xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n", quantity_field(d),
+                         called, d->request->poisson.text, datum[k]));
     }
 }
 
@@ -390,10 +375,9 @@ static int disks_fill(struct plan *plan, struct disks *d)
         progress("rigid walls", (long)i + 1, (long)plan->points);
     }
     progress_end();
-    if (status == STATUS_OK)
-        disks_collide_all(plan, d);
     if (status != STATUS_OK)
         return status;
+    disks_collide_all(plan, d);
     plan->argument = "speed";
     plan->quantity = quantity[d->request->quantity];
     plan->unit = is_relative(d) ? "relative error" : "error";
@@ -426,7 +410,7 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
         return status;
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
     plan->tolerance = tolerance;
-    struct disks d = {.request = request};
+    struct disks d = {.plan = plan, .request = request};
     hard_wall_tables_init(&d.tables);
     profile_step("modes");
     status = disk_modes_rounded(&d.modes, request->poisson.value, (slong)counts[COUNTS - 1]);

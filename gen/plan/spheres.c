@@ -15,8 +15,7 @@
 #include "embed/choose.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
-#include "plan/pressing.h"
-#include "plan/waves.h"
+#include "plan/remarks.h"
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/local.h"
@@ -40,6 +39,7 @@ static const struct cost {
   cost_library = {4.4, 2.2}, cost_constant = {0, 0}, cost_crossley = {32, 19}, cost_function = {17, 17};
 
 struct spheres {
+    const struct embed_request *request; /* until the plan is made */
     struct embed_scene scene;
     struct cor_scene_contact contact, pressed; /* without and with the constant force */
     struct embed_form form[FAMILIES];
@@ -48,21 +48,11 @@ struct spheres {
     double *other; /* eps at the other end of contact, at every point */
 };
 
-static const char *end_option(int end)
+static double cost_for_purpose(enum embed_purpose purpose, struct cost cost)
 {
-    return end == END_ZERO_FORCE ? "zero-force" : "zero-overlap";
-}
-
-static const char *end_name(int end)
-{
-    return end == END_ZERO_FORCE ? "zero_force" : "zero_overlap";
-}
-
-static double cost_for_purpose(const struct embed_request *scene, struct cost cost)
-{
-    return scene->purpose == PURPOSE_SCALAR  ? cost.call
-           : scene->purpose == PURPOSE_ARRAY ? cost.loop
-                                             : (cost.call + 4 * cost.loop) / 5;
+    return purpose == PURPOSE_SCALAR  ? cost.call
+           : purpose == PURPOSE_ARRAY ? cost.loop
+                                      : (cost.call + 4 * cost.loop) / 5;
 }
 
 static struct cost of_form(const struct embed_form *f)
@@ -101,10 +91,14 @@ static int collide_both_ends(double eps[2], const arb_t beta, const struct law *
 struct truth {
     struct plan *plan;
     struct spheres *spheres;
-    enum contact_end end;
     arb_t h_star;
     atomic_bool failed;
 };
+
+static int other_end(const struct spheres *s)
+{
+    return s->scene.end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+}
 
 static void find_truth_at(void *context, slong i)
 {
@@ -117,13 +111,13 @@ static void find_truth_at(void *context, slong i)
     if (collide_both_ends(eps, beta, &truth->spheres->scene.law, truth->h_star) != STATUS_OK)
         atomic_store(&truth->failed, true);
     plan->at[i] = ball_middle(beta);
-    plan->truth[i] = eps[truth->end];
-    truth->spheres->other[i] = eps[truth->end == END_ZERO_OVERLAP ? END_ZERO_FORCE : END_ZERO_OVERLAP];
+    plan->truth[i] = eps[truth->spheres->scene.end];
+    truth->spheres->other[i] = eps[other_end(truth->spheres)];
 }
 
-static int find_truth(struct plan *plan, struct spheres *s, enum contact_end end)
+static int find_truth(struct plan *plan, struct spheres *s)
 {
-    struct truth truth = {.plan = plan, .spheres = s, .end = end};
+    struct truth truth = {.plan = plan, .spheres = s};
     arb_init(truth.h_star);
     s->other = xmalloc((size_t)plan->points * sizeof *s->other);
     int status = STATUS_OK;
@@ -170,23 +164,21 @@ double plan_model_eps(const struct plan_model *m, double speed, double beta)
     return (double)NAN;
 }
 
-static double speed_exponent(const struct law *law)
+static double speed_exponent(const struct spheres *s)
 {
-    const struct ratio q = law_speed_exponent(law);
-    return (double)q.num / (double)q.den;
+    return ratio_double(law_speed_exponent(&s->scene.law));
 }
 
-static void model_is(struct plan_model *m, double cost, const char *leaves_out, char *use)
+/* Sets all but the name of a model, of which values and errors are those of its formula, if it has one. */
+static void model_is(const struct plan *plan, const struct spheres *s, struct plan_model *m, struct cost cost,
+                     const char *leaves_out, char *use, enum plan_formula formula)
 {
-    m->cost = cost;
+    m->cost = cost_for_purpose(s->request->purpose, cost);
     m->leaves_out = leaves_out;
     m->use = use;
-}
-
-/* Sets values and errors of a model that is a function. */
-static void model_evaluate(const struct plan *plan, struct plan_model *m, enum plan_formula formula)
-{
     m->formula = formula;
+    if (formula == PLAN_NO_FORMULA)
+        return;
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = plan_model_eps(m, plan->speed[i], plan->at[i]);
     plan_compare(plan, m, true);
@@ -210,7 +202,7 @@ static double ten_digits(double x)
     return strtod(text, NULL);
 }
 
-static void add_constants(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
+static void add_constants(struct plan *plan, const struct spheres *s)
 {
     const slong last = plan->points - 1;
     for (int measured = 0; measured < (s->scene.constant ? 1 : 2); measured++) {
@@ -220,18 +212,18 @@ static void add_constants(struct plan *plan, const struct spheres *s, const stru
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         m->number[0] =
             s->scene.constant ? first : ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
-        model_is(m, cost_for_purpose(scene, cost_constant),
-                 s->scene.constant                   ? "nothing; eps is the same at every speed"
-                 : speed_exponent(&s->scene.law) < 0 ? "that eps rises with the speed"
-                                                     : "that eps falls with the speed",
-                 xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]));
-        model_evaluate(plan, m, PLAN_CONSTANT);
+        model_is(plan, s, m, cost_constant,
+                 s->scene.constant       ? "nothing; eps is the same at every speed"
+                 : speed_exponent(s) < 0 ? "that eps rises with the speed"
+                                         : "that eps falls with the speed",
+                 xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]),
+                 PLAN_CONSTANT);
     }
 }
 
 /* eps = a g^-b, where b is the slope of ln eps between the ends. It is the best slope, because ln eps is a concave
  * function of ln g. With eps g^b from e^low to e^high, their harmonic mean as a has the smallest relative error. */
-static void add_power_law(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
+static void add_power_law(struct plan *plan, const struct spheres *s)
 {
     const slong last = plan->points - 1;
     struct plan_model *m = plan_add(plan, "power law min(1; a speed^-b)");
@@ -244,15 +236,15 @@ static void add_power_law(struct plan *plan, const struct spheres *s, const stru
     }
     m->number[0] = ten_digits(2 / (exp(-low) + exp(-high)));
     m->number[1] = ten_digits(b);
-    model_is(m, cost_for_purpose(scene, cost_power),
-             speed_exponent(&s->scene.law) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest",
-             xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]));
-    model_evaluate(plan, m, PLAN_POWER_LAW);
+    model_is(plan, s, m, cost_power, speed_exponent(s) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest",
+             xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]),
+             PLAN_POWER_LAW);
 }
 
 /* C statements that define `contact` */
-static char *contact_text(const struct spheres *s, const struct embed_request *scene)
+static char *contact_text(const struct spheres *s)
 {
+    const struct embed_request *const scene = s->request;
     static const char init[] = "struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n";
     char g_star[DECIMAL_TEXT];
     if (scene->number[COR_SCENE_G_STAR].text)
@@ -281,16 +273,15 @@ static char *contact_text(const struct spheres *s, const struct embed_request *s
 }
 
 /* `after`: lines behind the call */
-static char *call_of_beta(const struct spheres *s, const struct embed_request *scene, const char *call,
-                          const char *after)
+static char *call_of_beta(const struct spheres *s, const char *call, const char *after)
 {
-    char *contact = contact_text(s, scene);
+    char *contact = contact_text(s);
     char *text = xprintf("#include \"cor/cor.h\"\n%sdouble eps = %s;\n%s", contact, call, after);
     free(contact);
     return text;
 }
 
-static void add_published(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
+static void add_published(struct plan *plan, const struct spheres *s)
 {
     static const struct {
         const char *name, *leaves_out, *call, *after;
@@ -310,15 +301,13 @@ static void add_published(struct plan *plan, const struct spheres *s, const stru
         m->m = 1;
         m->n = 4;
         m->root = 2;
-        model_is(m, cost_for_purpose(scene, *published[i].cost), published[i].leaves_out,
-                 call_of_beta(s, scene, published[i].call, published[i].after));
-        model_evaluate(plan, m, published[i].formula);
+        model_is(plan, s, m, *published[i].cost, published[i].leaves_out,
+                 call_of_beta(s, published[i].call, published[i].after), published[i].formula);
     }
 }
 
 /* Adds f in doubles, if its denominator is shown to keep its sign over the range. */
-static void add_pade(struct plan *plan, struct spheres *s, const struct embed_request *scene, const struct pade *f,
-                     slong root, bool two_point)
+static void add_pade(struct plan *plan, struct spheres *s, const struct pade *f, slong root, bool two_point)
 {
     const slong m = f->numerator, n = f->denominator;
     if (m + n + 2 > PADE_COEFFICIENTS || s->pades == (int)(sizeof s->pade / sizeof *s->pade))
@@ -339,35 +328,34 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
                               .denominator = n,
                               .refinement = ROOT_REFINEMENT};
     embed_form_price(&form);
-    model_is(model, cost_for_purpose(scene, of_form(&form)),
-             two_point ? "terms between series and limit"
-                       : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it"),
-             xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
-                     "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
-                     (long)m, (long)n, two_point ? " --two-point" : "", end_option(scene->end),
-                     two_point ? "two_point_" : "", end_name(scene->end), (long)m, (long)n,
-                     root == 2 ? "sqrt(beta)" : "beta"));
     const double low = plan->at[0], high = plan->at[plan->points - 1];
     for (int k = 0; k <= PADE_POINTS; k++) {
         const double beta = low + (high - low) * k / (double)PADE_POINTS;
         model->outside = model->outside || !(eps_horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
     }
-    model_evaluate(plan, model, PLAN_QUOTIENT);
+    model_is(plan, s, model, of_form(&form),
+             two_point ? "terms between series and limit"
+                       : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it"),
+             xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
+                     "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
+                     (long)m, (long)n, two_point ? " --two-point" : "", contact_end_options[s->scene.end],
+                     two_point ? "two_point_" : "", contact_end_names[s->scene.end], (long)m, (long)n,
+                     root == 2 ? "sqrt(beta)" : "beta"),
+             PLAN_QUOTIENT);
 }
 
-static void add_pades(struct plan *plan, struct spheres *s, const struct embed_request *scene, const arb_poly_t series,
-                      slong root)
+static void add_pades(struct plan *plan, struct spheres *s, const arb_poly_t series, slong root)
 {
     static const slong ordinary[][2] = {{1, 4}, {2, 3}, {3, 5}, {4, 6}, {6, 9}, {8, 12}, {10, 15}};
     static const slong two_point[] = {2, 4, 8};
     LOCAL_INIT(pade, f, (&f));
     for (size_t i = 0; i < sizeof ordinary / sizeof *ordinary; i++)
         if (pade_of_series(&f, series, ordinary[i][0], ordinary[i][1], PADE_BITS))
-            add_pade(plan, s, scene, &f, root, false);
-    if (scene->end == END_ZERO_OVERLAP)
+            add_pade(plan, s, &f, root, false);
+    if (s->scene.end == END_ZERO_OVERLAP)
         for (size_t i = 0; i < sizeof two_point / sizeof *two_point; i++)
             if (pade_two_point_of_series(&f, series, s->scene.h_star_5, two_point[i], PADE_BITS))
-                add_pade(plan, s, scene, &f, root, true);
+                add_pade(plan, s, &f, root, true);
 }
 
 /* The command line with the options of the scene and a tolerance */
@@ -383,13 +371,13 @@ static char *embed_command(const struct embed_request *scene, const char *tolera
     }
     return xprintf("corgen embed%s%s%s --end %s --for %s --output cor_scene_eps.h\n"
                    "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                   line, scene->wall ? " --wall" : "", embed_law_options(law, scene), end_option(scene->end),
+                   line, scene->wall ? " --wall" : "", embed_law_options(law, scene), contact_end_options[scene->end],
                    embed_purpose_names[scene->purpose]);
 }
 
-static void add_header(struct plan *plan, struct spheres *s, const struct embed_request *scene, const char *tolerance)
+static void add_header(struct plan *plan, struct spheres *s, const char *tolerance)
 {
-    const enum embed_family chosen = embed_choose(s->form, scene->purpose);
+    const enum embed_family chosen = embed_choose(s->form, s->request->purpose);
     if (chosen == FAMILIES)
         return; /* the library remains */
     const struct embed_form *f = &s->form[chosen];
@@ -400,76 +388,72 @@ static void add_header(struct plan *plan, struct spheres *s, const struct embed_
         *c = (char)(*c == ',' ? ';' : *c);
     m->form = f;
     m->elsewhere = f->error;
-    model_is(m, cost_for_purpose(scene, of_form(f)), "speeds outside the range", embed_command(scene, tolerance));
-    model_evaluate(plan, m, PLAN_HEADER);
+    model_is(plan, s, m, of_form(f), "speeds outside the range", embed_command(s->request, tolerance), PLAN_HEADER);
 }
 
 /* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */
-static void add_library(struct plan *plan, struct spheres *s, const struct embed_request *scene)
+static void add_library(struct plan *plan, const struct spheres *s)
 {
-    struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", end_name(scene->end));
+    struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", contact_end_names[s->scene.end]);
     const double promise =
         COR_CONTACT_EPS_MAX_ERROR(s->scene.slope) + s->scene.slope * COR_CONTACT_MAX_ULP * DBL_EPSILON;
     char call[TEXT];
-    snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", end_name(scene->end));
+    snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", contact_end_names[s->scene.end]);
     model_promise(plan, m, promise);
-    model_is(m, cost_for_purpose(scene, cost_library), "nothing; good at every speed",
-             call_of_beta(s, scene, call, ""));
+    model_is(plan, s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""), PLAN_NO_FORMULA);
 }
 
 /* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
  * cor_hertz_dashpot_eps_* and cor_hunt_crossley_eps, for other laws the header of corgen law. */
-static void add_function_of_beta(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
+static void add_function_of_beta(struct plan *plan, const struct spheres *s)
 {
     const struct law *law = &s->scene.law;
     const bool dashpot = law->a.num == 3 && law->a.den == 2 && law->b.num == 0, crossley = law_is_hunt_crossley(law);
-    const double q = speed_exponent(law), per_beta = s->scene.slope / (5 * fabs(q));
+    const double q = speed_exponent(s), per_beta = s->scene.slope / (5 * fabs(q));
     const double ulp = dashpot ? COR_HERTZ_DASHPOT_EPS_MAX_ULP : crossley ? COR_LAW_EPS_MAX_ULP : 1;
     char call[TEXT];
     if (dashpot)
-        snprintf(call, sizeof call, "cor_hertz_dashpot_eps_%s", end_name(scene->end));
+        snprintf(call, sizeof call, "cor_hertz_dashpot_eps_%s", contact_end_names[s->scene.end]);
     else if (crossley)
         snprintf(call, sizeof call, "cor_hunt_crossley_eps");
     else
-        snprintf(call, sizeof call, "law_eps_%s", end_name(scene->end));
+        snprintf(call, sizeof call, "law_eps_%s", contact_end_names[s->scene.end]);
     struct plan_model *m = plan_add(plan, dashpot || crossley ? "library: %s" : "corgen law: %s", call);
     model_promise(plan, m, (ulp + per_beta * ROUNDINGS_OF_BETA) * DBL_EPSILON);
-    m->cost = cost_for_purpose(scene, crossley ? cost_crossley : cost_function);
-    m->leaves_out = "nothing; good at every speed";
-    char *beta = arb_get_str(s->scene.beta_per_root, 17, ARB_STR_NO_RADIUS);
+    char *beta = arb_get_str(s->scene.beta_per_root, 17, ARB_STR_NO_RADIUS), *source;
     if (dashpot || crossley)
-        m->use = xprintf("#include \"cor/cor.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n", call, beta, q);
+        source = xprintf("#include \"cor/cor.h\"");
     else
-        m->use = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n"
-                         "#include \"law.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n",
-                         ratio_text(law->a).text, ratio_text(law->b).text, call, beta, q);
+        source = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n#include \"law.h\"",
+                         ratio_text(law->a).text, ratio_text(law->b).text);
+    model_is(plan, s, m, crossley ? cost_crossley : cost_function, "nothing; good at every speed",
+             xprintf("%s\ndouble eps = %s(%s * pow(speed, %.17g));\n", source, call, beta, q), PLAN_NO_FORMULA);
+    free(source);
     flint_free(beta);
 }
 
-static void add_other_end(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
+static void add_other_end(struct plan *plan, const struct spheres *s)
 {
-    const int other = scene->end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
-    struct plan_model *m = plan_add(plan, "the other end: %s", end_option(other));
+    struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options[other_end(s)]);
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
     plan_compare(plan, m, true);
-    m->cost = cost_for_purpose(scene, cost_library);
-    m->leaves_out = "which end the contact has";
+    model_is(plan, s, m, cost_library, "which end the contact has", NULL, PLAN_NO_FORMULA);
     m->shown = true;
 }
 
 /* ---- the plan ---- */
 
-static char *spheres_title(const struct plan *plan, const struct embed_request *scene, const struct law *law)
+static char *spheres_title(const struct plan *plan, const struct spheres *s)
 {
     const slong last = plan->points - 1;
-    const struct law_text equation = law_equation(law);
+    const struct embed_request *const scene = s->request;
+    const struct law_text equation = law_equation(&s->scene.law);
     return xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                   scene->law == COR_LAW_PLATE ? "A sphere and a plate"
-                   : law_is_sphere(law)        ? "Spheres"
-                                               : equation.text,
-                   scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text,
-                   scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
-                   plan->truth[0], plan->truth[last]);
+                   scene->law == COR_LAW_PLATE    ? "A sphere and a plate"
+                   : law_is_sphere(&s->scene.law) ? "Spheres"
+                                                  : equation.text,
+                   scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text, cor_end_names[scene->end],
+                   plan->at[0], plan->at[last], plan->truth[0], plan->truth[last]);
 }
 
 #define NOTE(times)                                                                                                    \
@@ -482,36 +466,32 @@ static const char *const notes[] = {/* by purpose */
                                     NOTE("in calls one at a time (--for scalar)"), NOTE("in a loop (--for array)")};
 
 /* Adds all models after the reference and the series are known. `header` is the tolerance of the header. */
-static void add_models(struct plan *plan, struct spheres *s, const struct embed_request *scene,
-                       const struct embed_series *series, const char *header)
+static void add_models(struct plan *plan, struct spheres *s, const struct embed_series *series, const char *header)
 {
-    const struct law *const law = &s->scene.law;
-    plan->title = spheres_title(plan, scene, law);
-    plan->remark = plan_wave_remark(scene, plan->speed[plan->points - 1], plan->truth[plan->points - 1]);
+    const bool sphere = law_is_sphere(&s->scene.law);
+    plan->title = spheres_title(plan, s);
+    plan->remark = plan_wave_remark(s->request, plan->speed[plan->points - 1], plan->truth[plan->points - 1]);
     if (s->pressed.force_n > 0) {
         char *const waves = plan->remark;
-        char *const pressing =
-            plan_pressing_remark(&s->pressed, scene->end, s->scene.speed_min, s->scene.speed_max, plan->tolerance);
+        char *const pressing = plan_pressing_remark(&s->pressed, (int)s->scene.end, s->scene.speed_min,
+                                                    s->scene.speed_max, plan->tolerance);
         plan->remark = xprintf("%s%s", waves ? waves : "", pressing);
         free(pressing);
         free(waves);
     }
-    add_constants(plan, s, scene);
+    add_constants(plan, s);
     if (!s->scene.constant) {
-        add_power_law(plan, s, scene);
-        if (law_is_sphere(law)) {
-            add_published(plan, s, scene);
-            add_pades(plan, s, scene, series->eps, series->root);
+        add_power_law(plan, s);
+        if (sphere) {
+            add_published(plan, s);
+            add_pades(plan, s, series->eps, series->root);
         }
         embed_search(s->form, &s->scene, series);
-        add_header(plan, s, scene, header);
-        if (law_is_sphere(law))
-            add_library(plan, s, scene);
-        else
-            add_function_of_beta(plan, s, scene);
+        add_header(plan, s, header);
+        (sphere ? add_library : add_function_of_beta)(plan, s);
     }
     if (cor_scene_ends_differ(&s->contact))
-        add_other_end(plan, s, scene);
+        add_other_end(plan, s);
     plan_choose(plan);
 }
 
@@ -526,6 +506,7 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     embed_request_law(&law, scene); /* has been checked */
     embed_series_begin(&series, &law, (enum contact_end)scene->end);
     profile_step("scene, series");
+    s->request = scene;
     s->contact = request->contact;
     s->pressed = request->pressed;
     int status = embed_scene_init(&s->scene, embed, &s->contact);
@@ -540,12 +521,12 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     plan->note = notes[scene->purpose];
     profile_step("collisions");
     if (status == STATUS_OK)
-        status = find_truth(plan, s, (enum contact_end)scene->end);
+        status = find_truth(plan, s);
     const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
         status = series_status;
     if (status == STATUS_OK)
-        add_models(plan, s, scene, &series, embed->number[EMBED_TOLERANCE].text);
+        add_models(plan, s, &series, embed->number[EMBED_TOLERANCE].text);
     profile_step(NULL);
     embed_series_clear(&series);
     return status;

@@ -8,6 +8,9 @@
 #include "support/console.h"
 #include "support/local.h"
 
+const char *const contact_end_options[] = {"zero-overlap", "zero-force", NULL};
+const char *const contact_end_names[] = {"zero_overlap", "zero_force"};
+
 void series_init(struct series *s)
 {
     FOR_ALL(arb_poly, init, s->y, s->tau, s->c);

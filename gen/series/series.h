@@ -6,6 +6,8 @@
 #include "series/law.h"
 
 enum contact_end { END_ZERO_OVERLAP, END_ZERO_FORCE };
+extern const char *const contact_end_options[]; /* "zero-overlap", "zero-force", NULL */
+extern const char *const contact_end_names[];   /* "zero_overlap", "zero_force" */
 
 struct series {
     arb_poly_t y;   /* x_max = sum y_k beta^k */

@@ -367,23 +367,6 @@ void emit_geometry_integer(struct emit *e, const char *table, const char *what, 
     put_geometry(e, table, what, number);
 }
 
-static void let(struct emit *e, const char *type, const char *name, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-static void let(struct emit *e, const char *type, const char *name, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    fprintf(e->file, "    const %s %s = ", type, name);
-    vfprintf(e->file, format, arguments);
-    fprintf(e->file, ";\n");
-    va_end(arguments);
-}
-
-void emit_function_open(struct emit *e, const char *name, const char *argument)
-{
-    fprintf(e->file, "COR_INLINE %s %s(%s %s)\n{\n", real_type(e), name, real_type(e), argument);
-}
-
 /* The bits of a number of the type, as an integer */
 static unsigned long long bits_of(const struct emit *e, double x)
 {
@@ -395,49 +378,43 @@ static unsigned long long bits_of(const struct emit *e, double x)
     return e->single ? narrow : wide;
 }
 
-void emit_let_clamped(struct emit *e, const char *name, const char *x, double low, double high, bool vector)
+void emit_lines(struct emit *e, const char *text, ...)
 {
+    va_list arguments;
     char number[NUMBER_MAX];
-    if (!vector) {
-        real(number, e, low);
-        let(e, real_type(e), "above", "%s > %s ? %s : %s", x, number, x, number);
-        real(number, e, high);
-        let(e, real_type(e), name, "above < %s ? above : %s", number, number);
-        return;
+    va_start(arguments, text);
+    for (; *text; text++) {
+        if (*text != '$') {
+            putc(*text, e->file);
+            continue;
+        }
+        switch (*++text) {
+        case 'T':
+            fputs(real_type(e), e->file);
+            break;
+        case 'B':
+            fputs(e->single ? "32" : "64", e->file);
+            break;
+        case 'F':
+            fputs(e->single ? "f" : "", e->file);
+            break;
+        case 's':
+            fputs(va_arg(arguments, const char *), e->file);
+            break;
+        case 'd':
+            fprintf(e->file, "%d", va_arg(arguments, int));
+            break;
+        case 'x':
+            fputs(real(number, e, va_arg(arguments, double)), e->file);
+            break;
+        default: /* 'b' */
+            fprintf(e->file, "%llu", bits_of(e, va_arg(arguments, double)));
+        }
     }
-    const int width = e->single ? 32 : 64;
-    fprintf(e->file, "    /* as whole numbers, which loops over it are made vectors with */\n");
-    fprintf(e->file, "    const int%d_t low = INT%d_C(%llu), high = INT%d_C(%llu);\n", width, width, bits_of(e, low),
-            width, bits_of(e, high));
-    fprintf(e->file, "    int%d_t whole_speed;\n    memcpy(&whole_speed, &%s, sizeof whole_speed);\n", width, x);
-    fprintf(e->file, "    const int%d_t above = whole_speed > low ? whole_speed : low;\n", width);
-    fprintf(e->file, "    const int%d_t inside = above < high ? above : high;\n", width);
-    fprintf(e->file, "    %s %s;\n    memcpy(&%s, &inside, sizeof %s);\n", real_type(e), name, name, name);
+    va_end(arguments);
 }
 
-void emit_let_less(struct emit *e, const char *name, const char *x, double number)
-{
-    char text[NUMBER_MAX];
-    real(text, e, number);
-    let(e, real_type(e), name, "%s - %s", x, text);
-}
-
-void emit_let_above(struct emit *e, const char *name, const char *x, double end, double before, const char *numerator,
-                    const char *denominator)
-{
-    char number[NUMBER_MAX], first[NUMBER_MAX];
-    real(number, e, end);
-    real(first, e, before);
-    let(e, real_type(e), name, "%s <= %s ? %s : %s%s%s", x, number, first, numerator, denominator ? " / " : "",
-        denominator ? denominator : "");
-}
-
-void emit_let_sqrt(struct emit *e, const char *name, const char *x)
-{
-    let(e, real_type(e), name, "sqrt%s(%s)", e->single ? "f" : "", x);
-}
-
-/* c_0 + x * (c_1 + x * (... + x * c_n)): Horner's rule. text(k) is c_k; the last may be the number 1. */
+/* c_0 + x * (c_1 + x * (... + x * c_n)): Horner's rule. text[k] is c_k; the last may be the number 1. */
 static void put_horner(struct emit *e, const char *name, const char *x, char (*text)[NUMBER_MAX], slong degree,
                        bool monic)
 {
@@ -456,38 +433,13 @@ static void put_horner(struct emit *e, const char *name, const char *x, char (*t
     fprintf(e->file, ";\n");
 }
 
-void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree)
+void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree, slong step)
 {
-    char(*text)[NUMBER_MAX] = xmalloc((size_t)(degree + 1) * sizeof *text);
-    for (slong k = 0; k <= degree; k++) {
-        char number[NUMBER_MAX];
-        real(number, e, c[k]);
-        snprintf(text[k], NUMBER_MAX, "%s", number);
-    }
-    put_horner(e, name, x, text, degree, degree > 0 && c[degree] == 1);
+    char(*text)[NUMBER_MAX] = xmalloc((size_t)(degree / step + 1) * sizeof *text);
+    for (slong k = 0; k * step <= degree; k++)
+        real(text[k], e, c[k * step]);
+    put_horner(e, name, x, text, degree / step, degree >= step && c[degree / step * step] == 1);
     free(text);
-}
-
-void emit_let_product(struct emit *e, const char *name, const char *x, const char *y)
-{
-    let(e, real_type(e), name, "%s * %s", x, y);
-}
-
-void emit_let_split_polynomial(struct emit *e, const char *name, const char *x, const char *square, const double *c,
-                               slong degree)
-{
-    static const char *const parity[] = {"even", "odd"};
-    double *part = xmalloc((size_t)(degree + 1) * sizeof *part);
-    char names[2][32];
-    for (slong odd = 0; odd < 2; odd++) {
-        slong n = 0;
-        for (slong k = odd; k <= degree; k += 2)
-            part[n++] = c[k];
-        snprintf(names[odd], sizeof names[odd], "%s_%s", name, parity[odd]);
-        emit_let_polynomial(e, names[odd], square, part, n - 1);
-    }
-    let(e, real_type(e), name, "%s + %s * %s", names[0], x, names[1]);
-    free(part);
 }
 
 void emit_let_row_polynomial(struct emit *e, const char *name, const char *table, const char *row, const char *t,
@@ -498,79 +450,6 @@ void emit_let_row_polynomial(struct emit *e, const char *name, const char *table
         snprintf(text[k], NUMBER_MAX, "%s[%s][%ld]", table, row, (long)k);
     put_horner(e, name, t, text, degree, false);
     free(text);
-}
-
-/* name = the bits of x */
-static void let_bits(struct emit *e, const char *name, const char *x)
-{
-    fprintf(e->file, "    uint%d_t %s;\n    memcpy(&%s, &%s, sizeof %s);\n", e->single ? 32 : 64, name, name, x, name);
-}
-
-static void let_from_bits(struct emit *e, const char *name, const char *bits)
-{
-    fprintf(e->file, "    %s %s;\n    memcpy(&%s, &%s, sizeof %s);\n", real_type(e), name, name, bits, name);
-}
-
-/* Writes a step from an approximation r of g^(-1/5) to a better one, `out`. Names are numbered because all are in one
- * block. */
-static void put_root_step(struct emit *e, int step, const char *g, const char *r, const char *out, const double *c,
-                          slong degree)
-{
-    char square[16], fourth[16], off[16], factor[16], one[NUMBER_MAX];
-    snprintf(square, sizeof square, "square_%d", step);
-    snprintf(fourth, sizeof fourth, "fourth_%d", step);
-    snprintf(off, sizeof off, "off_%d", step);
-    snprintf(factor, sizeof factor, "factor_%d", step);
-    let(e, real_type(e), square, "%s * %s", r, r);
-    let(e, real_type(e), fourth, "%s * %s", square, square);
-    let(e, real_type(e), off, "%s - %s * %s * %s", real(one, e, 1), g, r, fourth);
-    emit_let_polynomial(e, factor, off, c, degree);
-    let(e, real_type(e), out, "%s * %s", r, factor);
-}
-
-void emit_let_fifth_root(struct emit *e, const char *name, const char *x, const struct emit_fifth_root *root)
-{
-    char fifth[NUMBER_MAX], constant[NUMBER_MAX];
-    fprintf(e->file, "    /* %s^(-1/5), 3 %% off: minus a fifth of the bits */\n", x);
-    let_bits(e, "bits", x);
-    if (e->single) {
-        let(e, "uint32_t", "fifth", "%uu - bits / 5u", root->single_constant);
-        let_from_bits(e, "guess", "fifth");
-    } else {
-        /* the double 2^52 + n holds the integer n in its low bits */
-        let(e, "uint64_t", "upper", "(bits >> 32) | UINT64_C(0x4330000000000000)");
-        let_from_bits(e, "number", "upper");
-        let(e, "double", "fifth", "%s - %s * number", real(constant, e, root->constant), real(fifth, e, root->fifth));
-        let_bits(e, "shifted", "fifth");
-        fprintf(e->file, "    shifted <<= 32;\n");
-        let_from_bits(e, "guess", "shifted");
-    }
-    fprintf(e->file, "    /* and off = 1 - %s guess^5, so that %s^(-1/5) = guess (1 - off)^(-1/5) */\n", x, x);
-    put_root_step(e, 1, x, "guess", root->degree > 0 ? "better" : "inverse", root->seed, 3);
-    if (root->degree > 0)
-        put_root_step(e, 2, x, "better", "inverse", root->step, root->degree);
-    let(e, real_type(e), "square", "inverse * inverse");
-    let(e, real_type(e), name, "%s * (square * square)", x);
-}
-
-void emit_let_row_of_bits(struct emit *e, const char *row, const char *t, const char *x, int low_bits,
-                          unsigned long long first)
-{
-    const char *type = e->single ? "uint32_t" : "uint64_t";
-    let_bits(e, "bits", x);
-    let(e, type, "upper", "bits >> %d", low_bits);
-    let(e, type, "start_bits", "upper << %d", low_bits);
-    let_from_bits(e, "start", "start_bits");
-    let(e, type, row, e->single ? "upper - %lluu" : "upper - UINT64_C(%llu)", first);
-    let(e, real_type(e), t, "%s - start", x);
-}
-
-void emit_let_row_of_grid(struct emit *e, const char *row, const char *t, const char *x, double slope, double shift)
-{
-    char a[NUMBER_MAX], b[NUMBER_MAX];
-    let(e, real_type(e), "place", "%s * %s + %s", x, real(a, e, slope), real(b, e, shift));
-    let(e, "int", row, "(int)place");
-    let(e, real_type(e), t, e->single ? "place - (float)%s" : "place - %s", row);
 }
 
 void emit_table(struct emit *e, const char *name, const double *value, slong rows, slong columns)
@@ -588,20 +467,4 @@ void emit_table(struct emit *e, const char *name, const double *value, slong row
         fprintf(e->file, "}%s\n", row + 1 < rows ? "," : "");
     }
     fprintf(e->file, "    };\n");
-}
-
-void emit_function_close(struct emit *e, const char *x, const char *numerator, const char *denominator, bool vector)
-{
-    const char *over = denominator ? " / " : "", *last = denominator ? denominator : "";
-    const int width = e->single ? 32 : 64;
-    if (!vector) {
-        fprintf(e->file, "    return %s >= 0 ? %s%s%s : %sNAN;\n}\n", x, numerator, over, last,
-                e->single ? "" : "(double)");
-        return;
-    }
-    fprintf(e->file, "    %s value = %s%s%s;\n", real_type(e), numerator, over, last);
-    fprintf(e->file, "    /* all bits set is NaN */\n");
-    fprintf(e->file, "    const int%d_t good = %s >= 0;\n", width, x);
-    fprintf(e->file, "    int%d_t whole;\n    memcpy(&whole, &value, sizeof whole);\n    whole |= good - 1;\n", width);
-    fprintf(e->file, "    memcpy(&value, &whole, sizeof value);\n    return value;\n}\n");
 }

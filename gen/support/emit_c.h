@@ -11,7 +11,7 @@
 struct emit {
     FILE *file;
     const char *guard;
-    bool single;              /* the scalar functions below compute in float */
+    bool single;              /* emit_lines and those after it write float */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                    * hexadecimal */
     const char *table, *type; /* the rows or structs that are being written, how many of them are, and how long the last
@@ -89,45 +89,18 @@ void emit_capitals(char *name);
 /* #define NAME text */
 void emit_define(struct emit *e, const char *name, const char *text);
 
-/* Writes a function NAME(speed) of one real number as a sequence of definitions without branches. Call open, lets in
- * any order that defines a name before its use, and close. The caller chooses the names and the coefficients, which the
- * type must hold exactly. Operations that round are written so that every compiler rounds alike, except for fused
- * products. */
-void emit_function_open(struct emit *e, const char *name, const char *argument);
-/* Defines x limited to the range between two positive numbers. Comparing real numbers is fastest for a single x.
- * Comparing the bits as integers lets compilers vectorise; comparisons of real numbers that might trap become branches.
- * A NaN becomes a number in the range. */
-void emit_let_clamped(struct emit *e, const char *name, const char *x, double low, double high, bool vector);
-/* x - number */
-void emit_let_less(struct emit *e, const char *name, const char *x, double number);
-/* `before` for x <= end, numerator/denominator above it; denominator NULL: 1 */
-void emit_let_above(struct emit *e, const char *name, const char *x, double end, double before, const char *numerator,
-                    const char *denominator);
-void emit_let_sqrt(struct emit *e, const char *name, const char *x);
-void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree);
-/* Evaluates a polynomial as two polynomials in x^2, one of the even and one of the odd powers; square is the name of
- * x^2. */
-void emit_let_product(struct emit *e, const char *name, const char *x, const char *y);
-void emit_let_split_polynomial(struct emit *e, const char *name, const char *x, const char *square, const double *c,
-                               slong degree);
-/* x^(1/5) from the bits of x. Polynomials of degree 3 and, unless 0, `degree` correct it (gen/embed/form.c). */
-struct emit_fifth_root {
-    double fifth, constant; /* for double: of the upper half of the bits */
-    unsigned single_constant;
-    const double *seed, *step;
-    slong degree;
-};
-void emit_let_fifth_root(struct emit *e, const char *name, const char *x, const struct emit_fifth_root *root);
-/* Defines `row` and its variable `t`, from the upper bits of x, counted from `first`, or from the integer part of x
- * slope + shift. */
-void emit_let_row_of_bits(struct emit *e, const char *row, const char *t, const char *x, int low_bits,
-                          unsigned long long first);
-void emit_let_row_of_grid(struct emit *e, const char *row, const char *t, const char *x, double slope, double shift);
-void emit_table(struct emit *e, const char *name, const double *value, slong rows, slong columns);
+/* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions and
+ * numbers, "f" or nothing, and of which these take an argument: $s a text, $d an int, $x a double that the type holds,
+ * written so that it reads back to the same bits, and $b such a double's bits as a whole number. */
+void emit_lines(struct emit *e, const char *text, ...);
+
+/* Define `name` as a polynomial in a variable by Horner's rule, of which every product is added, so that compilers
+ * round alike but for fused products: of c[0], c[step], ... up to c[degree], or of a row of a table. */
+void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree, slong step);
 void emit_let_row_polynomial(struct emit *e, const char *name, const char *table, const char *row, const char *t,
                              slong degree);
-/* Returns numerator, or numerator/denominator, if x >= 0, otherwise NaN. Ends the function. `vector` as above. */
-void emit_function_close(struct emit *e, const char *x, const char *numerator, const char *denominator, bool vector);
+/* A table local to a function, for them */
+void emit_table(struct emit *e, const char *name, const double *value, slong rows, slong columns);
 
 /* The text of a bound: x >= 0 rounded up to two significant digits, such as "5.3e-11" */
 struct bound_text {

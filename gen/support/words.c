@@ -10,16 +10,14 @@
 
 #include "support/console.h"
 
-enum { WORD_MOST = 63, LETTERS_FOR_A_SLIP = 3, SLIPS_MOST = 3 };
+enum { LETTERS_FOR_A_SLIP = 3, SLIPS_MOST = 3 };
 
 static size_t least(size_t x, size_t y)
 {
     return x < y ? x : y;
 }
 
-/* The number of letters that are left out, put in, exchanged, or swapped with their neighbour, between two words of at
- * most WORD_MOST letters; capitals count as small letters. */
-static size_t slips_between(const char *a, const char *b)
+size_t slips_between(const char *a, const char *b)
 {
     enum { ROWS = 3, WIDTH = WORD_MOST + 1 };
     size_t row[ROWS][WIDTH];

@@ -3,6 +3,13 @@
 #ifndef COR_GEN_SUPPORT_WORDS_H
 #define COR_GEN_SUPPORT_WORDS_H
 
+#include <stddef.h>
+
+/* The number of letters that are left out, put in, exchanged, or swapped with their neighbour, between two words of at
+ * most WORD_MOST letters; capitals count as small letters. */
+enum { WORD_MOST = 63 };
+size_t slips_between(const char *a, const char *b);
+
 /* A usage error about a word that is none of `words`, a list that ends with NULL: the message, the word that was meant,
  * if few slips of the keyboard lead from it to the given one, and all words, each behind `dashes`. Returns
  * STATUS_USAGE. */

@@ -10,7 +10,7 @@
 #include "embed/form.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
-#include "plan/waves.h"
+#include "plan/remarks.h"
 #include "support/local.h"
 
 #define G_STAR 400.0
