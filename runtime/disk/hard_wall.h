@@ -26,8 +26,8 @@
  * kicks without forces. Sums over products give the additions of the forces.
  * */
 enum { COR_HARD_WALL_BATCH = 4 };
-/* Angles and terms are summed in panels of this size. */
-enum { COR_HARD_WALL_PANEL = 32 };
+/* Numbers of angles and of terms are multiples of this size. */
+enum { COR_HARD_WALL_PANEL = 64 };
 enum { COR_HARD_WALL_LANES = 8 };
 /* Largest n of a mode, which occurs at Omega = 1100 */
 enum { COR_HARD_WALL_MAX_N = 2047 };
@@ -43,6 +43,22 @@ struct cor_hard_wall_modes {
     double *q, *before;         /* amplitudes at a kick, and at the kick before */
 };
 
+/* The angles i d, d = pi/N, and tables for sums of cosines over them. With k = a + M b and i = r + Q s, where Q =
+ * COR_HARD_WALL_PANEL and M = 2N/Q are whole, exp(i k i d) = exp(2 pi i b r/Q) exp(i a r d) exp(2 pi i a s/M). */
+struct cor_hard_wall_angles {
+    const double *twice_cosine; /* 2 cos(i d) */
+    size_t bins;                /* M; 0 where the tables do not pay, and the pointers below are not used */
+    double *part;               /* [b][2][Q]: cosines and sines of 2 pi b r/Q, b <= Q/2 */
+    double *turn;               /* [a][2][Q]: of a r d */
+    double *whole;              /* [M][2]: of 2 pi x/M */
+    double *sums;               /* scratch, [M][2][Q] */
+};
+/* Whether `count` cosines are summed in parts, over b and then over a, which pays for many */
+static inline int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles *angles, size_t count)
+{
+    return angles->bins > 0 && count > 2 * angles->bins;
+}
+
 /* Loops that are compiled for every instruction set. All sets give the same bits. Arrays of each n have `lanes`
  * elements, lanes = blocks COR_HARD_WALL_LANES; [b] of an array is at b lanes. */
 struct cor_hard_wall_loops {
@@ -50,9 +66,10 @@ struct cor_hard_wall_loops {
      * to sum c q and sum s q at the next kicks without forces. steps is BATCH or 1. */
     void (*advance)(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c, const double *force_s,
                     double *sum_c, double *sum_s);
-    /* result[i] = sum_(k < count) factor[k] cos(k i d), i < points, from twice_cosine[i] = 2 cos(i d); points is a
-     * multiple of COR_HARD_WALL_PANEL */
-    void (*cosines)(size_t count, const double *factor, size_t points, const double *twice_cosine, double *result);
+    /* result[i] = sum_(k < count) factor[k] cos(k i d), i < points; count is at most N + 1, points a multiple of
+     * COR_HARD_WALL_PANEL */
+    void (*cosines)(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
+                    double *result);
     /* sum x_i y_i and y_i -= factor x_i, i < n: n is a multiple of COR_HARD_WALL_LANES */
     double (*dot)(size_t n, const double *x, const double *y);
     void (*subtract)(size_t n, double factor, const double *x, double *y);
@@ -104,9 +121,10 @@ struct cor_hard_wall_contact {
 void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_hard_wall_store *store,
                                    size_t points);
 /* Sets the compliance from T_k, k < t_terms, and Q_n, n < q_terms, of docs/theory-disks.md, 17; the others are 0.
- * twice_cosine[i] = 2 cos(i d), i < 2 points; scratch has 2 points elements. */
+ * angles->twice_cosine and scratch have 2 points elements. */
 void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
-                                 const double *q, const double *twice_cosine, double constant, double *scratch);
+                                 const double *q, const struct cor_hard_wall_angles *angles, double constant,
+                                 double *scratch);
 /* Sets `points` forces y >= 0 with which no angle reaches into the wall. reach[j] is the reach of angle j without
  * forces; a reach up to `negligible` counts as 0. Returns the last angle with a force plus 1, which is `points` if the
  * contact does not fit. */

@@ -75,15 +75,16 @@ static void mirror(size_t points, double factor, const double *values, double *t
 }
 
 void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
-                                 const double *q, const double *twice_cosine, double constant, double *scratch)
+                                 const double *q, const struct cor_hard_wall_angles *angles, double constant,
+                                 double *scratch)
 {
     const size_t points = contact->points;
     contact->constant = constant;
-    contact->loops->cosines(t_terms, t, 2 * points, twice_cosine, scratch);
+    contact->loops->cosines(angles, t_terms, t, 2 * points, scratch);
     mirror(points, 1 / (8 * PI), scratch, contact->same);
-    contact->loops->cosines(q_terms, q, 2 * points, twice_cosine, scratch);
+    contact->loops->cosines(angles, q_terms, q, 2 * points, scratch);
     mirror(points, 1 / (4 * PI), scratch, contact->across);
-    mirror(points, 0.5, twice_cosine, contact->cosine);
+    mirror(points, 0.5, angles->twice_cosine, contact->cosine);
     double greatest = 0;
     for (size_t i = 2 * points; i-- > 0;) {
         greatest = fmax(greatest, 2 * (fabs(contact->same[points + i]) + fabs(contact->across[points + i])));

@@ -53,8 +53,7 @@ KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps
 }
 
 /* Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi) b_1 - b_2. */
-static void kernel_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine,
-                           double *result)
+static void clenshaw(size_t count, const double *factor, size_t points, const double *twice_cosine, double *result)
 {
     for (size_t part = 0; part < points; part += COLUMNS * VECTOR) {
         vector x[COLUMNS], one[COLUMNS], two[COLUMNS]; /* b_(k+1), b_(k+2) */
@@ -79,6 +78,55 @@ static void kernel_cosines(size_t count, const double *factor, size_t points, co
         for (size_t i = 0; i < COLUMNS; i++)
             store(result + part + i * VECTOR,
                   count == 0 ? all(0) : PLUS(MINUS(all(factor[0]), two[i]), TIMES(TIMES(all(0.5), x[i]), one[i])));
+    }
+}
+
+/* The sums over b, then over a, struct cor_hard_wall_angles. COLUMNS vectors of r at a time, so that their sums stay in
+ * the nearest cache. */
+static void kernel_cosines(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
+                           double *result)
+{
+    enum { Q = COR_HARD_WALL_PANEL, WIDTH = COLUMNS * VECTOR };
+    const size_t bins = angles->bins;
+    if (!cor_hard_wall_sums_by_parts(angles, count)) {
+        clenshaw(count, factor, points, angles->twice_cosine, result);
+        return;
+    }
+    for (size_t first = 0; first < Q; first += WIDTH) {
+        for (size_t a = 0; a < bins; a++) {
+            const double *const turn = angles->turn + 2 * Q * a + first, *part = angles->part + first;
+            double *const sum = angles->sums + 2 * WIDTH * a;
+            vector re[COLUMNS], im[COLUMNS];
+            for (size_t i = 0; i < COLUMNS; i++)
+                re[i] = im[i] = all(0);
+            for (size_t k = a; k < count; k += bins, part += 2 * Q) {
+                const vector f = all(factor[k]);
+                for (size_t i = 0; i < COLUMNS; i++) {
+                    re[i] = PLUS(re[i], TIMES(f, load(part + i * VECTOR)));
+                    im[i] = PLUS(im[i], TIMES(f, load(part + Q + i * VECTOR)));
+                }
+            }
+            for (size_t i = 0; i < COLUMNS; i++) {
+                const vector c = load(turn + i * VECTOR), s = load(turn + Q + i * VECTOR);
+                store(sum + i * VECTOR, MINUS(TIMES(c, re[i]), TIMES(s, im[i])));
+                store(sum + WIDTH + i * VECTOR, PLUS(TIMES(s, re[i]), TIMES(c, im[i])));
+            }
+        }
+        for (size_t s = 0; s < points / Q; s++) {
+            const double *sum = angles->sums;
+            vector total[COLUMNS];
+            for (size_t i = 0; i < COLUMNS; i++)
+                total[i] = all(0);
+            for (size_t a = 0, x = 0; a < bins; a++, sum += 2 * WIDTH) {
+                const vector c = all(angles->whole[2 * x]), d = all(angles->whole[2 * x + 1]);
+                for (size_t i = 0; i < COLUMNS; i++)
+                    total[i] = PLUS(total[i],
+                                    MINUS(TIMES(c, load(sum + i * VECTOR)), TIMES(d, load(sum + WIDTH + i * VECTOR))));
+                x = x + s < bins ? x + s : (x + s) % bins;
+            }
+            for (size_t i = 0; i < COLUMNS; i++)
+                store(result + s * Q + first + i * VECTOR, total[i]);
+        }
     }
 }
 

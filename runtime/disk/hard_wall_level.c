@@ -29,7 +29,8 @@ struct sizes {
     size_t modes, blocks, cells, lanes;
     size_t terms;   /* terms of the rim's cosine series, in whole panels */
     size_t points;  /* number of angles, in whole panels; 0 in a point contact */
-    size_t nyquist; /* d = pi/nyquist */
+    size_t nyquist; /* N = pi/d, a multiple of half a panel */
+    size_t bins;    /* of struct cor_hard_wall_angles */
 };
 
 struct level {
@@ -47,6 +48,7 @@ struct level {
     double *sum_c, *sum_s;               /* likewise */
     double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on the sums 1 to batch - 1 kicks
                                           * later */
+    struct cor_hard_wall_angles angles;
     double *twice_cosine, *shape, *reach, *force, *series, *filled;
     double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
@@ -93,8 +95,10 @@ static struct sizes sizes_of(const struct cor_disk_mode *mode, size_t modes,
         size.cells += rows[b] * COR_HARD_WALL_LANES;
     size.terms = panels(size.lanes + 2);
     if (!settings->point) {
-        const double least = (double)size.lanes + 2;
-        size.nyquist = (size_t)fmax(ceil(PI / settings->spacing), least);
+        const double least = (double)size.lanes + 2, half = 0.5 * COR_HARD_WALL_PANEL;
+        const size_t bins = (size_t)ceil(fmax(PI / settings->spacing, least) / half);
+        size.nyquist = bins * COR_HARD_WALL_PANEL / 2;
+        size.bins = 2 * bins < size.lanes ? bins : 0;
         size.points = panels((size_t)(fmin(settings->range, PI / 2) * (double)size.nyquist / PI) + 1);
     }
     return size;
@@ -121,6 +125,12 @@ static void arrange(struct level *level, struct cor_hard_wall_store *store)
     level->series = cor_hard_wall_take(store, size->terms, real);
     level->twice_cosine = cor_hard_wall_take(store, both, real);
     level->reach = cor_hard_wall_take(store, both, real); /* also scratch for sums and differences of angles */
+    struct cor_hard_wall_angles *const angles = &level->angles;
+    const size_t circle = 2 * COR_HARD_WALL_PANEL, pays = size->bins > 0;
+    angles->part = cor_hard_wall_take(store, pays * circle * (COR_HARD_WALL_PANEL / 2 + 1), real);
+    angles->turn = cor_hard_wall_take(store, size->bins * circle, real);
+    angles->whole = cor_hard_wall_take(store, size->bins * 2, real);
+    angles->sums = cor_hard_wall_take(store, size->bins * circle, real);
     double **const of_points[] = {&level->shape, &level->force};
     for (size_t i = 0; i < sizeof of_points / sizeof *of_points; i++)
         *of_points[i] = cor_hard_wall_take(store, size->points, real);
@@ -236,6 +246,15 @@ static void set_modes(struct level *level, const struct cor_hard_wall_settings *
     level->point_constant = level->h * level->h / 12 - moving;
 }
 
+/* Cosines and sines of x r, r < n */
+static void set_circle(double *cosine, double *sine, size_t stride, size_t n, double x)
+{
+    for (size_t r = 0; r < n; r++) {
+        cosine[r * stride] = cos(x * (double)r);
+        sine[r * stride] = sin(x * (double)r);
+    }
+}
+
 static void set_angles(struct level *level)
 {
     const struct sizes *const size = &level->size;
@@ -243,13 +262,26 @@ static void set_angles(struct level *level)
     level->spacing = PI / (double)size->nyquist;
     for (size_t j = 0; j < both; j++)
         level->twice_cosine[j] = 2 * cos((double)j * level->spacing);
+    struct cor_hard_wall_angles *const angles = &level->angles;
+    const size_t panel = COR_HARD_WALL_PANEL;
+    angles->twice_cosine = level->twice_cosine;
+    angles->bins = size->bins;
+    for (size_t a = 0; a < size->bins; a++)
+        set_circle(angles->turn + 2 * panel * a, angles->turn + 2 * panel * a + panel, 1, panel,
+                   (double)a * level->spacing);
+    if (size->bins > 0) {
+        for (size_t b = 0; b <= panel / 2; b++)
+            set_circle(angles->part + 2 * panel * b, angles->part + 2 * panel * b + panel, 1, panel,
+                       2 * PI * (double)b / (double)panel);
+        set_circle(angles->whole, angles->whole + 1, 2, size->bins, 2 * PI / (double)size->bins);
+    }
     for (size_t j = 0; j < size->points; j++) {
         const double half_sine = sin(0.5 * (double)j * level->spacing);
         level->shape[j] = -2 * half_sine * half_sine / level->speed;
     }
     memset(level->force, 0, size->points * sizeof *level->force);
-    cor_hard_wall_contact_begin(&level->contact, size->nyquist + 1, level->t, size->lanes, level->q,
-                                level->twice_cosine, level->h * level->h / (12 * MASS), level->reach);
+    cor_hard_wall_contact_begin(&level->contact, size->nyquist + 1, level->t, size->lanes, level->q, angles,
+                                level->h * level->h / (12 * MASS), level->reach);
 }
 
 /* ---- wall ---- */
@@ -300,13 +332,13 @@ static struct kick push_on_rim(struct level *level, double depth, const double *
     const struct cor_rim rim = {.blocks = size->blocks, .terms = size->terms};
     struct kick kick = {0, 0};
     level->rim->gather(&rim, sum_c, sum_s, level->series);
-    level->loops->cosines(size->lanes + 2, level->series, size->points, level->twice_cosine, level->reach);
+    level->loops->cosines(&level->angles, size->lanes + 2, level->series, size->points, level->reach);
     for (size_t j = 0; j < size->points; j++)
         level->reach[j] += depth + level->shape[j];
     kick.end = cor_hard_wall_contact_solve(&level->contact, level->reach, NEGLIGIBLE_REACH, level->force);
     for (size_t j = 0; j < kick.end; j++)
         kick.load += level->force[j];
-    level->loops->cosines(kick.end, level->force, size->terms, level->twice_cosine, level->series);
+    level->loops->cosines(&level->angles, kick.end, level->force, size->terms, level->series);
     level->rim->split(&rim, -1, level->series, force_c, force_s); /* the wall pushes inwards */
     return kick;
 }
@@ -442,12 +474,20 @@ static void drift(const struct level *level, struct motion *motion, double load)
     motion->steps++;
 }
 
+/* Multiplications of a sum of `count` cosines at `points` angles */
+static double cosines_work(const struct cor_hard_wall_angles *angles, size_t count, size_t points)
+{
+    const double k = (double)count, bins = (double)angles->bins, panel = COR_HARD_WALL_PANEL;
+    return cor_hard_wall_sums_by_parts(angles, count) ? 2 * (panel * k + (2 * panel + (double)points) * bins)
+                                                      : k * (double)points;
+}
+
 /* Multiplications of a kick but for those of the contact forces: the modes; the rim's reach, and the forces' series */
 static double kick_work(const struct level *level, size_t end)
 {
     const struct sizes *const size = &level->size;
-    return 4 * (double)size->cells + (double)(size->lanes + 2) * (double)size->points +
-           (double)end * (double)size->terms;
+    return 4 * (double)size->cells + cosines_work(&level->angles, size->lanes + 2, size->points) +
+           cosines_work(&level->angles, end, size->terms);
 }
 
 /* What the level has spent */

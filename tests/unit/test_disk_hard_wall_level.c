@@ -87,7 +87,7 @@ static struct reference_wall reference_settings(const struct cor_hard_wall_setti
 static void as_written_out(double nu, double speed, double omega, enum cor_hard_wall_fade fade)
 {
     const struct cor_disk_modes modes = modes_of(nu, omega);
-    const int nyquist = (int)fmax(8 * omega, 45 / sqrt(speed));
+    const int half = COR_HARD_WALL_PANEL / 2, nyquist = half * (int)(fmax(8 * omega, 45 / sqrt(speed)) / half + 1);
     struct cor_hard_wall_settings settings = fine_settings(omega, speed);
     settings.fade = fade;
     settings.spacing = pi / nyquist * (1 + 1e-12);
@@ -119,7 +119,7 @@ TEST(in_pieces)
     const double nu = 0.9, speed = 0.25, omega = 60;
     const struct cor_disk_modes modes = modes_of(nu, omega);
     struct cor_hard_wall_settings settings = fine_settings(omega, speed);
-    const int nyquist = (int)(5 * omega);
+    const int nyquist = 10 * COR_HARD_WALL_PANEL / 2;
     settings.spacing = pi / nyquist * (1 + 1e-12);
     const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
     check(level.pivotings > 0, "the contact was one piece always");
@@ -314,13 +314,45 @@ TEST(coarse_angles)
     check(same_bits(coarse, least), "%.17g with the spacing 1, %.17g with pi/%d", coarse, least, lanes + 2);
 }
 
+/* Sums of cosines, by Clenshaw and in parts, against cosines of the C library */
+TEST(cosines)
+{
+    enum { Q = COR_HARD_WALL_PANEL, M = 5, N = M * Q / 2, POINTS = 3 * Q };
+    static double part[(Q / 2 + 1) * 2 * Q], turn[M * 2 * Q], whole[2 * M], sums[M * 2 * Q], twice_cosine[POINTS];
+    for (int i = 0; i < POINTS; i++)
+        twice_cosine[i] = 2 * cos(i * pi / N);
+    for (int i = 0; i < (int)(sizeof part / sizeof *part); i++)
+        part[i] = cos(2 * pi * (i / (2 * Q)) * (i % Q) / Q - (i / Q % 2) * pi / 2);
+    for (int i = 0; i < (int)(sizeof turn / sizeof *turn); i++)
+        turn[i] = cos(i / (2 * Q) * (i % Q) * pi / N - (i / Q % 2) * pi / 2);
+    for (int i = 0; i < 2 * M; i++)
+        whole[i] = cos(2 * pi * (i / 2) / M - (i % 2) * pi / 2);
+    const struct cor_hard_wall_angles angles = {twice_cosine, M, part, turn, whole, sums};
+    struct random_state random = random_start();
+    static const size_t counts[] = {1, 2, 3, 2 * M, 2 * M + 1, 3 * M, 77, N + 1};
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+        double factor[N + 1], result[POINTS], size = 0;
+        for (size_t k = 0; k < counts[c]; k++)
+            size += fabs(factor[k] = random_uniform(&random, -1, 1));
+        cor_hard_wall_set(cor_widest_set())->cosines(&angles, counts[c], factor, POINTS, result);
+        for (size_t i = 0; i < POINTS; i++) {
+            double sum = 0;
+            for (size_t k = 0; k < counts[c]; k++)
+                sum += factor[k] * cos((double)(k * i % (2 * N)) * pi / N);
+            check(fabs(result[i] - sum) < 1e-12 * size, "%zu cosines, angle %zu: %g, not %g", counts[c], i, result[i],
+                  sum);
+        }
+    }
+}
+
 /* ---- instruction sets ---- */
 
 /* A point, one piece and pieces, of few modes and many; and a sum of no cosines is 0 */
 TEST(every_set)
 {
     double factor = 7, twice_cosine[COR_HARD_WALL_PANEL] = {0}, none[COR_HARD_WALL_PANEL];
-    cor_hard_wall_portable.cosines(0, &factor, COR_HARD_WALL_PANEL, twice_cosine, none);
+    const struct cor_hard_wall_angles angles = {.twice_cosine = twice_cosine};
+    cor_hard_wall_portable.cosines(&angles, 0, &factor, COR_HARD_WALL_PANEL, none);
     assert_memory_equal(none, twice_cosine, sizeof none);
     struct random_state random = random_start();
     for (size_t i = 0; i < points(8); i++) {
@@ -375,7 +407,7 @@ TEST(ladders)
                       "J_%ld/J_%ld(%g) = %.12g, not %.12g", end + 1, end, kappa[i], quotient[0][i], here / below);
             /* zeros of J_end below kappa, by its sign at the points between: z is near (k + end/2 - 1/4) pi */
             if (end == 0)
-                check(fabs(zeros[0][i] - (kappa[i] / 3.14159265358979 + 0.25)) < 1.01, "%g zeros of J_0 below %g",
+                check(fabs(zeros[0][i] - (kappa[i] / 3.14159265358979 + 0.25)) < 1.02, "%g zeros of J_0 below %g",
                       zeros[0][i], kappa[i]);
         }
     }
@@ -397,4 +429,4 @@ TEST(refusals)
 }
 
 RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, hard_limit, point_contact,
-          soft_wall_of_all_modes, refusals, coarse_angles, every_set, ladders)
+          soft_wall_of_all_modes, refusals, coarse_angles, cosines, every_set, ladders)
