@@ -76,6 +76,23 @@ void worst_climb(struct worst *worst, const struct search_function *f, uint64_t 
     }
 }
 
+/* Where the value is 0 or 1, nothing else will do. */
+bool specials_are_good(const struct search_function *f, double bound)
+{
+    static NUMBERS(specials, 0.0, -0.0, HUGE_VAL, -HUGE_VAL, NAN, -1.0, -2.0, -0x1p-1074, 1.0, 0x1p-1074, 1.5,
+                   0x1p-1022, 2.0, 0x1.fffffffffffffp-1, 0x1.0000000000001p+0, -0.5, 0x1p1023);
+    bool good = true;
+    for (size_t i = 0; i < COUNT_OF(specials); i++) {
+        const double x = specials[i], y = f->value(x);
+        const bool is_0 = f->error(f->row, 0, x) == 0, is_1 = f->error(f->row, 1, x) == 0; /* both: not judged */
+        if (is_0 != is_1 ? y == (is_1 ? 1 : 0) : f->error(f->row, y, x) <= bound)
+            continue;
+        printf("FAIL  %s(%a) = %a\n", f->name, x, y);
+        good = false;
+    }
+    return good;
+}
+
 void worst_heading(uint64_t seed)
 {
     printf("seed: %llu\n", (unsigned long long)seed);

@@ -36,6 +36,9 @@ void worst_walk(struct worst *worst, const struct search_function *f, double x, 
 /* Uphill from the worst point so far, while there is a worse one within `radius`, `turns` times at most */
 void worst_climb(struct worst *worst, const struct search_function *f, uint64_t radius, int turns);
 
+/* Whether the values at 0, 1 and infinity, next to them and outside of domains are within the bound; prints others */
+bool specials_are_good(const struct search_function *f, double bound);
+
 /* Prints the heading of the lines of worst_report. */
 void worst_heading(uint64_t seed);
 

@@ -164,27 +164,6 @@ static void search_boundaries(struct worst *worst, const struct search_function 
         worst_walk(worst, search, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
 }
 
-/* ---- special values ---- */
-
-static const double specials[] = {0.0,        -0.0, HUGE_VAL,  -HUGE_VAL, NAN,      -1.0,
-                                  -0x1p-1074, 1.0,  0x1p-1074, 1.5,       0x1p-1022};
-enum { SPECIALS = sizeof specials / sizeof *specials };
-
-/* 0, 1, infinity and NaN where the exact value is that, else within the bound */
-static bool check_specials(const struct function *f)
-{
-    bool good = true;
-    for (int i = 0; i < SPECIALS; i++) {
-        const double x = specials[i], y = f->value(x);
-        const long double exact = f->shape == INVERSE ? NAN : reference_value(f->quantity, x);
-        if (x == 0 && (exact == 0 || exact == 1) ? (long double)y == exact : error_of(f, y, x) <= f->max_ulp)
-            continue;
-        printf("FAIL  %s(%a) = %a\n", f->name, x, y);
-        good = false;
-    }
-    return good;
-}
-
 /* ---- contacts ---- */
 
 /* g^(1/5), one Newton step after powl, whose exponent is rounded */
@@ -253,7 +232,7 @@ static bool function_is_good(const struct function *f, const struct search_optio
     search_boundaries(&worst, &search);
     worst_climb(&worst, &search, 4096, 16);
     bool good = worst_report(f->name, "", &worst, f->max_ulp);
-    return check_specials(f) && good;
+    return specials_are_good(&search, f->max_ulp) && good;
 }
 
 static bool functions_are_good(const struct search_options *o)

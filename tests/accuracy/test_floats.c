@@ -4,7 +4,7 @@
  * those where its result lies within AMBIGUOUS_ULP units of its last place of the middle of two floats. The reference
  * decides these. A hash of all results stands in float_hashes.txt: correctly rounded results are the same with every
  * compiler, processor and C library. The array functions compute, because they are several times as fast;
- * tests/unit/test_sphere_array.c holds their bits to those of the scalar functions.
+ * tests/unit/test_loops.c holds their bits to those of the scalar functions.
  *
  * And the arrays in float arithmetic, "..._fast": the largest error in units of the last place of a float, and how many
  * results are not correctly rounded, by the double functions, whose bound counts as part of the error. From 16 on they

@@ -75,6 +75,12 @@ static inline int same_bits(double x, double y)
     return x_bits == y_bits;
 }
 
+/* The same bits, or both NaN */
+static inline int same_number(double x, double y)
+{
+    return same_bits(x, y) || (isnan(x) && isnan(y));
+}
+
 static inline uint64_t check_number(const char *variable, uint64_t otherwise)
 {
     const char *text = getenv(variable);

@@ -39,11 +39,6 @@ static const struct {
 #undef EMBEDDED_ROW
 };
 
-static int same(double x, double y)
-{
-    return same_bits(x, y) || (isnan(x) && isnan(y));
-}
-
 /* COR_EMBEDDED_ULP: units of the last place that the other unit may differ by, where other flags compiled it. Special
  * values and those of special arguments are the same whatever the flags. */
 static double allowed, worst;
@@ -52,7 +47,7 @@ static const char *worst_name = "";
 
 static int is_close(double library, double other)
 {
-    if (same(library, other))
+    if (same_number(library, other))
         return 1;
     if (allowed > 0 && library == 0 && other == 0) /* -fno-signed-zeros */
         return 1;
@@ -63,7 +58,7 @@ static void compare(double x)
 {
     for (int k = 0; k < EMBEDDED_FUNCTIONS; k++) {
         const double library = functions[k].library(x), other = embedded_functions[k].value(x);
-        check(same(library, functions[k].here(x)), "%s(%a)", functions[k].name, x);
+        check(same_number(library, functions[k].here(x)), "%s(%a)", functions[k].name, x);
         check(is_close(library, other), "%s(%a), the other unit: %a for %a", functions[k].name, x, other, library);
         if (isfinite(library) && library != 0 && (double)ulp_error(other, (long double)library) > worst) {
             worst = (double)ulp_error(other, (long double)library);

@@ -218,11 +218,6 @@ static void flushing_to_zero(void **state)
 #endif
 }
 
-static int same_number(double x, double y)
-{
-    return same_bits(x, y) || (isnan(x) && isnan(y));
-}
-
 /* An array function gives the bits of the function that it is an array of, whatever the length. */
 static void arrays(void **state)
 {
