@@ -84,10 +84,12 @@ struct interpolant_layout {
 /* The sphere's. row_proof.h proves what it gives. */
 extern const struct interpolant_layout interpolant_sphere_proof;
 
-/* Nodes, weights and values of the polynomial of an interval; not known where beta_min to beta_max does not meet it */
+/* Nodes and values of an interval, and the polynomials through them in t, -1 <= t <= 1; not known where beta_min to
+ * beta_max does not meet it */
 struct samples {
     bool known;
-    arb_ptr beta, node, weight, value[QUANTITIES];
+    arb_ptr beta, node, value[QUANTITIES];
+    arb_poly_struct polynomial[QUANTITIES];
 };
 
 /* Coefficients for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2
@@ -114,6 +116,10 @@ static inline bool is_eps(enum quantity quantity)
  * long as the interpolant. Returns NULL after reporting the failure on stderr. */
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);
 void interpolant_free(struct interpolant *f);
+
+/* The polynomial through the samples of a quantity, in t as they are now */
+void interpolant_through_samples(arb_poly_t p, const struct samples *s, const struct interval *interval,
+                                 enum quantity quantity);
 
 /* The power of beta in the force of a layout with one */
 struct ratio interpolant_press_power(const struct law *law);

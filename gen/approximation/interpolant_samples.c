@@ -3,7 +3,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-#include "approximation/barycentric.h"
+#include "approximation/chebyshev.h"
 #include "approximation/interpolant_parts.h"
 #include "enclosure/collision.h"
 #include "series/restitution.h"
@@ -134,7 +134,6 @@ int interpolant_solve(arb_ptr value, const struct interpolant *f, const struct i
     return fail("a sample of the collision could not be rounded to %ld bits", (long)bits);
 }
 
-/* Sets the Chebyshev points and the barycentric weights. */
 static void place_nodes(struct samples *s, const struct interpolant *f, const struct interval *interval)
 {
     const slong n = interval->count;
@@ -142,7 +141,16 @@ static void place_nodes(struct samples *s, const struct interpolant *f, const st
         interpolant_place(s->beta + j, s->node + j, f, interval,
                           (interval->lo + interval->hi) / 2 +
                               (interval->hi - interval->lo) / 2 * chebyshev_point(j, n));
-    barycentric_weights(s->weight, s->node, n, INTERPOLANT_BITS);
+}
+
+void interpolant_through_samples(arb_poly_t p, const struct samples *s, const struct interval *interval,
+                                 enum quantity quantity)
+{
+    const slong n = interval->count;
+    LOCAL_VECTOR(t, n);
+    for (slong j = 0; j < n; j++)
+        unit_place(t + j, s->node + j, interval->lo, interval->hi, INTERPOLANT_BITS);
+    arb_poly_interpolate_newton(p, t, s->value[quantity], n, INTERPOLANT_BITS);
 }
 
 /* ---- construction ---- */
@@ -206,18 +214,20 @@ static void samples_init(struct samples *s, slong count)
     s->known = false;
     s->beta = _arb_vec_init(count);
     s->node = _arb_vec_init(count);
-    s->weight = _arb_vec_init(count);
-    for (int q = 0; q < QUANTITIES; q++)
+    for (int q = 0; q < QUANTITIES; q++) {
         s->value[q] = _arb_vec_init(count);
+        arb_poly_init(&s->polynomial[q]);
+    }
 }
 
 static void samples_clear(struct samples *s, slong count)
 {
     _arb_vec_clear(s->beta, count);
     _arb_vec_clear(s->node, count);
-    _arb_vec_clear(s->weight, count);
-    for (int q = 0; q < QUANTITIES; q++)
+    for (int q = 0; q < QUANTITIES; q++) {
         _arb_vec_clear(s->value[q], count);
+        arb_poly_clear(&s->polynomial[q]);
+    }
 }
 
 /* The samples of all intervals that are needed, as tasks */
@@ -266,6 +276,11 @@ static int make_samples(struct interpolant *f, double beta_min, double beta_max)
     }
     parallel_for(sample, &work, work.tasks, "collisions");
     free(work.task);
+    for (int i = 0; i < layout->intervals; i++)
+        for (int q = 0; q < QUANTITIES && f->samples[i].known; q++)
+            if (holds(&layout->interval[i], (enum quantity)q))
+                interpolant_through_samples(&f->samples[i].polynomial[q], &f->samples[i], &layout->interval[i],
+                                            (enum quantity)q);
     return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "approximation/barycentric.h"
+#include "approximation/chebyshev.h"
 #include "approximation/interpolant_parts.h"
 #include "support/local.h"
 
@@ -39,8 +39,10 @@ static void linear_log_eps(arb_t y, const struct interpolant *f, const arb_t bet
 void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
                                slong prec)
 {
-    const struct samples *s = &f->samples[i];
-    barycentric_value(y, s->node, s->weight, s->value[quantity], f->layout->interval[i].count, x, prec);
+    const struct interval *const interval = &f->layout->interval[i];
+    LOCAL(arb, t);
+    unit_place(t, x, interval->lo, interval->hi, INTERPOLANT_BITS);
+    arb_poly_evaluate(y, &f->samples[i].polynomial[quantity], t, prec);
 }
 
 /* The first interval of a variable that samples the quantity and does not end before x, or the last such interval, or

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "approximation/barycentric.h"
+#include "approximation/chebyshev.h"
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/local.h"

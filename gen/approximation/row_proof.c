@@ -5,6 +5,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
+#include "approximation/chebyshev.h"
 #include "approximation/enclosed_function.h"
 #include "enclosure/creep_series.h"
 #include "support/console.h"
@@ -32,13 +33,6 @@ struct interpolant_proof {
 
 /* ---- the error of the interpolant ---- */
 
-/* w = (x - middle)/half */
-static void to_unit(arb_t w, const arb_t x, const struct interval *interval)
-{
-    const double lo = interval->lo, hi = interval->hi;
-    LET(w, PREC, "(2*x - lo - hi)/(hi - lo)", x, lo, hi);
-}
-
 /* Exact Chebyshev point j of n in ascending order */
 static void exact_point(arb_t x, slong j, slong n)
 {
@@ -48,15 +42,16 @@ static void exact_point(arb_t x, slong j, slong n)
     arb_neg(x, x);
 }
 
-/* Bound of the Lebesgue constant for the nodes w. For the n Chebyshev points it is L < 1 + (2/pi) ln(n); for nodes that
+/* Bound of the Lebesgue constant for the nodes of an interval. For the n Chebyshev points it is L < 1 + (2/pi) ln(n); for nodes that
  * differ by d at most it is L/(1 - L d (n-1)^2) at most, by Markov's inequality. Not finite if d is too large. */
-static void lebesgue(arb_t bound, arb_srcptr w, slong n)
+static void lebesgue(arb_t bound, arb_srcptr node, const struct interval *interval)
 {
-    LOCAL(arb, d, x);
+    const slong n = interval->count;
+    LOCAL(arb, d, w, x);
     for (slong j = 0; j < n; j++) {
         exact_point(x, j, n);
-        const arb_srcptr node = w + j;
-        LET(d, PREC, "max(d, abs(x - node))", d, x, node);
+        unit_place(w, node + j, interval->lo, interval->hi, PREC);
+        LET(d, PREC, "max(d, abs(x - w))", d, x, w);
     }
     LET(bound, PREC, "2*log(n)/pi + 1", n);
     LET(d, PREC, "1 - d*bound*(n - 1)^2", d, bound, n);
@@ -113,16 +108,12 @@ int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *
                            const struct ellipse_bound *bound)
 {
     const struct interval *const interval = &f->layout->interval[i];
-    const slong n = interval->count;
-    const arb_srcptr value = f->samples[i].value[quantity];
-    LOCAL_VECTOR(w, n);
+    const struct samples *const s = &f->samples[i];
     LOCAL(arb, constant);
-    for (slong j = 0; j < n; j++)
-        to_unit(w + j, f->samples[i].node + j, interval);
-    lebesgue(constant, w, n);
-    arb_poly_interpolate_newton(p, w, value, n, PREC);
-    polynomial_error(error, bound, quantity, constant, value, interval);
-    const bool agree = coefficients_agree(p, bound, quantity, error, n);
+    lebesgue(constant, s->node, interval);
+    interpolant_through_samples(p, s, interval, quantity);
+    polynomial_error(error, bound, quantity, constant, s->value[quantity], interval);
+    const bool agree = coefficients_agree(p, bound, quantity, error, interval->count);
     return agree ? STATUS_OK
                  : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
                         quantity, interval->lo, interval->hi);
@@ -388,8 +379,8 @@ static void piece_init(struct piece *w, double lo, double hi)
     enclosed_variable(w->x, lo, hi);
     arb_set_d(a, lo);
     arb_set_d(b, hi);
-    to_unit(a, a, w->interval);
-    to_unit(b, b, w->interval);
+    unit_place(a, a, w->interval->lo, w->interval->hi, PREC);
+    unit_place(b, b, w->interval->lo, w->interval->hi, PREC);
     LET(middle, PREC, "(a + b)/2", a, b);
     LET(half, PREC, "(b - a)/2", a, b);
     if (is_creep(w->interval, stored))

@@ -4,8 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/barycentric.h"
+#include "approximation/chebyshev.h"
 #include "support/console.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 enum {
@@ -20,43 +21,49 @@ enum {
 #define BLOCK_LIMIT 1e-20
 
 struct block {
-    arb_ptr at, value, weight;
+    double lo, hi;
+    arb_poly_t polynomial; /* in t, -1 <= t <= 1 */
 };
 
-static int block_make(struct block *b, const struct sampled_function *s, double lo, double hi)
+static int block_make(struct block *b, const struct sampled_function *s)
 {
+    LOCAL_VECTOR(at, BLOCK_POINTS);
+    LOCAL_VECTOR(value, BLOCK_POINTS);
     for (slong j = 0; j < BLOCK_POINTS; j++) {
-        const double x = lo + (hi - lo) * (1 + chebyshev_point(j, BLOCK_POINTS)) / 2;
-        arb_set_d(b->at + j, ldexp(nearbyint(ldexp(x, 44)), -44));
-        s->value(b->value + j, s->what, b->at + j, false, ENCLOSURE_BITS);
-        if (!sample_rounded(b->value + j, b->value + j, SAMPLE_BITS))
+        const double x = b->lo + (b->hi - b->lo) * (1 + chebyshev_point(j, BLOCK_POINTS)) / 2;
+        arb_set_d(at + j, ldexp(nearbyint(ldexp(x, 44)), -44));
+        s->value(value + j, s->what, at + j, false, ENCLOSURE_BITS);
+        if (!sample_rounded(value + j, value + j, SAMPLE_BITS))
             return fail("%s: a sample cannot be rounded to %d bits", s->p->name, SAMPLE_BITS);
+        unit_place(at + j, at + j, b->lo, b->hi, WORKING_BITS);
     }
-    barycentric_weights(b->weight, b->at, BLOCK_POINTS, WORKING_BITS);
+    arb_poly_interpolate_newton(b->polynomial, at, value, BLOCK_POINTS, WORKING_BITS);
     return STATUS_OK;
 }
 
 static void block_value(arb_t y, const struct block *b, const arb_t x)
 {
-    barycentric_value(y, b->at, b->weight, b->value, BLOCK_POINTS, x, WORKING_BITS);
+    LOCAL(arb, t);
+    unit_place(t, x, b->lo, b->hi, WORKING_BITS);
+    arb_poly_evaluate(y, b->polynomial, t, WORKING_BITS);
 }
 
 /* Compares the polynomial with enclosures at two places between samples. */
-static int block_check(const struct block *b, const struct sampled_function *s, double lo, double hi)
+static int block_check(const struct block *b, const struct sampled_function *s)
 {
     static const double fraction[] = {0.0371, 0.9173};
     double worst = 0;
     LOCAL(arb, x, exact, value);
     for (int k = 0; k < 2; k++) {
-        arb_set_d(x, lo + (hi - lo) * fraction[k]);
+        arb_set_d(x, b->lo + (b->hi - b->lo) * fraction[k]);
         s->value(exact, s->what, x, true, ENCLOSURE_BITS);
         block_value(value, b, x);
-        arb_sub(value, value, exact, WORKING_BITS);
-        arb_div(value, value, exact, WORKING_BITS);
+        LET(value, WORKING_BITS, "(value - exact)/exact", value, exact);
         worst = fmax(worst, fabs(arf_get_d(arb_midref(value), ARF_RND_UP)) + mag_get_d(arb_radref(value)));
     }
-    return worst <= BLOCK_LIMIT ? STATUS_OK
-                                : fail("%s: the polynomial on [%g, %g] is off by %.1e", s->p->name, lo, hi, worst);
+    return worst <= BLOCK_LIMIT
+               ? STATUS_OK
+               : fail("%s: the polynomial on [%g, %g] is off by %.1e", s->p->name, b->lo, b->hi, worst);
 }
 
 int sampled_function_make(struct sampled_function *s)
@@ -67,25 +74,23 @@ int sampled_function_make(struct sampled_function *s)
     s->block = xmalloc((size_t)s->blocks * sizeof *s->block);
     for (slong i = 0; i < s->blocks; i++) {
         struct block *const b = &s->block[i];
-        *b = (struct block){_arb_vec_init(BLOCK_POINTS), _arb_vec_init(BLOCK_POINTS), _arb_vec_init(BLOCK_POINTS)};
         const slong first = i * BLOCK_ROWS, last = first + BLOCK_ROWS < rows ? first + BLOCK_ROWS : rows;
         const struct cell from = pieces_cell(s->p, first), to = pieces_cell(s->p, last - 1);
-        const double lo = ldexp(from.lo, (int)from.octave), hi = ldexp(to.hi, (int)to.octave);
+        b->lo = ldexp(from.lo, (int)from.octave);
+        b->hi = ldexp(to.hi, (int)to.octave);
+        arb_poly_init(b->polynomial);
         if (status == STATUS_OK)
-            status = block_make(b, s, lo, hi);
+            status = block_make(b, s);
         if (status == STATUS_OK)
-            status = block_check(b, s, lo, hi);
+            status = block_check(b, s);
     }
     return status;
 }
 
 void sampled_function_clear(struct sampled_function *s)
 {
-    for (slong i = 0; i < s->blocks; i++) {
-        _arb_vec_clear(s->block[i].at, BLOCK_POINTS);
-        _arb_vec_clear(s->block[i].value, BLOCK_POINTS);
-        _arb_vec_clear(s->block[i].weight, BLOCK_POINTS);
-    }
+    for (slong i = 0; i < s->blocks; i++)
+        arb_poly_clear(s->block[i].polynomial);
     free(s->block);
 }
 

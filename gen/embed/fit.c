@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "approximation/barycentric.h"
+#include "approximation/chebyshev.h"
 #include "support/console.h"
 #include "support/local.h"
 

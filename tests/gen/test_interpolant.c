@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "approximation/barycentric.h"
+#include "approximation/chebyshev.h"
 #include "approximation/interpolant.h"
 #include "enclosure/collision.h"
 #include "random.h"
