@@ -12,25 +12,51 @@ enum {
     POINTS = 8    /* on each side of its middle, where the error is evaluated first */
 };
 
-/* Cells of u have this length up to WIDE_FROM. There mu < 2e-29, so that any number up to mu can stand for it in longer
- * cells. */
+/* Cells of u have this length up to WIDE_FROM. From there on, where mu < 4e-28, any number up to mu can stand for it in
+ * longer cells, and the limits of the functions for mu -> 0 suffice. */
 #define CELL_LENGTH 0.5
-#define WIDE_FROM 40.0
+#define WIDE_FROM 38.0
 
 /* A bound below this is not made smaller. */
-#define SMALL_ENOUGH 0x1p-76
+#define SMALL_ENOUGH 0x1p-73
 
-int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows)
+/* x_max, t_max, eps and duration at zero force without their powers of beta, at these u */
+static const struct interval far_intervals[FAR_PROOF_INTERVALS] = {
+    {INTERVAL_LOG, 9.4, 20.6, 40, 84, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE},
+    {INTERVAL_LOG, 20, WIDE_FROM + 0.6, 36, 84, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE},
+};
+static const double far_rho[FAR_PROOF_INTERVALS] = {4.5, 5.5};
+
+int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows, double beta_max)
 {
-    proof->rows = rows;
-    if (far_motion_init(&proof->motion))
-        return STATUS_OK;
-    return fail("the series for large beta could not be proved");
+    *proof =
+        (struct far_proof){.layout = {law_sphere, 2, far_intervals, FAR_PROOF_INTERVALS, false, NULL, 0}, .rows = rows};
+    for (int i = 0; i < FAR_PROOF_INTERVALS; i++)
+        for (int q = 0; q < QUANTITIES; q++) {
+            arb_poly_init(&proof->polynomial[i][q]);
+            arb_init(&proof->error[i][q]);
+        }
+    proof->f = interpolant_new(&proof->layout, exp(FAR_PROOF_INVERSE_FROM), beta_max);
+    int status = proof->f ? STATUS_OK : STATUS_FAILED;
+    for (int i = 0; i < FAR_PROOF_INTERVALS && status == STATUS_OK && proof->f->samples[i].known; i++) {
+        struct ellipse_bound bound;
+        status = ellipse_bound_make(&bound, &far_intervals[i], far_rho[i]);
+        for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+            if (far_intervals[i].set & 1u << q)
+                status = interpolant_polynomial(&proof->polynomial[i][q], &proof->error[i][q], proof->f, i,
+                                                (enum quantity)q, &bound);
+    }
+    return status;
 }
 
 void far_proof_clear(struct far_proof *proof)
 {
-    far_motion_clear(&proof->motion);
+    interpolant_free(proof->f);
+    for (int i = 0; i < FAR_PROOF_INTERVALS; i++)
+        for (int q = 0; q < QUANTITIES; q++) {
+            arb_poly_clear(&proof->polynomial[i][q]);
+            arb_clear(&proof->error[i][q]);
+        }
 }
 
 /* ---- functions on a cell ---- */
@@ -72,47 +98,52 @@ static void sum_of_orders(arb_poly_t y, const arb_poly_struct *order, slong orde
     }
 }
 
-static void series_on(arb_poly_t y, const struct far_series *s, const struct far_cell *cell)
+/* The limit for mu -> 0, from which a quantity differs by 210 mu u^2 at most (docs/theory.md, 8) */
+static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    LOCAL(mag, rest);
-    LOCAL(arb, radius);
-    sum_of_orders(y, s->order, EXPANSION_ORDER + 1, cell);
-    mag_set_d(rest, cell->hi);
-    mag_mul(rest, rest, s->rest_per_u);
-    mag_add(rest, rest, s->rest);
-    if (!(cell->lo >= FAR_MOTION_LEAST_U))
-        mag_inf(rest);
-    arf_set_mag(arb_midref(radius), rest);
-    enclosed_add_radius(y, radius);
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* each takes ln(1/mu) */
+    const double lo = cell->lo;
+    LOCAL(arb, x, c);
+    arb_poly_zero(y);
+    LET(x, ENCLOSED_BITS, "(3/2)^(2/3)");
+    if (quantity == MAX_OVERLAP || quantity == EPS_ZERO_FORCE) {
+        arb_set(c, x);
+    } else {
+        LET(c, ENCLOSED_BITS, "10*events*x/9", events, x);
+        arb_poly_scalar_mul(y, cell->u, c, ENCLOSED_BITS);
+        LET(c, ENCLOSED_BITS, "2*x*(log(3/x^(1/events)) + log(3)/2 - pi/sqrt(12))/3", x, events);
+    }
+    enclosed_add_number(y, c);
+    LET(c, ENCLOSED_BITS, "210*lo^2*exp(-5*lo/3)", lo);
+    enclosed_add_radius(y, c);
+}
+
+/* A sampled quantity. Returns false if nothing is known of it in the cell. */
+static bool sampled_on(arb_poly_t y, const struct far_proof *proof, enum quantity quantity, const struct far_cell *cell)
+{
+    if (quantity >= QUANTITIES || !(far_intervals[0].set & 1u << quantity))
+        return false;
+    if (cell->lo >= WIDE_FROM) {
+        limit_on(y, quantity, cell);
+        return true;
+    }
+    for (int i = 0; i < FAR_PROOF_INTERVALS; i++)
+        if (proof->f->samples[i].known && cell->lo >= far_intervals[i].lo && cell->hi <= far_intervals[i].hi) {
+            interpolant_polynomial_on(y, &proof->polynomial[i][quantity], &proof->error[i][quantity], &far_intervals[i],
+                                      cell->lo, cell->hi);
+            return true;
+        }
+    return false;
 }
 
 static bool function_on(arb_poly_t y, const struct far_proof *proof, enum quantity quantity,
                         const struct far_cell *cell)
 {
-    const struct far_motion *const m = &proof->motion;
-    switch (quantity) {
-    case EPS_ZERO_FORCE:
-        series_on(y, &m->eps_zero_force, cell);
-        return true;
-    case DURATION_ZERO_FORCE:
-        series_on(y, &m->duration_zero_force, cell);
-        return true;
-    case MAX_OVERLAP:
-        series_on(y, &m->max_overlap, cell);
-        return true;
-    case TIME_OF_MAX_OVERLAP:
-        series_on(y, &m->time_of_max_overlap, cell);
-        return true;
-    case DURATION_ZERO_OVERLAP: {
-        LOCAL(arb_poly, eps, time);
-        series_on(eps, &m->eps_zero_force, cell);
-        series_on(time, &m->duration_zero_force, cell);
-        const bool done = interpolant_proof_creep(y, proof->rows, eps, time, cell->u, cell->mu);
-        return done;
-    }
-    default:
-        return false;
-    }
+    if (quantity != DURATION_ZERO_OVERLAP)
+        return sampled_on(y, proof, quantity, cell);
+    LOCAL(arb_poly, eps, time);
+    return sampled_on(eps, proof, EPS_ZERO_FORCE, cell) && sampled_on(time, proof, DURATION_ZERO_FORCE, cell) &&
+           interpolant_proof_creep(y, proof->rows, eps, time, cell->u, cell->mu);
 }
 
 bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quantity quantity, double lo, double hi)
@@ -158,11 +189,11 @@ static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double
     LOCAL(arb, x);
     add_coefficient(v, 0, c[0]);
     add_coefficient(v, 0, c[1]);
-    series_on(q, &proof->motion.eps_zero_force, cell);
+    bool done = sampled_on(q, proof, EPS_ZERO_FORCE, cell);
     arb_poly_get_coeff_arb(x, v, 0);
     arb_poly_scalar_div(q, q, x, ENCLOSED_BITS);
     enclosed_multiply(e, q, cell->mu);
-    bool done = enclosed_logarithm(q, q);
+    done = done && enclosed_logarithm(q, q);
     arb_set_si(x, -3);
     arb_div_ui(x, x, 5, ENCLOSED_BITS);
     arb_poly_scalar_mul(q, q, x, ENCLOSED_BITS);

@@ -42,8 +42,9 @@ static void exact_point(arb_t x, slong j, slong n)
     arb_neg(x, x);
 }
 
-/* Bound of the Lebesgue constant for the nodes of an interval. For the n Chebyshev points it is L < 1 + (2/pi) ln(n); for nodes that
- * differ by d at most it is L/(1 - L d (n-1)^2) at most, by Markov's inequality. Not finite if d is too large. */
+/* Bound of the Lebesgue constant for the nodes of an interval. For the n Chebyshev points it is L < 1 + (2/pi) ln(n);
+ * for nodes that differ by d at most it is L/(1 - L d (n-1)^2) at most, by Markov's inequality. Not finite if d is too
+ * large. */
 static void lebesgue(arb_t bound, arb_srcptr node, const struct interval *interval)
 {
     const slong n = interval->count;
@@ -117,6 +118,22 @@ int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *
     return agree ? STATUS_OK
                  : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
                         quantity, interval->lo, interval->hi);
+}
+
+void interpolant_polynomial_on(arb_poly_t y, const arb_poly_t p, const arb_t error, const struct interval *interval,
+                               double lo, double hi)
+{
+    LOCAL(arb, a, b, middle, half);
+    arb_set_d(a, lo);
+    arb_set_d(b, hi);
+    unit_place(a, a, interval->lo, interval->hi, PREC);
+    unit_place(b, b, interval->lo, interval->hi, PREC);
+    LET(middle, PREC, "(a + b)/2", a, b);
+    LET(half, PREC, "(b - a)/2", a, b);
+    enclosed_rescale(y, p, middle, half, PREC);
+    arb_poly_set_round(y, y, ENCLOSED_BITS);
+    enclosed_add_radius(y, error);
+    enclosed_shorten(y);
 }
 
 /* Proves the stated bounds again. */
@@ -314,15 +331,6 @@ static bool is_creep(const struct interval *interval, enum quantity quantity)
     return interval->variable == INTERVAL_LOG && quantity == DURATION_ZERO_OVERLAP;
 }
 
-/* What the interval stores for a quantity, at x = middle + half t in units of half the interval about its middle */
-static void stored_on(arb_poly_t y, const struct piece *w, enum quantity quantity, const arb_t middle, const arb_t half)
-{
-    enclosed_rescale(y, &w->proof->polynomial[w->i][quantity], middle, half, PREC);
-    arb_poly_set_round(y, y, ENCLOSED_BITS);
-    enclosed_add_radius(y, &w->proof->error[w->i][quantity]);
-    enclosed_shorten(y);
-}
-
 /* C + a_1 r + a_2 r^2 + ..., with the remainder */
 static void creep_sum(arb_poly_t y, const struct interpolant_proof *proof, const arb_poly_t r)
 {
@@ -358,11 +366,17 @@ bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof
     return done && logarithm;
 }
 
-static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t middle, const arb_t half)
+static void stored_on(arb_poly_t y, const struct piece *w, enum quantity quantity, double lo, double hi)
+{
+    interpolant_polynomial_on(y, &w->proof->polynomial[w->i][quantity], &w->proof->error[w->i][quantity], w->interval,
+                              lo, hi);
+}
+
+static void creep_duration(arb_poly_t y, const struct piece *w, double lo, double hi)
 {
     LOCAL(arb_poly, eps, time, mu);
-    stored_on(eps, w, EPS_ZERO_FORCE, middle, half);
-    stored_on(time, w, DURATION_ZERO_FORCE, middle, half);
+    stored_on(eps, w, EPS_ZERO_FORCE, lo, hi);
+    stored_on(time, w, DURATION_ZERO_FORCE, lo, hi);
     enclosed_exponential(mu, -5, 3, w->x);
     if (!interpolant_proof_creep(y, w->proof, eps, time, w->x, mu)) {
         LOCAL(arb, error);
@@ -374,19 +388,12 @@ static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t midd
 static void piece_init(struct piece *w, double lo, double hi)
 {
     const enum quantity stored = stored_quantity(w->p->quantity);
-    LOCAL(arb, a, b, middle, half);
     FOR_ALL(arb_poly, init, w->x, w->stored, w->beta);
     enclosed_variable(w->x, lo, hi);
-    arb_set_d(a, lo);
-    arb_set_d(b, hi);
-    unit_place(a, a, w->interval->lo, w->interval->hi, PREC);
-    unit_place(b, b, w->interval->lo, w->interval->hi, PREC);
-    LET(middle, PREC, "(a + b)/2", a, b);
-    LET(half, PREC, "(b - a)/2", a, b);
     if (is_creep(w->interval, stored))
-        creep_duration(w->stored, w, middle, half);
+        creep_duration(w->stored, w, lo, hi);
     else
-        stored_on(w->stored, w, stored, middle, half);
+        stored_on(w->stored, w, stored, lo, hi);
     if (w->interval->variable == INTERVAL_ROOT)
         enclosed_multiply(w->beta, w->x, w->x);
     else

@@ -17,6 +17,10 @@
 int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *f, int i, enum quantity quantity,
                            const struct ellipse_bound *bound);
 
+/* The same polynomial with its error for lo <= x <= hi in its interval, as a function of t (enclosed_function.h) */
+void interpolant_polynomial_on(arb_poly_t y, const arb_poly_t p, const arb_t error, const struct interval *interval,
+                               double lo, double hi);
+
 struct interpolant_proof;
 
 /* Whether the stated bounds on ellipses are proved again, which takes seconds, or used as stated */

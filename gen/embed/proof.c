@@ -465,7 +465,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     }
     w.far_known = w.interpolant && w.quantity == EPS_ZERO_FORCE && s->beta_max > exp(FAR_PROOF_FROM);
     if (w.far_known && status == STATUS_OK)
-        status = far_proof_init(&w.far, NULL);
+        status = far_proof_init(&w.far, NULL, s->beta_max);
     else
         w.far_known = false;
     if (status == STATUS_OK) {

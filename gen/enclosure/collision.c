@@ -57,6 +57,7 @@ static struct route route_of(const arb_t beta, const struct law *law, enum ends 
     double lost = loading, lost_directly = loading;
     if (ends == ENDS_ZERO_FORCE && law_force_ends(law)) {
         r.goal = MOTION_ZERO_FORCE;
+        lost = fmax(loading, 2 * loading - GUARD_BITS); /* as much again, of which the guard bits are a part */
     } else if (law_fall_power(law).num > 0) {
         const double forgets = law_forgetting(law) * exp(-ln_mu), depth = slow_manifold_depth(law, r.manifold_bits);
         const double entry = (double)r.manifold_bits / nat + loading / nat;

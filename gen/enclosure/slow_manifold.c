@@ -43,7 +43,7 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
 }
 
 /* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, because p p' = (p^2)'/2. */
-void slow_manifold_formal(arb_poly_t p, const struct law *law, slong degree, slong prec)
+static void formal_sum(arb_poly_t p, const struct law *law, slong degree, slong prec)
 {
     const struct ratio n = law_fall_power(law), a = law->a, b = law->b;
     LOCAL(arb, c);
@@ -168,7 +168,7 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
     FOR_ALL(arb_poly, init, m->p, m->inverse);
     FOR_ALL(arb, init, m->last, m->nu, m->time_error, m->final_speed, m->t_fall);
 
-    slow_manifold_formal(m->p, law, degree, prec);
+    formal_sum(m->p, law, degree, prec);
     LET(m->last, prec, "1/(2*m->n*degree)", m->n, degree);
     arb_get_mid_arb(m->last, m->last);
     bound_defect(m, degree);

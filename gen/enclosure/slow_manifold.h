@@ -33,9 +33,6 @@ struct slow_manifold {
  * collisions of a law need the same one. Any thread may call the function. */
 const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, slong prec);
 
-/* The formal sum up to y^degree; as many bits as the coefficients have make it exact. */
-void slow_manifold_formal(arb_poly_t p, const struct law *law, slong degree, slong prec);
-
 /* The depth 1/(n last): the fall from `last` contracts by exp(-depth). */
 double slow_manifold_depth(const struct law *law, slong bits);
 

@@ -132,7 +132,7 @@ static int prove_far(const struct law_tables *t, const struct interpolant_proof 
 {
     struct far_proof proof;
     LOCAL_VECTOR(row, FAR_COLUMNS);
-    int status = far_proof_init(&proof, rows);
+    int status = far_proof_init(&proof, rows, INFINITY);
     for (int i = 0; i < FAR_TABLES && status == STATUS_OK; i++) {
         law_tables_far_row(row, t, far_tables[i].quantity);
         status = prove_far_row(&data.far_bits[i], &proof, far_tables[i].quantity, row, FAR_COLUMNS, FAR_BITS);
