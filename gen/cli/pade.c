@@ -144,7 +144,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
                                            .limit = INFINITY};
         struct emit e;
         emit_open(&e, out.file, guard, banner);
-        emit_include(&e, "<math.h>");
+        emit_lines(&e, "#include <math.h>\n");
         status = pade_emit(&e, &header, f, a);
         emit_close(&e);
         status = output_finish(&out, status);

@@ -32,9 +32,8 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
         return -usage_error(
             "beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to %g", beta,
             (long)law.b.num, (long)law.b.den, (long)law.a.num, (long)law.a.den, ENCLOSED_BETA_MAX);
-    struct collision c;
+    LOCAL_INIT(collision, c, (&c));
     LOCAL(arb, x);
-    collision_init(&c);
     arb_set_d(x, beta);
     const int status = (end == COR_BOTH_ENDS        ? collision_solve
                         : end == COR_END_ZERO_FORCE ? collision_solve_force
@@ -42,7 +41,6 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
     *impact = (struct cor_scaled_impact){{nearest(c.eps_zero_overlap), nearest(c.eps_zero_force)},
                                          {nearest(c.t_zero_overlap), nearest(c.t_zero_force)},
                                          nearest(c.x_max)};
-    collision_clear(&c);
     return status == 0 ? STATUS_OK : -STATUS_FAILED;
 }
 

@@ -18,11 +18,10 @@ bool contact_simulator_is_list(const char *simulator, const char *version)
     return strcmp(simulator, CONTACT_SIMULATOR_LIST) == 0 || (version && strcmp(version, CONTACT_SIMULATOR_LIST) == 0);
 }
 
-static long write_text(char *text, size_t size, const char *simulator, const struct cor_simulator_request *request)
+static long write_text(char *text, size_t size, const struct cor_simulator_request *request)
 {
-    if (request->contacts)
-        return cor_simulator_lines(text, size, request);
-    return cor_simulator_list(text, size, cor_simulator_named(simulator));
+    return request->contacts ? cor_simulator_lines(text, size, request)
+                             : cor_simulator_list(text, size, cor_simulator_named(request->simulator));
 }
 
 char *contact_simulator_text(const char *simulator, const char *version, const struct contacts *contacts,
@@ -47,12 +46,10 @@ char *contact_simulator_text(const char *simulator, const char *version, const s
         usage_error("--for: %s, " CONTACT_SIMULATOR_LIST, reason);
         return NULL;
     }
-    const long length = write_text(reason, sizeof reason, simulator, &request);
-    if (length < 0) {
-        usage_error("%s", reason);
-        return NULL;
-    }
-    char *const text = malloc((size_t)length + 1);
-    write_text(text, (size_t)length + 1, simulator, &request);
+    const long length = write_text(reason, sizeof reason, &request);
+    if (length < 0)
+        return usage_error("%s", reason), NULL;
+    char *const text = xmalloc((size_t)length + 1);
+    write_text(text, (size_t)length + 1, &request);
     return text;
 }

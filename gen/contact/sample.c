@@ -52,17 +52,14 @@ static int value_direct(double value[SAMPLE_QUANTITIES], const struct function *
     return contact_status(status);
 }
 
-static double chebyshev_angle(int i)
-{
-    return 3.14159265358979323846 * i / (PIECE_POINTS - 1);
-}
-
+/* Chebyshev points of the second kind */
 static double piece_point(const struct piece *piece, int i)
 {
-    return (piece->low + piece->high) / 2 - (piece->high - piece->low) / 2 * cos(chebyshev_angle(i));
+    const double angle = 3.14159265358979323846 * i / (PIECE_POINTS - 1);
+    return (piece->low + piece->high) / 2 - (piece->high - piece->low) / 2 * cos(angle);
 }
 
-/* The barycentric formula for Chebyshev points of the second kind */
+/* The barycentric formula for these points */
 static double piece_value(const struct piece *piece, int quantity, double u)
 {
     double above = 0, below = 0;
@@ -77,24 +74,18 @@ static double piece_value(const struct piece *piece, int quantity, double u)
     return above / below;
 }
 
-struct piece_work {
-    const struct function *f;
-    struct piece *piece;
-};
-
-/* Point i of a list of pieces. Durations are divided by their scale, so that they vary slowly. */
+/* Point i of the piece after the last. Durations are divided by their scale, so that they vary slowly. */
 static void fill_point(void *context, slong i)
 {
-    struct piece_work *const work = context;
-    struct piece *const piece = &work->piece[i / PIECE_POINTS];
-    const int k = (int)(i % PIECE_POINTS);
-    const double speed_m_s = exp(piece_point(piece, k));
+    const struct function *const f = context;
+    struct piece *const piece = &f->piece[f->pieces];
+    const double speed_m_s = exp(piece_point(piece, (int)i));
     double value[SAMPLE_QUANTITIES];
-    if (value_direct(value, work->f, speed_m_s) != STATUS_OK)
+    if (value_direct(value, f, speed_m_s) != STATUS_OK)
         piece->status = STATUS_FAILED;
-    piece->value[0][k] = value[0];
-    if (work->f->quantities > 1)
-        piece->value[1][k] = value[1] / duration_scale(work->f->contact, speed_m_s);
+    piece->value[0][i] = value[0];
+    if (f->quantities > 1)
+        piece->value[1][i] = value[1] / duration_scale(f->contact, speed_m_s);
 }
 
 /* The largest error relative to the value, between the points next to both ends and in the middle */
@@ -115,14 +106,6 @@ static int piece_error(double *error, const struct function *f, const struct pie
     return STATUS_OK;
 }
 
-static int fill_piece(struct function *f, struct piece *piece, double *error)
-{
-    struct piece_work work = {f, piece};
-    piece->status = STATUS_OK;
-    parallel_for(fill_point, &work, PIECE_POINTS, "collisions");
-    return piece->status == STATUS_OK ? piece_error(error, f, piece) : piece->status;
-}
-
 /* Divides [low, high] of ln(speed) until every piece is accurate. */
 static int fill_pieces(struct function *f, double low, double high)
 {
@@ -134,7 +117,9 @@ static int fill_pieces(struct function *f, double low, double high)
         struct piece *const piece = &f->piece[f->pieces];
         piece->low = low;
         piece->high = low + width < high * (1 - 1e-12) - 1e-12 ? low + width : high;
-        if (fill_piece(f, piece, &error) != STATUS_OK)
+        piece->status = STATUS_OK;
+        parallel_for(fill_point, f, PIECE_POINTS, "collisions");
+        if (piece->status != STATUS_OK || piece_error(&error, f, piece) != STATUS_OK)
             return STATUS_FAILED;
         if (error > PIECE_ERROR) {
             width = (piece->high - piece->low) / 2;
@@ -155,7 +140,7 @@ static void function_direct(struct function *f, const struct sample_request *req
         .contact = request->contact, .end = request->end, .log = request->log, .quantities = request->duration ? 2 : 1};
 }
 
-/* Returns STATUS_OK, or STATUS_FAILED after a message. In both cases function_clear frees the memory. */
+/* Returns STATUS_OK, or STATUS_FAILED after a message. In both cases f->piece is to be freed. */
 static int function_init(struct function *f, const struct sample_request *request)
 {
     function_direct(f, request);
@@ -163,12 +148,6 @@ static int function_init(struct function *f, const struct sample_request *reques
         return STATUS_OK;
     const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
     return fill_pieces(f, log(request->speed_min) - margin, log(request->speed_max) + margin);
-}
-
-static void function_clear(struct function *f)
-{
-    free(f->piece);
-    f->piece = NULL;
 }
 
 static double function_place(const struct function *f, double speed_m_s)
@@ -394,22 +373,15 @@ static double equalise(const struct chooser *c, double *x, size_t segments, doub
 
 /* ---- tables ---- */
 
+/* All numbers of the points in one block, which begins with the speeds */
 static void points_alloc(struct sample_points *p, const struct chooser *c, size_t count)
 {
+    double *next = xmalloc((1 + 2 * SAMPLE_QUANTITIES) * count * sizeof(double));
     p->count = count;
-    p->speed_m_s = xmalloc(count * sizeof(double));
+    p->speed_m_s = next;
     for (int q = 0; q < c->f.quantities; q++) {
-        p->value[q] = xmalloc(count * sizeof(double));
-        p->slope[q] = c->cubic ? xmalloc(count * sizeof(double)) : NULL;
-    }
-}
-
-static void points_clear(struct sample_points *p)
-{
-    free(p->speed_m_s);
-    for (int q = 0; q < SAMPLE_QUANTITIES; q++) {
-        free(p->value[q]);
-        free(p->slope[q]);
+        p->value[q] = next += count;
+        p->slope[q] = c->cubic ? next += count : NULL;
     }
 }
 
@@ -494,13 +466,13 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
         status = choose_points(sample, &c, request, x);
         free(x);
     }
-    function_clear(&c.f);
+    free(c.f.piece);
     progress_end();
     return status;
 }
 
 void sample_clear(struct sample *sample)
 {
-    points_clear(&sample->best);
-    points_clear(&sample->even);
+    free(sample->best.speed_m_s);
+    free(sample->even.speed_m_s);
 }

@@ -103,15 +103,6 @@ static void print_lists(FILE *file, const struct column *column, int columns, si
     }
 }
 
-static void print_c(FILE *file, const struct sample *sample, const struct sample_request *request,
-                    const struct column *column, int columns)
-{
-    print_promise(file, "/* ", sample, request, " */");
-    fprintf(file, "enum { cor_sample_points = %zu };\n", sample->best.count);
-    print_lists(file, column, columns, sample->best.count, "static const double cor_sample_", "[cor_sample_points] = {",
-                "};");
-}
-
 static void print_python(FILE *file, const struct sample *sample, const struct sample_request *request,
                          const struct column *column, int columns)
 {
@@ -166,7 +157,10 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
         print_table(file, column, columns, sample->best.count, format == SAMPLE_CSV ? FORMAT_CSV : FORMAT_JSON);
         break;
     case SAMPLE_C:
-        print_c(file, sample, request, column, columns);
+        print_promise(file, "/* ", sample, request, " */");
+        fprintf(file, "enum { cor_sample_points = %zu };\n", sample->best.count);
+        print_lists(file, column, columns, sample->best.count, "static const double cor_sample_",
+                    "[cor_sample_points] = {", "};");
         break;
     case SAMPLE_PYTHON:
         print_python(file, sample, request, column, columns);

@@ -387,18 +387,11 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
 
 static void emit_macros(struct emit *e, const char *name, const struct embed_request *request)
 {
-    static const struct {
-        const char *suffix;
-        int which;
-    } macros[] = {{"SPEED_MIN", EMBED_SPEED_MIN}, {"SPEED_MAX", EMBED_SPEED_MAX}, {"TOLERANCE", EMBED_TOLERANCE}};
-    for (size_t i = 0; i < sizeof macros / sizeof *macros; i++) {
-        char macro[NAME_MAX_HERE], value[NAME_MAX_HERE];
-        snprintf(macro, sizeof macro, "%s_%s", name, macros[i].suffix);
-        emit_capitals(macro);
-        const int length = snprintf(value, sizeof value, "%.17g", embed_number(request, macros[i].which));
-        if (!strpbrk(value, ".e"))
-            snprintf(value + length, sizeof value - (size_t)length, ".0");
-        emit_define(e, macro, value);
+    static const char *const suffix[] = {"SPEED_MIN", "SPEED_MAX", "TOLERANCE"};
+    for (int i = 0; i < 3; i++) {
+        char value[NAME_MAX_HERE];
+        snprintf(value, sizeof value, "%.17g", embed_number(request, EMBED_SPEED_MIN + i));
+        emit_lines(e, "#define $S_$s $s$s\n", name, suffix[i], value, strpbrk(value, ".e") ? "" : ".0");
     }
 }
 

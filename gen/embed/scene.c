@@ -218,14 +218,20 @@ static double neighbour(const struct embed_scene *s, double x, double towards)
     return s->single ? (double)nextafterf((float)x, (float)towards) : nextafter(x, towards);
 }
 
+/* The largest number of the scene's type that is not above x */
+static double rounded_down(const struct embed_scene *s, double x)
+{
+    const double y = embed_rounded(s, x);
+    return y > x ? neighbour(s, y, 0) : y;
+}
+
 /* Chooses shift, onset and the first speed. v - shift is exact for every v up to speed_max, because the shift is a
  * multiple of the last place of speed_max. */
 static int shift_speeds(struct embed_scene *s)
 {
     const double sticking = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_FLOOR);
-    double below = embed_rounded(s, sticking), first = embed_rounded(s, sticking * (1 + STICKING_MARGIN));
-    if (below > sticking)
-        below = neighbour(s, below, 0);
+    const double below = rounded_down(s, sticking);
+    double first = embed_rounded(s, sticking * (1 + STICKING_MARGIN));
     while (first < sticking * (1 + STICKING_MARGIN))
         first = neighbour(s, first, HUGE_VAL);
     if (!(s->speed_max > first))
@@ -311,10 +317,9 @@ static int scene_collide_law(struct embed_scene *s)
 /* An eps that does not depend on the speed is that of --restitution as it is written. */
 static int scene_collide_once(struct embed_scene *s, const struct embed_request *request)
 {
-    if (embed_given(request, COR_SCENE_RESTITUTION))
-        arb_set_fmpq(s->eps, request->number[COR_SCENE_RESTITUTION].value, EMBED_BITS);
-    else
+    if (!embed_given(request, COR_SCENE_RESTITUTION))
         return embed_contact_eps(s->eps, s->beta_per_root, s->press, &s->law, (int)s->end, EMBED_BITS / 2);
+    arb_set_fmpq(s->eps, request->number[COR_SCENE_RESTITUTION].value, EMBED_BITS);
     return STATUS_OK;
 }
 
@@ -347,12 +352,9 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
 static int scene_by_speed(struct embed_scene *s, const struct embed_request *request,
                           const struct cor_scene_contact *contact)
 {
-    int status = STATUS_OK;
     arb_one(s->eps);
-    if (s->plastic)
-        status = embed_contact_yield_speed(s->yield_speed, request, contact, EMBED_BITS);
-    else
-        status = scene_collide_once(s, request);
+    const int status = s->plastic ? embed_contact_yield_speed(s->yield_speed, request, contact, EMBED_BITS)
+                                  : scene_collide_once(s, request);
     s->by_speed = true;
     s->law = law_sphere;
     s->law.b = s->law.a; /* q = 1 */
@@ -375,10 +377,8 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
     s->constant = s->speed_max <= below;
     if (s->speed_min > below || s->constant)
         return STATUS_OK;
-    s->onset = s->single && (double)(float)below > below ? (double)nextafterf((float)below, 0)
-               : s->single                               ? (double)(float)below
-                                                         : below;
-    s->speed_min = s->single ? (double)nextafterf((float)s->onset, FLT_MAX) : nextafter(s->onset, DBL_MAX);
+    s->onset = rounded_down(s, below);
+    s->speed_min = neighbour(s, s->onset, HUGE_VAL);
     return s->speed_min < s->speed_max ? STATUS_OK
                                        : usage_error("--speed-max is next to the yield speed, %.17g m/s", below);
 }

@@ -8,9 +8,6 @@
 /* Seconds of a monotonic clock; only differences have a meaning. */
 double clock_seconds(void);
 
-/* Seconds of processor time that this process has used, all threads together. */
-double clock_processor_seconds(void);
-
 /* The time `seconds` from now, for a condition of parallel_condition_init */
 struct timespec clock_deadline(double seconds);
 

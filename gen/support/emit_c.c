@@ -240,30 +240,7 @@ void emit_structs_close(struct emit *e)
     fprintf(e->file, "\n};\n");
 }
 
-void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count)
-{
-    fprintf(e->file, "enum {\n");
-    for (slong i = 0; i < count; i++)
-        fprintf(e->file, "    %s = %ld%s\n", name[i], (long)value[i], i + 1 < count ? "," : "");
-    fprintf(e->file, "};\n");
-}
-
-void emit_builder_open(struct emit *e, const char *type, const char *name, const char *start)
-{
-    fprintf(e->file, "\nCOR_INLINE_LAW struct %s %s(void)\n{\n    struct %s x = %s;\n", type, name, type, start);
-}
-
-void emit_builder_set(struct emit *e, const char *field, const char *format, ...)
-{
-    va_list arguments;
-    fprintf(e->file, "    x.%s = ", field);
-    va_start(arguments, format);
-    vfprintf(e->file, format, arguments);
-    va_end(arguments);
-    fputs(";\n", e->file);
-}
-
-int emit_builder_pair(struct emit *e, const char *field, const arb_t value)
+int emit_pair_field(struct emit *e, const char *field, const arb_t value)
 {
     double hi, lo;
     LOCAL(arb, rest);
@@ -279,51 +256,10 @@ int emit_builder_pair(struct emit *e, const char *field, const arb_t value)
     return STATUS_OK;
 }
 
-void emit_builder_close(struct emit *e)
-{
-    fputs("    return x;\n}\n", e->file);
-}
-
-void emit_inline_double(struct emit *e, const char *name, const char *argument, const char *format, ...)
-{
-    va_list arguments;
-    fprintf(e->file, "\nCOR_INLINE double %s(double %s)\n{\n    return ", name, argument);
-    va_start(arguments, format);
-    vfprintf(e->file, format, arguments);
-    va_end(arguments);
-    fputs(";\n}\n", e->file);
-}
-
-void emit_inline_quotient(struct emit *e, const char *name, const char *argument, const char *z, const char *factor,
-                          const char *const numerator[2], const char *const denominator[2])
-{
-    const char *const *const part[2] = {numerator, denominator};
-    static const char *const value[2] = {"above", "below"};
-    const bool same = strcmp(argument, z) == 0;
-    fprintf(e->file, "static inline double %s(double %s)\n{\n", name, argument);
-    if (!same)
-        fprintf(e->file, "    const double z = %s;\n", z);
-    for (int i = 0; i < 2; i++)
-        fprintf(e->file, "    double %s = 0;\n    for (int k = %s; k-- > 0;)\n        %s = %s * %s + %s[k];\n",
-                value[i], part[i][1], value[i], value[i], same ? argument : "z", part[i][0]);
-    fprintf(e->file, "    return %s >= 0 ? %s%sabove / below : (double)NAN;\n}\n", argument, factor ? factor : "",
-            factor ? " * " : "");
-}
-
-void emit_include(struct emit *e, const char *name)
-{
-    fprintf(e->file, "#include %s\n", name);
-}
-
 void emit_capitals(char *name)
 {
     for (; *name; name++)
         *name = (char)toupper((unsigned char)*name);
-}
-
-void emit_define(struct emit *e, const char *name, const char *text)
-{
-    fprintf(e->file, "#define %s %s\n", name, text);
 }
 
 struct bound_text emit_bound(double x)
@@ -342,14 +278,6 @@ struct bound_text emit_bound(double x)
 
 enum { COLUMNS = 100 };
 
-static void put_geometry(struct emit *e, const char *table, const char *what, const char *number)
-{
-    fprintf(e->file, "#define ");
-    for (const char *at = table; *at; at++)
-        putc(toupper((unsigned char)*at), e->file);
-    fprintf(e->file, "_%s %s\n", what, number);
-}
-
 void emit_geometry_real(struct emit *e, const char *table, const char *what, double x)
 {
     char number[NUMBER_MAX];
@@ -357,14 +285,14 @@ void emit_geometry_real(struct emit *e, const char *table, const char *what, dou
         snprintf(number, sizeof number, "%.1f", x);
     else
         real(number, e, x);
-    put_geometry(e, table, what, number);
+    emit_lines(e, "#define $S_$s $s\n", table, what, number);
 }
 
 void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n)
 {
     char number[NUMBER_MAX];
     snprintf(number, sizeof number, n < 0 ? "(%ld)" : "%ld", (long)n);
-    put_geometry(e, table, what, number);
+    emit_lines(e, "#define $S_$s $s\n", table, what, number);
 }
 
 /* The bits of a number of the type, as an integer */
@@ -382,6 +310,7 @@ void emit_lines(struct emit *e, const char *text, ...)
 {
     va_list arguments;
     char number[NUMBER_MAX];
+    const char *name;
     va_start(arguments, text);
     for (; *text; text++) {
         if (*text != '$') {
@@ -400,6 +329,10 @@ void emit_lines(struct emit *e, const char *text, ...)
             break;
         case 's':
             fputs(va_arg(arguments, const char *), e->file);
+            break;
+        case 'S':
+            for (name = va_arg(arguments, const char *); *name; name++)
+                putc(toupper((unsigned char)*name), e->file);
             break;
         case 'd':
             fprintf(e->file, "%d", va_arg(arguments, int));

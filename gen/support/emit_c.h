@@ -60,38 +60,16 @@ void emit_structs_close(struct emit *e);
 void emit_geometry_real(struct emit *e, const char *table, const char *what, double x);
 void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n);
 
-/* enum { NAME = value, ... }; */
-void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);
-
-/* COR_INLINE_LAW struct TYPE NAME(void): writes a function that returns a struct. The struct starts as the value of
- * `start`, and one line sets each field. A pair is a field with hi and lo, from an interval. */
-void emit_builder_open(struct emit *e, const char *type, const char *name, const char *start);
-void emit_builder_set(struct emit *e, const char *field, const char *format, ...) __attribute__((format(printf, 3, 4)));
-int emit_builder_pair(struct emit *e, const char *field, const arb_t value);
-void emit_builder_close(struct emit *e);
-
-/* COR_INLINE double NAME(double ARGUMENT) { return VALUE; } */
-void emit_inline_double(struct emit *e, const char *name, const char *argument, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
-/* static inline double NAME(double ARGUMENT): FACTOR P(z)/Q(z), or NaN for arguments below 0. Z and FACTOR (NULL: 1)
- * are expressions in the argument; `numerator` and `denominator` are the names of an array and, in capitals, of its
- * length. Horner's rule. */
-void emit_inline_quotient(struct emit *e, const char *name, const char *argument, const char *z, const char *factor,
-                          const char *const numerator[2], const char *const denominator[2]);
-
-/* #include of a name with its quotes or angle brackets */
-void emit_include(struct emit *e, const char *name);
+/* In a function that builds a struct x: sets its field, a pair with hi and lo, from an interval. */
+int emit_pair_field(struct emit *e, const char *field, const arb_t value);
 
 /* Makes the letters of a name capitals. */
 void emit_capitals(char *name);
 
-/* #define NAME text */
-void emit_define(struct emit *e, const char *name, const char *text);
-
-/* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions and
- * numbers, "f" or nothing, and of which these take an argument: $s a text, $d an int, $x a double that the type holds,
- * written so that it reads back to the same bits, and $b such a double's bits as a whole number. */
+/* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions
+ * and numbers, "f" or nothing, and of which these take an argument: $s a text, $S a text in capitals, $d an int, $x a
+ * double that the type holds, written so that it reads back to the same bits, and $b such a double's bits as a whole
+ * number. */
 void emit_lines(struct emit *e, const char *text, ...);
 
 /* Define `name` as a polynomial in a variable by Horner's rule, of which every product is added, so that compilers

@@ -256,7 +256,7 @@ int closed_form_tables_write(FILE *file)
 {
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_CLOSED_FORM_TABLES_H", banner);
-    emit_include(&e, "\"runtime/table/rows.h\"");
+    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
     int status = STATUS_OK;
     for (int i = 0; i < LAWS; i++)
         for (int form = LOSS_QUOTIENT; form <= DAMPING && status == STATUS_OK; form++)

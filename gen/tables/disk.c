@@ -127,9 +127,7 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     struct emit e;
     emit_open(&e, file, guard, banner);
     e.decimal = table->embed;
-    fprintf(file, "\n");
-    emit_include(&e, table->embed ? "<cor/disk.h>" : "\"cor/disk.h\"");
-    fprintf(file, "\n");
+    fprintf(file, "\n#include %s\n\n", table->embed ? "<cor/disk.h>" : "\"cor/disk.h\"");
     emit_structs_open(&e, "cor_disk_mode", name, table->count);
     LOCAL_VECTOR(value, VALUES);
     int status = STATUS_OK;
@@ -142,11 +140,7 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     }
     progress_end();
     emit_structs_close(&e);
-    char macro[NU_NAME + 32], text[LINE_LENGTH];
-    snprintf(macro, sizeof macro, "COR_DISK_MODES_NU%s", upper);
-    snprintf(text, sizeof text, "{%.17g, %ld, %s}", last.nu, (long)table->count, name);
-    fprintf(file, "\n");
-    emit_define(&e, macro, text);
+    fprintf(file, "\n#define COR_DISK_MODES_NU%s {%.17g, %ld, %s}\n", upper, last.nu, (long)table->count, name);
     emit_close(&e);
     return status;
 }

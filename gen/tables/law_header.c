@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "approximation/law_tables.h"
+#include "series/series.h"
 #include "support/console.h"
 #include "support/evaluator_text.h"
 #include "support/local.h"
@@ -40,23 +41,18 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
 
 static void emit_table_field(struct emit *e, const char *field, const struct pieces *p)
 {
-    char macro[TEXT_MAX];
-    snprintf(macro, sizeof macro, "%s", p->name);
-    emit_capitals(macro);
+    const char *const rows = p->name;
     if (p->variable >= VARIABLE_POWER_OCTAVES)
-        emit_builder_set(e, field, "cor_inline_law_octaves(%s, COR_INLINE_OCTAVES(%s), %s_END)", p->name, macro, macro);
+        emit_lines(e, "    x.$s = cor_inline_law_octaves($s, COR_INLINE_OCTAVES($S), $S_END);\n", field, rows, rows,
+                   rows);
     else
-        emit_builder_set(e, field, "cor_inline_law_grid(%s, COR_INLINE_GRID(%s), %ld, %s_END)", p->name, macro,
-                         (long)p->root, macro);
+        emit_lines(e, "    x.$s = cor_inline_law_grid($s, COR_INLINE_GRID($S), $d, $S_END);\n", field, rows, rows,
+                   (int)p->root, rows);
 }
 
 static void emit_power_field(struct emit *e, const char *field, struct ratio power)
 {
-    char text[64];
-    snprintf(text, sizeof text, "%s.num", field);
-    emit_builder_set(e, text, "%ld", (long)power.num);
-    snprintf(text, sizeof text, "%s.den", field);
-    emit_builder_set(e, text, "%ld", (long)power.den);
+    emit_lines(e, "    x.$s.num = $d;\n    x.$s.den = $d;\n", field, (int)power.num, field, (int)power.den);
 }
 
 static void emit_far_fields(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
@@ -64,32 +60,31 @@ static void emit_far_fields(struct emit *e, const struct law_tables *t, const ch
     const struct law *law = &t->layout.interpolant.law;
     const struct ratio one = {1, 1}, power = interpolant_tail_power(law, quantity);
     const bool fall = law_tables_have_fall(t, quantity);
-    emit_builder_set(e, "far", "cor_rows_%s_far_%s", name, quantity_stem[quantity]);
-    emit_builder_set(e, "far_kind", "%d", quantity == EPS_ZERO_OVERLAP ? 2 : 1);
+    emit_lines(e, "    x.far = cor_rows_$s_far_$s;\n    x.far_kind = $d;\n", name, quantity_stem[quantity],
+               quantity == EPS_ZERO_OVERLAP ? 2 : 1);
     emit_power_field(e, "power", power);
     emit_power_field(e, "far_power", fall ? ratio_div(law->a, ratio_add(law->b, one)) : power);
     emit_power_field(e, "mu", law_mu_power(law));
     if (fall) {
-        emit_builder_set(e, "fall", "cor_rows_%s_fall_%s", name, quantity_stem[quantity]);
-        emit_builder_set(e, "has_fall", "1");
+        emit_lines(e, "    x.fall = cor_rows_$s_fall_$s;\n    x.has_fall = 1;\n", name, quantity_stem[quantity]);
         emit_power_field(e, "fall_power", ratio_div(ratio_sub(law->a, one), law_fall_power(law)));
     }
     if (quantity == DURATION_ZERO_OVERLAP)
-        emit_builder_set(e, "infinite", "cor_inline_infinity()");
+        emit_lines(e, "    x.infinite = cor_inline_infinity();\n");
 }
 
 static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enum quantity quantity)
 {
     const struct law *law = &t->layout.interpolant.law;
     const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one);
-    int status = emit_builder_pair(e, "threshold", t->f->threshold);
+    int status = emit_pair_field(e, "threshold", t->f->threshold);
     if (quantity == DURATION_ZERO_OVERLAP)
-        emit_builder_set(e, "beyond", "cor_inline_infinity()");
+        emit_lines(e, "    x.beyond = cor_inline_infinity();\n");
     if (law_is_linear(law) && status == STATUS_OK) {
         LOCAL(arb, critical);
         arb_set_ratio(critical, ratio_mul((struct ratio){2, 1}, a1), 128);
-        status = emit_builder_pair(e, "critical", critical);
-        emit_builder_set(e, "linear", "1");
+        status = emit_pair_field(e, "critical", critical);
+        emit_lines(e, "    x.linear = 1;\n");
         emit_power_field(e, "fading", ratio_div(ratio_sub(law->a, one), a1));
     }
     return status;
@@ -99,10 +94,11 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
 {
     static const char *const field[] = {"near", "middle", "tail", "below"};
     const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
-    char text[TEXT_MAX];
     int status = STATUS_OK;
-    snprintf(text, sizeof text, "cor_law_%s_%s", name, quantity_stem[quantity]);
-    emit_builder_open(e, "cor_inline_law_quantity", text, "cor_inline_law_quantity_of()");
+    emit_lines(e,
+               "\nCOR_INLINE_LAW struct cor_inline_law_quantity cor_law_$s_$s(void)\n{\n"
+               "    struct cor_inline_law_quantity x = cor_inline_law_quantity_of();\n",
+               name, quantity_stem[quantity]);
     for (int i = 0; i < t->layout.tables; i++) {
         const struct law_table *const table = &t->layout.table[i];
         if (table->serves == quantity && table->part <= PART_BELOW)
@@ -112,49 +108,52 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
         emit_far_fields(e, t, name, quantity);
     if (overlap && t->layout.threshold < HUGE_VAL)
         status = emit_threshold_fields(e, t, quantity);
-    emit_builder_close(e);
+    emit_lines(e, "    return x;\n}\n");
     return status;
 }
 
 static void emit_inverse(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
 {
-    char text[TEXT_MAX];
-    snprintf(text, sizeof text, "cor_law_%s_inverse_%s", name, quantity_stem[quantity]);
-    emit_builder_open(e, "cor_inline_law_inverse", text, "cor_inline_law_inverse_of()");
+    emit_lines(e,
+               "\nCOR_INLINE_LAW struct cor_inline_law_inverse cor_law_$s_inverse_$s(void)\n{\n"
+               "    struct cor_inline_law_inverse x = cor_inline_law_inverse_of();\n",
+               name, quantity_stem[quantity]);
     for (int i = 0; i < t->layout.tables; i++) {
         const struct law_table *const table = &t->layout.table[i];
         if (table->serves == quantity && table->part > PART_BELOW)
             emit_table_field(e, table->part == PART_INVERSE ? "rows" : "near", &table->rows);
     }
-    emit_builder_close(e);
+    emit_lines(e, "    return x;\n}\n");
 }
 
 /* Writes the public functions PREFIX_eps_zero_overlap, ... */
 static void emit_functions(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
 {
-    static const char *const ends[] = {"zero_overlap", "zero_force"};
+    /* of each end; the values are texts of emit_lines with the name of the law and the end, once or twice */
+    static const struct {
+        const char *name, *argument, *value;
+    } functions[] = {
+        {"eps", "beta", "cor_inline_law_eps(cor_law_$s_eps_$s(), beta)"},
+        {"loss", "beta", "cor_inline_law_loss(cor_law_$s_eps_$s(), beta)"},
+        {"beta", "eps", "cor_inline_law_beta(cor_law_$s_eps_$s(), cor_law_$s_inverse_eps_$s(), eps)"},
+        {"beta_of_loss", "loss", "cor_inline_law_beta_of_loss(cor_law_$s_eps_$s(), cor_law_$s_inverse_eps_$s(), loss)"},
+        {"duration", "beta", "cor_inline_law_value(cor_law_$s_duration_$s(), beta)"}};
+    static const char *const of_both[] = {"max_overlap", "time_of_max_overlap"};
     const bool both = law_force_ends(&t->layout.interpolant.law);
-    char text[TEXT_MAX];
-    for (int end = 0; end < 2; end++) {
-        const char *const source = both ? ends[end] : ends[0]; /* both ends coincide if the force is never attractive */
-        snprintf(text, sizeof text, "%s_eps_%s", prefix, ends[end]);
-        emit_inline_double(e, text, "beta", "cor_inline_law_eps(cor_law_%s_eps_%s(), beta)", name, source);
-        snprintf(text, sizeof text, "%s_loss_%s", prefix, ends[end]);
-        emit_inline_double(e, text, "beta", "cor_inline_law_loss(cor_law_%s_eps_%s(), beta)", name, source);
-        snprintf(text, sizeof text, "%s_beta_%s", prefix, ends[end]);
-        emit_inline_double(e, text, "eps", "cor_inline_law_beta(cor_law_%s_eps_%s(), cor_law_%s_inverse_eps_%s(), eps)",
-                           name, source, name, source);
-        snprintf(text, sizeof text, "%s_beta_of_loss_%s", prefix, ends[end]);
-        emit_inline_double(e, text, "loss",
-                           "cor_inline_law_beta_of_loss(cor_law_%s_eps_%s(), cor_law_%s_inverse_eps_%s(), loss)", name,
-                           source, name, source);
-        snprintf(text, sizeof text, "%s_duration_%s", prefix, ends[end]);
-        emit_inline_double(e, text, "beta", "cor_inline_law_value(cor_law_%s_duration_%s(), beta)", name, source);
-    }
-    snprintf(text, sizeof text, "%s_max_overlap", prefix);
-    emit_inline_double(e, text, "beta", "cor_inline_law_value(cor_law_%s_max_overlap(), beta)", name);
-    snprintf(text, sizeof text, "%s_time_of_max_overlap", prefix);
-    emit_inline_double(e, text, "beta", "cor_inline_law_value(cor_law_%s_time_of_max_overlap(), beta)", name);
+    for (int end = 0; end < 2; end++)
+        for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
+            /* both ends coincide if the force is never attractive */
+            const char *const source = contact_end_names[both ? end : END_ZERO_OVERLAP];
+            emit_lines(e, "\nCOR_INLINE double $s_$s_$s(double $s)\n{\n    return ", prefix, functions[i].name,
+                       contact_end_names[end], functions[i].argument);
+            emit_lines(e, functions[i].value, name, source, name, source);
+            emit_lines(e, ";\n}\n");
+        }
+    for (size_t i = 0; i < sizeof of_both / sizeof *of_both; i++)
+        emit_lines(e,
+                   "\nCOR_INLINE double $s_$s(double beta)\n{\n"
+                   "    return cor_inline_law_value(cor_law_$s_$s(), beta);\n}\n",
+                   prefix, of_both[i], name, of_both[i]);
 }
 
 static int emit_law(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)

@@ -292,7 +292,7 @@ int tsuji_tables_write(FILE *file)
 {
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_TSUJI_TABLES_H", tsuji_banner);
-    emit_include(&e, "\"runtime/table/rows.h\"");
+    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
     int status = emit_rows_of(&e, tsuji_rows, TSUJI_ROWS, 0);
     emit_comment(&e,
                  "ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u\n"
@@ -398,7 +398,7 @@ int hunt_crossley_tables_write(FILE *file)
 {
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_HUNT_CROSSLEY_TABLES_H", crossley_banner);
-    emit_include(&e, "\"runtime/table/rows.h\"");
+    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
     int status = emit_rows_of(&e, crossley_rows, CROSSLEY_ROWS, 0);
     emit_comment(&e, "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
                      "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K "
@@ -431,7 +431,7 @@ int disk_law_tables_write(FILE *file)
 {
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_DISK_LAW_TABLES_H", disk_law_banner);
-    emit_include(&e, "\"runtime/table/rows.h\"");
+    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
     const int status = emit_rows_of(&e, disk_rows, DISK_ROWS, DISK_HEAD_BITS);
     emit_close(&e);
     return status;

@@ -6,13 +6,13 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "cor/status.h"
 #ifndef COR_BOOTSTRAP
 #include "generated/disk_limits.h"
 #endif
 #include "runtime/core/disk_limit.h"
-#include "support/clock.h"
 #include "support/console.h"
 #include "support/emit_c.h"
 #include "support/parallel.h"
@@ -338,7 +338,7 @@ static void mark_joined(struct limits *limits)
 
 int disk_limits_collide(void)
 {
-    const double start = clock_processor_seconds();
+    const double start = (double)clock() / CLOCKS_PER_SEC;
     struct scenes scenes = {0};
     struct cell *cell = xmalloc(ROOTS * sizeof *cell);
     int cells = ROOTS, status = STATUS_OK;
@@ -352,7 +352,7 @@ int disk_limits_collide(void)
     if (status == STATUS_OK)
         mark_joined(table);
     table->scenes = scenes.count;
-    table->seconds = lround(clock_processor_seconds() - start);
+    table->seconds = lround((double)clock() / CLOCKS_PER_SEC - start);
     table->known = status == STATUS_OK;
     free(scenes.scene);
     return status;

@@ -13,13 +13,6 @@
 
 enum { NAME_MAX_LENGTH = 128 };
 
-/* Writes the prefix in capitals and the suffix. */
-static void macro_name(char name[NAME_MAX_LENGTH], const char *prefix, const char *suffix)
-{
-    snprintf(name, NAME_MAX_LENGTH, "%s%s", prefix, suffix);
-    emit_capitals(name);
-}
-
 static int emit_polynomial(struct emit *e, const char *prefix, const char *suffix, const arb_poly_t p)
 {
     char name[NAME_MAX_LENGTH];
@@ -27,48 +20,27 @@ static int emit_polynomial(struct emit *e, const char *prefix, const char *suffi
     return emit_doubles(e, name, p->coeffs, arb_poly_length(p));
 }
 
-static void emit_lengths(struct emit *e, const char *prefix, const struct pade_rounded *r)
+/* A function NAME_WHAT of the variable: factor P(z)/Q(z) by Horner's rule, where P is the array NAME_p or NAME_l */
+static void emit_quotient(struct emit *e, const char *name, const char *what, const char *p, const struct pade *f,
+                          const char *factor)
 {
-    char text[3][NAME_MAX_LENGTH];
-    macro_name(text[0], prefix, "_p");
-    macro_name(text[1], prefix, "_q");
-    macro_name(text[2], prefix, "_l");
-    const char *const name[] = {text[0], text[1], text[2]};
-    const slong value[] = {arb_poly_length(r->p), arb_poly_length(r->q), arb_poly_length(r->l)};
-    emit_constants(e, name, value, 3);
+    const char *const z = f->root > 1 ? "z" : f->variable;
+    emit_lines(e, "static inline double $s_$s(double $s)\n{\n", name, what, f->variable);
+    if (f->root == 2)
+        emit_lines(e, "    const double z = sqrt($s);\n", f->variable);
+    else if (f->root > 2)
+        emit_lines(e, "    const double z = pow($s, 1.0 / $d);\n", f->variable, (int)f->root);
+    emit_lines(e,
+               "    double above = 0;\n    for (int k = $S_$S; k-- > 0;)\n        above = above * $s + $s_$s[k];\n"
+               "    double below = 0;\n    for (int k = $S_Q; k-- > 0;)\n        below = below * $s + $s_q[k];\n"
+               "    return $s >= 0 ? $s$sabove / below : (double)NAN;\n}\n",
+               name, p, z, name, p, name, z, name, f->variable, factor, *factor ? " * " : "");
 }
 
-/* name_eps and name_loss of the variable */
-static void emit_functions(struct emit *e, const char *prefix, const struct pade *f)
+static void emit_error(struct emit *e, const char *name, const char *what, double x)
 {
-    char text[8][NAME_MAX_LENGTH];
-    static const char *const suffix[] = {"_p", "_q", "_l"};
-    for (int i = 0; i < 3; i++) {
-        snprintf(text[i], NAME_MAX_LENGTH, "%s%s", prefix, suffix[i]);
-        macro_name(text[3 + i], prefix, suffix[i]);
-    }
-    const char *const array[3][2] = {{text[0], text[3]}, {text[1], text[4]}, {text[2], text[5]}};
-    char z[NAME_MAX_LENGTH];
-    if (f->root <= 1)
-        snprintf(z, sizeof z, "%s", f->variable);
-    else if (f->root == 2)
-        snprintf(z, sizeof z, "sqrt(%s)", f->variable);
-    else
-        snprintf(z, sizeof z, "pow(%s, 1.0 / %ld)", f->variable, (long)f->root);
-    snprintf(text[6], NAME_MAX_LENGTH, "%s_eps", prefix);
-    snprintf(text[7], NAME_MAX_LENGTH, "%s_loss", prefix);
-    emit_comment(e, "eps, and 1 - eps without cancellation near 0; NaN below 0%s",
-                 f->root > 2 ? ". The rounding of pow is not part of the bounds." : "");
-    emit_inline_quotient(e, text[6], f->variable, z, NULL, array[0], array[1]);
-    emit_inline_quotient(e, text[7], f->variable, z, f->variable, array[2], array[1]);
-}
-
-static void emit_error(struct emit *e, const char *prefix, const char *suffix, double x)
-{
-    char name[NAME_MAX_LENGTH];
-    macro_name(name, prefix, suffix);
     if (isfinite(x))
-        emit_define(e, name, emit_bound(x).text);
+        emit_lines(e, "#define $S_$S $s\n", name, what, emit_bound(x).text);
 }
 
 static void print_error(FILE *text, const char *what, double error, const fmpq_t beta)
@@ -131,20 +103,25 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
         char *text = pade_comment(h, f, a, h->references ? &approximation : NULL, eps, loss);
         emit_comment(e, "%s", text ? text : h->title);
         free(text);
-        emit_lengths(e, h->name, &r);
+        emit_lines(e, "enum {\n    $S_P = $d,\n    $S_Q = $d,\n    $S_L = $d\n};\n", h->name, (int)arb_poly_length(r.p),
+                   h->name, (int)arb_poly_length(r.q), h->name, (int)arb_poly_length(r.l));
         if (h->references) {
-            emit_error(e, h->name, "_eps_approximation_rel", approximation.eps);
-            emit_error(e, h->name, "_loss_approximation_rel", approximation.loss);
-            emit_error(e, h->name, "_eps_evaluation_rel", eps);
-            emit_error(e, h->name, "_loss_evaluation_rel", loss);
-            emit_error(e, h->name, "_eps_max_rel", approximation.eps + eps);
-            emit_error(e, h->name, "_loss_max_rel", approximation.loss + loss);
-            emit_error(e, h->name, "_beta_max", (double)h->beta_max);
+            emit_error(e, h->name, "eps_approximation_rel", approximation.eps);
+            emit_error(e, h->name, "loss_approximation_rel", approximation.loss);
+            emit_error(e, h->name, "eps_evaluation_rel", eps);
+            emit_error(e, h->name, "loss_evaluation_rel", loss);
+            emit_error(e, h->name, "eps_max_rel", approximation.eps + eps);
+            emit_error(e, h->name, "loss_max_rel", approximation.loss + loss);
+            emit_error(e, h->name, "beta_max", (double)h->beta_max);
         }
         status = emit_polynomial(e, h->name, "_p", r.p) || emit_polynomial(e, h->name, "_q", r.q) ||
                  emit_polynomial(e, h->name, "_l", r.l);
-        if (status == 0)
-            emit_functions(e, h->name, f);
+        if (status == 0) {
+            emit_comment(e, "eps, and 1 - eps without cancellation near 0; NaN below 0%s",
+                         f->root > 2 ? ". The rounding of pow is not part of the bounds." : "");
+            emit_quotient(e, h->name, "eps", "p", f, "");
+            emit_quotient(e, h->name, "loss", "l", f, f->variable);
+        }
     }
     return status;
 }

@@ -310,7 +310,7 @@ int sphere_float_tables_write(FILE *file)
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_SPHERE_FLOAT_TABLES_H", floats_banner);
-    emit_include(&e, "\"runtime/table/rows.h\"");
+    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
     emit_comment(&e,
                  "A row: value = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))), t = beta - node, in columns c_0, c_1, c_2,\n"
                  "c_3. The node is 0 in row 0, and the middle of the cell in the other rows. The lower 16 bits of\n"

@@ -87,7 +87,7 @@ int wave_tables_write(FILE *file)
     const double cut = 4 * WAVE_ELLIPSE_BOUND * pow(WAVE_ELLIPSE, -(SAMPLES - 1)) / (WAVE_ELLIPSE - 1);
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_WAVE_TABLES_H", wave_banner);
-    emit_include(&e, "\"runtime/number/inline.h\"");
+    emit_lines(&e, "#include \"runtime/number/inline.h\"\n");
     emit_comment(
         &e,
         "The polynomial of degree %d through %d enclosed samples is off by %s at most, proved: |J| is below %g on\n"

@@ -296,27 +296,11 @@ def cor_python_audit_open(context: Any, included: Any, name: Any, of: Any) -> in
 
 @ffi.def_extern()  # type: ignore[misc]
 def cor_python_audit_report(context: Any, f: Any) -> None:
-    end = "" if f.end < 0 else string(lib.cor_end_names[f.end])
-    ffi.from_handle(context).found.append(
-        Finding(
-            _text(f.file),
-            f.line,
-            _text(f.simulator),
-            _text(f.model),
-            _text(f.pair),
-            f.asked,
-            end,
-            f.speed_m_s,
-            f.realised,
-            f.duration_s,
-            f.time_step_s,
-            f.step_bias,
-            f.step_scatter,
-            None if f.as_asked < 0 else bool(f.as_asked),
-            _text(f.advice),
-            _text(f.instead),
-        )
-    )
+    fields = {name: getattr(f, name) for name in Finding._fields}
+    fields = {name: value if isinstance(value, (int, float)) else _text(value) for name, value in fields.items()}
+    fields["end"] = "" if f.end < 0 else string(lib.cor_end_names[f.end])
+    fields["as_asked"] = None if f.as_asked < 0 else bool(f.as_asked)
+    ffi.from_handle(context).found.append(Finding(**fields))
 
 
 def audit(

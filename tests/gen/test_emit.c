@@ -85,10 +85,7 @@ TEST(test_doubles)
     emit_open(&e, file, "HEADER_H", "A banner\n\nthat tries to end early: */ int oops;\n");
     emit_comment(&e, "%d*/%d", 1, 2);
     assert_int_equal(emit_doubles(&e, "value", x, COUNT), 0);
-    const char *const name[] = {"ONE", "LENGTH"};
-    const slong length[] = {1, COUNT};
-    emit_constants(&e, name, length, 2);
-    emit_define(&e, "BOUND", emit_bound(5.21e-11).text);
+    emit_lines(&e, "enum { ONE = $d, $S = $d };\n#define BOUND $s\n", 1, "length", COUNT, emit_bound(5.21e-11).text);
     emit_close(&e);
     assert_int_equal(fclose(file), 0);
 
@@ -297,7 +294,7 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
     h.limit = (double)INFINITY;
     file = create("header.h");
     emit_open(&e, file, "HEADER_H", "Pade");
-    emit_include(&e, "<math.h>");
+    emit_lines(&e, "#include <math.h>\n");
     assert_int_equal(pade_emit(&e, &h, &f, &a), 0);
     emit_close(&e);
     assert_int_equal(fclose(file), 0);
@@ -424,7 +421,7 @@ TEST(test_two_point_headers)
     struct emit e;
     FILE *file = create("header.h");
     emit_open(&e, file, "HEADER_H", "Pade");
-    emit_include(&e, "<math.h>");
+    emit_lines(&e, "#include <math.h>\n");
     for (slong m = 0; m <= TWO_POINT_MAX; m++) {
         char name[32];
         snprintf(name, sizeof name, "cor_two_point_%ld", (long)m);
