@@ -68,14 +68,14 @@ static double inverse_error(enum quantity eps_quantity, double computed, double 
     const enum quantity quantity = eps < 0.5 ? eps_quantity : loss_quantity;
     const long double wanted = eps < 0.5 ? (long double)eps : 1 - (long double)eps;
     const long double off = (reference_value(quantity, computed) - wanted) / reference_slope(quantity, computed);
-    return (double)(fabsl(off) / ulp_size(computed, format_double));
+    return (double)(fabsl(off) / ulp(computed));
 }
 
 static double error_of(const void *row, double computed, double x)
 {
     const struct function *const f = row;
     return f->shape == INVERSE ? inverse_error(f->quantity, computed, x)
-                               : ulp_error(computed, reference_value(f->quantity, x), format_double);
+                               : ulp_error(computed, reference_value(f->quantity, x));
 }
 
 /* ---- random points ---- */

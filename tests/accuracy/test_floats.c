@@ -97,7 +97,7 @@ static double distance_from(const struct function *f, double x, double middle)
         const long double wanted = x < 0.5 ? (long double)x : 1 - (long double)x;
         off = (wanted - reference_value(quantity, middle)) / reference_slope(quantity, middle);
     }
-    return (double)(off / ulp_size(middle, format_double));
+    return (double)(off / ulp(middle));
 }
 
 static void judge(struct count *count, const struct function *f, float x, float result, float below, float above)

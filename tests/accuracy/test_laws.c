@@ -103,7 +103,7 @@ static double ratio_inverse_error(enum law_end end, double zeta, long double wan
     const long double h = 1e-6L;
     if (end == LAW_ZERO_OVERLAP) {
         const long double pi = acosl(-1);
-        return ulp_error(zeta, wanted / sqrtl(pi * pi + wanted * wanted), format_double);
+        return ulp_error(zeta, wanted / sqrtl(pi * pi + wanted * wanted));
     }
     const long double l = reference_ratio_exponent(end, zeta);
     const long double slope =
@@ -119,7 +119,7 @@ static double ratio_inverse_error(enum law_end end, double zeta, long double wan
         off = mpfr_get_ld(exact, MPFR_RNDN) / slope;
         mpfr_clears(exact, other, NULL);
     }
-    return (double)(fabsl(off) * zeta / ulp_size(zeta, format_double));
+    return (double)(fabsl(off) * zeta / ulp(zeta));
 }
 
 /* ---- what is tested ---- */
@@ -343,7 +343,7 @@ static double crossley_inverse_error(enum family law, double beta, long double e
     const long double slope =
         (crossley(law, of_loss, beta * (1 + h)) - crossley(law, of_loss, beta * (1 - h))) / (2 * h);
     const long double off = (crossley(law, of_loss, beta) - wanted) / slope;
-    return (double)(fabsl(off) * beta / ulp_size(beta, format_double));
+    return (double)(fabsl(off) * beta / ulp(beta));
 }
 
 static double inverse_error(const struct function *f, double computed, double x)
@@ -359,7 +359,7 @@ static double inverse_error(const struct function *f, double computed, double x)
         return f->law == RATIO ? (ratio_eps(f->end, 0x1.fffffffffffffp+1023) >= eps ? 0 : HUGE_VAL)
                                : (crossley(f->law, false, 0x1.fffffffffffffp+1023) >= eps ? 0 : HUGE_VAL);
     if (of_loss && x < 0x1p-1022) /* proportional to the loss, which reference functions know for a normal one */
-        return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x, format_double);
+        return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x);
     if (!(computed > 0))
         return HUGE_VAL;
     if (f->law == RATIO)
@@ -388,7 +388,7 @@ static double error_of(const void *row, double computed, double x)
     if (f->law == CROSSLEY_TIMES && x < 0) /* by quadrature: tests/unit/test_law.c */
         return 0;
     const long double exact = exact_value(f, x);
-    return exact < 0 ? ulp_error(-computed, -exact, format_double) : ulp_error(computed, exact, format_double);
+    return exact < 0 ? ulp_error(-computed, -exact) : ulp_error(computed, exact);
 }
 
 /* ---- searches ---- */
@@ -566,8 +566,7 @@ static bool no_slip_is_good(const struct search_options *o)
         const double y = cor_tangential_no_slip(kappa, a);
         const long double exact = no_slip_mpfr(kappa, a);
         const bool is_zero = fabsl(exact) < 1e-60L;
-        const double error =
-            is_zero ? (y == 0 ? 0 : HUGE_VAL) : ulp_error((double)fabsl(y), fabsl(exact), format_double);
+        const double error = is_zero ? (y == 0 ? 0 : HUGE_VAL) : ulp_error((double)fabsl(y), fabsl(exact));
         const double of_floats = cor_tangential_no_slip((double)(float)kappa, (double)(float)a);
         const double narrow = fabs((double)cor_tangential_no_slipf((float)kappa, (float)a) - of_floats);
         if (!is_zero)

@@ -33,11 +33,6 @@ TEST(test_borders)
     law_check_borders(&functions, points(4));
 }
 
-TEST(test_round_trip)
-{
-    law_check_round_trip(&functions, points(20000));
-}
-
 /* eps, 1 - eps and the duration with damping while approaching only, by an enclosed largest overlap */
 struct approach {
     arb_t eps, loss, duration;
@@ -134,4 +129,4 @@ TEST(test_approach_only)
     print_message("approach only: eps %.3f, loss %.3f, duration %.3f ulp at the worst\n", worst[0], worst[1], worst[2]);
 }
 
-RUN_TESTS(test_bounds, test_special, test_random, test_borders, test_round_trip, test_approach_only)
+RUN_TESTS(test_bounds, test_special, test_random, test_borders, test_approach_only)

@@ -20,6 +20,7 @@
 #include <cmocka.h>
 
 #include "random.h"
+#include "ulp.h"
 
 /* TEST(name) { ... } is a test function, and RUN_TESTS(name, ...) the program that runs them in that order. */
 #define TEST(test)                                                                                                     \
@@ -50,35 +51,6 @@
 static inline long double relative_error(double computed, long double exact)
 {
     return fabsl((computed - exact) / exact);
-}
-
-/* The unit of the last place of a double of that size, subnormals included */
-static inline long double ulp(long double exact)
-{
-    int exponent;
-    frexpl(exact, &exponent);
-    if (exponent < DBL_MIN_EXP)
-        exponent = DBL_MIN_EXP;
-    return ldexpl(1, exponent - DBL_MANT_DIG);
-}
-
-static inline long double ulp_error(double computed, long double exact)
-{
-    return fabsl(computed - exact) / ulp(exact);
-}
-
-static inline int same_bits(double x, double y)
-{
-    uint64_t x_bits, y_bits;
-    memcpy(&x_bits, &x, sizeof x_bits);
-    memcpy(&y_bits, &y, sizeof y_bits);
-    return x_bits == y_bits;
-}
-
-/* The same bits, or both NaN */
-static inline int same_number(double x, double y)
-{
-    return same_bits(x, y) || (isnan(x) && isnan(y));
 }
 
 static inline uint64_t check_number(const char *variable, uint64_t otherwise)

@@ -337,9 +337,6 @@ int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double 
     out->energy_drift = (double)(course.eps * course.eps + course.one_minus_eps2 - 1);
     out->contact_time = course.end - course.start;
     out->max_compression = course.max_compression;
-    out->max_load = course.max_load;
-    out->steps = course.steps;
-    out->panels = disk.panels;
     for (size_t i = 0; status != 2 && i < n; i++) {
         if (energy_after != NULL)
             energy_after[i] = course.after[i];

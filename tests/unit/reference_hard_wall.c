@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const double pi = 3.14159265358979323846, mass = 3.14159265358979323846;
 
@@ -50,7 +49,7 @@ static void fill(struct disk *disk, const struct cor_disk_modes *modes)
     const int m = disk->angles;
     for (int i = 0; i < disk->modes; i++) {
         const double r2 = pow(modes->mode[i].omega / wall->omega, 2);
-        const double w = pow(1 - r2, wall->fade_power) * (1 + wall->fade_next * r2);
+        const double w = (1 - r2) * (1 - r2) * (1 + wall->fade_next * r2);
         disk->omega[i] = modes->mode[i].omega;
         disk->q[i] = disk->q_dot[i] = 0;
         for (int j = 0; j < m; j++)
@@ -218,22 +217,6 @@ static double kick(struct disk *disk, double h)
     return load;
 }
 
-static int pieces_of(const struct disk *disk)
-{
-    int pieces = 0;
-    for (int j = 0; j < disk->angles; j++)
-        pieces += disk->force[j] > 0 && (j == 0 || disk->force[j - 1] <= 0);
-    return pieces;
-}
-
-static double energy_of(const struct disk *disk)
-{
-    double sum = 0;
-    for (int i = 0; i < disk->modes; i++)
-        sum += mass / 2 * (pow(disk->omega[i] * disk->q[i], 2) + pow(disk->q_dot[i], 2));
-    return sum;
-}
-
 /* As far as any part of the rim can be out of its round shape */
 static double swing_of(const struct disk *disk)
 {
@@ -247,74 +230,49 @@ static double swing_of(const struct disk *disk)
     return swing;
 }
 
-static int disk_collide(struct disk *disk, double speed, struct reference_wall_result *out)
+/* 1 - eps^2, or NaN if a contact is not found or reaches the last angle */
+static double disk_collide(struct disk *disk, double speed)
 {
     const double h = disk->wall->h, alpha = disk->wall->alpha;
     /* an exponential wall begins where its load is nothing yet */
-    double time = alpha > 0 ? log(1e-9 * speed * speed * alpha) / (alpha * speed) : 0.5 * h, v = speed;
-    double depth = speed * time;
-    int steps = 0;
-    memset(out, 0, sizeof *out);
+    double v = speed, depth = alpha > 0 ? log(1e-9 * speed * speed * alpha) / alpha : 0.5 * h * speed;
     for (int j = 0; j < disk->angles; j++) {
         disk->touches[j] = 0;
         disk->force[j] = alpha > 0 ? 1e-280 : 0;
     }
-    for (;;) {
+    for (int steps = 0; steps < 1000000; steps++) {
         set_reach(disk, depth);
-        if (alpha > 0 ? press_exponential(disk) : press_rigid(disk))
-            return 1;
-        if (alpha == 0 && disk->touches[disk->angles - 1])
-            return 1;
+        if (alpha > 0 ? press_exponential(disk) : press_rigid(disk) || disk->touches[disk->angles - 1])
+            break;
         const double load = kick(disk, h);
-        const int pieces = alpha > 0 ? 1 : pieces_of(disk);
-        out->pieces = pieces > out->pieces ? pieces : out->pieces;
-        out->load = fmax(out->load, load);
-        out->max_compression = fmax(out->max_compression, depth);
-        if (load > 1e-3 * out->load)
-            out->contact_time = time;
         v -= h * load / mass;
         /* far enough away that even what the exponential wall has left is nothing */
         if (v < 0 && load <= (alpha > 0 ? 1e-9 * speed * speed * alpha : 0) && steps % 64 == 0 &&
             depth + swing_of(disk) < (alpha > 0 ? log(1e-10 * speed * speed * alpha) / alpha : 0))
-            break;
+            return 1 - v / speed * (v / speed);
         turn_modes(disk, h);
         depth += h * v;
-        time += h;
-        if (++steps > 1000000)
-            return 1;
     }
-    out->one_minus_eps2 = 1 - pow(v / speed, 2);
-    out->energy_drift = energy_of(disk) / (mass / 2 * speed * speed) - out->one_minus_eps2;
-    return 0;
+    return (double)NAN;
 }
 
-int reference_hard_wall(const struct cor_disk_modes *modes, double speed, const struct reference_wall *wall,
-                        struct reference_wall_result *out)
+double reference_hard_wall(const struct cor_disk_modes *modes, double speed, const struct reference_wall *wall)
 {
     int count = 0;
     while (count < (int)modes->count && modes->mode[count].omega < wall->omega)
         count++;
-    const size_t n = (size_t)count, m = (size_t)wall->angles, real = sizeof(double);
-    struct disk disk = {.wall = wall, .modes = count, .angles = wall->angles};
-    disk.rim = malloc((n * m + 1) * real); /* never of size 0 */
-    disk.compliance = malloc(m * m * real);
-    disk.system = malloc(m * (m + 1) * real);
-    double *const rest = malloc((3 * n + 2 * m) * real);
-    disk.touches = malloc(m * sizeof *disk.touches);
-    int status = 1;
-    if (disk.rim != NULL && disk.compliance != NULL && disk.system != NULL && rest != NULL && disk.touches != NULL) {
-        disk.omega = rest;
-        disk.q = rest + n;
-        disk.q_dot = rest + 2 * n;
-        disk.reach = rest + 3 * n;
-        disk.force = rest + 3 * n + m;
-        fill(&disk, modes);
-        status = disk_collide(&disk, speed, out);
-    }
-    free(disk.rim);
-    free(disk.compliance);
-    free(disk.system);
-    free(rest);
-    free(disk.touches);
-    return status;
+    const size_t n = (size_t)count, m = (size_t)wall->angles;
+    double *const memory = malloc((n * m + m * m + m * (m + 1) + 3 * n + 2 * m) * sizeof *memory);
+    int *const touches = malloc(m * sizeof *touches);
+    if (memory == NULL || touches == NULL)
+        abort();
+    double *const rim = memory, *const compliance = rim + n * m, *const system = compliance + m * m,
+                  *const omega = system + m * (m + 1), *const reach = omega + 3 * n;
+    struct disk disk = {wall,      count,         wall->angles, rim,       compliance, omega,
+                        omega + n, omega + 2 * n, reach,        reach + m, system,     touches};
+    fill(&disk, modes);
+    const double one_minus_eps2 = disk_collide(&disk, speed);
+    free(memory);
+    free(touches);
+    return one_minus_eps2;
 }

@@ -7,8 +7,8 @@
 #include <cor/disk.h>
 
 struct reference_wall {
-    double omega;              /* modes below it move */
-    int fade_power, fade_next; /* w = (1 - r^2)^fade_power (1 + fade_next r^2) */
+    double omega;  /* modes below it move */
+    int fade_next; /* w = (1 - r^2)^2 (1 + fade_next r^2) */
     double h;
     int nyquist;   /* angles are pi/nyquist apart; n goes up to nyquist */
     int angles;    /* so many, from 0 on */
@@ -16,13 +16,7 @@ struct reference_wall {
     double alpha;  /* 0: a rigid wall; otherwise potential exp(alpha x)/alpha */
 };
 
-struct reference_wall_result {
-    double one_minus_eps2, energy_drift, contact_time, max_compression, load;
-    int pieces; /* of the contact, at most */
-};
-
-/* 0, or 1 if memory is short, a contact is not found or reaches the last angle */
-int reference_hard_wall(const struct cor_disk_modes *modes, double speed, const struct reference_wall *wall,
-                        struct reference_wall_result *out);
+/* 1 - eps^2, or NaN if a contact is not found or reaches the last angle */
+double reference_hard_wall(const struct cor_disk_modes *modes, double speed, const struct reference_wall *wall);
 
 #endif

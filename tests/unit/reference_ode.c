@@ -82,7 +82,7 @@ static long double crossing(long double (*f)(const struct jet *, long double), c
     return low + (high - low) / 2;
 }
 
-static struct reference reference_solve(long double beta, int unloads)
+struct reference reference_collision(long double beta)
 {
     struct reference result = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     struct jet jet = {beta, 1, {0}, {1}, {0}};
@@ -111,8 +111,6 @@ static struct reference reference_solve(long double beta, int unloads)
             result.eps_zero_force = -horner(jet.v, place);
             result.duration_zero_force = horner(jet.s, place) * length;
             released = 1;
-            if (!unloads)
-                break;
         }
         if (ends) {
             result.eps_zero_overlap = -horner(jet.v, end);
@@ -128,14 +126,4 @@ static struct reference reference_solve(long double beta, int unloads)
     result.loss_zero_overlap = 1 - result.eps_zero_overlap;
     result.loss_zero_force = 1 - result.eps_zero_force;
     return result;
-}
-
-struct reference reference_collision(long double beta)
-{
-    return reference_solve(beta, 1);
-}
-
-struct reference reference_loading(long double beta)
-{
-    return reference_solve(beta, 0);
 }

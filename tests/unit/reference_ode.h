@@ -22,8 +22,4 @@ struct reference {
  * millisecond at 7. */
 struct reference reference_collision(long double beta);
 
-/* The same without the unloading, up to beta = 1e6. Zero overlap is NaN; the duration at zero force loses as many
- * digits as beta^(5/3) has, for the force vanishes where it is so small. */
-struct reference reference_loading(long double beta);
-
 #endif

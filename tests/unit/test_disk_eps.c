@@ -348,20 +348,6 @@ TEST(test_domain)
 
 /* ---- what else is known ---- */
 
-/* From the prototype of the method, another program by another hand, with the errors judged there */
-TEST(test_known)
-{
-    static const struct {
-        double speed, one_minus_eps2, error;
-    } known[] = {{0.03, 0.0332486, 5e-7}, {0.1, 0.1030896, 5e-7}, {0.3, 0.293641, 3e-6}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const double v = known[i].speed, found = cor_disk_one_minus_eps2(v, 0.33),
-                     uncertainty = cor_disk_one_minus_eps2_uncertainty(v, 0.33);
-        check(fabs(found - known[i].one_minus_eps2) <= known[i].error + uncertainty, "v = %g: %.7f +- %.1e, not %.7f",
-              v, found, uncertainty, known[i].one_minus_eps2);
-    }
-}
-
 /* Fewer modes and a softer wall: the limit lies beyond a collision with 1800 modes and a harder wall takes it there. */
 TEST(test_collisions)
 {
@@ -408,4 +394,4 @@ TEST(test_rayleigh)
 }
 
 RUN_TESTS(test_tree, test_between, test_uncertainty, test_borders, test_uncertainty_at_borders, test_one_another,
-          test_domain, test_known, test_collisions, test_rayleigh)
+          test_domain, test_collisions, test_rayleigh)

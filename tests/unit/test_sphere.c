@@ -8,7 +8,6 @@
 typedef double sphere_function(double);
 
 static sphere_function *const eps_function[2] = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
-static sphere_function *const loss_function[2] = {cor_sphere_loss_zero_overlap, cor_sphere_loss_zero_force};
 static sphere_function *const beta_function[2] = {cor_sphere_beta_zero_overlap, cor_sphere_beta_zero_force};
 static const char *const end_name[2] = {"zero overlap", "zero force"};
 
@@ -61,8 +60,6 @@ static long double c1_exact(void)
 {
     return -sqrtl(acosl(-1)) * tgammal(0.6L) / (powl(2, 0.2L) * powl(5, 0.4L) * tgammal(2.1L));
 }
-
-static const long double h_star_5 = 5.158381704267685216414L;
 
 /* ---- values ---- */
 
@@ -128,83 +125,36 @@ TEST(known_answers)
     check(ulp_error(cor_sphere_eps_zero_force(10), 0.025095704431518394L) <= COR_SPHERE_EPS_MAX_ULP, "eps(10)");
 }
 
-/* The reference itself, so that a failure of the next tests points at the right side. */
-TEST(reference_is_right)
-{
-    for (int i = 0; i < KNOWN && known[i].beta <= 8; i++) {
-        const struct reference r = reference_collision(known[i].beta);
-        for (int k = 0; k < FUNCTIONS; k++) {
-            const long double exact = field(&known[i].value, &functions[k]);
-            if (exact != 0)
-                check(relative_error((double)field(&r, &functions[k]), exact) <= DBL_EPSILON &&
-                          fabsl(field(&r, &functions[k]) / exact - 1) <= reference_ulp() * DBL_EPSILON / 2,
-                      "%s(%g): %.21Lg", functions[k].name, known[i].beta, field(&r, &functions[k]));
-        }
-    }
-    assert_true(reference_collision(0).loss_zero_force == 0);
-    assert_true(fabsl(reference_collision(0).duration_zero_overlap - 3.21806545971904308454L) < 1e-15L);
-}
-
-struct worst {
-    long double error[FUNCTIONS];
-    double at[FUNCTIONS];
-};
-
-static void worst_take(struct worst *worst, int k, double beta, long double exact)
-{
-    const long double error = ulp_error(functions[k].value(beta), exact);
-    if (!(error <= worst->error[k])) {
-        worst->error[k] = error;
-        worst->at[k] = beta;
-    }
-}
-
-static void worst_report(const struct worst *worst)
-{
-    for (int k = 0; k < FUNCTIONS; k++) {
-        if (worst->at[k] == 0)
-            continue;
-        print_message("%s: %.3Lf ulp at beta = %a\n", functions[k].name, worst->error[k], worst->at[k]);
-        check(worst->error[k] <= functions[k].max_ulp + reference_ulp(), "%s: %Lg ulp at beta = %a", functions[k].name,
-              worst->error[k], worst->at[k]);
-    }
-}
-
+/* By another route; tests/accuracy/test_accuracy.c has the many points, all sizes of beta, and the inverse */
 TEST(against_the_equation_of_motion)
 {
     struct random_state random = random_start();
-    struct worst worst = {{0}, {0}};
-    for (size_t i = 0; i < points(1500); i++) {
-        const double beta = i % 2 ? random_uniform(&random, 0, 8) : random_log(&random, 0.02, 3);
+    long double worst[FUNCTIONS] = {0};
+    for (size_t i = 0; i < KNOWN + points(1500); i++) {
+        const double beta = i < KNOWN ? known[i].beta
+                            : i % 2   ? random_uniform(&random, 0, 8)
+                                      : random_log(&random, 0.02, 3);
+        if (beta > 8)
+            continue;
         const struct reference r = reference_collision(beta);
         for (int k = 0; k < FUNCTIONS; k++) {
-            /* 1 - eps has lost its digits where it is small: other tests look there */
-            const long double exact = field(&r, &functions[k]);
-            if (exact > 0.02L || functions[k].at_zero != 0)
-                worst_take(&worst, k, beta, exact);
+            const long double exact = field(&r, &functions[k]),
+                              of_known = i < KNOWN ? field(&known[i].value, &functions[k]) : 0;
+            /* the reference itself, so that a failure points at the right side */
+            check(of_known == 0 || fabsl(exact / of_known - 1) <= reference_ulp() * DBL_EPSILON / 2, "%s(%g): %.21Lg",
+                  functions[k].name, beta, exact);
+            /* 1 - eps has lost its digits where it is small */
+            if (exact <= 0.02L && functions[k].at_zero == 0)
+                continue;
+            const long double error = ulp_error(functions[k].value(beta), exact);
+            worst[k] = fmaxl(worst[k], error);
+            check(error <= functions[k].max_ulp + reference_ulp(), "%s(%a): %Lg ulp", functions[k].name, beta, error);
         }
     }
-    worst_report(&worst);
-}
-
-/* Beyond the tables' uniform part: loading alone, h*^5 beta^-5, and no digit more than the reference has. */
-TEST(strong_damping)
-{
-    struct random_state random = random_start();
-    struct worst worst = {{0}, {0}};
-    for (size_t i = 0; i < points(4000); i++) {
-        const double beta = random_log(&random, 7, 1e6);
-        struct reference r = reference_loading(beta);
-        const long double square = (long double)beta * beta;
-        r.eps_zero_overlap = h_star_5 / (square * square * beta);
-        r.loss_zero_overlap = 1 - r.eps_zero_overlap;
-        for (int k = 0; k < FUNCTIONS; k++) {
-            const long double exact = field(&r, &functions[k]);
-            if (!isnan(exact) && !(functions[k].value == cor_sphere_duration_zero_force && beta > 60))
-                worst_take(&worst, k, beta, exact);
-        }
-    }
-    worst_report(&worst);
+    for (int k = 0; k < FUNCTIONS; k++)
+        print_message("%s: %.3Lf ulp\n", functions[k].name, worst[k]);
+    assert_true(reference_collision(0).loss_zero_force == 0);
+    assert_true(fabsl(reference_collision(0).duration_zero_overlap - 3.21806545971904308454L) < 1e-15L);
 }
 
 /* Where mu = beta^(-5/3) is below the last bit, everything but the duration at zero overlap is in closed form
@@ -214,102 +164,27 @@ TEST(strong_damping)
 TEST(infinitely_strong_damping)
 {
     struct random_state random = random_start();
-    struct worst worst = {{0}, {0}};
-    const long double x = cbrtl(2.25L), pi = acosl(-1), constant = logl(3) / 2 - sqrtl(3) * pi / 6;
+    const long double x = cbrtl(2.25L), constant = logl(3) / 2 - sqrtl(3) * acosl(-1) / 6;
     for (size_t i = 0; i < points(20000); i++) {
         const double beta = i == 0 ? DBL_MAX : random_log(&random, 1e14, DBL_MAX);
-        const long double u = logl(beta), root = cbrtl(beta), scale = 1 / (root * root);
-        const long double square = (long double)beta * beta;
-        worst_take(&worst, 0, beta, h_star_5 / square / square / beta);
-        worst_take(&worst, 1, beta, x * scale / beta);
-        worst_take(&worst, 2, beta, 1);
-        worst_take(&worst, 3, beta, 1 - x * scale / beta);
-        worst_take(&worst, 5, beta, scale * x * 2 / 3 * (10 * u / 3 + logl(3 / sqrtl(x)) + constant));
-        worst_take(&worst, 6, beta, x * scale);
-        worst_take(&worst, 7, beta, scale * x * 2 / 3 * (5 * u / 3 + logl(3 / x) + constant));
+        const long double u = logl(beta), root = cbrtl(beta), scale = 1 / (root * root), far = (long double)beta * beta;
+        const long double exact[FUNCTIONS] = {5.158381704267685216414L / far / far / beta,
+                                              x * scale / beta,
+                                              1,
+                                              1 - x * scale / beta,
+                                              cor_sphere_duration_zero_overlap(beta),
+                                              scale * x * 2 / 3 * (10 * u / 3 + logl(3 / sqrtl(x)) + constant),
+                                              x * scale,
+                                              scale * x * 2 / 3 * (5 * u / 3 + logl(3 / x) + constant)};
+        for (int k = 0; k < FUNCTIONS; k++)
+            check(ulp_error(functions[k].value(beta), exact[k]) <= functions[k].max_ulp + reference_ulp(), "%s(%a)",
+                  functions[k].name, beta);
     }
-    worst_report(&worst);
     /* (10/3) beta ln(beta) + constant beta, the constant from beta = 1e6: corrections are below mu ln(beta)^2 */
     const long double offset = 44460573.4621438107589L / 1e6L - 10 * logl(1e6L) / 3;
     for (double beta = 1e8; beta < 1e300; beta *= 1e7)
         check(fabsl(cor_sphere_duration_zero_overlap(beta) / (beta * (10 * logl(beta) / 3 + offset)) - 1) < 1e-9L, "%g",
               beta);
-}
-
-/* C_k and the coefficients of sqrt(beta)^k by corgen series. */
-static const long double series_zero_overlap[] = {
-    -1.15344885809528879913L,   0.798266560944795406250L, -0.522882568088414963898L, 0.348742675260385034731L,
-    -0.233098132019244400332L,  0.156682152387907088813L, -0.105818786079435504619L, 0.0717652849241411573647L,
-    -0.0488571742199061838422L, 0.0333734733850321321014L};
-static const long double series_zero_force[] = {-1.15344885809528879913L,   0,
-                                                0.798266560944795406250L,   0.266666666666666666667L,
-                                                -0.522882568088414963898L,  -0.461379543238115519652L,
-                                                0.348742675260385034731L,   0.452351051202050730208L,
-                                                -0.146431465352577733665L,  -0.367728300838145170311L,
-                                                -0.0432489830152763030359L, 0.281804234218535288678L,
-                                                0.147852587731910591145L,   -0.179442060169307985179L,
-                                                -0.178466033428604873934L,  0.0659335894748412668132L,
-                                                0.171358618546971039347L};
-
-/* (1 - eps)/beta */
-static long double loss_quotient(int end, long double beta)
-{
-    const long double *c = end ? series_zero_force : series_zero_overlap, z = end ? sqrtl(beta) : beta;
-    const int n = end ? (int)(sizeof series_zero_force / sizeof *series_zero_force)
-                      : (int)(sizeof series_zero_overlap / sizeof *series_zero_overlap);
-    long double sum = 0;
-    for (int k = n - 1; k >= 0; k--)
-        sum = sum * z - c[k];
-    return sum;
-}
-
-/* Where 1 - eps would have lost its digits, down to the smallest number. */
-TEST(loss_of_small_beta)
-{
-    struct random_state random = random_start();
-    for (int end = 0; end < 2; end++) {
-        long double worst = 0;
-        for (size_t i = 0; i < points(20000); i++) {
-            const double beta =
-                i % 2 ? random_log(&random, 1e-4, end ? 0.008 : 0.02) : random_log(&random, 1e-307, 1e-4);
-            worst = fmaxl(worst, ulp_error(loss_function[end](beta), beta * loss_quotient(end, beta)));
-        }
-        print_message("%s: %.3Lf ulp\n", end_name[end], worst);
-        check(worst <= COR_SPHERE_LOSS_MAX_ULP + 0.01L, "%s: %Lg ulp", end_name[end], worst);
-        for (int k = 1; k < 3000; k++) {
-            const double beta = k * smallest, loss = loss_function[end](beta);
-            check(ulp_error(loss, beta * loss_quotient(end, beta)) <= COR_SPHERE_LOSS_MAX_ULP, "%s, beta = %a",
-                  end_name[end], beta);
-        }
-        const double one = -COR_SPHERE_C1 * 1e-300;
-        check(ulp_error(loss_function[end](1e-300), one) <= 1.5L, "%s", end_name[end]);
-    }
-}
-
-/* ---- the inverse ---- */
-
-/* beta of the eps that belongs to beta, to first order in what eps lost to rounding. */
-TEST(inverse)
-{
-    struct random_state random = random_start();
-    long double worst[2] = {0};
-    for (size_t i = 0; i < points(1500); i++) {
-        const double beta = i % 2 ? random_uniform(&random, 0.02, 8) : random_log(&random, 8, 1e6);
-        struct reference r = i % 2 ? reference_collision(beta) : reference_loading(beta);
-        if (i % 2 == 0)
-            r.eps_zero_overlap = h_star_5 / powl(beta, 5);
-        for (int end = 0; end < 2; end++) {
-            const long double exact = end ? r.eps_zero_force : r.eps_zero_overlap;
-            const double eps = (double)exact, step = ldexp(beta, -20);
-            const double above = beta + step, below = beta - step;
-            const long double slope = (eps_function[end](above) - eps_function[end](below)) / (above - below);
-            const long double error = ulp_error(beta_function[end](eps), beta + (eps - exact) / slope);
-            worst[end] = fmaxl(worst[end], error);
-            check(error <= COR_SPHERE_BETA_MAX_ULP + 4 * reference_ulp(), "%s, eps = %a: %Lg ulp", end_name[end], eps,
-                  error);
-        }
-    }
-    print_message("beta(eps): zero overlap %.3Lf, zero force %.3Lf ulp\n", worst[0], worst[1]);
 }
 
 /* ---- special values ---- */
@@ -559,44 +434,24 @@ TEST(documented_errors_of_1999)
     check(fabs(cor_sphere_eps_published_pade(3) / cor_sphere_eps_zero_overlap(3) - 3.3) < 0.05, "beta = 3");
 }
 
-/* ---- damping during the approach only ---- */
-
-static void check_approach_only(long double beta)
-{
-    const double b = (double)beta;
-    const long double y = cor_sphere_max_overlap(b), eps = sqrtl(0.8L) * powl(y, 1.25L);
-    const long double t = cor_sphere_time_of_max_overlap(b) + cor_sphere_time_of_max_overlap(0) * powl(eps, -0.2L);
-    /* the overlap's own error counts 5/4 times; 1 - eps loses bits, and is compared from 1/2 on */
-    const double relative = 4.5 * DBL_EPSILON;
-    check(relative_error(cor_sphere_eps_approach_only(b), (double)eps) < relative, "eps at %a", b);
-    check(relative_error(cor_sphere_duration_approach_only(b), (double)t) < relative, "duration at %a", b);
-    check(eps > 0.5L || relative_error(cor_sphere_loss_approach_only(b), (double)(1 - eps)) < 2 * relative,
-          "loss at %a", b);
-    const double from_eps = cor_sphere_beta_approach_only(cor_sphere_eps_approach_only(b)),
-                 from_loss = cor_sphere_beta_of_loss_approach_only(cor_sphere_loss_approach_only(b));
-    /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
-    check(relative_error(from_eps, b) < relative * (double)fmaxl(2, 1 / (1 - eps)), "beta of eps at %a", b);
-    check(relative_error(from_loss, b) < relative * (double)fmaxl(2, 1 / eps), "beta of 1 - eps at %a", b);
-}
-
-/* Every row, and both sides of every border, by another table: eps = sqrt(4/5) Y^(5/4) */
+/* Damping during the approach only, in every row, by another table: eps = sqrt(4/5) Y^(5/4) */
 TEST(damped_approach)
 {
-    for (int i = 1; i < 200; i++)
-        for (int side = -1; side <= 1; side++) {
-            check_approach_only(nextafter(0.0625 * i, 0.0625 * i + side));
-            check_approach_only(cor_sphere_beta_approach_only(nextafter(i / 256.0, i / 256.0 + side)));
-        }
-    for (double beta = 12; beta < 1e6; beta *= 1.37)
-        check_approach_only(beta);
-    for (double beta = 0.06; beta > 1e-300; beta *= 0.37)
-        check(relative_error(cor_sphere_loss_approach_only(beta), -COR_SPHERE_C1 / 2 * beta) <
-                      0.7 * beta + DBL_EPSILON &&
-                  relative_error(cor_sphere_beta_of_loss_approach_only(cor_sphere_loss_approach_only(beta)), beta) <
-                      4 * DBL_EPSILON,
-              "1 - eps at %a", beta);
+    const long double half_time = cor_sphere_time_of_max_overlap(0), part = 4.5L * DBL_EPSILON;
+    for (double beta = 0.03; beta < 1e6; beta *= beta < 12 ? 1.002 : 1.37) {
+        const double eps = cor_sphere_eps_approach_only(beta);
+        const long double exact = sqrtl(0.8L) * powl(cor_sphere_max_overlap(beta), 1.25L),
+                          time = cor_sphere_time_of_max_overlap(beta) + half_time * powl(exact, -0.2L);
+        check(relative_error(eps, exact) < part, "eps at %a", beta);
+        check(fabsl(cor_sphere_loss_approach_only(beta) - (1 - exact)) < part * fmaxl(exact, 0.25L), "loss at %a",
+              beta);
+        check(relative_error(cor_sphere_duration_approach_only(beta), time) < part, "duration at %a", beta);
+        /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
+        check(relative_error(cor_sphere_beta_approach_only(eps), beta) < part * fmaxl(2, 1 / (1 - exact)),
+              "beta of eps at %a", beta);
+    }
 }
 
-RUN_TESTS(known_answers, reference_is_right, against_the_equation_of_motion, strong_damping, infinitely_strong_damping,
-          loss_of_small_beta, inverse, special_values, float_exceptions, falls_at_powers_of_two, derivatives, constants,
-          simple_theory, simple_theory_special_values, documented_errors_of_1999, damped_approach)
+RUN_TESTS(known_answers, against_the_equation_of_motion, infinitely_strong_damping, special_values, float_exceptions,
+          falls_at_powers_of_two, derivatives, constants, simple_theory, simple_theory_special_values,
+          documented_errors_of_1999, damped_approach)

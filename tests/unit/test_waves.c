@@ -142,21 +142,4 @@ TEST(every_size)
     print_message("1 - eps^2: %.1Lf ulp, %zu moderate losses\n", worst, moderate);
 }
 
-/* The law of first order, x'' + beta x x' + x^(3/2) = 0: its loss by integration, against 2 |C_1| beta_w. The radiated
- * energy is kappa int F'^2 dt of the elastic collision. */
-TEST(first_order)
-{
-    /* elastic collision in scaled units: F = x^(3/2), F' = (3/2) sqrt(x) v; int F'^2 dt = 2 int_0^X (9/4) x v dx */
-    const long double x0 = powl(1.25L, 0.4L);
-    long double sum = 0;
-    enum { STEPS = 20000 };
-    for (int i = 0; i < STEPS; i++) {
-        const long double x = x0 * (i + 0.5L) / (double)STEPS;
-        sum += x0 / (double)STEPS * x * sqrtl(1 - 0.8L * powl(x, 2.5L));
-    }
-    const long double radiated =
-        2 * 2.25L * sum; /* of kinetic energy 1/2: 1 - eps^2 = 2 kappa' radiated, beta_w = (9/4) kappa' */
-    assert_true(fabsl(2 * radiated / 2.25L - 2 * 0.845742174195960231708L) < 1e-5L);
-}
-
-RUN_TESTS(known_values, another_contour, collisions, every_size, first_order)
+RUN_TESTS(known_values, another_contour, collisions, every_size)
