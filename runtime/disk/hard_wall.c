@@ -53,6 +53,14 @@ enum { ENOUGH_LEVELS = 5 };
 enum { WILD_LEVELS = 8 };
 static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
+/* Where levels do not agree by chance, the estimate is no larger, from Omega = USUAL_FROM on, than what is usual at
+ * Omega and a part of the last changes. Fitted at USUAL_TOLERANCE: the theory page, 17, has the sample. */
+#define USUAL 6.8e-7
+#define USUAL_OMEGA 680
+#define USUAL_POWER 3.5
+#define USUAL_FROM 160
+#define USUAL_TOLERANCE 1e-6
+static const double usual_weight[] = {0.23, 0.23, 0.092, 0.028};
 #define POINT_ERROR 3e-8 /* error of L in a point contact, measured against the full method at v = 1e-7 to 1e-5 */
 
 /* ---- levels ---- */
@@ -122,11 +130,10 @@ static double limit_of(double before, double last)
     return last + (last - before);
 }
 
-/* Whether the levels may agree by chance */
-static int is_wild(const struct ladder *ladder)
+static int is_calm(const struct ladder *ladder)
 {
     const int calm_nu = ladder->nu >= LEAST_CALM && ladder->nu <= LARGEST_CALM;
-    return ladder->levels <= WILD_LEVELS && ladder->speed > (calm_nu ? WILD_SPEED : CALM_SPEED);
+    return ladder->speed <= (calm_nu ? WILD_SPEED : CALM_SPEED);
 }
 
 /* Bound on the effect of waves that no level up to Omega shows */
@@ -136,18 +143,39 @@ static double unseen_part(double speed, double omega)
     return fmax(UNSEEN / (omega * omega), wild);
 }
 
+static double noise_of(double tolerance)
+{
+    return NOISE * pow(fineness_of(tolerance), NOISE_POWER);
+}
+
+/* The largest of the last changes of the extrapolated value, times weights */
+static double changes_of(const struct ladder *ladder, const double *weight)
+{
+    const size_t last = ladder->levels - 1, changes = sizeof calm_weight / sizeof *calm_weight;
+    double most = 0;
+    for (size_t i = 0; i < changes && i + 2 <= last; i++)
+        most = fmax(most, weight[i] * fabs(ladder->extrapolated[last - i] - ladder->extrapolated[last - i - 1]));
+    return most;
+}
+
+static double usual_estimate(const struct ladder *ladder)
+{
+    const double omega = omega_of(ladder->levels - 1);
+    return USUAL * pow(USUAL_OMEGA / omega, USUAL_POWER) + changes_of(ladder, usual_weight) +
+           fmax(noise_of(ladder->tolerance) - noise_of(USUAL_TOLERANCE), 0);
+}
+
 static double estimate_of(const struct ladder *ladder)
 {
-    const double *const weight = is_wild(ladder) ? wild_weight : calm_weight;
-    const size_t last = ladder->levels - 1, changes = sizeof calm_weight / sizeof *calm_weight;
-    const double *const value = ladder->extrapolated;
+    const int calm = is_calm(ladder);
+    const size_t last = ladder->levels - 1;
     /* a single extrapolated value has no other to compare with */
-    double seen = (last < 2 ? 1 : EXTRAPOLATED) * fabs(value[last] - ladder->l[last]);
-    for (size_t i = 0; i < changes && i + 2 <= last; i++)
-        seen = fmax(seen, weight[i] * fabs(value[last - i] - value[last - i - 1]));
-    const double noise = NOISE * pow(fineness_of(ladder->tolerance), NOISE_POWER);
+    const double extrapolation = (last < 2 ? 1 : EXTRAPOLATED) * fabs(ladder->extrapolated[last] - ladder->l[last]);
+    const double *const weight = calm || ladder->levels > WILD_LEVELS ? calm_weight : wild_weight;
+    const double estimate = fmax(extrapolation, changes_of(ladder, weight)) +
+                            unseen_part(ladder->speed, omega_of(last)) + noise_of(ladder->tolerance);
     const double point = ladder->speed < COR_DISK_HARD_WALL_POINT_SPEED ? POINT_ERROR : 0;
-    return seen + unseen_part(ladder->speed, omega_of(last)) + noise + point;
+    return point + (calm && omega_of(last) > USUAL_FROM ? fmin(estimate, usual_estimate(ladder)) : estimate);
 }
 
 static int is_settled(const struct ladder *ladder)
@@ -185,11 +213,11 @@ static int compute_level(struct ladder *ladder, void *workspace, const struct co
     return status == COR_ERROR_WORKSPACE ? COR_TOLERANCE_NOT_REACHED : status;
 }
 
-/* Whether the budget suffices for the next level */
-static int is_affordable(const struct ladder *ladder)
+/* Whether the budget suffices for the next level, and for work before it */
+static int is_affordable(const struct ladder *ladder, double before)
 {
     const double growth = ladder->work_per_step > 0 ? sqrt(2) : COR_HARD_WALL_GROWTH;
-    return growth * ladder->last_work <= ladder->work_left;
+    return before + growth * ladder->last_work <= ladder->work_left;
 }
 
 /* Adds levels to the ladder until the error is small enough, the modes do not suffice, or the budget ends */
@@ -199,8 +227,8 @@ static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor
         struct cor_hard_wall_result result;
         memset(&result, 0, sizeof result);
         const size_t k = ladder->levels;
-        const int status = is_affordable(ladder) ? compute_level(ladder, workspace, modes, k, &result, NULL)
-                                                 : COR_TOLERANCE_NOT_REACHED;
+        const int status = is_affordable(ladder, 0) ? compute_level(ladder, workspace, modes, k, &result, NULL)
+                                                    : COR_TOLERANCE_NOT_REACHED;
         ladder->exhausted = status == COR_TOLERANCE_NOT_REACHED;
         if (ladder->exhausted)
             break;
@@ -349,15 +377,15 @@ static int hard_wall_of_table(const struct cor_disk_modes *modes, size_t n_modes
 
 /* ---- without a table ---- */
 
-/* Number of levels of the first table, and the increase for each further table */
-enum { FIRST_TABLE = 7, NEXT_TABLE = 2 };
+/* Numbers of levels of the tables: modes of two more take eight times as long */
+static const size_t tables[] = {7, 9, 11, 12, MAX_LEVELS};
 
 /* Computes the modes that `levels` levels need; malloc'ed. COR_TOLERANCE_NOT_REACHED if the budget ends */
 static int compute_modes(struct ladder *ladder, size_t levels, struct cor_disk_modes *modes)
 {
     const size_t count = cor_disk_modes_below(ladder->nu, omega_of(levels - 1)) + 1;
     const double work = ladder->work_per_step > 0 ? 0 : COR_HARD_WALL_MODE_WORK * (double)count;
-    ladder->exhausted = work > ladder->work_left;
+    ladder->exhausted = !is_affordable(ladder, work);
     if (ladder->exhausted)
         return COR_TOLERANCE_NOT_REACHED;
     struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
@@ -408,11 +436,10 @@ int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard
     struct ladder ladder;
     ladder_begin(&ladder, nu, speed, options, most_work);
     const double whole = ladder.work_left;
-    size_t levels = FIRST_TABLE;
-    do {
-        status = climb_alone(&ladder, levels);
-        levels = levels + NEXT_TABLE < MAX_LEVELS ? levels + NEXT_TABLE : MAX_LEVELS;
-    } while (status == COR_TOLERANCE_NOT_REACHED && !ladder.exhausted && ladder.levels < MAX_LEVELS);
+    const size_t *table = tables;
+    do
+        status = climb_alone(&ladder, *table++);
+    while (status == COR_TOLERANCE_NOT_REACHED && !ladder.exhausted && ladder.levels < MAX_LEVELS);
     if (ladder.levels >= LEAST_LEVELS)
         ladder_conclude(&ladder, out);
     *work = whole - ladder.work_left;
