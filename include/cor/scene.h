@@ -70,8 +70,8 @@ double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
 
 /* The largest value of x^a + beta x^b x' during the collision x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1; where
  * q = 0 the damping is zeta. In SI units the largest force is m g/T times this number, where T is the unit of time.
- * Where q = 0 and where a = b the result is a closed form. Otherwise an adaptive Runge-Kutta method integrates until no
- * larger force can follow, or, where the spring is too weak to matter, the limit of strong damping is the result.
+ * Where q = 0 and where a = b the result is a closed form. Otherwise Taylor series integrate up to the largest overlap,
+ * or, where the spring is too weak to matter, the limit of strong damping is the result.
  * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
  * Special values: damping negative, infinite or NaN -> NaN. */
 #define COR_LAW_FORCE_MAX_ERROR 1e-12

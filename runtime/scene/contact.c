@@ -8,9 +8,9 @@
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/jkr.h"
+#include "runtime/scene/motion.h"
 #include "runtime/scene/plastic.h"
 #include "runtime/scene/pressed.h"
-#include "runtime/scene/series.h"
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
 {

@@ -7,136 +7,55 @@
 #include "runtime/scene/jkr.h"
 
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/series.h"
-
-enum { ORDER = SERIES_ORDER };
+#include "runtime/scene/motion.h"
 
 /* u where the contact breaks: the end of the tail, 4^(-1/3), and the largest pull, (3/4)^(1/3); twice the energy that
  * the way from u = 1 to there takes, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10); and half of the largest pull */
 static const double broken_at[COR_SCENE_ENDS] = {0.62996052494743658238, 0.90856029641606982944};
 static const double lost[COR_SCENE_ENDS] = {1.3259921049894873165, 0.65486382215035810233};
 
-struct motion {
-    double kappa;
-    int power;
-    double u[ORDER + 1], p[ORDER + 1], t[ORDER + 1], force[ORDER + 1];
-    double u2[ORDER + 1], u3[ORDER + 1], u6[ORDER + 1], damper[ORDER + 1], one[ORDER + 1];
-    double step;
-};
-
-static double product(const double *x, const double *y, int n)
+static int motion_init(struct motion *m, double kappa, int power, double speed)
 {
-    double sum = 0;
-    for (int k = 0; k <= n; k++)
-        sum += x[k] * y[n - k];
-    return sum;
+    m->time[0] = (struct motion_term){4, 3, 0};
+    m->time[1] = (struct motion_term){-1, 0, 0};
+    m->spring[0] = (struct motion_term){8.0 / 3, 6, 0};
+    m->spring[1] = (struct motion_term){-4, 3, 0};
+    m->damper = (struct motion_term){kappa, power, 0};
+    m->press = 0;
+    return cor_motion_init(m, 1, speed);
 }
 
-static void motion_init(struct motion *m, double kappa, int power, double speed)
+static double inward(const struct motion *m, double s, double level)
 {
-    m->kappa = kappa;
-    m->power = power;
-    m->u[0] = 1;
-    m->p[0] = speed;
-    m->t[0] = 0;
-    for (int n = 0; n <= ORDER; n++)
-        m->one[n] = n == 0;
-}
-
-/* u^power for the powers of Hertz's laws: constant, Tsuji's, viscoelastic, Hunt and Crossley's dampers */
-static const double *damper_power(const struct motion *m)
-{
-    return m->power == 0 ? m->one : m->power == 1 ? m->u : m->power == 2 ? m->u2 : m->u6;
-}
-
-static void motion_expand(struct motion *m)
-{
-    double slope[ORDER + 1]; /* dx/du */
-    for (int n = 0; n < ORDER; n++) {
-        m->u2[n] = product(m->u, m->u, n);
-        m->u3[n] = product(m->u2, m->u, n);
-        m->u6[n] = product(m->u3, m->u3, n);
-        m->damper[n] = m->kappa * product(damper_power(m), m->p, n);
-        m->force[n] = 8.0 / 3 * m->u6[n] - 4 * m->u3[n] + m->damper[n];
-        slope[n] = 4 * m->u3[n] - (n == 0);
-        m->u[n + 1] = m->p[n] / (n + 1);
-        m->p[n + 1] = -product(slope, m->force, n) / (n + 1);
-        m->t[n + 1] = slope[n] / (n + 1);
-    }
-    m->force[ORDER] = 0;
-    m->step = series_step(m->u, m->p);
-}
-
-static void motion_advance(struct motion *m)
-{
-    const double u = series_at(m->u, m->step), p = series_at(m->p, m->step), t = series_at(m->t, m->step);
-    m->u[0] = u;
-    m->p[0] = p;
-    m->t[0] = t;
-}
-
-/* The way in, to the turning point, where the next step begins */
-static int compress(struct cor_jkr_impact *impact, struct motion *m)
-{
-    impact->force_max = -HUGE_VAL;
-    for (int k = 0; k < SERIES_MOST_STEPS; k++) {
-        motion_expand(m);
-        const double end = series_at(m->p, m->step) > 0 ? m->step : series_root(series_at, m->p, 0, 0, m->step);
-        impact->force_max = fmax(impact->force_max, fmax(m->force[0], series_at(m->force, end)));
-        if (m->force[1] > 0 && series_slope(m->force, end) < 0)
-            impact->force_max =
-                fmax(impact->force_max, series_at(m->force, series_root(series_slope, m->force, 0, 0, end)));
-        const int turned = end < m->step || series_at(m->p, m->step) <= 0;
-        m->step = end;
-        motion_advance(m);
-        if (turned) {
-            const double u = m->u[0];
-            impact->max_overlap = u * (u * u * u - 1);
-            m->p[0] = 0;
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static void part(struct cor_jkr_impact *impact, int end, const struct motion *m, double s, double speed)
-{
-    impact->eps[end] = -series_at(m->p, s) / speed;
-    impact->duration[end] = series_at(m->t, s);
-}
-
-static double opposite(const double *c, double s)
-{
-    return -series_at(c, s);
+    return -cor_motion_v(m, s, level);
 }
 
 /* In the units of jkr.h */
 static int solve(struct cor_jkr_impact *impact, double kappa, int power, double speed)
 {
     struct motion m;
-    motion_init(&m, kappa, power, speed);
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         impact->eps[end] = 0;
         impact->duration[end] = INFINITY;
     }
-    if (!compress(impact, &m))
+    if (!motion_init(&m, kappa, power, speed) || !cor_motion_compress(&m, &impact->force_max, NULL))
         return COR_FAULT_PRESSED;
-    for (int k = 0; k < SERIES_MOST_STEPS; k++) {
-        motion_expand(&m);
-        double last = m.step; /* where the bodies turn inward again: they have less energy than the way out takes */
-        int turned = 0;
-        if (series_at(m.p, last) > 0) {
-            last = series_root(opposite, m.p, 0, k == 0 ? m.step * 0x1p-20 : 0, last);
-            turned = 1;
-        }
-        for (int end = 0; end < COR_SCENE_ENDS; end++)
-            if (m.u[0] > broken_at[end] && series_at(m.u, last) <= broken_at[end])
-                part(impact, end, &m, series_root(series_at, m.u, broken_at[end], 0, last), speed);
-        if (turned || series_at(m.u, last) <= broken_at[COR_END_ZERO_OVERLAP])
-            break;
-        if (k == SERIES_MOST_STEPS - 1)
+    const double turning = cor_motion_start(&m);
+    impact->max_overlap = turning * (turning * turning * turning - 1);
+    for (int k = 0, stays = 0; !stays && cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP]; k++) {
+        if (k == MOTION_MOST_STEPS)
             return COR_FAULT_PRESSED;
-        motion_advance(&m);
+        cor_motion_expand(&m);
+        stays = cor_motion_v(&m, m.step, 0) > 0; /* they turn inward again: they have less energy than the way takes */
+        if (stays)
+            m.step = cor_motion_root(&m, inward, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
+        for (int end = 0; end < COR_SCENE_ENDS; end++)
+            if (cor_motion_start(&m) > broken_at[end] && cor_motion_u(&m, m.step, broken_at[end]) <= 0) {
+                const double s = cor_motion_root(&m, cor_motion_u, 0, m.step, broken_at[end]);
+                impact->eps[end] = -cor_motion_v(&m, s, 0) / speed;
+                impact->duration[end] = cor_motion_t(&m, s);
+            }
+        cor_motion_advance(&m);
     }
     if (kappa == 0) /* exactly, and without loss of digits next to the sticking speed */
         for (int end = 0; end < COR_SCENE_ENDS; end++) {

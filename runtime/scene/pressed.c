@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions under a constant force, by Taylor series. With x = w^d and dt = d w^(d-1) ds the law is the polynomial
- * system
+/* Collisions under a constant force. With x = w^d and dt = d w^(d-1) ds the law is the polynomial system
  *
  *     dw/ds = v,     dv/ds = -d w^(d-1) (F - f),     F = elastic w^(a d) + damper w^(b d) v
  *
@@ -9,243 +8,96 @@
 #include "runtime/scene/pressed.h"
 
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/series.h"
+#include "runtime/scene/motion.h"
 
-enum { ORDER = SERIES_ORDER, NODES = 40, MOST_STEPS = SERIES_MOST_STEPS, BISECTIONS = 80 };
-enum { NODE_ONE = -2, NODE_W = -1 };
-
-/* A power of w, the product of two others */
-struct node {
-    int exponent, left, right;
-    double c[ORDER + 1];
-};
-
-struct motion {
-    double elastic, damper, press;
-    int d, ad, bd, low; /* low: the smaller of ad and bd */
-    int nodes, of_time, of_spring, of_damper;
-    struct node node[NODES];
-    double w[ORDER + 1], v[ORDER + 1], t[ORDER + 1], force[ORDER + 1];
-    double step;
-};
-
-static int power_node(struct motion *m, int exponent)
+static int motion_init(struct motion *m, const struct cor_exponents *law, double elastic, double damper, double press)
 {
-    if (exponent <= 1)
-        return exponent == 1 ? NODE_W : NODE_ONE;
-    for (int i = 0; i < m->nodes; i++)
-        if (m->node[i].exponent == exponent)
-            return i;
-    const int left = power_node(m, exponent / 2), right = power_node(m, exponent - exponent / 2);
-    struct node *const node = &m->node[m->nodes];
-    node->exponent = exponent;
-    node->left = left;
-    node->right = right;
-    return m->nodes++;
-}
-
-static void motion_init(struct motion *m, const struct cor_exponents *law, double elastic, double damper, double press)
-{
-    m->elastic = elastic;
-    m->damper = damper;
+    const int twice = law->denominator == 1 ? 2 : 1, d = twice * law->denominator;
+    m->time[0] = (struct motion_term){(double)d, d - 1, 0};
+    m->spring[0] = (struct motion_term){elastic, twice * law->elastic, 0};
+    m->damper = (struct motion_term){damper, twice * law->damping, 0};
+    m->time[1] = m->spring[1] = (struct motion_term){0, 0, 0};
     m->press = press;
-    const int twice = law->denominator == 1 ? 2 : 1;
-    m->d = twice * law->denominator;
-    m->ad = twice * law->elastic;
-    m->bd = twice * law->damping;
-    m->low = m->ad < m->bd ? m->ad : m->bd;
-    m->nodes = 0;
-    m->of_time = power_node(m, m->d - 1);
-    m->of_spring = power_node(m, m->ad);
-    m->of_damper = power_node(m, m->bd);
-    m->w[0] = m->t[0] = 0;
-    m->v[0] = 1;
+    return cor_motion_init(m, 0, 1);
 }
 
-static double coefficient(const struct motion *m, int node, int k)
+double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper)
 {
-    return node == NODE_ONE ? k == 0 : node == NODE_W ? m->w[k] : m->node[node].c[k];
+    struct motion m;
+    double force_max;
+    return motion_init(&m, law, elastic, damper, 0) && cor_motion_compress(&m, &force_max, NULL) ? force_max
+                                                                                                 : (double)NAN;
 }
 
-static double product(const struct motion *m, int node, const double *other, int n)
+/* ---- the end of the contact ---- */
+
+static int order_of(const struct motion *m) /* d */
 {
-    double sum = 0;
-    for (int k = 0; k <= n; k++)
-        sum += coefficient(m, node, k) * other[n - k];
-    return sum;
+    return m->time[0].exponent + 1;
 }
 
-/* The coefficients of w, v and t, and a step at which the last ones do not matter */
-static void motion_expand(struct motion *m)
+static double overlap(const struct motion *m)
 {
-    double rest[ORDER + 1];
-    for (int n = 0; n < ORDER; n++) {
-        for (int i = 0; i < m->nodes; i++) {
-            struct node *const p = &m->node[i];
-            p->c[n] = product(m, p->left, p->right == NODE_W ? m->w : m->node[p->right].c, n);
-        }
-        m->force[n] = m->elastic * coefficient(m, m->of_spring, n) + m->damper * product(m, m->of_damper, m->v, n);
-        rest[n] = m->force[n] - (n == 0 ? m->press : 0);
-        const double scale = (double)m->d / (n + 1);
-        m->w[n + 1] = m->v[n] / (n + 1);
-        m->v[n + 1] = -scale * product(m, m->of_time, rest, n);
-        m->t[n + 1] = scale * coefficient(m, m->of_time, n);
-    }
-    m->force[ORDER] = 0;
-    m->step = series_step(m->w, m->v);
+    return whole_power(cor_motion_start(m), order_of(m));
 }
 
-static void motion_advance(struct motion *m)
-{
-    const double w = series_at(m->w, m->step), v = series_at(m->v, m->step), t = series_at(m->t, m->step);
-    m->w[0] = w;
-    m->v[0] = v;
-    m->t[0] = t;
-}
-
-/* Functions of the place in a step: the force over the power of w that both of its terms have, the overlap above
- * `level`, and the slope of the force */
-typedef double function(const struct motion *m, double s, double level);
-
-static double velocity(const struct motion *m, double s, double level)
-{
-    return series_at(m->v, s) - level;
-}
-
-static double height(const struct motion *m, double s, double level)
-{
-    return series_at(m->w, s) - level;
-}
-
+/* The force over the power of w that both of its terms have */
 static double contact_force(const struct motion *m, double s, double level)
 {
-    const double w = series_at(m->w, s);
-    return m->elastic * whole_power(w, m->ad - m->low) +
-           m->damper * whole_power(w, m->bd - m->low) * series_at(m->v, s) - level;
-}
-
-static double force_slope(const struct motion *m, double s, double level)
-{
-    return series_slope(m->force, s) - level;
-}
-
-/* Where the function falls to zero between two places */
-static double root(const struct motion *m, function *f, double low, double high, double level)
-{
-    for (int k = 0; k < BISECTIONS && low < high; k++) {
-        const double middle = low + (high - low) / 2;
-        if (middle == low || middle == high)
-            break;
-        if (f(m, middle, level) > 0)
-            low = middle;
-        else
-            high = middle;
-    }
-    return high;
-}
-
-/* ---- the events ---- */
-
-static double overlap(const struct motion *m, double w)
-{
-    return whole_power(w, m->d);
+    const int ad = m->spring[0].exponent, bd = m->damper.exponent, low = ad < bd ? ad : bd;
+    const double w = cor_motion_u(m, s, 0);
+    return m->spring[0].factor * whole_power(w, ad - low) +
+           m->damper.factor * whole_power(w, bd - low) * cor_motion_v(m, s, 0) - level;
 }
 
 /* v^2/2 + elastic x^(a+1)/(a+1) - f x, which never grows */
 static double energy(const struct motion *m, double w, double v)
 {
-    const double x = overlap(m, w), a1 = (double)(m->ad + m->d) / m->d;
-    return v * v / 2 + x * (m->elastic * whole_power(w, m->ad) / a1 - m->press);
+    const int d = order_of(m), ad = m->spring[0].exponent;
+    const double a1 = (double)(ad + d) / d;
+    return v * v / 2 + whole_power(w, d) * (m->spring[0].factor * whole_power(w, ad) / a1 - m->press);
 }
 
 /* Where the force can vanish: at overlaps from this one on if 2 (a - b) > 1; negative: at any */
 static double release_height(const struct motion *m)
 {
-    const int difference = m->ad - m->bd, power = 2 * difference - m->d;
-    const double ratio = m->damper / m->elastic;
-    return power > 0 ? pow(m->press * ratio * ratio * m->d / difference, 1.0 / power) : -1; /* w */
+    const int d = order_of(m), difference = m->spring[0].exponent - m->damper.exponent, power = 2 * difference - d;
+    const double ratio = m->damper.factor / m->spring[0].factor;
+    return power > 0 ? pow(m->press * ratio * ratio * d / difference, 1.0 / power) : -1; /* w */
 }
 
-/* Below this energy the force never vanishes. */
-static double release_energy(const struct motion *m, double w)
+/* -v where the force vanishes */
+static double release_speed(const struct motion *m, double w)
 {
-    return w > 0 ? energy(m, w, m->elastic / m->damper * whole_power(w, m->ad - m->bd)) : 0;
+    return m->spring[0].factor / m->damper.factor * whole_power(w, m->spring[0].exponent - m->damper.exponent);
+}
+
+/* The overlap at which force and spring balance */
+static double overlap_of_rest(const struct motion *m)
+{
+    return pow(m->press / m->spring[0].factor, (double)order_of(m) / m->spring[0].exponent);
 }
 
 /* Whether the overlap rises to that of rest and never beyond: while x'/(x_e - x) is below half of the damping
  * coefficient it stays so. */
 static int creeps_up(const struct motion *m)
 {
-    const double a = (double)m->ad / m->d, rest = pow(m->press / m->elastic, 1 / a), x = overlap(m, m->w[0]);
-    const double damping = m->damper * whole_power(m->w[0], m->bd);
-    const double stiffness = m->elastic * a * fmax(pow(rest, a - 1), pow(x, a - 1));
+    const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap(m);
+    const double damping = m->damper.factor * whole_power(cor_motion_start(m), m->damper.exponent);
+    const double stiffness = m->spring[0].factor * a * fmax(pow(rest, a - 1), pow(x, a - 1));
     return x < rest && damping * damping > 4 * stiffness && m->v[0] < damping / 2 * (rest - x);
 }
 
-struct events {
-    double time, length; /* units */
-    int turned, released, held, parted, stuck;
-    double release, least;
-};
-
-static void record(struct cor_pressed_impact *impact, int end, const struct motion *m, const struct events *e, double s)
+static void part(struct cor_pressed_impact *impact, int end, const struct motion *m, double s, double unit_of_time)
 {
-    impact->eps[end] = -series_at(m->v, s);
-    impact->duration[end] = series_at(m->t, s) * e->time;
-}
-
-/* Events of one step */
-static void find_events(struct cor_pressed_impact *impact, struct events *e, struct motion *m)
-{
-    double begin = 0, end = m->step;
-    if (!e->turned) {
-        if (force_slope(m, 0, 0) > 0 && force_slope(m, end, 0) < 0)
-            impact->force_max = fmax(impact->force_max, series_at(m->force, root(m, force_slope, 0, end, 0)));
-        impact->force_max = fmax(impact->force_max, m->force[0]);
-        if (series_at(m->v, end) > 0)
-            return;
-        begin = root(m, velocity, 0, end, 0);
-        e->turned = 1;
-        impact->max_overlap = overlap(m, series_at(m->w, begin)) * e->length;
-        impact->force_max = fmax(impact->force_max, series_at(m->force, begin));
-    }
-    if (!e->parted && !e->stuck && series_at(m->w, end) <= 0) {
-        end = root(m, height, begin, end, 0);
-        record(impact, COR_END_ZERO_OVERLAP, m, e, end);
-        e->parted = 1;
-    }
-    if (e->released || e->held)
-        return;
-    const double last = e->release > 0 && series_at(m->w, begin) > e->release && series_at(m->w, end) < e->release
-                            ? root(m, height, begin, end, e->release)
-                            : end;
-    if (contact_force(m, last, 0) < 0) {
-        record(impact, COR_END_ZERO_FORCE, m, e, root(m, contact_force, begin, last, 0));
-        e->released = 1;
-    } else if (last < end) {
-        e->held = 1;
-    }
+    impact->eps[end] = -cor_motion_v(m, s, 0);
+    impact->duration[end] = cor_motion_t(m, s) * unit_of_time;
 }
 
 static void stay(struct cor_pressed_impact *impact, int end)
 {
     impact->eps[end] = 0;
     impact->duration[end] = INFINITY;
-}
-
-/* Whether the motion goes on after a step */
-static int goes_on(struct cor_pressed_impact *impact, struct events *e, const struct motion *m)
-{
-    const double level = energy(m, m->w[0], m->v[0]);
-    if (!e->turned && creeps_up(m)) {
-        impact->max_overlap = pow(m->press / m->elastic, (double)m->d / m->ad) * e->length;
-        e->turned = 1;
-    }
-    if (!e->turned)
-        return 1;
-    e->held = e->held || (!e->released && level < e->least);
-    e->stuck = e->stuck || (!e->parted && level < 0);
-    return !((e->released || e->held) && (e->parted || e->stuck));
 }
 
 /* ---- the linear dashpot, x'' + 2 zeta x' + x = f: elementary motion, of which only the ends of contact need a search.
@@ -285,7 +137,7 @@ static double oscillation_zero(const struct oscillation *o, double value, double
 static double oscillation_root(const struct oscillation *o, double value, double slope, double level, int sign,
                                double low, double high)
 {
-    for (int k = 0; k < BISECTIONS; k++) {
+    for (int k = 0; k < 80; k++) {
         const double middle = low + (high - low) / 2;
         *(sign * (oscillation_at(o, value, slope, middle) - level) > 0 ? &low : &high) = middle;
     }
@@ -321,79 +173,88 @@ static void linear_solve(struct cor_pressed_impact *impact, double beta, double 
 int cor_pressed_solve(struct cor_pressed_impact *impact, const struct cor_exponents *law, double beta, double f)
 {
     struct motion m;
-    struct events e = {1, 1, 0, 0, 0, 0, 0, -1, 0};
+    double unit = 1, release = -1, least = 0; /* of length and time; w and energy where the force can vanish */
     const int ends_differ = law->elastic > law->damping && beta > 0;
+    stay(impact, COR_END_ZERO_OVERLAP);
+    stay(impact, COR_END_ZERO_FORCE);
     if (cor_law_is(law, 2, 0)) {
         linear_solve(impact, beta, f);
         return COR_FAULT_NONE;
     }
-    if (beta > 1) { /* x = length X, t = length s: the damping sets the scales */
-        const double a1 = cor_elastic(law) + 1, b1 = cor_damping(law) + 1;
-        e.length = e.time = pow(beta, -1 / b1);
-        motion_init(&m, law, pow(beta, -a1 / b1), 1, f * e.length);
-    } else {
-        motion_init(&m, law, 1, beta, f);
-    }
-    if (ends_differ) {
-        e.release = release_height(&m);
-        e.least = release_energy(&m, e.release);
-    }
-    e.held = !ends_differ;
-    impact->force_max = 0;
-    for (int k = 0; k < MOST_STEPS; k++) {
-        motion_expand(&m);
-        find_events(impact, &e, &m);
-        motion_advance(&m);
-        if (!e.parted && !goes_on(impact, &e, &m))
-            break;
-        if (e.parted)
-            break;
-    }
-    if (!(e.parted || e.stuck))
+    if (beta > 1) /* x = unit X, t = unit s: the damping sets the scales */
+        unit = pow(beta, -1 / (cor_damping(law) + 1));
+    if (!motion_init(&m, law, beta > 1 ? pow(unit, cor_elastic(law) + 1) : 1, fmin(beta, 1), f * unit) ||
+        !cor_motion_compress(&m, &impact->force_max, creeps_up))
         return COR_FAULT_PRESSED;
-    if (e.stuck)
-        stay(impact, COR_END_ZERO_OVERLAP);
+    impact->max_overlap = (m.v[0] > 0 ? overlap_of_rest(&m) : overlap(&m)) * unit;
+    impact->force_max /= unit;
+    if (ends_differ) {
+        release = release_height(&m);
+        least = release > 0 ? energy(&m, release, release_speed(&m, release)) : 0;
+    }
+    int held = !ends_differ, parted = 0, k = 0; /* held: the force vanishes no more, or has vanished */
+    for (; !parted; k++) {
+        const double level = energy(&m, cor_motion_start(&m), m.v[0]); /* below 0 the bodies never part */
+        held = held || level < least;
+        if (level < 0 && held)
+            break;
+        if (k == MOTION_MOST_STEPS)
+            return COR_FAULT_PRESSED;
+        cor_motion_expand(&m);
+        double end = m.step;
+        parted = cor_motion_u(&m, end, 0) <= 0;
+        if (parted) {
+            end = cor_motion_root(&m, cor_motion_u, 0, end, 0);
+            part(impact, COR_END_ZERO_OVERLAP, &m, end, unit);
+        }
+        const int below = cor_motion_start(&m) > release && cor_motion_u(&m, end, 0) < release;
+        const double last = release > 0 && below ? cor_motion_root(&m, cor_motion_u, 0, end, release) : end;
+        if (!held && contact_force(&m, last, 0) < 0) {
+            part(impact, COR_END_ZERO_FORCE, &m, cor_motion_root(&m, contact_force, 0, last, 0), unit);
+            held = 1;
+        }
+        held = held || last < end;
+        cor_motion_advance(&m);
+    }
     if (!ends_differ) {
         impact->eps[COR_END_ZERO_FORCE] = impact->eps[COR_END_ZERO_OVERLAP];
         impact->duration[COR_END_ZERO_FORCE] = impact->duration[COR_END_ZERO_OVERLAP];
-    } else if (!e.released) {
-        stay(impact, COR_END_ZERO_FORCE);
     }
-    impact->force_max /= e.length;
     return COR_FAULT_NONE;
 }
 
 /* ---- the sticking speed ---- */
 
-#define FAR_OVERLAP 1e15
+#define LARGEST_OVERLAP 1e15
 #define START 1e-8 /* relative size of the first terms that the start leaves squared */
 
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end)
 {
     const double a = cor_elastic(law), b = cor_damping(law);
     struct motion m;
-    motion_init(&m, law, 1, damping, 1);
-    const double release = end == COR_END_ZERO_FORCE && damping > 0 ? release_height(&m) : -1;
     if (damping == 0)
         return 0;
-    m.damper = -damping; /* in backward time */
-    if (release > 0) {
-        m.w[0] = release;
-        m.v[0] = whole_power(release, m.ad - m.bd) / damping;
-    } else {
+    if (!motion_init(&m, law, 1, damping, 1))
+        return NAN;
+    const double release = end == COR_END_ZERO_FORCE ? release_height(&m) : -1;
+    m.power[1].c[0] = release;
+    m.v[0] = release > 0 ? release_speed(&m, release) : 0;
+    m.damper.factor = -damping; /* in backward time */
+    if (!(release > 0)) {
         const double x = fmin(pow(START / fmax(damping, 1), 1 / (b + 0.5)), pow(START, 1 / a));
         const double gained = sqrt(2) * damping * pow(x, b + 0.5) / (b + 1.5) - pow(x, a) / (a + 1);
-        m.w[0] = pow(x, 1.0 / m.d);
+        m.power[1].c[0] = pow(x, 1.0 / order_of(&m));
         m.v[0] = sqrt(2 * x * (1 + gained));
     }
     int turned = 0;
-    for (int k = 0; k < MOST_STEPS && m.w[0] < FAR_OVERLAP; k++) {
-        motion_expand(&m);
-        const double begin = turned || series_at(m.v, m.step) > 0 ? 0 : root(&m, velocity, 0, m.step, 0);
+    for (int k = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST_OVERLAP; k++) {
+        cor_motion_expand(&m);
+        const double begin =
+            turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);
         turned = turned || begin > 0;
-        if (turned && series_at(m.w, m.step) <= 0)
-            return -series_at(m.v, root(&m, height, begin, m.step, 0));
-        motion_advance(&m);
+        if (turned && cor_motion_u(&m, m.step, 0) <= 0)
+            return -cor_motion_v(&m, cor_motion_root(&m, cor_motion_u, begin, m.step, 0), 0);
+        cor_motion_advance(&m);
     }
     return INFINITY;
 }

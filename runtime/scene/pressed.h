@@ -11,6 +11,9 @@ struct cor_pressed_impact {
     double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max;
 };
 
+/* The largest force of x'' + damper x^b x' + elastic x^a = 0; NaN where the motion takes too many steps */
+double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper);
+
 /* Returns COR_OK, or COR_FAULT_PRESSED where the motion takes too many steps. */
 int cor_pressed_solve(struct cor_pressed_impact *impact, const struct cor_exponents *law, double beta, double f);
 

@@ -7,7 +7,7 @@
 #include "cor/law.h"
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/series.h"
+#include "runtime/scene/motion.h"
 
 const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step", "leapfrog", "symplectic-euler",
                                                                "verlet-full-step", NULL};
@@ -54,7 +54,7 @@ enum {
  * g. */
 #define STUCK 1e-8
 
-struct motion {
+struct stepped {
     struct cor_exponents law;
     double a, b, beta, step;
     double ahead; /* the damping force takes the velocity so many steps after the last half step */
@@ -63,7 +63,7 @@ struct motion {
 };
 
 /* x^a + beta x^b v, but 0 where the bodies are apart and where the simulator does not let them pull */
-static double force(const struct motion *m, double x, double v)
+static double force(const struct stepped *m, double x, double v)
 {
     double root = x, spring, damper;
     if (!(x > 0))
@@ -83,7 +83,7 @@ static double force(const struct motion *m, double x, double v)
 
 /* The rebound speed where the overlap is `phase` steps of free flight after the first step that ends in contact; NaN
  * where the steps are too many or the motion leaves the doubles. */
-static double rebound(const struct motion *m, double phase, long *steps)
+static double rebound(const struct stepped *m, double phase, long *steps)
 {
     const double h = m->step, spring_energy = 2 / (m->a + 1);
     double x = phase * h, v = 1, f = force(m, x, v);
@@ -100,8 +100,8 @@ static double rebound(const struct motion *m, double phase, long *steps)
     return (double)NAN;
 }
 
-static int motion_init(struct motion *m, const struct cor_scene_contact *contact, double speed_m_s, int end,
-                       double steps, int integrator)
+static int stepped_init(struct stepped *m, const struct cor_scene_contact *contact, double speed_m_s, int end,
+                        double steps, int integrator)
 {
     static const int roots[] = {-1, 0, 1, -1, 2};
     const struct cor_exponents *const law = &contact->law;
@@ -121,7 +121,7 @@ static int motion_init(struct motion *m, const struct cor_scene_contact *contact
 }
 
 /* Where between two phases the number of steps changes, as a fraction of their distance, less the middle */
-static double jump_between(const struct motion *m, double phase, double distance, long steps)
+static double jump_between(const struct stepped *m, double phase, double distance, long steps)
 {
     double low = 0, high = 1;
     while (high - low > 1e-7) {
@@ -134,7 +134,7 @@ static double jump_between(const struct motion *m, double phase, double distance
 }
 
 /* eps over all phases, less `exact` */
-static int phases(struct cor_step_error *error, const struct motion *m, double exact)
+static int phases(struct cor_step_error *error, const struct stepped *m, double exact)
 {
     long steps, before = 0;
     double sum = 0, squares = 0, last = 0;
@@ -169,9 +169,9 @@ static int phases(struct cor_step_error *error, const struct motion *m, double e
 int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_contact *contact, double speed_m_s,
                          int end, double steps, int integrator)
 {
-    struct motion m;
+    struct stepped m;
     double exact = (double)NAN;
-    int status = motion_init(&m, contact, speed_m_s, end, steps, integrator)
+    int status = stepped_init(&m, contact, speed_m_s, end, steps, integrator)
                      ? cor_scene_eps(&exact, contact, speed_m_s, end)
                      : COR_FAULT_STEP;
     if (status == COR_FAULT_NONE)
@@ -231,13 +231,13 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
 {
     enum { MOST_CALLS = 100 };
     static const double stride = 1.1, converged = 1e-13;
-    struct motion m;
+    struct stepped m;
     struct cor_step_error error = {0, 0, 0, 0};
     struct bracket bracket = {0, 0, 0, 0, 0};
     double exact, factor = 1;
     *corrected = *contact;
     corrected->damping = (double)NAN;
-    if (!motion_init(&m, contact, speed_m_s, end, steps, integrator))
+    if (!stepped_init(&m, contact, speed_m_s, end, steps, integrator))
         return COR_FAULT_STEP;
     const double beta = m.beta;
     int status = cor_scene_eps(&exact, contact, speed_m_s, end);

@@ -204,6 +204,10 @@ TEST(sticking)
 
 TEST(limits)
 {
+    /* a sphere that creeps up to its rest has stopped before the constant force matters */
+    const struct cor_scene_contact creeping = contact_of(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3, 0.1);
+    close_to("creeping", cor_scene_force_max_n(&creeping, 1),
+             cor_law_force_max(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3), 1e-2);
     for (int law = 0; law < COR_LAW_PLATE; law++) {
         /* without damping nothing is lost */
         struct cor_scene_contact c = contact_of(&cor_law_exponents[law], 0, 0.7);

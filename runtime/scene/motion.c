@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+#include "runtime/scene/motion.h"
+
+#include <float.h>
+#include <stddef.h>
+
+enum { ORDER = MOTION_ORDER, BISECTIONS = 80 };
+
+static int power_of(struct motion *m, int exponent)
+{
+    for (int i = 0; i < m->powers; i++)
+        if (m->power[i].exponent == exponent)
+            return i;
+    const int left = power_of(m, exponent / 2), right = power_of(m, exponent - exponent / 2);
+    if (m->powers == MOTION_POWERS)
+        return 0;
+    struct motion_power *const power = &m->power[m->powers];
+    power->exponent = exponent;
+    power->left = left;
+    power->right = right;
+    return m->powers++;
+}
+
+int cor_motion_init(struct motion *m, double u, double v)
+{
+    struct motion_term *const terms[] = {&m->time[0], &m->time[1], &m->spring[0], &m->spring[1], &m->damper};
+    m->powers = 2;
+    for (int i = 0; i < 2; i++)
+        m->power[i] = (struct motion_power){i, 0, 0, {i == 0}};
+    for (size_t i = 0; i < sizeof terms / sizeof *terms; i++)
+        terms[i]->power = power_of(m, terms[i]->exponent);
+    m->power[1].c[0] = u;
+    m->v[0] = v;
+    m->t[0] = 0;
+    return m->powers < MOTION_POWERS;
+}
+
+/* ---- series ---- */
+
+static double product(const double *x, const double *y, int n)
+{
+    double sum = 0;
+    for (int k = 0; k <= n; k++)
+        sum += x[k] * y[n - k];
+    return sum;
+}
+
+static double square(const double *x, int n)
+{
+    double sum = 0;
+    for (int k = 0; 2 * k < n; k++)
+        sum += x[k] * x[n - k];
+    return n % 2 ? 2 * sum : 2 * sum + x[n / 2] * x[n / 2];
+}
+
+static double at(const double *c, double s)
+{
+    double y = c[ORDER];
+    for (int n = ORDER - 1; n >= 0; n--)
+        y = y * s + c[n];
+    return y;
+}
+
+/* A step at which the last terms of two series do not matter. Those of a series from u = 0 on may be 0 where terms
+ * behind them are not, with factors of the order of 1. */
+static double longest_step(const double *u, const double *v)
+{
+    const double size = DBL_EPSILON / 8 * fmax(fabs(u[0]), fabs(v[0]));
+    double least = u[0] == 0 ? 0.1 : INFINITY;
+    for (int n = ORDER - 2; n <= ORDER; n++) {
+        const double last = fmax(fabs(u[n]), fabs(v[n]));
+        if (last > 0)
+            least = fmin(least, pow(size / last, 1.0 / n));
+    }
+    return isfinite(least) ? 0.9 * least : 1;
+}
+
+static double sum_of(const struct motion *m, const struct motion_term term[2], int n)
+{
+    return term[0].factor * m->power[term[0].power].c[n] + term[1].factor * m->power[term[1].power].c[n];
+}
+
+void cor_motion_expand(struct motion *m)
+{
+    double slope[ORDER + 1], rest[ORDER + 1]; /* T, F - press */
+    double *const u = m->power[1].c;
+    for (int n = 0; n < ORDER; n++) {
+        for (int i = 2; i < m->powers; i++) {
+            struct motion_power *const p = &m->power[i];
+            const double *const left = m->power[p->left].c;
+            p->c[n] = p->left == p->right ? square(left, n) : product(left, m->power[p->right].c, n);
+        }
+        slope[n] = sum_of(m, m->time, n);
+        m->force[n] = sum_of(m, m->spring, n) + m->damper.factor * product(m->power[m->damper.power].c, m->v, n);
+        rest[n] = m->force[n] - (n == 0 ? m->press : 0);
+        u[n + 1] = m->v[n] / (n + 1);
+        m->v[n + 1] = -product(slope, rest, n) / (n + 1);
+        m->t[n + 1] = slope[n] / (n + 1);
+    }
+    m->force[ORDER] = 0;
+    m->step = longest_step(u, m->v);
+}
+
+void cor_motion_advance(struct motion *m)
+{
+    double *const series[] = {m->power[1].c, m->v, m->t};
+    for (size_t i = 0; i < sizeof series / sizeof *series; i++)
+        series[i][0] = at(series[i], m->step);
+}
+
+/* ---- places ---- */
+
+double cor_motion_u(const struct motion *m, double s, double level)
+{
+    return at(m->power[1].c, s) - level;
+}
+
+double cor_motion_v(const struct motion *m, double s, double level)
+{
+    return at(m->v, s) - level;
+}
+
+double cor_motion_t(const struct motion *m, double s)
+{
+    return at(m->t, s);
+}
+
+static double force_slope(const struct motion *m, double s, double level)
+{
+    double y = ORDER * m->force[ORDER];
+    for (int n = ORDER - 1; n > 0; n--)
+        y = y * s + n * m->force[n];
+    return y - level;
+}
+
+double cor_motion_root(const struct motion *m, motion_function *f, double low, double high, double level)
+{
+    for (int k = 0; k < BISECTIONS; k++) {
+        const double middle = low + (high - low) / 2;
+        if (middle <= low || middle >= high)
+            break;
+        *(f(m, middle, level) > 0 ? &low : &high) = middle;
+    }
+    return high;
+}
+
+int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const struct motion *m))
+{
+    *force_max = -HUGE_VAL;
+    for (int k = 0; k < MOTION_MOST_STEPS; k++) {
+        cor_motion_expand(m);
+        const int turns = cor_motion_v(m, m->step, 0) <= 0;
+        const double end = turns ? cor_motion_root(m, cor_motion_v, 0, m->step, 0) : m->step;
+        *force_max = fmax(*force_max, fmax(m->force[0], at(m->force, end)));
+        const int falls = force_slope(m, end, 0) < 0;
+        if (force_slope(m, 0, 0) > 0 && falls)
+            *force_max = fmax(*force_max, at(m->force, cor_motion_root(m, force_slope, 0, end, 0)));
+        m->step = end;
+        cor_motion_advance(m);
+        if (turns)
+            m->v[0] = 0;
+        if (turns || (falls && rests && rests(m)))
+            return 1;
+    }
+    return 0;
+}
