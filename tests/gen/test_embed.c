@@ -4,37 +4,33 @@
  * by tests/embed/run. */
 #include "support/console.h" /* before cmocka.h makes a macro of fail */
 
-#include "check.h"
+#include "ball.h"
 #include "contact/contact.h"
 #include "embed/choose.h"
 #include "embed/contact.h"
 #include "embed/fit.h"
 #include "embed/proof.h"
 #include "enclosure/collision.h"
-#include "support/local.h"
+#include "request.h"
 
-/* The scene of a contact with g* = 0.2 m/s; to be cleared. */
-static struct embed_request scene_request(const char *min, const char *max, const char *tolerance, int end)
-{
-    struct embed_request request = {.end = end};
-    decimal_set(&request.number[EMBED_SPEED_MIN], min);
-    decimal_set(&request.number[EMBED_SPEED_MAX], max);
-    decimal_set(&request.number[EMBED_TOLERANCE], tolerance);
-    decimal_set(&request.number[COR_SCENE_G_STAR], "0.2");
-    return request;
-}
+/* A contact with g* = 0.2 m/s */
+static const struct given g_star[] = {{COR_SCENE_G_STAR, "0.2"}, {-1, NULL}};
 
-static void request_clear(struct embed_request *request)
-{
-    for (int i = 0; i < EMBED_NUMBERS; i++)
-        decimal_clear(&request->number[i]);
-}
-
-static int scene_init(struct embed_scene *s, const struct embed_request *request)
+static void scene_init(struct embed_scene *s, const struct embed_request *request)
 {
     struct contacts contacts;
     assert_int_equal(contacts_of_request(&contacts, request), STATUS_OK);
-    return embed_scene_init(s, request, &contacts.contact[0]);
+    assert_int_equal(embed_scene_init(s, request, &contacts.contact[0]), STATUS_OK);
+}
+
+/* The scene of a request that is cleared */
+static struct embed_scene scene_of(const char *min, const char *max, const char *tolerance, int end)
+{
+    struct embed_request request = request_of(min, max, tolerance, end, g_star);
+    struct embed_scene s;
+    scene_init(&s, &request);
+    request_clear(&request);
+    return s;
 }
 
 static void assert_near(double x, double y, double tolerance)
@@ -42,24 +38,15 @@ static void assert_near(double x, double y, double tolerance)
     assert_true(fabs(x / y - 1) <= tolerance);
 }
 
-static double middle(const arb_t x)
-{
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
 /* eps at a speed, by solving that collision */
 static double solved(const struct embed_scene *s, double speed)
 {
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, beta);
-    collision_init(&c);
-    arb_set_d(beta, speed);
-    arb_pow_ratio(beta, beta, law_speed_exponent(&s->law), EMBED_BITS);
-    arb_mul(beta, beta, s->beta_per_root, EMBED_BITS);
-    assert_int_equal(collision_solve(&c, beta, &s->law, 64), 0);
-    const double eps = middle(s->end == END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force);
-    collision_clear(&c);
-    return eps;
+    const struct ratio power = law_speed_exponent(&s->law);
+    LET(beta, EMBED_BITS, "s->beta_per_root*speed^power", s->beta_per_root, speed, power);
+    assert_int_equal(collision_solve(c, beta, &s->law, 64), 0);
+    return middle(s->end == END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force);
 }
 
 /* eps at speeds at equal distances of their logarithms, the ends among them, solved once for all forms of a scene */
@@ -100,11 +87,10 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
     enum { SPEEDS = 1500 };
     struct embed_proof proof;
     assert_int_equal(embed_prove(&proof, f, s), STATUS_OK);
-    check(proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding && proof.proved,
+    check(proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding && proof.proved &&
+              proof.rounding < (s->single ? 3e-6 : 1e-11) + 0.1 * s->tolerance,
           "%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, s), proof.error, proof.rounding,
           f->error);
-    check(proof.rounding < (s->single ? 3e-6 : 1e-11) + 0.1 * s->tolerance, "%s: %g proved, %g by rounding, %g sampled",
-          embed_family_name(f->family, s), proof.error, proof.rounding, f->error);
     LOCAL(arb, g, eps);
     for (int k = 0; k < SPEEDS; k++) {
         double place = 0.61803398874989485 * k;
@@ -113,9 +99,8 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
         arb_set_d(g, fmin(fmax(speed, s->speed_min), s->speed_max));
         embed_scene_eps(eps, s, g);
         for (int fused = 0; fused < 2; fused++) {
-            arb_set_d(g, embed_form_value(f, speed, fused));
-            arb_div(g, g, eps, 200);
-            arb_sub_ui(g, g, 1, 200);
+            const double value = embed_form_value(f, speed, fused);
+            LET(g, 200, "value/eps - 1", value, eps);
             check(fabs(middle(g)) <= proof.error, "%s at %.17g m/s: off by %g, %g proved",
                   embed_family_name(f->family, s), speed, fabs(middle(g)), proof.error);
         }
@@ -136,7 +121,7 @@ static int check_scene(const struct embed_request *request, bool proved)
     struct embed_scene s;
     struct embed_series series;
     struct embed_form form[FAMILIES];
-    assert_int_equal(scene_init(&s, request), STATUS_OK);
+    scene_init(&s, request);
     embed_series_begin(&series, &s.law, (enum contact_end)request->end);
     assert_int_equal(embed_series_end(&series), STATUS_OK);
     embed_search(form, &s, &series);
@@ -185,7 +170,7 @@ TEST(test_scenes)
         if (!in_turn(i, 5))
             continue;
         struct embed_request request =
-            scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end);
+            request_of(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end, g_star);
         request.type = scenes[i].single ? EMBED_FLOAT : EMBED_DOUBLE;
         assert_true(check_scene(&request, true) >= scenes[i].least);
         request_clear(&request);
@@ -211,11 +196,8 @@ TEST(test_laws)
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 6))
             continue;
-        struct embed_request request =
-            scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end);
-        decimal_clear(&request.number[COR_SCENE_G_STAR]);
-        decimal_set(&request.number[COR_SCENE_BETA], scenes[i].beta);
-        decimal_set(&request.number[COR_SCENE_AT], "1");
+        struct embed_request request = request_of(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end,
+                                                  GIVEN({COR_SCENE_BETA, scenes[i].beta}, {COR_SCENE_AT, "1"}));
         request.elastic = scenes[i].elastic;
         request.damping = scenes[i].damping;
         const int found = check_scene(&request, scenes[i].proved);
@@ -233,28 +215,27 @@ TEST(test_ways)
     } laws[] = {{COR_LAW_VISCOELASTIC, 1.5, 0.5, 1.153449},
                 {COR_LAW_HERTZ_DASHPOT, 1.5, 0, 1.787814144288357},
                 {COR_LAW_HUNT_CROSSLEY, 1.5, 1.5, 2 / 3.0}};
+    const struct given *const ways[] = {
+        g_star,
+        (const struct given[]){{COR_SCENE_STIFFNESS, "2000"},
+                               {COR_SCENE_DAMPING_COEFFICIENT, "3"},
+                               {COR_SCENE_EFFECTIVE_MASS, "0.5"},
+                               {-1, NULL}},
+        (const struct given[]){{COR_SCENE_BETA, "0.3"}, {COR_SCENE_AT, "32"}, {-1, NULL}}};
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
-        struct embed_request request = scene_request("1", "2", "1e-3", END_ZERO_OVERLAP);
-        const double a = laws[i].a, b = laws[i].b, q = (2 * b - a + 1) / (a + 1);
-        request.law = laws[i].law;
-        struct law law;
-        LOCAL(arb, beta);
-        assert_int_equal(embed_request_law(&law, &request), STATUS_OK);
-        embed_contact_beta_per_root(beta, &request, NULL, &law, 128); /* g* = 0.2: |C_1| beta(0.2) = 1 */
-        assert_near(middle(beta) * pow(0.2, q) * laws[i].c_1, 1, 1e-6);
-        decimal_clear(&request.number[COR_SCENE_G_STAR]);
-        decimal_set(&request.number[COR_SCENE_STIFFNESS], "2000");
-        decimal_set(&request.number[COR_SCENE_DAMPING_COEFFICIENT], "3");
-        decimal_set(&request.number[COR_SCENE_EFFECTIVE_MASS], "0.5");
-        embed_contact_beta_per_root(beta, &request, NULL, &law, 128);
-        assert_near(middle(beta), 6 * pow(0.5 / 2000, (b + 1) / (a + 1)), 1e-14);
-        for (int k = COR_SCENE_STIFFNESS; k <= COR_SCENE_EFFECTIVE_MASS; k++)
-            decimal_clear(&request.number[k]);
-        decimal_set(&request.number[COR_SCENE_BETA], "0.3");
-        decimal_set(&request.number[COR_SCENE_AT], "32");
-        embed_contact_beta_per_root(beta, &request, NULL, &law, 128);
-        assert_near(middle(beta), 0.3 * pow(32, -q), 1e-14);
-        request_clear(&request);
+        const double a = laws[i].a, b = laws[i].b, q = (2 * b - a + 1) / (a + 1); /* g* = 0.2: |C_1| beta(0.2) = 1 */
+        const double expected[] = {pow(0.2, -q) / laws[i].c_1, 6 * pow(0.5 / 2000, (b + 1) / (a + 1)),
+                                   0.3 * pow(32, -q)};
+        for (int way = 0; way < 3; way++) {
+            struct embed_request request = request_of("1", "2", "1e-3", END_ZERO_OVERLAP, ways[way]);
+            struct law law;
+            LOCAL(arb, beta);
+            request.law = laws[i].law;
+            assert_int_equal(embed_request_law(&law, &request), STATUS_OK);
+            embed_contact_beta_per_root(beta, &request, NULL, &law, 128);
+            assert_near(middle(beta), expected[way], way == 0 ? 1e-6 : 1e-14);
+            request_clear(&request);
+        }
     }
 }
 
@@ -285,30 +266,21 @@ TEST(test_ways_of_a_contact)
                 {COR_LAW_VISCOELASTIC, FORCE, COR_SCENE_RESTITUTION, "0.99999999", "2", NULL},
                 {COR_LAW_HUNT_CROSSLEY, 0, COR_SCENE_RESTITUTION, "0.6", "2", NULL},
                 {COR_LAW_HERTZ_DASHPOT, FORCE, COR_SCENE_RESTITUTION, "0.3", "2", NULL}};
-    static const struct {
-        int number;
-        const char *value;
-    } body[] = {{COR_SCENE_YOUNG, "7e10"},   {COR_SCENE_POISSON, "0.2"},  {COR_SCENE_RADIUS, "5e-3"},
-                {COR_SCENE_DENSITY, "2500"}, {COR_SCENE_YOUNG_2, "2e11"}, {COR_SCENE_POISSON_2, "0.3"}};
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         struct embed_request request =
-            scene_request("1", "2", "1e-3", ways[i].with & FORCE ? END_ZERO_FORCE : END_ZERO_OVERLAP);
-        decimal_clear(&request.number[COR_SCENE_G_STAR]);
+            request_of("1", "2", "1e-3", ways[i].with & FORCE ? END_ZERO_FORCE : END_ZERO_OVERLAP, GIVEN({-1, NULL}));
         request.law = ways[i].law;
         request.wall = ways[i].with & WALL;
         request.viscosity[0] = ways[i].viscosity;
-        for (size_t k = 0; ways[i].with & YOUNG && k < sizeof body / sizeof *body; k++)
-            decimal_set(&request.number[body[k].number], body[k].value);
-        if (ways[i].with & SPRING) {
-            decimal_set(&request.number[COR_SCENE_STIFFNESS], "1e9");
-            decimal_set(&request.number[COR_SCENE_EFFECTIVE_MASS], "1e-3");
-        }
-        if (ways[i].number >= 0)
-            decimal_set(&request.number[ways[i].number], ways[i].value);
-        if (ways[i].at)
-            decimal_set(&request.number[COR_SCENE_AT], ways[i].at);
+        if (ways[i].with & YOUNG)
+            request_give(&request,
+                         GIVEN({COR_SCENE_YOUNG, "7e10"}, {COR_SCENE_POISSON, "0.2"}, {COR_SCENE_RADIUS, "5e-3"},
+                               {COR_SCENE_DENSITY, "2500"}, {COR_SCENE_YOUNG_2, "2e11"}, {COR_SCENE_POISSON_2, "0.3"}));
+        if (ways[i].with & SPRING)
+            request_give(&request, GIVEN({COR_SCENE_STIFFNESS, "1e9"}, {COR_SCENE_EFFECTIVE_MASS, "1e-3"}));
+        request_give(&request, GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : -1, ways[i].at}));
         struct contacts contacts;
-        LOCAL(arb, beta, eps, wanted, pressing);
+        LOCAL(arb, beta, eps, pressing);
         assert_int_equal(contacts_of_request(&contacts, &request), STATUS_OK);
         const struct cor_scene_contact *const contact = &contacts.contact[0];
         assert_int_equal(embed_contact_beta_per_root(beta, &request, contact, &contacts.law, 192), STATUS_OK);
@@ -317,15 +289,13 @@ TEST(test_ways_of_a_contact)
               "way %zu: beta %.17g, in doubles %.17g", i, middle(beta), cor_scene_beta(contact, 1));
         assert_true(arb_is_zero(beta) || arb_rel_accuracy_bits(beta) > 50);
         if (ways[i].at && !arb_is_zero(beta)) {
-            arb_set_d(eps, strtod(ways[i].at, NULL));
-            arb_pow_ratio(eps, eps, law_speed_exponent(&contacts.law), 192);
-            arb_mul(beta, beta, eps, 192);
+            const double at = strtod(ways[i].at, NULL);
+            const struct ratio power = law_speed_exponent(&contacts.law);
+            const fmpq *const wanted = request.number[COR_SCENE_RESTITUTION].value;
+            LET(beta, 192, "beta*at^power", beta, at, power);
             arb_get_mid_arb(beta, beta);
             assert_int_equal(embed_contact_eps(eps, beta, pressing, &contacts.law, request.end, 128), STATUS_OK);
-            arb_set_fmpq(wanted, request.number[COR_SCENE_RESTITUTION].value, 192);
-            arb_div(eps, eps, wanted, 192);
-            arb_sub_ui(eps, eps, 1, 192);
-            assert_true(fabs(middle(eps)) < 1e-20);
+            assert_true(HOLDS(192, "abs(eps/wanted - 1) < 10^-20", eps, wanted));
         }
         request_clear(&request);
     }
@@ -335,16 +305,15 @@ TEST(test_ways_of_a_contact)
 TEST(test_constant)
 {
     for (int i = 0; i < 2; i++) {
-        struct embed_request request = scene_request("0.1", "10", "1e-12", END_ZERO_FORCE);
-        decimal_clear(&request.number[COR_SCENE_G_STAR]);
-        decimal_set(&request.number[COR_SCENE_RESTITUTION], i == 0 ? "0.7" : "1");
-        decimal_set(&request.number[COR_SCENE_AT], "1");
+        struct embed_request request =
+            request_of("0.1", "10", "1e-12", END_ZERO_FORCE,
+                       GIVEN({COR_SCENE_RESTITUTION, i == 0 ? "0.7" : "1"}, {COR_SCENE_AT, "1"}));
         request.law = i == 0 ? COR_LAW_LINEAR : COR_LAW_VISCOELASTIC;
         struct embed_scene s;
         struct embed_form form[FAMILIES];
         struct embed_series series = {0};
         struct embed_proof proof;
-        assert_int_equal(scene_init(&s, &request), STATUS_OK);
+        scene_init(&s, &request);
         embed_search(form, &s, &series);
         const enum embed_family chosen = embed_choose(form, PURPOSE_BALANCED);
         assert_int_equal(chosen, FAMILY_RATIONAL_SPEED);
@@ -364,23 +333,19 @@ TEST(test_constant)
 /* beta from materials: two equal balls, and the formula of include/cor/contact.h by hand. */
 TEST(test_materials)
 {
-    struct embed_request request = scene_request("0.01", "1", "1e-6", END_ZERO_FORCE);
-    decimal_clear(&request.number[COR_SCENE_G_STAR]);
-    decimal_set(&request.number[COR_SCENE_YOUNG], "1e9");
-    decimal_set(&request.number[COR_SCENE_POISSON], "0.3");
-    decimal_set(&request.number[COR_SCENE_RADIUS], "0.01");
-    decimal_set(&request.number[COR_SCENE_MASS], "0.012");
-    decimal_set(&request.number[COR_SCENE_DISSIPATION_TIME], "2e-5");
+    struct embed_request request =
+        request_of("0.01", "1", "1e-6", END_ZERO_FORCE,
+                   GIVEN({COR_SCENE_YOUNG, "1e9"}, {COR_SCENE_POISSON, "0.3"}, {COR_SCENE_RADIUS, "0.01"},
+                         {COR_SCENE_MASS, "0.012"}, {COR_SCENE_DISSIPATION_TIME, "2e-5"}));
     const double rho = 4 * sqrt(0.005) / (3 * 2 * 0.91 / 1e9);
-    struct embed_scene s;
-    assert_int_equal(scene_init(&s, &request), STATUS_OK);
-    assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho / 0.006, 0.4), 1e-14);
-    assert_near(s.beta_max, middle(s.beta_per_root), 1e-14);
-    embed_scene_clear(&s);
-    request.wall = true;
-    assert_int_equal(scene_init(&s, &request), STATUS_OK);
-    assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho * sqrt(2) / 0.012, 0.4), 1e-14);
-    embed_scene_clear(&s);
+    for (int wall = 0; wall < 2; wall++) {
+        struct embed_scene s;
+        request.wall = wall;
+        scene_init(&s, &request);
+        assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(wall ? rho * sqrt(2) / 0.012 : rho / 0.006, 0.4), 1e-14);
+        assert_near(s.beta_max, middle(s.beta_per_root), 1e-14);
+        embed_scene_clear(&s);
+    }
     request_clear(&request);
 }
 
@@ -447,88 +412,66 @@ TEST(test_choice)
     assert_int_equal(embed_choose(form, PURPOSE_ARRAY), FAMILY_PIECES_SPEED);
 }
 
+/* The fit of a rational function to a scene */
+static struct embed_form fit_of(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
+                                slong numerator, slong denominator)
+{
+    struct embed_form f = {.family = family,
+                           .variable = variable,
+                           .speed_min = s->speed_min,
+                           .speed_max = s->speed_max,
+                           .numerator = numerator,
+                           .denominator = denominator};
+    assert_true(embed_fit_rational(&f, s));
+    embed_form_assess(&f, &s->samples, 1);
+    return f;
+}
+
 /* One degree more makes a fit better, and eps beyond the table is a rational function of the speed: h*^5/(b^5 g). */
 TEST(test_fit)
 {
-    struct embed_request request = scene_request("0.1", "10", "1e-6", END_ZERO_OVERLAP);
-    struct embed_scene s;
-    assert_int_equal(scene_init(&s, &request), STATUS_OK);
+    struct embed_scene s = scene_of("0.1", "10", "1e-6", END_ZERO_OVERLAP);
     double before = 1;
     for (slong degree = 1; degree <= 7; degree++) {
-        struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
-                               .variable = SPEED,
-                               .speed_min = s.speed_min,
-                               .speed_max = s.speed_max,
-                               .numerator = degree,
-                               .denominator = degree};
-        assert_true(embed_fit_rational(&f, &s));
-        embed_form_assess(&f, &s.samples, 1);
+        struct embed_form f = fit_of(&s, FAMILY_RATIONAL_SPEED, SPEED, degree, degree);
         assert_true(f.error < before / 4);
         before = f.error;
         embed_form_clear(&f);
     }
     embed_scene_clear(&s);
-    request_clear(&request);
-
-    request = scene_request("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
-    assert_int_equal(scene_init(&s, &request), STATUS_OK);
+    s = scene_of("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
     assert_true(s.beta_min > 7);
-    struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
-                           .variable = SPEED,
-                           .speed_min = s.speed_min,
-                           .speed_max = s.speed_max,
-                           .denominator = 1};
-    assert_true(embed_fit_rational(&f, &s));
-    embed_form_assess(&f, &s.samples, 1);
+    struct embed_form f = fit_of(&s, FAMILY_RATIONAL_SPEED, SPEED, 0, 1);
     assert_true(f.error < 1e-15);
     embed_form_clear(&f);
     embed_scene_clear(&s);
-    request_clear(&request);
 }
 
 /* At zero force a scene that begins below beta = exp(10) and ends beyond is proved as a whole. */
 TEST(test_far_force)
 {
     leave_to_turn(1, 3);
-    struct embed_request request = scene_request("1e21", "1e24", "1e-6", END_ZERO_FORCE);
-    struct embed_scene s;
-    assert_int_equal(scene_init(&s, &request), STATUS_OK);
+    struct embed_scene s = scene_of("1e21", "1e24", "1e-6", END_ZERO_FORCE);
     assert_true(log(s.beta_min) < 10 && log(s.beta_max) > 11);
-    struct embed_form f = {.family = FAMILY_RATIONAL_FOURTH,
-                           .variable = FOURTH_ROOT_OF_SPEED,
-                           .speed_min = s.speed_min,
-                           .speed_max = s.speed_max,
-                           .numerator = 5,
-                           .denominator = 6};
-    assert_true(embed_fit_rational(&f, &s));
-    embed_form_assess(&f, &s.samples, 1);
+    struct embed_form f = fit_of(&s, FAMILY_RATIONAL_FOURTH, FOURTH_ROOT_OF_SPEED, 5, 6);
     assert_true(f.error < 1e-6);
     check_proof(&f, &s);
     embed_form_clear(&f);
     embed_scene_clear(&s);
-    request_clear(&request);
 }
 
 /* d of eps = h*^5 beta^-5 (1 - d) at zero overlap for beta^5 = x: 0 < d < limit, enclosed */
 static void assert_power_law(double x, double limit)
 {
     enum { FAR_BITS = 128 };
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, beta, d, h_star);
-    collision_init(&c);
     arb_set_d(d, x);
     arb_root_ui(beta, d, 5, 2 * FAR_BITS); /* with fewer bits no attempt of the collision reaches its own */
-    assert_int_equal(collision_solve(&c, beta, &law_sphere, FAR_BITS), 0);
+    assert_int_equal(collision_solve(c, beta, &law_sphere, FAR_BITS), 0);
     assert_int_equal(collision_h_star(h_star, FAR_BITS), 0);
-    arb_pow_ui(h_star, h_star, 5, FAR_BITS);
-    arb_mul(d, d, c.eps_zero_overlap, FAR_BITS);
-    arb_div(d, d, h_star, FAR_BITS);
-    arb_sub_ui(d, d, 1, FAR_BITS);
-    arb_neg(d, d);
-    assert_true(arb_is_positive(d));
-    arb_set_d(h_star, limit);
-    assert_true(arb_lt(d, h_star));
-    collision_clear(&c);
+    LET(d, FAR_BITS, "1 - x*c->eps_zero_overlap/h_star^5", x, c->eps_zero_overlap, h_star);
+    assert_true(arb_is_positive(d) && HOLDS(FAR_BITS, "d < limit", d, limit));
 }
 
 /* The power law from EMBED_FAR on, and from where eps at a speed uses it (docs/theory.md, 18). The proof of a form
@@ -538,17 +481,9 @@ TEST(test_far)
     assert_power_law(pow(EMBED_FAR, 5), EMBED_FAR_ERROR);
     assert_power_law(0x1p14, 4.1e-17);
 
-    struct embed_request request = scene_request("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
-    struct embed_scene s;
-    assert_int_equal(scene_init(&s, &request), STATUS_OK);
-    struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
-                           .variable = SPEED,
-                           .speed_min = s.speed_min,
-                           .speed_max = s.speed_max,
-                           .denominator = 1};
+    struct embed_scene s = scene_of("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
+    struct embed_form f = fit_of(&s, FAMILY_RATIONAL_SPEED, SPEED, 0, 1);
     struct embed_proof proof;
-    assert_true(embed_fit_rational(&f, &s));
-    embed_form_assess(&f, &s.samples, 1);
     assert_int_equal(embed_prove(&proof, &f, &s), STATUS_OK);
     assert_true(proof.error < 4e-16 && proof.proved);
     f.number[0] *= 1 + 0x1p-48;
@@ -556,7 +491,6 @@ TEST(test_far)
     assert_true(proof.formula > 0x1p-49);
     embed_form_clear(&f);
     embed_scene_clear(&s);
-    request_clear(&request);
 }
 
 /* A ball on a wall under gravity, or sticky balls, against the library's integration in doubles
@@ -573,25 +507,15 @@ TEST(test_pressed)
         {COR_LAW_VISCOELASTIC, END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
         {COR_LAW_HERTZ_DASHPOT, END_ZERO_FORCE, false, "0.8", "0.013", "10", "1e-5"},
         {COR_LAW_HUNT_CROSSLEY, END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};
-    static const struct {
-        int number;
-        const char *value;
-    } body[] = {{COR_SCENE_YOUNG, "7e7"},
-                {COR_SCENE_POISSON, "0.22"},
-                {COR_SCENE_RADIUS, "5e-3"},
-                {COR_SCENE_DENSITY, "2500"},
-                {COR_SCENE_AT, "1"}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 4))
             continue;
-        struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
-        decimal_clear(&request.number[COR_SCENE_G_STAR]);
+        struct embed_request request = request_of(
+            scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end,
+            GIVEN({COR_SCENE_YOUNG, "7e7"}, {COR_SCENE_POISSON, "0.22"}, {COR_SCENE_RADIUS, "5e-3"},
+                  {COR_SCENE_DENSITY, "2500"}, {COR_SCENE_AT, "1"}, {COR_SCENE_RESTITUTION, scenes[i].restitution},
+                  {scenes[i].sticky ? COR_SCENE_ADHESION : COR_SCENE_GRAVITY, scenes[i].sticky ? "0.05" : "9.81"}));
         request.law = (int)scenes[i].law;
-        for (size_t k = 0; k < sizeof body / sizeof *body; k++)
-            decimal_set(&request.number[body[k].number], body[k].value);
-        decimal_set(&request.number[COR_SCENE_RESTITUTION], scenes[i].restitution);
-        decimal_set(&request.number[scenes[i].sticky ? COR_SCENE_ADHESION : COR_SCENE_GRAVITY],
-                    scenes[i].sticky ? "0.05" : "9.81");
         request.wall = !scenes[i].sticky;
         request.adhesion_model = scenes[i].sticky ? COR_ADHESION_DMT : COR_ADHESION_NONE;
         struct contacts contacts;

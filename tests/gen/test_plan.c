@@ -4,22 +4,17 @@
 #include "support/console.h" /* before cmocka.h makes a macro of fail */
 
 #include "approximation/pade.h"
-#include "check.h"
+#include "ball.h"
 #include "contact/contact.h"
 #include "cor/cor.h"
 #include "embed/form.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
 #include "plan/remarks.h"
-#include "support/local.h"
+#include "request.h"
 
 #define G_STAR 400.0
 #define TOLERANCE 1e-3
-
-static double middle(const arb_t x)
-{
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
 
 static double beta_of(double speed)
 {
@@ -29,14 +24,12 @@ static double beta_of(double speed)
 /* eps at both ends of contact */
 static void eps_solve(double *overlap, double *force, double beta_wanted)
 {
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, beta);
-    collision_init(&c);
     arb_set_d(beta, beta_wanted);
-    assert_int_equal(collision_solve(&c, beta, &law_sphere, 60), 0);
-    *overlap = middle(c.eps_zero_overlap);
-    *force = middle(c.eps_zero_force);
-    collision_clear(&c);
+    assert_int_equal(collision_solve(c, beta, &law_sphere, 60), 0);
+    *overlap = middle(c->eps_zero_overlap);
+    *force = middle(c->eps_zero_force);
 }
 
 static struct plan_model *named(const struct plan *plan, const char *start)
@@ -215,24 +208,24 @@ static void check_output(const struct plan *plan)
 
 /* ---- spheres ---- */
 
-static struct cor_scene_contact contact_of(const struct embed_request *request)
+/* The plan of a contact with g*; its request may be cleared then */
+static void plan_of(struct plan *plan, const char *min, const char *max, const char *tolerance, const char *g_star,
+                    int end, slong count)
 {
     struct contacts contacts;
-    assert_int_equal(contacts_of_request(&contacts, request), STATUS_OK);
-    return contacts.contact[0];
+    struct plan_spheres_request request = {
+        .scene = request_of(min, max, tolerance, end, GIVEN({COR_SCENE_G_STAR, g_star})), .points = count};
+    assert_int_equal(contacts_of_request(&contacts, &request.scene), STATUS_OK);
+    request.contact = contacts.contact[0];
+    assert_int_equal(plan_spheres(plan, &request), STATUS_OK);
+    request_clear(&request.scene);
 }
 
 TEST(test_spheres)
 {
     struct random_state r = random_start();
-    struct plan_spheres_request request = {.scene = {.end = END_ZERO_FORCE}, .points = 9};
-    decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.01");
-    decimal_set(&request.scene.number[EMBED_SPEED_MAX], "1");
-    decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-3");
-    decimal_set(&request.scene.number[COR_SCENE_G_STAR], "400");
     struct plan plan;
-    request.contact = contact_of(&request.scene);
-    assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
+    plan_of(&plan, "0.01", "1", "1e-3", "400", END_ZERO_FORCE, 9);
     const slong last = plan.points - 1;
     assert_int_equal(last, 8);
     assert_true(plan.speed[0] == 0.01 && plan.speed[last] == 1);
@@ -312,52 +305,35 @@ TEST(test_spheres)
     check_choice(&plan, &r);
     plan_spheres_clear(&plan);
     plan_clear(&plan);
-    for (int i = 0; i < EMBED_NUMBERS; i++)
-        decimal_clear(&request.scene.number[i]);
 }
 
 /* Beyond beta = 7 eps at zero overlap is h*^5/beta^5. */
 TEST(test_strong_damping)
 {
     leave_to_turn(1, 3);
-    struct plan_spheres_request request = {.scene = {.end = END_ZERO_OVERLAP}, .points = 3};
-    decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.2");
-    decimal_set(&request.scene.number[EMBED_SPEED_MAX], "0.8");
-    decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-6");
-    decimal_set(&request.scene.number[COR_SCENE_G_STAR], "1e-5");
     struct plan plan;
     struct cor_sphere_contact contact;
-    request.contact = contact_of(&request.scene);
-    assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
+    plan_of(&plan, "0.2", "0.8", "1e-6", "1e-5", END_ZERO_OVERLAP, 3);
     assert_int_equal(cor_sphere_contact_init_g_star(&contact, 1e-5), COR_OK);
     assert_true(plan.at[0] < 7 && plan.at[1] > 7);
     for (slong i = 0; i < plan.points; i++)
         assert_true(fabs(cor_contact_eps_zero_overlap(&contact, plan.speed[i]) / plan.truth[i] - 1) < 1e-14);
     plan_spheres_clear(&plan);
     plan_clear(&plan);
-    for (int i = 0; i < EMBED_NUMBERS; i++)
-        decimal_clear(&request.scene.number[i]);
 }
 
 /* ---- disks ---- */
 
-static struct plan_disks_request disk_request(enum plan_quantity quantity, const char *min, const char *max,
-                                              slong count)
+static void plan_of_disks(struct plan *plan, enum plan_quantity quantity, const char *min, const char *max, slong count)
 {
     struct plan_disks_request request = {.quantity = quantity, .points = count};
-    decimal_set(&request.speed_min, min);
-    decimal_set(&request.speed_max, max);
-    decimal_set(&request.tolerance, "0.01");
-    decimal_set(&request.poisson, "0.33");
-    return request;
-}
-
-static void disk_request_clear(struct plan_disks_request *request)
-{
-    decimal_clear(&request->speed_min);
-    decimal_clear(&request->speed_max);
-    decimal_clear(&request->tolerance);
-    decimal_clear(&request->poisson);
+    struct decimal *const number[] = {&request.speed_min, &request.speed_max, &request.tolerance, &request.poisson};
+    const char *const text[] = {min, max, "0.01", "0.33"};
+    for (int i = 0; i < 4; i++)
+        decimal_set(number[i], text[i]);
+    assert_int_equal(plan_disks(plan, &request), STATUS_OK);
+    for (int i = 0; i < 4; i++)
+        decimal_clear(number[i]);
 }
 
 static double collided(size_t modes, double alpha, double speed, enum plan_quantity quantity)
@@ -393,9 +369,8 @@ static double disk_error(const struct plan_model *m, double speed)
 TEST(test_disks)
 {
     struct random_state r = random_start();
-    struct plan_disks_request request = disk_request(PLAN_EPS, "0.01", "0.1", 3);
     struct plan plan;
-    assert_int_equal(plan_disks(&plan, &request), STATUS_OK);
+    plan_of_disks(&plan, PLAN_EPS, "0.01", "0.1", 3);
     assert_string_equal(plan.model[plan.chosen].name, "table: cor_disk_eps");
     for (slong i = 0; i < plan.points; i++) {
         const double eps = cor_disk_eps(plan.speed[i], 0.33), speed = plan.speed[i];
@@ -451,17 +426,15 @@ TEST(test_disks)
     }
     check_choice(&plan, &r);
     plan_clear(&plan);
-    disk_request_clear(&request);
 }
 
 TEST(test_contact_time)
 {
     leave_to_turn(2, 3);
-    struct plan_disks_request request = disk_request(PLAN_CONTACT_TIME, "0.01", "0.02", 2);
     static const char *const law[] = {"quasistatic law: centre of mass", "quasistatic law: diameter",
                                       "quasistatic law: as printed"};
     struct plan plan;
-    assert_int_equal(plan_disks(&plan, &request), STATUS_OK);
+    plan_of_disks(&plan, PLAN_CONTACT_TIME, "0.01", "0.02", 2);
     for (slong i = 0; i < plan.points; i++) {
         const double speed = plan.speed[i];
         for (int k = 0; k < 3; k++)
@@ -486,35 +459,23 @@ TEST(test_contact_time)
                 strncmp(plan.model[plan.chosen].name, "quasistatic", 11) == 0);
     check_output(&plan);
     plan_clear(&plan);
-    disk_request_clear(&request);
 }
 
 /* A glass sphere and a wall: the same material, then another wall */
-static struct embed_request wall_request(const char *young_2, const char *poisson_2)
+static struct embed_request wall_request(const struct given *given)
 {
     struct embed_request request = {.wall = true};
-    decimal_set(&request.number[COR_SCENE_YOUNG], "7e10");
-    decimal_set(&request.number[COR_SCENE_POISSON], "0.25");
-    decimal_set(&request.number[COR_SCENE_RADIUS], "0.005");
-    decimal_set(&request.number[COR_SCENE_DENSITY], "2500");
-    if (young_2) {
-        decimal_set(&request.number[COR_SCENE_YOUNG_2], young_2);
-        decimal_set(&request.number[COR_SCENE_POISSON_2], poisson_2);
-    }
+    request_give(&request, GIVEN({COR_SCENE_YOUNG, "7e10"}, {COR_SCENE_POISSON, "0.25"}, {COR_SCENE_RADIUS, "0.005"},
+                                 {COR_SCENE_DENSITY, "2500"}));
+    request_give(&request, given);
     return request;
-}
-
-static void wall_request_clear(struct embed_request *request)
-{
-    for (int i = 0; i < EMBED_NUMBERS; i++)
-        decimal_clear(&request->number[i]);
 }
 
 /* Elastic waves, against the library, whose J is a Chebyshev series, and against Lam(1/4) = 1.1115324 */
 TEST(test_waves)
 {
     const double mass = cor_sphere_mass_kg(0.005, 2500);
-    struct embed_request request = wall_request(NULL, NULL);
+    struct embed_request request = wall_request(GIVEN({-1, NULL}));
     check(fabs(plan_wave_loss(&request, 2) / (1.1115324 * pow(2 / sqrt(7e10 / 2500), 0.6)) - 1) < 1e-7,
           "elastic waves take %.17g", plan_wave_loss(&request, 2));
     char *remark = plan_wave_remark(&request, 2, 0.9);
@@ -524,13 +485,13 @@ TEST(test_waves)
     remark = plan_wave_remark(&request, 2, 0.9999);
     assert_non_null(strstr(remark, "it is 0.0002. The waves take more"));
     free(remark);
-    wall_request_clear(&request);
+    request_clear(&request);
 
     static const struct {
         const char *young, *poisson;
     } walls[] = {{"2e11", "0.3"}, {"1e6", "0.49"}, {"3e9", "0.5"}, {"4e10", "0"}, {"1e10", "-0.5"}};
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
-        request = wall_request(walls[i].young, walls[i].poisson);
+        request = wall_request(GIVEN({COR_SCENE_YOUNG_2, walls[i].young}, {COR_SCENE_POISSON_2, walls[i].poisson}));
         const double young = strtod(walls[i].young, NULL), nu = strtod(walls[i].poisson, NULL);
         const struct cor_body sphere = {7e10, 0.25, 0, 0.005, mass}, wall = {young, nu, 0, INFINITY, INFINITY};
         const struct cor_half_space half_space = {young, nu, 2500};
@@ -544,7 +505,7 @@ TEST(test_waves)
         request.wall = true;
         decimal_set(&request.number[COR_SCENE_G_STAR], "1");
         assert_null(plan_wave_remark(&request, 1, 0.5));
-        wall_request_clear(&request);
+        request_clear(&request);
     }
 }
 
