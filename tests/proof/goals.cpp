@@ -173,6 +173,19 @@ static std::map<std::string, table> tables_of(const char *file)
 
 static std::map<std::string, table> tables;
 
+/* A coefficient, and c_0 + c_0' + s (c_1 + c_2 t + ...) */
+static mpq_class coefficient(const row &r, std::size_t k)
+{
+    return mpq_class(strtod(r.value[k].c_str(), nullptr));
+}
+static mpq_class polynomial(const row &r, const mpq_class &s, const mpq_class &t)
+{
+    mpq_class sum = 0;
+    for (std::size_t k = r.value.size(); k-- > 2;)
+        sum = sum * t + coefficient(r, k);
+    return coefficient(r, 0) + coefficient(r, 1) + s * sum;
+}
+
 /* ---- exact arithmetic with a list of operations ---- */
 
 typedef std::map<int, mpq_class> assignment;
@@ -183,29 +196,15 @@ static mpq_class exact_value(int id, assignment &known)
     if (found != known.end())
         return found->second;
     const node &n = nodes()[(std::size_t)id];
-    mpq_class value;
-    switch (n.what) {
-    case CONSTANT:
-        value = mpq_class(n.value);
-        break;
-    case ADD:
-        value = exact_value(n.a, known) + exact_value(n.b, known);
-        break;
-    case SUBTRACT:
-        value = exact_value(n.a, known) - exact_value(n.b, known);
-        break;
-    case MULTIPLY:
-        value = exact_value(n.a, known) * exact_value(n.b, known);
-        break;
-    case DIVIDE:
-        value = exact_value(n.a, known) / exact_value(n.b, known);
-        break;
-    case NEGATE:
-        value = -exact_value(n.a, known);
-        break;
-    default:
+    if (n.what != CONSTANT && n.what != NEGATE && (n.what < ADD || n.what > DIVIDE))
         die("an operation that exact arithmetic does not know: " + std::to_string(n.what));
-    }
+    const mpq_class x = n.a < 0 ? mpq_class(n.value) : exact_value(n.a, known),
+                    y = n.b < 0 ? x : exact_value(n.b, known);
+    mpq_class value = n.what == ADD ? x + y : n.what == SUBTRACT ? x - y : n.what == MULTIPLY ? x * y : x;
+    if (n.what == DIVIDE)
+        value = x / y;
+    if (n.what == NEGATE)
+        value = -x;
     known[id] = value;
     return value;
 }
@@ -661,36 +660,29 @@ static void check_formula(const evaluator &f, const row &r, const landmarks &l, 
 {
     for (int i = 1; i <= 16; i++) {
         assignment known;
-        mpq_class t, s, m = 1;
+        mpq_class t, m = 1;
         const mpq_class node(r.node()), z(i * 7 + 3, 40 + i);
+        t = z - node;
         if (l.significand >= 0) {
             known[l.significand] = z;
-            t = z - node;
         } else if (f.kind == IN_BETA) {
             known[l.x] = z;
-            t = z - node;
         } else if (f.kind == IN_ROOT) {
             known[l.root] = z;
             known[l.x] = z * z;
-            t = z - node;
         } else {
             const bool root = f.kind == NEAR_ROOT;
             known[l.loss] = root ? mpq_class(z * z) : z;
             if (root)
                 known[l.root] = z;
-            t = z - node;
         }
         if (f.product) {
             m = known[l.loss >= 0 ? l.loss : l.x];
             known[l.head] = mpq_class(i, 3); /* any split of m gives the same product */
         }
-        mpq_class sum = 0;
-        for (std::size_t k = r.value.size(); k-- > 2;)
-            sum = sum * t + mpq_class(strtod(r.value[k].c_str(), nullptr));
         const bool by_square = f.kind == IN_ROOT && tables[f.name].size() == COR_ROWS_EPS_ZERO_FORCE_ROWS &&
                                &r - &tables[f.name][0] >= COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS;
-        s = by_square ? mpq_class(z * z - node * node) : t;
-        sum = mpq_class(strtod(r.value[0].c_str(), nullptr)) + mpq_class(strtod(r.value[1].c_str(), nullptr)) + s * sum;
+        const mpq_class sum = polynomial(r, by_square ? mpq_class(z * z - node * node) : t, t);
         if (exact_value(result, known) != m * sum)
             die(std::string(f.name) + " at " + hex(x) + ": the evaluator does not compute the formula of the row");
     }
@@ -827,12 +819,9 @@ static void write_tail_row(const tail &f, const row &r, int index)
     for (int i = 1; i <= 16; i++) { /* the formula of the row, as check_formula */
         assignment known;
         const mpq_class y(i * 7 + 3, 40 + i), t = y - mpq_class(r.node()), rest(i, 7);
-        mpq_class sum = 0;
         known[u.hi.node()] = y - rest;
         known[u.lo.node()] = rest;
-        for (std::size_t k = r.value.size(); k-- > 2;)
-            sum = sum * t + mpq_class(strtod(r.value[k].c_str(), nullptr));
-        sum = mpq_class(strtod(r.value[0].c_str(), nullptr)) + mpq_class(strtod(r.value[1].c_str(), nullptr)) + t * sum;
+        const mpq_class sum = polynomial(r, t, t);
         if (exact_value(hi, known) + exact_value(lo, known) != sum)
             die(std::string(f.name) + ": the evaluator does not compute the formula of row " + std::to_string(index));
     }
@@ -891,8 +880,8 @@ static void write_far_binade(const tail &f, interval range, int index)
         known[ulo] = 0;
         known[mu] = m;
         std::vector<mpq_class> c;
-        for (const std::string &text : r.value)
-            c.push_back(mpq_class(strtod(text.c_str(), nullptr)));
+        for (std::size_t k = 0; k < r.value.size(); k++)
+            c.push_back(coefficient(r, k));
         for (std::size_t k = 0; k < nodes().size(); k++)
             if (nodes()[k].what == HEAD)
                 known[(int)k] = mpq_class(i, 9);

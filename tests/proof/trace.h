@@ -158,22 +158,15 @@ inline Real result_of(operation what, Real x, number value)
     return recording() ? Real(value, node_of(what, x.node(), -1, value)) : Real(value, 0);
 }
 
-inline Real operator+(Real x, Real y)
-{
-    return result_of(ADD, x, y, x.value + y.value);
-}
-inline Real operator-(Real x, Real y)
-{
-    return result_of(SUBTRACT, x, y, x.value - y.value);
-}
-inline Real operator*(Real x, Real y)
-{
-    return result_of(MULTIPLY, x, y, x.value * y.value);
-}
-inline Real operator/(Real x, Real y)
-{
-    return result_of(DIVIDE, x, y, x.value / y.value);
-}
+#define REAL_OPERATOR(sign, what)                                                                                      \
+    inline Real operator sign(Real x, Real y)                                                                          \
+    {                                                                                                                  \
+        return result_of(what, x, y, x.value sign y.value);                                                            \
+    }
+REAL_OPERATOR(+, ADD)
+REAL_OPERATOR(-, SUBTRACT)
+REAL_OPERATOR(*, MULTIPLY)
+REAL_OPERATOR(/, DIVIDE)
 inline Real operator-(Real x)
 {
     return result_of(NEGATE, x, -x.value);
@@ -191,54 +184,27 @@ inline bool decision(bool yes)
     decide(yes ? 3 : 2);
     return yes;
 }
-inline bool operator<(Real x, Real y)
-{
-    return decision(x.value < y.value);
-}
-inline bool operator>(Real x, Real y)
-{
-    return decision(x.value > y.value);
-}
-inline bool operator<=(Real x, Real y)
-{
-    return decision(x.value <= y.value);
-}
-inline bool operator>=(Real x, Real y)
-{
-    return decision(x.value >= y.value);
-}
-inline bool operator==(Real x, Real y)
-{
-    return decision(x.value == y.value);
-}
-inline Real sqrt(Real x)
-{
-    return result_of(SQRT, x, std::sqrt(x.value));
-}
-inline Real cbrt(Real x)
-{
-    return result_of(CBRT, x, std::cbrt(x.value));
-}
-inline Real log(Real x)
-{
-    return result_of(LOG, x, std::log(x.value));
-}
-inline Real log1p(Real x)
-{
-    return result_of(LOG1P, x, std::log1p(x.value));
-}
-inline Real exp(Real x)
-{
-    return result_of(EXP, x, std::exp(x.value));
-}
-inline Real expm1(Real x)
-{
-    return result_of(EXPM1, x, std::expm1(x.value));
-}
-inline Real fabs(Real x)
-{
-    return result_of(ABSOLUTE, x, std::fabs(x.value));
-}
+#define COMPARISON(type, sign)                                                                                         \
+    inline bool operator sign(type x, type y)                                                                          \
+    {                                                                                                                  \
+        return decision(x.value sign y.value);                                                                         \
+    }
+#define COMPARISONS(type)                                                                                              \
+    COMPARISON(type, <)                                                                                                \
+    COMPARISON(type, >) COMPARISON(type, <=) COMPARISON(type, >=) COMPARISON(type, ==) COMPARISON(type, !=)
+COMPARISONS(Real)
+#define REAL_FUNCTION(function, what)                                                                                  \
+    inline Real function(Real x)                                                                                       \
+    {                                                                                                                  \
+        return result_of(what, x, std::function(x.value));                                                             \
+    }
+REAL_FUNCTION(sqrt, SQRT)
+REAL_FUNCTION(cbrt, CBRT)
+REAL_FUNCTION(log, LOG)
+REAL_FUNCTION(log1p, LOG1P)
+REAL_FUNCTION(exp, EXP)
+REAL_FUNCTION(expm1, EXPM1)
+REAL_FUNCTION(fabs, ABSOLUTE)
 
 /* ---- the bits of a Real: which function of it they are ---- */
 
@@ -310,45 +276,24 @@ inline Bits operator>>(Bits x, int n)
 {
     return x.what == Bits::NOTHING ? Bits(x.value >> n) : Bits(x.value >> n, Bits::OTHER, x.of);
 }
+/* An operation of which neither or one of the operands has a meaning */
+inline Bits mixed(word value, Bits x, Bits y)
+{
+    return Bits(value, x.what == Bits::NOTHING && y.what == Bits::NOTHING ? Bits::NOTHING : Bits::OTHER, x.of);
+}
 inline Bits operator+(Bits x, Bits y)
 {
-    return Bits(x.value + y.value,
-                x.what == Bits::NOTHING ? y.what == Bits::NOTHING ? Bits::NOTHING : Bits::OTHER : Bits::OTHER, x.of);
+    return mixed(x.value + y.value, x, y);
 }
 inline Bits operator-(Bits x, Bits y)
 {
-    return Bits(x.value - y.value,
-                x.what == Bits::NOTHING ? y.what == Bits::NOTHING ? Bits::NOTHING : Bits::OTHER : Bits::OTHER, x.of);
+    return mixed(x.value - y.value, x, y);
 }
-inline bool operator<(Bits x, Bits y)
-{
-    return decision(x.value < y.value);
-}
-inline bool operator>(Bits x, Bits y)
-{
-    return decision(x.value > y.value);
-}
-inline bool operator<=(Bits x, Bits y)
-{
-    return decision(x.value <= y.value);
-}
-inline bool operator>=(Bits x, Bits y)
-{
-    return decision(x.value >= y.value);
-}
-inline bool operator==(Bits x, Bits y)
-{
-    return decision(x.value == y.value);
-}
-
-inline Bits operator*(Bits x, Bits y)
+inline Bits operator*(Bits x, Bits y) /* of constants */
 {
     return Bits(x.value * y.value);
-} /* of constants */
-inline bool operator!=(Bits x, Bits y)
-{
-    return decision(x.value != y.value);
 }
+COMPARISONS(Bits)
 
 inline void copy(Bits *to, const Real *from)
 {
