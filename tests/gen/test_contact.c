@@ -2,7 +2,7 @@
 /* cor/scene.h and gen/contact against an integration of the force in SI units, against textbook formulas, every way to
  * give the dissipation there and back, and every number of corgen contact --for put through the conversion
  * of its simulator. */
-#include "check.h"
+#include "ball.h"
 
 #include "contact/contact.h"
 #include "contact/contact_rows.h"
@@ -11,7 +11,6 @@
 #include "cor/law.h"
 #include "cor/sphere.h"
 #include "enclosure/collision.h"
-#include "support/local.h"
 
 /* ---- the force in SI units, integrated ---- */
 
@@ -229,16 +228,12 @@ struct given {
     int number;
     double value;
 };
-#define BODIES                                                                                                         \
-    {COR_SCENE_YOUNG, 7e10}, {COR_SCENE_POISSON, 0.2}, {COR_SCENE_RADIUS, 5e-3},                                       \
-    {                                                                                                                  \
-        COR_SCENE_DENSITY, 2500                                                                                        \
-    }
-#define SPRING                                                                                                         \
-    {COR_SCENE_STIFFNESS, 1e5},                                                                                        \
-    {                                                                                                                  \
-        COR_SCENE_EFFECTIVE_MASS, 1e-3                                                                                 \
-    }
+static const struct given glass[] = {{COR_SCENE_YOUNG, 7e10},
+                                     {COR_SCENE_POISSON, 0.2},
+                                     {COR_SCENE_RADIUS, 5e-3},
+                                     {COR_SCENE_DENSITY, 2500},
+                                     {NO_NUMBER, 0}};
+static const struct given spring[] = {{COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 1e-3}, {NO_NUMBER, 0}};
 
 /* The contacts of a scene with the numbers of two lists */
 static struct contacts contacts_of(int law, int end, const struct given *bodies, const struct given *given)
@@ -262,9 +257,8 @@ static struct contacts contacts_of(int law, int end, const struct given *bodies,
 
 TEST(every_way_of_a_sphere)
 {
-    const struct given *const bodies = GIVEN(BODIES);
     const struct cor_scene_contact contact =
-        contacts_of(0, COR_BOTH_ENDS, bodies, GIVEN({COR_SCENE_DISSIPATION_TIME, 5e-7})).contact[0];
+        contacts_of(0, COR_BOTH_ENDS, glass, GIVEN({COR_SCENE_DISSIPATION_TIME, 5e-7})).contact[0];
     /* by hand: m = (2/3) pi R^3 rho, R_eff = R/2, E* = E/(2 (1 - nu^2)), K = (4/3) E* sqrt(R_eff) */
     close_to("mass", contact.mass_kg, 2.0 / 3 * 3.14159265358979323846 * 125e-9 * 2500, 1e-14);
     close_to("radius", contact.radius_m, 2.5e-3, 1e-15);
@@ -288,7 +282,7 @@ TEST(every_way_of_a_sphere)
     double eps;
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         const struct contacts got = contacts_of(
-            0, ways[i].end, bodies, GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : NO_NUMBER, 3}));
+            0, ways[i].end, glass, GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : NO_NUMBER, 3}));
         close_to(cor_scene_number_names[ways[i].number], got.contact[0].damping, contact.damping, 1e-14);
         /* eps without its end: an answer for each end */
         const bool both = ways[i].number == COR_SCENE_RESTITUTION && ways[i].end == COR_BOTH_ENDS;
@@ -299,7 +293,7 @@ TEST(every_way_of_a_sphere)
         }
     }
     const struct contacts viscous =
-        contacts_of(0, COR_BOTH_ENDS, bodies, GIVEN({COR_SCENE_VISCOSITY, 2e4}, {COR_SCENE_BULK_VISCOSITY, 3e4}));
+        contacts_of(0, COR_BOTH_ENDS, glass, GIVEN({COR_SCENE_VISCOSITY, 2e4}, {COR_SCENE_BULK_VISCOSITY, 3e4}));
     close_to("viscosity", cor_scene_damping(&viscous.contact[0], COR_SCENE_DISSIPATION_TIME),
              cor_dissipation_time_viscous_s(2e4, 3e4, 7e10, 0.2), 1e-14);
     /* eps = 1 - (g/g*)^(1/5) for slow impacts */
@@ -361,7 +355,7 @@ TEST(stiffness_from_a_duration)
 TEST(other_laws)
 {
     const struct cor_scene_contact linear =
-        contacts_of(COR_LAW_LINEAR, END_ZERO_OVERLAP, GIVEN(SPRING), GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
+        contacts_of(COR_LAW_LINEAR, END_ZERO_OVERLAP, spring, GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
     const double l = -log(0.7), pi = 3.14159265358979323846, zeta = l / sqrt(pi * pi + l * l);
     close_to("zeta", cor_scene_damping(&linear, COR_SCENE_ZETA), zeta, 1e-14);
     close_to("C", cor_scene_damping(&linear, COR_SCENE_DAMPING_COEFFICIENT), 2 * zeta * sqrt(1e5 * 1e-3), 1e-14);
@@ -372,7 +366,7 @@ TEST(other_laws)
                 isnan(cor_scene_damping(&linear, COR_SCENE_DISSIPATION_TIME)));
     /* Zener's plate: A = m/(8 sqrt(B rho h)), the force is K x^(3/2) alone, and there is one end */
     const struct cor_scene_contact plate =
-        contacts_of(COR_LAW_PLATE, COR_BOTH_ENDS, GIVEN(BODIES),
+        contacts_of(COR_LAW_PLATE, COR_BOTH_ENDS, glass,
                     GIVEN({COR_SCENE_PLATE_THICKNESS, 2e-3}, {COR_SCENE_DENSITY_2, 2700}))
             .contact[0];
     const double bending = 7e10 * 8e-9 / (12 * (1 - 0.04)), mass = 4 * pi / 3 * 125e-9 * 2500;
@@ -394,13 +388,7 @@ TEST(other_laws)
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, END_ZERO_FORCE), COR_FAULT_SOLVER);
 }
 
-/* The time step is the least duration of all impacts over their number of steps, in whatever order they come. */
 /* ---- a constant force: collisions enclosed, against the integration in doubles ---- */
-
-static double middle(const arb_t x)
-{
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
 
 TEST(collisions_under_a_constant_force)
 {
@@ -416,16 +404,15 @@ TEST(collisions_under_a_constant_force)
                 struct cor_scene_contact contact = {
                     .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = forces[k]};
                 struct cor_scene_impact impact;
-                struct collision c;
+                LOCAL(collision, c);
                 cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, betas[i], 1, 0);
                 assert_int_equal(cor_scene_impact(&impact, &contact, 1), COR_FAULT_NONE);
-                collision_init(&c);
                 arb_set_d(beta, betas[i]);
                 arb_set_d(force, forces[k]);
-                assert_int_equal(collision_solve_pressed(&c, beta, force, &law, COR_BOTH_ENDS, 60), 0);
-                const double eps[] = {middle(c.eps_zero_overlap), middle(c.eps_zero_force)};
-                const double time[] = {middle(c.t_zero_overlap), middle(c.t_zero_force)};
-                close_to("largest overlap", impact.max_overlap_m, middle(c.x_max), 1e-12);
+                assert_int_equal(collision_solve_pressed(c, beta, force, &law, COR_BOTH_ENDS, 60), 0);
+                const double eps[] = {middle(c->eps_zero_overlap), middle(c->eps_zero_force)};
+                const double time[] = {middle(c->t_zero_overlap), middle(c->t_zero_force)};
+                close_to("largest overlap", impact.max_overlap_m, middle(c->x_max), 1e-12);
                 for (int end = 0; end < COR_SCENE_ENDS; end++) {
                     check(fabs(impact.eps[end] * impact.eps[end] - eps[end] * eps[end]) < COR_SCENE_PRESSED_ERROR,
                           "law %zu, beta %g, force %g, end %d: %.17g, not %.17g", l, betas[i], forces[k], end,
@@ -438,8 +425,7 @@ TEST(collisions_under_a_constant_force)
                 stuck += isinf(time[0]);
                 held += isinf(time[1]);
                 if (betas[i] == 0)
-                    assert_true(arb_is_one(c.eps_zero_overlap) && arb_is_one(c.eps_zero_force));
-                collision_clear(&c);
+                    assert_true(arb_is_one(c->eps_zero_overlap) && arb_is_one(c->eps_zero_force));
             }
     assert_true(stuck > held && held > 20 && stuck < 90);
 }
@@ -455,21 +441,16 @@ TEST(thresholds_of_a_constant_force)
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             for (double b = 0.05; b < 1; b *= 10) {
                 const struct law law = contact_law(&laws[l]);
-                struct collision c;
+                LOCAL(collision, c);
                 arb_set_d(beta, b);
                 assert_int_equal(collision_sticking_force(force, beta, &law, end, 70), 0);
-                collision_init(&c);
                 for (int sign = -1; sign <= 1; sign += 2) {
-                    arb_set_si(nearby, sign);
-                    arb_mul_2exp_si(nearby, nearby, -60);
-                    arb_add_ui(nearby, nearby, 1, 200);
-                    arb_mul(nearby, nearby, force, 200);
+                    LET(nearby, 200, "force*(1 + sign/2^60)", force, sign);
                     arb_get_mid_arb(nearby, nearby);
-                    assert_int_equal(collision_solve_pressed(&c, beta, nearby, &law, end, 10), 0);
-                    const arb_srcptr eps = end == COR_END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force;
+                    assert_int_equal(collision_solve_pressed(c, beta, nearby, &law, end, 10), 0);
+                    const arb_srcptr eps = end == COR_END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force;
                     check(sign > 0 ? arb_is_zero(eps) : arb_is_positive(eps), "law %zu, end %d, beta %g", l, end, b);
                 }
-                collision_clear(&c);
                 struct cor_scene_contact contact = {
                     .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = middle(force)};
                 cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, b, 1, 0);
@@ -477,12 +458,13 @@ TEST(thresholds_of_a_constant_force)
             }
 }
 
+/* The time step is the least duration of all impacts over their number of steps, in whatever order they come. */
 TEST(the_time_step_is_for_all_speeds)
 {
     enum { SPEEDS = 5, STEP_COLUMN = 8 };
     struct random_state random = random_start();
     for (int ends = 1; ends <= 2; ends++) {
-        const struct contacts contacts = contacts_of(0, ends == 2 ? COR_BOTH_ENDS : COR_END_ZERO_FORCE, GIVEN(BODIES),
+        const struct contacts contacts = contacts_of(0, ends == 2 ? COR_BOTH_ENDS : COR_END_ZERO_FORCE, glass,
                                                      GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4}));
         assert_int_equal(contacts.count, ends);
         double speed[SPEEDS], least = INFINITY;
@@ -515,7 +497,7 @@ TEST(errors_of_steps)
                  {0.9, 12, -4e-5, 1.5e-3},  {0.9, 50, -6e-5, 1.6e-4},   {0.9, 100, -3e-5, 4e-5}};
     const double speed = 0.3;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const struct contacts contacts = contacts_of(0, COR_END_ZERO_OVERLAP, GIVEN(BODIES),
+        const struct contacts contacts = contacts_of(0, COR_END_ZERO_OVERLAP, glass,
                                                      GIVEN({COR_SCENE_RESTITUTION, known[i].e}, {COR_SCENE_AT, speed}));
         struct contact_step step = {
             .time_step_s = cor_scene_elastic_duration_s(&contacts.contact[0], speed) / known[i].steps, .errors = true};
@@ -614,9 +596,9 @@ TEST(hosts_realise_what_is_wished)
     char *const list = contact_simulator_text(CONTACT_SIMULATOR_LIST, NULL, NULL, NULL, 0, &(struct contact_step){0});
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         char line[40];
-        const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, GIVEN(SPRING), wished);
-        const size_t tsuji = host_realises(row[i].host, COR_LAW_TSUJI, GIVEN(BODIES), wished);
-        const size_t sphere = host_realises(row[i].host, COR_LAW_VISCOELASTIC, GIVEN(BODIES), measured);
+        const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, spring, wished);
+        const size_t tsuji = host_realises(row[i].host, COR_LAW_TSUJI, glass, wished);
+        const size_t sphere = host_realises(row[i].host, COR_LAW_VISCOELASTIC, glass, measured);
         check(linear == row[i].linear && tsuji == row[i].tsuji && sphere == row[i].viscoelastic,
               "%s: %zu linear, %zu Tsuji, %zu viscoelastic", row[i].host, linear, tsuji, sphere);
         snprintf(line, sizeof line, "\n%s ", cor_simulator_named(row[i].host)->name);
@@ -626,8 +608,8 @@ TEST(hosts_realise_what_is_wished)
     assert_int_equal(sizeof row / sizeof *row, cor_simulator_count);
     for (size_t i = 0; i < cor_simulator_count; i++)
         assert_string_equal(cor_simulators[i].name, contact_simulator_names[i]);
-    assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, GIVEN(BODIES), measured), 1);
-    assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, GIVEN(BODIES), measured), 2);
+    assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, glass, measured), 1);
+    assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, glass, measured), 2);
     assert_null(cor_simulator_named("kratos")); /* in the table, without lines */
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Free modes of the disk and every mode of generated/disk_modes_*.h: known values, the count against a Rayleigh-Ritz
+/* Free modes of the disk and every mode of generated/disk_modes_*.h: the count against a Rayleigh-Ritz
  * discretisation, the printed equation (25) and the integrals of (26) with Bessel functions of Arb, and the corners of
  * nu. */
 #include "ball.h"
@@ -28,37 +28,6 @@ static void modes_solve(struct disk_modes *modes, const char *text, slong count,
     set_nu(nu, text);
     assert_int_equal(disk_modes_solve(modes, nu, count, digits), 0);
     assert_int_equal(modes->count, count);
-}
-
-/* ---- known values ---- */
-
-TEST(test_known)
-{
-    static const struct {
-        const char *nu;
-        slong n, l;
-        const char *omega;
-        int decimals;
-    } known[] = {
-        {"33/100", 2, 0, "1.43853032762639", 14}, {"33/100", 1, 0, "1.68910178466690", 14},
-        {"33/100", 0, 0, "2.19004806589272", 14}, {"33/100", 3, 0, "2.21008494893776", 14},
-        {"9/10", 2, 0, "1.20715112596031", 14},   {"9/10", 1, 0, "1.55121637766142", 14},
-        {"9/10", 3, 0, "1.86897856327933", 14},
-    };
-    LOCAL(disk_modes, glass, soft);
-    const struct disk_modes *const modes[] = {glass, soft};
-    modes_solve(glass, "33/100", 5, 17);
-    modes_solve(soft, "9/10", 5, 17);
-    slong place[2] = {0, 0};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const int which = known[i].nu[0] == '9';
-        const struct disk_mode *mode = &modes[which]->mode[place[which]++];
-        assert_int_equal(mode->n, known[i].n);
-        assert_int_equal(mode->l, known[i].l);
-        check(fabs(middle(mode->omega) - strtod(known[i].omega, NULL)) < 1e-14, "n = %ld", (long)mode->n);
-    }
-    assert_true(fabs(middle(glass->mode[0].c) - 1.38881532256) < 1e-11);
-    assert_true(fabs(middle(glass->mode[0].s) + 0.44144949742) < 1e-11);
 }
 
 /* ---- one mode by the count alone ---- */
@@ -733,5 +702,5 @@ TEST(test_threads_and_digits)
     }
 }
 
-RUN_TESTS(test_known, test_single_modes, test_near_pair, test_ritz, test_printed_equation, test_amplitudes, every_mode,
+RUN_TESTS(test_single_modes, test_near_pair, test_ritz, test_printed_equation, test_amplitudes, every_mode,
           none_is_missing, test_against_doubles, test_corners_of_nu, test_orders, test_threads_and_digits)

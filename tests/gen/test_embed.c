@@ -330,25 +330,6 @@ TEST(test_constant)
     }
 }
 
-/* beta from materials: two equal balls, and the formula of include/cor/contact.h by hand. */
-TEST(test_materials)
-{
-    struct embed_request request =
-        request_of("0.01", "1", "1e-6", END_ZERO_FORCE,
-                   GIVEN({COR_SCENE_YOUNG, "1e9"}, {COR_SCENE_POISSON, "0.3"}, {COR_SCENE_RADIUS, "0.01"},
-                         {COR_SCENE_MASS, "0.012"}, {COR_SCENE_DISSIPATION_TIME, "2e-5"}));
-    const double rho = 4 * sqrt(0.005) / (3 * 2 * 0.91 / 1e9);
-    for (int wall = 0; wall < 2; wall++) {
-        struct embed_scene s;
-        request.wall = wall;
-        scene_init(&s, &request);
-        assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(wall ? rho * sqrt(2) / 0.012 : rho / 0.006, 0.4), 1e-14);
-        assert_near(s.beta_max, middle(s.beta_per_root), 1e-14);
-        embed_scene_clear(&s);
-    }
-    request_clear(&request);
-}
-
 /* The root from bits: refined so far, off by so much. */
 TEST(test_root)
 {
@@ -562,4 +543,4 @@ TEST(test_pressed)
 }
 
 RUN_TESTS(test_pressed, test_choice, test_counts, test_root, test_fit, test_scenes, test_laws, test_far, test_far_force,
-          test_ways, test_ways_of_a_contact, test_constant, test_materials)
+          test_ways, test_ways_of_a_contact, test_constant)

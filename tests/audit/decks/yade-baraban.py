@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: MIT
+# SPDX-License-Identifier: MIT | after YADE examples/baraban/baraban.py | GPL-2.0 | no option
 Density = 2400
 tc = 0.001
 en = 0.3

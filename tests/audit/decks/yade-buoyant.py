@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: MIT
+# SPDX-License-Identifier: MIT | after YADE examples/FluidCouplingVANS1D/oneWayCoupling/buoyantParticles.py | GPL-2.0 | no option
 restitCoef = 0.5
 O.materials.append(ViscElMat(en=restitCoef, et=0., young=1e7, poisson=0.5, density=1050, label='Mat1'))
 O.dt = 5e-7

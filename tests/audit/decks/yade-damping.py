@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: MIT
+# SPDX-License-Identifier: MIT | after YADE examples/test/Damping_HM.py | GPL-2.0 | no option
 O.materials.append(FrictMat(young=600.0e6, poisson=0.6, density=2.6e3, label='Friction'))
 O.engines = [
     ForceResetter(),

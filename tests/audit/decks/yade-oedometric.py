@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: MIT
+# SPDX-License-Identifier: MIT | after YADE examples/DeformEngine/OedometricDeform.py | GPL-2.0 | no option
 tc = 0.002
 en = 0.7
 mat1 = O.materials.append(ViscElMat(frictionAngle=0.5, tc=tc, en=en, et=0.7))

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: MIT
+# SPDX-License-Identifier: MIT | after YADE examples/DEM2020Benchmark/Case3_PenetrationTest.py | GPL-2.0 | no option
 O.materials.append(FrictMat(young=1.0e9, poisson=0.2, density=2500, label='M1'))
 O.engines = [
     ForceResetter(),

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: MIT
+# SPDX-License-Identifier: MIT | after YADE examples/PIDController.py | GPL-2.0 | no option
 rho = 2000
 tc = 0.001
 en = 0.3

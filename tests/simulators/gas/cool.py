@@ -24,9 +24,10 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
-CORGEN = os.environ.get("CORGEN", os.path.join(ROOT, "build", "corgen"))
-LMP = os.environ.get("LMP", "lmp")
+sys.path.insert(0, os.path.dirname(HERE))
+sys.dont_write_bytecode = True
+from common import CORGEN, LMP, ROOT, renew, run, skip, summary, verdict  # noqa: E402
+
 PAGE = os.path.join(ROOT, "docs", "gas.md")
 PICTURES = os.path.join(ROOT, "docs", "gas")
 
@@ -51,17 +52,8 @@ STEP_ALLOWED, UNCORRECTED_ALLOWED = 2e-4, 4e-3
 State = collections.namedtuple("State", "time steps temperature kurtosis shear density")
 Theory = collections.namedtuple("Theory", "time temperature a2 collisions slope contact")
 
-passed = failed = 0
-
-
-def verdict(good, text):
-    global passed, failed
-    passed, failed = passed + good, failed + (not good)
-    print("%s  %s" % ("ok  " if good else "FAIL", text), flush=True)
-
-
 def output_of(command, **options):
-    done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
+    done = run(command, **options)
     if done.returncode:
         sys.exit("cool.py: %s\n%s" % (" ".join(command), (done.stdout + done.stderr)[-2000:]))
     return done.stdout
@@ -428,15 +420,6 @@ def numbers(results, logs):
     return table
 
 
-def write_page(table):
-    with open(PAGE, encoding="utf-8") as page:
-        text = page.read()
-    begin, end = "<!-- cooled: tests/simulators/gas/cool.py --write -->\n", "<!-- end of cooled -->\n"
-    text = text[:text.index(begin) + len(begin)] + table + text[text.index(end):]
-    with open(PAGE, "w", encoding="utf-8") as page:
-        page.write(text)
-
-
 def comparisons(results, logs):
     """A sentence for each lattice with two time steps"""
     text = ""
@@ -457,7 +440,7 @@ def comparisons(results, logs):
 def write(results, logs, sentences):
     for result in results:
         write_csv(result)
-    write_page(numbers(results, logs) + sentences)
+    renew(PAGE, "cooled", "gas/cool.py", numbers(results, logs) + sentences)
     output_of(["gnuplot", os.path.join(HERE, "cooling.gp")], cwd=ROOT)
     print("written: docs/gas.md and docs/gas/")
 
@@ -465,8 +448,7 @@ def write(results, logs, sentences):
 def missing():
     if not shutil.which(LMP):
         return "no program lmp; Debian calls its package lammps"
-    if not shutil.which("cc") or subprocess.run(["cc", "-E", "-"], input=b"#include <gsl/gsl_odeiv2.h>\n",
-                                                capture_output=True, check=False).returncode:
+    if not shutil.which("cc") or run(["cc", "-E", "-"], input="#include <gsl/gsl_odeiv2.h>\n").returncode:
         return "no gsl/gsl_odeiv2.h; Debian calls its package libgsl-dev"
     return ""
 
@@ -491,8 +473,8 @@ def main():
         sys.exit("cool.py: no program %s; build it, or name it by CORGEN" % CORGEN)
     why = missing()
     if why:
-        print("skip  a gas that cools: %s\n0 passed, 0 failed, 1 skipped" % why)
-        return 0
+        skip("a gas that cools", why)
+        return summary()
     with tempfile.TemporaryDirectory() as work:
         os.environ["HOME"] = work  # Open MPI may write there
         folder = os.path.abspath(options.results or work)
@@ -508,8 +490,7 @@ def main():
             write(results, logs, sentences)
         if not gases:
             small_gas(work)
-    print("%d passed, %d failed" % (passed, failed))
-    return failed != 0
+    return summary()
 
 
 if __name__ == "__main__":

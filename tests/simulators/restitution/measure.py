@@ -22,10 +22,11 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
+sys.path.insert(0, os.path.dirname(HERE))
+sys.dont_write_bytecode = True
+from common import CORGEN, LMP, ROOT, counts, renew, run, skip, summary, verdict  # noqa: E402
+
 PAGE = os.path.join(ROOT, "docs", "simulators.md")
-CORGEN = os.environ.get("CORGEN", os.path.join(ROOT, "build", "corgen"))
-LMP = os.environ.get("LMP", "lmp")
 LIGGGHTS = os.environ.get("LIGGGHTS", "liggghts")
 YADE = os.environ.get("YADE", "yade")
 
@@ -49,24 +50,8 @@ CALLBACK_SPEEDS = [0.01, 0.1, 1, 10]
 # FEW restitutions, and nothing that is not pasted
 SHORT = "--short" in sys.argv[1:]
 
-passed = failed = skipped = 0
-
-
-def verdict(good, text):
-    global passed, failed
-    passed, failed = passed + good, failed + (not good)
-    print("%s  %s" % ("ok  " if good else "FAIL", text), flush=True)
-
-
-def skip(name, why):
-    global skipped
-    skipped += 1
-    print("skip  %s: %s" % (name, why), flush=True)
-
-
 def output_of(command, **options):
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
-                          errors="replace", **options)
+    done = run(command, stdin=subprocess.DEVNULL, errors="replace", **options)
     return done.stdout + (done.stderr if done.returncode else "")
 
 
@@ -522,12 +507,6 @@ def listed_models():
 RUN_ELSEWHERE = ("rebound", "coefficient_of_restitution, e of the impact speed")
 
 
-def page_with(text, name, lines):
-    begin, end = "<!-- %s: tests/simulators/run --write -->\n" % name, "<!-- end of %s -->\n" % name
-    head, rest = text.split(begin)
-    return head + begin + "\n".join(lines) + "\n" + end + rest.split(end)[1]
-
-
 def write_page(results):
     asked = ["| simulator | model | %s |" % " | ".join(RESTITUTIONS), "|---|---|%s" % ("---|" * len(RESTITUTIONS))]
     cured = ["| simulator | model | law | end | e that no number realises | largest difference from e |",
@@ -542,14 +521,9 @@ def write_page(results):
         models = ["%s (%s)" % (model, version) for host, model, version in listed_models()
                   if host == name and (name, model) not in measured]
         left += ["| %s | %s |" % (name, "<br>".join(models))] if models else []
-    with open(PAGE, encoding="utf-8") as file:
-        text = file.read()
-    text = page_with(text, "asked", asked)
-    text = page_with(text, "cured", cured)
     left = ["| simulator | models of `corgen contact --for` that were not run |", "|---|---|"] + left
-    text = page_with(text, "left", left)
-    with open(PAGE, "w", encoding="utf-8") as file:
-        file.write(text)
+    for name, lines in (("asked", asked), ("cured", cured), ("left", left)):
+        renew(PAGE, name, "run", "\n".join(lines) + "\n")
 
 
 def main():
@@ -576,13 +550,12 @@ def main():
                 host.text_version = host.version()
             results.append((host, cases, judge(host, cases)))
     if "--write" in sys.argv[1:]:
-        if skipped or only:
+        if counts["skipped"] or only:
             print("not written: a simulator is missing")
         else:
             write_page(results)
             print("written: docs/simulators.md")
-    print("%d passed, %d failed" % (passed, failed) + (", %d skipped" % skipped if skipped else ""))
-    return failed != 0
+    return summary()
 
 
 if __name__ == "__main__":
