@@ -75,7 +75,7 @@ static FILE *compile_and_run(FILE *source)
     return output;
 }
 
-static double double_of(FILE *output)
+static double read_double(FILE *output)
 {
     char text[64];
     assert_int_equal(fscanf(output, "%63s", text), 1);
@@ -115,7 +115,7 @@ TEST(test_doubles)
     assert_int_equal(count, COUNT);
     assert_true(bound == 5.3e-11);
     for (int i = 0; i < COUNT; i++)
-        assert_true(double_of(output) == expected[i]);
+        assert_true(read_double(output) == expected[i]);
     assert_int_equal(pclose(output), 0);
     _arb_vec_clear(x, COUNT);
 }
@@ -183,7 +183,7 @@ TEST(test_rows)
             ROWS, COLUMNS);
     FILE *output = compile_and_run(file);
     for (int i = 0; i < 2 * ROWS * COLUMNS; i++)
-        assert_true(double_of(output) == expected[i / 2]);
+        assert_true(read_double(output) == expected[i / 2]);
     assert_int_equal(pclose(output), 0);
 
     /* a number that is not known well enough ends the row */
@@ -225,7 +225,7 @@ TEST(test_geometry)
     assert_int_equal(twice_rows, 130);
     assert_int_equal(octaves, 43);
     for (int i = 0; i < REALS; i++)
-        assert_true(double_of(output) == 0.5 * real[i]);
+        assert_true(read_double(output) == 0.5 * real[i]);
     assert_int_equal(pclose(output), 0);
 }
 
