@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "motion.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 #include <math.h>
@@ -19,12 +20,10 @@ void motion_init(struct motion *m, const arb_t mu)
     arb_init(m->mu);
     arb_init(m->step);
     arb_get_mid_arb(m->mu, mu);
-    m->w = _arb_vec_init(MOTION_DEGREE + 1);
-    m->f = _arb_vec_init(MOTION_DEGREE + 1);
-    m->s = _arb_vec_init(MOTION_DEGREE + 1);
-    m->v = _arb_vec_init(MOTION_DEGREE + 1);
-    m->square = _arb_vec_init(MOTION_DEGREE + 1);
-    m->rest = _arb_vec_init(MOTION_DEGREE + 1);
+    arb_ptr *const component[] = {&m->w, &m->f, &m->s, &m->v, &m->square, &m->rest};
+    arb_ptr all = _arb_vec_init(6 * (MOTION_DEGREE + 1));
+    for (int i = 0; i < 6; i++)
+        *component[i] = all + i * (MOTION_DEGREE + 1);
     arb_one(m->f);
 }
 
@@ -32,12 +31,7 @@ void motion_clear(struct motion *m)
 {
     arb_clear(m->mu);
     arb_clear(m->step);
-    _arb_vec_clear(m->w, MOTION_DEGREE + 1);
-    _arb_vec_clear(m->f, MOTION_DEGREE + 1);
-    _arb_vec_clear(m->s, MOTION_DEGREE + 1);
-    _arb_vec_clear(m->v, MOTION_DEGREE + 1);
-    _arb_vec_clear(m->square, MOTION_DEGREE + 1);
-    _arb_vec_clear(m->rest, MOTION_DEGREE + 1);
+    _arb_vec_clear(m->w, 6 * (MOTION_DEGREE + 1));
 }
 
 static void convolve(arb_t out, arb_srcptr f, arb_srcptr g, slong n)
@@ -157,10 +151,7 @@ static void fall_time_series(arb_t time, const struct fall *fall, const arb_t r)
 {
     LOCAL(arb, x);
     _arb_poly_evaluate(x, fall->time, FALL_DEGREE + 1, r, 2 * MOTION_BITS);
-    arb_log(time, r, 2 * MOTION_BITS);
-    arb_mul_2exp_si(time, time, 1);
-    arb_add(time, time, x, 2 * MOTION_BITS);
-    arb_neg(time, time);
+    LET(time, 2 * MOTION_BITS, "-2*log(r) - x", r, x);
     arb_get_mid_arb(time, time);
 }
 
@@ -180,10 +171,7 @@ void fall_init(struct fall *fall)
     arb_set_si(m.w, FALL_DEGREE);
     arb_inv(r, m.w, MOTION_BITS);
     _arb_poly_evaluate(p, fall->p, FALL_DEGREE + 1, r, 2 * MOTION_BITS);
-    arb_sub_si(p, p, 1, MOTION_BITS);
-    arb_sqr(m.f, m.w, MOTION_BITS);
-    arb_mul(m.f, m.f, p, MOTION_BITS);
-    arb_neg(m.f, m.f);
+    LET(m.f, MOTION_BITS, "(1 - p)*m.w^2", p, m.w);
     arb_get_mid_arb(m.f, m.f);
     for (;;) {
         motion_expand(&m);
@@ -219,11 +207,7 @@ bool fall_joined(const struct fall *fall, const struct motion *m)
     if (joined) {
         /* p - 1 = -f/(mu w^2) */
         _arb_poly_evaluate(p, fall->p, FALL_DEGREE + 1, r, MOTION_BITS);
-        arb_sub_si(p, p, 1, MOTION_BITS);
-        arb_sqr(x, m->w, MOTION_BITS);
-        arb_mul(x, x, m->mu, MOTION_BITS);
-        arb_div(x, m->f, x, MOTION_BITS);
-        arb_add(p, p, x, MOTION_BITS);
+        LET(p, MOTION_BITS, "p - 1 + m->f/(m->mu*m->w^2)", p, m->f, m->mu, m->w);
         arb_get_mid_arb(p, p);
         joined = log2_size(p) < JOINED_LOG2;
     }

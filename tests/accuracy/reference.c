@@ -4,6 +4,7 @@
 #include "motion.h"
 #include "series/restitution.h"
 #include "series/series.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 #include <math.h>
@@ -202,11 +203,8 @@ static void fall_solve(arb_ptr value, const arb_t beta, const struct fall *fall)
     struct motion m;
     LOCAL(arb, length, mu, x);
     bool done = false;
-    arb_root_ui(x, beta, 3, 2 * BITS);
-    arb_sqr(length, x, 2 * BITS);
-    arb_mul(mu, length, beta, 2 * BITS);
-    arb_inv(length, length, 2 * BITS);
-    arb_inv(mu, mu, 2 * BITS);
+    LET(length, 2 * BITS, "beta^(-2/3)", beta);
+    LET(mu, 2 * BITS, "beta^(-5/3)", beta);
     const bool manifold = arf_cmpabs_2exp_si(arb_midref(beta), MANIFOLD_BINADE) >= 0;
     const bool closed = arf_cmpabs_2exp_si(arb_midref(beta), CLOSED_BINADE) >= 0;
 
@@ -258,91 +256,58 @@ static void fall_solve(arb_ptr value, const arb_t beta, const struct fall *fall)
     motion_clear(&m);
 }
 
-/* Interpolation at Chebyshev's points x_j = cos(pi (2 j + 1)/(2 POINTS)) of [-1, 1]: the rows of to_power give the
- * coefficients of 1, x, x^2 ... from the values. */
-struct interpolation {
-    arb_ptr x;
-    arb_mat_t to_power;
-};
-
-static void interpolation_init(struct interpolation *in)
-{
-    LOCAL(arb_poly, lagrange, factor);
-    LOCAL(arb, scale);
-    in->x = _arb_vec_init(POINTS);
-    arb_mat_init(in->to_power, POINTS, POINTS);
-    for (slong j = 0; j < POINTS; j++) {
-        arb_set_si(in->x + j, 2 * j + 1);
-        arb_div_si(in->x + j, in->x + j, 2 * (slong)POINTS, 2 * BITS);
-        arb_cos_pi(in->x + j, in->x + j, BITS);
-        arb_get_mid_arb(in->x + j, in->x + j);
-    }
-    for (slong j = 0; j < POINTS; j++) {
-        arb_poly_one(lagrange);
-        for (slong i = 0; i < POINTS; i++) {
-            if (i == j)
-                continue;
-            arb_sub(scale, in->x + j, in->x + i, 2 * BITS);
-            arb_poly_set_coeff_si(factor, 1, 1);
-            arb_neg(factor->coeffs, in->x + i);
-            arb_poly_scalar_div(factor, factor, scale, 2 * BITS);
-            arb_poly_mul(lagrange, lagrange, factor, 2 * BITS);
-        }
-        for (slong k = 0; k < POINTS; k++)
-            arb_poly_get_coeff_arb(arb_mat_entry(in->to_power, k, j), lagrange, k);
-    }
-}
-
-static void interpolation_clear(struct interpolation *in)
-{
-    _arb_vec_clear(in->x, POINTS);
-    arb_mat_clear(in->to_power);
-}
-
-static void build_cell(struct place place, const struct interpolation *in, const struct fall *fall)
+/* The polynomials of a cell through the values at x_j of [-1, 1] */
+static void build_cell(struct place place, arb_srcptr x, const struct fall *fall)
 {
     arb_ptr values = _arb_vec_init(QUANTITIES * POINTS), value = _arb_vec_init(QUANTITIES);
     LOCAL(arb, beta, c);
+    LOCAL(arb_poly, f);
+    const double middle = (double)place.middle, half = (double)place.half;
     for (slong j = 0; j < POINTS; j++) {
-        arb_set_d(c, (double)place.half);
-        arb_mul(beta, in->x + j, c, BITS);
-        arb_set_d(c, (double)place.middle);
-        arb_add(beta, beta, c, BITS);
+        arb_srcptr at = x + j;
+        LET(beta, BITS, "middle + half*at", middle, half, at);
         arb_get_mid_arb(beta, beta);
         fall_solve(value, beta, fall);
         for (int q = 0; q < QUANTITIES; q++)
             arb_swap(values + q * POINTS + j, value + q);
     }
-    for (int q = 0; q < QUANTITIES; q++)
+    for (int q = 0; q < QUANTITIES; q++) {
+        struct cell *cell = &cells[q][place.index];
+        arb_poly_interpolate_barycentric(f, x, values + q * POINTS, POINTS, 2 * BITS);
         for (slong k = 0; k < POINTS; k++) {
-            struct cell *cell = &cells[q][place.index];
-            arb_dot(c, NULL, 0, arb_mat_entry(in->to_power, k, 0), 1, values + q * POINTS, 1, POINTS, 2 * BITS);
+            arb_poly_get_coeff_arb(c, f, k);
             cell->c[k] = rounded(c);
             if (k == 0)
                 cell_split(&cell->c[0], &cell->low, c);
         }
+    }
     _arb_vec_clear(values, QUANTITIES * POINTS);
     _arb_vec_clear(value, QUANTITIES);
 }
 
 int reference_build(void)
 {
-    struct interpolation in;
     struct fall fall;
     if (build_series() != 0)
         return 1;
     fall_init(&fall);
-    interpolation_init(&in);
+    arb_ptr x = _arb_vec_init(POINTS); /* Chebyshev's points cos(pi (2 j + 1)/(2 POINTS)) */
+    LOCAL(arb, c);
+    for (slong j = 0; j < POINTS; j++) {
+        arb_set_si(c, 2 * j + 1);
+        arb_div_si(c, c, 2 * (slong)POINTS, 2 * BITS);
+        arb_cos_pi(c, c, BITS);
+        arb_get_mid_arb(x + j, c);
+    }
     for (long double beta = ldexpl(1, FIRST_BINADE); beta < ldexpl(1, LAST_BINADE + 3);) {
         const struct place place = place_of(beta);
-        build_cell(place, &in, &fall);
+        build_cell(place, x, &fall);
         beta = place.middle + place.half;
     }
     h_star_5 = rounded(fall.h_star_5);
-    LOCAL(arb, c);
     arb_const_log2(c, BITS);
     ln2 = rounded(c);
-    interpolation_clear(&in);
+    _arb_vec_clear(x, POINTS);
     fall_clear(&fall);
     return 0;
 }

@@ -5,8 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <mpfr.h>
-
+#include "support/flint.h"
 #include "ulp.h"
 
 /* ---- the worst point ---- */
@@ -125,7 +124,7 @@ static void *search_part(void *argument)
     struct random_state r = random_seeded(job->seed);
     for (uint64_t i = job->first; i < job->points; i += job->step)
         worst_random(&job->worst, job->f, &r);
-    mpfr_free_cache();
+    flint_cleanup();
     return NULL;
 }
 

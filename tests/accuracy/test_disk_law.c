@@ -8,7 +8,7 @@
 
 #include "runtime/number/lambert_w.h"
 #include "search.h"
-#include "support/flint.h"
+#include "support/formula.h"
 #include "support/local.h"
 #include "support/precision.h"
 #include "ulp.h"
@@ -68,17 +68,12 @@ static const struct disk_function {
 /* b of (57) */
 static void disk_constant(arb_t b, double nu, enum cor_disk_datum datum, slong prec)
 {
-    arb_set_d(b, nu);
-    arb_add_ui(b, b, 1, prec);
-    arb_neg(b, b); /* printed */
-    if (datum == COR_DISK_DATUM_DIAMETER)
+    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS)
+        LET(b, prec, "-2*log(2) - (1 + nu)/4", nu);
+    else if (datum == COR_DISK_DATUM_DIAMETER)
         arb_set_si(b, -1);
-    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS) {
-        LOCAL(arb, ln2);
-        arb_const_log2(ln2, prec);
-        arb_mul_2exp_si(b, b, -2);
-        arb_submul_ui(b, ln2, 2, prec);
-    }
+    else
+        LET(b, prec, "-1 - nu", nu);
 }
 
 /* -W_-1(-z) */
@@ -92,136 +87,69 @@ static void disk_minus_w(arb_t w, const arb_t z, slong prec)
 /* delta (energy = 0) or V (energy = 1) of a load, (57) */
 static void disk_law(arb_t y, const arb_t load, const arb_t b, int energy, slong prec)
 {
-    LOCAL(arb, factor);
-    arb_const_pi(factor, prec);
-    arb_mul_2exp_si(y, factor, 2);
-    arb_div(y, y, load, prec);
-    arb_log(y, y, prec);
-    arb_add(y, y, b, prec);
-    arb_div(factor, load, factor, prec);
-    if (energy) {
-        arb_mul_2exp_si(y, y, 1);
-        arb_sub_ui(y, y, 1, prec);
-        arb_mul_2exp_si(y, y, -2);
-        arb_mul(factor, factor, load, prec);
-    }
-    arb_mul(y, y, factor, prec);
+    if (energy)
+        LET(y, prec, "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)", load, b);
+    else
+        LET(y, prec, "load/pi*(log(4*pi/load) + b)", load, b);
 }
 
 /* The largest load at an energy V, (V e^(1-2b)/(4 pi) = w e^(-w)): sqrt(4 pi V/w) */
 static void disk_load_of_energy(arb_t load, const arb_t energy, const arb_t b, slong prec)
 {
-    LOCAL(arb, z, four_pi);
-    arb_const_pi(four_pi, prec);
-    arb_mul_2exp_si(four_pi, four_pi, 2);
-    arb_mul_2exp_si(z, b, 1);
-    arb_neg(z, z);
-    arb_add_ui(z, z, 1, prec);
-    arb_exp(z, z, prec);
-    arb_mul(z, z, energy, prec);
-    arb_div(z, z, four_pi, prec);
-    disk_minus_w(load, z, prec);
-    arb_mul(four_pi, four_pi, energy, prec);
-    arb_div(load, four_pi, load, prec);
-    arb_sqrt(load, load, prec);
+    LOCAL(arb, w);
+    LET(w, prec, "energy*exp(1 - 2*b)/(4*pi)", energy, b);
+    disk_minus_w(w, w, prec);
+    LET(load, prec, "sqrt(4*pi*energy/w)", energy, w);
 }
 
 /* The exact value of a function; false if putting it back into (57) contradicts. */
 static bool disk_value(arb_t y, enum disk_kind kind, double argument, double nu, enum cor_disk_datum datum, slong prec)
 {
-    bool consistent = true;
+    const bool of_speed = kind == DISK_MAX_LOAD || kind == DISK_MAX_COMPRESSION;
     LOCAL(arb, b, x, back);
     disk_constant(b, nu, datum, prec);
     arb_set_d(x, argument);
-    switch (kind) {
-    case DISK_LOAD:
-        arb_neg(back, b);
-        arb_exp(back, back, prec);
-        arb_mul(back, back, x, prec);
-        arb_mul_2exp_si(back, back, -2);
-        disk_minus_w(y, back, prec);
-        arb_div(y, x, y, prec);
-        arb_const_pi(back, prec);
-        arb_mul(y, y, back, prec);
-        disk_law(back, y, b, 0, prec);
-        consistent = arb_overlaps(back, x);
-        break;
-    case DISK_COMPRESSION:
-    case DISK_ENERGY:
+    if (kind == DISK_COMPRESSION || kind == DISK_ENERGY) {
         disk_law(y, x, b, kind == DISK_ENERGY, prec);
-        break;
-    case DISK_MAX_LOAD:
-    case DISK_MAX_COMPRESSION:
-        arb_mul(x, x, x, prec);
-        arb_const_pi(back, prec);
-        arb_mul(x, x, back, prec);
-        arb_mul_2exp_si(x, x, -1); /* fall through */
-    case DISK_LOAD_OF_ENERGY:
+        return true;
+    }
+    if (kind == DISK_LOAD) {
+        LET(back, prec, "x*exp(-b)/4", x, b);
+        disk_minus_w(y, back, prec);
+        LET(y, prec, "pi*x/y", x, y);
+    } else {
+        if (of_speed)
+            LET(x, prec, "pi/2*x^2", x);
         disk_load_of_energy(y, x, b, prec);
-        disk_law(back, y, b, 1, prec);
-        consistent = arb_overlaps(back, x);
-        if (kind == DISK_MAX_COMPRESSION) {
-            arb_set(x, y);
-            disk_law(y, x, b, 0, prec);
-        }
-        break;
-    case DISK_KINDS:
-        break;
+    }
+    disk_law(back, y, b, kind != DISK_LOAD, prec);
+    const bool consistent = arb_overlaps(back, x);
+    if (kind == DISK_MAX_COMPRESSION) {
+        arb_set(x, y);
+        disk_law(y, x, b, 0, prec);
     }
     return consistent;
 }
 
-/* z = (v^2/8) exp(1 - 2 b) */
-static void law_argument(arb_t z, double v, double nu, enum cor_disk_datum datum, slong prec)
-{
-    LOCAL(arb, x);
-    disk_constant(z, nu, datum, prec);
-    arb_mul_2exp_si(z, z, 1);
-    arb_sub_ui(z, z, 1, prec);
-    arb_neg(z, z);
-    arb_exp(z, z, prec);
-    arb_set_d(x, v);
-    arb_mul(z, z, x, prec);
-    arb_mul(z, z, x, prec);
-    arb_mul_2exp_si(z, z, -3);
-}
-
 /* sqrt(-w/2) dtheta/dy at y */
-static void contact_time_rate(arb_t rate, const arb_t y, const arb_t z, const arb_t pi, slong prec)
+static void contact_time_rate(arb_t rate, const arb_t y, const arb_t z, slong prec)
 {
-    LOCAL(arb, e, one, sine, weight);
-    const int late = arf_sgn(arb_midref(y)) > 0;
-    arb_sinh_cosh(e, weight, y, prec);
-    arb_mul(e, e, pi, prec);
-    arb_neg(e, e);
-    arb_exp(e, e, prec);
-    arb_add_ui(one, e, 1, prec);
-    /* (pi/2) pi cosh(y) e/(1 + e)^2 */
-    arb_mul(weight, weight, e, prec);
-    arb_div(weight, weight, one, prec);
-    arb_div(weight, weight, one, prec);
-    arb_mul(weight, weight, pi, prec);
-    arb_mul(weight, weight, pi, prec);
-    arb_mul_2exp_si(weight, weight, -1);
-    /* sine from the nearer end */
-    arb_div(sine, pi, one, prec);
-    arb_mul_2exp_si(sine, sine, -1);
-    if (late) {
-        arb_mul(sine, sine, e, prec); /* pi/2 - theta */
+    LOCAL(arb, e, sine);
+    LET(e, prec, "exp(-pi*(exp(y) - exp(-y))/2)", y);
+    if (arf_sgn(arb_midref(y)) > 0) { /* theta from the nearer end */
+        LET(sine, prec, "pi/2*e/(1 + e)", e);
         arb_cos(sine, sine, prec);
     } else {
+        LET(sine, prec, "pi/2/(1 + e)", e);
         arb_sin(sine, sine, prec);
     }
-    arb_sqr(rate, sine, prec);
-    arb_mul(rate, rate, z, prec);
+    LET(rate, prec, "sine^2*z", sine, z);
     disk_minus_w(rate, rate, prec);
     if (!arb_is_finite(rate)) { /* the ball reaches over the branch point, where -w = 1 to half of the digits */
         arb_one(rate);
         arb_add_error_2exp_si(rate, -prec / 2 + 20);
     }
-    arb_mul_2exp_si(rate, rate, -1);
-    arb_sqrt(rate, rate, prec);
-    arb_mul(rate, rate, weight, prec);
+    LET(rate, prec, "sqrt(rate/2)*pi^2/4*(exp(y) + exp(-y))*e/(1 + e)^2", rate, y, e);
 }
 
 /* The contact time, and the same with steps twice as long: with theta = (pi/2)/(1 + e), e = exp(-pi sinh y), the
@@ -232,15 +160,15 @@ static void disk_contact_time(arb_t tau, arb_t halved, double v, double nu, enum
                               slong prec)
 {
     const slong last = (slong)ldexp(3.25, level);
-    LOCAL(arb, z, pi, y, rate);
-    arb_const_pi(pi, prec);
-    law_argument(z, v, nu, datum, prec);
+    LOCAL(arb, b, z, y, rate);
+    disk_constant(b, nu, datum, prec);
+    LET(z, prec, "v^2/8*exp(1 - 2*b)", v, b);
     arb_zero(tau);
     arb_zero(halved);
     for (slong k = -last; k <= last; k++) {
         arb_set_si(y, k);
         arb_mul_2exp_si(y, y, -level);
-        contact_time_rate(rate, y, z, pi, prec);
+        contact_time_rate(rate, y, z, prec);
         arb_add(tau, tau, rate, prec);
         if (k % 2 == 0)
             arb_add(halved, halved, rate, prec);
@@ -273,21 +201,13 @@ enum quantity { COMPRESSION, LOAD, SPEED, ENERGY };
 /* The limits, as disk.h has them */
 static void ball_limit(arb_t x, enum quantity quantity, const arb_t b, slong prec)
 {
-    LOCAL(arb, pi);
-    arb_const_pi(pi, prec);
-    arb_sub_ui(x, b, 1, prec);
-    if (quantity == ENERGY)
-        arb_mul_2exp_si(x, x, 1);
-    arb_exp(x, x, prec);
+    LET(x, prec, "4*exp(b - 1)", b);
     if (quantity == LOAD || quantity == ENERGY)
-        arb_mul(x, x, pi, prec);
-    if (quantity == SPEED) {
-        arb_sqrt_ui(pi, 2, prec);
-        arb_mul(x, x, pi, prec);
-        arb_mul_2exp_si(x, x, 1);
-    } else {
-        arb_mul_2exp_si(x, x, 2);
-    }
+        LET(x, prec, "pi*x", x);
+    if (quantity == SPEED)
+        LET(x, prec, "x/sqrt(2)", x);
+    if (quantity == ENERGY)
+        LET(x, prec, "x*exp(b - 1)", x, b);
 }
 
 /* ---- algebraic functions ---- */
@@ -405,22 +325,14 @@ static int search_lambert(uint64_t points)
                          : kind == 2 ? exp(random_uniform(&random_state, -4, 2))
                                      : random_uniform(&random_state, 0, 10);
         /* near the branch point of W half of the digits are lost: as many more as q needs */
-        const slong prec = 128 + (q < 1 ? (slong)(-1.5 * log2(q)) : 0);
-        arb_set_d(x, q);
-        arb_add_ui(x, x, 1, prec + 1100);
-        arb_neg(x, x);
-        arb_exp(x, x, prec);
-        disk_minus_w(y, x, prec);
-        arb_sub_ui(y, y, 1, prec);
-        double error = ball_error(cor_lambert_t(q), y);
-        if (error < 0 || !arb_is_finite(y)) {
-            arb_set_d(x, q);
-            arb_add_ui(x, x, 1, 3000);
-            arb_neg(x, x);
-            arb_exp(x, x, 3000);
-            disk_minus_w(y, x, 3000);
-            arb_sub_ui(y, y, 1, 3000);
-            error = ball_error(cor_lambert_t(q), y);
+        double error = -1;
+        for (slong prec = 128 + (q < 1 ? (slong)(-1.5 * log2(q)) : 0); error < 0; prec = 3000) {
+            LET(x, prec + 1100, "exp(-1 - q)", q);
+            disk_minus_w(y, x, prec);
+            arb_sub_ui(y, y, 1, prec);
+            error = arb_is_finite(y) ? ball_error(cor_lambert_t(q), y) : -1;
+            if (prec == 3000)
+                break;
         }
         worst_take(&worst, error < 0 ? HUGE_VAL : error, q);
     }
@@ -446,12 +358,10 @@ static int search_contact_time(uint64_t points)
             radius = arb_is_finite(tau) ? mag_get_d(arb_radref(tau)) : 1;
         } while (!(radius < 1e-18) && precision_raise(&p));
         good &= radius < 1e-18;
-        arb_div(halved, halved, tau, 64);
-        arb_sub_ui(halved, halved, 1, 64);
+        LET(halved, 64, "halved/tau - 1", halved, tau);
         largest_step = fmax(largest_step, fabs(arf_get_d(arb_midref(halved), ARF_RND_UP)));
-        arb_set_d(off, cor_disk_contact_time(v, nu, (enum cor_disk_datum)datum));
-        arb_div(off, off, tau, 128);
-        arb_sub_ui(off, off, 1, 64);
+        const double computed = cor_disk_contact_time(v, nu, (enum cor_disk_datum)datum);
+        LET(off, 128, "computed/tau - 1", computed, tau);
         const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_UP)) : HUGE_VAL;
         worst_take(&worst, error / COR_DISK_CONTACT_TIME_MAX_ERROR, v);
     }

@@ -13,6 +13,7 @@
 
 #include "disk/modes.h"
 #include "support/digits.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 enum { BITS = 320, TERMS = 48, FREQUENCIES = 10, MANY = 6000 };
@@ -26,18 +27,12 @@ static struct random_state state;
 
 static void constant_b(arb_t b, double nu, enum cor_disk_datum datum)
 {
-    LOCAL(arb, x);
-    arb_set_d(b, nu);
-    arb_add_ui(b, b, 1, BITS);
-    arb_neg(b, b);
-    if (datum == COR_DISK_DATUM_DIAMETER)
+    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS)
+        LET(b, BITS, "-2*log(2) - (1 + nu)/4", nu);
+    else if (datum == COR_DISK_DATUM_DIAMETER)
         arb_set_si(b, -1);
-    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS) {
-        arb_mul_2exp_si(b, b, -2);
-        arb_const_log2(x, BITS);
-        arb_mul_2exp_si(x, x, 1);
-        arb_sub(b, b, x, BITS);
-    }
+    else
+        LET(b, BITS, "-1 - nu", nu);
 }
 
 static void midpoint(arb_t x)
@@ -49,35 +44,18 @@ static void midpoint(arb_t x)
  * v^2; Newton's method in u, from above the minimum u = 1 */
 static void at_rest(arb_t delta, arb_t u, const arb_t b, double v)
 {
-    LOCAL(arb, f, x, y);
-    arb_log_ui(y, 16, BITS); /* 2 b + ln 16 - 2 ln v */
-    arb_addmul_ui(y, b, 2, BITS);
-    arb_set_d(x, v);
-    arb_log(x, x, BITS);
-    arb_submul_ui(y, x, 2, BITS);
+    LOCAL(arb, f, y);
+    LET(y, BITS, "log(16) + 2*b - 2*log(v)", b, v);
     arb_mul_2exp_si(u, y, -1); /* too small by about ln(u)/2 */
     arb_set_d(u, fmax(1.5, arf_get_d(arb_midref(u), ARF_RND_NEAR) + 4));
     for (int i = 0; i < 200; i++) { /* f = 2 u - ln(u - 1/2) - y, convex: from above no step goes too far */
-        arb_set_d(x, 0.5);
-        arb_sub(x, u, x, BITS);
-        arb_log(f, x, BITS);
-        arb_add(f, f, y, BITS);
-        arb_neg(f, f);
-        arb_addmul_ui(f, u, 2, BITS);
-        arb_inv(x, x, BITS);
-        arb_sub_ui(x, x, 2, BITS);
-        arb_neg(x, x);
-        arb_div(f, f, x, BITS);
+        LET(f, BITS, "(2*u - log(u - 1/2) - y)/(2 - 1/(u - 1/2))", u, y);
         arb_sub(u, u, f, BITS);
         midpoint(u);
         if (arf_cmpabs_2exp_si(arb_midref(f), -BITS + 40) < 0)
             break;
     }
-    /* delta = P u/pi = 4 u e^(b - u) */
-    arb_sub(x, b, u, BITS);
-    arb_exp(x, x, BITS);
-    arb_mul(delta, x, u, BITS);
-    arb_mul_2exp_si(delta, delta, 2);
+    LET(delta, BITS, "4*u*exp(b - u)", u, b); /* P u/pi */
     midpoint(delta);
 }
 
@@ -234,10 +212,8 @@ static void reference(double *response, double *contact_time, const double *omeg
     arb_sub(x, t, x, BITS);
     *contact_time = 2 * arf_get_d(arb_midref(x), ARF_RND_NEAR);
     for (int i = 0; i < FREQUENCIES; i++) {
-        arb_set_d(x, v);
-        arb_div(x, sum + i, x, BITS);
-        arb_mul_2exp_si(x, x, 1);
-        arb_sqr(x, x, BITS);
+        arb_srcptr integral = sum + i;
+        LET(x, BITS, "(2*integral/v)^2", integral, v);
         response[i] = arf_get_d(arb_midref(x), ARF_RND_NEAR);
     }
     _arb_vec_clear(d, TERMS);

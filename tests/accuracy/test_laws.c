@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Every function of law.h that has a closed form against long double in another formulation, and against MPFR where
+/* Every function of law.h that has a closed form against long double in another formulation, and against balls where
  * long double has too few digits: random points, doubles near every boundary of a kernel, the neighbours of the worst
  * point, special values. Prints one line for each function; these lines are what docs/accuracy.md quotes.
  *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, 20000 if not
@@ -13,71 +13,52 @@
 #include "enclosure/collision.h"
 #include "reference_law.h"
 #include "search.h"
+#include "support/formula.h"
 #include "support/local.h"
 #include "ulp.h"
 
 /* ---- the exact values ---- */
 
-enum { MPFR_BITS = 256 };
+enum { BALL_BITS = 256 };
 
 /* exp(x), -exp(x) expm1 and so on of a long double keep what the double needs up to this L. */
 static const long double far_exponent = 16;
 
-/* L of an end in MPFR, by acos, acosh, atan2 and logarithms */
-static void exponent_mpfr(mpfr_t l, enum law_end end, double zeta)
+static long double nearest_long_double(const arb_t x)
 {
-    mpfr_t z, om, phase, below;
-    mpfr_inits2(MPFR_BITS, z, om, phase, below, NULL);
-    const bool over = zeta > 1;
-    mpfr_set_d(z, zeta, MPFR_RNDN);
-    mpfr_sqr(om, z, MPFR_RNDN);
-    mpfr_mul_ui(below, om, 2, MPFR_RNDN);
-    mpfr_add_ui(below, below, 1, MPFR_RNDN);
-    mpfr_ui_sub(om, 1, om, MPFR_RNDN);
-    mpfr_abs(om, om, MPFR_RNDN);
-    mpfr_sqrt(om, om, MPFR_RNDN);
-    if (end == LAW_ZERO_OVERLAP) {
-        mpfr_const_pi(phase, MPFR_RNDN);
-    } else {
-        (over ? mpfr_acosh : mpfr_acos)(phase, z, MPFR_RNDN);
-        mpfr_mul_ui(phase, phase, end == LAW_APPROACH_ONLY ? 1 : 2, MPFR_RNDN);
-    }
-    if (end == LAW_LIMITED) {
-        mpfr_mul(l, z, om, MPFR_RNDN);
-        mpfr_mul_ui(l, l, 2, MPFR_RNDN);
-        if (over) {
-            mpfr_add(below, below, l, MPFR_RNDN);
-            mpfr_log(below, below, MPFR_RNDN);
-            mpfr_sqr(l, z, MPFR_RNDN);
-            mpfr_mul_ui(l, l, 8, MPFR_RNDN);
-            mpfr_log1p(l, l, MPFR_RNDN);
-            mpfr_div_ui(l, l, 2, MPFR_RNDN);
-            mpfr_sub(l, below, l, MPFR_RNDN);
-        } else {
-            mpfr_atan2(l, l, below, MPFR_RNDN);
-        }
-        mpfr_sub(phase, phase, l, MPFR_RNDN);
-    }
-    mpfr_mul(l, z, phase, MPFR_RNDN);
-    mpfr_div(l, l, om, MPFR_RNDN);
-    mpfr_clears(z, om, phase, below, NULL);
+    mpfr_t y;
+    mpfr_init2(y, 64);
+    arf_get_mpfr(y, arb_midref(x), MPFR_RNDN);
+    const long double value = mpfr_get_ld(y, MPFR_RNDN);
+    mpfr_clear(y);
+    return value;
+}
+
+/* L of an end by acos, acosh and logarithms, in balls; with limited damping for zeta > 1 */
+static void exponent_ball(arb_t l, enum law_end end, double zeta)
+{
+    LOCAL(arb, om, phase);
+    LET(om, BALL_BITS, "sqrt(abs(1 - zeta^2))", zeta);
+    if (end == LAW_ZERO_OVERLAP)
+        arb_const_pi(phase, BALL_BITS);
+    else if (zeta > 1)
+        LET(phase, BALL_BITS, "acosh(zeta)", zeta);
+    else
+        LET(phase, BALL_BITS, "acos(zeta)", zeta);
+    if (end == LAW_ZERO_FORCE)
+        LET(phase, BALL_BITS, "2*phase", phase);
+    if (end == LAW_LIMITED)
+        LET(phase, BALL_BITS, "2*phase - log(1 + 2*zeta^2 + 2*zeta*om) + log1p(8*zeta^2)/2", phase, zeta, om);
+    LET(l, BALL_BITS, "zeta*phase/om", zeta, phase, om);
 }
 
 /* exp(-share L) */
-static long double eps_mpfr(enum law_end end, double zeta, long double share, long double factor)
+static long double eps_far(enum law_end end, double zeta, struct ratio share)
 {
-    mpfr_t l;
-    mpfr_init2(l, MPFR_BITS);
-    exponent_mpfr(l, end, zeta);
-    if (share != 1) { /* 2/5 */
-        mpfr_mul_ui(l, l, 2, MPFR_RNDN);
-        mpfr_div_ui(l, l, 5, MPFR_RNDN);
-    }
-    mpfr_neg(l, l, MPFR_RNDN);
-    mpfr_exp(l, l, MPFR_RNDN);
-    const long double eps = mpfr_get_ld(l, MPFR_RNDN);
-    mpfr_clear(l);
-    return factor * eps;
+    LOCAL(arb, l);
+    exponent_ball(l, end, zeta);
+    LET(l, BALL_BITS, "exp(-share*l)", share, l);
+    return nearest_long_double(l);
 }
 
 static long double ratio_eps(enum law_end end, double zeta)
@@ -87,7 +68,7 @@ static long double ratio_eps(enum law_end end, double zeta)
     if (isinf(zeta) || (end == LAW_ZERO_OVERLAP && zeta >= 1))
         return 0;
     const long double l = reference_ratio_exponent(end, zeta);
-    return l < far_exponent ? expl(-l) : eps_mpfr(end, zeta, 1, 1);
+    return l < far_exponent ? expl(-l) : eps_far(end, zeta, ratio_make(1, 1));
 }
 
 static long double ratio_loss(enum law_end end, double zeta)
@@ -110,14 +91,13 @@ static double ratio_inverse_error(enum law_end end, double zeta, long double wan
         (reference_ratio_exponent(end, zeta * (1 + h)) - reference_ratio_exponent(end, zeta * (1 - h))) / (2 * h);
     long double off = (l - wanted) / slope;
     if (wanted > far_exponent) {
-        mpfr_t exact, other;
-        mpfr_inits2(MPFR_BITS, exact, other, NULL);
-        exponent_mpfr(exact, end, zeta);
-        mpfr_set_d(other, loss == 0 ? eps : -loss, MPFR_RNDN);
-        (loss == 0 ? mpfr_log : mpfr_log1p)(other, other, MPFR_RNDN);
-        mpfr_add(exact, exact, other, MPFR_RNDN);
-        off = mpfr_get_ld(exact, MPFR_RNDN) / slope;
-        mpfr_clears(exact, other, NULL);
+        LOCAL(arb, exact);
+        exponent_ball(exact, end, zeta);
+        if (loss == 0)
+            LET(exact, BALL_BITS, "exact + log(eps)", exact, eps);
+        else
+            LET(exact, BALL_BITS, "exact + log1p(-loss)", exact, loss);
+        off = nearest_long_double(exact) / slope;
     }
     return (double)(fabsl(off) * zeta / ulp(zeta));
 }
@@ -192,7 +172,7 @@ static long double tsuji_max_overlap(double zeta)
     if (zeta == 0 || isinf(zeta))
         return zeta == 0 ? elastic : 0;
     const long double l = reference_ratio_exponent(LAW_ZERO_FORCE, zeta);
-    return l < far_exponent ? elastic * expl(-0.4L * l) : eps_mpfr(LAW_ZERO_FORCE, zeta, 0.4L, elastic);
+    return l < far_exponent ? elastic * expl(-0.4L * l) : elastic * eps_far(LAW_ZERO_FORCE, zeta, ratio_make(2, 5));
 }
 
 static long double tsuji_time_of_max_overlap(double zeta)
@@ -479,9 +459,7 @@ static void search_boundaries(struct worst *worst, const struct search_function 
 static double relative_error_of_ball(double computed, const arb_t exact)
 {
     LOCAL(arb, off);
-    arb_set_d(off, computed);
-    arb_sub(off, off, exact, 200);
-    arb_div(off, off, exact, 200);
+    LET(off, 200, "computed/exact - 1", computed, exact);
     return arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_NEAR)) : HUGE_VAL;
 }
 
@@ -524,28 +502,15 @@ static bool crossley_times_are_enclosed(const struct search_options *o)
 enum { NO_SLIP_BITS = 600 };
 
 /* cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1))), where 300 bits may cancel */
-static long double no_slip_mpfr(double kappa, double a)
+static long double no_slip_exact(double kappa, double a)
 {
-    mpfr_t d, e, plus, pi;
-    mpfr_inits2(NO_SLIP_BITS, d, e, plus, pi, NULL);
-    mpfr_set_d(e, a, MPFR_RNDN);
-    mpfr_add_ui(plus, e, 1, MPFR_RNDN);
-    mpfr_sub_ui(e, e, 1, MPFR_RNDN);
-    mpfr_mul_d(d, plus, kappa, MPFR_RNDN);
-    mpfr_mul_ui(d, d, 8, MPFR_RNDN);
-    mpfr_fma(d, e, e, d, MPFR_RNDN);
-    mpfr_sqrt(d, d, MPFR_RNDN);
-    mpfr_const_pi(pi, MPFR_RNDN);
-    mpfr_div(pi, pi, plus, MPFR_RNDN);
-    mpfr_div_ui(pi, pi, 2, MPFR_RNDN);
-    mpfr_mul(d, d, pi, MPFR_RNDN);
-    mpfr_mul(e, e, pi, MPFR_RNDN);
-    mpfr_cos(d, d, MPFR_RNDN);
-    mpfr_cos(e, e, MPFR_RNDN);
-    mpfr_div(d, d, e, MPFR_RNDN);
-    const long double value = mpfr_get_ld(d, MPFR_RNDN);
-    mpfr_clears(d, e, plus, pi, NULL);
-    return value;
+    LOCAL(arb, d, e);
+    LET(d, NO_SLIP_BITS, "sqrt((a - 1)^2 + 8*(a + 1)*kappa)/(2*(a + 1))", a, kappa);
+    LET(e, NO_SLIP_BITS, "(a - 1)/(2*(a + 1))", a);
+    arb_cos_pi(d, d, NO_SLIP_BITS);
+    arb_cos_pi(e, e, NO_SLIP_BITS);
+    LET(d, NO_SLIP_BITS, "d/e", d, e);
+    return nearest_long_double(d);
 }
 
 /* kappa of every size, and the doubles next to the zeros of the cosine: what is computed exactly 0 must be a zero. */
@@ -564,7 +529,7 @@ static bool no_slip_is_good(const struct search_options *o)
         if (i % 4 != 0 && zero <= COR_NO_SLIP_MAX_KAPPA)
             kappa = zero * (1 + ((double)random_below(&r, 7) - 3) * DBL_EPSILON / 2);
         const double y = cor_tangential_no_slip(kappa, a);
-        const long double exact = no_slip_mpfr(kappa, a);
+        const long double exact = no_slip_exact(kappa, a);
         const bool is_zero = fabsl(exact) < 1e-60L;
         const double error = is_zero ? (y == 0 ? 0 : HUGE_VAL) : ulp_error((double)fabsl(y), fabsl(exact));
         const double of_floats = cor_tangential_no_slip((double)(float)kappa, (double)(float)a);
@@ -611,6 +576,6 @@ int main(int argc, char **argv)
         good = crossley_times_are_enclosed(&o) && good;
     if (search_wants(&o, "tangential_no_slip"))
         good = no_slip_is_good(&o) && good;
-    mpfr_free_cache();
+    flint_cleanup();
     return good ? 0 : 1;
 }

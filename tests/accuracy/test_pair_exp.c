@@ -3,6 +3,7 @@
  * error near the ends of its domain, where the series' last coefficient counts most. A double shows none of this. */
 #include "runtime/disk/quasistatic.c"
 
+#include "support/formula.h"
 #include "support/local.h"
 
 #include <stdio.h>
@@ -13,14 +14,8 @@ enum { POINTS = 4001, PREC = 256 };
 static double pair_exp_error(double x)
 {
     const pair computed = pair_exp(x);
-    LOCAL(arb, exact, off, high);
-    arb_set_d(exact, x);
-    arb_exp(exact, exact, PREC);
-    arb_set_d(off, computed.lo);
-    arb_set_d(high, computed.hi);
-    arb_add(off, off, high, PREC);
-    arb_div(off, off, exact, PREC);
-    arb_sub_ui(off, off, 1, PREC);
+    LOCAL(arb, off);
+    LET(off, PREC, "(computed.lo + computed.hi)*exp(-x) - 1", computed.lo, computed.hi, x);
     return fabs(arf_get_d(arb_midref(off), ARF_RND_UP));
 }
 

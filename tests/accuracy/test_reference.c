@@ -3,6 +3,7 @@
 #include "enclosure/collision.h"
 #include "reference.h"
 #include "search.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 #include <math.h>
@@ -20,9 +21,7 @@ static double difference(enum quantity quantity, double beta, const arb_t exact)
     mpfr_init2(y, 64);
     mpfr_set_ld(y, value, MPFR_RNDN);
     arf_set_mpfr(arb_midref(x), y);
-    arb_sub(x, x, exact, 2 * BITS);
-    arb_div(x, x, exact, 2 * BITS);
-    arb_abs(x, x);
+    LET(x, 2 * BITS, "abs(x/exact - 1)", x, exact);
     const double result = arf_get_d(arb_midref(x), ARF_RND_UP);
     mpfr_clear(y);
     return result;

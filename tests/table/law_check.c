@@ -3,6 +3,7 @@
 
 #include "../unit/check.h"
 #include "enclosure/collision.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 enum { BITS = 72, PREC = 600, LARGEST_LOG10 = 7, STEP_BITS = 24 };
@@ -74,28 +75,14 @@ static void note(struct law_case *c, int end, int what, double computed, const a
  * (docs/theory.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
 static void first_order_loss(arb_t loss, const struct law *law, int end, const arb_t beta)
 {
-    const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one), b1 = ratio_add(law->b, one);
-    const struct ratio ab = ratio_sub(law->a, law->b);
-    LOCAL(arb, x, y, z);
-    arb_set_ratio(x, ratio_div(b1, a1), PREC);
-    arb_set_ratio(y, (struct ratio){3, 2}, PREC);
-    arb_add(z, x, y, PREC);
-    arb_gamma(loss, x, PREC);
-    arb_gamma(y, y, PREC);
-    arb_gamma(z, z, PREC);
-    arb_mul(loss, loss, y, PREC);
-    arb_div(loss, loss, z, PREC);
-    arb_set_ratio(y, ratio_div(a1, (struct ratio){2, 1}), PREC);
-    arb_div(loss, loss, y, PREC);
-    arb_pow(y, y, x, PREC);
-    arb_mul(loss, loss, y, PREC);
-    arb_mul(loss, loss, beta, PREC);
-    if (end == 1 && law_force_ends(law)) {
-        arb_set_ratio(x, ratio_div(a1, ab), PREC);
-        arb_pow(y, beta, x, PREC);
-        arb_set_ratio(x, ratio_div(ab, ratio_mul(a1, b1)), PREC);
-        arb_submul(loss, x, y, PREC);
-    }
+    const struct ratio a = law->a, b = law->b;
+    fmpq_t p;
+    fmpq_init(p);
+    EXACT(p, "(b + 1)/(a + 1)", a, b);
+    LET(loss, PREC, "beta*((a + 1)/2)^(p - 1)*gamma(p)*gamma(3/2)/gamma(p + 3/2)", beta, a, p);
+    if (end == 1 && law_force_ends(law))
+        LET(loss, PREC, "loss - (a - b)/((a + 1)*(b + 1))*beta^((a + 1)/(a - b))", loss, a, b, beta);
+    fmpq_clear(p);
 }
 
 static void check_first_order(struct law_case *c, double beta)
@@ -135,24 +122,15 @@ static void check_inverse(struct law_case *c, int end, double beta, const arb_t 
     collision_init(&s);
     arb_set_d(x, beta - step);
     assert_int_equal(case_solve(&s, c, x), 0);
-    arb_sub(slope, eps, end ? s.eps_zero_force : s.eps_zero_overlap, PREC);
-    arb_set_d(exact, beta);
-    arb_sub(x, exact, x, PREC);
-    arb_div(slope, slope, x, PREC);
+    arb_srcptr before = end ? s.eps_zero_force : s.eps_zero_overlap;
+    LET(slope, PREC, "(eps - before)/(beta - x)", eps, before, beta, x);
     for (int of_loss = 0; of_loss < 2; of_loss++) {
-        arb_set(wanted, eps);
-        if (of_loss)
-            arb_sub_ui(wanted, wanted, 1, PREC), arb_neg(wanted, wanted);
+        const int sign = of_loss ? -1 : 1;
+        LET(wanted, PREC, "of_loss + sign*eps", of_loss, sign, eps);
         const double given = arf_get_d(arb_midref(wanted), ARF_RND_NEAR);
-        arb_set_d(x, given);
-        arb_sub(x, x, wanted, PREC);
-        arb_div(x, x, slope, PREC);
-        if (of_loss)
-            arb_neg(x, x);
-        arb_set_d(exact, beta);
-        arb_add(exact, exact, x, PREC);
+        LET(exact, PREC, "beta + sign*(given - wanted)/slope", beta, sign, given, wanted, slope);
         /* the slope has 20 bits: a shift of more than 2^-30 says nothing about the last place */
-        arb_div(x, x, exact, PREC);
+        LET(x, PREC, "1 - beta/exact", beta, exact);
         if (fabs(arf_get_d(arb_midref(x), ARF_RND_UP)) < 0x1p-38 && given > 0 && given < 1)
             note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA,
                  (of_loss ? c->f->beta_of_loss : c->f->beta)[end](given), exact, given);
@@ -176,8 +154,7 @@ static void check_beta(struct law_case *c, double beta, bool inverse)
     for (int end = 0; end < 2; end++) {
         arb_srcptr eps = end ? s.eps_zero_force : s.eps_zero_overlap;
         note(c, end, CHECK_EPS, f->eps[end](beta), eps, beta);
-        arb_sub_ui(loss, eps, 1, PREC);
-        arb_neg(loss, loss);
+        LET(loss, PREC, "1 - eps", eps);
         note(c, end, CHECK_LOSS, f->loss[end](beta), loss, beta);
         note(c, end, CHECK_DURATION, f->duration[end](beta), end ? s.t_zero_force : s.t_zero_overlap, beta);
         if (inverse)

@@ -5,6 +5,7 @@
 #include "../unit/check.h"
 #include "cor/hertz_dashpot.h"
 #include "enclosure/collision.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 static const struct law_functions functions = LAW_FUNCTIONS(
@@ -61,15 +62,9 @@ static void approach_set(struct approach *a, double beta)
     assert_int_equal(collision_solve_force(c, x, &law, APPROACH_BITS), 0);
     arb_zero(x);
     assert_int_equal(collision_solve(elastic, x, &law, APPROACH_BITS), 0);
-    arb_pow_ratio(a->eps, c->x_max, ratio_make(5, 4), APPROACH_BITS);
-    arb_set_ratio(x, ratio_make(4, 5), APPROACH_BITS);
-    arb_sqrt(x, x, APPROACH_BITS);
-    arb_mul(a->eps, a->eps, x, APPROACH_BITS);
-    arb_sub_ui(a->loss, a->eps, 1, APPROACH_BITS);
-    arb_neg(a->loss, a->loss);
-    arb_pow_ratio(x, a->eps, ratio_make(-1, 5), APPROACH_BITS);
-    arb_mul(x, x, elastic->t_max, APPROACH_BITS);
-    arb_add(a->duration, c->t_max, x, APPROACH_BITS);
+    LET(a->eps, APPROACH_BITS, "sqrt(4/5)*c->x_max^(5/4)", c->x_max);
+    LET(a->loss, APPROACH_BITS, "1 - a->eps", a->eps);
+    LET(a->duration, APPROACH_BITS, "c->t_max + elastic->t_max*a->eps^(-1/5)", c->t_max, elastic->t_max, a->eps);
 }
 
 static double moved(double x, int ulp)
@@ -104,9 +99,7 @@ static void check_approach(double worst[3], double beta, bool inverse)
         worst[k] = fmax(worst[k], error[k]);
     }
     if (inverse) {
-        arb_set_d(x, loss);
-        arb_sub_ui(x, x, 1, APPROACH_BITS);
-        arb_neg(x, x);
+        LET(x, APPROACH_BITS, "1 - loss", loss);
         check_approach_inverse(cor_hertz_dashpot_beta_of_loss_approach_only(loss), x, "of loss");
         arb_set_d(x, eps);
         if (eps < 1)

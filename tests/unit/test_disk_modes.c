@@ -69,25 +69,24 @@ static void add_mode(struct text *t, const struct cor_disk_mode *m)
     add_line(t, "mode %d %d %a %a %a", m->n, m->l, m->omega, m->c, m->s);
 }
 
-static struct text text_start(void)
+/* The first `lines` lines of a file of `count` modes */
+static struct text start_of(int lines, size_t count)
 {
-    const size_t room = (CAPACITY + 10) * LINE_MAX_LENGTH;
-    return (struct text){test_malloc(room), 0, 2166136261u};
-}
-
-static struct text with_header(size_t count)
-{
-    struct text t = text_start();
-    add_line(&t, "cor-disk-modes 1");
-    add_line(&t, "source a test");
-    add_line(&t, "poisson %a 0.33", 0.33);
-    add_line(&t, "modes %zu", count);
+    struct text t = {test_malloc((CAPACITY + 10) * LINE_MAX_LENGTH), 0, 2166136261u};
+    if (lines > 0)
+        add_line(&t, "cor-disk-modes 1");
+    if (lines > 1)
+        add_line(&t, "source a test");
+    if (lines > 2)
+        add_line(&t, "poisson %a 0.33", 0.33);
+    if (lines > 3)
+        add_line(&t, "modes %zu", count);
     return t;
 }
 
 static struct text file_of(const struct cor_disk_modes *modes, size_t count)
 {
-    struct text t = with_header(count);
+    struct text t = start_of(4, count);
     for (size_t i = 0; i < count; i++)
         add_mode(&t, &modes->mode[i]);
     add_line(&t, "end");
@@ -190,7 +189,7 @@ TEST(first_line)
                                          "n,l,omega,C,S\n"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         refused(others[i], strlen(others[i]), COR_ERROR_FILE_VERSION, 1, others[i]);
-    struct text t = text_start();
+    struct text t = start_of(0, 0);
     add_line(&t, "cor-disk-modes 2");
     refused(t.bytes, t.length, COR_ERROR_FILE_VERSION, 1, "version 2 in good order");
     test_free(t.bytes);
@@ -201,41 +200,29 @@ TEST(first_line)
 /* Right checks around what no writer writes. */
 TEST(harmed_lines)
 {
+    static const struct {
+        int after; /* so many lines in good order */
+        const char *line[12];
+    } harmed[] = {
+        {2,
+         {"poisson 0x1p+0 1", "poisson -0x1p+0 -1", "poisson 0x1.8p+1 3", "poisson 0.33 0.33", "poisson 0x1.5p-2",
+          "poisson nan 0", "poisson 0x1p+1024 0", "poisson  0x1p-2 0", "poisson 0x2p-3 0", "poisson 0x1.p-2",
+          "poisson 0x1p-1023 0"}},
+        {3,
+         {"modes 0", "modes -1", "modes 18446744073709551616", "modes 18446744073709551617", "modes 1 ", "modes 1x",
+          "modes 0x1", "modes "}},
+        {4,
+         {"mode 2 0 0x1p+0 0x1p+0 0x1p+0", "mode 2 0 0x1p+0", "modes 2 0", "2 0", "mode 0 0 0x1p+1 0x1p+0 0x0p+0",
+          "mode 0 0 -0x1p+1 0x1p+0 0x0p+0", "mode -2 0 0x1p+0 0x1", "mode 2147483648 0"}}};
     const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;
     struct text t;
-    static const char *const poisson[] = {"0x1p+0 1",    "-0x1p+0 -1", "0x1.8p+1 3", "0.33 0.33", "0x1.5p-2",   "nan 0",
-                                          "0x1p+1024 0", " 0x1p-2 0",  "0x2p-3 0",   "0x1.p-2",   "0x1p-1023 0"};
-    for (size_t i = 0; i < sizeof poisson / sizeof *poisson; i++) {
-        t = text_start();
-        add_line(&t, "cor-disk-modes 1");
-        add_line(&t, "source a test");
-        add_line(&t, "poisson %s", poisson[i]);
-        refused_text(&t, 3, poisson[i]);
-    }
-    static const char *const count[] = {"0",   "-1", "18446744073709551616", "18446744073709551617", "1 ", "1x",
-                                        "0x1", ""};
-    for (size_t i = 0; i < sizeof count / sizeof *count; i++) {
-        t = text_start();
-        add_line(&t, "cor-disk-modes 1");
-        add_line(&t, "source a test");
-        add_line(&t, "poisson 0x1p-2 0.25");
-        add_line(&t, "modes %s", count[i]);
-        refused_text(&t, 4, count[i]);
-    }
-    static const char *const row[] = {"mode 2 0 0x1p+0 0x1p+0 0x1p+0",
-                                      "mode 2 0 0x1p+0",
-                                      "modes 2 0",
-                                      "2 0",
-                                      "mode 0 0 0x1p+1 0x1p+0 0x0p+0",
-                                      "mode 0 0 -0x1p+1 0x1p+0 0x0p+0",
-                                      "mode -2 0 0x1p+0 0x1",
-                                      "mode 2147483648 0"};
-    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        t = with_header(1);
-        add_line(&t, "%s", row[i]);
-        add_line(&t, "end");
-        refused_text(&t, FIRST_MODE_LINE, row[i]);
-    }
+    for (size_t i = 0; i < COUNT_OF(harmed); i++)
+        for (size_t k = 0; harmed[i].line[k] != NULL; k++) {
+            t = start_of(harmed[i].after, 1);
+            add_line(&t, "%s", harmed[i].line[k]);
+            add_line(&t, "end");
+            refused_text(&t, (size_t)harmed[i].after + 1, harmed[i].line[k]);
+        }
     struct cor_disk_mode high = {COR_DISK_MODES_MAX_N, 0, 3, 1.5, 0}; /* obeys (26) for any n */
     const struct cor_disk_modes highest = {0.33, 1, &high};
     struct cor_disk_modes read;
@@ -247,25 +234,19 @@ TEST(harmed_lines)
     high.n++;
     t = file_of(&highest, 1);
     refused_text(&t, FIRST_MODE_LINE, "n is too large");
-    t = with_header(2); /* out of order */
-    add_mode(&t, &m[1]);
-    add_mode(&t, &m[0]);
-    add_line(&t, "end");
-    refused_text(&t, FIRST_MODE_LINE + 1, "out of order");
-    t = with_header(2); /* twice */
-    add_mode(&t, &m[0]);
-    add_mode(&t, &m[0]);
-    add_line(&t, "end");
-    refused_text(&t, FIRST_MODE_LINE + 1, "twice");
-    t = with_header(1); /* more than promised */
-    add_mode(&t, &m[0]);
-    add_mode(&t, &m[1]);
-    add_line(&t, "end");
-    refused_text(&t, FIRST_MODE_LINE + 1, "one too many");
-    t = with_header(2); /* fewer */
-    add_mode(&t, &m[0]);
-    add_line(&t, "end");
-    refused_text(&t, FIRST_MODE_LINE + 1, "one too few");
+    static const struct {
+        const char *what;
+        size_t promised, count;
+        int mode[2];
+    } lists[] = {
+        {"out of order", 2, 2, {1, 0}}, {"twice", 2, 2, {0, 0}}, {"too many", 1, 2, {0, 1}}, {"too few", 2, 1, {0}}};
+    for (size_t i = 0; i < COUNT_OF(lists); i++) {
+        t = start_of(4, lists[i].promised);
+        for (size_t k = 0; k < lists[i].count; k++)
+            add_mode(&t, &m[lists[i].mode[k]]);
+        add_line(&t, "end");
+        refused_text(&t, FIRST_MODE_LINE + 1, lists[i].what);
+    }
     const double wrong[] = {1 + 1e-10, -1, 0};
     for (int i = 0; i < 3; i++) /* a number that no mode has: (26) */
         for (int k = 0; k < 3; k++) {
@@ -273,7 +254,7 @@ TEST(harmed_lines)
             harmed.c *= wrong[i];
             if (i == 1 && harmed.n == 0)
                 continue; /* a sign is free there */
-            t = with_header(1);
+            t = start_of(4, 1);
             add_mode(&t, &harmed);
             add_line(&t, "end");
             refused_text(&t, FIRST_MODE_LINE, "C is wrong");

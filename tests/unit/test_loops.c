@@ -129,7 +129,7 @@ static const struct loop loops[] = {COR_SPHERE_QUANTITIES(SPHERE) COR_FLOAT_QUAN
 /* ---- arguments ---- */
 
 /* Of every kind, so that a vector has what lies inside the tables beside what does not; then, block by block, numbers
- * that every function has rows for, and those near 0. */
+ * that every function has rows for, those near 0, and those whose products may be subnormal floats. */
 static void fill(struct random_state *r, const double seam[4], double *drawn)
 {
     static const double special[] = {0.0,     -0.0,  NAN,  INFINITY, -INFINITY, -1,      4.9406564584124654e-324,
@@ -138,13 +138,15 @@ static void fill(struct random_state *r, const double seam[4], double *drawn)
                                      1e300,   1e-310};
     for (size_t i = 0; i < many; i++) {
         const double kind = random_uniform(r, 0, 1), *const at = &seam[random_below(r, 4)];
-        const size_t block = i / (many / BLOCKS + 1) % 4;
+        const size_t block = i / (many / BLOCKS + 1) % 5;
         if (block >= 2)
-            drawn[i] = block == 2 ? random_uniform(r, 0.01, 0.99) : random_uniform(r, 0, 0.1);
+            drawn[i] = block == 2   ? random_uniform(r, 0.01, 0.99)
+                       : block == 3 ? random_uniform(r, 0, 0.1)
+                                    : random_log(r, i % 4 ? 1e-9 : 1e-45, 7.9);
         else if (kind < 0.5)
             drawn[i] = random_uniform(r, 0, block == 0 ? 6 : 1.3);
         else if (kind < 0.7)
-            drawn[i] = random_log(r, kind < 0.6 ? 1e-6 : 1e-45, 20); /* products of such floats are subnormal */
+            drawn[i] = random_log(r, 1e-6, 20);
         else if (kind < 0.8)
             drawn[i] = random_log(r, 1e-300, 1e300);
         else if (kind < 0.85)
