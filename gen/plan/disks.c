@@ -46,7 +46,7 @@ enum {
 /* Nanoseconds of a step of a collision, and of each mode in a step, measured once (docs/plan.md). */
 #define NS_STEP 1000.0
 #define NS_STEP_MODE 4.0
-#define NS_EPS_TABLE 70.0
+#define NS_EPS_TABLE 14.0
 #define NS_RAYLEIGH 80e3
 #define NS_RAYLEIGH_MODE 45.0
 static const double ns_law[QUANTITIES] = {0, 770, 130}, ns_leading_log[QUANTITIES] = {0, 40, 40};

@@ -28,6 +28,16 @@ enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 /* Largest number of divisions of a cell. A fifth helps little (docs/disks.md). Coordinates are in sixths of the
  * side of a cell that is divided FINEST times, so that they do not depend on this number. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
+/* The smallest cells and pieces, of which a root has PER_ROOT to its side */
+enum {
+    PER_ROOT = 1 << MOST_CUTS,
+    SMALLEST = ROOT_SIDE / PER_ROOT,
+    COLUMNS = X_ROOTS * PER_ROOT,
+    ROWS = NU_ROOTS * PER_ROOT,
+    PER_SQUARE = COR_DISK_LIMIT_PER_SQUARE,
+    SQUARES = COLUMNS / PER_SQUARE * (ROWS / PER_SQUARE)
+};
+_Static_assert((int)PER_ROOT == COR_DISK_LIMIT_PER_ROOT, "the smallest pieces are the smallest cells");
 
 /* Tolerances of the collisions up to a speed and beyond it, and the factor on the error of a cell's polynomial at the 9
  * points between its 16 */
@@ -39,20 +49,32 @@ enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 #define CALM_WANTED 2e-5
 #define FAST_WANTED 1e-4
 
-enum { NODES_MAX = INT16_MAX, CELL_TEXT = 200, LINE = 64, SAMPLE_MISSES = 3 };
+enum { PLACES_MAX = UINT16_MAX >> 4, LINE = 64, SAMPLE_MISSES = 3 };
 
 /* A collision, at x and nu in sixths from the corner of the plane */
 struct scene {
     int32_t x, nu, value, estimate; /* in COR_DISK_LIMIT_UNIT */
 };
 
+/* x and nu of its first corner in sixths; values and uncertainty in COR_DISK_LIMIT_UNIT; value [4 j + i] is at place i
+ * of x and place j of nu. */
+enum { SIDE = COR_DISK_LIMIT_SIDE, POINTS = COR_DISK_LIMIT_POINTS };
+struct cell {
+    int32_t x, nu;
+    int depth;
+    int32_t uncertainty, value[POINTS];
+};
+
 struct limits {
     bool known;
     long seconds; /* processor time of their computation */
     long scenes;
-    int nodes, cells;
-    int16_t node[NODES_MAX];
-    struct cor_disk_limit_cell cell[NODES_MAX];
+    int cells, pieces, places;
+    struct cell cell[PLACES_MAX];
+    uint16_t cell_at[ROWS][COLUMNS];
+    /* what the library evaluates */
+    struct cor_disk_limit_piece piece[PLACES_MAX];
+    uint16_t square[SQUARES], place[PLACES_MAX];
 };
 static struct limits *table;
 
@@ -92,10 +114,11 @@ static double nu_at(int32_t nu)
     return FIRST_NU + NU_STEP * ((double)nu / (double)ROOT_SIDE);
 }
 
-static struct cor_disk_limit_table evaluable(const struct limits *limits)
+static struct cor_disk_limit_table evaluable(void)
 {
-    return (struct cor_disk_limit_table){
-        X_ROOTS, NU_ROOTS, x_of_speed(FIRST_SPEED), x_step(), FIRST_NU, NU_STEP, limits->node, limits->cell};
+    return (struct cor_disk_limit_table){X_ROOTS,       NU_ROOTS,     x_of_speed(FIRST_SPEED),
+                                         x_step(),      FIRST_NU,     NU_STEP,
+                                         table->square, table->place, table->piece};
 }
 
 /* Whether a collision at x is asked for CALM_TOLERANCE: in all roots that begin below CALM_SPEED, so that no cell has
@@ -194,11 +217,6 @@ static const struct scene *known_scene(const struct scenes *scenes, int32_t x, i
 
 /* ---- cells ---- */
 
-struct cell {
-    int32_t x, nu; /* of its first corner */
-    int depth, node;
-};
-
 static int32_t sixth_of(const struct cell *cell)
 {
     return (ROOT_SIDE / SIXTHS) >> cell->depth;
@@ -235,27 +253,48 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     return status;
 }
 
+/* Weights of Lagrange's interpolation at a from the points 0, 1, 2, 3. They are exact at the a of corgen, few bits. */
+static void weights(double a, double weight[SIDE])
+{
+    const double b = a - 1, c = a - 2, d = a - 3;
+    weight[0] = b * c * d / -6;
+    weight[1] = a * c * d / 2;
+    weight[2] = a * b * d / -2;
+    weight[3] = a * b * c / 6;
+}
+
+/* The polynomial of a cell alone, with the weights of a place, in COR_DISK_LIMIT_UNIT */
+static double cell_value(const struct cell *cell, const double x_weight[SIDE], const double nu_weight[SIDE])
+{
+    double sum = 0;
+    for (int k = 0; k < POINTS; k++)
+        sum += nu_weight[k / SIDE] * x_weight[k % SIDE] * cell->value[k];
+    return sum;
+}
+
 /* Sets the cell's values and the uncertainty of its polynomial. */
-static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, const struct scenes *scenes)
+static void fill_cell(struct cell *cell, const struct scenes *scenes)
 {
     const int32_t sixth = sixth_of(cell);
     int32_t estimate = 0;
     double missed = 0;
-    for (int j = 0; j < COR_DISK_LIMIT_SIDE; j++)
-        for (int i = 0; i < COR_DISK_LIMIT_SIDE; i++) {
+    for (int j = 0; j < SIDE; j++)
+        for (int i = 0; i < SIDE; i++) {
             const struct scene *const s = known_scene(scenes, cell->x + 2 * i * sixth, cell->nu + 2 * j * sixth);
-            to->value[COR_DISK_LIMIT_SIDE * j + i] = s->value;
+            cell->value[SIDE * j + i] = s->value;
             estimate = s->estimate > estimate ? s->estimate : estimate;
         }
     for (int j = 1; j < SIXTHS; j += 2)
         for (int i = 1; i < SIXTHS; i += 2) {
             const struct scene *const s = known_scene(scenes, cell->x + i * sixth, cell->nu + j * sixth);
-            const double value = cor_disk_limit_value(to, (double)i / (double)SIXTHS, (double)j / (double)SIXTHS);
-            missed = fmax(missed, fabs(value / COR_DISK_LIMIT_UNIT - s->value));
+            double x_weight[SIDE], nu_weight[SIDE];
+            weights(i / 2.0, x_weight);
+            weights(j / 2.0, nu_weight);
+            missed = fmax(missed, fabs(cell_value(cell, x_weight, nu_weight) - s->value));
             estimate = s->estimate > estimate ? s->estimate : estimate;
         }
     /* the two parts are independent, and each is several times the actual error */
-    to->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
+    cell->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
 }
 
 /* What is wanted of a cell that begins at x */
@@ -269,9 +308,16 @@ static void cell_cut(const struct cell *cell, struct cell *quarter)
 {
     const int32_t half = SIXTHS / 2 * sixth_of(cell);
     for (int k = 0; k < 4; k++)
-        quarter[k] = (struct cell){cell->x + k % 2 * half, cell->nu + k / 2 * half, cell->depth + 1, table->nodes + k};
-    table->node[cell->node] = (int16_t)-table->nodes;
-    table->nodes += 4;
+        quarter[k] =
+            (struct cell){.x = cell->x + k % 2 * half, .nu = cell->nu + k / 2 * half, .depth = cell->depth + 1};
+}
+
+static void add_cell(struct cell cell)
+{
+    const int side = PER_ROOT >> cell.depth, x = cell.x / SMALLEST, nu = cell.nu / SMALLEST;
+    for (int k = 0; k < side * side; k++)
+        table->cell_at[nu + k / side][x + k % side] = (uint16_t)table->cells;
+    table->cell[table->cells++] = cell;
 }
 
 /* Cells of one depth become part of the table or are divided; *cell becomes the list of their quarters. */
@@ -280,17 +326,14 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
     int status = find_scenes(scenes, *cell, *cells), cut_cells = 0;
     struct cell *const next = xmalloc(4 * (size_t)*cells * sizeof *next);
     for (int i = 0; i < *cells && status == STATUS_OK; i++) {
-        const struct cell *const c = &(*cell)[i];
-        struct cor_disk_limit_cell filled;
-        fill_cell(&filled, c, scenes);
-        if (c->depth == MOST_CUTS || filled.uncertainty * COR_DISK_LIMIT_UNIT <= wanted_at(c->x)) {
-            table->node[c->node] = (int16_t)table->cells;
-            table->cell[table->cells++] = filled;
-        } else if (table->nodes + 4 > NODES_MAX) {
-            status = fail("the table needs more than %d cells", NODES_MAX);
-        } else {
+        struct cell *const c = &(*cell)[i];
+        fill_cell(c, scenes);
+        if (c->depth < MOST_CUTS && c->uncertainty * COR_DISK_LIMIT_UNIT > wanted_at(c->x))
             cell_cut(c, next + 4 * cut_cells++);
-        }
+        else if (table->cells == PLACES_MAX)
+            status = fail("the table needs more than %d cells", PLACES_MAX);
+        else
+            add_cell(*c);
     }
     free(*cell);
     *cell = next;
@@ -298,42 +341,147 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
     return status;
 }
 
-/* Sets the place of each cell. */
-static void place_cells(struct cell *of_cell, int node, struct cell cell)
+/* ---- pieces ---- */
+
+/* A part of a cell, in sides of the smallest piece: [0] in x, [1] in nu */
+struct part {
+    const struct cell *cell;
+    int first[2], side[2];
+};
+
+/* The cell beyond the first or last side of a part's cell, across from the part's middle, if it is smaller, or NULL.
+ * axis is the one that the side ends. */
+static const struct cell *smaller_beyond(const struct part *part, int axis, int last)
 {
-    const int number = table->node[node];
-    const int32_t half = SIXTHS / 2 * sixth_of(&cell);
-    if (number >= 0) {
-        of_cell[number] = cell;
-        return;
-    }
-    for (int k = 0; k < 4; k++)
-        place_cells(of_cell, -number + k,
-                    (struct cell){cell.x + k % 2 * half, cell.nu + k / 2 * half, cell.depth + 1, 0});
+    const int side = PER_ROOT >> part->cell->depth, end = axis ? ROWS : COLUMNS;
+    int at[2] = {part->first[0] + part->side[0] / 2, part->first[1] + part->side[1] / 2};
+    at[axis] = part->first[axis] / side * side + (last ? side : -1);
+    if (at[axis] < 0 || at[axis] == end)
+        return NULL;
+    const struct cell *const other = &table->cell[table->cell_at[at[1]][at[0]]];
+    return other->depth > part->cell->depth ? other : NULL;
 }
 
-static struct cell *places_of_cells(void)
+/* The place of a point on an axis of a cell, 0 to 3; `at` is in thirds of the smallest piece. */
+static double place_in(const struct cell *cell, int axis, int at)
 {
-    struct cell *const of_cell = xmalloc((size_t)table->cells * sizeof *of_cell);
-    for (int i = 0; i < ROOTS; i++)
-        place_cells(of_cell, i, (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, 0});
-    return of_cell;
+    const int first = (axis ? cell->nu : cell->x) / SMALLEST;
+    return (double)(at - 3 * first) / (double)(PER_ROOT >> cell->depth);
 }
 
-/* Marks the sides of each cell that are joined to smaller cells, from the centre of the cell. */
-static void mark_joined(struct limits *limits)
+/* The polynomial on a side of a cell */
+static double value_on_side(const struct cell *cell, int axis, int last, int at)
 {
-    const struct cor_disk_limit_table t = evaluable(limits);
-    struct cell *const of_cell = places_of_cells();
-    for (int i = 0; i < limits->cells; i++) {
-        const double half = (double)(SIXTHS / 2 * sixth_of(&of_cell[i]));
-        const struct cor_disk_limit_place at = cor_disk_limit_find(
-            &t, ((double)of_cell[i].x + half) / (double)ROOT_SIDE, ((double)of_cell[i].nu + half) / (double)ROOT_SIDE);
-        limits->cell[i].joined = 0;
-        for (int side = 0; side < 4; side++)
-            limits->cell[i].joined |= (cor_disk_limit_beyond(&t, &at, side & 1, side >> 1).side < at.side) << side;
+    double weight[SIDE], sum = 0;
+    weights(place_in(cell, !axis, at), weight);
+    for (int k = 0; k < SIDE; k++)
+        sum += weight[k] * cell->value[axis ? SIDE * (SIDE - 1) * last + k : SIDE * k + (SIDE - 1) * last];
+    return sum;
+}
+
+/* The table's function in a part of a cell, (17.5) of docs/theory-disks.md, at place i of x and j of nu. The numbers
+ * have few bits, so that the result is exact. */
+static double value_in_part(const struct part *part, int i, int j)
+{
+    const int at[2] = {3 * part->first[0] + i * part->side[0], 3 * part->first[1] + j * part->side[1]};
+    double weight[2][SIDE];
+    for (int axis = 0; axis < 2; axis++)
+        weights(place_in(part->cell, axis, at[axis]), weight[axis]);
+    double value = cell_value(part->cell, weight[0], weight[1]);
+    for (int side = 0; side < 4; side++) {
+        const int axis = side % 2, last = side / 2;
+        const struct cell *const other = smaller_beyond(part, axis, last);
+        if (other)
+            value += weight[axis][(SIDE - 1) * last] *
+                     (value_on_side(other, axis, !last, at[!axis]) - value_on_side(part->cell, axis, last, at[!axis]));
     }
-    free(of_cell);
+    return value;
+}
+
+/* Four values at 0, 1/3, 2/3, 1, `stride` apart, become the coefficients of the polynomial through them. */
+static void to_powers(double *value, int stride)
+{
+    const double a = value[0], b = value[stride], c = value[2 * stride], d = value[3 * stride];
+    value[stride] = (-11 * a + 18 * b - 9 * c + 2 * d) / 2;
+    value[2 * stride] = 9 * (2 * a - 5 * b + 4 * c - d) / 2;
+    value[3 * stride] = 9 * (-a + 3 * b - 3 * c + d) / 2;
+}
+
+/* Cuts a part until each side of its cell has one cell beyond it, and adds the pieces to the table. Sets their numbers
+ * in piece_at. Returns false if there are too many. */
+static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS])
+{
+    bool cut[2] = {false, false};
+    for (int side = 0; side < 4; side++) {
+        const struct cell *const other = smaller_beyond(part, side % 2, side / 2);
+        const int along = !(side % 2);
+        cut[along] |= other && PER_ROOT >> other->depth < part->side[along];
+    }
+    if (cut[0] || cut[1]) {
+        const int axis = !cut[0] || (cut[1] && part->side[1] >= part->side[0]);
+        struct part half[2] = {*part, *part};
+        half[0].side[axis] = half[1].side[axis] = part->side[axis] / 2;
+        half[1].first[axis] += part->side[axis] / 2;
+        return add_pieces(&half[0], piece_at) && add_pieces(&half[1], piece_at);
+    }
+    if (table->pieces == PLACES_MAX)
+        return false;
+    for (int k = 0; k < part->side[0] * part->side[1]; k++)
+        piece_at[part->first[1] + k / part->side[0]][part->first[0] + k % part->side[0]] = (uint16_t)table->pieces;
+    struct cor_disk_limit_piece *const piece = &table->piece[table->pieces++];
+    *piece = (struct cor_disk_limit_piece){.x = (double)part->first[0] / PER_ROOT,
+                                           .nu = (double)part->first[1] / PER_ROOT,
+                                           .per_x = (double)PER_ROOT / part->side[0],
+                                           .per_nu = (double)PER_ROOT / part->side[1],
+                                           .uncertainty = part->cell->uncertainty,
+                                           .depth = part->cell->depth};
+    for (int k = 0; k < POINTS; k++)
+        piece->coefficient[k] = value_in_part(part, k % SIDE, k / SIDE);
+    for (int k = 0; k < SIDE; k++)
+        to_powers(piece->coefficient + SIDE * k, 1);
+    for (int k = 0; k < SIDE; k++)
+        to_powers(piece->coefficient + k, SIDE);
+    return true;
+}
+
+/* The least a for which 2^a equal parts of a square along an axis hold one piece each */
+static int square_bits(uint16_t piece_at[ROWS][COLUMNS], int x, int nu, int axis)
+{
+    int bits = 0;
+    for (int k = 0; k < PER_SQUARE * PER_SQUARE; k++) {
+        const int at[2] = {k % PER_SQUARE, k / PER_SQUARE};
+        int first[2] = {at[0], at[1]};
+        first[axis] &= -(PER_SQUARE >> bits);
+        while (piece_at[nu + at[1]][x + at[0]] != piece_at[nu + first[1]][x + first[0]]) {
+            bits++;
+            first[axis] = at[axis] & -(PER_SQUARE >> bits);
+        }
+    }
+    return bits;
+}
+
+/* Sets pieces, squares and places from the cells. */
+static int make_pieces(void)
+{
+    static uint16_t piece_at[ROWS][COLUMNS];
+    bool fits = true;
+    table->pieces = table->places = 0;
+    for (int i = 0; i < table->cells && fits; i++) {
+        const struct cell *const c = &table->cell[i];
+        const int side = PER_ROOT >> c->depth;
+        const struct part whole = {c, {c->x / SMALLEST, c->nu / SMALLEST}, {side, side}};
+        fits = add_pieces(&whole, piece_at);
+    }
+    for (int i = 0; i < SQUARES && fits; i++) {
+        const int x = i * PER_SQUARE % COLUMNS, nu = i * PER_SQUARE / COLUMNS * PER_SQUARE;
+        const int x_bits = square_bits(piece_at, x, nu, 0), nu_bits = square_bits(piece_at, x, nu, 1);
+        fits = table->places + (1 << (x_bits + nu_bits)) <= PLACES_MAX;
+        table->square[i] = (uint16_t)(table->places << 4 | nu_bits << 2 | x_bits);
+        for (int k = 0; k < 1 << (x_bits + nu_bits) && fits; k++)
+            table->place[table->places++] =
+                piece_at[nu + (k >> x_bits) * (PER_SQUARE >> nu_bits)][x + k % (1 << x_bits) * (PER_SQUARE >> x_bits)];
+    }
+    return fits ? STATUS_OK : fail("the table needs more than %d pieces or places", PLACES_MAX);
 }
 
 int disk_limits_collide(void)
@@ -343,14 +491,13 @@ int disk_limits_collide(void)
     struct cell *cell = xmalloc(ROOTS * sizeof *cell);
     int cells = ROOTS, status = STATUS_OK;
     start_table();
-    table->nodes = ROOTS;
     for (int i = 0; i < ROOTS; i++)
-        cell[i] = (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, i};
+        cell[i] = (struct cell){.x = i % X_ROOTS * ROOT_SIDE, .nu = i / X_ROOTS * ROOT_SIDE};
     while (cells > 0 && status == STATUS_OK)
         status = cell_refine(&scenes, &cell, &cells);
     free(cell);
     if (status == STATUS_OK)
-        mark_joined(table);
+        status = make_pieces();
     table->scenes = scenes.count;
     table->seconds = lround((double)clock() / CLOCKS_PER_SEC - start);
     table->known = status == STATUS_OK;
@@ -372,28 +519,27 @@ static int by_size(const void *a, const void *b)
     return (*x > *y) - (*x < *y);
 }
 
-static struct summary summary_of(const struct limits *limits)
+static struct summary summary_now(void)
 {
     struct summary summary = {0};
-    struct cell *const of_cell = places_of_cells();
-    int32_t *const uncertainty = xmalloc((size_t)limits->cells * sizeof *uncertainty);
-    for (int i = 0; i < limits->cells; i++) {
-        int32_t *const most = is_calm(of_cell[i].x + 1) ? &summary.calm : &summary.fast;
-        uncertainty[i] = limits->cell[i].uncertainty;
-        *most = uncertainty[i] > *most ? uncertainty[i] : *most;
-        summary.depth[of_cell[i].depth]++;
-        summary.deepest = of_cell[i].depth > summary.deepest ? of_cell[i].depth : summary.deepest;
+    int32_t *const uncertainty = xmalloc((size_t)table->cells * sizeof *uncertainty);
+    for (int i = 0; i < table->cells; i++) {
+        const struct cell *const c = &table->cell[i];
+        int32_t *const most = is_calm(c->x + 1) ? &summary.calm : &summary.fast;
+        uncertainty[i] = c->uncertainty;
+        *most = c->uncertainty > *most ? c->uncertainty : *most;
+        summary.depth[c->depth]++;
+        summary.deepest = c->depth > summary.deepest ? c->depth : summary.deepest;
     }
-    qsort(uncertainty, (size_t)limits->cells, sizeof *uncertainty, by_size);
-    summary.median = uncertainty[limits->cells / 2];
+    qsort(uncertainty, (size_t)table->cells, sizeof *uncertainty, by_size);
+    summary.median = uncertainty[table->cells / 2];
     free(uncertainty);
-    free(of_cell);
     return summary;
 }
 
-static void write_banner(FILE *file, const struct limits *limits)
+static void write_banner(FILE *file)
 {
-    const struct summary summary = summary_of(limits);
+    const struct summary summary = summary_now();
     fprintf(
         file,
         "/* SPDX-License-Identifier: MIT */\n"
@@ -404,15 +550,15 @@ static void write_banner(FILE *file, const struct limits *limits)
         " * %ld collisions, asked for an error of %g up to v = %g and %g beyond (estimated by "
         "cor_disk_hard_wall).\n"
         " * The plane of x = v^(1/8) and nu is cut into %d cells, of depths 0 to %d: ",
-        FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, limits->scenes, CALM_TOLERANCE, calm_end(), FAST_TOLERANCE,
-        limits->cells, summary.deepest);
+        FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, table->scenes, CALM_TOLERANCE, calm_end(), FAST_TOLERANCE,
+        table->cells, summary.deepest);
     for (int k = 0; k <= summary.deepest; k++)
         fprintf(file, "%s%d", k ? ", " : "", summary.depth[k]);
     fprintf(
         file,
-        ". Each holds 4 x 4\n"
-        " * values, between which polynomials of degree 3 interpolate, joined on the sides, "
-        "runtime/core/disk_limit.h.\n"
+        ". A polynomial\n"
+        " * of degree 3 interpolates the 4 x 4 collisions of a cell and is joined on its sides: %d pieces,\n"
+        " * runtime/core/disk_limit.h.\n"
         " *\n"
         " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
         " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
@@ -422,30 +568,31 @@ static void write_banner(FILE *file, const struct limits *limits)
         " * Written by:  corgen tables --all, in %ld seconds of processor time\n"
         " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"
         " *              --check --all */\n",
-        SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, calm_end(), summary.fast * COR_DISK_LIMIT_UNIT,
-        summary.median * COR_DISK_LIMIT_UNIT, limits->seconds);
+        table->pieces, SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, calm_end(), summary.fast * COR_DISK_LIMIT_UNIT,
+        summary.median * COR_DISK_LIMIT_UNIT, table->seconds);
 }
 
-static void write_nodes(FILE *file, const struct limits *limits)
+static void write_numbers(FILE *file, const char *name, const uint16_t *number, int count)
 {
-    enum { A_LINE = 16 };
-    fprintf(file, "static const int16_t cor_disk_limit_node[%d] = {", limits->nodes);
-    for (int i = 0; i < limits->nodes; i++)
-        fprintf(file, "%s%d%s", i % A_LINE ? " " : "\n    ", limits->node[i], i + 1 < limits->nodes ? "," : "");
+    enum { A_LINE = 80 };
+    fprintf(file, "static const uint16_t cor_disk_limit_%s[%d] = {", name, count);
+    for (int i = 0; i < count; i++)
+        fprintf(file, "%s%u%s", i % A_LINE ? " " : "\n    ", number[i], i + 1 < count ? "," : "");
     fputs("\n};\n\n", file);
 }
 
-static void cell_text(char text[CELL_TEXT], const struct cor_disk_limit_cell *cell)
+static void write_piece(FILE *file, const struct cor_disk_limit_piece *piece)
 {
-    int n = snprintf(text, CELL_TEXT, "    {%" PRId32 ", %" PRId32 ", {", cell->uncertainty, cell->joined);
-    for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++)
-        n += snprintf(text + n, CELL_TEXT - (size_t)n, "%s%" PRId32, k ? ", " : "", cell->value[k]);
-    snprintf(text + n, CELL_TEXT - (size_t)n, "}},\n");
+    fprintf(file, "    {%.17g, %.17g, %.17g, %.17g, %.17g, %d, {", piece->x, piece->nu, piece->per_x, piece->per_nu,
+            piece->uncertainty, piece->depth);
+    for (int k = 0; k < POINTS; k++)
+        fprintf(file, "%s%.17g", k ? ", " : "", piece->coefficient[k]);
+    fputs("}},\n", file);
 }
 
 int disk_limits_write(FILE *file)
 {
-    write_banner(file, table);
+    write_banner(file);
     fprintf(file,
             "#ifndef COR_DISK_LIMITS_H\n#define COR_DISK_LIMITS_H\n\n"
             "#include \"runtime/core/disk_limit.h\"\n\n"
@@ -460,53 +607,64 @@ int disk_limits_write(FILE *file)
         fprintf(file, "#define COR_DISK_LIMIT_%s (%a) /* %.17g */\n", number[i].name, number[i].value, number[i].value);
     fprintf(file, "enum { COR_DISK_LIMIT_SCENES = %ld, COR_DISK_LIMIT_SECONDS = %ld };\n\n", table->scenes,
             table->seconds);
-    write_nodes(file, table);
-    fprintf(file, "static const struct cor_disk_limit_cell cor_disk_limit_cell[%d] = {\n", table->cells);
-    for (int i = 0; i < table->cells; i++) {
-        char text[CELL_TEXT];
-        cell_text(text, &table->cell[i]);
-        fputs(text, file);
-    }
+    write_numbers(file, "square", table->square, SQUARES);
+    write_numbers(file, "place", table->place, table->places);
+    fprintf(file, "static const struct cor_disk_limit_piece cor_disk_limit_piece[%d] = {\n", table->pieces);
+    for (int i = 0; i < table->pieces; i++)
+        write_piece(file, &table->piece[i]);
     fputs("};\n\n#endif\n", file);
     return STATUS_OK;
 }
 
 /* ---- the table that corgen was built with ---- */
 
-bool disk_limits_known(const struct cor_disk_limit_cell *cell)
+#ifndef COR_BOOTSTRAP
+/* Sets the cells from the pieces. */
+static void read_cells(void)
+{
+    const struct cor_disk_limit_table t = evaluable();
+    memset(table->cell_at, UINT8_MAX, sizeof table->cell_at);
+    for (int i = 0; i < table->pieces; i++) {
+        const struct cor_disk_limit_piece *const piece = &table->piece[i];
+        const int32_t side = ROOT_SIDE >> piece->depth;
+        struct cell cell = {.x = (int32_t)(piece->x * ROOT_SIDE) / side * side,
+                            .nu = (int32_t)(piece->nu * ROOT_SIDE) / side * side,
+                            .depth = piece->depth,
+                            .uncertainty = (int32_t)piece->uncertainty};
+        if (table->cell_at[cell.nu / SMALLEST][cell.x / SMALLEST] != UINT16_MAX)
+            continue;
+        for (int k = 0; k < POINTS; k++) {
+            const double x = (double)(cell.x + side / 3 * (k % SIDE)) / (double)ROOT_SIDE,
+                         nu = (double)(cell.nu + side / 3 * (k / SIDE)) / (double)ROOT_SIDE;
+            cell.value[k] =
+                (int32_t)lround(cor_disk_limit_value(cor_disk_limit_find(&t, x, nu), x, nu) / COR_DISK_LIMIT_UNIT);
+        }
+        add_cell(cell);
+    }
+}
+#endif
+
+bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 {
 #ifndef COR_BOOTSTRAP
-    if (!table || cell) {
+    if (!table || piece) {
         start_table();
         table->scenes = COR_DISK_LIMIT_SCENES;
         table->seconds = COR_DISK_LIMIT_SECONDS;
-        table->nodes = sizeof cor_disk_limit_node / sizeof *cor_disk_limit_node;
-        table->cells = sizeof cor_disk_limit_cell / sizeof *cor_disk_limit_cell;
-        memcpy(table->node, cor_disk_limit_node, sizeof cor_disk_limit_node);
-        memcpy(table->cell, cell ? cell : cor_disk_limit_cell, sizeof cor_disk_limit_cell);
-        mark_joined(table);
-        table->known = true;
+        table->pieces = sizeof cor_disk_limit_piece / sizeof *cor_disk_limit_piece;
+        memcpy(table->square, cor_disk_limit_square, sizeof cor_disk_limit_square);
+        memcpy(table->place, cor_disk_limit_place, sizeof cor_disk_limit_place);
+        memcpy(table->piece, piece ? piece : cor_disk_limit_piece, sizeof cor_disk_limit_piece);
+        read_cells();
+        table->known = make_pieces() == STATUS_OK;
     }
 #else
-    (void)cell;
+    (void)piece;
 #endif
     return table && table->known;
 }
 
 /* ---- check of the table ---- */
-
-/* The table's value and uncertainty at a point of a cell, sides included, and whether it is a point of its grid */
-static struct cor_disk_limit_result result_at(const struct scene *scene, const struct cell *cell, bool *on_grid)
-{
-    const struct cor_disk_limit_table t = evaluable(table);
-    const int32_t sixth = sixth_of(cell), x = scene->x - cell->x, nu = scene->nu - cell->nu;
-    struct cor_disk_limit_place at = cor_disk_limit_find(&t, ((double)cell->x + sixth) / (double)ROOT_SIDE,
-                                                         ((double)cell->nu + sixth) / (double)ROOT_SIDE);
-    at.x_in = (double)x / (SIXTHS * sixth);
-    at.nu_in = (double)nu / (SIXTHS * sixth);
-    *on_grid = x % (2 * sixth) == 0 && nu % (2 * sixth) == 0;
-    return cor_disk_limit_in(&t, &at);
-}
 
 struct check {
     long places, between, wrong;
@@ -516,16 +674,20 @@ struct check {
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
 {
-    bool on_grid;
-    const struct cor_disk_limit_result result = result_at(scene, cell, &on_grid);
-    const double off = fabs(scene->value * COR_DISK_LIMIT_UNIT - result.value);
-    const double allowed = on_grid ? DISK_LIMITS_AGREE : result.uncertainty;
+    const struct cor_disk_limit_table t = evaluable();
+    const int32_t place = 2 * sixth_of(cell);
+    const bool on_grid = (scene->x - cell->x) % place == 0 && (scene->nu - cell->nu) % place == 0;
+    const double x = (double)scene->x / (double)ROOT_SIDE, nu = (double)scene->nu / (double)ROOT_SIDE;
+    const double value = cor_disk_limit_value(cor_disk_limit_find(&t, x, nu), x, nu);
+    const double uncertainty = cor_disk_limit_uncertainty(&t, x, nu);
+    const double off = fabs(scene->value * COR_DISK_LIMIT_UNIT - value);
+    const double allowed = on_grid ? DISK_LIMITS_AGREE : uncertainty;
     check->places += on_grid;
     check->between += !on_grid;
     if (on_grid)
         check->worst = fmax(check->worst, off);
     else
-        check->worst_between = fmax(check->worst_between, off / result.uncertainty);
+        check->worst_between = fmax(check->worst_between, off / uncertainty);
     if (!(off <= allowed) && check->wrong++ < SAMPLE_MISSES)
         fprintf(stderr, "corgen: " DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed\n",
                 speed_at(scene->x), nu_at(scene->nu), off, allowed);
@@ -559,20 +721,17 @@ int disk_limits_check_sample(uint64_t seed)
     uint64_t state = 2 * seed + 1;
     for (int i = 0; i < 8; i++) /* after a few draws, seeds that differ in few bits differ in all bits */
         sample_draw(&state, 2);
-    struct cell *const of_cell = places_of_cells();
-    const struct cell cell = of_cell[sample_draw(&state, (uint64_t)table->cells)];
-    const int32_t sixth = sixth_of(&cell),
-                  row = cell.nu + 2 * (int32_t)sample_draw(&state, COR_DISK_LIMIT_SIDE) * sixth;
-    struct scene scene[COR_DISK_LIMIT_SIDE + 1];
-    for (int32_t k = 0; k < COR_DISK_LIMIT_SIDE; k++)
+    const struct cell cell = table->cell[sample_draw(&state, (uint64_t)table->cells)];
+    const int32_t sixth = sixth_of(&cell), row = cell.nu + 2 * (int32_t)sample_draw(&state, SIDE) * sixth;
+    struct scene scene[SIDE + 1];
+    for (int32_t k = 0; k < SIDE; k++)
         scene[k] = (struct scene){cell.x + 2 * k * sixth, row, 0, 0};
-    scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)sample_draw(&state, 3)) * sixth, row, 0, 0};
-    free(of_cell);
+    scene[SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)sample_draw(&state, 3)) * sixth, row, 0, 0};
     struct check check = {0};
-    const int status = collide_all(scene, COR_DISK_LIMIT_SIDE + 1, "collisions");
+    const int status = collide_all(scene, SIDE + 1, "collisions");
     if (status != STATUS_OK)
         return status;
-    for (int k = 0; k <= COR_DISK_LIMIT_SIDE; k++)
+    for (int k = 0; k <= SIDE; k++)
         check_scene(&check, &scene[k], &cell);
     char of_what[2 * LINE];
     snprintf(of_what, sizeof of_what, "nu = %.6g, v = %.4g to %.4g, seed %" PRIu64, nu_at(row), speed_at(cell.x),
@@ -582,18 +741,16 @@ int disk_limits_check_sample(uint64_t seed)
 
 int disk_limits_check_all(void)
 {
-    struct cell *const of_cell = places_of_cells();
     struct scenes scenes = {0};
     struct check check = {0};
-    const int status = find_scenes(&scenes, of_cell, table->cells);
+    const int status = find_scenes(&scenes, table->cell, table->cells);
     for (int i = 0; i < table->cells && status == STATUS_OK; i++)
         for (int j = 0; j <= SIXTHS; j++)
             for (int k = j % 2; k <= SIXTHS; k += 2)
                 check_scene(&check,
-                            known_scene(&scenes, of_cell[i].x + k * sixth_of(&of_cell[i]),
-                                        of_cell[i].nu + j * sixth_of(&of_cell[i])),
-                            &of_cell[i]);
-    free(of_cell);
+                            known_scene(&scenes, table->cell[i].x + k * sixth_of(&table->cell[i]),
+                                        table->cell[i].nu + j * sixth_of(&table->cell[i])),
+                            &table->cell[i]);
     free(scenes.scene);
     return status == STATUS_OK ? check_verdict(&check, "all") : status;
 }

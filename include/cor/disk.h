@@ -455,7 +455,7 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
 
 /* Restitution of a disk of all its modes at a rigid wall, as cor_disk_hard_wall computes it. The functions interpolate
  * a table of collisions, generated/disk_limits.h, by polynomials of degree 3 in v^(1/8) and nu, which join where cells
- * of the table end. A call takes fractions of a microsecond.
+ * of the table end. A call takes 15 ns (measured; docs/speed).
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
  *                                  combined with the error estimates of the collisions: an estimate, not a bound.
@@ -465,7 +465,7 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps; eps_array: of many speeds, the same numbers
  * The functions are continuous: where v differs by 2e-13 v, or nu by 2e-13, 1 - eps^2 and eps differ by at most
- * COR_DISK_EPS_MAX_JUMP (sampled at 14 10^6 places on borders). The uncertainty may jump.
+ * COR_DISK_EPS_MAX_JUMP (sampled at 24 10^6 places on borders). The uncertainty may jump.
  * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.
  * Beyond nu = COR_DISK_EPS_MAX_NU, 1 - eps^2 has so many kinks that no table of this size is accurate. For other speeds
  * and nu, and for smaller errors, call cor_disk_hard_wall_nu; for softer walls call cor_disk_collision. */

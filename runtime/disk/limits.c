@@ -7,8 +7,9 @@
 #include "runtime/number/environment.h"
 
 static const struct cor_disk_limit_table table = {
-    COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
-    COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,  cor_disk_limit_node,    cor_disk_limit_cell};
+    COR_DISK_LIMIT_X_ROOTS, COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST,
+    COR_DISK_LIMIT_X_STEP,  COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,
+    cor_disk_limit_square,  cor_disk_limit_place,    cor_disk_limit_piece};
 
 /* False if speed or nu is NaN, without FE_INVALID */
 static int is_inside(double speed, double nu)
@@ -17,26 +18,29 @@ static int is_inside(double speed, double nu)
            isgreaterequal(nu, COR_DISK_EPS_MIN_NU) && islessequal(nu, COR_DISK_EPS_MAX_NU);
 }
 
-static struct cor_disk_limit_result result_at(double speed, double nu)
+static inline double loss_at(double speed, double nu)
 {
-    const struct cor_disk_limit_place at =
-        cor_disk_limit_find(&table, cor_disk_limit_x(&table, speed), cor_disk_limit_nu(&table, nu));
-    return cor_disk_limit_in(&table, &at);
+    if (!is_inside(speed, nu))
+        return NAN;
+    const double x = cor_disk_limit_x(&table, speed), y = cor_disk_limit_nu(&table, nu);
+    return cor_disk_limit_value(cor_disk_limit_find(&table, x, y), x, y);
 }
 
 double cor_disk_one_minus_eps2(double speed, double nu)
 {
-    return is_inside(speed, nu) ? result_at(speed, nu).value : NAN;
+    return loss_at(speed, nu);
 }
 
 double cor_disk_one_minus_eps2_uncertainty(double speed, double nu)
 {
-    return is_inside(speed, nu) ? result_at(speed, nu).uncertainty : NAN;
+    return is_inside(speed, nu)
+               ? cor_disk_limit_uncertainty(&table, cor_disk_limit_x(&table, speed), cor_disk_limit_nu(&table, nu))
+               : NAN;
 }
 
 double cor_disk_eps(double speed, double nu)
 {
-    return sqrt(1 - cor_disk_one_minus_eps2(speed, nu));
+    return sqrt(1 - loss_at(speed, nu));
 }
 
 static void eps_of_speeds(const double *speed, double nu, double *eps, size_t n)

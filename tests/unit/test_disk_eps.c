@@ -10,30 +10,85 @@
 #define WANTED 2e-5 /* of the uncertainty up to COR_DISK_EPS_CALM_SPEED, and beyond */
 #define WANTED_FAST 1e-4
 
-enum { CELLS = sizeof cor_disk_limit_cell / sizeof *cor_disk_limit_cell };
+enum {
+    PIECES = sizeof cor_disk_limit_piece / sizeof *cor_disk_limit_piece,
+    PER_ROOT = COR_DISK_LIMIT_PER_ROOT,
+    COLUMNS = COR_DISK_LIMIT_X_ROOTS * PER_ROOT,
+    ROWS = COR_DISK_LIMIT_NU_ROOTS * PER_ROOT
+};
 
 /* ---- the table ---- */
 
-/* Each node but the roots is one of the four quarters of one cell, and each cell belongs to one node. */
-TEST(test_tree)
+/* A cell with its corner and sides, in the units of the roots, and its collisions */
+struct cell {
+    long double x, nu, side;
+    double uncertainty;
+    int value[COR_DISK_LIMIT_POINTS];
+};
+static struct cell cell[PIECES];
+static int cells;
+/* those of the smallest squares, x fastest */
+static const struct cell *cell_at[ROWS * COLUMNS];
+static const struct cor_disk_limit_piece *piece_at[ROWS * COLUMNS];
+
+/* Sets the values of a cell at its places in a piece, which are whole numbers and those of the pieces beside it. */
+static void values_of_piece(struct cell *of, const struct cor_disk_limit_piece *piece)
 {
-    enum { NODES = sizeof cor_disk_limit_node / sizeof *cor_disk_limit_node };
-    static int quarters_of[NODES], nodes_of[CELLS];
-    for (int i = 0; i < NODES; i++) {
-        const int number = cor_disk_limit_node[i];
-        if (number >= 0) {
-            assert_true(number < CELLS);
-            nodes_of[number]++;
+    for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++) {
+        const long double s = (of->x + k % 4 * of->side / 3 - piece->x) * piece->per_x,
+                          t = (of->nu + k / 4 * of->side / 3 - piece->nu) * piece->per_nu;
+        if (fabsl(s - 0.5L) > 0.5L + 1e-15L || fabsl(t - 0.5L) > 0.5L + 1e-15L)
             continue;
-        }
-        assert_true(-number > i && -number + 3 < NODES);
-        for (int k = 0; k < 4; k++)
-            quarters_of[-number + k]++;
+        long double sum = 0;
+        for (int i = 15; i >= 0; i--)
+            sum += piece->coefficient[i] * powl(s, i % 4) * powl(t, i / 4);
+        const int value = (int)lroundl(sum);
+        assert_true(value > 0 && fabsl(sum - value) < 1e-8L && (of->value[k] == 0 || of->value[k] == value));
+        of->value[k] = value;
     }
-    for (int i = 0; i < NODES; i++)
-        assert_int_equal(quarters_of[i], i >= COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_NU_ROOTS);
-    for (int i = 0; i < CELLS; i++)
-        assert_int_equal(nodes_of[i], 1);
+}
+
+/* The cells, put together from their pieces, which cover the plane once */
+TEST(test_cells)
+{
+    for (int i = 0; i < PIECES; i++) {
+        const struct cor_disk_limit_piece *const piece = &cor_disk_limit_piece[i];
+        const double side = ldexp(1, -piece->depth);
+        struct cell *of = cell;
+        const struct cell whole = {
+            side * floor(piece->x / side), side * floor(piece->nu / side), side, piece->uncertainty, {0}};
+        while (of < cell + cells && (of->x != whole.x || of->nu != whole.nu))
+            of++;
+        if (of == cell + cells)
+            cell[cells++] = whole;
+        assert_true(of->side == whole.side && of->uncertainty == whole.uncertainty);
+        values_of_piece(of, piece);
+        for (int k = 0; k < ROWS * COLUMNS; k++) {
+            const double x = (k % COLUMNS + 0.5) / PER_ROOT - piece->x, nu = (k / COLUMNS + 0.5) / PER_ROOT - piece->nu;
+            if (x < 0 || x * piece->per_x > 1 || nu < 0 || nu * piece->per_nu > 1)
+                continue;
+            assert_null(cell_at[k]);
+            cell_at[k] = of;
+            piece_at[k] = piece;
+        }
+    }
+    for (int i = 0; i < 16 * cells; i++)
+        assert_true(cell[i / 16].value[i % 16] > 0);
+    for (int k = 0; k < ROWS * COLUMNS; k++)
+        assert_non_null(cell_at[k]);
+}
+
+/* Squares and places lead to the piece that contains a point, near all of its corners. */
+TEST(test_places)
+{
+    const struct cor_disk_limit_table table = {COR_DISK_LIMIT_X_ROOTS, COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST,
+                                               COR_DISK_LIMIT_X_STEP,  COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,
+                                               cor_disk_limit_square,  cor_disk_limit_place,    cor_disk_limit_piece};
+    for (int k = 0; k < 4 * ROWS * COLUMNS; k++) {
+        const double x = (k / 4 % COLUMNS + (k % 2 ? 0.001 : 0.999)) / PER_ROOT,
+                     nu = (k / 4 / COLUMNS + (k / 2 % 2 ? 0.001 : 0.999)) / PER_ROOT;
+        assert_ptr_equal(cor_disk_limit_find(&table, x, nu), piece_at[k / 4]);
+    }
     assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST, 8) / COR_DISK_EPS_MIN_SPEED - 1) < 1e-14);
     assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST + (double)COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_X_STEP, 8) /
                          COR_DISK_EPS_MAX_SPEED -
@@ -43,27 +98,10 @@ TEST(test_tree)
                      COR_DISK_EPS_MAX_NU) < 1e-15);
 }
 
-/* A cell with its corner and sides, in the units of the roots */
-struct place {
-    const struct cor_disk_limit_cell *cell;
-    long double x, nu, side;
-};
-
-/* By intervals that are halved, where the library follows a fraction */
-static struct place place_of(long double x, long double nu)
+static const struct cell *cell_of(long double x, long double nu)
 {
-    struct place at = {NULL, fminl(floorl(x), COR_DISK_LIMIT_X_ROOTS - 1),
-                       fminl(floorl(nu), COR_DISK_LIMIT_NU_ROOTS - 1), 1};
-    int number = cor_disk_limit_node[(int)at.nu * COR_DISK_LIMIT_X_ROOTS + (int)at.x];
-    while (number < 0) {
-        at.side /= 2;
-        const int right = x >= at.x + at.side, upper = nu >= at.nu + at.side;
-        at.x += right ? at.side : 0;
-        at.nu += upper ? at.side : 0;
-        number = cor_disk_limit_node[-number + 2 * upper + right];
-    }
-    at.cell = &cor_disk_limit_cell[number];
-    return at;
+    const int column = (int)(x * PER_ROOT), row = (int)(nu * PER_ROOT);
+    return cell_at[(row < ROWS ? row : ROWS - 1) * COLUMNS + (column < COLUMNS ? column : COLUMNS - 1)];
 }
 
 /* Neville's scheme through four values at 0, 1/3, 2/3, 1 */
@@ -78,51 +116,51 @@ static long double neville(const long double value[4], long double t)
 }
 
 /* The four values of a cell on a side: first or last in nu, or in x (across) */
-static void values_on_side(const struct cor_disk_limit_cell *cell, int across, int last, long double value[4])
+static void values_on_side(const struct cell *of, int across, int last, long double value[4])
 {
     for (int k = 0; k < 4; k++)
-        value[k] = across ? cell->value[4 * k + 3 * last] : cell->value[12 * last + k];
+        value[k] = across ? of->value[4 * k + 3 * last] : of->value[12 * last + k];
 }
 
-/* The cell beyond a side, or {NULL} where the table ends */
-static struct place place_beyond(const struct place *at, int across, int last, long double x, long double y)
+/* The cell beyond a side, or NULL where the table ends */
+static const struct cell *cell_beyond(const struct cell *at, int across, int last, long double x, long double y)
 {
-    const struct place none = {NULL, 0, 0, 0};
     const long double beyond = (across ? at->x : at->nu) + (last ? 1 : 0) * at->side + (last ? 1 : -1) * 0x1p-12L;
     *(across ? &x : &y) = beyond;
     const int ends = beyond < 0 || beyond > (across ? COR_DISK_LIMIT_X_ROOTS : COR_DISK_LIMIT_NU_ROOTS);
-    return ends ? none : place_of(x, y);
+    return ends ? NULL : cell_of(x, y);
 }
 
 /* The joined polynomials again, by another route: those of smaller cells beyond a side take the place of the first or
  * last of the four that are interpolated; what is left on the other two sides is interpolated beside zeros. */
-static long double joined(const struct place *at, long double x, long double y, long double *uncertainty)
+static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;
     long double along[4], beside[4] = {0};
     for (int j = 0; j < 4; j++) {
         long double row[4];
         for (int i = 0; i < 4; i++)
-            row[i] = at->cell->value[4 * j + i];
+            row[i] = at->value[4 * j + i];
         along[j] = neville(row, x_in);
     }
-    *uncertainty = at->cell->uncertainty;
+    *uncertainty = at->uncertainty;
     for (int side = 0; side < 4; side++) {
         const int across = side / 2, last = side % 2;
-        const struct place other = place_beyond(at, across, last, x, y);
-        if (other.cell == NULL || other.side >= at->side)
+        const struct cell *const other = cell_beyond(at, across, last, x, y);
+        if (other == NULL || other->side >= at->side)
             continue;
         long double own[4], others[4], unit[4] = {0};
         unit[3 * last] = 1;
-        values_on_side(at->cell, across, last, own);
-        values_on_side(other.cell, across, !last, others);
-        const long double theirs = neville(others, across ? (y - other.nu) / other.side : (x - other.x) / other.side);
+        values_on_side(at, across, last, own);
+        values_on_side(other, across, !last, others);
+        const long double theirs =
+            neville(others, across ? (y - other->nu) / other->side : (x - other->x) / other->side);
         if (across)
             beside[3 * last] = theirs - neville(own, y_in);
         else
             along[3 * last] = theirs;
         const long double part = fabsl(neville(unit, across ? x_in : y_in));
-        *uncertainty = fmaxl(*uncertainty, (1 - part) * at->cell->uncertainty + part * other.cell->uncertainty);
+        *uncertainty = fmaxl(*uncertainty, (1 - part) * at->uncertainty + part * other->uncertainty);
     }
     *uncertainty *= 1e-7L;
     return 1e-7L * (neville(along, y_in) + neville(beside, x_in));
@@ -136,9 +174,8 @@ TEST(test_between)
         const double nu = random_uniform(&random, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
         const long double x = (powl(v, 0.125L) - COR_DISK_LIMIT_X_FIRST) / COR_DISK_LIMIT_X_STEP,
                           y = ((long double)nu - COR_DISK_LIMIT_NU_FIRST) / COR_DISK_LIMIT_NU_STEP;
-        const struct place at = place_of(x, y);
         long double uncertainty;
-        const long double value = joined(&at, x, y, &uncertainty);
+        const long double value = joined(cell_of(x, y), x, y, &uncertainty);
         const double found = cor_disk_one_minus_eps2(v, nu), off = cor_disk_one_minus_eps2_uncertainty(v, nu);
         check(fabsl(found - value) <= 1e-13L, "v = %a, nu = %a: %.15f instead of %.15Lf", v, nu, found, value);
         check(fabsl(off - uncertainty) <= 1e-17L, "v = %a, nu = %a: uncertainty %g instead of %Lg", v, nu, off,
@@ -148,25 +185,25 @@ TEST(test_between)
 
 /* ---- borders ---- */
 
-/* A random place on a side of a cell, and on both sides of the border */
+/* A random place on a side of a rectangle, and on both sides of the border */
 struct border {
     double v, nu, below[2], above[2]; /* v, nu */
-    size_t smaller;                   /* 1 if the cells beyond are smaller */
+    long double x, y;
 };
 
 /* Returns 0 where the table ends. */
-static int border_draw(struct random_state *random, const struct place *at, int side, struct border *border)
+static int border_draw(struct random_state *random, long double x, long double y, const long double size[2], int side,
+                       struct border *border)
 {
     const int across = side / 2, last = side % 2;
-    long double x = at->x + at->side * random_uniform(random, 0, 1),
-                y = at->nu + at->side * random_uniform(random, 0, 1);
-    const struct place other = place_beyond(at, across, last, x, y);
-    if (other.cell == NULL)
+    x += size[0] * (across ? last : random_uniform(random, 0, 1));
+    y += size[1] * (across ? random_uniform(random, 0, 1) : last);
+    if (across ? x == 0 || x == COR_DISK_LIMIT_X_ROOTS : y == 0 || y == COR_DISK_LIMIT_NU_ROOTS)
         return 0;
-    *(across ? &x : &y) = (across ? at->x : at->nu) + last * at->side;
+    border->x = x;
+    border->y = y;
     border->v = (double)powl(COR_DISK_LIMIT_X_FIRST + COR_DISK_LIMIT_X_STEP * x, 8);
     border->nu = (double)(COR_DISK_LIMIT_NU_FIRST + COR_DISK_LIMIT_NU_STEP * y);
-    border->smaller = other.side < at->side;
     const double v_off = across ? 1e-13 * border->v : 0, nu_off = across ? 0 : 1e-13;
     const double below[2] = {border->v - v_off, border->nu - nu_off},
                  above[2] = {border->v + v_off, border->nu + nu_off};
@@ -175,40 +212,18 @@ static int border_draw(struct random_state *random, const struct place *at, int 
     return 1;
 }
 
-/* All cells with their places */
-static void place_all(struct place *of_cell, int node, struct place at)
-{
-    const int number = cor_disk_limit_node[node];
-    if (number >= 0) {
-        at.cell = &cor_disk_limit_cell[number];
-        of_cell[number] = at;
-        return;
-    }
-    const long double half = at.side / 2;
-    for (int k = 0; k < 4; k++)
-        place_all(of_cell, -number + k, (struct place){NULL, at.x + k % 2 * half, at.nu + k / 2 * half, half});
-}
-
-static const struct place *places_of_cells(void)
-{
-    static struct place of_cell[CELLS];
-    for (int i = 0; i < COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_NU_ROOTS; i++)
-        place_all(of_cell, i,
-                  (struct place){NULL, i % COR_DISK_LIMIT_X_ROOTS, i / COR_DISK_LIMIT_X_ROOTS, 1}); /* x fastest */
-    return of_cell;
-}
-
-/* The sides of all cells, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 14 10^6 pairs. */
+/* The sides of all pieces, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 24 10^6 pairs. */
 TEST(test_borders)
 {
     struct random_state random = random_start();
-    const struct place *const of_cell = places_of_cells();
-    size_t pairs = 0, unequal = 0;
+    size_t pairs = 0;
     double worst = 0;
     for (size_t k = points(20); k > 0; k--)
-        for (int i = 0; i < 4 * CELLS; i++) {
+        for (int i = 0; i < 4 * PIECES; i++) {
+            const struct cor_disk_limit_piece *const piece = &cor_disk_limit_piece[i / 4];
+            const long double size[2] = {1 / piece->per_x, 1 / piece->per_nu};
             struct border at;
-            if (!border_draw(&random, &of_cell[i / 4], i % 4, &at))
+            if (!border_draw(&random, piece->x, piece->nu, size, i % 4, &at))
                 continue;
             const double below = cor_disk_one_minus_eps2(at.below[0], at.below[1]),
                          above = cor_disk_one_minus_eps2(at.above[0], at.above[1]), jump = fabs(above - below);
@@ -218,10 +233,8 @@ TEST(test_borders)
                   "v = %.17g, nu = %.17g: eps jumps", at.v, at.nu);
             worst = fmax(worst, jump);
             pairs++;
-            unequal += at.smaller;
         }
-    print_message("%zu pairs across borders, %zu with smaller cells beyond: jumps of %.1e at most\n", pairs, unequal,
-                  worst);
+    print_message("%zu pairs across borders: jumps of %.1e at most\n", pairs, worst);
 }
 
 /* ---- against collisions ---- */
@@ -273,13 +286,14 @@ TEST(test_uncertainty)
 TEST(test_uncertainty_at_borders)
 {
     struct random_state random = random_start();
-    const struct place *const of_cell = places_of_cells();
     struct tally on = {0}, near = {0};
     for (size_t k = points(2); on.places + near.places < k;) {
-        const struct place *const cell = &of_cell[random_below(&random, CELLS)];
+        const struct cell *const own = &cell[random_below(&random, (size_t)cells)];
         const int side = (int)random_below(&random, 4), across = side / 2, last = side % 2;
+        const long double size[2] = {own->side, own->side};
         struct border at;
-        if (!border_draw(&random, cell, side, &at) || !at.smaller)
+        if (!border_draw(&random, own->x, own->nu, size, side, &at) ||
+            cell_beyond(own, across, last, at.x, at.y)->side >= own->side)
             continue;
         if ((on.places + near.places) % 2 == 0) {
             compare(&on, at.v, at.nu,
@@ -287,7 +301,7 @@ TEST(test_uncertainty_at_borders)
                          cor_disk_one_minus_eps2_uncertainty(at.above[0], at.above[1])));
             continue;
         }
-        const double inwards = (double)cell->side * random_uniform(&random, 0, 1.0 / 3) * (last ? -1 : 1);
+        const double inwards = (double)own->side * random_uniform(&random, 0, 1.0 / 3) * (last ? -1 : 1);
         const double v = across ? pow(pow(at.v, 0.125) + inwards * COR_DISK_LIMIT_X_STEP, 8) : at.v;
         const double nu = across ? at.nu : at.nu + inwards * COR_DISK_LIMIT_NU_STEP;
         compare(&near, v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
@@ -393,5 +407,5 @@ TEST(test_rayleigh)
     check(place < 0.004 && dip_place > 0.013 && dip_place < 0.02, "largest at %.4f, least at %.4f", place, dip_place);
 }
 
-RUN_TESTS(test_tree, test_between, test_uncertainty, test_borders, test_uncertainty_at_borders, test_one_another,
-          test_domain, test_collisions, test_rayleigh)
+RUN_TESTS(test_cells, test_places, test_between, test_uncertainty, test_borders, test_uncertainty_at_borders,
+          test_one_another, test_domain, test_collisions, test_rayleigh)
