@@ -64,6 +64,11 @@ extern "C" {
     COR_API float cor_##function##f(float x);                                                                          \
     COR_API void cor_##function##_array(const double *x, double *y, size_t n);                                         \
     COR_API void cor_##function##_arrayf(const float *x, float *y, size_t n);
+#define COR_LAW_DECLARE_ENDS_(function)                                                                                \
+    COR_LAW_DECLARE_(function##_zero_overlap)                                                                          \
+    COR_LAW_DECLARE_(function##_zero_force)                                                                            \
+    COR_LAW_DECLARE_(function##_limited)                                                                               \
+    COR_LAW_DECLARE_(function##_approach_only)
 
 /* ---- The linear dashpot (a = 1, b = 0) and Tsuji's damping (a = 3/2, b = 1/4) ----
  *
@@ -85,20 +90,14 @@ extern "C" {
  * Special values: +-0 -> 1, +inf -> 0; at zero overlap 0 for zeta >= 1; negative and NaN -> NaN.
  * Source: docs/laws.md; at zero force the three cases of Schwager and Poeschel, Granular Matter 9, 465 (2007), in
  * one. */
-COR_LAW_DECLARE_(linear_eps_zero_overlap)
-COR_LAW_DECLARE_(linear_eps_zero_force)
-COR_LAW_DECLARE_(linear_eps_limited)
-COR_LAW_DECLARE_(linear_eps_approach_only)
+COR_LAW_DECLARE_ENDS_(linear_eps)
 
 /* double cor_linear_loss_<end>(double zeta): 1 - eps with relative accuracy, also where a subtraction would cancel. As
  * zeta -> 0 the loss tends to pi zeta, or to pi zeta/2 with damping during the approach only, down to the smallest
  * subnormal.
  * Domain: 0 <= zeta <= inf. Accuracy: COR_LAW_LOSS_MAX_ULP.
  * Special values: +-0 -> 0, +inf -> 1; at zero overlap 1 for zeta >= 1; negative and NaN -> NaN. Source: as eps. */
-COR_LAW_DECLARE_(linear_loss_zero_overlap)
-COR_LAW_DECLARE_(linear_loss_zero_force)
-COR_LAW_DECLARE_(linear_loss_limited)
-COR_LAW_DECLARE_(linear_loss_approach_only)
+COR_LAW_DECLARE_ENDS_(linear_loss)
 
 /* double cor_linear_zeta_<end>(double eps): the inverse, the smallest zeta that has this eps.
  * Domain: 0 <= eps <= 1. Accuracy: COR_LAW_INVERSE_MAX_ULP with the given double eps taken as exact. (Near eps = 1, one
@@ -106,18 +105,12 @@ COR_LAW_DECLARE_(linear_loss_approach_only)
  * Special values: 1 -> 0; 0 -> +inf, at zero overlap 1; +inf where zeta is beyond the largest double (approach only and
  * limited, eps below 2.8e-309 and 2.0e-309); outside [0, 1] and NaN -> NaN.
  * Source: at zero overlap L/sqrt(pi^2 + L^2), L = -ln(eps); the others solve the equations above. */
-COR_LAW_DECLARE_(linear_zeta_zero_overlap)
-COR_LAW_DECLARE_(linear_zeta_zero_force)
-COR_LAW_DECLARE_(linear_zeta_limited)
-COR_LAW_DECLARE_(linear_zeta_approach_only)
+COR_LAW_DECLARE_ENDS_(linear_zeta)
 
 /* double cor_linear_zeta_of_loss_<end>(double loss): the inverse as a function of 1 - eps.
  * Domain: 0 <= loss <= 1. Accuracy: COR_LAW_INVERSE_MAX_ULP. Special values: 0 -> 0; 1 -> +inf, at zero overlap 1;
  * outside [0, 1] and NaN -> NaN. */
-COR_LAW_DECLARE_(linear_zeta_of_loss_zero_overlap)
-COR_LAW_DECLARE_(linear_zeta_of_loss_zero_force)
-COR_LAW_DECLARE_(linear_zeta_of_loss_limited)
-COR_LAW_DECLARE_(linear_zeta_of_loss_approach_only)
+COR_LAW_DECLARE_ENDS_(linear_zeta_of_loss)
 
 /* double cor_linear_duration_<end>(double zeta): duration of the contact in units of sqrt(m/K):
  *
@@ -127,10 +120,7 @@ COR_LAW_DECLARE_(linear_zeta_of_loss_approach_only)
  * Domain: 0 <= zeta <= inf. Accuracy: COR_LAW_TIME_MAX_ULP.
  * Special values: +-0 -> pi; +inf -> 0 (zero force), pi/2 (approach only), pi/(2 sqrt(2)) (limited); at zero overlap
  * +inf for zeta >= 1; negative and NaN -> NaN. */
-COR_LAW_DECLARE_(linear_duration_zero_overlap)
-COR_LAW_DECLARE_(linear_duration_zero_force)
-COR_LAW_DECLARE_(linear_duration_limited)
-COR_LAW_DECLARE_(linear_duration_approach_only)
+COR_LAW_DECLARE_ENDS_(linear_duration)
 
 /* double cor_linear_max_overlap(double zeta): largest overlap of the full law, exp(-zeta A(zeta)), in units of g
  * sqrt(m/K).
@@ -146,26 +136,11 @@ COR_LAW_DECLARE_(linear_time_of_max_overlap)
  * Special values of times: +-0 -> 3.2180... (durations, those of the sphere), 1.6090... (of the largest overlap); +inf
  * -> 0, but +inf with damping during the approach only and 0.9... with the limited damper; at zero overlap +inf for
  * zeta >= 1. */
-COR_LAW_DECLARE_(tsuji_eps_zero_overlap)
-COR_LAW_DECLARE_(tsuji_eps_zero_force)
-COR_LAW_DECLARE_(tsuji_eps_limited)
-COR_LAW_DECLARE_(tsuji_eps_approach_only)
-COR_LAW_DECLARE_(tsuji_loss_zero_overlap)
-COR_LAW_DECLARE_(tsuji_loss_zero_force)
-COR_LAW_DECLARE_(tsuji_loss_limited)
-COR_LAW_DECLARE_(tsuji_loss_approach_only)
-COR_LAW_DECLARE_(tsuji_zeta_zero_overlap)
-COR_LAW_DECLARE_(tsuji_zeta_zero_force)
-COR_LAW_DECLARE_(tsuji_zeta_limited)
-COR_LAW_DECLARE_(tsuji_zeta_approach_only)
-COR_LAW_DECLARE_(tsuji_zeta_of_loss_zero_overlap)
-COR_LAW_DECLARE_(tsuji_zeta_of_loss_zero_force)
-COR_LAW_DECLARE_(tsuji_zeta_of_loss_limited)
-COR_LAW_DECLARE_(tsuji_zeta_of_loss_approach_only)
-COR_LAW_DECLARE_(tsuji_duration_zero_overlap)
-COR_LAW_DECLARE_(tsuji_duration_zero_force)
-COR_LAW_DECLARE_(tsuji_duration_limited)
-COR_LAW_DECLARE_(tsuji_duration_approach_only)
+COR_LAW_DECLARE_ENDS_(tsuji_eps)
+COR_LAW_DECLARE_ENDS_(tsuji_loss)
+COR_LAW_DECLARE_ENDS_(tsuji_zeta)
+COR_LAW_DECLARE_ENDS_(tsuji_zeta_of_loss)
+COR_LAW_DECLARE_ENDS_(tsuji_duration)
 COR_LAW_DECLARE_(tsuji_max_overlap)
 COR_LAW_DECLARE_(tsuji_time_of_max_overlap)
 
@@ -262,6 +237,7 @@ COR_API void cor_tangential_no_slip_array(const double *kappa, double elastic_ex
 COR_API void cor_tangential_no_slip_arrayf(const float *kappa, float elastic_exponent, float *y, size_t n);
 
 #undef COR_LAW_DECLARE_
+#undef COR_LAW_DECLARE_ENDS_
 #undef COR_LAW_DECLARE_WITH_EXPONENT_
 
 #ifdef __cplusplus

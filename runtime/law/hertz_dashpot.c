@@ -27,67 +27,59 @@ static const double *first_row(struct cor_inline_law_table table)
 static inline struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
     const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;
-    const struct cor_row_table table = {has_near ? COR_ROW_PARTS : COR_ROW_OCTAVES,
-                                        has_near || value == COR_ROW_LOSS ? value : COR_ROW_SUM,
-                                        !has_near              ? q.near.end
-                                        : value == COR_ROW_SUM ? 0
-                                                               : COR_INLINE_2_M900,
-                                        has_below ? q.threshold.hi : q.middle.end,
-                                        has_near ? 0 : q.near.end,
-                                        first_row(q.near),
-                                        first_row(q.middle),
-                                        first_row(q.below),
-                                        q.near.grid.step,
-                                        q.near.grid.per_unit,
-                                        q.near.end,
-                                        q.middle.end,
-                                        q.middle.octaves,
-                                        q.below.octaves,
-                                        q.threshold};
+    const struct cor_row_table table = {.kind = has_near ? COR_ROW_PARTS : COR_ROW_OCTAVES,
+                                        .value = has_near || value == COR_ROW_LOSS ? value : COR_ROW_SUM,
+                                        .least = !has_near              ? q.near.end
+                                                 : value == COR_ROW_SUM ? 0
+                                                                        : COR_INLINE_2_M900,
+                                        .end = has_below ? q.threshold.hi : q.middle.end,
+                                        .also = has_near ? 0 : q.near.end,
+                                        .near = first_row(q.near),
+                                        .middle = first_row(q.middle),
+                                        .below = first_row(q.below),
+                                        .step = q.near.grid.step,
+                                        .per_unit = q.near.grid.per_unit,
+                                        .near_end = q.near.end,
+                                        .middle_end = q.middle.end,
+                                        .octaves = q.middle.octaves,
+                                        .below_octaves = q.below.octaves,
+                                        .threshold = q.threshold};
     return table;
 }
 
-#define DASHPOT_PARTS(function, tables, value)                                                                         \
-    case COR_DASHPOT_##function:                                                                                       \
-        *room = table_of_quantity(cor_law_hertz_dashpot_##tables(), value);                                            \
-        return room;
-#define DASHPOT_TABLE(function, ...)                                                                                   \
-    case COR_DASHPOT_##function: {                                                                                     \
-        static const struct cor_row_table table = __VA_ARGS__;                                                         \
-        return &table;                                                                                                 \
-    }
-#define DASHPOT_GRID(function, FUNCTION, value, least)                                                                 \
-    DASHPOT_TABLE(function, COR_ROW_TABLE_OF_GRID(cor_rows_hertz_dashpot_##function,                                   \
-                                                  COR_ROWS_HERTZ_DASHPOT_##FUNCTION, COR_ROW_GRID, value, least, 0))
-#define DASHPOT_INVERSE(function, FUNCTION)                                                                            \
-    DASHPOT_TABLE(function,                                                                                            \
-                  COR_ROW_TABLE_OF_INVERSE(COR_ROW_INVERSE, cor_rows_hertz_dashpot_near_##function,                    \
-                                           COR_ROWS_HERTZ_DASHPOT_NEAR_##FUNCTION, cor_rows_hertz_dashpot_##function,  \
-                                           COR_ROWS_HERTZ_DASHPOT_##FUNCTION))
-#define DASHPOT_OCTAVES(function, FUNCTION)                                                                            \
-    DASHPOT_TABLE(function,                                                                                            \
-                  COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_##function, COR_ROWS_HERTZ_DASHPOT_##FUNCTION))
+#define GRID(quantity, QUANTITY, value, least)                                                                         \
+    COR_ROW_TABLE_OF_GRID(cor_rows_hertz_dashpot_##quantity, COR_ROWS_HERTZ_DASHPOT_##QUANTITY, COR_ROW_GRID, value,   \
+                          least, 0)
+#define INVERSE(quantity, QUANTITY)                                                                                    \
+    COR_ROW_TABLE_OF_INVERSE(COR_ROW_INVERSE, cor_rows_hertz_dashpot_near_##quantity,                                  \
+                             COR_ROWS_HERTZ_DASHPOT_NEAR_##QUANTITY, cor_rows_hertz_dashpot_##quantity,                \
+                             COR_ROWS_HERTZ_DASHPOT_##QUANTITY)
 
-/* A table, or one that is made in `room` */
-static const struct cor_row_table *dashpot_table(enum cor_dashpot_number function, struct cor_row_table *room)
+static struct cor_row_table dashpot_table(enum cor_dashpot_number function)
 {
+    static const struct cor_row_table of_eps_and_approach[] = {
+        INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP),
+        /* from 1/2 on the rows are in a cube root */
+        COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force, COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE,
+                                 COR_ROW_SUM),
+        GRID(eps_approach_only, EPS_APPROACH_ONLY, COR_ROW_SUM, 0),
+        GRID(loss_approach_only, LOSS_APPROACH_ONLY, COR_ROW_PRODUCT, COR_INLINE_2_M900),
+        GRID(duration_approach_only, DURATION_APPROACH_ONLY, COR_ROW_SUM, 0),
+        INVERSE(beta_approach_only, BETA_APPROACH_ONLY)};
+#define PARTS(function, tables, value)                                                                                 \
+    case COR_DASHPOT_##function:                                                                                       \
+        return table_of_quantity(cor_law_hertz_dashpot_##tables(), value);
     switch (function) {
-        DASHPOT_PARTS(eps_zero_overlap, eps_zero_overlap, COR_ROW_EPS)
-        DASHPOT_PARTS(eps_zero_force, eps_zero_force, COR_ROW_EPS)
-        DASHPOT_PARTS(loss_zero_overlap, eps_zero_overlap, COR_ROW_LOSS)
-        DASHPOT_PARTS(loss_zero_force, eps_zero_force, COR_ROW_LOSS)
-        DASHPOT_PARTS(duration_zero_overlap, duration_zero_overlap, COR_ROW_SUM)
-        DASHPOT_PARTS(duration_zero_force, duration_zero_force, COR_ROW_SUM)
-        DASHPOT_PARTS(max_overlap, max_overlap, COR_ROW_SUM)
-        DASHPOT_PARTS(time_of_max_overlap, time_of_max_overlap, COR_ROW_SUM)
-        DASHPOT_INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP)
-        DASHPOT_OCTAVES(beta_zero_force, BETA_ZERO_FORCE) /* from 1/2 on the rows are in a cube root */
-        DASHPOT_GRID(eps_approach_only, EPS_APPROACH_ONLY, COR_ROW_SUM, 0)
-        DASHPOT_GRID(loss_approach_only, LOSS_APPROACH_ONLY, COR_ROW_PRODUCT, COR_INLINE_2_M900)
-        DASHPOT_GRID(duration_approach_only, DURATION_APPROACH_ONLY, COR_ROW_SUM, 0)
-        DASHPOT_INVERSE(beta_approach_only, BETA_APPROACH_ONLY)
+        PARTS(eps_zero_overlap, eps_zero_overlap, COR_ROW_EPS)
+        PARTS(eps_zero_force, eps_zero_force, COR_ROW_EPS)
+        PARTS(loss_zero_overlap, eps_zero_overlap, COR_ROW_LOSS)
+        PARTS(loss_zero_force, eps_zero_force, COR_ROW_LOSS)
+        PARTS(duration_zero_overlap, duration_zero_overlap, COR_ROW_SUM)
+        PARTS(duration_zero_force, duration_zero_force, COR_ROW_SUM)
+        PARTS(max_overlap, max_overlap, COR_ROW_SUM)
+        PARTS(time_of_max_overlap, time_of_max_overlap, COR_ROW_SUM)
     default:
-        return NULL;
+        return of_eps_and_approach[function - COR_DASHPOT_beta_zero_overlap];
     }
 }
 
@@ -132,8 +124,8 @@ static float (*const scalarf[])(float) = {COR_DASHPOT_LOOPS(SCALARF_, SCALARF_)}
 int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n)
 {
     const struct cor_row_loops *const loops = cor_row_loops(set);
-    struct cor_row_table room;
-    const struct cor_row_call call = {dashpot_table(function, &room), scalar[function], NULL, NULL, NULL, 0};
+    const struct cor_row_table table = dashpot_table(function);
+    const struct cor_row_call call = {&table, scalar[function], NULL, NULL, NULL, 0};
     const struct cor_environment caller = cor_environment_enter();
     if (loops)
         loops->doubles(&call, in, out, n);
@@ -143,10 +135,9 @@ int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const do
 
 static void dashpot_floats(enum cor_dashpot_number function, const float *in, float *out, size_t n)
 {
-    struct cor_row_table room;
-    const struct cor_row_table *const table = dashpot_table(function, &room);
+    const struct cor_row_table table = dashpot_table(function);
     const struct cor_environment caller = cor_environment_enter();
-    cor_row_loops(cor_widest_set())->floats(table, scalarf[function], NAN, in, out, n);
+    cor_row_loops(cor_widest_set())->floats(&table, scalarf[function], NAN, in, out, n);
     cor_environment_leave(&caller);
 }
 

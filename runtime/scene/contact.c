@@ -231,17 +231,39 @@ static double time_unit(const struct cor_scene_contact *contact, double speed_m_
     return time_factor(contact) * pow(speed_m_s, (1 - a) / (1 + a));
 }
 
-/* The collision under the constant force of the contact; `damping` is beta */
-static int pressed_impact(struct cor_pressed_impact *impact, const struct cor_scene_contact *contact, double damping,
-                          double speed_m_s)
+/* Whether the spheres yield at this speed */
+static int yields(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double force = contact->force_n * time_unit(contact, speed_m_s) / (contact->mass_kg * speed_m_s);
-    return cor_pressed_solve(impact, &contact->law, damping, force);
+    return contact->plastic && speed_m_s > contact->yield_speed_m_s;
 }
 
-static int adhesive_impact(struct cor_jkr_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+/* Whether the impact is that of full_impact */
+static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    return cor_jkr_impact(impact, contact, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), speed_m_s);
+    return yields(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
+}
+
+/* A collision with yield, adhesion or a constant force, in SI units */
+static int full_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+{
+    if (yields(contact, speed_m_s)) {
+        cor_plastic_impact(impact, contact, speed_m_s);
+        return COR_FAULT_NONE;
+    }
+    if (contact->adhesion_j_m2 > 0)
+        return cor_jkr_impact(impact, contact, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), speed_m_s);
+    const double time = time_unit(contact, speed_m_s), force = contact->mass_kg * speed_m_s / time;
+    const int status =
+        cor_pressed_solve(impact, &contact->law, cor_scene_beta(contact, speed_m_s), contact->force_n / force);
+    if (status != COR_FAULT_NONE)
+        return status;
+    if (contact->plate) /* it takes up K x^a; the other term of the equation of motion is its own motion */
+        impact->force_max = pow(impact->max_overlap, cor_elastic(&contact->law));
+    impact->force_max *= force;
+    impact->max_overlap *= speed_m_s * time;
+    for (int end = 0; end < COR_SCENE_ENDS; end++)
+        impact->duration[end] *= time;
+    return COR_FAULT_NONE;
 }
 
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end)
@@ -261,12 +283,6 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
            cor_pressed_sticking_speed(&contact->law, coefficient * pow(length, b + 1) / (time * force), end);
 }
 
-/* Whether the spheres yield at this speed */
-static int yields(const struct cor_scene_contact *contact, double speed_m_s)
-{
-    return contact->plastic && speed_m_s > contact->yield_speed_m_s;
-}
-
 int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
 {
     *eps = NAN;
@@ -278,15 +294,14 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
         *eps = cor_scene_has_end(contact, end) ? cor_wet_eps(*eps, speed_m_s, contact->liquid_speed_m_s) : (double)NAN;
         return status;
     }
-    if (yields(contact, speed_m_s) || contact->adhesion_j_m2 > 0 ||
-        (contact->force_n > 0 && cor_scene_has_end(contact, end))) {
-        struct cor_scene_impact impact;
-        const int status = cor_scene_impact(&impact, contact, speed_m_s);
-        *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;
-        return status;
-    }
-    return cor_scene_has_end(contact, end) ? eps_of(eps, contact, parameter_of(contact, speed_m_s), end)
-                                           : COR_FAULT_NONE;
+    if (!cor_scene_has_end(contact, end))
+        return COR_FAULT_NONE;
+    if (!is_full(contact, speed_m_s))
+        return eps_of(eps, contact, parameter_of(contact, speed_m_s), end);
+    struct cor_full_impact impact;
+    const int status = full_impact(&impact, contact, speed_m_s);
+    *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;
+    return status;
 }
 
 static int wet_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
@@ -306,38 +321,26 @@ int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_con
 {
     if (contact->liquid_speed_m_s > 0)
         return wet_impact(impact, contact, speed_m_s);
-    if (yields(contact, speed_m_s)) {
-        impact->beta = 0;
-        cor_plastic_impact(impact, contact, speed_m_s);
-        return COR_FAULT_NONE;
-    }
-    if (contact->adhesion_j_m2 > 0) {
-        struct cor_jkr_impact adhesive;
-        const int status = adhesive_impact(&adhesive, contact, speed_m_s);
-        *impact = (struct cor_scene_impact){cor_scene_beta(contact, speed_m_s),
-                                            {adhesive.eps[0], adhesive.eps[1]},
-                                            {adhesive.duration[0], adhesive.duration[1]},
-                                            adhesive.max_overlap};
-        return status;
-    }
-    const double time = time_unit(contact, speed_m_s);
     struct cor_scaled_impact scaled;
+    struct cor_full_impact full;
+    double time = 1, length = 1;
     int status;
-    if (contact->force_n > 0) {
-        struct cor_pressed_impact pressed;
-        status = pressed_impact(&pressed, contact, cor_scene_beta(contact, speed_m_s), speed_m_s);
+    if (is_full(contact, speed_m_s)) {
+        status = full_impact(&full, contact, speed_m_s);
         scaled = (struct cor_scaled_impact){
-            {pressed.eps[0], pressed.eps[1]}, {pressed.duration[0], pressed.duration[1]}, pressed.max_overlap};
+            {full.eps[0], full.eps[1]}, {full.duration[0], full.duration[1]}, full.max_overlap};
     } else {
+        time = time_unit(contact, speed_m_s);
+        length = speed_m_s * time;
         status = scaled_impact(&scaled, contact, parameter_of(contact, speed_m_s));
     }
-    impact->beta = cor_scene_beta(contact, speed_m_s);
+    impact->beta = yields(contact, speed_m_s) ? 0 : cor_scene_beta(contact, speed_m_s);
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         const int defined = status == COR_FAULT_NONE && cor_scene_has_end(contact, end);
         impact->eps[end] = defined ? scaled.eps[end] : NAN;
         impact->duration_s[end] = defined ? scaled.duration[end] * time : NAN;
     }
-    impact->max_overlap_m = status == COR_FAULT_NONE ? scaled.max_overlap * speed_m_s * time : NAN;
+    impact->max_overlap_m = status == COR_FAULT_NONE ? scaled.max_overlap * length : NAN;
     return status;
 }
 
@@ -348,24 +351,14 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
         const double left = speed_m_s - contact->liquid_speed_m_s;
         return left > 0 ? cor_scene_force_max_n(&dry, left) : 0;
     }
-    if (yields(contact, speed_m_s))
-        return cor_plastic_force_max_n(contact, speed_m_s);
-    if (contact->adhesion_j_m2 > 0) {
-        struct cor_jkr_impact impact;
-        return adhesive_impact(&impact, contact, speed_m_s) == COR_FAULT_NONE ? impact.force_max : NAN;
+    if (is_full(contact, speed_m_s)) {
+        struct cor_full_impact impact;
+        return full_impact(&impact, contact, speed_m_s) == COR_FAULT_NONE ? impact.force_max : NAN;
     }
-    const double parameter = parameter_of(contact, speed_m_s),
-                 unit = contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s);
-    if (contact->force_n > 0) {
-        struct cor_pressed_impact impact;
-        if (pressed_impact(&impact, contact, cor_scene_beta(contact, speed_m_s), speed_m_s) != COR_FAULT_NONE)
-            return NAN;
-        return unit * (contact->plate ? pow(impact.max_overlap, cor_elastic(&contact->law)) : impact.force_max);
-    }
-    /* The plate takes up K x^a; the other term of the equation of motion is its own motion. */
+    const double parameter = parameter_of(contact, speed_m_s);
     const double force = contact->plate ? pow(cor_sphere_max_overlap(parameter), cor_elastic(&contact->law))
                                         : cor_law_force_max(&contact->law, parameter);
-    return unit * force;
+    return contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s) * force;
 }
 
 /* ---- the damping from other quantities ---- */
@@ -373,20 +366,14 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
 /* eps at a trial beta */
 static int eps_at(double *eps, const struct cor_scene_contact *contact, double beta, double speed_m_s, int end)
 {
-    struct cor_pressed_impact pressed;
-    struct cor_jkr_impact adhesive;
-    int status;
-    if (contact->adhesion_j_m2 > 0) {
-        struct cor_scene_contact trial = *contact;
-        trial.damping = beta / beta_per_damping(contact) * pow(speed_m_s, -cor_scene_speed_exponent(contact));
-        status = adhesive_impact(&adhesive, &trial, speed_m_s);
-        *eps = adhesive.eps[end];
-    } else if (contact->force_n > 0) {
-        status = pressed_impact(&pressed, contact, beta, speed_m_s);
-        *eps = pressed.eps[end];
-    } else {
-        status = eps_of(eps, contact, beta, end);
-    }
+    struct cor_scene_contact trial = *contact;
+    struct cor_full_impact impact;
+    if (!(contact->adhesion_j_m2 > 0 || contact->force_n > 0))
+        return eps_of(eps, contact, beta, end);
+    trial.damping = beta / beta_per_damping(contact) * pow(speed_m_s, -cor_scene_speed_exponent(contact));
+    trial.plastic = 0;
+    const int status = full_impact(&impact, &trial, speed_m_s);
+    *eps = impact.eps[end];
     return status;
 }
 

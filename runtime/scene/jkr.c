@@ -7,7 +7,6 @@
 #include "runtime/scene/jkr.h"
 
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/motion.h"
 
 /* u where the contact breaks: the end of the tail, 4^(-1/3), and the largest pull, (3/4)^(1/3); twice the energy that
  * the way from u = 1 to there takes, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10); and half of the largest pull */
@@ -31,7 +30,7 @@ static double inward(const struct motion *m, double s, double level)
 }
 
 /* In the units of jkr.h */
-static int solve(struct cor_jkr_impact *impact, double kappa, int power, double speed)
+static int solve(struct cor_full_impact *impact, double kappa, int power, double speed)
 {
     struct motion m;
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
@@ -68,7 +67,7 @@ static int solve(struct cor_jkr_impact *impact, double kappa, int power, double 
 static double sticking_speed(double kappa, int power, int end)
 {
     double low = sqrt(lost[end]), high = low;
-    struct cor_jkr_impact impact;
+    struct cor_full_impact impact;
     if (kappa == 0)
         return low;
     do { /* damping makes it larger */
@@ -110,7 +109,7 @@ static struct units units_of(const struct cor_scene_contact *contact, double coe
     return unit;
 }
 
-int cor_jkr_impact(struct cor_jkr_impact *impact, const struct cor_scene_contact *contact, double coefficient,
+int cor_jkr_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double coefficient,
                    double speed_m_s)
 {
     const struct units unit = units_of(contact, coefficient);

@@ -9,16 +9,11 @@
 #ifndef COR_RUNTIME_SCENE_JKR_H
 #define COR_RUNTIME_SCENE_JKR_H
 
-#include "cor/scene.h"
-
-/* eps 0 and an infinite duration: the bodies stay together. */
-struct cor_jkr_impact {
-    double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max;
-};
+#include "runtime/scene/motion.h"
 
 /* The collision of a contact with adhesion_j_m2 > 0 and the damping coefficient C, in SI units, at a speed > 0. Returns
  * COR_OK, or COR_FAULT_PRESSED where the motion takes too many steps. */
-int cor_jkr_impact(struct cor_jkr_impact *impact, const struct cor_scene_contact *contact, double coefficient,
+int cor_jkr_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double coefficient,
                    double speed_m_s);
 
 /* The speed up to which the bodies stay together, m/s; NaN where a motion takes too many steps */

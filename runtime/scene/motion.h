@@ -10,6 +10,13 @@
 
 #include <math.h>
 
+#include "cor/scene.h"
+
+/* A collision in the units of its function. eps = 0 and an infinite duration: the bodies stay together. */
+struct cor_full_impact {
+    double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max;
+};
+
 static inline double whole_power(double x, int n)
 {
     double y = 1;

@@ -165,7 +165,7 @@ static double hertz_time(double r, double gap)
 
 #define HERTZ_TIME 1.4716375921623523 /* hertz_time of r = 1: (2/5) B(2/5, 1/2) */
 
-void cor_plastic_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double x = speed_m_s / contact->yield_speed_m_s, t = force_ratio(x);
     const double overlap = cor_scene_elastic_overlap(contact, contact->yield_speed_m_s);
@@ -173,12 +173,7 @@ void cor_plastic_impact(struct cor_scene_impact *impact, const struct cor_scene_
     const double loading = hertz_time(1 / x, (x - 1) / x) / x + 2 * asin(sqrt(force_gap(x, t) / 2)) / sqrt(15.0 / 8);
     const double unloading = HERTZ_TIME * sqrt(3 / (t * (2 + t))) / (eps * x);
     impact->eps[0] = impact->eps[1] = eps;
-    impact->duration_s[0] = impact->duration_s[1] = time * (loading + unloading);
-    impact->max_overlap_m = overlap * (2 + t) / (3 * t);
-}
-
-double cor_plastic_force_max_n(const struct cor_scene_contact *contact, double speed_m_s)
-{
-    const double overlap = cor_scene_elastic_overlap(contact, contact->yield_speed_m_s);
-    return contact->stiffness * overlap * sqrt(overlap) / force_ratio(speed_m_s / contact->yield_speed_m_s);
+    impact->duration[0] = impact->duration[1] = time * (loading + unloading);
+    impact->max_overlap = overlap * (2 + t) / (3 * t);
+    impact->force_max = contact->stiffness * overlap * sqrt(overlap) / t;
 }

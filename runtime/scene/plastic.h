@@ -3,11 +3,10 @@
 #ifndef COR_RUNTIME_SCENE_PLASTIC_H
 #define COR_RUNTIME_SCENE_PLASTIC_H
 
-#include "cor/scene.h"
+#include "runtime/scene/motion.h"
 
-/* Fills all of the impact but beta, where the speed is above the yield speed. */
-void cor_plastic_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
-double cor_plastic_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
+/* The collision above the yield speed, in SI units */
+void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 
 /* wet.c: the contact without its liquid, and the speed below which the liquid holds the bodies */
 struct cor_scene_contact cor_dry_contact(const struct cor_scene_contact *contact);

@@ -8,7 +8,6 @@
 #include "runtime/scene/pressed.h"
 
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/motion.h"
 
 static int motion_init(struct motion *m, const struct cor_exponents *law, double elastic, double damper, double press)
 {
@@ -88,13 +87,13 @@ static int creeps_up(const struct motion *m)
     return x < rest && damping * damping > 4 * stiffness && m->v[0] < damping / 2 * (rest - x);
 }
 
-static void part(struct cor_pressed_impact *impact, int end, const struct motion *m, double s, double unit_of_time)
+static void part(struct cor_full_impact *impact, int end, const struct motion *m, double s, double unit_of_time)
 {
     impact->eps[end] = -cor_motion_v(m, s, 0);
     impact->duration[end] = cor_motion_t(m, s) * unit_of_time;
 }
 
-static void stay(struct cor_pressed_impact *impact, int end)
+static void stay(struct cor_full_impact *impact, int end)
 {
     impact->eps[end] = 0;
     impact->duration[end] = INFINITY;
@@ -144,7 +143,7 @@ static double oscillation_root(const struct oscillation *o, double value, double
     return high;
 }
 
-static void linear_solve(struct cor_pressed_impact *impact, double beta, double f)
+static void linear_solve(struct cor_full_impact *impact, double beta, double f)
 {
     const struct oscillation o = {beta / 2, sqrt(fabs((1 - beta / 2) * (1 + beta / 2)))};
     const double a = f - beta, jerk = -beta * a - 1; /* the second and the third derivative of x at first */
@@ -170,7 +169,7 @@ static void linear_solve(struct cor_pressed_impact *impact, double beta, double 
     }
 }
 
-int cor_pressed_solve(struct cor_pressed_impact *impact, const struct cor_exponents *law, double beta, double f)
+int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double beta, double f)
 {
     struct motion m;
     double unit = 1, release = -1, least = 0; /* of length and time; w and energy where the force can vanish */

@@ -4,18 +4,14 @@
 #ifndef COR_RUNTIME_SCENE_PRESSED_H
 #define COR_RUNTIME_SCENE_PRESSED_H
 
-#include "cor/scene.h"
-
-/* `force_max` is the largest value of x^a + beta x^b x'. eps = 0 and an infinite duration: the bodies stay together. */
-struct cor_pressed_impact {
-    double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max;
-};
+#include "runtime/scene/motion.h"
 
 /* The largest force of x'' + damper x^b x' + elastic x^a = 0; NaN where the motion takes too many steps */
 double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper);
 
-/* Returns COR_OK, or COR_FAULT_PRESSED where the motion takes too many steps. */
-int cor_pressed_solve(struct cor_pressed_impact *impact, const struct cor_exponents *law, double beta, double f);
+/* `force_max` is that of x^a + beta x^b x'. Returns COR_OK, or COR_FAULT_PRESSED where the motion takes too many
+ * steps. */
+int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double beta, double f);
 
 /* x'' + damping x^b x' + x^a = 1: the impact speed up to which the bodies stay together; infinite: every speed, or
  * those up to 1e9 and more */

@@ -37,13 +37,10 @@ const struct cor_sphere_rows cor_sphere_rows[COR_SPHERE_COUNT] = {
     SUM(duration_approach_only, DURATION_APPROACH_ONLY),
 };
 
-static const struct cor_row_table power_eps_zero_overlap = COR_ROW_TABLE_OF_OCTAVES(cor_rows_power_eps_zero_overlap,
-                                                                                    COR_ROWS_POWER_EPS_ZERO_OVERLAP),
-                                  power_eps_zero_force = COR_ROW_TABLE_OF_OCTAVES(cor_rows_power_eps_zero_force,
-                                                                                  COR_ROWS_POWER_EPS_ZERO_FORCE),
-                                  every_beta = {COR_ROW_NONE, COR_ROW_SUM, 0,     INFINITY, 0, NULL,
-                                                NULL,         NULL,        1,     1,        0, 0,
-                                                {1, 0},       {1, 0},      {0, 0}};
+#define POWER(end, END) COR_ROW_TABLE_OF_OCTAVES(cor_rows_power_eps_##end, COR_ROWS_POWER_EPS_##END, COR_ROW_SUM)
+static const struct cor_row_table power_eps_zero_overlap = POWER(zero_overlap, ZERO_OVERLAP),
+                                  power_eps_zero_force = POWER(zero_force, ZERO_FORCE),
+                                  every_beta = {.kind = COR_ROW_NONE, .end = INFINITY};
 
 #define TABLE(quantity) &cor_sphere_rows[COR_SPHERE_##quantity].table
 #define CONTACT(function, kind, table, beyond, far)                                                                    \

@@ -244,15 +244,22 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inlin
     return cor_pair(place.row[0], cor_inline_row(place));
 }
 
+/* The second and the third order in mu = beta^(-num/den) at v = ln(beta). mu < 6e-8, so its rounding errors are
+ * negligible; below exp(-60) mu itself is. */
+COR_INLINE_LAW double cor_inline_law_orders(struct cor_inline_law_quantity q, double v)
+{
+    const double *c = q.far(0);
+    const double decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
+    return mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
+}
+
 /* Three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
 {
     const double *c = q.far(0);
     if (q.far_kind == 2)
         return cor_pair(c[0], c[1]);
-    /* mu < 6e-8, so its rounding errors are negligible; below exp(-60) mu itself is */
-    const double v = u.hi, decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
-    const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
+    const double v = u.hi, orders = cor_inline_law_orders(q, v);
     const struct cor_inline_pair slope = cor_inline_product(c[2], v), sum = cor_pair_two_sum(slope.hi, c[0]);
     return cor_inline_sum(sum.hi, sum.lo + (((slope.lo + c[2] * u.lo) + c[3] * v) + (c[1] + orders)));
 }
@@ -451,8 +458,9 @@ COR_INLINE_LAW double cor_inline_law_loss(struct cor_inline_law_quantity q, doub
 
 /* ---- the inverse ---- */
 
-/* beta below the rows of eps at zero overlap, eps = v_f beta^(-1/q): (v_f/eps)^q */
-COR_INLINE_LAW double cor_inline_law_beta_fallen(struct cor_inline_law_quantity q, double eps)
+/* (c_0/eps)^s as a pair times 2^*exponent, where eps = c_0 beta^power and s = -1/power */
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_inline_law_quantity q, double eps,
+                                                                   int *exponent)
 {
     const double *c = q.far(0);
     const int tiny = eps < COR_INLINE_2_M900;
@@ -461,36 +469,25 @@ COR_INLINE_LAW double cor_inline_law_beta_fallen(struct cor_inline_law_quantity 
     const int e = cor_inline_exponent(ratio.hi);
     const double unit = cor_inline_power_of_two(-e);
     struct cor_inline_law_power inverse;
-    int exponent;
     inverse.num = q.power.den;
     inverse.den = -q.power.num;
-    const struct cor_inline_pair m = cor_pair(ratio.hi * unit, ratio.lo * unit);
-    const struct cor_inline_pair beta = cor_inline_rational_power(m, e + (tiny ? 200 : 0), inverse, &exponent);
-    return cor_inline_pair_scaled(beta, exponent);
+    return cor_inline_rational_power(cor_pair(ratio.hi * unit, ratio.lo * unit), e + (tiny ? 200 : 0), inverse,
+                                     exponent);
 }
 
-/* beta below the rows of eps at zero force, eps = beta^power (a_0 + ...): R (1 + x)^s, R = (a_0/eps)^s, s = -1/power, x
- * the orders in mu over a_0, below 1e-5; ln(beta) = ln(R) + s x, The code iterates twice. */
+/* beta below the rows of eps. At zero overlap eps is the power v_f beta^(-1/q). At zero force eps = beta^power (a_0 +
+ * ...) is R (1 + x)^s, where R is that of the power and x the orders in mu over a_0, below 1e-5. The code iterates
+ * ln(beta) = ln(R) + s x twice. */
 COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
-    const double *c = q.far(0);
-    const int tiny = eps < COR_INLINE_2_M900;
-    const double scaled = tiny ? eps * COR_INLINE_2_200 : eps;
-    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_pair(c[0], c[1]), cor_pair(scaled, 0));
-    const int e = cor_inline_exponent(ratio.hi);
-    const double unit = cor_inline_power_of_two(-e), s = (double)q.power.den / -q.power.num;
-    struct cor_inline_law_power inverse;
     int exponent;
-    inverse.num = q.power.den;
-    inverse.den = -q.power.num;
-    const struct cor_inline_pair m = cor_pair(ratio.hi * unit, ratio.lo * unit);
-    const struct cor_inline_pair root = cor_inline_rational_power(m, e + (tiny ? 200 : 0), inverse, &exponent);
-    const double log_root = log(root.hi) + exponent * 0.6931471805599453;
+    const struct cor_inline_pair root = cor_inline_law_beta_of_power(q, eps, &exponent);
+    if (q.far_kind == 2)
+        return cor_inline_pair_scaled(root, exponent);
+    const double s = (double)q.power.den / -q.power.num, log_root = log(root.hi) + exponent * 0.6931471805599453;
     double x = 0;
-    for (int k = 0; k < 3; k++) {
-        const double v = log_root + s * x, decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
-        x = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10])))) / c[0];
-    }
+    for (int k = 0; k < 3; k++)
+        x = cor_inline_law_orders(q, log_root + s * x) / q.far(0)[0];
     const double more = s * x * (1 + (s - 1) * x / 2);
     return cor_inline_pair_scaled(cor_inline_sum(root.hi, root.lo + root.hi * more), exponent);
 }
@@ -505,7 +502,7 @@ COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, 
         return q.threshold.hi;
     if (eps == 0)
         return cor_inline_infinity();
-    return q.far_kind == 2 ? cor_inline_law_beta_fallen(q, eps) : cor_inline_law_beta_far(q, eps);
+    return cor_inline_law_beta_far(q, eps);
 }
 
 /* The round-off of the root of a loss: without this correction beta/loss, which grows with the root, is off by two

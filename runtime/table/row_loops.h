@@ -40,37 +40,31 @@ struct cor_row_table {
     struct cor_inline_pair threshold;
 };
 
-#define COR_ROW_TABLE_OF_GRID(rows, ROWS, kind, value, least, near_end)                                                \
+#define COR_ROW_OCTAVES_(ROWS)                                                                                         \
     {                                                                                                                  \
-        kind, value, least, ROWS##_END, 0, rows##_row[0], NULL, NULL, ROWS##_STEP, ROWS##_PER_UNIT, near_end, 0,       \
-            {1, 0}, {1, 0},                                                                                            \
-        {                                                                                                              \
-            0, 0                                                                                                       \
-        }                                                                                                              \
+        ROWS##_FIRST, ROWS##_OCTAVE_BITS                                                                               \
     }
-#define COR_ROW_TABLE_OF_OCTAVES(rows, ROWS)                                                                           \
+#define COR_ROW_TABLE_OF_GRID(rows, ROWS, of_kind, of_value, from, from_s)                                             \
     {                                                                                                                  \
-        COR_ROW_OCTAVES, COR_ROW_SUM, ROWS##_FIRST, ROWS##_END, ROWS##_FIRST, NULL, rows##_row[0], NULL, 1, 1, 0, 0,   \
-            {ROWS##_FIRST, ROWS##_OCTAVE_BITS}, {1, 0},                                                                \
-        {                                                                                                              \
-            0, 0                                                                                                       \
-        }                                                                                                              \
+        .kind = of_kind, .value = of_value, .least = from, .end = ROWS##_END, .near = rows##_row[0],                   \
+        .step = ROWS##_STEP, .per_unit = ROWS##_PER_UNIT, .near_end = from_s                                           \
     }
-#define COR_ROW_TABLE_OF_PARTS(near, NEAR, rows, ROWS, value, least)                                                   \
+#define COR_ROW_TABLE_OF_OCTAVES(rows, ROWS, of_value)                                                                 \
     {                                                                                                                  \
-        COR_ROW_PARTS, value, least, ROWS##_END, 0, near##_row[0], rows##_row[0], NULL, NEAR##_STEP, NEAR##_PER_UNIT,  \
-            NEAR##_END, ROWS##_END, {ROWS##_FIRST, ROWS##_OCTAVE_BITS}, {1, 0},                                        \
-        {                                                                                                              \
-            0, 0                                                                                                       \
-        }                                                                                                              \
+        .kind = COR_ROW_OCTAVES, .value = of_value, .least = ROWS##_FIRST, .end = ROWS##_END, .also = ROWS##_FIRST,    \
+        .middle = rows##_row[0], .octaves = COR_ROW_OCTAVES_(ROWS)                                                     \
     }
-#define COR_ROW_TABLE_OF_INVERSE(kind, near, NEAR, rows, ROWS)                                                         \
+#define COR_ROW_TABLE_OF_PARTS(near_rows, NEAR, rows, ROWS, of_value, from)                                            \
     {                                                                                                                  \
-        kind, COR_ROW_PRODUCT, ROWS##_FIRST, 1, 1, near##_row[0], rows##_row[0], NULL, NEAR##_STEP, NEAR##_PER_UNIT,   \
-            0.5, 0, {ROWS##_FIRST, ROWS##_OCTAVE_BITS}, {1, 0},                                                        \
-        {                                                                                                              \
-            0, 0                                                                                                       \
-        }                                                                                                              \
+        .kind = COR_ROW_PARTS, .value = of_value, .least = from, .end = ROWS##_END, .near = near_rows##_row[0],        \
+        .middle = rows##_row[0], .step = NEAR##_STEP, .per_unit = NEAR##_PER_UNIT, .near_end = NEAR##_END,             \
+        .middle_end = ROWS##_END, .octaves = COR_ROW_OCTAVES_(ROWS)                                                    \
+    }
+#define COR_ROW_TABLE_OF_INVERSE(of_kind, near_rows, NEAR, rows, ROWS)                                                 \
+    {                                                                                                                  \
+        .kind = of_kind, .value = COR_ROW_PRODUCT, .least = ROWS##_FIRST, .end = 1, .also = 1,                         \
+        .near = near_rows##_row[0], .middle = rows##_row[0], .step = NEAR##_STEP, .per_unit = NEAR##_PER_UNIT,         \
+        .near_end = 0.5, .octaves = COR_ROW_OCTAVES_(ROWS)                                                             \
     }
 
 /* One block of m numbers, the first of which is number i of the array: `in` as given, `x` the arguments of the table,
