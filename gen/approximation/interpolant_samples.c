@@ -12,7 +12,9 @@
 #include "support/parallel.h"
 
 enum {
-    GUARD_BITS = 16,
+    GUARD_BITS = 10, /* beyond those of a sample, which decide its rounding nearly always */
+    SCALING_BITS = 32,
+    CHECK_BITS = 70,     /* of collisions to check with */
     CONSTANT_BITS = 200, /* of beta_c and v_f */
     BACKWARD_ORDER = 24  /* of order of G and T, which are used for w below 1/8 */
 };
@@ -98,19 +100,21 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
 {
     LOCAL_INIT(collision, c, (&c));
     const struct law *law = &f->layout->law;
-    const slong prec = bits + 3 * GUARD_BITS;
+    const slong prec = bits + GUARD_BITS + SCALING_BITS;
     slong more = GUARD_BITS;
     if (interval->form == FORM_QUOTIENT)
         more += FLINT_MAX(0, -(slong)arf_abs_bound_lt_2exp_si(arb_midref(beta)) + 1);
     const bool overlap = interval->set & SET_ZERO_OVERLAP, force = interval->set & SET_ZERO_FORCE;
-    LOCAL(arb, press);
+    LOCAL(arb, press, x);
+    arb_sub(x, f->threshold, beta, prec);
+    const double below = arf_get_d(arb_midref(x), ARF_RND_NEAR);
     if (f->layout->press) {
         const struct ratio power = interpolant_press_power(law);
         LET(press, prec + more, "beta^power*f->layout->press", beta, power, f->layout->press);
     }
     const int status = f->layout->press   ? collision_solve_pressed(&c, beta, press, law, force ? 1 : 0, bits + more)
                        : overlap && force ? collision_solve(&c, beta, law, bits + more)
-                       : overlap          ? collision_solve_overlap(&c, beta, law, bits + more)
+                       : overlap          ? collision_solve_below(&c, beta, below, law, bits + more)
                                           : collision_solve_force(&c, beta, law, bits + more);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (holds(interval, (enum quantity)q))
@@ -332,7 +336,7 @@ static int check_place(double *error, const struct interpolant *f, int i, double
     LOCAL_VECTOR(value, QUANTITIES);
     LOCAL(arb, beta, variable, y);
     interpolant_place(beta, variable, f, interval, x);
-    const int status = interval_solve(value, f, interval, beta, interval->bits);
+    const int status = interval_solve(value, f, interval, beta, CHECK_BITS);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!holds(interval, (enum quantity)q))
             continue;

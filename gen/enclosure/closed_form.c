@@ -117,6 +117,7 @@ static void half_speed_sum(arb_t y, const arb_t beta, slong prec)
 void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct law *law, slong prec)
 {
     LOCAL(arb, y);
+    prec += 2 * FLINT_MAX(0, -(slong)arf_abs_bound_lt_2exp_si(arb_midref(beta))); /* which x_max loses near beta = 0 */
     half_speed_sum(y, beta, prec);
     LET(c->eps_zero_overlap, prec, "(2*y - beta)/beta", y, beta);
     arb_set(c->eps_zero_force, c->eps_zero_overlap);

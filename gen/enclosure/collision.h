@@ -13,6 +13,9 @@ int collision_solve(struct collision *c, const arb_t beta, const struct law *law
 /* The same for x_max, t_max, eps_zero_overlap and t_zero_overlap alone; the other fields are undefined. */
 int collision_solve_overlap(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
+/* The same at about `below` under the threshold, which tells how many bits the motion loses */
+int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct law *law, slong bits);
+
 /* The same for x_max, t_max, eps_zero_force and t_zero_force alone, for beta > 0. For a > b the function needs no
  * complete unloading and is cheap for any damping; otherwise the two ends coincide. */
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits);

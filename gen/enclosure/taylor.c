@@ -19,7 +19,7 @@ enum {
      * added for the round-off of its sums. */
     COEFFICIENT_GUARD = 24,
     /* From this number of coefficients on, products of polynomials cost less than sums of products. */
-    ONLINE_FROM = 48
+    ONLINE_FROM = 96
 };
 
 struct taylor_power {
