@@ -476,31 +476,45 @@ TEST(refusals)
     assert_int_equal(cor_disk_hard_wall_in(NULL, 0, modes, 1800, &good, 0.1, &out, NULL), COR_ERROR_NULL);
 }
 
-/* The estimate at a calm scene is never below three times the last change, with noise and unseen waves, or, from Omega
- * = 160 on, below what is usual and a quarter of the change: of tables that end later and later, each gives a level. */
+/* The estimate after `levels` levels, and the last four changes of the result, from tables that end earlier */
+static double estimate_and_changes(double nu, double speed, double tolerance, size_t levels, double change[4])
+{
+    double value[5] = {0}, estimate = NAN;
+    const struct cor_disk_modes modes = modes_of(nu, levels);
+    for (size_t i = 0; i < 5 && i + 2 <= levels; i++) {
+        struct cor_disk_modes lowest = modes;
+        lowest.count = cor_disk_modes_below(nu, first_omega(levels - 1 - i) * (1 + 1e-9)) + 1;
+        const struct cor_disk_hard_wall out = wall_collide(&lowest, speed, tolerance, COR_TOLERANCE_NOT_REACHED);
+        assert_int_equal(out.omega_levels, levels - i);
+        value[i] = out.one_minus_eps2;
+        estimate = i == 0 ? out.error_estimate : estimate;
+    }
+    for (size_t i = 0; i < 4; i++)
+        change[i] = i + 3 <= levels ? fabs(value[i] - value[i + 1]) : 0;
+    free((void *)modes.mode);
+    return estimate;
+}
+
+/* The estimate at a calm scene is never below three times the last change, with noise and unseen waves. */
 TEST(parts_of_the_estimate)
 {
-    enum { LEVELS = 9 };
     const double tolerance = 1e-6, noise = NOISE * pow(tolerance / 4e-6, 2.5 / 3);
     struct random_state random = random_start();
-    const struct cor_disk_modes modes = modes_of(0.33, LEVELS);
-    for (int i = 0; i < 3; i++) {
-        const double speed = random_uniform(&random, 0.02, 0.3);
-        double before = NAN;
-        for (size_t levels = 2; levels <= LEVELS; levels++) {
-            struct cor_disk_modes lowest = modes;
-            lowest.count = cor_disk_modes_below(0.33, first_omega(levels - 1) * (1 + 1e-9)) + 1;
-            const struct cor_disk_hard_wall out = wall_collide(&lowest, speed, tolerance, COR_TOLERANCE_NOT_REACHED);
-            const double unseen = UNSEEN / pow(first_omega(levels - 1), 2), change = out.one_minus_eps2 - before;
-            assert_int_equal(out.omega_levels, levels);
-            const double usual =
-                levels < 8 ? INFINITY : 6.8e-7 * pow(680 / first_omega(levels - 1), 3.5) + 0.23 * fabs(change);
-            check(levels == 2 || out.error_estimate >= fmin(3 * fabs(change) + noise + unseen, usual) * (1 - 1e-9),
-                  "v = %g, %zu levels: %g, changed by %g", speed, levels, out.error_estimate, change);
-            before = out.one_minus_eps2;
-        }
+    double change[4];
+    for (size_t levels = 3; levels <= 6; levels++) {
+        const double speed = random_uniform(&random, 0.02, 0.3), unseen = UNSEEN / pow(first_omega(levels - 1), 2);
+        const double estimate = estimate_and_changes(0.33, speed, tolerance, levels, change);
+        check(estimate >= (3 * change[0] + noise + unseen) * (1 - 1e-9), "v = %g, %zu levels: %g, changed by %g", speed,
+              levels, estimate, change[0]);
     }
-    free((void *)modes.mode);
+    /* the change before the last one counts; what is usual at Omega = 240 is less than that; but not at a wild scene */
+    double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
+    check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
+    estimate = estimate_and_changes(0.3305, 0.06118, tolerance, 9, change);
+    const double usual = 6.8e-7 * pow(680 / 240.0, 3.5) + 0.23 * fmax(change[0], change[1]);
+    check(relative_error(estimate, usual) < 1e-9, "%.17g, not %.17g", estimate, usual);
+    estimate = estimate_and_changes(0.693, 0.09426, tolerance, 9, change);
+    check(estimate >= 3 * change[0] && 3 * change[0] > 5e-5, "%g, changed by %g", estimate, change[0]);
 }
 
 RUN_TESTS(known_answers, proved_modes, errors, budgets, whole_budget, levels_that_agree_by_chance, slower_and_slower,
