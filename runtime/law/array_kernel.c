@@ -1,51 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions for the list COR_LAW_LOOPS, for one instruction set (sets.h). No set may fuse a multiplication with
- * an addition, so all sets and the scalar functions give the same bits. A compiler vectorises the loops over blocks of
- * numbers. Numbers outside the interval are then computed one by one. */
+/* Array functions for the list COR_LAW_LOOPS, for one instruction set (sets.h): the loops of runtime/table/row_loops.h,
+ * without rows, and after them kernels that a compiler vectorises. No set may fuse a multiplication with an addition,
+ * so all sets and the scalar functions give the same bits. */
 #include "cor/law.h"
 #include "runtime/law/array.h"
-#include "runtime/number/kernel.h"
+#include "runtime/table/row_loops.h"
 
-/* LANES: a multiple of the vector length of every set */
-enum { BLOCK = 128, LANES = 8 };
-
-/* The least multiple of LANES from n on. A compiler that sees it, and that it is not 0, leaves out the loop over what
- * is no whole vector. */
-#define WHOLE(n) (((n) + LANES - 1) / LANES * LANES)
-
-typedef double law_function(double x);
-
-/* Copies the next m numbers of `in`, which may be the array of results, to `from` and to `inside`, where an end of the
- * interval replaces numbers outside it and fills the block up to whole vectors. Returns whether there were such
- * numbers. */
-SHARED int next_block(double *restrict from, double *restrict inside, const double *restrict in, size_t m, double least,
-                      double largest)
-{
-    int outside = 0;
-    for (size_t j = 0; j < m; j++) {
-        const double x = in[j];
-        const int is_inside = (x >= least) & (x <= largest);
-        outside |= !is_inside;
-        from[j] = x;
-        inside[j] = is_inside ? x : largest;
-    }
-    for (size_t j = m; j < WHOLE(m); j++)
-        inside[j] = largest;
-    return outside;
-}
-
-SHARED void put_block(double *restrict out, const double *restrict to, const double *restrict from, size_t m,
-                      int outside, double least, double largest, law_function *function)
-{
-    /* cppcheck-suppress uninitvar ; the loop before has filled `to` */
-    for (size_t j = 0; j < m; j++)
-        out[j] = to[j];
-    for (size_t j = 0; outside && j < m; j++)
-        if (!(from[j] >= least && from[j] <= largest))
-            out[j] = function(from[j]);
-}
-
-/* ---- loops ---- */
+/* The least multiple of COR_LANES from n on, up to which the numbers of a block are filled. A compiler that sees it,
+ * and that it is not 0, leaves out the loop over what is no whole vector. */
+#define WHOLE(n) (((n) + COR_LANES - 1) / COR_LANES * COR_LANES)
 
 #define VALUES_(name, public, least, largest, value)                                                                   \
     static void values_##name(double *restrict y, const double *restrict inside, size_t n)                             \
@@ -59,35 +22,40 @@ SHARED void put_block(double *restrict out, const double *restrict to, const dou
 COR_LAW_LOOPS(VALUES_)
 
 struct loop {
-    double least, largest;
-    law_function *one;
+    struct cor_row_table interval;
+    double (*one)(double x);
     void (*values)(double *restrict y, const double *restrict inside, size_t n);
 };
-#define LOOP_(name, public, least, largest, value) {least, largest, cor_##public, values_##name},
+#define LOOP_(name, public, from, largest, value)                                                                      \
+    {{.kind = COR_ROW_NONE, .least = from, .end = largest, .also = largest}, cor_##public, values_##name},
 static const struct loop loops[] = {COR_LAW_LOOPS(LOOP_)};
+
+static void complete(void *context, const struct cor_row_block *block, double *value)
+{
+    const struct loop *const loop = context;
+    loop->values(value, block->taken, block->m);
+    for (size_t j = 0; block->outside && j < block->m; j++)
+        if (!is_same(block->x[j], block->taken[j]))
+            value[j] = loop->one(block->x[j]);
+}
 
 static void run(enum cor_law_loop number, const double *in, double *out, size_t n)
 {
-    const struct loop *const loop = &loops[number];
-    if (n < 3) { /* the scalar function is faster */
-        for (size_t i = 0; i < n; i++)
-            out[i] = loop->one(in[i]);
+    struct loop loop = loops[number];
+    const struct cor_row_call call = {&loop.interval, NULL, &loop, NULL, complete, 1};
+    if (n >= 3) {
+        COR_OF_SET(cor_row_loops).doubles(&call, in, out, n);
         return;
     }
-    for (size_t i = 0; i < n; i += BLOCK) {
-        double from[BLOCK], inside[BLOCK], to[BLOCK];
-        const size_t m = n - i < BLOCK ? n - i : BLOCK;
-        const int outside = next_block(from, inside, in + i, m, loop->least, loop->largest);
-        loop->values(to, inside, m);
-        put_block(out + i, to, from, m, outside, loop->least, loop->largest, loop->one);
-    }
+    for (size_t i = 0; i < n; i++) /* the scalar function is faster */
+        out[i] = loop.one(in[i]);
 }
 
 static void run_floats(enum cor_law_loop number, const float *in, float *out, size_t n)
 {
-    double wide[BLOCK];
-    for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t m = n - i < BLOCK ? n - i : BLOCK;
+    double wide[COR_ROW_BLOCK];
+    for (size_t i = 0; i < n; i += COR_ROW_BLOCK) {
+        const size_t m = n - i < COR_ROW_BLOCK ? n - i : COR_ROW_BLOCK;
         for (size_t j = 0; j < m; j++)
             wide[j] = (double)in[i + j];
         run(number, wide, wide, m);

@@ -12,42 +12,28 @@ struct cor_float_exception {
     float x, y, second_x, second_y;
 };
 
-#define COR_FLOAT_REGULAR                                                                                              \
+#define COR_FLOAT_AT(x, y, second_x, second_y)                                                                         \
     {                                                                                                                  \
-        NAN, NAN, NAN, NAN                                                                                             \
+        x, y, second_x, second_y                                                                                       \
     }
+#define COR_FLOAT_REGULAR COR_FLOAT_AT(NAN, NAN, NAN, NAN)
 #define COR_FLOAT_EXCEPTION_eps_zero_overlap COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_eps_zero_force COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_loss_zero_overlap COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_loss_zero_force COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_beta_zero_overlap COR_FLOAT_REGULAR
-#define COR_FLOAT_EXCEPTION_beta_zero_force                                                                            \
-    {                                                                                                                  \
-        0x1.c37b7p-13f, 0x1.74754ap+7f, NAN, NAN                                                                       \
-    }
-#define COR_FLOAT_EXCEPTION_duration_zero_overlap                                                                      \
-    {                                                                                                                  \
-        0x1.073138p-6f, 0x1.9caebap+1f, NAN, NAN                                                                       \
-    }
-#define COR_FLOAT_EXCEPTION_duration_zero_force                                                                        \
-    {                                                                                                                  \
-        0x1.2703aep+95f, 0x1.1646f6p-56f, NAN, NAN                                                                     \
-    }
+#define COR_FLOAT_EXCEPTION_beta_zero_force COR_FLOAT_AT(0x1.c37b7p-13f, 0x1.74754ap+7f, NAN, NAN)
+#define COR_FLOAT_EXCEPTION_duration_zero_overlap COR_FLOAT_AT(0x1.073138p-6f, 0x1.9caebap+1f, NAN, NAN)
+#define COR_FLOAT_EXCEPTION_duration_zero_force COR_FLOAT_AT(0x1.2703aep+95f, 0x1.1646f6p-56f, NAN, NAN)
 #define COR_FLOAT_EXCEPTION_max_overlap COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_time_of_max_overlap                                                                        \
-    {                                                                                                                  \
-        0x1.511e64p-14f, 0x1.9be80ep+0f, 0x1.5b5bb8p+22f, 0x1.7b3fe6p-11f                                              \
-    }
+    COR_FLOAT_AT(0x1.511e64p-14f, 0x1.9be80ep+0f, 0x1.5b5bb8p+22f, 0x1.7b3fe6p-11f)
 
 #define COR_FLOAT_EXCEPTION_eps_approach_only COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_loss_approach_only                                                                         \
-    {                                                                                                                  \
-        0x1.47e06ep+16f, 0x1.fff30ap-1f, 0x1.4fe17ep+30f, 0x1.fffffep-1f                                               \
-    }
+    COR_FLOAT_AT(0x1.47e06ep+16f, 0x1.fff30ap-1f, 0x1.4fe17ep+30f, 0x1.fffffep-1f)
 #define COR_FLOAT_EXCEPTION_beta_approach_only                                                                         \
-    {                                                                                                                  \
-        0x1.fefc3ap-23f, 0x1.bc40f6p+26f, 0x1.d76bf4p-14f, 0x1.191072p+16f                                             \
-    }
+    COR_FLOAT_AT(0x1.fefc3ap-23f, 0x1.bc40f6p+26f, 0x1.d76bf4p-14f, 0x1.191072p+16f)
 #define COR_FLOAT_EXCEPTION_beta_of_loss_approach_only COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_duration_approach_only COR_FLOAT_REGULAR
 

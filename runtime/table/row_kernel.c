@@ -72,8 +72,8 @@ KERNEL mask has(const struct cor_row_table *table, double x)
     return holds(x, table->least, table->end) | is_same(x, table->also);
 }
 
-/* Copies m numbers to x; `also` replaces those that are not in the table, and fills x up to whole vectors. Returns how
- * many were replaced. */
+/* Copies m numbers to x; `also` replaces those that are not in the table, and fills x up to whole vectors of every set.
+ * Returns how many were replaced. */
 SHARED size_t take(double *restrict x, const struct cor_row_table *table, const double *restrict in, size_t m)
 {
     const struct cor_row_table t = *table;
@@ -83,7 +83,7 @@ SHARED size_t take(double *restrict x, const struct cor_row_table *table, const 
         x[j] = choose(is_inside, in[j], t.also);
         inside -= is_inside;
     }
-    for (size_t j = m; j < whole(m); j++)
+    for (size_t j = m; j % COR_LANES; j++)
         x[j] = t.also;
     return m - (size_t)inside;
 }
