@@ -95,7 +95,7 @@ static struct cor_row_table dashpot_table(enum cor_dashpot_number function)
         return (float)cor_hertz_dashpot_##quantity((double)x);                                                         \
     }
 #define OF_BOTH_ENDS(quantity) SCALARS(quantity, cor_inline_hertz_dashpot_##quantity)
-#define APPROACH_ONLY(quantity) SCALARS(quantity##_approach_only, dashpot_##quantity##_approach_only)
+#define APPROACH_ONLY(quantity) SCALARS(quantity##_approach_only, dashpot_##quantity)
 OF_BOTH_ENDS(eps_zero_overlap)
 OF_BOTH_ENDS(eps_zero_force)
 OF_BOTH_ENDS(loss_zero_overlap)

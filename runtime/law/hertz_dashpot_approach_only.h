@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Hertz's contact with a constant dashpot and damping while approaching only: rows for beta below 8 and for eps from
- * 2^-6 on. Beyond them from the largest overlap Y (runtime/core/hertz_approach_only.h). */
+ * 2^-6 on. Beyond them from the largest overlap Y (runtime/table/hertz_approach_only.h). */
 #ifndef COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 #define COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 
 #include "generated/hertz_dashpot_tables.h"
-#include "runtime/core/hertz_approach_only.h"
-#include "runtime/number/environment.h"
+#include "runtime/table/hertz_approach_only.h"
 
 /* Y = pair 2^(4 *fourth), beta finite and beyond the rows */
 static inline struct cor_inline_pair dashpot_overlap(double beta, int *fourth)
@@ -18,70 +17,15 @@ static inline struct cor_inline_pair dashpot_overlap(double beta, int *fourth)
     return cor_pair_scaled(value, cor_kernel_power_of_two(more));
 }
 
-/* eps = pair 2^*exponent, beta finite */
-static inline struct cor_inline_pair dashpot_eps(double beta, int *exponent)
-{
-    const struct cor_inline_pair y = dashpot_overlap(beta, exponent);
-    *exponent *= 5;
-    return cor_hertz_eps_approach_only(y);
-}
-
-#define DASHPOT_ROW(x, quantity, QUANTITY)                                                                             \
-    cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_##QUANTITY), x, cor_rows_hertz_dashpot_##quantity)
-
-static inline double dashpot_eps_beyond(double beta)
-{
-    if (cor_inline_is_refused(beta))
-        return NAN;
-    if (beta < 1 || isinf(beta)) /* below 2^-60, where a row rounded upward exceeds 1 */
-        return beta < 1;
-    int exponent;
-    const struct cor_inline_pair eps = dashpot_eps(beta, &exponent);
-    return cor_inline_pair_scaled(eps, exponent);
-}
-
-static inline double dashpot_eps_approach_only(double beta)
-{
-    if (cor_inline_between(beta, COR_INLINE_2_M60, COR_ROWS_HERTZ_DASHPOT_EPS_APPROACH_ONLY_END))
-        return cor_inline_row_value(DASHPOT_ROW(beta, eps_approach_only, EPS_APPROACH_ONLY));
-    return cor_in_environment(dashpot_eps_beyond, beta);
-}
-
-static inline double dashpot_loss_beyond(double beta)
-{
-    if (cor_inline_is_refused(beta))
-        return NAN;
-    if (cor_inline_is_zero(beta) || isinf(beta))
-        return beta > 0;
-    int exponent;
-    struct cor_inline_pair eps = dashpot_eps(beta, &exponent);
-    if (exponent < -200)
-        return 1;
-    eps = cor_pair_scaled(eps, ldexp(1, exponent));
-    return (1 - eps.hi) - eps.lo;
-}
-
-/* x times a row; a tiny x is scaled, because the halves of the products would be subnormal */
-static inline double dashpot_product(struct cor_inline_place place, double x)
-{
-    if (cor_inline_below(x, COR_INLINE_2_M900))
-        return cor_inline_row_product(place, x * COR_INLINE_2_200) * COR_INLINE_2_M200;
-    return cor_inline_row_product(place, x);
-}
-
-static inline double dashpot_loss_approach_only(double beta)
-{
-    if (cor_inline_below(beta, COR_ROWS_HERTZ_DASHPOT_LOSS_APPROACH_ONLY_END))
-        return dashpot_product(DASHPOT_ROW(beta, loss_approach_only, LOSS_APPROACH_ONLY), beta);
-    return cor_in_environment(dashpot_loss_beyond, beta);
-}
+COR_HERTZ_APPROACH_ONLY(dashpot, cor_rows_hertz_dashpot, COR_ROWS_HERTZ_DASHPOT,
+                        cor_inline_hertz_dashpot_time_of_max_overlap)
 
 /* ln(eps(beta)/eps) to first order where it is small */
 static inline double dashpot_excess(double beta, double eps)
 {
-    int exponent;
-    const struct cor_inline_pair at = dashpot_eps(beta, &exponent);
-    const double hi = ldexp(eps, -exponent), ratio = at.hi / hi, x = ((at.hi - hi) + at.lo) / hi;
+    int fourth;
+    const struct cor_inline_pair at = cor_hertz_eps_approach_only(dashpot_overlap(beta, &fourth));
+    const double hi = ldexp(eps, -5 * fourth), ratio = at.hi / hi, x = ((at.hi - hi) + at.lo) / hi;
     return fabs(x) < 0x1p-10 ? x * (1 - x * (0.5 - x / 3)) : ratio < 0.5 || ratio > 2 ? log(ratio) : log1p(x);
 }
 
@@ -123,45 +67,15 @@ static inline double dashpot_beta_beyond(double eps)
     return eps == 0 ? INFINITY : dashpot_beta_of_eps(eps);
 }
 
-static inline double dashpot_beta_of_loss_approach_only(double loss);
-
-static inline double dashpot_beta_approach_only(double eps)
+static inline double dashpot_beta(double eps)
 {
     if (cor_inline_between(eps, 0.5, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
-        return dashpot_beta_of_loss_approach_only(1 - eps);
+        return dashpot_beta_of_loss(1 - eps);
     if (cor_inline_between(eps, COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY_FIRST, 0.5))
         return cor_inline_row_value(
             cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY), eps,
                                      cor_rows_hertz_dashpot_beta_approach_only));
     return cor_in_environment(dashpot_beta_beyond, eps);
-}
-
-static inline double dashpot_beta_of_loss_approach_only(double loss)
-{
-    if (cor_inline_between(loss, 0, 0.5) || loss == 0.5)
-        return dashpot_product(DASHPOT_ROW(loss, near_beta_approach_only, NEAR_BETA_APPROACH_ONLY), loss);
-    if (cor_inline_is_zero(loss))
-        return 0;
-    return cor_inline_is_refused(loss) ? NAN : dashpot_beta_approach_only(1 - loss); /* exact from 1/2 to 1 */
-}
-
-static inline double dashpot_duration_beyond(double beta)
-{
-    if (cor_inline_is_refused(beta))
-        return NAN;
-    if (isinf(beta))
-        return INFINITY;
-    int fourth; /* of Y's power of two: the duration of the rebound has Y^(-1/4) */
-    const struct cor_inline_pair y = dashpot_overlap(beta, &fourth);
-    const double time = cor_inline_hertz_dashpot_time_of_max_overlap(beta);
-    return ldexp(cor_hertz_duration_approach_only(y, ldexp(time, fourth)), -fourth);
-}
-
-static inline double dashpot_duration_approach_only(double beta)
-{
-    if (cor_inline_below(beta, COR_ROWS_HERTZ_DASHPOT_DURATION_APPROACH_ONLY_END) || cor_inline_is_zero(beta))
-        return cor_inline_row_value(DASHPOT_ROW(beta, duration_approach_only, DURATION_APPROACH_ONLY));
-    return cor_in_environment(dashpot_duration_beyond, beta);
 }
 
 #endif

@@ -3,8 +3,8 @@
  * (generated/hunt_crossley_tables.h), quadrature for every other exponent and for negative damping. */
 #include "cor/law.h"
 #include "generated/hunt_crossley_tables.h"
-#include "runtime/core/hertz_approach_only.h"
 #include "runtime/law/define.h"
+#include "runtime/table/hertz_approach_only.h"
 #include "runtime/table/row.h"
 
 /* ---- a = 1 and a = 3/2 by tables ---- */

@@ -2,10 +2,10 @@
 /* Durations of Tsuji's damping and the time of its largest overlap, from generated/tsuji_tables.h. */
 #include "cor/law.h"
 #include "generated/tsuji_tables.h"
-#include "runtime/core/hertz_approach_only.h"
 #include "runtime/law/define.h"
 #include "runtime/law/linear.h"
 #include "runtime/number/fifth_root.h"
+#include "runtime/table/hertz_approach_only.h"
 #include "runtime/table/row.h"
 
 /* End of the rows in ln(1 + zeta): zeta = exp(12.25) - 1 */

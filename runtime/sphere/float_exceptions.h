@@ -43,4 +43,16 @@ static inline float cor_float_corrected(struct cor_float_exception exception, fl
     return x == exception.x ? exception.y : x == exception.second_x ? exception.second_y : y;
 }
 
+/* Defines cor_sphere_<quantity> and its float form from a function of doubles; `narrow` rounds a double to a float. */
+#define COR_SPHERE_SCALARS(quantity, function, narrow)                                                                 \
+    double cor_sphere_##quantity(double x)                                                                             \
+    {                                                                                                                  \
+        return function(x);                                                                                            \
+    }                                                                                                                  \
+    float cor_sphere_##quantity##f(float x)                                                                            \
+    {                                                                                                                  \
+        static const struct cor_float_exception exception = COR_FLOAT_EXCEPTION_##quantity;                            \
+        return cor_float_corrected(exception, x, narrow(function((double)x)));                                         \
+    }
+
 #endif

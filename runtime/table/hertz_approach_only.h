@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* Damping during the approach only, for any law with Hertz's elastic force. The approach is that of the full law and
+ * the rebound is elastic, so that eps^2/2 = (2/5) Y^(5/2) with the largest overlap Y of the full law. */
+#ifndef COR_RUNTIME_TABLE_HERTZ_APPROACH_ONLY_H
+#define COR_RUNTIME_TABLE_HERTZ_APPROACH_ONLY_H
+
+#include "runtime/number/elementary.h"
+#include "runtime/number/environment.h"
+#include "runtime/table/law.h"
+
+/* sqrt(4/5) = (4/5)^(1/2) and (4/5)^(-1/10) as pairs */
+#define COR_HERTZ_SPEED 8.94427190999915855407e-01
+#define COR_HERTZ_SPEED_TAIL 2.31564598480493453558e-17
+#define COR_HERTZ_TIME 1.02256518256357287200
+#define COR_HERTZ_TIME_TAIL 5.54898733737113814765e-17
+/* Half of the elastic duration, X_0 sqrt(pi) Gamma(7/5)/Gamma(9/10) */
+#define COR_HERTZ_HALF_DURATION 1.60903272985952150442
+#define COR_HERTZ_HALF_DURATION_TAIL 3.78449505742605387477e-17
+
+/* eps = sqrt(4/5) Y^(5/4) */
+COR_INLINE struct cor_inline_pair cor_hertz_eps_approach_only(struct cor_inline_pair overlap)
+{
+    const struct cor_inline_pair fourth_root = cor_pair_root(cor_pair_root(overlap));
+    const struct cor_inline_pair power = cor_inline_pair_times(overlap, fourth_root);
+    return cor_inline_pair_times(power, cor_pair(COR_HERTZ_SPEED, COR_HERTZ_SPEED_TAIL));
+}
+
+/* The overlap Y that belongs to eps: (5/4)^(2/5) eps^(4/5), with a few rounding errors */
+COR_INLINE double cor_hertz_overlap_of_eps(double eps)
+{
+    const struct cor_inline_pair l = cor_kernel_minus_log(cor_pair(eps, 0));
+    return 1.09336207394327805637 * cor_kernel_exp_minus_pair(cor_pair(0.8 * l.hi, 0)).hi;
+}
+
+/* Duration: the time of the largest overlap plus that of the elastic rebound. The rebound to the speed eps takes half
+ * of the elastic duration times eps^(-1/5) = (4/5)^(-1/10) Y^(-1/4). */
+COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overlap, double time_of_max_overlap)
+{
+    const struct cor_inline_pair fourth_root = cor_pair_root(cor_pair_root(overlap));
+    const struct cor_inline_pair half = cor_inline_pair_times(
+        cor_pair(COR_HERTZ_HALF_DURATION, COR_HERTZ_HALF_DURATION_TAIL), cor_pair(COR_HERTZ_TIME, COR_HERTZ_TIME_TAIL));
+    return cor_pair_plus(cor_pair_over(half, fourth_root), cor_pair(time_of_max_overlap, 0)).hi;
+}
+
+/* x times a row; a tiny x is scaled, because the halves of the products would be subnormal */
+COR_INLINE double cor_hertz_product(struct cor_inline_place place, double x)
+{
+    if (cor_inline_below(x, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, x * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, x);
+}
+
+/* ---- functions by rows ----
+ *
+ * Defines law_eps, law_loss, law_duration and law_beta_of_loss of a law with rows of eps, loss, duration and
+ * near_beta from 0 on. Beyond the rows of beta they follow from law_overlap(beta, &fourth), which returns Y times
+ * 2^(-4 fourth) for finite beta; law_beta has every eps. */
+#define COR_HERTZ_ROW_(x, rows, ROWS) cor_inline_grid_place(COR_INLINE_GRID(ROWS), x, rows)
+#define COR_HERTZ_APPROACH_ONLY(law, rows, ROWS, time_of_max_overlap)                                                  \
+    static double law##_eps_beyond(double beta)                                                                        \
+    {                                                                                                                  \
+        if (cor_inline_is_refused(beta))                                                                               \
+            return NAN;                                                                                                \
+        if (beta < 1 || isinf(beta)) /* below 2^-60, where a row rounded upward exceeds 1 */                           \
+            return beta < 1;                                                                                           \
+        int fourth;                                                                                                    \
+        const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law##_overlap(beta, &fourth));                  \
+        return fourth ? cor_inline_pair_scaled(eps, 5 * fourth) : eps.hi;                                              \
+    }                                                                                                                  \
+    static inline double law##_eps(double beta)                                                                        \
+    {                                                                                                                  \
+        if (cor_inline_between(beta, COR_INLINE_2_M60, ROWS##_EPS_APPROACH_ONLY_END))                                  \
+            return cor_inline_row_value(COR_HERTZ_ROW_(beta, rows##_eps_approach_only, ROWS##_EPS_APPROACH_ONLY));     \
+        return cor_in_environment(law##_eps_beyond, beta);                                                             \
+    }                                                                                                                  \
+    static double law##_loss_beyond(double beta)                                                                       \
+    {                                                                                                                  \
+        if (cor_inline_is_refused(beta))                                                                               \
+            return NAN;                                                                                                \
+        if (cor_inline_is_zero(beta) || isinf(beta))                                                                   \
+            return beta > 0;                                                                                           \
+        int fourth;                                                                                                    \
+        struct cor_inline_pair eps = cor_hertz_eps_approach_only(law##_overlap(beta, &fourth));                        \
+        if (fourth < -40)                                                                                              \
+            return 1;                                                                                                  \
+        if (fourth)                                                                                                    \
+            eps = cor_pair_scaled(eps, ldexp(1, 5 * fourth));                                                          \
+        return (1 - eps.hi) - eps.lo;                                                                                  \
+    }                                                                                                                  \
+    static inline double law##_loss(double beta)                                                                       \
+    {                                                                                                                  \
+        if (cor_inline_below(beta, ROWS##_LOSS_APPROACH_ONLY_END))                                                     \
+            return cor_hertz_product(COR_HERTZ_ROW_(beta, rows##_loss_approach_only, ROWS##_LOSS_APPROACH_ONLY),       \
+                                     beta);                                                                            \
+        return cor_in_environment(law##_loss_beyond, beta);                                                            \
+    }                                                                                                                  \
+    static double law##_duration_beyond(double beta)                                                                   \
+    {                                                                                                                  \
+        if (cor_inline_is_refused(beta))                                                                               \
+            return NAN;                                                                                                \
+        if (isinf(beta))                                                                                               \
+            return INFINITY;                                                                                           \
+        int fourth; /* of Y's power of two: the duration of the rebound has Y^(-1/4) */                                \
+        const struct cor_inline_pair overlap = law##_overlap(beta, &fourth);                                           \
+        const double time = time_of_max_overlap(beta);                                                                 \
+        return fourth ? ldexp(cor_hertz_duration_approach_only(overlap, ldexp(time, fourth)), -fourth)                 \
+                      : cor_hertz_duration_approach_only(overlap, time);                                               \
+    }                                                                                                                  \
+    static inline double law##_duration(double beta)                                                                   \
+    {                                                                                                                  \
+        if (cor_inline_below(beta, ROWS##_DURATION_APPROACH_ONLY_END) || cor_inline_is_zero(beta))                     \
+            return cor_inline_row_value(                                                                               \
+                COR_HERTZ_ROW_(beta, rows##_duration_approach_only, ROWS##_DURATION_APPROACH_ONLY));                   \
+        return cor_in_environment(law##_duration_beyond, beta);                                                        \
+    }                                                                                                                  \
+    static inline double law##_beta(double eps);                                                                       \
+    static inline double law##_beta_of_loss(double loss)                                                               \
+    {                                                                                                                  \
+        if (cor_inline_below(loss, 0x1.0000000000001p-1)) /* 1/2, too */                                               \
+            return cor_hertz_product(                                                                                  \
+                COR_HERTZ_ROW_(loss, rows##_near_beta_approach_only, ROWS##_NEAR_BETA_APPROACH_ONLY), loss);           \
+        if (cor_inline_is_zero(loss))                                                                                  \
+            return 0;                                                                                                  \
+        return cor_inline_is_refused(loss) ? (double)NAN : law##_beta(1 - loss); /* exact from 1/2 to 1 */             \
+    }
+
+#endif
