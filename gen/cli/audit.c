@@ -186,23 +186,16 @@ static int audit_file(struct audit_run *run, const struct audit_arguments *o, st
         status = usage_error("cannot read %s: %s", path, strerror(wrong));
     } else {
         run->name = o->files.count == 1 ? text.name : NULL;
-        switch (cor_audit(memory, &text, &options)) {
-        case COR_AUDIT_NOT_AS_ASKED:
+        const int found = cor_audit(memory, &text, &options);
+        if (found == COR_AUDIT_NOT_AS_ASKED)
             status = STATUS_NOT_AS_ASKED;
-            break;
-        case COR_AUDIT_NO_CONTACT:
+        else if (found == COR_AUDIT_NO_CONTACT)
             status = usage_error("%s: no contact could be made out; allowed: the input of %s", text.name,
                                  simulator ? simulator : "a simulator that corgen audit --help names");
-            break;
-        case COR_AUDIT_NOT_TEXT:
+        else if (found == COR_AUDIT_NOT_TEXT)
             status = usage_error("%s is not a text: it holds zero bytes", text.name);
-            break;
-        case COR_AUDIT_UNKNOWN:
+        else if (found == COR_AUDIT_UNKNOWN)
             status = usage_error("%s: no simulator is recognised; name it by --for, as --for lammps", text.name);
-            break;
-        default:
-            break;
-        }
     }
     clear_texts(&run->texts);
     return status;
@@ -224,7 +217,6 @@ static int run_audit(const void *arguments)
     struct audit_run run = {.format = o->common.format,
                             .tolerance =
                                 o->tolerance.text ? decimal_value(&o->tolerance) : strtod(DEFAULT_TOLERANCE, NULL)};
-    struct output out;
     char *text = NULL;
     size_t size;
     int status = STATUS_OK;
@@ -239,17 +231,13 @@ static int run_audit(const void *arguments)
         if (found == STATUS_USAGE)
             status = STATUS_USAGE;
     }
-    print_summary(&run);
+    if (run.format == FORMAT_TEXT)
+        print_summary(&run);
+    else
+        table_print(&run.table, (enum output_format)run.format, run.file);
     fclose(run.file);
     if (status != STATUS_USAGE) {
-        int written = output_open(&out, o->common.output);
-        if (written == STATUS_OK) {
-            if (run.format == FORMAT_TEXT)
-                fputs(text, out.file);
-            else
-                table_print(&run.table, (enum output_format)run.format, out.file);
-            written = output_commit(&out);
-        }
+        const int written = output_text(o->common.output, text);
         status = written == STATUS_OK ? status : written;
     }
     free(text);

@@ -151,18 +151,13 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
 static int print_for_simulator(const struct contact_arguments *o, const struct contacts *contacts)
 {
     struct contact_step step = step_of(o);
-    struct output out;
     if (o->integrator == OPTIONS_NOT_GIVEN)
         step.integrator = COR_NO_INTEGRATOR; /* that of the simulator */
     char *const text =
         contact_simulator_text(o->simulator, o->version, contacts, o->speed.nearest, o->speed.count, &step);
     if (!text)
         return STATUS_USAGE;
-    int status = output_open(&out, o->common.output);
-    if (status == STATUS_OK) {
-        fputs(text, out.file);
-        status = output_commit(&out);
-    }
+    const int status = output_text(o->common.output, text);
     free(text);
     return status;
 }

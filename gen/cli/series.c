@@ -66,17 +66,19 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
     return status;
 }
 
-/* G and T of docs/theory.md, 5. They are exact rationals, so that the precision loop is not needed. */
-static void fill_exact(struct table *table, slong order, const struct law *law)
+/* G and T of docs/theory.md, 5. They are exact rationals: nothing is undecided. */
+static int fill_exact(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
-    table_init(table, "power_of_w,G,T", "ntt"); /* fractions */
-    fmpq_poly_t f[2];
+    (void)undecided;
+    (void)bits;
+    const struct problem *const problem = arguments;
     LOCAL(fmpq, c);
-    fmpq_poly_init(f[0]);
-    fmpq_poly_init(f[1]);
+    LOCAL(fmpq_poly, g, t);
+    const fmpq_poly_struct *const f[] = {g, t};
+    table_init(table, "power_of_w,G,T", "ntt"); /* fractions */
     profile_step("exact rationals");
-    restitution_zero_force_exact(f[0], f[1], order, law);
-    for (slong k = 0; k <= order; k++) {
+    restitution_zero_force_exact(g, t, problem->arguments->order, &problem->law);
+    for (slong k = 0; k <= problem->arguments->order; k++) {
         table_add_integer(table, k);
         for (int i = 0; i < 2; i++) {
             fmpq_poly_get_coeff_fmpq(c, f[i], k);
@@ -85,21 +87,7 @@ static void fill_exact(struct table *table, slong order, const struct law *law)
             flint_free(text);
         }
     }
-    fmpq_poly_clear(f[0]);
-    fmpq_poly_clear(f[1]);
-}
-
-static int write_exact(const struct problem *problem)
-{
-    const struct option_common *const common = &problem->arguments->common;
-    struct output out;
-    if (output_open(&out, common->output) != STATUS_OK)
-        return STATUS_FAILED;
-    struct table table;
-    fill_exact(&table, problem->arguments->order, &problem->law);
-    table_print(&table, (enum output_format)common->format, out.file);
-    table_clear(&table);
-    return output_commit(&out);
+    return STATUS_OK;
 }
 
 static int run_series(const void *arguments)
@@ -111,10 +99,11 @@ static int run_series(const void *arguments)
         return wrong;
     if (o->exact && o->end != END_ZERO_FORCE)
         return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
-    if (o->exact)
-        return write_exact(&problem);
     const struct proved_table table = {o->digits, &problem,
-                                       o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap, NULL};
+                                       o->exact                   ? fill_exact
+                                       : o->end == END_ZERO_FORCE ? fill_zero_force
+                                                                  : fill_zero_overlap,
+                                       NULL};
     return proved_table_write(&table, &o->common);
 }
 

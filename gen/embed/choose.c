@@ -27,10 +27,13 @@ enum {
 /* The error between the samples may be a little larger. */
 static const double margin = 0.97;
 
-static struct embed_form form_blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable)
+static struct embed_form form_blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
+                                    slong numerator, slong denominator)
 {
     struct embed_form f = {.family = family,
                            .variable = variable,
+                           .numerator = numerator,
+                           .denominator = denominator,
                            .single = s->single,
                            .onset = s->onset,
                            .before = s->pressed ? 0 : 1,
@@ -55,19 +58,13 @@ static bool form_meets(struct embed_form *f, const struct embed_scene *s)
     return f->error <= margin * s->tolerance;
 }
 
-/* The balanced cost: a single call counts as much as four numbers of an array. */
-static double form_balanced_cost(const struct embed_form *f)
-{
-    return f->cost[USE_SCALAR] + 4 * f->cost[USE_ARRAY];
-}
-
 /* Keeps the cheaper of both in *best, if f is good at all, and clears the other. Returns `good`. */
 static bool form_keep_cheaper(struct embed_form *best, struct embed_form *f, bool good)
 {
     f->found = good;
     if (good)
         embed_form_price(f);
-    if (!good || (best->found && form_balanced_cost(best) <= form_balanced_cost(f))) {
+    if (!good || (best->found && embed_cost(best->cost, PURPOSE_BALANCED) <= embed_cost(f->cost, PURPOSE_BALANCED))) {
         embed_form_clear(f);
     } else {
         embed_form_clear(best);
@@ -79,9 +76,7 @@ static bool form_keep_cheaper(struct embed_form *best, struct embed_form *f, boo
 static bool try_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable, slong m,
                          slong n)
 {
-    struct embed_form f = form_blank(s, best->family, variable);
-    f.numerator = m;
-    f.denominator = n;
+    struct embed_form f = form_blank(s, best->family, variable, m, n);
     return form_keep_cheaper(best, &f, embed_fit_rational(&f, s) && form_meets(&f, s));
 }
 
@@ -109,9 +104,7 @@ static void search_polynomial(struct embed_form *best, const struct embed_scene 
 static bool try_quotient(struct embed_form *best, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
                          slong root, slong m, slong n)
 {
-    struct embed_form f = form_blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED);
-    f.numerator = m;
-    f.denominator = n;
+    struct embed_form f = form_blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED, m, n);
     return form_keep_cheaper(best, &f, embed_fit_quotient(&f, s, p, q, root) && form_meets(&f, s));
 }
 
@@ -164,8 +157,7 @@ static void search_pieces_beta(struct embed_form *best, const struct embed_scene
         for (slong rows = 4; rows <= ROWS_MAX && !best->found; rows *= 2) {
             if (rows * (degree + 1) * (s->single ? 4 : 8) > EMBED_TABLE_BYTES)
                 break;
-            struct embed_form f = form_blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED);
-            f.numerator = degree;
+            struct embed_form f = form_blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED, degree, 0);
             f.rows = rows;
             form_keep_cheaper(best, &f, embed_fit_pieces_beta(&f, s) && form_meets(&f, s));
         }
@@ -177,8 +169,7 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
         for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX) && !best->found;
              degree++)
             for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
-                struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED);
-                f.numerator = degree;
+                struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED, degree, 0);
                 form_keep_cheaper(best, &f, embed_fit_pieces_speed(&f, s, bits, least, most) && form_meets(&f, s));
             }
     if (!best->found)
@@ -235,7 +226,7 @@ static void search_family(void *context, slong family)
                                                            [FAMILY_RATIONAL_FOURTH] = FOURTH_ROOT_OF_SPEED};
     void (*const search)(struct embed_form *, const struct embed_scene *, enum embed_variable) =
         family == FAMILY_POLYNOMIAL_BETA ? search_polynomial : search_rational;
-    *form = form_blank(s, (enum embed_family)family, SPEED);
+    *form = form_blank(s, (enum embed_family)family, SPEED, 0, 0);
     if (s->constant) {
         snprintf(form->why, sizeof form->why, "eps is the same at every speed");
         if (family == FAMILY_RATIONAL_SPEED)
@@ -287,9 +278,7 @@ enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose
     for (int i = 0; i < FAMILIES; i++) {
         if (!form[i].found)
             continue;
-        const double cost = purpose == PURPOSE_BALANCED ? form_balanced_cost(&form[i])
-                            : purpose == PURPOSE_SCALAR ? form[i].cost[USE_SCALAR]
-                                                        : form[i].cost[USE_ARRAY];
+        const double cost = embed_cost(form[i].cost, purpose);
         if (cost < least) {
             least = cost;
             best = (enum embed_family)i;

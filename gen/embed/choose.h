@@ -23,8 +23,7 @@ void embed_series_clear(struct embed_series *series);
 /* Fills form[FAMILIES], one for each family, found or not. */
 void embed_search(struct embed_form *form, const struct embed_scene *s, const struct embed_series *series);
 
-/* The family for a purpose, or FAMILIES if none was found. For the balanced purpose a single call counts as much as
- * four numbers of an array. */
+/* The cheapest family for a purpose, or FAMILIES if none was found. */
 enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose);
 
 #endif

@@ -196,6 +196,13 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
 
 /* ---- costs ---- */
 
+double embed_cost(const double cost[USES], enum embed_purpose purpose)
+{
+    return purpose == PURPOSE_SCALAR  ? cost[USE_SCALAR]
+           : purpose == PURPOSE_ARRAY ? cost[USE_ARRAY]
+                                      : (cost[USE_SCALAR] + 4 * cost[USE_ARRAY]) / 5;
+}
+
 static void count_root(int *n, const struct embed_form *f)
 {
     const int steps = f->refinement > 0 ? 2 : 1;

@@ -109,6 +109,9 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
 /* Fills operations and cost. */
 void embed_form_price(struct embed_form *f);
 
+/* The cost for a purpose; for the balanced one a single call counts as much as four numbers of an array. */
+double embed_cost(const double cost[USES], enum embed_purpose purpose);
+
 /* For spheres without a constant force the text calls speed^(1/5) beta. */
 const char *embed_family_name(enum embed_family family, const struct embed_scene *s);
 /* The size as text: "[5/6]", "degree 7", "54 rows of degree 3" */

@@ -8,14 +8,11 @@
 
 enum { PRECISION = 256, SERIES_FROM = 1000, MANY = 10000, MAX_STEPS = 60 };
 
+static const double level_probability[] = {[LEVEL_68] = 0.68268949213708590, [LEVEL_95] = 0.95};
+
 double normal_quantile(enum distribution_level level)
 {
     return level == LEVEL_68 ? 1 : 1.9599639845400542;
-}
-
-static double level_probability(enum distribution_level level)
-{
-    return level == LEVEL_68 ? 0.68268949213708590 : 0.95;
 }
 
 /* The regularised incomplete beta function I_x(a, b), x = part/(part + rest) */
@@ -54,7 +51,7 @@ double student_quantile(enum distribution_level level, size_t degrees_of_freedom
         return z * (1 + (z2 + 1) / (4 * n) + ((5 * z2 + 16) * z2 + 3) / (96 * n * n));
     double t = z;
     for (int i = 0; i < MAX_STEPS; i++) {
-        const double missing = level_probability(level) - student_probability(t, n);
+        const double missing = level_probability[level] - student_probability(t, n);
         t += missing / (2 * student_density(t, n));
         if (fabs(missing) < 1e-13)
             break;

@@ -16,35 +16,27 @@ typedef void curve_array(const double *beta, double *eps, size_t n);
 /* array: eps of n values of beta; NULL: not a function of one beta. A curve with a loss has a dry one and x. */
 enum loss { LOSS_NONE, LOSS_ADHESION, LOSS_LIQUID };
 static const struct {
-    int parameters;
     double exponent; /* q */
     curve_array *array;
     enum loss loss;
     enum fit_curve dry;
 } curves[FIT_CURVES] = {
-    [FIT_SPHERE_ZERO_OVERLAP] = {.parameters = 1, .exponent = 0.2, .array = cor_sphere_eps_zero_overlap_array},
-    [FIT_SPHERE_ZERO_FORCE] = {.parameters = 1, .exponent = 0.2, .array = cor_sphere_eps_zero_force_array},
-    [FIT_CONSTANT] = {.parameters = 1},
-    [FIT_HUNT_CROSSLEY] = {.parameters = 1, .exponent = 1, .array = cor_hunt_crossley_eps_array},
-    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {.parameters = 1,
-                                        .exponent = -0.2,
-                                        .array = cor_hertz_dashpot_eps_zero_overlap_array},
-    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {.parameters = 1,
-                                      .exponent = -0.2,
-                                      .array = cor_hertz_dashpot_eps_zero_force_array},
-    [FIT_POWER_LAW] = {.parameters = 2},
-    [FIT_ELASTIC_PLASTIC] = {.parameters = 1},
-    [FIT_ADHESIVE] = {.parameters = 2, .loss = LOSS_ADHESION, .dry = FIT_CONSTANT},
-    [FIT_ADHESIVE_SPHERE_ZERO_OVERLAP] = {.parameters = 2, .loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_OVERLAP},
-    [FIT_ADHESIVE_SPHERE_ZERO_FORCE] = {.parameters = 2, .loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_FORCE},
-    [FIT_WET] = {.parameters = 2, .loss = LOSS_LIQUID, .dry = FIT_CONSTANT},
-    [FIT_WET_SPHERE_ZERO_OVERLAP] = {.parameters = 2, .loss = LOSS_LIQUID, .dry = FIT_SPHERE_ZERO_OVERLAP},
-    [FIT_WET_SPHERE_ZERO_FORCE] = {.parameters = 2, .loss = LOSS_LIQUID, .dry = FIT_SPHERE_ZERO_FORCE},
+    [FIT_SPHERE_ZERO_OVERLAP] = {.exponent = 0.2, .array = cor_sphere_eps_zero_overlap_array},
+    [FIT_SPHERE_ZERO_FORCE] = {.exponent = 0.2, .array = cor_sphere_eps_zero_force_array},
+    [FIT_HUNT_CROSSLEY] = {.exponent = 1, .array = cor_hunt_crossley_eps_array},
+    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {.exponent = -0.2, .array = cor_hertz_dashpot_eps_zero_overlap_array},
+    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {.exponent = -0.2, .array = cor_hertz_dashpot_eps_zero_force_array},
+    [FIT_ADHESIVE] = {.loss = LOSS_ADHESION, .dry = FIT_CONSTANT},
+    [FIT_ADHESIVE_SPHERE_ZERO_OVERLAP] = {.loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_OVERLAP},
+    [FIT_ADHESIVE_SPHERE_ZERO_FORCE] = {.loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_FORCE},
+    [FIT_WET] = {.loss = LOSS_LIQUID, .dry = FIT_CONSTANT},
+    [FIT_WET_SPHERE_ZERO_OVERLAP] = {.loss = LOSS_LIQUID, .dry = FIT_SPHERE_ZERO_OVERLAP},
+    [FIT_WET_SPHERE_ZERO_FORCE] = {.loss = LOSS_LIQUID, .dry = FIT_SPHERE_ZERO_FORCE},
 };
 
 int fit_curve_parameters(enum fit_curve curve)
 {
-    return curves[curve].parameters;
+    return curves[curve].loss != LOSS_NONE || curve == FIT_POWER_LAW ? 2 : 1;
 }
 
 enum fit_curve fit_curve_dry(enum fit_curve curve)

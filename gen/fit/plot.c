@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "fit/plot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -124,14 +123,16 @@ static double residual_marks(const struct fit_comparison *c, const struct fit_da
     return unit * (units < 2 ? 1 : units < 5 ? 2 : 5);
 }
 
-static void write_script(FILE *script, const struct fit_comparison *c, const struct fit_data *data, const char *title)
+static FILE *script_of(const struct fit_comparison *c, const struct fit_data *data, const char *title)
 {
     int drawn = 0, place = 0;
     for (int i = 0; i < PANELS; i++)
         drawn += is_drawn(c, i);
     const int columns = drawn < MOST_COLUMNS ? drawn : MOST_COLUMNS, rows = (drawn + columns - 1) / columns;
     const double height = rows * PANEL_HEIGHT + HEAD + FOOT;
-    gnuplot_style(script, columns * PANEL_WIDTH, (int)height);
+    FILE *const script = gnuplot_begin(columns * PANEL_WIDTH, (int)height);
+    if (!script)
+        return NULL;
     write_points(script, NULL, data);
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve])
@@ -162,16 +163,12 @@ static void write_script(FILE *script, const struct fit_comparison *c, const str
         place++;
     }
     fputs("unset multiplot\nset output\n", script);
+    return script;
 }
 
 int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *out,
              const char *path)
 {
-    FILE *const script = tmpfile();
-    if (!script)
-        return fail("cannot make a temporary file: %s", strerror(errno));
-    write_script(script, comparison, data, title);
-    const int status = gnuplot_run(script, out, path);
-    fclose(script);
-    return status;
+    FILE *const script = script_of(comparison, data, title);
+    return script ? gnuplot_run(script, out, path) : STATUS_FAILED;
 }

@@ -33,10 +33,9 @@ enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS =
 
 /* Nanoseconds of a call and of a number in a loop, measured once: published formulas and the library by bench/run
  * spheres, the others as in docs/plan.md. */
-static const struct cost {
-    double call, loop;
-} cost_published = {14.6, 14.6}, cost_mueller = {12.3, 12.3}, cost_power = {11, 11}, cost_simple = {66, 66},
-  cost_library = {4.4, 2.2}, cost_constant = {0, 0}, cost_crossley = {32, 19}, cost_function = {17, 17};
+static const double cost_published[USES] = {14.6, 14.6}, cost_mueller[USES] = {12.3, 12.3}, cost_power[USES] = {11, 11},
+                    cost_simple[USES] = {66, 66}, cost_library[USES] = {4.4, 2.2}, cost_constant[USES] = {0, 0},
+                    cost_crossley[USES] = {32, 19}, cost_function[USES] = {17, 17};
 
 struct spheres {
     const struct embed_request *request; /* until the plan is made */
@@ -47,18 +46,6 @@ struct spheres {
     int pades;
     double *other; /* eps at the other end of contact, at every point */
 };
-
-static double cost_for_purpose(enum embed_purpose purpose, struct cost cost)
-{
-    return purpose == PURPOSE_SCALAR  ? cost.call
-           : purpose == PURPOSE_ARRAY ? cost.loop
-                                      : (cost.call + 4 * cost.loop) / 5;
-}
-
-static struct cost of_form(const struct embed_form *f)
-{
-    return (struct cost){f->cost[USE_SCALAR], f->cost[USE_ARRAY]};
-}
 
 /* ---- the collisions ---- */
 
@@ -170,10 +157,10 @@ static double speed_exponent(const struct spheres *s)
 }
 
 /* Sets all but the name of a model, of which values and errors are those of its formula, if it has one. */
-static void model_is(const struct plan *plan, const struct spheres *s, struct plan_model *m, struct cost cost,
+static void model_is(const struct plan *plan, const struct spheres *s, struct plan_model *m, const double *cost,
                      const char *leaves_out, char *use, enum plan_formula formula)
 {
-    m->cost = cost_for_purpose(s->request->purpose, cost);
+    m->cost = embed_cost(cost, s->request->purpose);
     m->leaves_out = leaves_out;
     m->use = use;
     m->formula = formula;
@@ -286,22 +273,22 @@ static void add_published(struct plan *plan, const struct spheres *s)
     static const struct {
         const char *name, *leaves_out, *call, *after;
         enum plan_formula formula;
-        const struct cost *cost;
+        const double *cost;
     } published[] = {{"simple theory (27)", "C_3 and all after it",
-                      "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))", "", PLAN_SIMPLE_THEORY, &cost_simple},
+                      "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))", "", PLAN_SIMPLE_THEORY, cost_simple},
                      {"Pade [1/4] as printed in 1999 (35)", "a_3 and all after it; zero force",
                       "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))", "", PLAN_TABLE_1,
-                      &cost_published},
+                      cost_published},
                      {"Pade [1/4] as printed in 2011", "what follows beta^(5/2); zero overlap",
                       "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))",
-                      "/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", PLAN_QUOTIENT, &cost_mueller}};
+                      "/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", PLAN_QUOTIENT, cost_mueller}};
     for (size_t i = 0; i < sizeof published / sizeof *published; i++) {
         struct plan_model *const m = plan_add(plan, "%s", published[i].name);
         m->coefficient = mueller_poeschel;
         m->m = 1;
         m->n = 4;
         m->root = 2;
-        model_is(plan, s, m, *published[i].cost, published[i].leaves_out,
+        model_is(plan, s, m, published[i].cost, published[i].leaves_out,
                  call_of_beta(s, published[i].call, published[i].after), published[i].formula);
     }
 }
@@ -333,7 +320,7 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct pade *f,
         const double beta = low + (high - low) * k / (double)PADE_POINTS;
         model->outside = model->outside || !(eps_horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
     }
-    model_is(plan, s, model, of_form(&form),
+    model_is(plan, s, model, form.cost,
              two_point ? "terms between series and limit"
                        : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it"),
              xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
@@ -388,7 +375,7 @@ static void add_header(struct plan *plan, struct spheres *s, const char *toleran
         *c = (char)(*c == ',' ? ';' : *c);
     m->form = f;
     m->elsewhere = f->error;
-    model_is(plan, s, m, of_form(f), "speeds outside the range", embed_command(s->request, tolerance), PLAN_HEADER);
+    model_is(plan, s, m, f->cost, "speeds outside the range", embed_command(s->request, tolerance), PLAN_HEADER);
 }
 
 /* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */

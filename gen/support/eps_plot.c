@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/eps_plot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "support/console.h"
 #include "support/gnuplot.h"
@@ -18,7 +16,6 @@ enum { COLOURS = sizeof colour / sizeof *colour };
 static void write_script(FILE *script, const char *title, const char *label, double least,
                          const struct eps_curve *curve, size_t curves)
 {
-    gnuplot_style(script, WIDTH, HEIGHT);
     fputs("set key bottom left\nset xlabel ", script);
     gnuplot_quote(script, label);
     fprintf(script, "\nset ylabel 'coefficient of restitution ε'\n%s\nset logscale x\nset format x '%%g'\n",
@@ -45,13 +42,12 @@ int eps_plot(const char *path, const char *title, const char *label, double leas
              size_t curves)
 {
     struct output out;
-    FILE *const script = tmpfile();
+    const int status = output_open(&out, path);
+    if (status != STATUS_OK)
+        return status;
+    FILE *const script = gnuplot_begin(WIDTH, HEIGHT);
     if (!script)
-        return fail("cannot make a temporary file: %s", strerror(errno));
+        return output_finish(&out, STATUS_FAILED);
     write_script(script, title, label, least, curve, curves);
-    int status = output_open(&out, path);
-    if (status == STATUS_OK)
-        status = output_finish(&out, gnuplot_run(script, out.file, path));
-    fclose(script);
-    return status;
+    return output_finish(&out, gnuplot_run(script, out.file, path));
 }

@@ -39,8 +39,19 @@ int gnuplot_check(const char *path)
                                                    path);
 }
 
-void gnuplot_style(FILE *script, int width, int height)
+static FILE *temporary(void)
 {
+    FILE *const file = tmpfile();
+    if (!file)
+        fail("cannot make a temporary file: %s", strerror(errno));
+    return file;
+}
+
+FILE *gnuplot_begin(int width, int height)
+{
+    FILE *const script = temporary();
+    if (!script)
+        return NULL;
     fprintf(script,
             "if (picture eq 'svg') { set terminal svg size %d,%d fixed font 'DejaVu Sans,13' background 'white' }\n"
             "if (picture eq 'png') { set terminal pngcairo size %d,%d font 'DejaVu Sans,10' background 'white' }\n"
@@ -50,6 +61,7 @@ void gnuplot_style(FILE *script, int width, int height)
             "set border 3 lc rgb black\nset tics nomirror\nset grid lc rgb light lw 0.7\n"
             "set key samplen 2.2 spacing 1.15 reverse Left\n",
             width, height, width, height, width / CSS_PIXELS, height / CSS_PIXELS);
+    return script;
 }
 
 /* A string in single quotation marks would need no escapes, but gnuplot 5.4 rejects one with two apostrophes in a row,
@@ -115,14 +127,15 @@ static long copy_picture(FILE *from, FILE *to, bool svg)
 
 int gnuplot_run(FILE *script, FILE *out, const char *path)
 {
-    FILE *const picture = tmpfile();
+    FILE *const picture = temporary();
     if (!picture)
-        return fail("cannot make a temporary file: %s", strerror(errno));
+        return STATUS_FAILED;
     const int place = format_of(path);
     const int status = run_program(script, picture, format[place]);
     rewind(picture);
     const bool done = status == 0 && copy_picture(picture, out, place == 0) > 0;
     fclose(picture);
+    fclose(script);
     if (done)
         return STATUS_OK;
     return status < 0   ? fail("cannot run gnuplot, which draws the picture: %s", strerror(errno))

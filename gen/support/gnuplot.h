@@ -9,11 +9,13 @@
  * STATUS_USAGE after a message that names the option --plot. */
 int gnuplot_check(const char *path);
 
-/* Begins a script: terminal, colours (black, grey, light, blue, red, green, violet, amber), axes. */
-void gnuplot_style(FILE *script, int width, int height);
+/* Begins a script: terminal, colours (black, grey, light, blue, red, green, violet, amber), axes. Returns NULL after
+ * a message if there is no room for it. */
+FILE *gnuplot_begin(int width, int height);
 
-/* Runs the script, which holds its data, and copies the picture that it prints to `out`, in the format of `path`; svg
- * without the lines that name the version of gnuplot. Returns STATUS_OK, or STATUS_FAILED after a message. */
+/* Runs and closes the script, which holds its data, and copies the picture that it prints to `out`, in the format of
+ * `path`; svg without the lines that name the version of gnuplot. Returns STATUS_OK, or STATUS_FAILED after a
+ * message. */
 int gnuplot_run(FILE *script, FILE *out, const char *path);
 
 /* Writes any text as a string of gnuplot, "...", which prints as the text without its control characters. */

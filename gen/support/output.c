@@ -303,6 +303,15 @@ int output_finish(struct output *out, int status)
     return status;
 }
 
+int output_text(const char *path, const char *text)
+{
+    struct output out;
+    const int status = output_open(&out, path);
+    if (status == STATUS_OK)
+        fputs(text, out.file);
+    return status == STATUS_OK ? output_commit(&out) : status;
+}
+
 char *read_whole(FILE *file, size_t most, size_t *size)
 {
     size_t capacity = 1 << 16;

@@ -49,7 +49,8 @@ int output_commit(struct output *out); /* also reports a full disk behind standa
 int output_commit_all(struct output *out, int n);
 
 void output_discard(struct output *out);
-int output_finish(struct output *out, int status); /* commits if the status is STATUS_OK, otherwise discards */
+int output_text(const char *path, const char *text); /* opens, writes and commits */
+int output_finish(struct output *out, int status);   /* commits if the status is STATUS_OK, otherwise discards */
 
 /* All that a file holds from here on, malloc'ed, or its first `most` bytes or a few more; ferror(file) says whether
  * reading failed. */
