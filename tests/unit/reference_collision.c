@@ -40,14 +40,15 @@ struct course {
 /* Memory, freed together */
 struct pool {
     void *piece[40];
-    int count, failed;
+    int count;
 };
 
 static void *pool_take(struct pool *pool, size_t count, size_t bytes)
 {
     void *const piece = calloc(count > 0 ? count : 1, bytes);
+    if (piece == NULL)
+        abort();
     pool->piece[pool->count++] = piece;
-    pool->failed |= piece == NULL;
     return piece;
 }
 
@@ -302,7 +303,7 @@ static void number_rows(struct disk *disk)
 int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double alpha, double speed, double needed,
                              struct reference_collision *out, double *energy_after, double *energy_average)
 {
-    struct pool pool = {{0}, 0, 0};
+    struct pool pool = {{0}, 0};
     struct disk disk = {.mode = mode, .n = n, .alpha = alpha, .speed = speed};
     for (size_t i = 0; i < n; i++)
         if ((size_t)mode[i].n > disk.n_max)
@@ -312,10 +313,9 @@ int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double 
     struct course course = {.after = pool_take(&pool, n, sizeof(double)),
                             .integral = pool_take(&pool, n, sizeof(double)),
                             .average = energy_average};
-    int status = pool.failed ? 2 : 1;
-    if (status == 1)
-        number_rows(&disk);
+    int status = 1;
     long double before = 0;
+    number_rows(&disk);
     for (size_t i = 0; status == 1 && i < sizeof efforts / sizeof *efforts; i++) {
         disk.panels = (size_t)ceil(efforts[i].panels * panels_needed(&disk));
         disk.points = disk.panels * GAUSS;

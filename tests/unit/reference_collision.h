@@ -22,7 +22,7 @@ struct reference_collision {
  * quadrant. Each run has steps, order and panels for 100 times less error than the run before; the first runs are in
  * long double, the later ones in quad precision. The runs end when two of them agree to `needed` in eps.
  * energy_after and energy_average are NULL or get n numbers. Returns 0, or 1 where even the last runs do not agree
- * (their numbers are in *out), or 2 without memory or after 10^6 steps. */
+ * (their numbers are in *out), or 2 after 10^6 steps. */
 int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double alpha, double speed, double needed,
                              struct reference_collision *out, double *energy_after, double *energy_average);
 

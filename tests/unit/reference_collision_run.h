@@ -78,38 +78,37 @@ static void NAME(place_points)(const struct disk *disk, struct NAME(solver) * s)
     }
 }
 
-/* The solver's memory, in pieces of `pool`; 0 without */
-static int NAME(prepare)(struct disk *disk, const struct effort *effort, struct pool *pool, struct NAME(solver) * s)
+/* The solver's memory, in pieces of `pool` */
+static void NAME(prepare)(struct disk *disk, const struct effort *effort, struct pool *pool, struct NAME(solver) * s)
 {
-    const size_t k = (size_t)effort->order + 2, low = (size_t)effort->wide_orders + 2,
-                 table = disk->points * disk->rows;
-    REAL **const wide[] = {&s->by_point,      &s->by_row,    &s->shape,         &s->weight,
-                           &s->position,      &s->velocity,  &s->wide.position, &s->wide.rise,
-                           &s->wide.pressure, &s->wide.load, &s->wide.sum,      &s->wide.force};
-    const size_t wide_size[] = {table,
-                                table,
-                                disk->points,
-                                disk->points,
-                                1 + disk->n,
-                                1 + disk->n,
-                                low * (1 + disk->n),
-                                low * disk->points,
-                                low * disk->points,
-                                low,
-                                disk->rows,
-                                disk->rows};
-    double **const narrow[] = {&s->narrow_by_point, &s->narrow_by_row, &s->narrow_shape,
-                               &s->narrow.position, &s->narrow.rise,   &s->narrow.pressure,
-                               &s->narrow.load,     &s->narrow.sum,    &s->narrow.force};
-    const size_t narrow_size[] = {
-        table, table, disk->points, k * (1 + disk->n), k * disk->points, k * disk->points, k, disk->rows, disk->rows};
+    const size_t k = (size_t)effort->order + 2, low = (size_t)effort->wide_orders + 2, points = disk->points,
+                 n = 1 + disk->n, table = points * disk->rows;
+    const struct {
+        REAL **to;
+        size_t count;
+    } wide[] = {{&s->by_point, table},
+                {&s->by_row, table},
+                {&s->shape, points},
+                {&s->weight, points},
+                {&s->position, n},
+                {&s->velocity, n},
+                {&s->wide.position, low * n},
+                {&s->wide.rise, low * points},
+                {&s->wide.pressure, low * points},
+                {&s->wide.load, low},
+                {&s->wide.sum, disk->rows},
+                {&s->wide.force, disk->rows}};
+    const struct {
+        double **to;
+        size_t count;
+    } narrow[] = {{&s->narrow_by_point, table}, {&s->narrow_by_row, table},    {&s->narrow_shape, points},
+                  {&s->narrow.position, k * n}, {&s->narrow.rise, k * points}, {&s->narrow.pressure, k * points},
+                  {&s->narrow.load, k},         {&s->narrow.sum, disk->rows},  {&s->narrow.force, disk->rows}};
     for (size_t i = 0; i < sizeof wide / sizeof *wide; i++)
-        *wide[i] = pool_take(pool, wide_size[i], sizeof(REAL));
+        *wide[i].to = pool_take(pool, wide[i].count, sizeof(REAL));
     for (size_t i = 0; i < sizeof narrow / sizeof *narrow; i++)
-        *narrow[i] = pool_take(pool, narrow_size[i], sizeof(double));
+        *narrow[i].to = pool_take(pool, narrow[i].count, sizeof(double));
     disk->panel = pool_take(pool, disk->panels, sizeof *disk->panel);
-    if (pool->failed)
-        return 0;
     s->wide.by_point = s->by_point;
     s->wide.by_row = s->by_row;
     s->narrow.by_point = s->narrow_by_point;
@@ -117,7 +116,6 @@ static int NAME(prepare)(struct disk *disk, const struct effort *effort, struct 
     s->wide.mass = NAME(pi)();
     s->narrow.mass = (double)s->wide.mass;
     NAME(place_points)(disk, s);
-    return 1;
 }
 
 /* The panels whose pressure matters during a step: those above the negligible position and within `depth` of the
@@ -204,38 +202,32 @@ static void NAME(advance)(const struct disk *disk, const struct effort *effort, 
     }
 }
 
-/* 0 if all went well */
+/* 0, or 2 after MOST_STEPS */
 static int NAME(collide)(struct disk *disk, const struct effort *effort, struct course *course)
 {
-    struct pool pool = {{0}, 0, 0};
+    struct pool pool = {{0}, 0};
     struct NAME(solver) s;
-    int status = 2;
-    course->steps = 0;
-    if (NAME(prepare)(disk, effort, &pool, &s)) {
-        const double reach = negligible_position(disk, effort);
-        double time = reach / disk->speed;
-        s.position[0] = reach;
-        s.velocity[0] = disk->speed;
-        while (status != 0 && course->steps < MOST_STEPS) {
-            const double h = NAME(expand)(disk, effort, &s);
-            if (s.velocity[0] < 0 && disk->active == 0 && farthest_reach(disk, s.narrow.position) < reach) {
-                status = 0;
-            } else {
-                follow(disk, effort, &s.narrow, course, time, h);
-                NAME(advance)(disk, effort, &s, h);
-                time += h;
-                course->steps++;
-            }
-        }
-        const REAL speed = disk->speed;
-        course->eps = (long double)(-s.velocity[0] / speed);
-        course->one_minus_eps2 = 0;
-        for (size_t i = 0; i < disk->n; i++) {
-            const REAL p = s.velocity[1 + i] / speed, q = disk->mode[i].omega * s.position[1 + i] / speed;
-            course->after[i] = (double)(p * p + q * q);
-            course->one_minus_eps2 += course->after[i];
-        }
+    const double reach = negligible_position(disk, effort);
+    double time = reach / disk->speed;
+    NAME(prepare)(disk, effort, &pool, &s);
+    s.position[0] = reach;
+    s.velocity[0] = disk->speed;
+    for (course->steps = 0; course->steps < MOST_STEPS; course->steps++) {
+        const double h = NAME(expand)(disk, effort, &s);
+        if (s.velocity[0] < 0 && disk->active == 0 && farthest_reach(disk, s.narrow.position) < reach)
+            break;
+        follow(disk, effort, &s.narrow, course, time, h);
+        NAME(advance)(disk, effort, &s, h);
+        time += h;
+    }
+    const REAL speed = disk->speed;
+    course->eps = (long double)(-s.velocity[0] / speed);
+    course->one_minus_eps2 = 0;
+    for (size_t i = 0; i < disk->n; i++) {
+        const REAL p = s.velocity[1 + i] / speed, q = disk->mode[i].omega * s.position[1 + i] / speed;
+        course->after[i] = (double)(p * p + q * q);
+        course->one_minus_eps2 += course->after[i];
     }
     pool_free(&pool);
-    return status;
+    return course->steps < MOST_STEPS ? 0 : 2;
 }

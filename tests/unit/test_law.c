@@ -430,40 +430,30 @@ TEST(crossley_times)
                 COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
 }
 
+static void check_tsuji(double zeta)
+{
+    check_value(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta), COR_LAW_TIME_MAX_ULP);
+    check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
+                COR_LAW_TIME_MAX_ULP);
+    check_value(cor_tsuji_duration_limited(zeta), reference_tsuji_time(LAW_LIMITED, zeta), COR_LAW_TIME_MAX_ULP);
+}
+
 /* Tsuji's times beyond the tables too; tests/accuracy has more of them. */
 TEST(tsuji_times)
 {
     /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10
      */
-    static const double ys[] = {0.01, 0.3,  1,       3,    5.9,  6.4, 6.6, 7,  8, 9,
-                                9.9,  9.99, 10.0001, 10.1, 10.5, 11,  12,  14, 17};
-    for (size_t i = 0; i < sizeof ys / sizeof *ys; i++) {
-        const double zeta = 10 * ys[i] / sqrt(1 + 100 * ys[i] * ys[i]);
+    EACH (y, 0.01, 0.3, 1, 3, 5.9, 6.4, 6.6, 7, 8, 9, 9.9, 9.99, 10.0001, 10.1, 10.5, 11, 12, 14, 17) {
+        const double zeta = 10 * *y / sqrt(1 + 100 * *y * *y);
         check_value(cor_tsuji_duration_zero_overlap(zeta), reference_tsuji_time(LAW_ZERO_OVERLAP, zeta),
                     COR_LAW_TIME_MAX_ULP);
     }
-    static const double zetas[] = {0.4, 2.5, 40, 2.0899e5, 1e6, 1e17}; /* a series from 2.0898e5 on */
-    for (size_t i = 0; i < sizeof zetas / sizeof *zetas; i++) {
-        const double zeta = zetas[i];
-        check_value(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta),
-                    COR_LAW_TIME_MAX_ULP);
-        check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
-                    COR_LAW_TIME_MAX_ULP);
-        check_value(cor_tsuji_duration_limited(zeta), reference_tsuji_time(LAW_LIMITED, zeta), COR_LAW_TIME_MAX_ULP);
-    }
-}
-
-/* Every row of Tsuji's times, next to one of its ends: rows in zeta^(1/5), then in ln(1 + zeta) */
-TEST(tsuji_rows)
-{
+    EACH (zeta, 0.4, 2.5, 40, 2.0899e5, 1e6, 1e17) /* a series from 2.0898e5 on */
+        check_tsuji(*zeta);
+    /* every row, next to one of its ends: rows in zeta^(1/5), then in ln(1 + zeta) */
     for (int i = 0; i < 42 + 43; i++) {
         const double part = i % 2 == 0 ? 0.96 : 0.04;
-        const double zeta = i < 42 ? pow((i + part) / 32, 5) : expm1(1.5 + (i - 42 + part) / 4);
-        check_value(cor_tsuji_duration_limited(zeta), reference_tsuji_time(LAW_LIMITED, zeta), COR_LAW_TIME_MAX_ULP);
-        check_value(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta),
-                    COR_LAW_TIME_MAX_ULP);
-        check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
-                    COR_LAW_TIME_MAX_ULP);
+        check_tsuji(i < 42 ? pow((i + part) / 32, 5) : expm1(1.5 + (i - 42 + part) / 4));
     }
 }
 
@@ -620,5 +610,5 @@ TEST(slip_in_oblique_impacts)
 }
 
 RUN_TESTS(special_crossley, special_sphere_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
-          near_critical_damping, identities, against_the_equation_of_motion, crossley_times, tsuji_times, tsuji_rows,
-          crossley_rows, oblique_impacts, slip_in_oblique_impacts)
+          near_critical_damping, identities, against_the_equation_of_motion, crossley_times, tsuji_times, crossley_rows,
+          oblique_impacts, slip_in_oblique_impacts)

@@ -59,31 +59,25 @@ TEST(refused)
     assert_int_equal(cor_plate_contact_init(&c, NULL, &good.plate), COR_ERROR_NULL);
     assert_true(isnan(c.beta_per_root) && isnan(c.scale));
     assert_int_equal(cor_plate_contact_init(&c, &good.sphere, NULL), COR_ERROR_NULL);
-    struct scene s = good;
-    s.plate.thickness_m = 0;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_THICKNESS);
-    assert_true(isnan(c.beta_per_root) && isnan(c.dissipation_time_s) && isnan(c.effective_mass_kg));
-    s = good;
-    s.plate.density_kg_m3 = INFINITY;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_DENSITY);
-    s = good;
-    s.plate.young_modulus_pa = INFINITY;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_YOUNG_MODULUS);
-    s = good;
-    s.plate.poisson_ratio = NAN;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_POISSON_RATIO);
-    s = good;
-    s.sphere.radius_m = INFINITY;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_BOTH_FLAT);
-    s = good;
-    s.sphere.mass_kg = INFINITY;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_BOTH_FIXED);
-    s = good;
-    s.sphere.mass_kg = -1;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_MASS);
-    s = good;
-    s.plate.thickness_m = 1e-170;
-    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_RANGE);
+    static const struct {
+        size_t number; /* in struct scene */
+        double value;
+        int status;
+    } wrong[] = {{offsetof(struct scene, plate.thickness_m), 0, COR_ERROR_THICKNESS},
+                 {offsetof(struct scene, plate.density_kg_m3), INFINITY, COR_ERROR_DENSITY},
+                 {offsetof(struct scene, plate.young_modulus_pa), INFINITY, COR_ERROR_YOUNG_MODULUS},
+                 {offsetof(struct scene, plate.poisson_ratio), NAN, COR_ERROR_POISSON_RATIO},
+                 {offsetof(struct scene, sphere.radius_m), INFINITY, COR_ERROR_BOTH_FLAT},
+                 {offsetof(struct scene, sphere.mass_kg), INFINITY, COR_ERROR_BOTH_FIXED},
+                 {offsetof(struct scene, sphere.mass_kg), -1, COR_ERROR_MASS},
+                 {offsetof(struct scene, plate.thickness_m), 1e-170, COR_ERROR_RANGE}};
+    struct scene s;
+    for (size_t i = 0; i < COUNT_OF(wrong); i++) {
+        s = good;
+        memcpy((char *)&s + wrong[i].number, &wrong[i].value, sizeof wrong[i].value);
+        assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), wrong[i].status);
+        assert_true(isnan(c.beta_per_root) && isnan(c.dissipation_time_s) && isnan(c.effective_mass_kg));
+    }
     /* a viscoelastic sphere adds its own time, by its share of the compliance */
     s = good;
     s.sphere.dissipation_time_s = 1e-6;
