@@ -132,111 +132,52 @@ struct function {
 #define CROSSLEY_OVERLAP_ROW(name) ROW(name, TIME, CROSSLEY_APPROACH, 0, name##_exact, COR_LAW_MAX_OVERLAP_MAX_ULP)
 #define CROSSLEY_ROW(name) ROW(name, SLOW_TIME, CROSSLEY_TIMES, 0, name##_exact, COR_LAW_TIME_MAX_ULP)
 
-static long double time_of_max_overlap(double zeta)
-{
-    return zeta == 0 ? acosl(0) : isinf(zeta) ? 0 : reference_ratio_exponent(LAW_APPROACH_ONLY, zeta) / zeta;
-}
+/* A function of zeta, with its values at 0 and infinity */
+#define OF_ZETA(name, at_0, at_infinity, elsewhere)                                                                    \
+    static long double name(double zeta)                                                                               \
+    {                                                                                                                  \
+        return zeta == 0 ? (at_0) : isinf(zeta) ? (at_infinity) : (elsewhere);                                         \
+    }
+#define PI acosl(-1)
+#define PHASE reference_ratio_exponent(LAW_APPROACH_ONLY, zeta)
+OF_ZETA(time_of_max_overlap, PI / 2, 0, PHASE / zeta)
+OF_ZETA(duration_zero_force, PI, 0, 2 * PHASE / zeta)
+OF_ZETA(duration_zero_overlap, PI, HUGE_VALL,
+        zeta < 1 ? PI / sqrtl((1 - (long double)zeta) * (1 + (long double)zeta)) : HUGE_VALL)
+OF_ZETA(duration_limited, PI, PI / sqrtl(8),
+        atanl(sqrtl(8) * zeta) / sqrtl(2) + reference_ratio_exponent(LAW_LIMITED, zeta) / zeta)
+OF_ZETA(duration_approach_only, PI, PI / 2, PI / 2 + PHASE / zeta)
+OF_ZETA(linear_max_overlap, 1, 0, ratio_eps(LAW_APPROACH_ONLY, zeta))
 
-static long double duration_zero_force(double zeta)
-{
-    return 2 * time_of_max_overlap(zeta);
-}
-
-static long double duration_zero_overlap(double zeta)
-{
-    return zeta < 1 ? acosl(-1) / sqrtl((1 - (long double)zeta) * (1 + (long double)zeta)) : HUGE_VALL;
-}
-
-static long double duration_limited(double zeta)
-{
-    const long double root_2 = sqrtl(2);
-    if (zeta == 0 || isinf(zeta))
-        return zeta == 0 ? acosl(-1) : acosl(0) / root_2;
-    return atanl(2 * root_2 * zeta) / root_2 + reference_ratio_exponent(LAW_LIMITED, zeta) / zeta;
-}
-
-static long double duration_approach_only(double zeta)
-{
-    return acosl(0) + time_of_max_overlap(zeta);
-}
-
-static long double linear_max_overlap(double zeta)
-{
-    return ratio_eps(LAW_APPROACH_ONLY, zeta);
-}
-
-/* (5/4 eps)^(2/5) */
-static long double tsuji_max_overlap(double zeta)
-{
-    const long double elastic = expl(0.4L * logl(1.25L));
-    if (zeta == 0 || isinf(zeta))
-        return zeta == 0 ? elastic : 0;
-    const long double l = reference_ratio_exponent(LAW_ZERO_FORCE, zeta);
-    return l < far_exponent ? elastic * expl(-0.4L * l) : elastic * eps_far(LAW_ZERO_FORCE, zeta, ratio_make(2, 5));
-}
-
-static long double tsuji_time_of_max_overlap(double zeta)
-{
-    return zeta == 0     ? expl(0.4L * logl(1.25L)) * sqrtl(acosl(-1)) * tgammal(1.4L) / tgammal(0.9L)
-           : isinf(zeta) ? 0
-                         : reference_tsuji_time(LAW_APPROACH_ONLY, zeta);
-}
-
-static long double tsuji_duration_zero_force(double zeta)
-{
-    return zeta == 0 ? 2 * tsuji_time_of_max_overlap(0) : isinf(zeta) ? 0 : reference_tsuji_time(LAW_ZERO_FORCE, zeta);
-}
-
-/* (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2), 0 to 1 */
-static long double tsuji_duration_limited(double zeta)
-{
-    if (zeta < 1e-30)
-        return 2 * tsuji_time_of_max_overlap(0);
-    return zeta < 1e18 ? reference_tsuji_time(LAW_LIMITED, zeta)
-                       : powl(0.625L, 0.4L) * sqrtl(acosl(-1)) * tgammal(1.4L) / tgammal(0.9L);
-}
-
-/* By the product of Gamma functions at moderate damping; past 0.9 by the collision backwards, a pumped one. */
-static long double tsuji_duration_zero_overlap(double zeta)
-{
-    if (zeta == 0)
-        return 2 * tsuji_time_of_max_overlap(0);
-    return zeta < 1 ? reference_tsuji_time(LAW_ZERO_OVERLAP, zeta) : HUGE_VALL;
-}
-
-static long double tsuji_duration_approach_only(double zeta)
-{
-    if (isinf(zeta))
-        return HUGE_VALL;
-    const long double half = tsuji_time_of_max_overlap(0);
-    return zeta == 0
-               ? 2 * half
-               : tsuji_time_of_max_overlap(zeta) + half * expl(reference_ratio_exponent(LAW_APPROACH_ONLY, zeta) / 5);
-}
+/* Tsuji's damping: the largest overlap is (5/4 eps)^(2/5). By Gamma functions half of the elastic duration, and the
+ * duration of limited damping without bound: (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1. */
+#define HALF (expl(0.4L * logl(1.25L)) * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
+#define LAST (powl(0.625L, 0.4L) * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
+OF_ZETA(tsuji_max_overlap, expl(0.4L * logl(1.25L)), 0,
+        expl(0.4L * logl(1.25L)) *
+            (2 * PHASE < far_exponent ? expl(-0.8L * PHASE) : eps_far(LAW_ZERO_FORCE, zeta, ratio_make(2, 5))))
+OF_ZETA(tsuji_time_of_max_overlap, HALF, 0, reference_tsuji_time(LAW_APPROACH_ONLY, zeta))
+OF_ZETA(tsuji_duration_zero_force, 2 * HALF, 0, reference_tsuji_time(LAW_ZERO_FORCE, zeta))
+OF_ZETA(tsuji_duration_limited, 2 * HALF, LAST,
+        zeta < 1e-30  ? 2 * HALF
+        : zeta < 1e18 ? reference_tsuji_time(LAW_LIMITED, zeta)
+                      : LAST)
+OF_ZETA(tsuji_duration_zero_overlap, 2 * HALF, HUGE_VALL,
+        zeta < 1 ? reference_tsuji_time(LAW_ZERO_OVERLAP, zeta) : HUGE_VALL)
+OF_ZETA(tsuji_duration_approach_only, 2 * HALF, HUGE_VALL,
+        reference_tsuji_time(LAW_APPROACH_ONLY, zeta) + HALF * expl(PHASE / 5))
 
 /* Hunt and Crossley's times for a = 1 and 3/2, and the functions of one argument that the table wants */
-static long double crossley_duration(double a, double beta)
-{
-    return beta < 1e-25  ? 2 * reference_crossley_elastic_half(a)
-           : isinf(beta) ? HUGE_VALL
-                         : reference_crossley_duration(a, beta);
-}
-
-static long double crossley_max(double a, double beta)
-{
-    if (beta < 1e-25)
-        return crossley_duration(a, beta) / 2;
-    return isinf(beta) ? 0 : reference_crossley_time_of_max_overlap(a, beta);
-}
-
-static long double crossley_approach(double a, double beta)
-{
-    if (beta < 1e-25)
-        return crossley_duration(a, beta);
-    if (isinf(beta))
-        return a > 1 ? HUGE_VALL : reference_crossley_elastic_half(a);
-    return reference_crossley_duration_approach_only(a, beta);
-}
+#define OF_BETA(name, at_0, at_infinity, elsewhere)                                                                    \
+    static long double name(double a, double beta)                                                                     \
+    {                                                                                                                  \
+        return beta < 1e-25 ? (at_0) : isinf(beta) ? (at_infinity) : (elsewhere);                                      \
+    }
+#define ELASTIC_HALF reference_crossley_elastic_half(a)
+OF_BETA(crossley_duration, 2 * ELASTIC_HALF, HUGE_VALL, reference_crossley_duration(a, beta))
+OF_BETA(crossley_max, ELASTIC_HALF, 0, reference_crossley_time_of_max_overlap(a, beta))
+OF_BETA(crossley_approach, 2 * ELASTIC_HALF, a > 1 ? HUGE_VALL : ELASTIC_HALF,
+        reference_crossley_duration_approach_only(a, beta))
 
 static long double crossley_overlap(double a, double beta)
 {
