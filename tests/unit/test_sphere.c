@@ -235,24 +235,17 @@ TEST(float_exceptions)
         void (*array)(const float *, float *, size_t);
         double (*wide)(double);
         float x, y;
-    } known[] = {{cor_sphere_duration_zero_overlapf, cor_sphere_duration_zero_overlap_arrayf,
-                  cor_sphere_duration_zero_overlap, 0x1.073138p-6F, 0x1.9caebap+1F},
-                 {cor_sphere_duration_zero_forcef, cor_sphere_duration_zero_force_arrayf,
-                  cor_sphere_duration_zero_force, 0x1.2703aep+95F, 0x1.1646f6p-56F},
-                 {cor_sphere_time_of_max_overlapf, cor_sphere_time_of_max_overlap_arrayf,
-                  cor_sphere_time_of_max_overlap, 0x1.511e64p-14F, 0x1.9be80ep+0F},
-                 {cor_sphere_time_of_max_overlapf, cor_sphere_time_of_max_overlap_arrayf,
-                  cor_sphere_time_of_max_overlap, 0x1.5b5bb8p+22F, 0x1.7b3fe6p-11F},
-                 {cor_sphere_beta_zero_forcef, cor_sphere_beta_zero_force_arrayf, cor_sphere_beta_zero_force,
-                  0x1.c37b7p-13F, 0x1.74754ap+7F},
-                 {cor_sphere_loss_approach_onlyf, cor_sphere_loss_approach_only_arrayf, cor_sphere_loss_approach_only,
-                  0x1.47e06ep+16F, 0x1.fff30ap-1F},
-                 {cor_sphere_loss_approach_onlyf, cor_sphere_loss_approach_only_arrayf, cor_sphere_loss_approach_only,
-                  0x1.4fe17ep+30F, 0x1.fffffep-1F},
-                 {cor_sphere_beta_approach_onlyf, cor_sphere_beta_approach_only_arrayf, cor_sphere_beta_approach_only,
-                  0x1.fefc3ap-23F, 0x1.bc40f6p+26F},
-                 {cor_sphere_beta_approach_onlyf, cor_sphere_beta_approach_only_arrayf, cor_sphere_beta_approach_only,
-                  0x1.d76bf4p-14F, 0x1.191072p+16F}};
+    } known[] = {
+#define FLOAT(name, x, y) {cor_sphere_##name##f, cor_sphere_##name##_arrayf, cor_sphere_##name, x, y}
+        FLOAT(duration_zero_overlap, 0x1.073138p-6F, 0x1.9caebap+1F),
+        FLOAT(duration_zero_force, 0x1.2703aep+95F, 0x1.1646f6p-56F),
+        FLOAT(time_of_max_overlap, 0x1.511e64p-14F, 0x1.9be80ep+0F),
+        FLOAT(time_of_max_overlap, 0x1.5b5bb8p+22F, 0x1.7b3fe6p-11F),
+        FLOAT(beta_zero_force, 0x1.c37b7p-13F, 0x1.74754ap+7F),
+        FLOAT(loss_approach_only, 0x1.47e06ep+16F, 0x1.fff30ap-1F),
+        FLOAT(loss_approach_only, 0x1.4fe17ep+30F, 0x1.fffffep-1F),
+        FLOAT(beta_approach_only, 0x1.fefc3ap-23F, 0x1.bc40f6p+26F),
+        FLOAT(beta_approach_only, 0x1.d76bf4p-14F, 0x1.191072p+16F)};
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         enum { N = 9 };
         float x[N], y[N];
