@@ -83,53 +83,32 @@ static bool no_law(const struct option_law *text)
     return options_law(&law, text) != STATUS_OK;
 }
 
-static int fuzz_trajectory(const void *arguments)
-{
-    const struct trajectory_arguments *const o = arguments;
-    require_whole(o->order, 0, 100000);
-    require_whole(o->terms, 0, 100000);
-    return run_if(no_law(&o->law) || (o->order <= 8 && o->terms <= 8), &command_trajectory, &o->common);
-}
+/* The function of a subcommand: what the parser must have seen to, and whether its work is cheap */
+#define FUZZED(name, cheap, ...)                                                                                       \
+    static int fuzz_##name(const void *arguments)                                                                      \
+    {                                                                                                                  \
+        const struct name##_arguments *const o = arguments;                                                            \
+        __VA_ARGS__;                                                                                                   \
+        return run_if(cheap, &command_##name, &o->common);                                                             \
+    }
 
-static int fuzz_series(const void *arguments)
-{
-    const struct series_arguments *const o = arguments;
-    require_whole(o->order, 0, 100000);
-    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
-    return run_if(no_law(&o->law) || (o->order <= 6 && o->digits <= 40 && simple_law(&o->law)), &command_series,
-                  &o->common);
-}
-
-static int fuzz_pade(const void *arguments)
-{
-    const struct pade_arguments *const o = arguments;
-    require_whole(o->numerator, OPTIONS_NOT_GIVEN, 2000);
-    require_whole(o->denominator, OPTIONS_NOT_GIVEN, 2000);
-    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
-    require_name(o->header);
-    return run_if(no_law(&o->law) || (o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header &&
-                                      !o->two_point && simple_law(&o->law)),
-                  &command_pade, &o->common);
-}
-
-static int fuzz_collide(const void *arguments)
-{
-    const struct collide_arguments *const o = arguments;
-    require_number(&o->beta);
-    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
-    return run_if(no_law(&o->law) || (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) &&
-                                      !o->stiffness.text && decimal_value(&o->beta) < 3),
-                  &command_collide, &o->common);
-}
-
-static int fuzz_disk_modes(const void *arguments)
-{
-    const struct disk_modes_arguments *const o = arguments;
-    require_number(&o->poisson);
-    require_whole(o->count, 1, DISK_MODES_MAX);
-    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
-    return run_if(o->count <= 6 && o->digits <= 40 && short_number(&o->poisson), &command_disk_modes, &o->common);
-}
+FUZZED(trajectory, no_law(&o->law) || (o->order <= 8 && o->terms <= 8), require_whole(o->order, 0, 100000),
+       require_whole(o->terms, 0, 100000))
+FUZZED(series, no_law(&o->law) || (o->order <= 6 && o->digits <= 40 && simple_law(&o->law)),
+       require_whole(o->order, 0, 100000), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
+FUZZED(pade,
+       no_law(&o->law) || (o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point &&
+                           simple_law(&o->law)),
+       require_whole(o->numerator, OPTIONS_NOT_GIVEN, 2000), require_whole(o->denominator, OPTIONS_NOT_GIVEN, 2000),
+       require_whole(o->digits, 1, OPTIONS_MAX_DIGITS), require_name(o->header))
+FUZZED(collide,
+       no_law(&o->law) || (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) && !o->stiffness.text &&
+                           decimal_value(&o->beta) < 3),
+       require_number(&o->beta), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
+FUZZED(disk_modes, o->count <= 6 && o->digits <= 40 && short_number(&o->poisson), require_number(&o->poisson),
+       require_whole(o->count, 1, DISK_MODES_MAX), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
+FUZZED(tables, o->modes != OPTIONS_NOT_GIVEN && o->modes <= 6 && o->poisson.text != NULL && short_number(&o->poisson),
+       require_number(&o->poisson))
 
 /* Whether a list is short and its values are in a range, or the list is not given */
 static bool few(const struct values *values, size_t most, double least, double largest)
@@ -140,15 +119,11 @@ static bool few(const struct values *values, size_t most, double least, double l
     return values->count <= most && values_least(values) >= least && values_largest(values) <= largest;
 }
 
-static int fuzz_disk_collide(const void *arguments)
-{
-    const struct disk_collide_arguments *const o = arguments;
-    require_number(&o->tolerance);
-    const bool small = few(&o->speed, 4, 0.01, 0.5) && few(&o->poisson, 1, -0.95, 0.95) && few(&o->alpha, 2, 0, 200) &&
-                       few(&o->modes, 2, 1, 6) && (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) &&
-                       o->phi_points <= 100 && o->threads <= 3;
-    return run_if(small, &command_disk_collide, &o->common);
-}
+FUZZED(disk_collide,
+       few(&o->speed, 4, 0.01, 0.5) && few(&o->poisson, 1, -0.95, 0.95) && few(&o->alpha, 2, 0, 200) &&
+           few(&o->modes, 2, 1, 6) && (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) &&
+           o->phi_points <= 100 && o->threads <= 3,
+       require_number(&o->tolerance))
 
 static void require_scene(const struct embed_request *scene)
 {
@@ -164,12 +139,7 @@ static bool solves_nothing(const struct embed_request *scene)
     return !scene->number[COR_SCENE_RESTITUTION].text && !scene->number[COR_SCENE_ZETA].text;
 }
 
-static int fuzz_embed(const void *arguments)
-{
-    const struct embed_arguments *const o = arguments;
-    require_scene(&o->scene);
-    return run_if(solves_nothing(&o->scene), &command_embed, &o->common);
-}
+FUZZED(embed, solves_nothing(&o->scene), require_scene(&o->scene))
 
 /* Neither standard input nor gnuplot */
 static int fuzz_fit(const void *arguments)
@@ -193,14 +163,6 @@ static int fuzz_plan(const void *arguments)
     const int status = run_if(solves_nothing(&o->scene), &command_plan, &o->common);
     planning = false;
     return status;
-}
-
-static int fuzz_tables(const void *arguments)
-{
-    const struct tables_arguments *const o = arguments;
-    require_number(&o->poisson);
-    return run_if(o->poisson.text && short_number(&o->poisson) && o->modes != OPTIONS_NOT_GIVEN && o->modes <= 6,
-                  &command_tables, &o->common);
 }
 
 /* corgen's subcommands with the functions above in the place of theirs. */
