@@ -201,20 +201,8 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, s
 
 /* ---- all modes ---- */
 
-struct candidate {
-    slong n, l;
-    double omega;
-};
-
-struct order_roots { /* roots of one n, in doubles */
-    struct cor_disk_mode *mode;
-    slong count;
-};
-
 struct work {
     const struct disk *disk; /* with more bits than any step needs */
-    double omega;            /* upper end */
-    struct order_roots *order;
     struct disk_mode *mode;
     struct precision *precision;
     slong *which; /* modes to be computed */
@@ -224,58 +212,17 @@ struct work {
     slong digits;
 };
 
-/* ---- estimates of the roots in doubles ---- */
-
-static struct cor_mode_material material_of(const struct disk *disk)
+/* The lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it. If they
+ * cannot be computed, there are none, and the proof will miss them. */
+static struct cor_disk_mode *candidates(slong *found, const struct disk *disk, slong count)
 {
-    return (struct cor_mode_material){disk->e_double, disk->s_double};
-}
-
-static void find_order(void *pointer, slong i)
-{
-    const struct work *work = pointer;
-    const slong n = i;
-    const struct cor_mode_material material = material_of(work->disk);
-    struct order_roots *order = &work->order[n];
-    const slong count = cor_mode_count(&material, n, work->omega);
-    order->count = count > 0 ? count : 0;
-    order->mode = xmalloc((size_t)order->count * sizeof *order->mode);
-    if (cor_mode_find(&material, n, work->omega, order->mode, order->count) != COR_OK)
-        order->count = 0; /* the proof will miss them */
-}
-
-static int by_omega_double(const void *a, const void *b)
-{
-    const struct candidate *x = a, *y = b;
-    if (x->omega != y->omega)
-        return x->omega < y->omega ? -1 : 1;
-    if (x->n != y->n)
-        return x->n < y->n ? -1 : 1;
-    return (x->l > y->l) - (x->l < y->l);
-}
-
-/* The lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it. */
-static struct candidate *candidates(slong *found, const struct disk *disk, slong count)
-{
-    const struct cor_mode_material material = material_of(disk);
-    struct work work = {.disk = disk, .omega = cor_mode_upper_end(&material, (size_t)count)};
-    const slong orders = cor_mode_orders(work.omega);
-    work.order = xmalloc((size_t)orders * sizeof *work.order);
-    parallel_for(find_order, &work, orders, "finding modes, n");
-
-    slong all = 0;
-    for (slong n = 0; n < orders; n++)
-        all += work.order[n].count;
-    struct candidate *list = xmalloc((size_t)all * sizeof *list);
-    slong i = 0;
-    for (slong n = 0; n < orders; n++) {
-        for (slong l = 0; l < work.order[n].count; l++)
-            list[i++] = (struct candidate){n, l, work.order[n].mode[l].omega};
-        free(work.order[n].mode);
-    }
-    free(work.order);
-    qsort(list, (size_t)all, sizeof *list, by_omega_double);
-    for (*found = count + 1 < all ? count + 1 : all; *found < all; ++*found) {
+    const struct cor_mode_material material = {disk->e_double, disk->s_double};
+    struct cor_disk_mode *list;
+    size_t all;
+    if (cor_mode_find(&material, cor_mode_set(cor_widest_set()), cor_mode_upper_end(&material, (size_t)count), &list,
+                      &all) != COR_OK)
+        all = 0;
+    for (*found = count + 1 < (slong)all ? count + 1 : (slong)all; *found < (slong)all; ++*found) {
         if (list[*found].omega > list[count].omega * (1 + 1e-9))
             break;
     }
@@ -411,7 +358,7 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
     disk_init(&wide, nu, WIDE * precision_start(digits).limit);
     profile_step("finding modes");
     slong found;
-    struct candidate *list = candidates(&found, &wide, count);
+    struct cor_disk_mode *list = candidates(&found, &wide, count);
 
     modes->mode = xmalloc((size_t)found * sizeof *modes->mode);
     modes->count = found;

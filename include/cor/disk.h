@@ -108,8 +108,8 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
                                 struct cor_disk_modes *modes, size_t *line);
 
 /* Computes the `count` lowest modes of a disk in double arithmetic into mode[0..count-1], for any nu, and sets *modes,
- * whose mode is then that array. 13,000 modes take 0.1 s; the time grows like omega^3, the number of modes like
- * omega^2. The function allocates as much memory as the modes take, and frees it.
+ * whose mode is then that array. 100,000 modes take 0.03 s; the time grows like their number. The function allocates
+ * as much memory as the modes take, and frees it.
  * Domain: -1 < nu < 1 and 1 <= count <= COR_DISK_MODES_MAX_COUNT.
  * Accuracy, sampled against proved tables: the relative error of omega is at most COR_DISK_MODES_OMEGA_MAX_ERROR, the
  * error of c and s at most COR_DISK_MODES_AMPLITUDE_MAX_ERROR times the length of (c, s). The function does not prove

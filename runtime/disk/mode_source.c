@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Free modes of an elastic disk in double arithmetic, COR_MODE_LANES frequencies of one n at a time.
  *
- * The equation needs only the quotients a_m = kappa J_(m+1)(kappa)/J_m(kappa). The ladder a_(m-1) = z/(2m - a_m), z =
- * kappa^2, goes down from any m > kappa without overflow, and the signs of 2m - a_m count the zeros of J_n below kappa,
- * (11.3). Let N = n + 1, u = a_N/(2N) and A = 1/(1 - u). Then kappa J_n'/J_n = n - a_n with a_n = (z/(2N)) A. A is
- * stored as h/d, and A - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1; then h = 1, so that
- * nothing overflows where J_n vanishes. In these variables, with capital letters for kappa', the frequency equation
- * (25) divided by g is
+ * The equation needs J_m and J_(m+1) at both arguments kappa, up to a common factor, for m = N = n + 1. The ladder
+ * J_(m-1) = (2m/kappa) J_m - J_(m+1) goes down from any m > kappa, and the signs of J_m count the zeros of J_n below
+ * kappa, (11.3). One ladder at each place of a grid of frequencies serves every n; between two places Taylor's series
+ * moves from the nearer one, where kappa is not far below N. Elsewhere a ladder of a few rungs suffices.
+ *
+ * With h = J_N, k = (kappa/(2N)) J_(N+1) and d = h - k, which is J_n kappa/(2N) (stored is k, because h - d cancels for
+ * n > kappa), and with capital letters for kappa', the frequency equation (25) divided by g is, up to a factor,
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
@@ -26,11 +27,7 @@
 enum { DOUBLE_BITS = 56, START_BITS = 8 };
 enum { LANES = COR_MODE_LANES };
 
-/* ---- one n at LANES frequencies ---- */
-
-struct wave {
-    double z[LANES], h[LANES], d[LANES], k[LANES], zeros[LANES];
-};
+/* ---- waves ---- */
 
 /* The error of a_m shrinks by (J_(m+1)/J_m)^2 a step, and -ln J_m grows from m = kappa on like
  * m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
@@ -55,121 +52,47 @@ static double first_rung(double z, long m)
     return 0.75 * z / (double)(m + 1);
 }
 
-/* h, d and k of one lane from r = a_N */
-static void wave_end(struct wave *a, int i, double r, long n)
+/* Rungs above N that a ladder needs at least, kappa < N: the error shrinks by (J_(N+1)/J_N)^2 or more a rung. */
+static double rungs_above(double N, double kappa)
 {
-    const double k = r / (2 * (double)(n + 1)), d = 1 - k;
-    const int tall = fabs(d) < 1;
-    a->zeros[i] += d < 0;
-    a->h[i] = tall ? 1 : 1 / d;
-    a->k[i] = tall ? k : k / d;
-    a->d[i] = tall ? d : 1;
+    return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);
 }
 
-static void wave_set(struct wave *a, long n)
+/* Series and ladders take over from each other where kappa is NEAR N. */
+#define NEAR 0.8
+
+/* Rung of the ladder to N = n + 1 for arguments up to kappa */
+static long first_of_ladder(long n, double kappa)
 {
-    double greatest = 0, kappa[LANES], two_over_kappa[LANES], first_quotient[LANES], quotient[LANES];
-    for (int i = 0; i < LANES; i++)
-        greatest = fmax(greatest, a->z[i]);
-    const long m = cor_mode_ladder_start(n + 1, sqrt(greatest), DOUBLE_BITS);
+    const double N = (double)(n + 1);
+    return kappa <= NEAR * N ? n + 1 + (long)rungs_above(N, kappa) : cor_mode_ladder_start(n + 1, kappa, DOUBLE_BITS);
+}
+
+/* A wave of one n from its z, none of which is above kappa^2, by ladders */
+static void wave_climb(struct cor_mode_wave *a, const struct cor_mode_loops *loops, long n, double highest)
+{
+    const long m = first_of_ladder(n, highest);
+    double kappa[LANES], two_over_kappa[LANES], first_quotient[LANES], quotient[LANES];
+    memset(a->zeros, 0, sizeof a->zeros);
     for (int i = 0; i < LANES; i++) {
         kappa[i] = sqrt(a->z[i]);
         two_over_kappa[i] = 2 / kappa[i];
         first_quotient[i] = first_rung(a->z[i], m) / kappa[i];
     }
-    cor_mode_set(cor_widest_set())->ladder(two_over_kappa, first_quotient, m, n + 1, quotient, a->zeros);
-    for (int i = 0; i < LANES; i++)
-        wave_end(a, i, kappa[i] * quotient[i], n);
-}
-
-/* z d/dz of h, d and k. z dA/dz is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
-static void wave_derivative(struct wave *to, const struct wave *a, long n)
-{
-    const double N = (double)(n + 1);
+    loops->ladder(two_over_kappa, first_quotient, m, n + 1, quotient, a->zeros);
     for (int i = 0; i < LANES; i++) {
-        const double x = a->z[i] * a->h[i] * a->h[i] / (4 * N) - N * a->d[i] * a->k[i];
-        const int tall = fabs(a->d[i]) < 1;
-        to->h[i] = tall ? 0 : x;
-        to->d[i] = tall ? -x : 0;
-        to->k[i] = x;
+        a->h[i] = 1;
+        a->k[i] = kappa[i] * quotient[i] / (2 * (double)(n + 1));
     }
 }
 
-struct products {
-    double t[3];
-};
-
-/* T0, T1, T2 are bilinear. With the derivatives of one wave they are one half of the product rule. */
-static struct products products_of(const struct cor_mode_material *m, const struct wave *a, const struct wave *b, int i)
+static void point_at(struct cor_mode_point *p, const struct cor_mode_material *m, int i, long n, double omega)
 {
-    const struct products p = {
-        {(m->e * a->d[i] - m->s * a->k[i]) * b->d[i] - 2 * b->k[i] * a->d[i], a->d[i] * b->d[i], a->h[i] * b->h[i]}};
-    return p;
-}
-
-/* The terms of the equation with the factor g/N, including that factor */
-static double rest_of(struct products p, double s, double g, double n)
-{
-    return g / (n + 1) * ((n - 1) * (p.t[1] - s * p.t[2] / 2) + p.t[0] / 2);
-}
-
-/* Both waves of one n, longitudinal and transverse, at LANES frequencies */
-struct point {
-    double w[LANES]; /* omega^2 */
-    struct wave a, b;
-};
-
-static void point_set(struct point *p, const struct cor_mode_material *m, long n, const double omega[LANES])
-{
-    for (int i = 0; i < LANES; i++) {
-        p->w[i] = omega[i] * omega[i];
-        p->a.z[i] = m->s * (m->e * p->w[i]);
-        p->b.z[i] = 2 * (m->e * p->w[i]);
-    }
-    wave_set(&p->a, n);
-    if (n > 0)
-        wave_set(&p->b, n);
-}
-
-/* Negative eigenvalues of the rim's stiffness, free minus clamped, and zeros of both Bessel functions, (11.3). Up to
- * positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of
- * the equation, and diagonals -y/D and -P/D, where P = y + D/g. */
-static double count_of(const struct cor_mode_material *m, const struct wave *a, const struct wave *b, int i, long order)
-{
-    if (order == 0)
-        return a->zeros[i] + (a->h[i] * a->d[i] > 0 && (m->e * a->d[i] - m->s * a->k[i]) * a->d[i] < 0);
-    const double n = (double)order, g = b->z[i] / 2;
-    const struct products p = products_of(m, a, b, i);
-    const double f = rest_of(p, m->s, g, n) - n * (n - 1) / 2 * p.t[0];
-    const double part = a->z[i] * p.t[2] / (2 * (n + 1));
-    const double det = part + n * (p.t[0] / 2 - 2 * p.t[1]);
-    const double trace = n * ((n - 1) * p.t[1] + p.t[0] / 2) - g * b->h[i] * a->d[i] + part;
-    const double y = (n * b->d[i] - g * b->h[i] / (n + 1)) * b->d[i];
-    const int open = (f < 0) != (det < 0) ? 1 : (trace < 0) == (det < 0) ? 2 : 0;
-    const int closed = (det < 0) != (a->d[i] * b->d[i] < 0) ? 1 : y > 0 ? 2 : 0;
-    return a->zeros[i] + b->zeros[i] + open - closed + (order > 1);
-}
-
-/* Newton's method in omega^2: omega becomes omega sqrt(1 - step). */
-static void newton_steps(double step[LANES], const struct point *p, const struct cor_mode_material *m, long order)
-{
-    struct wave da, db;
-    const double n = (double)order, half = n * (n - 1) / 2;
-    wave_derivative(&da, &p->a, order);
-    if (order == 0) {
-        for (int i = 0; i < LANES; i++)
-            step[i] = (m->e * p->a.d[i] - m->s * p->a.k[i]) / (m->e * da.d[i] - m->s * da.k[i]);
-        return;
-    }
-    wave_derivative(&db, &p->b, order);
-    for (int i = 0; i < LANES; i++) {
-        const double g = m->e * p->w[i];
-        const struct products both = products_of(m, &p->a, &p->b, i), of_a = products_of(m, &da, &p->b, i),
-                              of_b = products_of(m, &p->a, &db, i);
-        const double rest = rest_of(both, m->s, g, n);
-        const double df = rest + rest_of(of_a, m->s, g, n) + rest_of(of_b, m->s, g, n) - half * (of_a.t[0] + of_b.t[0]);
-        step[i] = (rest - half * both.t[0]) / df;
-    }
+    p->n[i] = (double)n;
+    p->omega[i] = omega;
+    p->g[i] = m->e * (omega * omega);
+    p->a.z[i] = m->s * p->g[i];
+    p->b.z[i] = 2 * p->g[i];
 }
 
 /* C > 0 and S at a root, from the more accurate row of
@@ -177,15 +100,15 @@ static void newton_steps(double step[LANES], const struct point *p, const struct
  *     (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S,      x = n - a_n, y = n - b_n
  *
  * and (11.2). Each row degenerates for some modes. */
-static void set_amplitudes(struct cor_disk_mode *mode, const struct point *p, const struct cor_mode_material *m, int i)
+static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_point *p, int i)
 {
-    const double n = mode->n, w = p->w[i], g = m->e * w;
+    const double n = mode->n, w = p->omega[i] * p->omega[i], g = p->g[i];
     if (mode->n == 0) {
         mode->c = sqrt(w / (w - 1));
         mode->s = 0;
         return;
     }
-    const double ad = p->a.d[i], bd = p->b.d[i], stiff = g - n * (n - 1);
+    const double ad = p->a.h[i] - p->a.k[i], bd = p->b.h[i] - p->b.k[i], stiff = g - n * (n - 1);
     const double a = p->a.z[i] * p->a.h[i] / (2 * (n + 1)), b = g * p->b.h[i] / (n + 1);
     double c = n * ((n - 1) * ad - a), s = stiff * ad - a;
     const double c_other = stiff * bd - b, s_other = n * ((n - 1) * bd - b);
@@ -204,12 +127,14 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct point *p, co
 
 long cor_mode_count(const struct cor_mode_material *material, long n, double omega)
 {
-    struct point p;
-    double same[LANES];
+    const struct cor_mode_loops *const loops = cor_mode_set(cor_widest_set());
+    struct cor_mode_point p;
     for (int i = 0; i < LANES; i++)
-        same[i] = omega;
-    point_set(&p, material, n, same);
-    return (long)count_of(material, &p.a, &p.b, 0, n);
+        point_at(&p, material, i, n, omega);
+    wave_climb(&p.a, loops, n, sqrt(p.a.z[0]));
+    wave_climb(&p.b, loops, n, sqrt(p.b.z[0]));
+    loops->equation(&p, material);
+    return (long)p.below[0];
 }
 
 /* ---- all n at one frequency ---- */
@@ -224,29 +149,31 @@ long cor_mode_orders(double omega)
 
 double cor_mode_total(const struct cor_mode_material *material, double omega)
 {
-    struct wave a, b;
-    memset(&a, 0, sizeof a);
-    memset(&b, 0, sizeof b);
+    const struct cor_mode_loops *const loops = cor_mode_set(cor_widest_set());
     const long orders = cor_mode_orders(omega);
-    const double g = material->e * omega * omega, z[2] = {material->s * g, 2 * g};
-    long m = cor_mode_ladder_start(orders, sqrt(z[1]), DOUBLE_BITS);
-    double r[2] = {first_rung(z[0], m), first_rung(z[1], m)}, zeros[2] = {0, 0}, total = 0;
+    struct cor_mode_point p;
+    struct cor_mode_wave *const wave[2] = {&p.a, &p.b};
+    for (int i = 0; i < LANES; i++)
+        point_at(&p, material, i, 0, omega);
+    long m = cor_mode_ladder_start(orders, sqrt(p.b.z[0]), DOUBLE_BITS);
+    double r[2] = {first_rung(p.a.z[0], m), first_rung(p.b.z[0], m)}, zeros[2] = {0, 0}, total = 0;
     for (; m > 0; m--) {
         const long n = m - 1;
-        if (n < orders) {
-            a.z[0] = z[0];
-            b.z[0] = z[1];
-            a.zeros[0] = zeros[0];
-            b.zeros[0] = zeros[1];
-            wave_end(&a, 0, r[0], n);
-            wave_end(&b, 0, r[1], n);
-            total += count_of(material, &a, &b, 0, n);
+        const int lane = (int)(n % LANES);
+        p.n[lane] = (double)n;
+        for (int w = 0; w < 2; w++) {
+            wave[w]->h[lane] = 1;
+            wave[w]->k[lane] = r[w] / (2 * (double)m);
+            wave[w]->zeros[lane] = zeros[w];
+            const double t = 2 * (double)m - r[w];
+            zeros[w] += t < 0;
+            r[w] = wave[w]->z[0] / t;
         }
-        for (int i = 0; i < 2; i++) {
-            const double t = 2 * (double)m - r[i];
-            zeros[i] += t < 0;
-            r[i] = z[i] / t;
-        }
+        if (lane > 0 || n >= orders)
+            continue;
+        loops->equation(&p, material);
+        for (int i = 0; i < LANES && n + i < orders; i++)
+            total += p.below[i];
     }
     return total;
 }
@@ -271,133 +198,279 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
     return high;
 }
 
-/* ---- the roots of one n ---- */
+/* ---- a grid of frequencies ---- */
 
-/* A bracket of the root with the index `below_low` */
+/* The step of the grid in kappa', the larger argument, and the least kappa for a series: J_N is close to a power of kappa
+ * below. */
+#define GRID_STEP 1.0
+#define LEAST_KAPPA 2.0
+
+/* Ladders of one wave at all places, at rung N, which goes down by one with each n. Places from `active` on have begun,
+ * and those from `ready` on serve series. */
+struct ladders {
+    double unit; /* kappa/omega */
+    double *kappa, *two_over_kappa, *above, *here, *zeros;
+    long active, ready;
+};
+
+/* A bracket of root l */
 struct bracket {
     double low, high;
     long below_low, below_high; /* numbers of roots below either end */
-    double guess;               /* result of Newton's method inside the bracket, or NaN */
+    double guess;               /* result of Halley's method inside the bracket, or NaN */
 };
+
+/* Roots of one n that are computed at once */
+struct group {
+    int lanes;
+    long l[LANES], place[LANES]; /* place: for the series, or -1 for none */
+    struct bracket bracket[LANES];
+    double omega[LANES], highest;
+    int moves[2]; /* series serve the wave */
+    struct cor_mode_series series[2];
+    struct cor_mode_point point;
+};
+
+struct search {
+    const struct cor_mode_material *material;
+    const struct cor_mode_loops *loops;
+    struct ladders wave[2];
+    double *memory, *place, *below, *guess; /* frequencies; roots below; results of Halley's method from there */
+    long places, room, first, n;            /* first: the place from which on roots of n are counted */
+    struct group *group;
+};
+
+static double *array_of(struct search *s, long i)
+{
+    return s->memory + i * s->room;
+}
+
+static int search_start(struct search *s, double omega)
+{
+    const double e = s->material->e, unit[2] = {sqrt(s->material->s * e), sqrt(2 * e)};
+    s->places = (long)ceil(unit[1] * omega / GRID_STEP);
+    s->room = s->places + LANES;
+    s->memory = calloc((size_t)s->room * 13, sizeof *s->memory);
+    s->group = malloc(sizeof *s->group);
+    if (s->memory == NULL || s->group == NULL)
+        return COR_ERROR_MEMORY;
+    s->place = array_of(s, 0);
+    s->below = array_of(s, 1);
+    s->guess = array_of(s, 2);
+    for (long i = 0; i < s->room; i++)
+        s->place[i] = omega * ((double)(i + 1) / (double)s->places);
+    for (int w = 0; w < 2; w++) {
+        const int k = 3 + 5 * w;
+        const struct ladders start = {
+            unit[w], array_of(s, k), array_of(s, k + 1), array_of(s, k + 2), array_of(s, k + 3), array_of(s, k + 4),
+            s->room, s->room};
+        s->wave[w] = start;
+        for (long i = 0; i < s->room; i++) {
+            start.kappa[i] = unit[w] * s->place[i];
+            start.two_over_kappa[i] = 2 / start.kappa[i];
+        }
+    }
+    return COR_OK;
+}
+
+/* A rung where the ladder at kappa can begin for every N <= kappa/NEAR */
+static double beginning(double kappa)
+{
+    return kappa / NEAR + rungs_above(1, NEAR);
+}
+
+/* From rung N + 1 to N */
+static void ladders_lower(struct ladders *a, const struct search *s, long N)
+{
+    const long from = a->active - a->active % LANES;
+    s->loops->rung((size_t)(s->room - from), (double)(N + 1), a->two_over_kappa + from, a->above + from, a->here + from,
+                   a->zeros + from);
+    for (long i = a->active - 1; i >= 0 && a->kappa[i] >= LEAST_KAPPA && beginning(a->kappa[i]) >= (double)N; i--) {
+        a->here[i] = 1;
+        a->above[i] = first_rung(a->kappa[i] * a->kappa[i], N) / a->kappa[i];
+        a->zeros[i] = 0;
+        a->active = i;
+    }
+    while (a->ready > a->active && a->kappa[a->ready - 1] >= NEAR * (double)N)
+        a->ready--;
+}
+
+/* Counts the roots of n below every place from s->first on. Returns the number below the last place. */
+static long count_places(struct search *s)
+{
+    const long last = s->places - 1, n = s->n;
+    struct cor_mode_point *const p = &s->group->point;
+    struct cor_mode_wave *const wave[2] = {&p->a, &p->b};
+    long most = 0;
+    s->first = s->wave[1].ready < last ? s->wave[1].ready : last;
+    for (long from = s->first; from <= last; from += LANES) {
+        const int lanes = last - from < LANES ? (int)(last - from) + 1 : LANES;
+        for (int i = 0; i < LANES; i++)
+            point_at(p, s->material, i, n, s->place[from + i]);
+        for (int w = 0; w < 2; w++) {
+            const struct ladders *const a = &s->wave[w];
+            if (from < a->ready)
+                wave_climb(wave[w], s->loops, n, a->kappa[from + lanes - 1]);
+            for (int i = 0; i < LANES && from >= a->ready; i++) {
+                wave[w]->h[i] = a->here[from + i];
+                wave[w]->k[i] = a->kappa[from + i] * a->above[from + i] / (2 * (double)(n + 1));
+                wave[w]->zeros[i] = a->zeros[from + i];
+            }
+        }
+        s->loops->equation(p, s->material);
+        for (int i = 0; i < lanes; i++) {
+            most = p->below[i] > (double)most ? (long)p->below[i] : most;
+            s->below[from + i] = (double)most;
+            s->guess[from + i] = p->omega[i] * sqrt(1 - p->step[i]);
+        }
+    }
+    return most;
+}
+
+/* ---- the roots of one n ---- */
 
 /* Roots with a smaller relative difference are set equal, because doubles may not separate them. */
 #define INSEPARABLE 0x1p-46
-/* After a smaller relative step, Newton's method makes one more step. */
-#define NEARLY_DONE 0x1p-30
+/* After a longer relative step, Halley's method makes one more step. */
+#define DONE 0x1p-50
 
-/* Updates the brackets of roots first..end-1 with the number `below` of roots below x. */
-static void tell_brackets(struct bracket *bracket, long first, long end, double x, long below, double guess)
+static void tell_bracket(struct bracket *b, long l, double x, long below, double guess)
 {
-    for (long l = first; l < end; l++) {
-        struct bracket *const b = &bracket[l];
-        if (l < below && x < b->high) {
-            b->high = x;
-            b->below_high = below;
-            b->guess = guess;
-        } else if (l >= below && x > b->low) {
-            b->low = x;
-            b->below_low = below;
-            b->guess = guess;
-        }
+    if (l < below && x < b->high) {
+        b->high = x;
+        b->below_high = below;
+        b->guess = guess;
+    } else if (l >= below && x > b->low) {
+        b->low = x;
+        b->below_low = below;
+        b->guess = guess;
     }
 }
 
-/* Bisects the bracket, or follows Newton's method if the bracket contains one root only. */
+static int is_alone(const struct bracket *b)
+{
+    return b->below_high - b->below_low == 1;
+}
+
+/* Bisects the bracket, or follows Halley's method if the bracket contains one root only. */
 static double next_place(const struct bracket *b)
 {
-    const int alone = b->below_high - b->below_low == 1;
-    return alone && b->guess > b->low && b->guess < b->high ? b->guess : b->low + (b->high - b->low) / 2;
+    return is_alone(b) && b->guess > b->low && b->guess < b->high ? b->guess : b->low + (b->high - b->low) / 2;
 }
 
-static long clamp_count(double count, long most)
+static void group_start(struct group *group, const struct search *s)
 {
-    return count < 0 ? 0 : count > (double)most ? most : (long)count;
-}
-
-/* Evaluates LANES frequencies at a time, spread over the range, so that most brackets begin with one root. */
-static void sweep_range(struct bracket *bracket, const struct cor_mode_material *m, long n, double low, double high,
-                        long count)
-{
-    const long places = count + count / 2;
-    for (long first = 0; first < places; first += LANES) {
-        struct point p;
-        double omega[LANES], step[LANES];
-        for (int i = 0; i < LANES; i++) {
-            const long place = first + i < places ? first + i : places - 1;
-            omega[i] = low + (high - low) * ((double)(place + 1) / (double)(places + 1));
-        }
-        point_set(&p, m, n, omega);
-        newton_steps(step, &p, m, n);
-        for (int i = 0; i < LANES; i++)
-            tell_brackets(bracket, 0, count, omega[i], clamp_count(count_of(m, &p.a, &p.b, i, n), count),
-                          omega[i] * sqrt(1 - step[i]));
-    }
-}
-
-/* Computes the modes l[0..LANES-1] of one n, some of which may be the same. */
-static void refine_modes(struct cor_disk_mode *mode, struct bracket *bracket, const struct cor_mode_material *m, long n,
-                         const long l[LANES], long count)
-{
-    struct point p;
-    double omega[LANES], step[LANES], before[LANES]; /* before: length of the step to omega, if Newton's method made
-                                                      * it */
-    int done[LANES] = {0}, last[LANES] = {0}, left = LANES;
+    long lowest = group->place[0];
+    group->highest = 0;
     for (int i = 0; i < LANES; i++) {
-        omega[i] = next_place(&bracket[l[i]]);
-        before[i] = INFINITY;
+        if (i >= group->lanes) {
+            group->omega[i] = group->omega[0];
+            group->place[i] = group->place[0];
+            continue;
+        }
+        group->highest = fmax(group->highest, group->bracket[i].high);
+        lowest = group->place[i] < lowest ? group->place[i] : lowest;
     }
-    while (left > 0) {
-        point_set(&p, m, n, omega);
-        newton_steps(step, &p, m, n);
+    for (int w = 0; w < 2; w++) {
+        const struct ladders *const a = &s->wave[w];
+        struct cor_mode_series *const series = &group->series[w];
+        group->moves[w] = lowest >= a->ready;
+        if (!group->moves[w])
+            continue;
         for (int i = 0; i < LANES; i++) {
+            const long place = group->place[i];
+            series->kappa[i] = a->kappa[place];
+            series->here[i] = a->here[place];
+            series->above[i] = a->above[place];
+            series->zeros[i] = a->zeros[place];
+        }
+        s->loops->series(series, (double)(s->n + 1));
+    }
+}
+
+static void group_point(struct group *group, const struct search *s)
+{
+    struct cor_mode_point *const p = &group->point;
+    struct cor_mode_wave *const wave[2] = {&p->a, &p->b};
+    for (int i = 0; i < LANES; i++)
+        point_at(p, s->material, i, s->n, group->omega[i]);
+    for (int w = 0; w < 2; w++) {
+        const double unit = s->wave[w].unit;
+        double t[LANES];
+        if (!group->moves[w])
+            wave_climb(wave[w], s->loops, s->n, unit * group->highest);
+        for (int i = 0; i < LANES && group->moves[w]; i++)
+            t[i] = unit * (group->omega[i] - s->place[group->place[i]]);
+        if (group->moves[w])
+            s->loops->move(wave[w], &group->series[w], (double)(s->n + 1), t);
+    }
+    s->loops->equation(p, s->material);
+}
+
+static void refine_group(struct cor_disk_mode *mode, struct group *group, const struct search *s, long count)
+{
+    const struct cor_mode_point *const p = &group->point;
+    double before[LANES]; /* length of the step to omega, if Halley's method made it */
+    int done[LANES] = {0}, last[LANES] = {0}, left = group->lanes;
+    group_start(group, s);
+    for (int i = 0; i < LANES; i++)
+        before[i] = INFINITY;
+    while (left > 0) {
+        group_point(group, s);
+        for (int i = 0; i < group->lanes; i++) {
             if (done[i])
                 continue;
-            struct bracket *const b = &bracket[l[i]];
-            const double guess = omega[i] * sqrt(1 - step[i]);
-            const int narrow = b->high - b->low < INSEPARABLE * b->high;
-            if (last[i] || narrow) {
-                struct cor_disk_mode *const to = &mode[l[i]];
-                to->n = (int)n;
-                to->l = (int)l[i];
-                to->omega = !narrow && fabs(guess - omega[i]) < INSEPARABLE * omega[i] ? guess : omega[i];
-                set_amplitudes(to, &p, m, i);
+            struct bracket *const b = &group->bracket[i];
+            const long l = group->l[i];
+            const double omega = p->omega[i], guess = omega * sqrt(1 - p->step[i]), length = fabs(guess - omega);
+            const int near = is_alone(b) && length < INSEPARABLE * omega;
+            if ((near && (last[i] || length < DONE * omega)) || b->high - b->low < INSEPARABLE * b->high) {
+                mode[l].n = (int)s->n;
+                mode[l].l = (int)l;
+                mode[l].omega = near ? guess : omega;
+                set_amplitudes(&mode[l], p, i);
                 done[i] = 1;
                 left--;
                 continue;
             }
             /* steps that do not become shorter do not converge */
-            const int useful = fabs(guess - omega[i]) < 0.5 * before[i];
-            tell_brackets(bracket, l[i], l[i] + 1, omega[i], clamp_count(count_of(m, &p.a, &p.b, i, n), count),
-                          useful ? guess : NAN);
-            before[i] = next_place(b) == guess ? fabs(guess - omega[i]) : INFINITY;
-            last[i] = fabs(step[i]) < NEARLY_DONE && next_place(b) == guess;
-            omega[i] = next_place(b);
+            tell_bracket(b, l, omega, p->below[i] > 0 ? (long)fmin(p->below[i], (double)count) : 0,
+                         length < 0.5 * before[i] ? guess : NAN);
+            last[i] = near;
+            group->omega[i] = near ? guess : next_place(b);
+            before[i] = group->omega[i] == guess ? length : INFINITY;
         }
     }
 }
 
-int cor_mode_find(const struct cor_mode_material *material, long n, double omega, struct cor_disk_mode *mode,
-                  long count)
+/* Computes the modes of n, of which count_places has counted `count`. */
+static void find_order(struct cor_disk_mode *mode, const struct search *s, long count)
 {
-    if (count < 1)
-        return COR_OK;
-    struct bracket *const bracket = malloc((size_t)count * sizeof *bracket);
-    if (bracket == NULL)
-        return COR_ERROR_MEMORY;
-    const double low = n > 1 ? sqrt((double)n * (double)(n - 1) / 10.5) : 0;
+    const double n = (double)s->n, least = n > 1 ? sqrt(n * (n - 1) / 10.5) : 0;
+    struct group *const group = s->group;
+    group->lanes = 0;
+    long k = s->first;
     for (long l = 0; l < count; l++) {
-        const struct bracket all = {low, omega, 0, count, NAN};
-        bracket[l] = all;
+        while (s->below[k] <= (double)l)
+            k++;
+        /* the bracket below the first place is wide */
+        const int i = group->lanes++, wide = k == s->first;
+        struct bracket *const b = &group->bracket[i];
+        b->low = wide ? least : s->place[k - 1];
+        b->high = s->place[k];
+        b->below_low = wide ? 0 : (long)s->below[k - 1];
+        b->below_high = (long)s->below[k];
+        b->guess = s->guess[k];
+        if (!wide && !(b->guess > b->low && b->guess < b->high))
+            b->guess = s->guess[k - 1];
+        group->l[i] = l;
+        group->omega[i] = next_place(b);
+        group->place[i] = wide ? -1 : b->high - group->omega[i] < group->omega[i] - b->low ? k : k - 1;
+        if (group->lanes == LANES || l + 1 == count || (wide && l + 1 == b->below_high)) {
+            refine_group(mode, group, s, count);
+            group->lanes = 0;
+        }
     }
-    sweep_range(bracket, material, n, low, omega, count);
-    for (long first = 0; first < count; first += LANES) {
-        long l[LANES];
-        for (int i = 0; i < LANES; i++)
-            l[i] = first + i < count ? first + i : count - 1;
-        refine_modes(mode, bracket, material, n, l, count);
-    }
-    free(bracket);
-    return COR_OK;
 }
 
 /* ---- the lowest modes of all n ---- */
@@ -410,31 +483,36 @@ static int by_frequency(const void *a, const void *b)
     return x->n != y->n ? (x->n < y->n ? -1 : 1) : (x->l > y->l) - (x->l < y->l);
 }
 
-/* Every mode below omega, malloc'ed and unsorted */
-static int find_below(const struct cor_mode_material *material, double omega, struct cor_disk_mode **mode,
-                      size_t *found)
+int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
+                  struct cor_disk_mode **mode, size_t *found)
 {
     const long orders = cor_mode_orders(omega);
-    size_t capacity = (size_t)cor_mode_total(material, omega) + 16;
-    int status = COR_OK;
+    /* the counts may differ by one for each n */
+    const size_t capacity = (size_t)cor_mode_total(material, omega) + 2 * (size_t)orders;
+    struct search s = {.material = material, .loops = loops};
     *found = 0;
     *mode = malloc(capacity * sizeof **mode);
-    for (long n = 0; n < orders && status == COR_OK && *mode != NULL; n++) {
-        const long count = cor_mode_count(material, n, omega);
-        if (count < 1)
+    int status = *mode == NULL ? COR_ERROR_MEMORY : search_start(&s, omega);
+    long N = status == COR_OK ? (long)fmax(beginning(s.wave[1].kappa[s.room - 1]), (double)orders) : 0;
+    for (; N > 0 && status == COR_OK; N--) {
+        ladders_lower(&s.wave[0], &s, N);
+        ladders_lower(&s.wave[1], &s, N);
+        if (N > orders)
             continue;
-        if (*found + (size_t)count > capacity) {
-            capacity = 2 * (*found + (size_t)count);
-            struct cor_disk_mode *const larger = realloc(*mode, capacity * sizeof **mode);
-            if (larger == NULL)
-                status = COR_ERROR_MEMORY;
-            *mode = larger == NULL ? *mode : larger;
+        s.n = N - 1;
+        const long count = count_places(&s);
+        if ((size_t)count > capacity - *found) {
+            status = COR_ERROR_MODES;
+        } else {
+            find_order(*mode + *found, &s, count);
+            *found += (size_t)count;
         }
-        if (status == COR_OK)
-            status = cor_mode_find(material, n, omega, *mode + *found, count);
-        *found += (size_t)count;
     }
-    return *mode == NULL ? COR_ERROR_MEMORY : status;
+    free(s.memory);
+    free(s.group);
+    if (status == COR_OK)
+        qsort(*mode, *found, sizeof **mode, by_frequency);
+    return status;
 }
 
 static int modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes)
@@ -446,13 +524,13 @@ static int modes_compute(double nu, size_t count, struct cor_disk_mode *mode, st
     if (count < 1 || count > COR_DISK_MODES_MAX_COUNT)
         return COR_ERROR_MODES;
     const struct cor_mode_material material = {1 + nu, 1 - nu};
-    struct cor_disk_mode *all;
+    struct cor_disk_mode *all = NULL;
     size_t found;
-    int status = find_below(&material, cor_mode_upper_end(&material, count), &all, &found);
+    int status =
+        cor_mode_find(&material, cor_mode_set(cor_widest_set()), cor_mode_upper_end(&material, count), &all, &found);
     if (status == COR_OK && found < count)
         status = COR_ERROR_MODES;
     if (status == COR_OK) {
-        qsort(all, found, sizeof *all, by_frequency);
         for (size_t i = 1; i < count; i++) /* doubles may not separate two frequencies */
             if (!(all[i].omega > all[i - 1].omega))
                 all[i].omega = nextafter(all[i - 1].omega, INFINITY);

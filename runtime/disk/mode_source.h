@@ -12,22 +12,48 @@
 #include "cor/disk.h"
 #include "runtime/number/sets.h"
 
-/* Frequencies of one n that are evaluated at once, as independent ladders of Bessel functions */
-enum { COR_MODE_LANES = 16 };
+/* Frequencies or n that are evaluated at once, and terms of a series over kappa */
+enum { COR_MODE_LANES = 16, COR_MODE_TERMS = 19 };
+
+/* e and s are separate, so that nu close to 1 or -1 loses no digits. */
+struct cor_mode_material {
+    double e, s;
+};
+
+/* One wave, longitudinal or transverse, up to a factor for each lane: N = n + 1, h = J_N(kappa), k = (kappa/(2N))
+ * J_(N+1)(kappa). zeros is the number of zeros of J_N below kappa. */
+struct cor_mode_wave {
+    double z[COR_MODE_LANES], h[COR_MODE_LANES], k[COR_MODE_LANES], zeros[COR_MODE_LANES];
+};
+
+/* Both waves at COR_MODE_LANES frequencies or n, and what follows: step, such that omega sqrt(1 - step) is closer to a
+ * root, by Halley's method in omega^2, and the number of roots below omega */
+struct cor_mode_point {
+    double omega[COR_MODE_LANES], g[COR_MODE_LANES], n[COR_MODE_LANES];
+    struct cor_mode_wave a, b;
+    double step[COR_MODE_LANES], below[COR_MODE_LANES];
+};
+
+/* Taylor's series of J_N and J_(N+1) about kappa, J_N = here and J_(N+1) = above there */
+struct cor_mode_series {
+    double kappa[COR_MODE_LANES], here[COR_MODE_LANES], above[COR_MODE_LANES], zeros[COR_MODE_LANES];
+    double term[COR_MODE_TERMS][2][COR_MODE_LANES];
+};
 
 struct cor_mode_loops {
     /* For COR_MODE_LANES arguments kappa: J_(end+1)/J_end, from J_(start+1)/J_start, and how often J_start, ..., J_end
      * change their sign */
     void (*ladder)(const double *two_over_kappa, const double *first_quotient, long start, long end, double *quotient,
                    double *zeros);
+    /* One rung of `count` ladders, from J_(m+1), J_m to J_m, J_(m-1); adds changes of sign to zeros */
+    void (*rung)(size_t count, double m, const double *two_over_kappa, double *above, double *here, double *zeros);
+    void (*series)(struct cor_mode_series *series, double N);
+    /* A wave at kappa + t from its series about kappa */
+    void (*move)(struct cor_mode_wave *wave, const struct cor_mode_series *series, double N, const double *t);
+    void (*equation)(struct cor_mode_point *point, const struct cor_mode_material *material);
 };
 
 COR_TABLES(struct cor_mode_loops, cor_mode, cor_mode_set)
-
-/* e and s are separate, so that nu close to 1 or -1 loses no digits. */
-struct cor_mode_material {
-    double e, s;
-};
 
 /* An n such that no mode of this or a larger n is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l and nu,
  * (11.4). */
@@ -41,10 +67,11 @@ double cor_mode_total(const struct cor_mode_material *material, double omega);
 /* A frequency with slightly more than `count` modes below it */
 double cor_mode_upper_end(const struct cor_mode_material *material, size_t count);
 
-/* Computes the modes of one n below omega by increasing frequency, mode[0..count-1] with count from cor_mode_count. Two
- * modes that doubles cannot separate get the same frequency. Returns COR_OK or COR_ERROR_MEMORY. */
-int cor_mode_find(const struct cor_mode_material *material, long n, double omega, struct cor_disk_mode *mode,
-                  long count);
+/* Computes every mode below omega, by increasing frequency, into malloc'ed *mode, which the caller frees also after a
+ * failure. Two modes that doubles cannot separate may get the same frequency. All loops give the same bits. Returns
+ * COR_OK, COR_ERROR_MEMORY, or COR_ERROR_MODES if the modes do not confirm their number. */
+int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
+                  struct cor_disk_mode **mode, size_t *found);
 
 /* A rung m > n such that the ladder from a_m in [z/(2(m+1)), z/(m+1)], which holds for kappa <= m + 1, gives a_n to
  * `bits` bits. */

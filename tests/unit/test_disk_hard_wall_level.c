@@ -409,6 +409,27 @@ TEST(ladders)
     }
 }
 
+TEST(modes_of_every_set)
+{
+    struct random_state random = random_start();
+    for (size_t draws = 0; draws < points(8); draws++) {
+        const double e = random_log(&random, 1e-9, 2), omega = random_log(&random, 1, 150);
+        const struct cor_mode_material material = {e, 2 - e};
+        struct cor_disk_mode *portable, *found;
+        size_t count, other;
+        assert_int_equal(cor_mode_find(&material, cor_mode_set(COR_PORTABLE), omega, &portable, &count), COR_OK);
+        for (int set = 1; set < COR_INSTRUCTION_SETS; set++) {
+            if (!cor_mode_set(set))
+                continue;
+            assert_int_equal(cor_mode_find(&material, cor_mode_set(set), omega, &found, &other), COR_OK);
+            check(other == count && memcmp(found, portable, count * sizeof *found) == 0,
+                  "set %d, e = %.17g, omega = %g", set, e, omega);
+            free(found);
+        }
+        free(portable);
+    }
+}
+
 /* ---- hard inputs ---- */
 
 /* A range that the contact outgrows is reported, and modes that no disk has. */
@@ -425,4 +446,4 @@ TEST(refusals)
 }
 
 RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, hard_limit, point_contact,
-          soft_wall_of_all_modes, refusals, coarse_angles, cosines, every_set, ladders)
+          soft_wall_of_all_modes, refusals, coarse_angles, cosines, every_set, ladders, modes_of_every_set)
