@@ -200,8 +200,8 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 
 /* ---- a grid of frequencies ---- */
 
-/* The step of the grid in kappa', the larger argument, and the least kappa for a series: J_N is close to a power of kappa
- * below. */
+/* The step of the grid in kappa', the larger argument, and the least kappa for a series, below which J_N is close to a
+ * power of kappa */
 #define GRID_STEP 1.0
 #define LEAST_KAPPA 2.0
 

@@ -6,7 +6,7 @@
 #include <cor/disk.h>
 #include <cor/status.h>
 
-enum { MOST = 250000 };
+enum { MOST = COR_DISK_MODES_MAX_COUNT };
 static struct cor_disk_mode mode[MOST + 1], other[MOST];
 
 static struct cor_disk_modes compute(double nu, size_t count)
@@ -38,8 +38,9 @@ TEST(as_proved)
             off_amplitude = fmax(off_amplitude, fabs(mode[i].s - exact->s) / length);
         }
         print_message("nu = %g: omega off by %.1e, c and s by %.1e\n", proved->nu, off_omega, off_amplitude);
-        check(off_omega <= COR_DISK_MODES_OMEGA_MAX_ERROR, "%g", off_omega);
-        check(off_amplitude <= COR_DISK_MODES_AMPLITUDE_MAX_ERROR, "%g", off_amplitude);
+        /* the bounds also allow for longer tables */
+        check(off_omega <= 0.1 * COR_DISK_MODES_OMEGA_MAX_ERROR, "%g", off_omega);
+        check(off_amplitude <= 0.02 * COR_DISK_MODES_AMPLITUDE_MAX_ERROR, "%g", off_amplitude);
     }
 }
 
@@ -69,11 +70,12 @@ TEST(counted)
 {
     struct random_state random = random_start();
     for (size_t i = 0; i < points(8); i++) {
-        const double nu = i == 0 ? 0.33 : 1 - random_log(&random, 1e-3, 1.99);
-        const size_t count = i == 0 ? 207000 : (size_t)random_log(&random, 1000, MOST);
+        const double nu = i == 0 ? 0.9 : 1 - random_log(&random, 1e-3, 1.99);
+        const size_t count = i == 0 ? MOST : (size_t)random_log(&random, 1000, 200000);
         compute(nu, count);
-        for (size_t k = 0; k + 1 < count; k += 1 + random_below(&random, 150)) {
+        for (size_t k = 0; k + 1 < count; k += 1 + random_below(&random, i == 0 ? 2000 : 150)) {
             const double omega = 0.5 * (mode[k].omega + mode[k + 1].omega);
+            check(mode[k].c > 0 && isfinite(mode[k].s), "nu = %.17g, mode %zu: %g, %g", nu, k, mode[k].c, mode[k].s);
             if (mode[k + 1].omega - mode[k].omega > 1e-12 * omega && omega <= COR_DISK_MODES_MAX_OMEGA)
                 check(cor_disk_modes_below(nu, omega) == k + 1, "nu = %.17g: %zu modes below %.17g, not %zu", nu,
                       cor_disk_modes_below(nu, omega), omega, k + 1);
