@@ -485,41 +485,6 @@ TEST(the_time_step_is_for_all_speeds)
     }
 }
 
-/* Bias and scatter of velocity Verlet with half-step velocities, viscoelastic spheres, zero overlap, for e and steps in
- * the elastic duration: means over 400 phases by another program, in two digits */
-TEST(errors_of_steps)
-{
-    enum { BIAS_COLUMN = 9 };
-    static const struct {
-        double e, steps, bias, scatter;
-    } known[] = {{0.5, 8, -8.3e-3, 5.1e-3}, {0.5, 12, -5.6e-3, 5.6e-3}, {0.5, 50, -1.5e-3, 5.9e-4},
-                 {0.7, 8, -2.1e-3, 4.8e-3}, {0.7, 20, -1.3e-3, 2.0e-3}, {0.7, 100, -2.8e-4, 7e-5},
-                 {0.9, 12, -4e-5, 1.5e-3},  {0.9, 50, -6e-5, 1.6e-4},   {0.9, 100, -3e-5, 4e-5}};
-    const double speed = 0.3;
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const struct contacts contacts = contacts_of(0, COR_END_ZERO_OVERLAP, glass,
-                                                     GIVEN({COR_SCENE_RESTITUTION, known[i].e}, {COR_SCENE_AT, speed}));
-        struct contact_step step = {
-            .time_step_s = cor_scene_elastic_duration_s(&contacts.contact[0], speed) / known[i].steps, .errors = true};
-        struct table table;
-        assert_int_equal(contact_rows(&table, &contacts, &speed, 1, &step, 17), 0);
-        const double bias = strtod(table.cell[BIAS_COLUMN], NULL), scatter = strtod(table.cell[BIAS_COLUMN + 1], NULL);
-        table_clear(&table);
-        check(fabs(bias - known[i].bias) < 0.03 * known[i].scatter + 0.07 * fabs(known[i].bias) &&
-                  fabs(scatter / known[i].scatter - 1) < 0.12,
-              "e = %g, %g steps: %g and %g", known[i].e, known[i].steps, bias, scatter);
-        /* the largest step for this bias and scatter is no shorter, and keeps them */
-        step = (struct contact_step){.tolerance = fmax(fabs(bias), scatter) * 1.2, .errors = true};
-        assert_int_equal(contact_rows(&table, &contacts, &speed, 1, &step, 17), 0);
-        const double found = strtod(table.cell[BIAS_COLUMN - 1], NULL);
-        check(fabs(strtod(table.cell[BIAS_COLUMN], NULL)) < step.tolerance &&
-                  strtod(table.cell[BIAS_COLUMN + 1], NULL) < step.tolerance &&
-                  cor_scene_elastic_duration_s(&contacts.contact[0], speed) / found < 1.6 * known[i].steps,
-              "e = %g, tolerance %g: step %g", known[i].e, step.tolerance, found);
-        table_clear(&table);
-    }
-}
-
 /* ---- --for: the numbers in the lines, put through the simulator's own conversion ---- */
 
 /* eps of a law for the damping, at either end, by the functions of the library */
@@ -652,4 +617,4 @@ TEST(chrono_finds_the_radius)
 
 RUN_TESTS(impacts_against_integration, reference_collisions, every_way_of_a_sphere, other_laws,
           stiffness_from_a_duration, collisions_under_a_constant_force, thresholds_of_a_constant_force,
-          the_time_step_is_for_all_speeds, errors_of_steps, hosts_realise_what_is_wished, chrono_finds_the_radius)
+          the_time_step_is_for_all_speeds, hosts_realise_what_is_wished, chrono_finds_the_radius)

@@ -429,9 +429,5 @@ TEST(test_two_point_headers)
     assert_int_equal(pclose(output), 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {test_doubles, test_rows,        test_geometry,          test_too_wide,
-                                       test_bound,   test_pade_header, test_two_point_headers, test_json_cells};
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+RUN_GROUP(make_directory, remove_directory, test_doubles, test_rows, test_geometry, test_too_wide, test_bound,
+          test_pade_header, test_two_point_headers, test_json_cells)

@@ -375,13 +375,35 @@ static double binomial_probability(int n, int k, double p)
     return exp(lgamma(n + 1.) - lgamma(k + 1.) - lgamma(n - k + 1.) + k * log(p) + (n - k) * log1p(-p));
 }
 
-/* P(X <= k), P(X >= k) of n draws with probability p */
+/* P(X <= k) of n draws with probability p */
 static double lower_tail(int n, int k, double p)
 {
     double sum = 0;
     for (int i = 0; i <= k; i++)
         sum += binomial_probability(n, i, p);
     return sum;
+}
+
+/* k of n draws with a probability from `least` to `most` are neither too few nor too many by chance. */
+static bool is_likely(int n, int k, double least, double most)
+{
+    return lower_tail(n, k, least) > 1e-6 && 1 - lower_tail(n, k - 1, most) > 1e-6;
+}
+
+/* How many draws hold the truth, for each parameter and level, and how many are rejected */
+struct held {
+    int in[FIT_MAX_PARAMETERS][LEVELS], rejected;
+};
+
+static void hold(struct held *held, const struct fit_data *data, enum fit_curve curve, bool robust)
+{
+    struct fit_estimate e;
+    fit_estimate_curve(&e, curve, data, robust);
+    held->rejected += !fit_is_accepted(&e);
+    for (int j = 0; j < e.parameters; j++)
+        for (int level = 0; level < LEVELS; level++)
+            held->in[j][level] +=
+                e.interval[j][level].low <= truth[curve][j] && truth[curve][j] <= e.interval[j][level].high;
 }
 
 struct coverage {
@@ -412,17 +434,11 @@ TEST(intervals_hold_the_truth)
     for (size_t k = 0; k < sizeof coverages / sizeof *coverages; k++) {
         const struct coverage *const c = &coverages[k];
         const int parameters = fit_curve_parameters(c->curve);
-        int held[FIT_MAX_PARAMETERS][LEVELS] = {{0}}, rejected = 0;
+        struct held held = {.rejected = 0};
         for (int draw = 0; draw < draws; draw++) {
             struct sample s;
-            struct fit_estimate e;
             draw_sample(&s, c->curve, c->points, 0.015, c->with_sigma, r);
-            fit_estimate_curve(&e, c->curve, &s.data, c->robust);
-            rejected += !fit_is_accepted(&e);
-            for (int j = 0; j < parameters; j++)
-                for (int level = 0; level < LEVELS; level++)
-                    held[j][level] += e.interval[j][level].low <= truth[c->curve][j] &&
-                                      truth[c->curve][j] <= e.interval[j][level].high;
+            hold(&held, &s.data, c->curve, c->robust);
         }
         static const double level[LEVELS] = {0.68268949213708590, 0.95};
         for (int j = 0; j < parameters; j++) {
@@ -430,18 +446,17 @@ TEST(intervals_hold_the_truth)
                 print_message(
                     "curve %d, %zu points, %s%s, parameter %d: 68 %%: %.1f, 95 %%: %.1f of 100; rejected %d\n",
                     (int)c->curve, c->points, c->with_sigma ? "sigma given" : "sigma unknown",
-                    c->robust ? ", robust" : "", j, 100. * held[j][LEVEL_68] / draws, 100. * held[j][LEVEL_95] / draws,
-                    rejected);
+                    c->robust ? ", robust" : "", j, 100. * held.in[j][LEVEL_68] / draws,
+                    100. * held.in[j][LEVEL_95] / draws, held.rejected);
             if (whole)
-                check(held[j][LEVEL_95] >= 930 && held[j][LEVEL_95] <= 970, "curve %d, parameter %d: %d of 1000 hold",
-                      (int)c->curve, j, held[j][LEVEL_95]);
+                check(held.in[j][LEVEL_95] >= 930 && held.in[j][LEVEL_95] <= 970,
+                      "curve %d, parameter %d: %d of 1000 hold", (int)c->curve, j, held.in[j][LEVEL_95]);
             for (int l = 0; l < LEVELS; l++)
-                check(lower_tail(draws, held[j][l], level[l]) > 1e-6 &&
-                          1 - lower_tail(draws, held[j][l] - 1, level[l]) > 1e-6,
-                      "curve %d, parameter %d: %d of %d hold", (int)c->curve, j, held[j][l], draws);
+                check(is_likely(draws, held.in[j][l], level[l], level[l]), "curve %d, parameter %d: %d of %d hold",
+                      (int)c->curve, j, held.in[j][l], draws);
         }
-        check(1 - lower_tail(draws, rejected - 1, FIT_SIGNIFICANCE) > 1e-6, "curve %d: %d of %d rejected",
-              (int)c->curve, rejected, draws);
+        check(1 - lower_tail(draws, held.rejected - 1, FIT_SIGNIFICANCE) > 1e-6, "curve %d: %d of %d rejected",
+              (int)c->curve, held.rejected, draws);
     }
 }
 
@@ -625,35 +640,28 @@ TEST(times_hold_the_truth)
     const int draws = whole ? 600 : 12;
     for (size_t k = 0; k < sizeof bounces / sizeof *bounces; k++) {
         const struct bounces *const b = &bounces[k];
-        int held[FIT_MAX_PARAMETERS][LEVELS] = {{0}}, rejected = 0;
+        struct held held = {.rejected = 0};
         if (!in_turn(k, 3))
             continue;
         for (int draw = 0; draw < draws; draw++) {
             struct fit_data data;
-            struct fit_estimate e;
             draw_bounces(&data, b, b->times, 0, 0, r);
-            fit_estimate_curve(&e, b->curve, &data, b->robust);
-            rejected += !fit_is_accepted(&e);
-            for (int j = 0; j < e.parameters; j++)
-                for (int level = 0; level < LEVELS; level++)
-                    held[j][level] += e.interval[j][level].low <= truth[b->curve][j] &&
-                                      truth[b->curve][j] <= e.interval[j][level].high;
+            hold(&held, &data, b->curve, b->robust);
             fit_data_clear(&data);
         }
         for (int j = 0; j < fit_curve_parameters(b->curve); j++) {
-            const int n = held[j][LEVEL_95];
+            const int n = held.in[j][LEVEL_95];
             if (whole)
                 print_message("curve %d, %d drops of %d times, errors %g s and %g%s, parameter %d: 68 %%: %.1f, 95 %%: "
                               "%.1f of 100; rejected %d\n",
                               (int)b->curve, b->drops, b->times, b->time_sigma_s, b->eps_sigma,
-                              b->robust ? ", robust" : "", j, 100. * held[j][LEVEL_68] / draws, 100. * n / draws,
-                              rejected);
-            check(lower_tail(draws, n, b->least) > 1e-6 && 1 - lower_tail(draws, n - 1, b->most) > 1e-6,
-                  "row %zu, parameter %d: %d of %d hold", k, j, n, draws);
+                              b->robust ? ", robust" : "", j, 100. * held.in[j][LEVEL_68] / draws, 100. * n / draws,
+                              held.rejected);
+            check(is_likely(draws, n, b->least, b->most), "row %zu, parameter %d: %d of %d hold", k, j, n, draws);
             check(!whole || (n >= b->least * draws && n <= b->most * draws), "row %zu: %d of %d hold", k, n, draws);
         }
-        check(1 - lower_tail(draws, rejected - 1, 2 * FIT_SIGNIFICANCE) > 1e-6, "row %zu: %d of %d rejected", k,
-              rejected, draws);
+        check(1 - lower_tail(draws, held.rejected - 1, 2 * FIT_SIGNIFICANCE) > 1e-6, "row %zu: %d of %d rejected", k,
+              held.rejected, draws);
     }
 }
 
@@ -1104,32 +1112,24 @@ TEST(outliers_follow_closed_forms)
     check(lines[0] && lines[1] && lines[2], "%d, %d, %d", lines[0], lines[1], lines[2]);
 }
 
-int main(void)
+static int start(void **state)
 {
+    (void)state;
     random_state = random_start();
     const int file = mkstemp(path);
-    if (file < 0)
-        return 1;
-    close(file);
-    const struct CMUnitTest tests[] = {quantiles_have_closed_forms,
-                                       tails_have_closed_forms,
-                                       the_power_law_satisfies_the_normal_equations,
-                                       a_scan_finds_the_same_minimum_and_intervals,
-                                       losses_have_the_least_squares,
-                                       ice_has_the_g_star_of_a_golden_section,
-                                       the_true_curve_ranks_first,
-                                       aic_is_that_of_the_likelihood,
-                                       intervals_hold_the_truth,
-                                       outliers_move_the_robust_fit_little,
-                                       elastic_data_have_no_upper_end,
-                                       an_end_of_the_range_is_in_its_interval,
-                                       points_are_in_the_order_of_speeds,
-                                       flights_give_speeds_and_eps,
-                                       times_hold_the_truth,
-                                       times_agree_with_dense_matrices,
-                                       outliers_are_named,
-                                       outliers_follow_closed_forms};
-    const int status = cmocka_run_group_tests(tests, NULL, NULL);
-    unlink(path);
-    return status;
+    return file < 0 || close(file) != 0;
 }
+
+static int finish(void **state)
+{
+    (void)state;
+    return unlink(path);
+}
+
+RUN_GROUP(start, finish, quantiles_have_closed_forms, tails_have_closed_forms,
+          the_power_law_satisfies_the_normal_equations, a_scan_finds_the_same_minimum_and_intervals,
+          losses_have_the_least_squares, ice_has_the_g_star_of_a_golden_section, the_true_curve_ranks_first,
+          aic_is_that_of_the_likelihood, intervals_hold_the_truth, outliers_move_the_robust_fit_little,
+          elastic_data_have_no_upper_end, an_end_of_the_range_is_in_its_interval, points_are_in_the_order_of_speeds,
+          flights_give_speeds_and_eps, times_hold_the_truth, times_agree_with_dense_matrices, outliers_are_named,
+          outliers_follow_closed_forms)

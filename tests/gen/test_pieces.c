@@ -178,8 +178,4 @@ TEST(test_text)
     pieces_clear(&p);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {test_rows_are_the_function, test_bound_missed, test_text};
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_GROUP(setup, teardown, test_rows_are_the_function, test_bound_missed, test_text)

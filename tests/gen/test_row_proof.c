@@ -14,7 +14,7 @@
 #include "random.h"
 #include "support/local.h"
 
-static struct random_state random_state = {20081999};
+static struct random_state random_state;
 
 static void assert_in(struct complex_ball ball, double complex exact, double slack, const char *what)
 {
@@ -145,6 +145,7 @@ static struct interpolant_proof *proof;
 static int make_proof(void **state)
 {
     (void)state;
+    random_state = random_start();
     interpolant = interpolant_new(&interpolant_sphere_proof, 0, 1);
     proof = interpolant ? interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED) : NULL;
     return proof ? 0 : 1;
@@ -436,11 +437,5 @@ TEST(test_creep_rows)
     pieces_clear(&p);
 }
 
-int main(void)
-{
-    random_state = random_start();
-    const struct CMUnitTest tests[] = {
-        test_real_axis,    test_complex_plane,      test_singular,           test_rows,      test_samples, test_unknown,
-        test_creep_series, test_enclosed_functions, test_enclosed_remainder, test_creep_rows};
-    return cmocka_run_group_tests(tests, make_proof, clear_proof);
-}
+RUN_GROUP(make_proof, clear_proof, test_real_axis, test_complex_plane, test_singular, test_rows, test_samples,
+          test_unknown, test_creep_series, test_enclosed_functions, test_enclosed_remainder, test_creep_rows)

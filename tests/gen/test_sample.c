@@ -214,21 +214,4 @@ TEST(other_laws)
     sample_clear(&s);
 }
 
-TEST(refusals)
-{
-    struct sample s;
-    if (few_or_all(0, 1)) { /* half a second; tests/cli/run has it in every run */
-        const struct cor_scene_contact contact = sphere_of(0.2);
-        const struct sample_request fine = {
-            .contact = &contact, .speed_min = 1e-6, .speed_max = 1e6, .tolerance = 1e-10};
-        assert_int_equal(sample_choose(&s, &fine), 2);
-        sample_clear(&s);
-    }
-    /* never parts below 0.55 m/s */
-    const struct cor_scene_contact dashpot = contact_of(cor_law_exponents[COR_LAW_HERTZ_DASHPOT], COR_SCENE_BETA, 1);
-    const struct sample_request sticks = {.contact = &dashpot, .speed_min = 0.1, .speed_max = 10, .tolerance = 1e-3};
-    assert_int_equal(sample_choose(&s, &sticks), 2);
-    sample_clear(&s);
-}
-
-RUN_TESTS(tolerances_hold, no_smaller_table, other_laws, refusals)
+RUN_TESTS(tolerances_hold, no_smaller_table, other_laws)

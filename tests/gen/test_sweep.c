@@ -358,8 +358,10 @@ static int go_on_from(const char *bytes, size_t size, const char *what, size_t a
     return found;
 }
 
-static void journal_start(void)
+static int start_all(void **state)
 {
+    (void)state;
+    console_start();
     static char directory[] = "/tmp/cor-sweep-XXXXXX";
     assert_non_null(mkdtemp(directory));
     snprintf(file, sizeof file, "%s/x", directory);
@@ -367,6 +369,7 @@ static void journal_start(void)
     assert_int_equal(go_on(), 0);
     whole_size = part_read(whole_file);
     assert_int_equal(go_on(), LINES);
+    return 0;
 }
 
 /* Cut off anywhere, damaged anywhere, or longer than it should be */
@@ -505,13 +508,5 @@ TEST(test_rayleigh)
     assert_string_equal(line, "0.001,0.33,100,0.36,0.0036,0.7977468,7.25,2e-06,ok");
 }
 
-int main(void)
-{
-    console_start();
-    journal_start();
-    const struct CMUnitTest tests[] = {test_lists,          test_wrong_lists,     test_product,
-                                       test_threads,        test_journal_damaged, test_journal_foreign,
-                                       test_journal_shared, test_longest_list,    test_hard_wall,
-                                       test_digits,         test_rayleigh};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_threads, test_journal_damaged,
+          test_journal_foreign, test_journal_shared, test_longest_list, test_hard_wall, test_digits, test_rayleigh)

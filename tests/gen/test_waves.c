@@ -120,10 +120,11 @@ TEST(analytic_inside)
     }
 }
 
-int main(void)
+static int clean(void **state)
 {
-    const struct CMUnitTest tests[] = {known_values, two_routes, bound_on_the_ellipse, analytic_inside};
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    (void)state;
     flint_cleanup();
-    return failed;
+    return 0;
 }
+
+RUN_GROUP(NULL, clean, known_values, two_routes, bound_on_the_ellipse, analytic_inside)

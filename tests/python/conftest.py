@@ -29,21 +29,8 @@ class Compiler:
         self.count += 1
         path = self.folder / f"program_{self.count}"
         library = next(PREFIX.glob("lib*/**/libcor.a"))
-        command = [
-            "cc",
-            "-std=c99",
-            f"-I{PREFIX}/include",
-            "-x",
-            "c",
-            "-",
-            "-x",
-            "none",
-            str(library),
-            "-lm",
-            "-o",
-            str(path),
-        ]
-        subprocess.run(command, input=text, text=True, check=True)
+        flags = ["-std=c99", f"-I{PREFIX}/include", *"-x c - -x none".split(), str(library), "-lm"]
+        subprocess.run(["cc", *flags, "-o", str(path)], input=text, text=True, check=True)
         return path
 
 

@@ -22,7 +22,8 @@
 #include "random.h"
 #include "ulp.h"
 
-/* TEST(name) { ... } is a test function, and RUN_TESTS(name, ...) the program that runs them in that order. */
+/* TEST(name) { ... } is a test function, RUN_TESTS(name, ...) the program that runs them in that order, and RUN_GROUP
+ * one that calls `before` first and `after` last. */
 #define TEST(test)                                                                                                     \
     static void test##_body(void);                                                                                     \
     static void test##_run(void **state)                                                                               \
@@ -33,11 +34,12 @@
     static const struct CMUnitTest test = {.name = #test, .test_func = test##_run};                                    \
     static void test##_body(void)
 
-#define RUN_TESTS(...)                                                                                                 \
+#define RUN_TESTS(...) RUN_GROUP(NULL, NULL, __VA_ARGS__)
+#define RUN_GROUP(before, after, ...)                                                                                  \
     int main(void)                                                                                                     \
     {                                                                                                                  \
         const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
-        return cmocka_run_group_tests(tests, NULL, NULL);                                                              \
+        return cmocka_run_group_tests(tests, before, after);                                                           \
     }
 
 #define check(condition, ...)                                                                                          \
