@@ -12,13 +12,17 @@ struct search {
     bool of_loss;
     enum interval_variable variable;
     double lo, hi;
+    slong prec;
 };
+
+/* Far from the inverse few bits suffice: as many as the polynomials' coefficients lose, and 64 more. */
+enum { SEARCH_BITS = 128 };
 
 /* The function of w whose zero is the inverse, minus its value for the given number: the root of the loss, which has a
  * slope also at beta = 0; or ln(eps), because eps may fall by many powers of ten within an interval */
 static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
-    const slong prec = INTERPOLANT_BITS, root = s->f->layout->root;
+    const slong prec = s->prec, root = s->f->layout->root;
     interpolant_at(y, s->f, s->of_loss ? s->loss_quotient : s->eps, s->variable, w, prec);
     if (!s->of_loss) {
         LET(y, prec, "log(y) - wanted", y, wanted);
@@ -45,7 +49,7 @@ static bool beyond(const struct search *s, double w, const arb_t wanted)
 /* Bisects to a short bracket and then applies the secant method. */
 static int solve_search(arb_t w, struct search *s, const arb_t wanted)
 {
-    enum { HALVINGS = 5, STEPS = 18, ENOUGH_BITS = 110 };
+    enum { HALVINGS = 5, STEPS = 18, NEAR_BITS = 20, ENOUGH_BITS = 110 };
     for (int k = 0; k < HALVINGS; k++) {
         const double middle = (s->lo + s->hi) / 2;
         if (beyond(s, middle, wanted))
@@ -68,6 +72,8 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
             arb_get_mid_arb(w, w);
             arb_set(f0, f1);
             found = arf_cmpabs_2exp_si(arb_midref(step), -ENOUGH_BITS) < 0;
+            if (arf_cmpabs_2exp_si(arb_midref(step), -NEAR_BITS) < 0)
+                s->prec = INTERPOLANT_BITS;
         }
     }
     return found ? STATUS_OK : fail("an inverse of the collision was not found");
@@ -113,6 +119,7 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
 {
     const bool force = quantity == BETA_ZERO_FORCE || quantity == BETA_QUOTIENT_ZERO_FORCE;
     struct search s = {.f = f,
+                       .prec = SEARCH_BITS,
                        .eps = force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP,
                        .loss_quotient = force ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP,
                        .of_loss = quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE ||

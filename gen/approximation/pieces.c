@@ -380,7 +380,8 @@ static void cut_row(void *context, slong row)
         atomic_store(&work->failed, true);
         return;
     }
-    work->rest[row] = sample_row(&p->bits[row], p, work->f, &cell, c);
+    if (!p->to_prove)
+        work->rest[row] = sample_row(&p->bits[row], p, work->f, &cell, c);
     if (!is_good(work, row))
         atomic_store(&work->missed, true);
 }

@@ -64,6 +64,7 @@ struct pieces {
     arb_ptr coefficient; /* rows x columns, intervals that round to the doubles of the table */
     double *value;       /* the same as doubles, or the floats */
     double *bits;        /* accuracy of the rounded row: sampled, or proved */
+    bool to_prove;       /* by row_proof.h, and not to be sampled before */
     bool proved;         /* by row_proof.h, all rows */
 };
 

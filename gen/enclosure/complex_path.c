@@ -51,9 +51,8 @@ static enum step_outcome step(struct path *p, struct path_state *y, double s, do
 {
     const double h = end - s, longest = raised(h), radius = y->value.radius; /* h is exact, or right to 2^-53 */
     const struct complex_ball centre = ball_centre(y->value), middle = ball_of((s + end) / 2, 0);
-    const struct complex_ball first = ball_centre(path_slopes(p, ball_of(s, 0), centre).slope);
     const struct complex_ball at_middle =
-        path_slopes(p, middle, ball_centre(ball_add(centre, ball_times(first, h / 2)))).slope;
+        path_slopes(p, middle, ball_centre(ball_add(centre, ball_times(p->slope, h / 2)))).slope;
     const struct complex_ball mean = ball_centre(at_middle);
     if (!ball_is_finite(at_middle))
         return STEP_IMPOSSIBLE;
@@ -80,6 +79,7 @@ static enum step_outcome step(struct path *p, struct path_state *y, double s, do
     next.radius +=
         rate > 0 ? raised(growth * start) : raised(growth * radius + fmin(longest, raised(1 / -rate)) * residual);
     next.radius = raised(next.radius);
+    p->slope = mean;
     y->value = next;
     y->time = ball_add(y->time, ball_mul(within.time, ball_widened(ball_of(h, 0), 0x1p-50)));
     return next.radius <= LARGEST_RADIUS * value_size(p, next) ? STEP_DONE : STEP_IMPOSSIBLE;
@@ -92,6 +92,7 @@ bool path_follow(struct path *p, path_equation *equation, struct complex_ball be
     p->begin = begin;
     p->end = end;
     p->length = ball_sub(end, begin);
+    p->slope = ball_centre(path_slopes(p, ball_of(0, 0), ball_centre(y->value)).slope);
     double s = 0, h = FIRST_STEP;
     for (int k = 0; k < MAX_STEPS / p->resolution && s < 1; k++) {
         const double next = s + h < 1 ? s + h : 1;

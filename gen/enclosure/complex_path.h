@@ -28,9 +28,10 @@ struct path {
     struct complex_ball beyond, rest; /* rest is `beyond` at the end, and grows by the length towards the beginning */
     double a, b;                      /* exponents of the equation; a - b and 2b + 1 - a, each rounded once */
     double difference, n;
-    double resolution; /* 1, or less for smaller radii and more steps */
-    bool pressed;      /* by a constant force: c3 counts */
-    bool logarithm;    /* y is a logarithm: its radius is compared with 1, not with |y| */
+    double resolution;         /* 1, or less for smaller radii and more steps */
+    bool pressed;              /* by a constant force: c3 counts */
+    bool logarithm;            /* y is a logarithm: its radius is compared with 1, not with |y| */
+    struct complex_ball slope; /* of the last step, which predicts that of the next */
 };
 
 /* The dependent variable of every solution, and its time */

@@ -19,8 +19,9 @@
 enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define TABLE(name, words, of, ...)                                                                                    \
     {                                                                                                                  \
-        .stem = name, .title = words, .rows = {.quantity = of, .root = 2, .degree = 10, __VA_ARGS__ }                  \
+        .stem = name, .title = words, .rows = {.quantity = of, PROVED, __VA_ARGS__ }                                   \
     }
+#define PROVED .root = 2, .degree = 10, .to_prove = true
 #define ROWS(n) .rows = (n), .plain = (n)
 #define IN_BETA(n) .variable = VARIABLE_BETA, .step = 0.125, ROWS(n)
 #define IN_ROOT(n, plain_rows) .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .rows = (n), .plain = (plain_rows)
@@ -151,7 +152,7 @@ static int prove_tables(struct law_tables *t)
     struct interpolant_proof *proof = interpolant_proof_new(t->f, SET_ALL, ELLIPSES_PROVED);
     int status = proof ? STATUS_OK : STATUS_FAILED;
     for (int i = 0; i < t->layout.tables && status == STATUS_OK; i++)
-        if (!t->layout.table[i].rows.floats)
+        if (t->layout.table[i].rows.to_prove)
             status = row_proof_table(&t->layout.table[i].rows, proof);
     if (status == STATUS_OK)
         status = prove_far(t, proof);
