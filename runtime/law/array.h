@@ -5,9 +5,20 @@
 
 #include <stddef.h>
 
-#include "runtime/law/functions.h"
+#include "runtime/law/closed_form.h"
+#include "runtime/law/linear.h"
 #include "runtime/number/sets.h"
 
+/* The functions whose array forms are loops: kernels, LOOP(name, public, least, largest, value), whose `value` of x and
+ * cor_<public> give the same bits on least <= x <= largest; and the functions of COR_CLOSED_FORMS, whose loops read
+ * rows. */
+#define COR_LAW_LOOPS(LOOP)                                                                                            \
+    LOOP(linear_inline_duration_zero_overlap, linear_duration_zero_overlap, 0.0, COR_RATIO_BELOW_ONE,                  \
+         cor_linear_inline_duration_zero_overlap_near(x))                                                              \
+    LOOP(linear_inline_duration_zero_force, linear_duration_zero_force, 0.0, COR_RATIO_FORCE_NEAR,                     \
+         cor_linear_inline_duration_zero_force_near(x))                                                                \
+    LOOP(linear_inline_time_of_max_overlap, linear_time_of_max_overlap, 0.0, COR_RATIO_FORCE_NEAR,                     \
+         cor_linear_inline_time_of_max_overlap_near(x))
 #define COR_LAW_LOOP_NUMBER_(name, ...) COR_LAW_##name,
 #define COR_LAW_FORM_NUMBERS_(law, public, x, end, LAW, X, END)                                                        \
     COR_LAW_##law##_eps##end, COR_LAW_##law##_loss##end, COR_LAW_##law##_##x##end, COR_LAW_##law##_##x##_of_loss##end,
