@@ -517,5 +517,36 @@ TEST(parts_of_the_estimate)
     check(estimate >= 3 * change[0] && 3 * change[0] > 5e-5, "%g, changed by %g", estimate, change[0]);
 }
 
+/* At random calm scenes the estimate after each level from Omega = 170 on is at least the error, judged by the last
+ * level with finer steps and angles. */
+TEST(usual_errors)
+{
+    struct random_state random = random_start();
+    const size_t scenes = points(1), most = scenes < 20 ? 10 : COR_DISK_HARD_WALL_MAX_LEVELS;
+    const struct cor_disk_hard_wall_options options = {1e-6, SIZE_MAX},
+                                            finest = {COR_DISK_HARD_WALL_MIN_TOLERANCE, SIZE_MAX};
+    double worst = 0;
+    int settled = 0;
+    for (size_t i = 0; i < scenes; i++) {
+        const double nu = random_uniform(&random, -0.2, 0.4875), speed = random_log(&random, 0.01, 0.3);
+        struct cor_disk_modes modes = modes_of(nu, most);
+        struct cor_disk_hard_wall judge, out;
+        assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &finest, speed, &judge), COR_TOLERANCE_NOT_REACHED);
+        int status = COR_TOLERANCE_NOT_REACHED;
+        for (size_t levels = 8; levels < most && status == COR_TOLERANCE_NOT_REACHED; levels++) {
+            modes.count = cor_disk_modes_below(nu, first_omega(levels - 1) * (1 + 1e-9)) + 1;
+            status = cor_disk_hard_wall(&modes, modes.count, &options, speed, &out);
+            const double off = fabs(out.one_minus_eps2 - judge.one_minus_eps2) / out.error_estimate;
+            check(off <= 1, "nu = %.17g, v = %.17g, %zu levels: %.9f +- %.1e, not %.9f", nu, speed, levels,
+                  out.one_minus_eps2, out.error_estimate, judge.one_minus_eps2);
+            worst = fmax(worst, off);
+        }
+        settled += status == COR_OK;
+        free((void *)modes.mode);
+    }
+    print_message("%zu scenes: error at most %.2f of the estimate; %d with 1e-6 reached before Omega = %.0f\n", scenes,
+                  worst, settled, first_omega(most - 1));
+}
+
 RUN_TESTS(known_answers, proved_modes, errors, budgets, whole_budget, levels_that_agree_by_chance, slower_and_slower,
-          joins, details, refusals, parts_of_the_estimate)
+          joins, details, refusals, parts_of_the_estimate, usual_errors)
