@@ -155,12 +155,12 @@ struct cor_hard_wall_settings {
     const struct cor_hard_wall_loops *loops; /* NULL: those of the widest set */
 };
 
-/* Multiplications of a call without max_steps. At 0.1 to 0.2 ns each it takes 5 to 10 s, like cor_disk_collision. */
-#define COR_HARD_WALL_WORK 5e10
+/* Multiplications of a call without max_steps. At 0.06 to 0.12 ns each it takes 5 to 10 s, like cor_disk_collision. */
+#define COR_HARD_WALL_WORK 8e10
 /* Those of a level over the level before: 2^(1/2) times the steps, and twice the modes, twice the pairs of angles */
 #define COR_HARD_WALL_GROWTH 2.8284271247461903
 /* Those of cor_disk_modes_compute for each mode */
-#define COR_HARD_WALL_MODE_WORK 2.5e4
+#define COR_HARD_WALL_MODE_WORK 2e3
 
 /* Results of one level */
 struct cor_hard_wall_result {
