@@ -72,20 +72,28 @@ function cheapest(t, s, where, how, every, e,    i, best) {
             && (!best || cell[t, i, 7] + 0 < cell[t, best, 7] + 0)) best = i
     return best ? call_it(t, best) ", " plain(cell[t, best, 7]) : "none"
 }
-# One line for each decade, neighbours with the same answers together.
-function decades(t, s, where,    k, line, last, from, headers) {
+# One line for each decade, neighbours with the same answers together; where: an end, or both side by side
+function decades(t, s, where,    k, j, n, end, text, line, last, from, headers) {
     t = "spheres_" t
     headers = t == "spheres_speed" && s == "ordinary"
-    head("| error at most | one at a time, ns |" (headers ? " without a header for the scene, ns |" : "") " in loops and arrays, ns |" \
-        (headers ? " without a header for the scene, ns |" : ""))
+    n = split(where == "both" ? "overlap force" : where, end, " ")
+    for (j = 1; j <= n; j++)
+        for (k = 0; k < 2; k++)
+            text = text (where == "both" ? "zero " end[j] ": " : "") (k ? "in loops and arrays" : "one at a time") ", ns |" \
+                (headers ? " without a header for the scene, ns |" : "") " "
+    sub(/ $/, "", text)
+    head("| error at most | " text)
     for (k = 1; k <= 16; k++) {
-        line = k > 15 ? "" : (headers ? cheapest(t, s, where, "scalar", 0, 10 ^ -k) " | " : "") cheapest(t, s, where, "scalar", 1, 10 ^ -k) " | " \
-            (headers ? cheapest(t, s, where, "array", 0, 10 ^ -k) " | " : "") cheapest(t, s, where, "array", 1, 10 ^ -k)
+        line = ""
+        for (j = 1; j <= n && k <= 15; j++) line = line " | " decade(t, s, end[j], "scalar", headers, k) " | " decade(t, s, end[j], "array", headers, k)
         if (line == last) continue
-        if (last != "") printf "| 1e-%d%s | %s |\n", from, (from == k - 1 ? "" : " to 1e-" k - 1), last
+        if (last != "") printf "| 1e-%d%s%s |\n", from, (from == k - 1 ? "" : " to 1e-" k - 1), last
         from = k
         last = line
     }
+}
+function decade(t, s, where, how, headers, k) {
+    return (headers ? cheapest(t, s, where, how, 0, 10 ^ -k) " | " : "") cheapest(t, s, where, how, 1, 10 ^ -k)
 }
 # A method from a speed, at zero overlap unless given: its errors in the scenes, its time in the ordinary one
 function method(scenes, title, curve, what, end,    t, s, n, line, i, k) {
