@@ -4,25 +4,18 @@
 #include "support/local.h"
 
 /* acos(zeta)/sqrt(1-zeta^2) = 2F1(1, 1; 3/2; (1-zeta)/2), used where the quotient cancels. */
-static void angle_near_one(arb_t angle, const arb_t zeta, slong prec)
-{
-    LOCAL(arb, one, c, x);
-    arb_one(one);
-    arb_set_d(c, 1.5);
-    LET(x, prec, "(1 - zeta)/2", zeta);
-    arb_hypgeom_2f1(angle, one, one, c, x, 0, prec);
-}
-
 void closed_form_angle(arb_t angle, const arb_t zeta, slong prec)
 {
-    LOCAL(arb, x);
-    arb_sub_ui(x, zeta, 1, prec);
-    if (arf_cmpabs_2exp_si(arb_midref(x), -2) < 0)
-        angle_near_one(angle, zeta, prec);
+    LOCAL(arb, x, one, c);
+    LET(x, prec, "(1 - zeta)/2", zeta);
+    arb_one(one);
+    arb_set_d(c, 1.5);
+    if (arf_cmpabs_2exp_si(arb_midref(x), -21) < 0)
+        arb_hypgeom_2f1(angle, one, one, c, x, 0, prec);
     else if (arf_sgn(arb_midref(x)) > 0)
-        LET(angle, prec, "acosh(zeta)/sqrt(zeta^2 - 1)", zeta);
+        LET(angle, prec, "acos(zeta)/sqrt((1 - zeta)*(1 + zeta))", zeta);
     else
-        LET(angle, prec, "acos(zeta)/sqrt(1 - zeta^2)", zeta);
+        LET(angle, prec, "acosh(zeta)/sqrt((zeta - 1)*(zeta + 1))", zeta);
 }
 
 /* Duration at zero overlap, zeta < 1: w0^(-2a/(a+1)) om^(-2/(a+1)) S(pi), w0^2 = (a+1)/2, om^2 = 1 - zeta^2,

@@ -2,6 +2,7 @@
 #include "tables/closed_forms.h"
 
 #include "approximation/pieces.h"
+#include "enclosure/closed_form.h"
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"
@@ -15,30 +16,15 @@ enum { EXTRA_BITS = 160, WORKING_BITS = 320, HEAD_BITS = 26 };
 
 typedef void exponent_function(arb_t L, const arb_t x, slong prec);
 
-/* A = acos(zeta)/sqrt(1 - zeta^2), which is the hypergeometric function F(1, 1; 3/2; (1 - zeta)/2) */
-static void phase_time(arb_t A, const arb_t zeta, slong prec)
-{
-    LOCAL(arb, x, one, c);
-    LET(x, prec, "(1 - zeta)/2", zeta);
-    arb_one(one);
-    arb_set_d(c, 1.5);
-    if (HOLDS(prec, "abs(x) < 1/2^21", x))
-        arb_hypgeom_2f1(A, one, one, c, x, 0, prec);
-    else if (arb_is_positive(x))
-        LET(A, prec, "acos(zeta)/sqrt((1 - zeta)*(1 + zeta))", zeta);
-    else
-        LET(A, prec, "acosh(zeta)/sqrt((zeta - 1)*(zeta + 1))", zeta);
-}
-
 static void approach_only(arb_t L, const arb_t zeta, slong prec)
 {
-    phase_time(L, zeta, prec);
+    closed_form_angle(L, zeta, prec);
     LET(L, prec, "zeta*L", zeta, L);
 }
 
 static void zero_force(arb_t L, const arb_t zeta, slong prec)
 {
-    phase_time(L, zeta, prec);
+    closed_form_angle(L, zeta, prec);
     LET(L, prec, "2*zeta*L", zeta, L);
 }
 
