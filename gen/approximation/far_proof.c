@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "approximation/enclosed_function.h"
 #include "support/console.h"
+#include "support/enclosed_function.h"
 #include "support/local.h"
 
 enum {
@@ -74,7 +74,7 @@ static void far_cell_init(struct far_cell *cell, double lo, double hi)
     FOR_ALL(arb_poly, init, cell->u, cell->mu);
     enclosed_variable(cell->u, lo, hi);
     if (hi <= WIDE_FROM) {
-        enclosed_exponential(cell->mu, -5, 3, cell->u);
+        LET_FUNCTION(cell->mu, "exp(-5*cell->u/3)", cell->u);
     } else {
         LET(x, ENCLOSED_BITS, "exp(-5*lo/3)", lo);
         enclosed_add_radius(cell->mu, x);
@@ -84,18 +84,6 @@ static void far_cell_init(struct far_cell *cell, double lo, double hi)
 static void far_cell_clear(struct far_cell *cell)
 {
     FOR_ALL(arb_poly, clear, cell->u, cell->mu);
-}
-
-/* sum_k mu^k order_k(u), 0 <= k < orders */
-static void sum_of_orders(arb_poly_t y, const arb_poly_struct *order, slong orders, const struct far_cell *cell)
-{
-    LOCAL(arb_poly, term);
-    arb_poly_zero(y);
-    for (slong k = orders - 1; k >= 0; k--) {
-        enclosed_multiply(y, y, cell->mu);
-        arb_poly_compose(term, &order[k], cell->u, ENCLOSED_BITS);
-        arb_poly_add(y, y, term, ENCLOSED_BITS);
-    }
 }
 
 /* The limit for mu -> 0, from which a quantity differs by 210 mu u^2 at most (docs/theory.md, 8) */
@@ -110,7 +98,7 @@ static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell
         arb_set(c, x);
     } else {
         LET(c, ENCLOSED_BITS, "10*events*x/9", events, x);
-        arb_poly_scalar_mul(y, cell->u, c, ENCLOSED_BITS);
+        LET_FUNCTION(y, "c*cell->u", c, cell->u);
         LET(c, ENCLOSED_BITS, "2*x*(log(3/x^(1/events)) + log(3)/2 - pi/sqrt(12))/3", x, events);
     }
     enclosed_add_number(y, c);
@@ -154,66 +142,28 @@ bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quanti
 
 /* ---- formulas on a cell ---- */
 
-/* Adds c_k u^power to a polynomial. */
-static void add_coefficient(arb_poly_t p, slong power, double c)
-{
-    LOCAL(arb, x, sum);
-    arb_set_d(x, c);
-    arb_poly_get_coeff_arb(sum, p, power);
-    arb_add(sum, sum, x, ENCLOSED_BITS);
-    arb_poly_set_coeff_arb(p, power, sum);
-}
-
 /* a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3) */
 static void formula_on(arb_poly_t y, const double *c, const struct far_cell *cell)
 {
-    arb_poly_struct order[3];
-    for (int k = 0; k < 3; k++)
-        arb_poly_init(&order[k]);
-    for (int k = 0; k < 4; k++) {
-        add_coefficient(&order[0], k / 2, c[k]);
-        add_coefficient(&order[2], k, c[7 + k]);
-    }
-    for (int k = 0; k < 3; k++)
-        add_coefficient(&order[1], k, c[4 + k]);
-    sum_of_orders(y, order, 3, cell);
-    for (int k = 0; k < 3; k++)
-        arb_poly_clear(&order[k]);
+    const arb_poly_struct *const u = cell->u, *const mu = cell->mu;
+    LOCAL(arb_poly, first, second);
+    LET_FUNCTION(first, "c[4] + (c[5] + c[6]*u)*u", c[4], c[5], c[6], u);
+    LET_FUNCTION(second, "c[7] + (c[8] + (c[9] + c[10]*u)*u)*u", c[7], c[8], c[9], c[10], u);
+    LET_FUNCTION(y, "(second*mu + first)*mu + (c[3] + c[2])*u + c[1] + c[0]", second, mu, first, c[3], c[2], u, c[1],
+                 c[0]);
 }
 
 /* ln of the formula's beta over beta: with q = eps beta^(5/3)/a and e = mu q it is -(3/5) ln(q) + ln(1 + e (b_0 + b_1 v
  * + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), v = u - (3/5) ln(q). */
 static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double *c, const struct far_cell *cell)
 {
-    LOCAL(arb_poly, q, e, v, sum);
-    LOCAL(arb, x);
-    add_coefficient(v, 0, c[0]);
-    add_coefficient(v, 0, c[1]);
-    bool done = sampled_on(q, proof, EPS_ZERO_FORCE, cell);
-    arb_poly_get_coeff_arb(x, v, 0);
-    arb_poly_scalar_div(q, q, x, ENCLOSED_BITS);
-    enclosed_multiply(e, q, cell->mu);
-    done = done && enclosed_logarithm(q, q);
-    arb_set_si(x, -3);
-    arb_div_ui(x, x, 5, ENCLOSED_BITS);
-    arb_poly_scalar_mul(q, q, x, ENCLOSED_BITS);
-    arb_poly_add(v, cell->u, q, ENCLOSED_BITS);
-    for (int k = 9; k >= 5; k--) {
-        enclosed_multiply(sum, sum, v);
-        enclosed_add_double(sum, c[k]);
-    }
-    enclosed_multiply(sum, sum, e);
-    arb_poly_zero(y);
-    for (int k = 4; k >= 2; k--) {
-        enclosed_multiply(y, y, v);
-        enclosed_add_double(y, c[k]);
-    }
-    arb_poly_add(sum, sum, y, ENCLOSED_BITS);
-    enclosed_multiply(sum, sum, e);
-    enclosed_add_double(sum, 1);
-    done = done && enclosed_logarithm(y, sum);
-    arb_poly_add(y, y, q, ENCLOSED_BITS);
-    return done;
+    LOCAL(arb_poly, q, e, v);
+    bool done = sampled_on(q, proof, EPS_ZERO_FORCE, cell) &&
+                LET_FUNCTION(e, "q*cell->mu/(c[0] + c[1])", q, cell->mu, c[0], c[1]) &&
+                LET_FUNCTION(q, "-3*log(q/(c[0] + c[1]))/5", q, c[0], c[1]);
+    LET_FUNCTION(v, "cell->u + q", cell->u, q);
+    LET_FUNCTION(y, "(((c[9]*v + c[8])*v + c[7])*v + c[6])*v + c[5]", c[9], v, c[8], c[7], c[6], c[5]);
+    return LET_FUNCTION(y, "log(1 + e*((c[4]*v + c[3])*v + c[2] + e*y)) + q", e, c[4], v, c[3], c[2], y, q) && done;
 }
 
 /* ---- all cells ---- */

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/enclosed_function.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
+#include "support/enclosed_function.h"
 #include "support/local.h"
 
 enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel */, COVERS = 3 };
@@ -155,9 +155,7 @@ static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struc
         arb_poly_set(x, log_beta);
         break;
     case INTERVAL_BELOW:
-        arb_poly_neg(x, beta);
-        enclosed_add_number(x, proof->f->threshold);
-        return enclosed_logarithm(x, x);
+        return LET_FUNCTION(x, "log(proof->f->threshold - beta)", proof->f->threshold, beta);
     }
     return true;
 }
@@ -166,12 +164,8 @@ static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struc
 static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *interval)
 {
     const double lo = interval->lo, hi = interval->hi, most = 1 + BEYOND;
-    LOCAL(arb, middle, half, end);
-    LET(half, ENCLOSED_BITS, "(hi - lo)/2", hi, lo);
-    LET(middle, ENCLOSED_BITS, "-(lo + hi)/2", lo, hi);
-    arb_poly_set(w, x);
-    enclosed_add_number(w, middle);
-    arb_poly_scalar_div(w, w, half, ENCLOSED_BITS);
+    LOCAL(arb, end);
+    LET_FUNCTION(w, "(2*x - lo - hi)/(hi - lo)", x, lo, hi);
     /* x rises or falls with t, so that its ends are at t = -1 and t = 1 */
     bool inside = true;
     for (int t = -1; t <= 1; t += 2) {
@@ -203,19 +197,15 @@ static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const s
                           const arb_poly_t log_beta, const arb_poly_t beta)
 {
     const struct ratio power = interpolant_tail_power(&proof->f->layout->law, proof->eps);
-    LOCAL(arb_poly, factor);
     switch (interval->form) {
     case FORM_QUOTIENT: /* (1 - eps)/beta */
-        enclosed_multiply(eps, eps, beta);
-        arb_poly_neg(eps, eps);
-        enclosed_add_double(eps, 1);
+        LET_FUNCTION(eps, "1 - eps*beta", eps, beta);
         break;
     case FORM_LOG:
         enclosed_exp(eps, eps);
         break;
     case FORM_POWER:
-        enclosed_exponential(factor, (double)power.num, power.den, log_beta);
-        enclosed_multiply(eps, eps, factor);
+        LET_FUNCTION(eps, "eps*exp(power*log_beta)", eps, power, log_beta);
         break;
     case FORM_VALUE:
         break;
@@ -227,7 +217,7 @@ bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *
     const struct interval *const interval = &proof->f->layout->interval[i];
     LOCAL(arb_poly, beta, w);
     enclosed_variable(log_beta, lo, hi);
-    enclosed_exponential(beta, 1, 1, log_beta);
+    LET_FUNCTION(beta, "exp(log_beta)", log_beta);
     const bool done = isfinite(law_proof_error(proof, i)) && variable_of(w, proof, interval, log_beta, beta) &&
                       to_unit(w, w, interval);
     if (done) {

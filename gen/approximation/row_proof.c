@@ -6,9 +6,9 @@
 #include <stdlib.h>
 
 #include "approximation/chebyshev.h"
-#include "approximation/enclosed_function.h"
 #include "enclosure/creep_series.h"
 #include "support/console.h"
+#include "support/enclosed_function.h"
 #include "support/local.h"
 #include "support/parallel.h"
 
@@ -352,18 +352,9 @@ bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof
                              const arb_poly_t time, const arb_poly_t u, const arb_poly_t mu)
 {
     LOCAL(arb_poly, r, sum);
-    LOCAL(arb, c);
-    const bool root = enclosed_square_root(r, eps), done = root && enclosed_inverse(r, r);
-    enclosed_multiply(r, r, mu);
+    const bool done = LET_FUNCTION(r, "mu/sqrt(eps)", mu, eps);
     creep_sum(sum, proof, r);
-    const bool logarithm = enclosed_logarithm(r, eps);
-    arb_poly_add(sum, sum, r, ENCLOSED_BITS);
-    enclosed_multiply(r, time, mu);
-    arb_poly_add(sum, sum, r, ENCLOSED_BITS);
-    LET(c, ENCLOSED_BITS, "10/3");
-    arb_poly_scalar_mul(r, u, c, ENCLOSED_BITS);
-    arb_poly_add(duration, sum, r, ENCLOSED_BITS);
-    return done && logarithm;
+    return LET_FUNCTION(duration, "time*mu + log(eps) + 10/3*u + sum", time, mu, eps, u, sum) && done;
 }
 
 static void stored_on(arb_poly_t y, const struct piece *w, enum quantity quantity, double lo, double hi)
@@ -377,12 +368,8 @@ static void creep_duration(arb_poly_t y, const struct piece *w, double lo, doubl
     LOCAL(arb_poly, eps, time, mu);
     stored_on(eps, w, EPS_ZERO_FORCE, lo, hi);
     stored_on(time, w, DURATION_ZERO_FORCE, lo, hi);
-    enclosed_exponential(mu, -5, 3, w->x);
-    if (!interpolant_proof_creep(y, w->proof, eps, time, w->x, mu)) {
-        LOCAL(arb, error);
-        arb_pos_inf(error);
-        enclosed_add_radius(y, error);
-    }
+    LET_FUNCTION(mu, "exp(-5*w->x/3)", w->x);
+    interpolant_proof_creep(y, w->proof, eps, time, w->x, mu); /* not finite without a proof */
 }
 
 static void piece_init(struct piece *w, double lo, double hi)
@@ -397,7 +384,7 @@ static void piece_init(struct piece *w, double lo, double hi)
     if (w->interval->variable == INTERVAL_ROOT)
         enclosed_multiply(w->beta, w->x, w->x);
     else
-        enclosed_exponential(w->beta, 1, 1, w->x);
+        LET_FUNCTION(w->beta, "exp(w->x)", w->x);
 }
 
 static void piece_clear(struct piece *w)
@@ -408,18 +395,12 @@ static void piece_clear(struct piece *w)
 /* 1 - eps, from what the interval stores for eps */
 static void loss_of(arb_poly_t y, const struct piece *w)
 {
-    if (w->interval->form == FORM_QUOTIENT) {
-        enclosed_multiply(y, w->stored, w->beta);
-        return;
-    }
-    if (w->interval->form == FORM_POWER) {
-        enclosed_exponential(y, -5, 3, w->x);
-        enclosed_multiply(y, y, w->stored);
-    } else {
-        arb_poly_set(y, w->stored);
-    }
-    arb_poly_neg(y, y);
-    enclosed_add_double(y, 1);
+    if (w->interval->form == FORM_QUOTIENT)
+        LET_FUNCTION(y, "w->stored*w->beta", w->stored, w->beta);
+    else if (w->interval->form == FORM_POWER)
+        LET_FUNCTION(y, "1 - w->stored*exp(-5*w->x/3)", w->stored, w->x);
+    else
+        LET_FUNCTION(y, "1 - w->stored", w->stored);
 }
 
 void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
@@ -429,8 +410,7 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
     struct piece w = {.proof = proof, .p = &p, .i = i, .interval = &proof->f->layout->interval[i]};
     piece_init(&w, lo, hi);
     loss_of(eps, &w);
-    arb_poly_neg(eps, eps);
-    enclosed_add_double(eps, 1);
+    LET_FUNCTION(eps, "1 - eps", eps);
     arb_poly_set(beta, w.beta);
     arb_poly_set(x, w.x);
     piece_clear(&w);
@@ -449,62 +429,46 @@ static bool variable_of(arb_poly_t y, const struct piece *w)
         break;
     case VARIABLE_LOG_BETA:
         if (w->interval->variable == INTERVAL_ROOT)
-            done = enclosed_logarithm(y, w->beta);
+            done = LET_FUNCTION(y, "log(w->beta)", w->beta);
         else
             arb_poly_set(y, w->x);
         break;
     case VARIABLE_POWER_OCTAVES:
-        enclosed_multiply(y, w->beta, w->beta);
-        enclosed_multiply(y, y, y);
-        enclosed_multiply(y, y, w->beta);
+        LET_FUNCTION(y, "w->beta^5", w->beta);
         break;
     case VARIABLE_LOSS:
         loss_of(y, w);
         break;
     case VARIABLE_ROOT_LOSS:
-        if (w->interval->form == FORM_QUOTIENT) {
-            done = enclosed_square_root(y, w->stored);
-            enclosed_multiply(y, y, w->x);
-        } else {
-            loss_of(y, w);
-            done = enclosed_square_root(y, y);
-        }
+        loss_of(y, w);
+        done = w->interval->form == FORM_QUOTIENT ? LET_FUNCTION(y, "sqrt(w->stored)*w->x", w->stored, w->x)
+                                                  : LET_FUNCTION(y, "sqrt(y)", y);
         break;
     case VARIABLE_EPS_OCTAVES:
         loss_of(y, w);
-        arb_poly_neg(y, y);
-        enclosed_add_double(y, 1);
+        LET_FUNCTION(y, "1 - y", y);
         break;
     default:
         done = false;
     }
-    for (slong k = 0; k < arb_poly_length(y); k++)
-        arb_mul_2exp_si(arb_poly_get_coeff_ptr(y, k), arb_poly_get_coeff_ptr(y, k), -w->cell.octave);
+    arb_poly_scalar_mul_2exp_si(y, y, -w->cell.octave);
     return done;
 }
 
 /* The row, c_0 + (c_0' + s (c_1 + c_2 t + ...)) */
 static bool row_of(arb_poly_t row, const struct piece *w)
 {
+    const double node = w->cell.node, *const c = w->c;
     LOCAL(arb_poly, t, s);
     const bool done = variable_of(t, w);
-    if (!w->cell.plain) {
-        LOCAL(arb, square);
-        LET(square, ENCLOSED_BITS, "-w->cell.node^2", w->cell.node);
-        enclosed_multiply(s, t, t);
-        enclosed_add_number(s, square);
-    }
-    enclosed_add_double(t, -w->cell.node);
-    if (w->cell.plain)
-        arb_poly_set(s, t);
+    LET_FUNCTION(s, w->cell.plain ? "t - node" : "t^2 - node^2", t, node);
+    LET_FUNCTION(t, "t - node", t, node);
     arb_poly_zero(row);
     for (slong k = w->p->degree + 1; k >= 2; k--) {
         enclosed_multiply(row, row, t);
-        enclosed_add_double(row, w->c[k]);
+        enclosed_add_double(row, c[k]);
     }
-    enclosed_multiply(row, row, s);
-    enclosed_add_double(row, w->c[1]);
-    enclosed_add_double(row, w->c[0]);
+    LET_FUNCTION(row, "row*s + c[1] + c[0]", row, s, c[1], c[0]);
     return done;
 }
 
@@ -516,23 +480,20 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
     switch (w->p->quantity) {
     case LOSS_QUOTIENT_ZERO_OVERLAP:
     case LOSS_QUOTIENT_ZERO_FORCE:
-        if (quotient) {
+        loss_of(scale, w);
+        if (quotient)
             arb_poly_set(scale, w->stored);
-        } else {
-            loss_of(scale, w);
+        else
             enclosed_multiply(difference, difference, w->beta);
-        }
         break;
     case BETA_QUOTIENT_ZERO_OVERLAP:
     case BETA_QUOTIENT_ZERO_FORCE:
-        if (quotient) {
-            enclosed_multiply(difference, difference, w->stored);
+        loss_of(scale, w);
+        enclosed_multiply(difference, difference, quotient ? w->stored : scale);
+        if (quotient)
             arb_poly_one(scale);
-        } else {
-            loss_of(scale, w);
-            enclosed_multiply(difference, difference, scale);
+        else
             arb_poly_set(scale, w->beta);
-        }
         break;
     case BETA_ZERO_OVERLAP:
     case BETA_ZERO_FORCE:
@@ -540,13 +501,9 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
         break;
     case EPS_ZERO_OVERLAP:
     case EPS_ZERO_FORCE:
-        if (quotient) {
-            loss_of(scale, w);
-            arb_poly_neg(scale, scale);
-            enclosed_add_double(scale, 1);
-        } else {
-            arb_poly_set(scale, w->stored);
-        }
+        arb_poly_set(scale, w->stored);
+        if (quotient)
+            LET_FUNCTION(scale, "1 - w->stored*w->beta", w->stored, w->beta);
         break;
     case DURATION_ZERO_OVERLAP:
         if (w->p->variable == VARIABLE_LOG_BETA && w->interval->variable == INTERVAL_ROOT)

@@ -4,11 +4,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/enclosed_function.h"
 #include "approximation/far_proof.h"
 #include "approximation/law_proof.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
+#include "support/enclosed_function.h"
 #include "support/local.h"
 #include "support/parallel.h"
 
@@ -63,8 +63,7 @@ static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct pro
 {
     const double error = EMBED_FAR_ERROR;
     LOCAL(arb, radius);
-    enclosed_exponential(eps, -5, 1, x);
-    arb_poly_scalar_mul(eps, eps, w->s->h_star_5, ENCLOSED_BITS);
+    LET_FUNCTION(eps, "exp(-5*x)*w->s->h_star_5", x, w->s->h_star_5);
     enclosed_range(radius, eps);
     LET(radius, ENCLOSED_BITS, "abs(radius)*error", radius, error);
     enclosed_add_radius(eps, radius);
@@ -74,7 +73,7 @@ static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct pro
 static void far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prover *w, const struct part *part)
 {
     LOCAL(arb_poly, power);
-    enclosed_exponential(power, -5, 3, x);
+    LET_FUNCTION(power, "exp(-5*x/3)", x);
     if (w->far_known && far_proof_function(eps, &w->far, EPS_ZERO_FORCE, part->lo, part->hi)) {
         enclosed_multiply(eps, eps, power);
     } else {
@@ -88,37 +87,14 @@ static void far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prove
 /* Dry eps of a closed form; x = ln(speed) */
 static bool closed_eps(arb_poly_t eps, arb_poly_t x, const struct embed_scene *s, const struct part *part)
 {
-    LOCAL(arb_poly, t, y);
-    LOCAL(arb, c);
+    LOCAL(arb_poly, t);
     enclosed_variable(x, part->lo, part->hi);
     if (!s->plastic) {
         arb_poly_set_arb(eps, s->eps);
         return true;
     }
-    enclosed_exponential(t, -1, 1, x);
-    arb_poly_scalar_mul(t, t, s->yield_speed, ENCLOSED_BITS);
-    enclosed_multiply(y, t, t);
-    arb_poly_neg(y, y);
-    enclosed_add_double(y, 6);
-    if (!enclosed_inverse(eps, y))
-        return false;
-    arb_set_ui(c, 5);
-    arb_poly_scalar_mul(eps, eps, c, ENCLOSED_BITS);
-    if (!enclosed_square_root(y, eps))
-        return false;
-    enclosed_multiply(t, t, y); /* r sqrt(5/(6 - r^2)) */
-    enclosed_multiply(y, t, t);
-    enclosed_add_double(y, 5);
-    enclosed_multiply(y, y, y);
-    arb_poly_set(eps, t);
-    enclosed_add_double(eps, 2);
-    enclosed_multiply(y, y, eps);
-    if (!enclosed_inverse(eps, y))
-        return false;
-    enclosed_multiply(y, t, eps);
-    arb_set_ui(c, 108);
-    arb_poly_scalar_mul(y, y, c, ENCLOSED_BITS);
-    return enclosed_square_root(t, y) && enclosed_square_root(eps, t);
+    return LET_FUNCTION(t, "exp(-x)*s->yield_speed", x, s->yield_speed) && LET_FUNCTION(t, "t*sqrt(5/(6 - t^2))", t) &&
+           LET_FUNCTION(eps, "sqrt(sqrt(108*t/((t^2 + 5)^2*(t + 2))))", t);
 }
 
 /* x, beta and eps as functions of t; for laws other than the sphere's x = ln(beta), and not beta. Returns false without
@@ -135,7 +111,7 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
         return true;
     }
     enclosed_variable(x, part->lo, part->hi);
-    enclosed_exponential(beta, 1, 1, x);
+    LET_FUNCTION(beta, "exp(x)", x);
     if (w->quantity == EPS_ZERO_OVERLAP)
         far_eps_overlap(eps, x, w);
     else
@@ -156,21 +132,17 @@ static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t 
     bool done = true;
     if (by_log) {
         const struct ratio power = variable_power(w->s, w->f);
-        enclosed_exponential(y, (double)power.num, power.den, x);
+        LET_FUNCTION(y, "exp(power*x)", power, x);
     } else {
         switch (w->f->variable) {
         case SPEED: /* beta^5 */
-            enclosed_multiply(y, beta, beta);
-            enclosed_multiply(y, y, y);
-            enclosed_multiply(y, y, beta);
+            LET_FUNCTION(y, "beta^5", beta);
             break;
         case SQRT_OF_SPEED: /* beta^2 x */
-            enclosed_multiply(y, beta, beta);
-            enclosed_multiply(y, y, x);
+            LET_FUNCTION(y, "beta^2*x", beta, x);
             break;
         case FOURTH_ROOT_OF_SPEED: /* beta x^(1/2) */
-            done = enclosed_square_root(y, x);
-            enclosed_multiply(y, y, beta);
+            done = LET_FUNCTION(y, "sqrt(x)*beta", x, beta);
             break;
         case FIFTH_ROOT_OF_SPEED:
             arb_poly_set(y, beta);
@@ -190,39 +162,27 @@ static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb
                            const struct prover *w, bool by_log)
 {
     const struct ratio power = ratio_div((struct ratio){1, 1}, law_speed_exponent(&w->s->law));
-    LOCAL(arb, lost);
-    if (by_log) {
-        enclosed_exponential(v, (double)power.num, power.den, x);
-    } else { /* beta^5 */
-        enclosed_multiply(v, beta, beta);
-        enclosed_multiply(v, v, v);
-        enclosed_multiply(v, v, beta);
-    }
-    arb_poly_scalar_mul(v, v, w->speed_factor, ENCLOSED_BITS);
+    const double origin = w->s->origin;
+    const arb_srcptr lost = w->s->liquid_speed;
+    if (by_log)
+        LET_FUNCTION(v, "exp(power*x)", power, x);
+    else
+        LET_FUNCTION(v, "beta^5", beta);
+    LET_FUNCTION(v, "v*w->speed_factor", v, w->speed_factor);
     if (w->s->pressed) {
-        enclosed_add_double(v, -w->s->origin);
+        LET_FUNCTION(v, "v - origin", v, origin);
     } else {
-        enclosed_multiply(eps, eps, v);
-        arb_neg(lost, w->s->liquid_speed);
-        enclosed_add_number(eps, lost);
-        enclosed_add_number(v, w->s->liquid_speed);
+        LET_FUNCTION(eps, "eps*v - lost", eps, v, lost);
+        LET_FUNCTION(v, "v + lost", v, lost);
     }
     const struct embed_root *const root = &embed_roots[w->f->variable];
-    LOCAL(arb_poly, z);
-    if (root->fifth) {
-        if (!enclosed_logarithm(z, v))
-            return false;
-        arb_set_si(lost, root->degree);
-        arb_poly_scalar_div(z, z, lost, ENCLOSED_BITS);
-        enclosed_exp(y, z);
-        return true;
-    }
+    const slong degree = root->degree;
+    if (root->fifth)
+        return LET_FUNCTION(y, "exp(log(v)/degree)", v, degree);
     arb_poly_set(y, v);
     bool done = true;
-    for (int k = 0; k < root->square_roots && done; k++) {
-        arb_poly_set(z, y);
-        done = enclosed_square_root(y, z);
-    }
+    for (int k = 0; k < root->square_roots && done; k++)
+        done = LET_FUNCTION(y, "sqrt(y)", y);
     return done;
 }
 

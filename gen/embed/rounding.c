@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/enclosed_function.h"
 #include "support/console.h"
+#include "support/enclosed_function.h"
 #include "support/local.h"
 #include "support/parallel.h"
 

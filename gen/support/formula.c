@@ -6,25 +6,30 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "support/enclosed_function.h"
 #include "support/local.h"
 
 /* A number of a formula: the rational number `exact` until it meets a ball */
 struct value {
     acb_t ball;
+    arb_poly_t function;
     fmpq_t exact;
-    bool is_exact;
+    bool is_exact, is_function;
 };
 
 static void value_init(struct value *x)
 {
     acb_init(x->ball);
+    arb_poly_init(x->function);
     fmpq_init(x->exact);
     x->is_exact = true;
+    x->is_function = false;
 }
 
 static void value_clear(struct value *x)
 {
     acb_clear(x->ball);
+    arb_poly_clear(x->function);
     fmpq_clear(x->exact);
 }
 LOCAL_STRUCT(value)
@@ -40,6 +45,7 @@ struct reader {
     const struct operand *operands;
     slong prec;
     bool in_plane, analytic;
+    bool of_functions, undefined;
 };
 
 static _Noreturn void refuse(const struct reader *r)
@@ -71,6 +77,14 @@ static void become_ball(struct value *x, slong prec)
     x->is_exact = false;
 }
 
+static void become_function(struct value *x, slong prec)
+{
+    become_ball(x, prec);
+    if (!x->is_function)
+        arb_poly_set_arb(x->function, real_of(x));
+    x->is_function = true;
+}
+
 static const struct {
     char name;
     void (*exact)(fmpq_t z, const fmpq_t x, const fmpq_t y);
@@ -81,8 +95,25 @@ static const struct {
                   {'*', fmpq_mul, arb_mul, acb_mul},
                   {'/', fmpq_div, arb_div, acb_div}};
 
-static void combine(struct value *y, char name, struct value *x, slong prec)
+static void combine_functions(struct value *y, char name, struct value *x, struct reader *r)
 {
+    become_function(x, r->prec);
+    become_function(y, r->prec);
+    if (name == '/')
+        r->undefined = !enclosed_inverse(x->function, x->function) || r->undefined;
+    if (name == '+' || name == '-')
+        (name == '+' ? arb_poly_add : arb_poly_sub)(y->function, y->function, x->function, r->prec);
+    else
+        enclosed_multiply(y->function, y->function, x->function);
+}
+
+static void combine(struct value *y, char name, struct value *x, struct reader *r)
+{
+    const slong prec = r->prec;
+    if (y->is_function || x->is_function) {
+        combine_functions(y, name, x, r);
+        return;
+    }
     const size_t i = (size_t)(strchr("+-*/", name) - "+-*/");
     if (y->is_exact && x->is_exact && (name != '/' || !fmpq_is_zero(x->exact))) {
         operations[i].exact(y->exact, y->exact, x->exact);
@@ -98,6 +129,12 @@ static void combine(struct value *y, char name, struct value *x, slong prec)
 
 static void power_of(struct value *y, struct value *x, slong prec)
 {
+    if (y->is_function) {
+        arb_poly_set(x->function, y->function);
+        for (slong k = fmpz_get_si(fmpq_numref(x->exact)); k > 1; k--)
+            enclosed_multiply(y->function, y->function, x->function);
+        return;
+    }
     if (y->is_exact && x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !fmpq_is_zero(y->exact)) {
         fmpq_pow_fmpz(y->exact, y->exact, fmpq_numref(x->exact));
         return;
@@ -146,6 +183,18 @@ static size_t name_length(const char *text)
     return n;
 }
 
+static void apply_to_function(arb_poly_t y, const char *name, struct reader *r)
+{
+    if (strcmp(name, "exp") == 0)
+        enclosed_exp(y, y);
+    else if (strcmp(name, "log") == 0)
+        r->undefined = !enclosed_logarithm(y, y) || r->undefined;
+    else if (strcmp(name, "sqrt") == 0)
+        r->undefined = !enclosed_square_root(y, y) || r->undefined;
+    else
+        refuse(r);
+}
+
 static void read_function(struct value *y, struct reader *r, const char *name, size_t length)
 {
     LOCAL(value, x);
@@ -156,7 +205,9 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
         refuse(r);
     read_sum(y, r);
     become_ball(y, r->prec);
-    if (functions[i].of_two) {
+    if (y->is_function) {
+        apply_to_function(y->function, functions[i].name, r);
+    } else if (functions[i].of_two) {
         expect(r, ",");
         read_sum(x, r);
         become_ball(x, r->prec);
@@ -178,10 +229,13 @@ static void read_operand(struct value *y, const struct reader *r, const char *na
         x++;
     if (!x->name)
         refuse(r);
-    if (x->plane && !r->in_plane)
+    if ((x->plane && !r->in_plane) || (x->function && !r->of_functions))
         refuse(r);
-    y->is_exact = !x->ball && !x->plane && isnan(x->real);
-    if (x->plane)
+    y->is_function = x->function;
+    y->is_exact = !x->ball && !x->plane && !x->function && isnan(x->real);
+    if (x->function)
+        arb_poly_set(y->function, x->function);
+    else if (x->plane)
         acb_set(y->ball, x->plane);
     else if (x->ball)
         arb_set(real_of(y), x->ball);
@@ -199,6 +253,7 @@ static void read_factor(struct value *y, struct reader *r)
     if (next_of(r, "-")) {
         read_factor(y, r);
         acb_neg(y->ball, y->ball);
+        arb_poly_neg(y->function, y->function);
         fmpq_neg(y->exact, y->exact);
         return;
     }
@@ -236,7 +291,7 @@ static void read_product(struct value *y, struct reader *r)
     for (char name; (name = next_of(r, "*/"));) {
         LOCAL(value, x);
         read_factor(x, r);
-        combine(y, name, x, r->prec);
+        combine(y, name, x, r);
     }
 }
 
@@ -246,7 +301,7 @@ static void read_sum(struct value *y, struct reader *r)
     for (char name; (name = next_of(r, "+-"));) {
         LOCAL(value, x);
         read_product(x, r);
-        combine(y, name, x, r->prec);
+        combine(y, name, x, r);
     }
 }
 
@@ -262,7 +317,7 @@ static char read_side(struct value *x, struct reader *r, const char *ends)
 
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, prec, false, false};
+    struct reader r = {.at = text, .text = text, .operands = operands, .prec = prec};
     LOCAL(value, x);
     read_side(x, &r, "");
     become_ball(x, prec);
@@ -271,16 +326,30 @@ void formula_ball(arb_t y, slong prec, const char *text, const struct operand *o
 
 void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, prec, true, analytic};
+    struct reader r = {text, text, operands, prec, true, analytic, false, false};
     LOCAL(value, x);
     read_side(x, &r, "");
     become_ball(x, prec);
     acb_swap(y, x->ball);
 }
 
+bool formula_function(arb_poly_t y, const char *text, const struct operand *operands)
+{
+    struct reader r = {text, text, operands, ENCLOSED_BITS, false, false, true, false};
+    LOCAL(value, x);
+    read_side(x, &r, "");
+    become_function(x, r.prec);
+    arb_poly_swap(y, x->function);
+    if (r.undefined) {
+        arb_indeterminate(real_of(x));
+        arb_poly_set_arb(y, real_of(x));
+    }
+    return !r.undefined;
+}
+
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, 2, false, false};
+    struct reader r = {.at = text, .text = text, .operands = operands, .prec = 2};
     LOCAL(value, x);
     read_side(x, &r, "");
     if (!x->is_exact)
@@ -290,7 +359,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands)
 
 bool formula_holds(slong prec, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, prec, false, false};
+    struct reader r = {.at = text, .text = text, .operands = operands, .prec = prec};
     LOCAL(value, x, y);
     const char sign = read_side(x, &r, "<>");
     read_side(y, &r, "");

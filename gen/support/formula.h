@@ -11,6 +11,9 @@
  * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two
  * numbers; the number pi. A text that is no formula ends the program.
  *
+ * LET_FUNCTION computes with functions of enclosed_function.h, too, of which it knows + - * /, whole powers > 0, exp, log
+ * and sqrt. It returns false, and a function that is not finite, if one is not shown to be defined.
+ *
  * LET_COMPLEX computes with acb_t, too, of which it knows + - * /, whole powers and sqrt; that is not finite on its cut
  * if `analytic`. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
@@ -30,6 +33,7 @@ struct operand {
     const char *name;
     arb_srcptr ball;
     acb_srcptr plane; /* complex */
+    const arb_poly_struct *function;
     const fmpq *exact;
     struct ratio ratio; /* den = 0: none */
     slong whole;        /* if there is no other */
@@ -38,11 +42,13 @@ struct operand {
 
 #define LET(y, prec, ...) formula_ball(y, prec, FORMULA(__VA_ARGS__))
 #define LET_COMPLEX(y, analytic, prec, ...) formula_complex(y, analytic, prec, FORMULA(__VA_ARGS__))
+#define LET_FUNCTION(y, ...) formula_function(y, FORMULA(__VA_ARGS__))
 #define HOLDS(prec, ...) formula_holds(prec, FORMULA(__VA_ARGS__))
 #define EXACT(q, ...) formula_exact(q, FORMULA(__VA_ARGS__))
 
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands);
 void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands);
+bool formula_function(arb_poly_t y, const char *text, const struct operand *operands);
 bool formula_holds(slong prec, const char *text, const struct operand *operands);
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 
@@ -51,7 +57,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
     {                                                                                                                  \
         FORMULA_OF(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0, 0)(__VA_ARGS__)                                          \
         {                                                                                                              \
-            NULL, NULL, NULL, NULL, {0, 0}, 0, 0                                                                       \
+            NULL, NULL, NULL, NULL, NULL, {0, 0}, 0, 0                                                                 \
         }                                                                                                              \
     }
 #define FORMULA_TEXT(text, ...) text
@@ -69,6 +75,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 #define OPERAND(name, x)                                                                                               \
     {name, _Generic((x), arb_struct *: (x), const arb_struct *: (x), default: NULL), \
      _Generic((x), acb_struct *: (x), const acb_struct *: (x), default: NULL), \
+     _Generic((x), arb_poly_struct *: (x), const arb_poly_struct *: (x), default: NULL), \
      _Generic((x), fmpq *: (x), const fmpq *: (x), default: NULL),                                                     \
      _Generic((x), struct ratio: (x), default: (struct ratio){0, 0}), _Generic((x), int: (x), slong: (x), default: 0), \
      _Generic((x), double: (x), default: NAN)},

@@ -7,12 +7,12 @@
 #include <complex.h>
 
 #include "approximation/ellipse_bound.h"
-#include "approximation/enclosed_function.h"
 #include "approximation/law_layout.h"
 #include "approximation/law_proof.h"
 #include "enclosure/collision.h"
 #include "enclosure/complex_law.h"
 #include "random.h"
+#include "support/enclosed_function.h"
 #include "support/local.h"
 
 enum way { WAY_OVERLAP, WAY_CREEP, WAY_FORCE, WAY_STRONG_FORCE };

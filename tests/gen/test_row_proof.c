@@ -6,12 +6,12 @@
 
 #include <complex.h>
 
-#include "approximation/enclosed_function.h"
 #include "approximation/row_proof.h"
 #include "enclosure/collision.h"
 #include "enclosure/complex_collision.h"
 #include "enclosure/creep_series.h"
 #include "random.h"
+#include "support/enclosed_function.h"
 #include "support/local.h"
 
 static struct random_state random_state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "approximation/enclosed_function.h"
+#include "support/enclosed_function.h"
 #include "support/formula.h"
 #include "support/local.h"
 
@@ -89,29 +89,10 @@ void enclosed_variable(arb_poly_t x, double lo, double hi)
     _arb_poly_normalise(x);
 }
 
-void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x)
-{
-    enum { TERMS = 30 };
-    LOCAL(arb, step, term);
-    arb_poly_get_coeff_arb(term, x, 0);
-    arb_poly_get_coeff_arb(step, x, 1);
-    LET(term, ENCLOSED_BITS, "exp(term*(numerator/denominator))", term, numerator, denominator);
-    LET(step, ENCLOSED_BITS, "step*(numerator/denominator)", step, numerator, denominator);
-    arb_poly_zero(y);
-    for (ulong k = 0; k < TERMS; k++) {
-        arb_poly_set_coeff_arb(y, (slong)k, term);
-        arb_mul(term, term, step, ENCLOSED_BITS);
-        arb_div_ui(term, term, k + 1, ENCLOSED_BITS);
-    }
-    LET(term, ENCLOSED_BITS, "term*exp(abs(step))", term, step); /* bounds the terms left out */
-    enclosed_add_radius(y, term);
-    enclosed_shorten(y);
-}
-
 /* exp(c) (1 + w + w^2/2 + ...), w = p - c. The terms after the last are below |w|^(TERMS + 1) exp(|w|)/(TERMS + 1)!. */
 void enclosed_exp(arb_poly_t y, const arb_poly_t p)
 {
-    enum { TERMS = 28 };
+    enum { TERMS = 30 };
     LOCAL(arb_poly, w, sum);
     LOCAL(arb, c, most, x);
     arb_poly_get_coeff_arb(c, p, 0);

@@ -2,9 +2,9 @@
 /* Enclosures of functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if at
  * every t the value of the function is the value of the polynomial for some numbers of the intervals, which may depend
  * on t. Sums and products of such polynomials represent sums and products. Terms of high degree, which are at most the
- * sums of their coefficients, become part of the constant term's radius. */
-#ifndef COR_GEN_APPROXIMATION_ENCLOSED_FUNCTION_H
-#define COR_GEN_APPROXIMATION_ENCLOSED_FUNCTION_H
+ * sums of their coefficients, become part of the constant term's radius. LET_FUNCTION of formula.h writes them as formulas. */
+#ifndef COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
+#define COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
 
 #include <stdbool.h>
 
@@ -28,9 +28,6 @@ void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, cons
 
 /* The variable on lo <= x <= hi */
 void enclosed_variable(arb_poly_t x, double lo, double hi);
-
-/* exp(numerator/denominator x), where x has degree 1 */
-void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x);
 
 /* exp(p). The radius is small if p differs little from its value at t = 0, by less than 1. */
 void enclosed_exp(arb_poly_t y, const arb_poly_t p);
