@@ -47,59 +47,44 @@ static void coefficient(arb_t x, const arb_poly_t c, slong k)
         arb_poly_get_coeff_arb(x, c, k);
 }
 
-static void set_denominator(struct pade *f, const arb_mat_t q, slong n)
+/* Q from sum_j q_j c_{i-j} = 0 for i = first .. first+n-1, less `limit` times q_{i+5} for i <= m if there is one */
+static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, slong m, slong n, arb_srcptr limit,
+                             slong prec)
 {
-    arb_poly_one(f->q);
-    for (slong j = 1; j <= n; j++)
-        arb_poly_set_coeff_arb(f->q, j, arb_mat_entry(q, j - 1, 0));
-}
-
-/* sum_j q_j c_{i-j} = 0 for i = m+1..m+n, then P = Q c up to z^m. */
-bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec)
-{
-    LOCAL_MATRIX(n, n, a);
-    LOCAL_MATRIX(n, 1, b, q);
-    for (slong i = 0; i < n; i++) {
-        for (slong j = 0; j < n; j++)
-            coefficient(arb_mat_entry(a, i, j), c, m + i - j);
-        coefficient(arb_mat_entry(b, i, 0), c, m + 1 + i);
-        arb_neg(arb_mat_entry(b, i, 0), arb_mat_entry(b, i, 0));
-    }
-    const bool regular = n == 0 || arb_mat_solve(q, a, b, prec);
-    if (regular) {
-        set_denominator(f, q, n);
-        arb_poly_mullow(f->p, f->q, c, m + 1, prec);
-        f->numerator = m;
-        f->denominator = n;
-    }
-    return regular;
-}
-
-/* The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i: sum_j q_j c_{i-j} - limit q_{i+5} [i
- * <= m] = 0 for i = 0..m+4. */
-bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
-{
-    const slong n = m + TAIL_POWER;
     LOCAL_MATRIX(n, n, a);
     LOCAL_MATRIX(n, 1, b, q);
     for (slong i = 0; i < n; i++) {
         for (slong j = 1; j <= n; j++)
-            coefficient(arb_mat_entry(a, i, j - 1), c, i - j);
-        if (i <= m) {
-            arb_ptr entry = arb_mat_entry(a, i, i + TAIL_POWER - 1);
-            arb_sub(entry, entry, limit, prec);
-        }
-        coefficient(arb_mat_entry(b, i, 0), c, i);
+            coefficient(arb_mat_entry(a, i, j - 1), c, first + i - j);
+        if (limit && i <= m)
+            arb_sub(arb_mat_entry(a, i, i + TAIL_POWER - 1), arb_mat_entry(a, i, i + TAIL_POWER - 1), limit, prec);
+        coefficient(arb_mat_entry(b, i, 0), c, first + i);
         arb_neg(arb_mat_entry(b, i, 0), arb_mat_entry(b, i, 0));
     }
-    const bool regular = arb_mat_solve(q, a, b, prec);
-    if (regular) {
-        set_denominator(f, q, n);
-        arb_poly_shift_right(f->p, f->q, TAIL_POWER);
-        arb_poly_scalar_mul(f->p, f->p, limit, prec);
-        f->numerator = m;
-        f->denominator = n;
-    }
+    const bool regular = n == 0 || arb_mat_solve(q, a, b, prec);
+    arb_poly_one(f->q);
+    for (slong j = 1; j <= n && regular; j++)
+        arb_poly_set_coeff_arb(f->q, j, arb_mat_entry(q, j - 1, 0));
+    f->numerator = m;
+    f->denominator = n;
+    return regular;
+}
+
+/* The equations for i = m+1..m+n, then P = Q c up to z^m */
+bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec)
+{
+    const bool regular = find_denominator(f, c, m + 1, m, n, NULL, prec);
+    if (regular)
+        arb_poly_mullow(f->p, f->q, c, m + 1, prec);
+    return regular;
+}
+
+/* The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i: the equations for i = 0..m+4. */
+bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
+{
+    const bool regular = find_denominator(f, c, 0, m, m + TAIL_POWER, limit, prec);
+    arb_poly_shift_right(f->p, f->q, TAIL_POWER);
+    arb_poly_scalar_mul(f->p, f->p, limit, prec);
     return regular;
 }
 

@@ -60,59 +60,15 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct law 
     }
 }
 
-/* F(y) = 2 y/(1 - exp(-2 y)) - 1 - beta, increasing and convex. */
-static void speed_sum_defect(arb_t f, const arb_t y, const arb_t beta, slong prec)
-{
-    LET(f, prec, "-2*y/expm1(-2*y) - beta - 1", y, beta);
-}
-
-/* F'(y) = 2/(1 - e) - 4 y e/(1 - e)^2, e = exp(-2y), which is between 1 and 2. */
-static void speed_sum_slope(arb_t slope, const arb_t y, slong prec)
-{
-    LOCAL(arb, x);
-    LET(x, prec, "expm1(-2*y)", y); /* e - 1 */
-    LET(slope, prec, "-2*(2*y*exp(-2*y)/x + 1)/x", y, x);
-}
-
-/* Encloses the y > 0 with F(y) = 0. Newton's method starts from min(beta, (1 + beta)/2), which is above the root, and
- * ends when its steps are below half of the bits. The radius covers the rounding errors of F and the interval of beta
- * (dy/dbeta <= 1). The signs of F on both sides prove the enclosure. The result is not finite if the proof fails. */
-static void half_speed_sum(arb_t y, const arb_t beta, slong prec)
-{
-    enum { MOST_STEPS = 64, ROUNDING = 8 };
-    LOCAL(arb, exact_beta, f, slope, radius);
-    arb_get_mid_arb(exact_beta, beta);
-    arb_add_ui(radius, exact_beta, 1, prec);
-    LET(y, prec, "min(radius/2, exact_beta)", radius, exact_beta);
-    bool near = false;
-    for (int i = 0; i < MOST_STEPS && !near; i++) {
-        speed_sum_defect(f, y, exact_beta, prec);
-        speed_sum_slope(slope, y, prec);
-        LET(y, prec, "y - f/slope", y, f, slope);
-        arb_get_mid_arb(y, y);
-        LET(f, prec, "f/slope/y", f, slope, y);
-        near = arf_cmpabs_2exp_si(arb_midref(f), -prec / 2) < 0;
-    }
-    arb_mul_2exp_si(radius, radius, ROUNDING - prec);
-    arb_set_upper(f, arb_radref(beta));
-    arb_addmul_si(radius, f, 2, prec);
-    arb_sub(slope, y, radius, prec);
-    speed_sum_defect(f, slope, beta, prec);
-    bool proved = arb_is_negative(f);
-    arb_add(slope, y, radius, prec);
-    speed_sum_defect(f, slope, beta, prec);
-    proved = proved && arb_is_positive(f);
-    arb_add_error(y, radius);
-    if (!proved)
-        arb_indeterminate(y);
-}
-
+/* eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta). Near beta = 0, the branch point of W, both numbers lose twice
+ * the bits of beta. */
 void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct law *law, slong prec)
 {
-    LOCAL(arb, y);
-    prec += 2 * FLINT_MAX(0, -(slong)arf_abs_bound_lt_2exp_si(arb_midref(beta))); /* which x_max loses near beta = 0 */
-    half_speed_sum(y, beta, prec);
-    LET(c->eps_zero_overlap, prec, "(2*y - beta)/beta", y, beta);
+    LOCAL(arb, w);
+    prec += 2 * FLINT_MAX(0, -(slong)arf_abs_bound_lt_2exp_si(arb_midref(beta)));
+    LET(w, prec, "-(1 + beta)*exp(-1 - beta)", beta);
+    arb_lambertw(w, w, 0, prec);
+    LET(c->eps_zero_overlap, prec, "(1 + w)/beta", w, beta);
     arb_set(c->eps_zero_force, c->eps_zero_overlap);
     LET(c->x_max, prec, "((law->a + 1)*((beta - log1p(beta))/beta/beta))^(1/(law->a + 1))", law->a, beta);
 }

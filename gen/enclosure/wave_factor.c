@@ -57,46 +57,26 @@ static void wave_integral(acb_t y, acb_calc_func_t f, void *p, slong prec)
     acb_calc_integrate(y, f, p, from, to, prec, tolerance, NULL, prec + 20);
 }
 
-/* p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2), and its derivative */
-static void rayleigh_cubic(acb_t f, acb_t df, const acb_t p, const acb_t gamma2, slong prec)
-{
-    LET_COMPLEX(f, false, prec, "((p - 8)*p + 24 - 16*gamma2)*p - 16*(1 - gamma2)", p, gamma2);
-    LET_COMPLEX(df, false, prec, "(3*p - 16)*p + 24 - 16*gamma2", p, gamma2);
-}
-
-/* (c_R/c_s)^2 for every gamma^2 of the interval. Newton's method finds it, and the interval Newton method proves it.
- * The result is infinite if the proof fails. */
+/* (c_R/c_s)^2, the smallest root of p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2). Not finite where the intervals
+ * do not isolate the roots. */
 static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
 {
-    LOCAL(acb, mid, f, df, try, middle2);
-    /* polynomial through the roots at gamma^2 = 0, 1/4, 1/2, 3/4 and 1 */
-    static const double start[] = {0.91262, -0.32764, 1.34339, -3.20310, 1.27473};
-    acb_get_mid(middle2, gamma2);
-    acb_zero(p);
-    for (int k = 4; k >= 0; k--) {
-        acb_mul(p, p, middle2, prec);
-        acb_set_d(mid, start[k]);
-        acb_add(p, p, mid, prec);
-    }
-    for (int k = 0; k < 60; k++) {
-        acb_get_mid(p, p);
-        rayleigh_cubic(f, df, p, middle2, prec);
-        LET_COMPLEX(p, false, prec, "p - f/df", p, f, df);
-    }
-    acb_get_mid(mid, p);
-    rayleigh_cubic(f, df, mid, gamma2, prec);
-    acb_div(f, f, df, prec);
-    /* an interval of three times the first step's size must be mapped into itself */
-    LOCAL(mag, size);
-    acb_get_mag(size, f);
-    mag_mul_ui(size, size, 3);
-    acb_set(try, mid);
-    acb_add_error_mag(try, size);
-    rayleigh_cubic(p, df, try, gamma2, prec);
-    rayleigh_cubic(f, p, mid, gamma2, prec);
-    LET_COMPLEX(p, false, prec, "mid - f/df", mid, f, df);
-    if (!acb_contains(try, p))
-        acb_indeterminate(p);
+    enum { DEGREE = 3, LEAST_BITS = 128 };
+    LOCAL(acb_poly, cubic);
+    LOCAL(acb, c);
+    acb_ptr root = _acb_vec_init(DEGREE);
+    LET_COMPLEX(c, false, prec, "-16*(1 - gamma2)", gamma2);
+    acb_poly_set_coeff_acb(cubic, 0, c);
+    LET_COMPLEX(c, false, prec, "24 - 16*gamma2", gamma2);
+    acb_poly_set_coeff_acb(cubic, 1, c);
+    acb_poly_set_coeff_si(cubic, 2, -8);
+    acb_poly_set_coeff_si(cubic, DEGREE, 1);
+    const bool isolated = acb_poly_find_roots(root, cubic, NULL, 0, FLINT_MAX(prec, LEAST_BITS)) == DEGREE;
+    acb_indeterminate(p);
+    for (int k = 0; k < DEGREE && isolated; k++)
+        if (k == 0 || arf_cmpabs(arb_midref(acb_realref(root + k)), arb_midref(acb_realref(p))) < 0)
+            acb_set(p, root + k);
+    _acb_vec_clear(root, DEGREE);
 }
 
 /* - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2:

@@ -9,46 +9,31 @@
 #include "support/console.h"
 #include "support/parallel.h"
 
-enum { AT_A_TIME = 1 << 20 /* tasks of one parallel loop, which goes on to its end after a failure */ };
-
 struct run {
     const struct threads_work *work;
     uint64_t first;
     pthread_mutex_t mutex; /* guards all below but a result whose task is not ready */
-    pthread_cond_t may_begin;
-    uint64_t finished, end; /* the first task whose result is not handed back */
+    slong finished, count; /* the first task whose result is not handed back, and all, of this loop */
     int status;
-    bool *ready;
-    unsigned char *result; /* a ring of THREADS_AHEAD */
+    bool ready[THREADS_AT_A_TIME];
+    unsigned char *result;
 };
-
-static void finish_in_order(struct run *r)
-{
-    while (r->status == 0 && r->finished < r->end && r->ready[r->finished % THREADS_AHEAD]) {
-        const size_t slot = r->finished % THREADS_AHEAD;
-        r->status = r->work->finish(r->work->context, r->finished, r->result + slot * r->work->result_size);
-        r->ready[slot] = false;
-        r->finished++;
-    }
-    pthread_cond_broadcast(&r->may_begin);
-}
 
 static void work_in_order(void *context, slong i)
 {
     struct run *const r = context;
-    const uint64_t task = r->first + (uint64_t)i;
-    const size_t slot = task % THREADS_AHEAD;
+    const size_t size = r->work->result_size;
     pthread_mutex_lock(&r->mutex);
-    while (r->status == 0 && task - r->finished >= THREADS_AHEAD)
-        pthread_cond_wait(&r->may_begin, &r->mutex);
     const bool begins = r->status == 0;
     pthread_mutex_unlock(&r->mutex);
     if (!begins)
         return;
-    r->work->work(r->work->context, task, r->result + slot * r->work->result_size);
+    r->work->work(r->work->context, r->first + (uint64_t)i, r->result + (size_t)i * size);
     pthread_mutex_lock(&r->mutex);
-    r->ready[slot] = true;
-    finish_in_order(r);
+    r->ready[i] = true;
+    for (; r->status == 0 && r->finished < r->count && r->ready[r->finished]; r->finished++)
+        r->status =
+            r->work->finish(r->work->context, r->first + (uint64_t)r->finished, r->result + (size_t)r->finished * size);
     pthread_mutex_unlock(&r->mutex);
 }
 
@@ -63,19 +48,16 @@ static void tick_in_order(void *context)
 
 int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end)
 {
-    struct run run = {.work = work, .first = first, .finished = first, .end = end};
-    run.result = xmalloc(THREADS_AHEAD * work->result_size);
-    run.ready = xmalloc(THREADS_AHEAD * sizeof *run.ready);
-    memset(run.ready, 0, THREADS_AHEAD * sizeof *run.ready);
+    struct run run = {.work = work, .first = first, .result = xmalloc(THREADS_AT_A_TIME * work->result_size)};
     pthread_mutex_init(&run.mutex, NULL);
-    pthread_cond_init(&run.may_begin, NULL);
     parallel_use(count);
-    for (; run.first < end && run.status == 0; run.first += AT_A_TIME)
-        parallel_watched(work_in_order, &run, end - run.first < AT_A_TIME ? (slong)(end - run.first) : AT_A_TIME,
-                         tick_in_order);
-    pthread_cond_destroy(&run.may_begin);
+    for (; run.first < end && run.status == 0; run.first += THREADS_AT_A_TIME) {
+        run.count = end - run.first < THREADS_AT_A_TIME ? (slong)(end - run.first) : THREADS_AT_A_TIME;
+        run.finished = 0;
+        memset(run.ready, 0, sizeof run.ready);
+        parallel_watched(work_in_order, &run, run.count, tick_in_order);
+    }
     pthread_mutex_destroy(&run.mutex);
     free(run.result);
-    free(run.ready);
     return run.status;
 }

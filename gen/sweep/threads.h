@@ -6,7 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { THREADS_AHEAD = 1 << 14 };
+/* Tasks of one parallel loop, whose results memory holds */
+enum { THREADS_AT_A_TIME = 1 << 14 };
 
 /* The functions of the tasks */
 struct threads_work {
@@ -19,8 +20,7 @@ struct threads_work {
 };
 
 /* Runs tasks first, first + 1, ..., end - 1 on `count` threads, which parallel_use() sets. Returns 0, or the value of
- * finish() that is not 0. Memory holds THREADS_AHEAD results for any number of tasks: a task begins only if it is less
- * than THREADS_AHEAD behind the first unfinished one. */
+ * finish() that is not 0. */
 int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end);
 
 #endif

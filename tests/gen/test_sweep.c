@@ -235,7 +235,7 @@ static void crowd_work(void *context, uint64_t task, void *result)
         crowd->begun++;
         nanosleep(&(struct timespec){0, 10000000}, NULL);
     }
-    const bool right = task < atomic_load(&crowd->next) + THREADS_AHEAD;
+    const bool right = task < atomic_load(&crowd->next) + THREADS_AT_A_TIME;
     const uint64_t value = right ? task * task : 1;
     memcpy(result, &value, sizeof value);
 }
