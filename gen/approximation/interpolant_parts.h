@@ -6,7 +6,11 @@
 
 #include "approximation/interpolant.h"
 
-enum { INTERPOLANT_BITS = 320 /* working precision */ };
+enum {
+    INTERPOLANT_BITS = 320 /* working precision */,
+    INTERPOLANT_GUARD = 96,     /* bits that cancel in powers */
+    INTERPOLANT_NODE_BITS = 640 /* of nodes; divided differences lose many */
+};
 
 static inline bool holds(const struct interval *interval, enum quantity quantity)
 {

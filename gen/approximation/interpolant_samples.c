@@ -77,7 +77,7 @@ void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, 
     switch (interval->variable) {
     case INTERVAL_LOG:
         arb_set_d(beta, f->layout->press ? exp(x) : ldexp(nearbyint(ldexp(exp(x), bits)), -bits));
-        arb_log(variable, beta, INTERPOLANT_BITS);
+        arb_log(variable, beta, INTERPOLANT_NODE_BITS);
         break;
     case INTERVAL_ROOT:
         arb_set_d(variable, nearbyint(ldexp(x, bits)));
@@ -88,8 +88,8 @@ void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, 
         arb_set_d(variable, exp(x));
         arb_sub(beta, f->threshold, variable, INTERPOLANT_BITS);
         arb_get_mid_arb(beta, beta);
-        arb_sub(variable, f->threshold, beta, INTERPOLANT_BITS);
-        arb_log(variable, variable, INTERPOLANT_BITS);
+        arb_sub(variable, f->threshold, beta, INTERPOLANT_NODE_BITS);
+        arb_log(variable, variable, INTERPOLANT_NODE_BITS);
         break;
     }
 }
@@ -153,8 +153,9 @@ void interpolant_through_samples(arb_poly_t p, const struct samples *s, const st
     const slong n = interval->count;
     LOCAL_VECTOR(t, n);
     for (slong j = 0; j < n; j++)
-        unit_place(t + j, s->node + j, interval->lo, interval->hi, INTERPOLANT_BITS);
-    arb_poly_interpolate_newton(p, t, s->value[quantity], n, INTERPOLANT_BITS);
+        unit_place(t + j, s->node + j, interval->lo, interval->hi, INTERPOLANT_NODE_BITS);
+    arb_poly_interpolate_newton(p, t, s->value[quantity], n, INTERPOLANT_NODE_BITS);
+    arb_poly_set_round(p, p, INTERPOLANT_BITS + INTERPOLANT_GUARD);
 }
 
 /* ---- construction ---- */
@@ -190,10 +191,12 @@ static int make_constants(struct interpolant *f, double beta_max)
     if (n.num < 0) {
         LOCAL(arb, height);
         const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
+        arb_get_mid_arb(f->threshold, f->threshold); /* v counts from this number */
         return status;
     }
     if (n.num == 0) {
         LET(f->threshold, INTERPOLANT_BITS, "sqrt(2*(law->a + 1))", law->a);
+        arb_get_mid_arb(f->threshold, f->threshold);
         return STATUS_OK;
     }
     const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);

@@ -40,9 +40,17 @@ void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum
                                slong prec)
 {
     const struct interval *const interval = &f->layout->interval[i];
-    LOCAL(arb, t);
-    unit_place(t, x, interval->lo, interval->hi, INTERPOLANT_BITS);
-    arb_poly_evaluate(y, &f->samples[i].polynomial[quantity], t, prec);
+    const arb_poly_struct *const p = &f->samples[i].polynomial[quantity];
+    LOCAL(arb, t, at, slope, rough);
+    LOCAL(mag, radius);
+    unit_place(t, x, interval->lo, interval->hi, prec + INTERPOLANT_GUARD);
+    /* p at the middle of t, and a bound of its slope: powers of the ball t would be far wider */
+    arb_get_mid_arb(at, t);
+    arb_poly_evaluate(y, p, at, prec + INTERPOLANT_GUARD);
+    arb_poly_evaluate2(rough, slope, p, t, INTERPOLANT_GUARD);
+    arb_get_mag(radius, slope);
+    mag_mul(radius, radius, arb_radref(t));
+    arb_add_error_mag(y, radius);
 }
 
 /* The first interval of a variable that samples the quantity and does not end before x, or the last such interval, or
