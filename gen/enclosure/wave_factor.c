@@ -57,8 +57,8 @@ static void wave_integral(acb_t y, acb_calc_func_t f, void *p, slong prec)
     acb_calc_integrate(y, f, p, from, to, prec, tolerance, NULL, prec + 20);
 }
 
-/* (c_R/c_s)^2, the smallest root of p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2). Not finite where the intervals
- * do not isolate the roots. */
+/* (c_R/c_s)^2, the smallest root of p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2). Not finite where the
+ * intervals do not isolate the roots. */
 static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
 {
     enum { DEGREE = 3, LEAST_BITS = 128 };

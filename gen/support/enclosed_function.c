@@ -90,7 +90,7 @@ void enclosed_variable(arb_poly_t x, double lo, double hi)
 }
 
 /* exp(c) (1 + w + w^2/2 + ...), w = p - c. The terms after the last are below |w|^(TERMS + 1) exp(|w|)/(TERMS + 1)!. */
-void enclosed_exp(arb_poly_t y, const arb_poly_t p)
+bool enclosed_exp(arb_poly_t y, const arb_poly_t p)
 {
     enum { TERMS = 30 };
     LOCAL(arb_poly, w, sum);
@@ -113,6 +113,7 @@ void enclosed_exp(arb_poly_t y, const arb_poly_t p)
     enclosed_add_radius(sum, x);
     arb_exp(c, c, ENCLOSED_BITS);
     arb_poly_scalar_mul(y, sum, c, ENCLOSED_BITS);
+    return true;
 }
 
 /* The root of a positive function: the root s of its polynomial's middle, and the rest, |p - s^2|/s at most. */
@@ -192,6 +193,9 @@ bool enclosed_inverse(arb_poly_t y, const arb_poly_t p)
     }
     return done;
 }
+
+const struct formula_algebra enclosed_algebra = {ENCLOSED_BITS, enclosed_multiply,  enclosed_inverse,
+                                                 enclosed_exp,  enclosed_logarithm, enclosed_square_root};
 
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
 {

@@ -2,15 +2,20 @@
 /* Enclosures of functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if at
  * every t the value of the function is the value of the polynomial for some numbers of the intervals, which may depend
  * on t. Sums and products of such polynomials represent sums and products. Terms of high degree, which are at most the
- * sums of their coefficients, become part of the constant term's radius. LET_FUNCTION of formula.h writes them as formulas. */
+ * sums of their coefficients, become part of the constant term's radius. */
 #ifndef COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
 #define COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
 
 #include <stdbool.h>
 
-#include "support/flint.h"
+#include "support/formula.h"
 
 enum { ENCLOSED_BITS = 160 };
+
+/* LET_FUNCTION(y, "mu/sqrt(1 - x^2)", mu, x) as LET of formula.h, also with functions: + - * /, whole powers > 0, exp,
+ * log and sqrt. It returns false, and a function that is not finite, if one is not shown to be defined. */
+extern const struct formula_algebra enclosed_algebra;
+#define LET_FUNCTION(y, ...) formula_function(y, &enclosed_algebra, FORMULA(__VA_ARGS__))
 
 /* Moves negligible terms to the radius of the constant term. */
 void enclosed_shorten(arb_poly_t p);
@@ -29,8 +34,9 @@ void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, cons
 /* The variable on lo <= x <= hi */
 void enclosed_variable(arb_poly_t x, double lo, double hi);
 
-/* exp(p). The radius is small if p differs little from its value at t = 0, by less than 1. */
-void enclosed_exp(arb_poly_t y, const arb_poly_t p);
+/* exp(p). The radius is small if p differs little from its value at t = 0, by less than 1. Returns
+ * true. */
+bool enclosed_exp(arb_poly_t y, const arb_poly_t p);
 
 /* The root of a positive function. Returns false if it is not shown to be positive. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p);

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/enclosed_function.h"
 #include "support/local.h"
 
 /* A number of a formula: the rational number `exact` until it meets a ball */
@@ -45,7 +44,8 @@ struct reader {
     const struct operand *operands;
     slong prec;
     bool in_plane, analytic;
-    bool of_functions, undefined;
+    bool undefined;
+    const struct formula_algebra *algebra; /* NULL: no functions */
 };
 
 static _Noreturn void refuse(const struct reader *r)
@@ -100,11 +100,11 @@ static void combine_functions(struct value *y, char name, struct value *x, struc
     become_function(x, r->prec);
     become_function(y, r->prec);
     if (name == '/')
-        r->undefined = !enclosed_inverse(x->function, x->function) || r->undefined;
+        r->undefined = !r->algebra->inverse(x->function, x->function) || r->undefined;
     if (name == '+' || name == '-')
         (name == '+' ? arb_poly_add : arb_poly_sub)(y->function, y->function, x->function, r->prec);
     else
-        enclosed_multiply(y->function, y->function, x->function);
+        r->algebra->multiply(y->function, y->function, x->function);
 }
 
 static void combine(struct value *y, char name, struct value *x, struct reader *r)
@@ -127,12 +127,13 @@ static void combine(struct value *y, char name, struct value *x, struct reader *
     }
 }
 
-static void power_of(struct value *y, struct value *x, slong prec)
+static void power_of(struct value *y, struct value *x, const struct reader *r)
 {
+    const slong prec = r->prec;
     if (y->is_function) {
         arb_poly_set(x->function, y->function);
         for (slong k = fmpz_get_si(fmpq_numref(x->exact)); k > 1; k--)
-            enclosed_multiply(y->function, y->function, x->function);
+            r->algebra->multiply(y->function, y->function, x->function);
         return;
     }
     if (y->is_exact && x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !fmpq_is_zero(y->exact)) {
@@ -185,14 +186,10 @@ static size_t name_length(const char *text)
 
 static void apply_to_function(arb_poly_t y, const char *name, struct reader *r)
 {
-    if (strcmp(name, "exp") == 0)
-        enclosed_exp(y, y);
-    else if (strcmp(name, "log") == 0)
-        r->undefined = !enclosed_logarithm(y, y) || r->undefined;
-    else if (strcmp(name, "sqrt") == 0)
-        r->undefined = !enclosed_square_root(y, y) || r->undefined;
-    else
+    const bool is_exp = strcmp(name, "exp") == 0, is_log = strcmp(name, "log") == 0;
+    if (!is_exp && !is_log && strcmp(name, "sqrt") != 0)
         refuse(r);
+    r->undefined = !(is_exp ? r->algebra->exp : is_log ? r->algebra->log : r->algebra->sqrt)(y, y) || r->undefined;
 }
 
 static void read_function(struct value *y, struct reader *r, const char *name, size_t length)
@@ -229,7 +226,7 @@ static void read_operand(struct value *y, const struct reader *r, const char *na
         x++;
     if (!x->name)
         refuse(r);
-    if ((x->plane && !r->in_plane) || (x->function && !r->of_functions))
+    if ((x->plane && !r->in_plane) || (x->function && !r->algebra))
         refuse(r);
     y->is_function = x->function;
     y->is_exact = !x->ball && !x->plane && !x->function && isnan(x->real);
@@ -281,7 +278,7 @@ static void read_factor(struct value *y, struct reader *r)
     if (next_of(r, "^")) {
         LOCAL(value, x);
         read_factor(x, r);
-        power_of(y, x, r->prec);
+        power_of(y, x, r);
     }
 }
 
@@ -326,16 +323,18 @@ void formula_ball(arb_t y, slong prec, const char *text, const struct operand *o
 
 void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands)
 {
-    struct reader r = {text, text, operands, prec, true, analytic, false, false};
+    struct reader r = {
+        .at = text, .text = text, .operands = operands, .prec = prec, .in_plane = true, .analytic = analytic};
     LOCAL(value, x);
     read_side(x, &r, "");
     become_ball(x, prec);
     acb_swap(y, x->ball);
 }
 
-bool formula_function(arb_poly_t y, const char *text, const struct operand *operands)
+bool formula_function(arb_poly_t y, const struct formula_algebra *algebra, const char *text,
+                      const struct operand *operands)
 {
-    struct reader r = {text, text, operands, ENCLOSED_BITS, false, false, true, false};
+    struct reader r = {.at = text, .text = text, .operands = operands, .prec = algebra->bits, .algebra = algebra};
     LOCAL(value, x);
     read_side(x, &r, "");
     become_function(x, r.prec);

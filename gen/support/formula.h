@@ -11,9 +11,6 @@
  * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two
  * numbers; the number pi. A text that is no formula ends the program.
  *
- * LET_FUNCTION computes with functions of enclosed_function.h, too, of which it knows + - * /, whole powers > 0, exp, log
- * and sqrt. It returns false, and a function that is not finite, if one is not shown to be defined.
- *
  * LET_COMPLEX computes with acb_t, too, of which it knows + - * /, whole powers and sqrt; that is not finite on its cut
  * if `analytic`. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
@@ -42,13 +39,22 @@ struct operand {
 
 #define LET(y, prec, ...) formula_ball(y, prec, FORMULA(__VA_ARGS__))
 #define LET_COMPLEX(y, analytic, prec, ...) formula_complex(y, analytic, prec, FORMULA(__VA_ARGS__))
-#define LET_FUNCTION(y, ...) formula_function(y, FORMULA(__VA_ARGS__))
 #define HOLDS(prec, ...) formula_holds(prec, FORMULA(__VA_ARGS__))
 #define EXACT(q, ...) formula_exact(q, FORMULA(__VA_ARGS__))
 
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands);
 void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands);
-bool formula_function(arb_poly_t y, const char *text, const struct operand *operands);
+
+/* Formulas of functions, LET_FUNCTION of enclosed_function.h: what they are computed with. All but products return
+ * false where the result is not shown to be defined. */
+struct formula_algebra {
+    slong bits;
+    void (*multiply)(arb_poly_t z, const arb_poly_t x, const arb_poly_t y);
+    bool (*inverse)(arb_poly_t y, const arb_poly_t x), (*exp)(arb_poly_t y, const arb_poly_t x);
+    bool (*log)(arb_poly_t y, const arb_poly_t x), (*sqrt)(arb_poly_t y, const arb_poly_t x);
+};
+bool formula_function(arb_poly_t y, const struct formula_algebra *algebra, const char *text,
+                      const struct operand *operands);
 bool formula_holds(slong prec, const char *text, const struct operand *operands);
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 
