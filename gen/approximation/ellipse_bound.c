@@ -54,7 +54,8 @@ struct squares {
 struct cover {
     const struct interval *interval;
     double rho;
-    void (*cover_square)(void *context, slong i);
+    unsigned set; /* of quantities */
+    bool (*stored)(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x);
     const struct interpolant *f; /* of another law, with its quantity and the path of its collisions */
     enum quantity quantity;
     struct complex_law_path path;
@@ -119,41 +120,41 @@ static struct complex_ball ball_around(const struct interval *interval, const st
     return ball_add(ball_of(middle, 0), offset);
 }
 
-/* Upper bound of the modulus of a number that the interval stores */
-static double stored_modulus(const struct interval *interval, enum quantity quantity, const struct complex_collision *c,
-                             struct complex_ball x)
-{
-    const struct complex_ball fields[QUANTITIES] = {c->eps_zero_overlap, c->eps_zero_force, c->t_zero_overlap,
-                                                    c->t_zero_force,     c->x_max,          c->t_max};
-    struct complex_ball y = fields[quantity];
-    if (interval->form == FORM_QUOTIENT && is_eps(quantity))
-        y = ball_mul(ball_sub(ball_of(1, 0), y), ball_inv(ball_sqr(x)));
-    return ball_is_finite(y) ? ball_above(y) : HUGE_VAL;
-}
-
-/* Encloses the collisions of one square. The largest modulus is that of the boundary of the ellipse, where a quotient
- * by beta has no 0/0. */
+/* Sets the moduli of one square to those of numbers that the interval stores, as `stored` gives them unless it returns
+ * false. The largest modulus is that of the boundary of the ellipse, where a quotient by beta has no 0/0. */
 static void cover_square(void *context, slong i)
 {
     struct cover *const work = context;
-    const struct interval *const interval = work->interval;
-    const unsigned set = ellipse_bound_set(interval);
-    const struct complex_ball x = ball_around(interval, &work->list.square[i]);
+    const struct complex_ball x = ball_around(work->interval, &work->list.square[i]);
+    struct complex_ball y[QUANTITIES] = {{0, 0, 0}};
     double range[2];
-    struct complex_collision c;
     ellipse_range(range, &work->list.square[i], work->rho);
-    work->failed[i] = interval->variable == INTERVAL_LOG
-                          ? !complex_collision_log(&c, x)
-                          : !complex_collision_root(&c, x, (set & SET_ZERO_OVERLAP) != 0);
+    work->failed[i] = !work->stored(y, work, x);
     for (int q = 0; q < QUANTITIES; q++) {
         double *const modulus = &work->modulus[i * QUANTITIES + q];
         *modulus = 0;
-        if (work->failed[i] || range[1] < 1 - 1e-9 || !(set & 1u << q))
+        if (work->failed[i] || range[1] < 1 - 1e-9 || !(work->set & 1u << q))
             continue;
-        *modulus = stored_modulus(interval, (enum quantity)q, &c, x);
-        if (!isfinite(*modulus))
-            work->failed[i] = true;
+        *modulus = ball_is_finite(y[q]) ? ball_above(y[q]) : HUGE_VAL;
+        work->failed[i] = !isfinite(*modulus);
     }
+}
+
+static bool stored_of_sphere(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x)
+{
+    const struct interval *const interval = work->interval;
+    struct complex_collision c;
+    if (interval->variable == INTERVAL_LOG ? !complex_collision_log(&c, x)
+                                           : !complex_collision_root(&c, x, (work->set & SET_ZERO_OVERLAP) != 0))
+        return false;
+    const struct complex_ball fields[QUANTITIES] = {c.eps_zero_overlap, c.eps_zero_force, c.t_zero_overlap,
+                                                    c.t_zero_force,     c.x_max,          c.t_max};
+    for (int q = 0; q < QUANTITIES; q++)
+        if (work->set & 1u << q)
+            y[q] = interval->form == FORM_QUOTIENT && is_eps((enum quantity)q)
+                       ? ball_mul(ball_sub(ball_of(1, 0), fields[q]), ball_inv(ball_sqr(x)))
+                       : fields[q];
+    return true;
 }
 
 /* ---- another law ---- */
@@ -218,30 +219,21 @@ static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, co
     return pressing;
 }
 
-static void cover_square_of_law(void *context, slong i)
+static bool stored_by_law(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x)
 {
-    struct cover *const work = context;
-    const struct interval *const interval = work->interval;
     const struct law *const law = &work->f->layout->law;
-    const struct complex_ball x = ball_around(interval, &work->list.square[i]);
-    double *const modulus = &work->modulus[i * QUANTITIES], range[2];
     struct complex_ball beta, log_beta, log_eps;
     damping_of(&beta, &log_beta, work, x);
     const struct complex_law_pressing pressing = pressing_of(&log_beta, work);
     if (work->f->layout->press)
         beta = ball_exp(log_beta);
-    work->failed[i] = work->quantity == EPS_ZERO_FORCE
-                          ? !complex_law_zero_force(&log_eps, law, log_beta, &pressing, &work->path)
-                      : work->path.strong ? !complex_law_creep(&log_eps, law, log_beta, &work->path)
-                                          : !complex_law_zero_overlap(&log_eps, law, beta, &pressing, &work->path);
-    for (int q = 0; q < QUANTITIES; q++)
-        modulus[q] = 0;
-    ellipse_range(range, &work->list.square[i], work->rho);
-    if (work->failed[i] || range[1] < 1 - 1e-9)
-        return;
-    const struct complex_ball stored = stored_of_law(work, log_eps, x);
-    modulus[work->quantity] = ball_is_finite(stored) ? ball_above(stored) : HUGE_VAL;
-    work->failed[i] = !isfinite(modulus[work->quantity]);
+    const bool known = work->quantity == EPS_ZERO_FORCE
+                           ? complex_law_zero_force(&log_eps, law, log_beta, &pressing, &work->path)
+                       : work->path.strong ? complex_law_creep(&log_eps, law, log_beta, &work->path)
+                                           : complex_law_zero_overlap(&log_eps, law, beta, &pressing, &work->path);
+    if (known)
+        y[work->quantity] = stored_of_law(work, log_eps, x);
+    return known;
 }
 
 /* Upper bound of |beta| in the ellipse */
@@ -266,7 +258,7 @@ static bool cover_ellipse(struct ellipse_bound *bound, struct cover *work)
     while (work->list.count > 0 && bound->balls + work->list.count <= MOST_BALLS) {
         work->failed = xmalloc((size_t)work->list.count * sizeof *work->failed);
         work->modulus = xmalloc((size_t)work->list.count * QUANTITIES * sizeof *work->modulus);
-        parallel_for(work->cover_square, work, work->list.count, "collisions at complex damping");
+        parallel_for(cover_square, work, work->list.count, "collisions at complex damping");
         for (slong i = 0; i < work->list.count; i++)
             for (int q = 0; q < QUANTITIES && !work->failed[i]; q++)
                 bound->modulus[q] = fmax(bound->modulus[q], work->modulus[i * QUANTITIES + q]);
@@ -284,7 +276,8 @@ static bool cover_ellipse(struct ellipse_bound *bound, struct cover *work)
 
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho)
 {
-    struct cover work = {.interval = interval, .rho = rho, .cover_square = cover_square};
+    struct cover work = {
+        .interval = interval, .rho = rho, .set = ellipse_bound_set(interval), .stored = stored_of_sphere};
     return cover_ellipse(bound, &work) ? STATUS_OK
                                        : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho,
                                               interval->lo, interval->hi);
@@ -304,7 +297,7 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
 {
     const struct law *const law = &f->layout->law;
     struct cover work = {
-        .interval = interval, .rho = rho, .cover_square = cover_square_of_law, .f = f, .quantity = eps};
+        .interval = interval, .rho = rho, .set = 1u << eps, .stored = stored_by_law, .f = f, .quantity = eps};
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
     if (force && !log)
         return false;

@@ -31,11 +31,6 @@ int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows
 {
     *proof =
         (struct far_proof){.layout = {law_sphere, 2, far_intervals, FAR_PROOF_INTERVALS, false, NULL, 0}, .rows = rows};
-    for (int i = 0; i < FAR_PROOF_INTERVALS; i++)
-        for (int q = 0; q < QUANTITIES; q++) {
-            arb_poly_init(&proof->polynomial[i][q]);
-            arb_init(&proof->error[i][q]);
-        }
     proof->f = interpolant_new(&proof->layout, exp(FAR_PROOF_INVERSE_FROM), beta_max);
     int status = proof->f ? STATUS_OK : STATUS_FAILED;
     for (int i = 0; i < FAR_PROOF_INTERVALS && status == STATUS_OK && proof->f->samples[i].known; i++) {
@@ -43,8 +38,7 @@ int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows
         status = ellipse_bound_make(&bound, &far_intervals[i], far_rho[i]);
         for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
             if (far_intervals[i].set & 1u << q)
-                status = interpolant_polynomial(&proof->polynomial[i][q], &proof->error[i][q], proof->f, i,
-                                                (enum quantity)q, &bound);
+                status = interpolant_error(&proof->error[i][q], proof->f, i, (enum quantity)q, &bound);
     }
     return status;
 }
@@ -52,11 +46,6 @@ int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows
 void far_proof_clear(struct far_proof *proof)
 {
     interpolant_free(proof->f);
-    for (int i = 0; i < FAR_PROOF_INTERVALS; i++)
-        for (int q = 0; q < QUANTITIES; q++) {
-            arb_poly_clear(&proof->polynomial[i][q]);
-            arb_clear(&proof->error[i][q]);
-        }
 }
 
 /* ---- functions on a cell ---- */
@@ -117,8 +106,7 @@ static bool sampled_on(arb_poly_t y, const struct far_proof *proof, enum quantit
     }
     for (int i = 0; i < FAR_PROOF_INTERVALS; i++)
         if (proof->f->samples[i].known && cell->lo >= far_intervals[i].lo && cell->hi <= far_intervals[i].hi) {
-            interpolant_polynomial_on(y, &proof->polynomial[i][quantity], &proof->error[i][quantity], &far_intervals[i],
-                                      cell->lo, cell->hi);
+            interpolant_on(y, proof->f, i, quantity, proof->error[i][quantity], cell->lo, cell->hi);
             return true;
         }
     return false;

@@ -19,8 +19,7 @@ enum { FAR_PROOF_INTERVALS = 2 };
 struct far_proof {
     struct interpolant_layout layout;
     struct interpolant *f;
-    arb_poly_struct polynomial[FAR_PROOF_INTERVALS][QUANTITIES]; /* in w, -1 <= w <= 1 */
-    arb_struct error[FAR_PROOF_INTERVALS][QUANTITIES];
+    double error[FAR_PROOF_INTERVALS][QUANTITIES];
     const struct interpolant_proof *rows; /* for the duration at zero overlap */
 };
 

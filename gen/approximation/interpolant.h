@@ -112,6 +112,16 @@ static inline bool is_eps(enum quantity quantity)
     return quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
 }
 
+static inline bool is_of_force(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;
+}
+
+static inline bool is_of_overlap(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
+}
+
 /* Computes the interpolant for arguments between beta_min and beta_max, which may be INFINITY. The layout must live as
  * long as the interpolant. Returns NULL after reporting the failure on stderr. */
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);

@@ -90,50 +90,50 @@ static void sample_far(void *context, slong k)
         arb_set(arb_mat_entry(work->value, k, q), value + q);
 }
 
+/* Fits the coefficients of a quantity to its samples at as many places. */
+static bool fit_far(struct interpolant *f, enum quantity quantity, const struct far_sampling *work)
+{
+    const struct law *const law = &f->layout->law;
+    const bool falls = quantity == DURATION_ZERO_OVERLAP && falls_apart(law);
+    const slong n = INTERPOLANT_FAR + falls;
+    LOCAL(arb, beta, u, excess);
+    LOCAL_MATRIX(n, n, a);
+    LOCAL_MATRIX(n, 1, b);
+    for (slong k = 0; k < n; k++) {
+        interpolant_place(beta, u, f, work->interval, far_place(law, k));
+        arb_log(u, beta, SOLVING_BITS);
+        far_basis(a, k, u, law, SOLVING_BITS);
+        arb_set(arb_mat_entry(b, k, 0), arb_mat_entry(work->value, k, quantity));
+        if (!falls)
+            continue;
+        interpolant_power(excess, u, far_excess(law, false), SOLVING_BITS);
+        _arb_vec_scalar_mul(arb_mat_entry(a, k, 0), arb_mat_entry(a, k, 0), INTERPOLANT_FAR, excess, SOLVING_BITS);
+        interpolant_power(arb_mat_entry(a, k, INTERPOLANT_FAR), u, far_excess(law, true), SOLVING_BITS);
+    }
+    const bool solved = arb_mat_solve(b, a, b, SOLVING_BITS);
+    for (slong k = 0; k < INTERPOLANT_FAR; k++)
+        arb_set(&f->far[quantity][k], arb_mat_entry(b, k, 0));
+    if (falls)
+        arb_set(f->fall, arb_mat_entry(b, INTERPOLANT_FAR, 0));
+    return solved;
+}
+
 int interpolant_make_far(struct interpolant *f)
 {
-    const struct law *law = &f->layout->law;
     struct interval interval = {INTERVAL_LOG, 0, 0, 0, FAR_BITS, FORM_POWER, 0};
-    const slong columns = INTERPOLANT_FAR + (falls_apart(law) && has_far(f, DURATION_ZERO_OVERLAP));
-    LOCAL(arb, beta, u, excess);
-    int status = STATUS_OK;
     for (int q = 0; q < QUANTITIES; q++)
         if (has_far(f, (enum quantity)q))
             interval.set |= 1u << q;
-    LOCAL_MATRIX(INTERPOLANT_FAR, INTERPOLANT_FAR, a);
-    LOCAL_MATRIX(columns, columns, own);
-    LOCAL_MATRIX(columns, QUANTITIES, b, y);
-    struct far_sampling work = {.f = f, .interval = &interval, .value = b};
-    parallel_for(sample_far, &work, columns, "collisions at large beta");
+    const bool falls = falls_apart(&f->layout->law) && has_far(f, DURATION_ZERO_OVERLAP);
+    LOCAL_MATRIX(INTERPOLANT_FAR + falls, QUANTITIES, value);
+    struct far_sampling work = {.f = f, .interval = &interval, .value = value};
+    parallel_for(sample_far, &work, INTERPOLANT_FAR + falls, "collisions at large beta");
     if (atomic_load(&work.failed))
-        status = STATUS_FAILED;
-    for (slong k = 0; k < columns; k++) {
-        interpolant_place(beta, u, f, &interval, far_place(law, k));
-        arb_log(u, beta, SOLVING_BITS);
-        far_basis(own, k, u, law, SOLVING_BITS);
-        for (slong j = 0; j < INTERPOLANT_FAR && k < INTERPOLANT_FAR; j++)
-            arb_set(arb_mat_entry(a, k, j), arb_mat_entry(own, k, j));
-        if (columns > INTERPOLANT_FAR) {
-            interpolant_power(excess, u, far_excess(law, false), SOLVING_BITS);
-            for (slong j = 0; j < INTERPOLANT_FAR; j++)
-                arb_mul(arb_mat_entry(own, k, j), arb_mat_entry(own, k, j), excess, SOLVING_BITS);
-            interpolant_power(arb_mat_entry(own, k, INTERPOLANT_FAR), u, far_excess(law, true), SOLVING_BITS);
-        }
-    }
-    LOCAL_MATRIX(INTERPOLANT_FAR, QUANTITIES, x);
-    for (slong k = 0; k < INTERPOLANT_FAR; k++)
-        for (int q = 0; q < QUANTITIES; q++)
-            arb_set(arb_mat_entry(x, k, q), arb_mat_entry(b, k, q));
-    if (status == STATUS_OK && (!arb_mat_solve(x, a, x, SOLVING_BITS) ||
-                                (columns > INTERPOLANT_FAR && !arb_mat_solve(y, own, b, SOLVING_BITS))))
-        status = fail("the far coefficients could not be solved for");
-    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
-        for (int k = 0; k < INTERPOLANT_FAR; k++)
-            arb_set(&f->far[q][k], q == DURATION_ZERO_OVERLAP && columns > INTERPOLANT_FAR ? arb_mat_entry(y, k, q)
-                                                                                           : arb_mat_entry(x, k, q));
-    if (columns > INTERPOLANT_FAR)
-        arb_set(f->fall, arb_mat_entry(y, INTERPOLANT_FAR, DURATION_ZERO_OVERLAP));
-    return status;
+        return STATUS_FAILED;
+    for (int q = 0; q < QUANTITIES; q++)
+        if (holds(&interval, (enum quantity)q) && !fit_far(f, (enum quantity)q, &work))
+            return fail("the far coefficients could not be solved for");
+    return STATUS_OK;
 }
 
 void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)

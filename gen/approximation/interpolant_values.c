@@ -264,13 +264,13 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
     const enum quantity stored = quantity >= EPS_APPROACH_ONLY ? MAX_OVERLAP : quantity;
     const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
     const double root_end = pow(fmax(interpolant_last(f, stored, INTERVAL_ROOT), 0), (double)layout->root);
-    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
     LOCAL(arb, x);
     if (b <= root_end ||
         (!holds(&layout->interval[0], stored) && b <= pow(layout->interval[0].hi, (double)layout->root))) {
         arb_root_ui(x, beta, (ulong)layout->root, prec);
         interpolant_at(y, f, quantity, INTERVAL_ROOT, x, prec);
-    } else if (overlap && arb_is_finite(f->threshold) && b > exp(interpolant_last(f, quantity, INTERVAL_LOG))) {
+    } else if (is_of_overlap(quantity) && arb_is_finite(f->threshold) &&
+               b > exp(interpolant_last(f, quantity, INTERVAL_LOG))) {
         arb_sub(x, f->threshold, beta, prec);
         if (arb_is_positive(x)) {
             arb_log(x, x, prec);

@@ -210,16 +210,6 @@ static int find_radius(double *radius, struct law_layout *layout)
 
 /* ---- tables ---- */
 
-static bool of_force(enum quantity quantity)
-{
-    return quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;
-}
-
-static bool of_overlap(enum quantity quantity)
-{
-    return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
-}
-
 /* Octave of x, or the octave below if x is a power of two, which then ends a table */
 static double octave_of(double x)
 {
@@ -249,7 +239,7 @@ static const struct part {
 
 static double border_at(enum border border, const struct law_layout *layout, enum quantity quantity)
 {
-    const bool below = of_overlap(quantity) && layout->threshold < HUGE_VAL;
+    const bool below = is_of_overlap(quantity) && layout->threshold < HUGE_VAL;
     const double at[] = {
         [AT_ZERO] = 0,
         [NEAR_END] = layout->near_end,
@@ -270,7 +260,7 @@ static double border_at(enum border border, const struct law_layout *layout, enu
 static void set_root(struct pieces *p, const struct law_layout *layout, enum quantity quantity)
 {
     const slong root = quantity == DURATION_ZERO_FORCE ? layout->root_of_time : layout->root;
-    p->root = of_force(quantity) ? root : 1;
+    p->root = is_of_force(quantity) ? root : 1;
     if (p->variable == VARIABLE_BETA)
         p->step = exp2(octave_of(pow(p->end, 1 / (double)p->root)) - 1);
     else
@@ -323,7 +313,7 @@ static void make_tables(struct law_layout *layout)
     for (int i = 0; i < QUANTITIES; i++) {
         const enum quantity quantity = (enum quantity)i;
         /* one end of contact; eps in closed form */
-        if ((of_force(quantity) && !law_force_ends(law)) || (quantity == EPS_ZERO_OVERLAP && law_is_linear(law)))
+        if ((is_of_force(quantity) && !law_force_ends(law)) || (quantity == EPS_ZERO_OVERLAP && law_is_linear(law)))
             continue;
         for (int part = 0; part < (is_eps(quantity) ? PARTS : PART_INVERSE_NEAR); part++)
             add_table(layout, (enum law_part)part, quantity, stems[i][0], stems[i][1]);

@@ -22,8 +22,7 @@ enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel
 struct law_proof {
     const struct interpolant *f;
     enum quantity eps;
-    arb_poly_struct *polynomial; /* in w, -1 <= w <= 1, for each interval */
-    arb_struct *error;
+    double *error; /* of each interval, infinite without a proof */
 };
 
 /* ---- the intervals ---- */
@@ -60,16 +59,12 @@ static int prove_interval(struct law_proof *proof, int i, double wanted)
     const struct interval *const interval = &proof->f->layout->interval[i];
     double rho = radius_for(interval, 1, wanted);
     int status = STATUS_OK;
-    LOCAL(arb_poly, p);
-    LOCAL(arb, error);
     for (int k = 0; k < COVERS && status == STATUS_OK; k++) {
         struct ellipse_bound bound;
         rho = fmin(fmax(rho, LEAST_RHO), MOST_RHO);
         if (!ellipse_bound_of_law(&bound, proof->f, interval, proof->eps, rho))
             break;
-        status = interpolant_polynomial(p, error, proof->f, i, proof->eps, &bound);
-        arb_poly_set(&proof->polynomial[i], p);
-        arb_set(&proof->error[i], error);
+        status = interpolant_error(&proof->error[i], proof->f, i, proof->eps, &bound);
         const double next = 1.05 * radius_for(interval, bound.modulus[proof->eps], wanted);
         if (law_proof_error(proof, i) <= wanted || next < 1.02 * rho)
             break;
@@ -84,13 +79,9 @@ struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, 
     const struct interpolant_layout *const layout = f->layout;
     struct law_proof *proof = xmalloc(sizeof *proof);
     *proof = (struct law_proof){.f = f, .eps = eps};
-    proof->polynomial = xmalloc((size_t)layout->intervals * sizeof *proof->polynomial);
     proof->error = xmalloc((size_t)layout->intervals * sizeof *proof->error);
-    for (int i = 0; i < layout->intervals; i++) {
-        arb_poly_init(&proof->polynomial[i]);
-        arb_init(&proof->error[i]);
-        arb_pos_inf(&proof->error[i]);
-    }
+    for (int i = 0; i < layout->intervals; i++)
+        proof->error[i] = HUGE_VAL;
     int status = STATUS_OK;
     for (int i = 0; i < layout->intervals && status == STATUS_OK; i++) {
         double range[2];
@@ -109,20 +100,13 @@ void law_proof_free(struct law_proof *proof)
 {
     if (!proof)
         return;
-    for (int i = 0; i < proof->f->layout->intervals; i++) {
-        arb_poly_clear(&proof->polynomial[i]);
-        arb_clear(&proof->error[i]);
-    }
-    free(proof->polynomial);
     free(proof->error);
     free(proof);
 }
 
 double law_proof_error(const struct law_proof *proof, int i)
 {
-    LOCAL(mag, bound);
-    arb_get_mag(bound, &proof->error[i]);
-    return mag_get_d(bound);
+    return proof->error[i];
 }
 
 int law_proof_interval(double *end, const struct law_proof *proof, double u)
@@ -177,7 +161,7 @@ static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *int
 }
 
 /* p(w), with the error of p */
-static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, const arb_t error)
+static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, double error)
 {
     LOCAL(arb, c);
     arb_poly_zero(y);
@@ -221,7 +205,7 @@ bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *
     const bool done = isfinite(law_proof_error(proof, i)) && variable_of(w, proof, interval, log_beta, beta) &&
                       to_unit(w, w, interval);
     if (done) {
-        compose(eps, &proof->polynomial[i], w, &proof->error[i]);
+        compose(eps, &proof->f->samples[i].polynomial[proof->eps], w, proof->error[i]);
         eps_of_stored(eps, proof, interval, log_beta, beta);
     }
     return done;

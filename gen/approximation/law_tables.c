@@ -118,20 +118,15 @@ int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const c
         p.plain = p.rows;
         p.degree = 10;
         p.least_bits = 55;
-        status = pieces_make(&p, pieces_of_collision(t->f));
-        if (status == STATUS_OK)
-            status = pieces_emit(e, &p);
-        pieces_clear(&p);
+        status = pieces_write(e, &p, pieces_of_collision(t->f));
     }
     return status;
 }
 
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity)
 {
-    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
-    const bool force = quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;
-    const struct law *law = &t->layout.interpolant.law;
-    return !(overlap && t->layout.threshold < HUGE_VAL) && !(force && !law_force_ends(law));
+    return !(is_of_overlap(quantity) && t->layout.threshold < HUGE_VAL) &&
+           !(is_of_force(quantity) && !law_force_ends(&t->layout.interpolant.law));
 }
 
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity)

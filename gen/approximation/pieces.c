@@ -598,3 +598,12 @@ int pieces_emit(struct emit *e, const struct pieces *p)
     emit_rows_close(e);
     return status;
 }
+
+int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f)
+{
+    int status = (p->rows > 0 ? pieces_make : pieces_fit)(p, f);
+    if (status == STATUS_OK)
+        status = pieces_emit(e, p);
+    pieces_clear(p);
+    return status;
+}

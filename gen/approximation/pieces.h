@@ -109,4 +109,7 @@ int pieces_fit(struct pieces *p, struct pieces_function f);
  * Floats have no _FIRST_OCTAVE: FIRST is the end of row 0. */
 int pieces_emit(struct emit *e, const struct pieces *p);
 
+/* Computes a table, by pieces_make or, without rows, by pieces_fit, and writes it. Returns as these. */
+int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
+
 #endif

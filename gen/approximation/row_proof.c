@@ -24,9 +24,8 @@ enum {
 
 struct interpolant_proof {
     const struct interpolant *f;
-    struct ellipse_bound *bound;               /* of each interval */
-    arb_poly_struct (*polynomial)[QUANTITIES]; /* in w, -1 <= w <= 1, for each interval */
-    arb_struct (*error)[QUANTITIES];
+    struct ellipse_bound *bound; /* of each interval */
+    double (*error)[QUANTITIES]; /* infinite without a proof */
     struct creep_series creep;
     arb_t creep_constant; /* C of creep_series.h */
 };
@@ -105,24 +104,33 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
     return agree;
 }
 
-int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *f, int i, enum quantity quantity,
-                           const struct ellipse_bound *bound)
+/* An upper bound of |x| */
+static double largest(const arb_t x)
+{
+    LOCAL(mag, bound);
+    arb_get_mag(bound, x);
+    return mag_get_d(bound);
+}
+
+int interpolant_error(double *error, const struct interpolant *f, int i, enum quantity quantity,
+                      const struct ellipse_bound *bound)
 {
     const struct interval *const interval = &f->layout->interval[i];
     const struct samples *const s = &f->samples[i];
-    LOCAL(arb, constant);
+    LOCAL(arb, constant, distance);
     lebesgue(constant, s->node, interval);
-    interpolant_through_samples(p, s, interval, quantity);
-    polynomial_error(error, bound, quantity, constant, s->value[quantity], interval);
-    const bool agree = coefficients_agree(p, bound, quantity, error, interval->count);
-    return agree ? STATUS_OK
-                 : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
-                        quantity, interval->lo, interval->hi);
+    polynomial_error(distance, bound, quantity, constant, s->value[quantity], interval);
+    *error = largest(distance);
+    return coefficients_agree(&s->polynomial[quantity], bound, quantity, distance, interval->count)
+               ? STATUS_OK
+               : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
+                      quantity, interval->lo, interval->hi);
 }
 
-void interpolant_polynomial_on(arb_poly_t y, const arb_poly_t p, const arb_t error, const struct interval *interval,
-                               double lo, double hi)
+void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quantity quantity, double error, double lo,
+                    double hi)
 {
+    const struct interval *const interval = &f->layout->interval[i];
     LOCAL(arb, a, b, middle, half);
     arb_set_d(a, lo);
     arb_set_d(b, hi);
@@ -130,9 +138,10 @@ void interpolant_polynomial_on(arb_poly_t y, const arb_poly_t p, const arb_t err
     unit_place(b, b, interval->lo, interval->hi, PREC);
     LET(middle, PREC, "(a + b)/2", a, b);
     LET(half, PREC, "(b - a)/2", a, b);
-    enclosed_rescale(y, p, middle, half, PREC);
+    enclosed_rescale(y, &f->samples[i].polynomial[quantity], middle, half, PREC);
     arb_poly_set_round(y, y, ENCLOSED_BITS);
-    enclosed_add_radius(y, error);
+    arb_set_d(a, error);
+    enclosed_add_radius(y, a);
     enclosed_shorten(y);
 }
 
@@ -198,7 +207,8 @@ static int prove_creep(struct interpolant_proof *proof, int i)
             !arb_intersection(proof->creep_constant, proof->creep_constant, c, PREC))
             status = fail("the duration at zero overlap, sample %ld on [%g, %g], is not that of a creep", (long)j,
                           interval->lo, interval->hi);
-    arb_get_rad_arb(&proof->error[i][DURATION_ZERO_OVERLAP], proof->creep_constant);
+    arb_get_rad_arb(c, proof->creep_constant);
+    proof->error[i][DURATION_ZERO_OVERLAP] = largest(c);
     return status;
 }
 
@@ -214,8 +224,7 @@ static int prove_interval(struct interpolant_proof *proof, int i, unsigned quant
     int status = source == ELLIPSES_PROVED ? prove_stated(&proof->bound[i], interval) : STATUS_OK;
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (set & 1u << q)
-            status = interpolant_polynomial(&proof->polynomial[i][q], &proof->error[i][q], proof->f, i,
-                                            (enum quantity)q, &proof->bound[i]);
+            status = interpolant_error(&proof->error[i][q], proof->f, i, (enum quantity)q, &proof->bound[i]);
     if (status == STATUS_OK && interval->variable == INTERVAL_LOG && quantities & 1u << DURATION_ZERO_OVERLAP)
         status = prove_creep(proof, i);
     return status;
@@ -245,14 +254,10 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
     proof->bound = xmalloc((size_t)intervals * sizeof *proof->bound);
     for (int i = 0; i < intervals; i++)
         proof->bound[i] = (struct ellipse_bound){0};
-    proof->polynomial = xmalloc((size_t)intervals * sizeof *proof->polynomial);
     proof->error = xmalloc((size_t)intervals * sizeof *proof->error);
     for (int i = 0; i < intervals; i++)
-        for (int q = 0; q < QUANTITIES; q++) {
-            arb_poly_init(&proof->polynomial[i][q]);
-            arb_init(&proof->error[i][q]);
-            arb_pos_inf(&proof->error[i][q]);
-        }
+        for (int q = 0; q < QUANTITIES; q++)
+            proof->error[i][q] = HUGE_VAL;
     int status = STATUS_OK;
     if (!is_sphere(f->layout))
         status = fail("only the interpolant of interpolant_sphere_proof can be proved");
@@ -269,14 +274,8 @@ void interpolant_proof_free(struct interpolant_proof *proof)
 {
     if (!proof)
         return;
-    for (int i = 0; i < proof->f->layout->intervals; i++)
-        for (int q = 0; q < QUANTITIES; q++) {
-            arb_poly_clear(&proof->polynomial[i][q]);
-            arb_clear(&proof->error[i][q]);
-        }
     creep_series_clear(&proof->creep);
     arb_clear(proof->creep_constant);
-    free(proof->polynomial);
     free(proof->error);
     free(proof->bound);
     free(proof);
@@ -284,9 +283,7 @@ void interpolant_proof_free(struct interpolant_proof *proof)
 
 double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity)
 {
-    LOCAL(mag, bound);
-    arb_get_mag(bound, &proof->error[i][quantity]);
-    return mag_get_d(bound);
+    return proof->error[i][quantity];
 }
 
 const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_proof *proof, int i)
@@ -359,8 +356,7 @@ bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof
 
 static void stored_on(arb_poly_t y, const struct piece *w, enum quantity quantity, double lo, double hi)
 {
-    interpolant_polynomial_on(y, &w->proof->polynomial[w->i][quantity], &w->proof->error[w->i][quantity], w->interval,
-                              lo, hi);
+    interpolant_on(y, w->proof->f, w->i, quantity, w->proof->error[w->i][quantity], lo, hi);
 }
 
 static void creep_duration(arb_poly_t y, const struct piece *w, double lo, double hi)
@@ -674,7 +670,7 @@ static int split_cell(struct part *part, const struct interpolant_proof *proof, 
         return 0;
     double reached = range.lo;
     for (int i = 0; i < layout->intervals && reached < range.hi && parts < MOST_PARTS; i++) {
-        if (!arb_is_finite(&proof->error[i][stored]))
+        if (!isfinite(proof->error[i][stored]))
             continue;
         part[parts].interval = i;
         const int more = part_of(&part[parts], &reached, &range, &layout->interval[i], stored);

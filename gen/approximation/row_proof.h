@@ -11,15 +11,14 @@
 #include "approximation/ellipse_bound.h"
 #include "approximation/pieces.h"
 
-/* The polynomial of interval i for a quantity in w, -1 <= w <= 1 over the interval, and a bound of its error from that
- * of the function in an ellipse. Returns 0, or 1 after reporting that the polynomial contradicts the bound, because a
- * sample is wrong. */
-int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *f, int i, enum quantity quantity,
-                           const struct ellipse_bound *bound);
+/* Bounds the error of the interpolant of interval i from a bound of the function in an ellipse. Returns 0, or 1 after
+ * reporting that the polynomial contradicts the bound, because a sample is wrong. */
+int interpolant_error(double *error, const struct interpolant *f, int i, enum quantity quantity,
+                      const struct ellipse_bound *bound);
 
-/* The same polynomial with its error for lo <= x <= hi in its interval, as a function of t (enclosed_function.h) */
-void interpolant_polynomial_on(arb_poly_t y, const arb_poly_t p, const arb_t error, const struct interval *interval,
-                               double lo, double hi);
+/* The interpolant of interval i with its error for lo <= x <= hi, as a function of t (enclosed_function.h) */
+void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quantity quantity, double error, double lo,
+                    double hi);
 
 struct interpolant_proof;
 

@@ -220,11 +220,7 @@ static int emit_form(struct emit *e, const struct closed_form *law, enum form fo
     else
         set_octaves(&p, VARIABLE_EPS_OCTAVES, NULL, law->least_octave, 0.5);
     const struct closed_rows rows = {law, form};
-    int status = pieces_fit(&p, (struct pieces_function){closed_form_at, &rows});
-    if (status == STATUS_OK)
-        status = pieces_emit(e, &p);
-    pieces_clear(&p);
-    return status;
+    return pieces_write(e, &p, (struct pieces_function){closed_form_at, &rows});
 }
 
 static const char banner[] =

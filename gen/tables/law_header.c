@@ -93,7 +93,6 @@ static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enu
 static int emit_quantity(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
 {
     static const char *const field[] = {"near", "middle", "tail", "below"};
-    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
     int status = STATUS_OK;
     emit_lines(e,
                "\nCOR_INLINE_LAW struct cor_inline_law_quantity cor_law_$s_$s(void)\n{\n"
@@ -106,7 +105,7 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
     }
     if (law_tables_have_far(t, quantity))
         emit_far_fields(e, t, name, quantity);
-    if (overlap && t->layout.threshold < HUGE_VAL)
+    if (is_of_overlap(quantity) && t->layout.threshold < HUGE_VAL)
         status = emit_threshold_fields(e, t, quantity);
     emit_lines(e, "    return x;\n}\n");
     return status;
@@ -166,10 +165,10 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
         status = emit_far(e, t, name);
     emit_comment(e, "What runtime/table/law.h needs of each quantity");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
-        if (!both && (q == EPS_ZERO_FORCE || q == DURATION_ZERO_FORCE))
+        if (!both && is_of_force((enum quantity)q))
             continue;
         status = emit_quantity(e, t, name, (enum quantity)q);
-        if (q == EPS_ZERO_OVERLAP || q == EPS_ZERO_FORCE)
+        if (is_eps((enum quantity)q))
             emit_inverse(e, t, name, (enum quantity)q);
     }
     emit_functions(e, t, name, prefix);

@@ -123,11 +123,8 @@ static int emit_times(struct emit *e, const struct time_rows *rows, slong head_b
     struct sampled_function f = {.p = &p, .value = time_at, .what = rows};
     int status = sampled_function_make(&f);
     if (status == STATUS_OK)
-        status = pieces_make(&p, pieces_of_samples(&f));
-    if (status == STATUS_OK)
-        status = pieces_emit(e, &p);
+        status = pieces_write(e, &p, pieces_of_samples(&f));
     sampled_function_clear(&f);
-    pieces_clear(&p);
     return status;
 }
 

@@ -251,7 +251,9 @@ TEST(test_rows)
 TEST(test_samples)
 {
     LOCAL(arb, kept);
-    const struct samples *const samples = &interpolant->samples[1];
+    struct samples *const samples = &interpolant->samples[1];
+    const struct interval *const interval = &interpolant_sphere_proof.interval[1];
+    arb_poly_struct *const polynomial = &samples->polynomial[EPS_ZERO_FORCE];
     assert_true(samples->known);
     const slong j = (slong)random_below(&random_state, 40);
     const arb_ptr wrong[] = {samples->value[EPS_ZERO_FORCE] + j, samples->node + j};
@@ -259,10 +261,12 @@ TEST(test_samples)
         arb_set(kept, wrong[k]);
         const int bit = k == 0 ? 52 : 40;
         LET(wrong[k], 200, "kept*(1 + 1/2^bit)", kept, bit);
+        interpolant_through_samples(polynomial, samples, interval, EPS_ZERO_FORCE);
         struct interpolant_proof *none = interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED);
         check(!none, "proved with a wrong %s %ld", k == 0 ? "sample" : "node", (long)j);
         arb_set(wrong[k], kept);
     }
+    interpolant_through_samples(polynomial, samples, interval, EPS_ZERO_FORCE);
 }
 
 /* The proof knows its intervals, and no others. */
@@ -428,6 +432,8 @@ TEST(test_creep_rows)
         LOCAL(arb, exact);
         arb_set(exact, wrong);
         LET(wrong, 200, "exact*(1 + 1/2^58)", exact);
+        interpolant_through_samples(&f->samples[last].polynomial[used[k]], &f->samples[last],
+                                    &interpolant_sphere_proof.interval[last], used[k]);
         struct interpolant_proof *none = interpolant_proof_new(f, SET_ALL, ELLIPSES_STATED);
         check(!none, "proved with a wrong sample of quantity %d", (int)used[k]);
         arb_set(wrong, exact);
