@@ -149,6 +149,8 @@ long cor_mode_orders(double omega)
 
 double cor_mode_total(const struct cor_mode_material *material, double omega)
 {
+    if (omega < 1) /* below every mode; products of the equation would underflow */
+        return 0;
     const struct cor_mode_loops *const loops = cor_mode_set(cor_widest_set());
     const long orders = cor_mode_orders(omega);
     struct cor_mode_point p;

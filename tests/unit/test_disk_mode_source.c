@@ -193,6 +193,8 @@ TEST(refusals)
     assert_true(modes.nu == 7 && modes.count == 7 && modes.mode == NULL);
     EACH (nowhere, 0, -1, NAN, INFINITY, 1.0001 * COR_DISK_MODES_MAX_OMEGA)
         assert_int_equal(cor_disk_modes_below(0.3, *nowhere), 0);
+    for (double omega = 1e-323; omega < 1.1; omega *= 3) /* no disk has a mode below 1.17 */
+        assert_int_equal(cor_disk_modes_below(0.33, omega) + cor_disk_modes_below(-0.9, omega), 0);
     assert_int_equal(cor_disk_modes_below(0.33, 1.4385), 0);
     assert_int_equal(cor_disk_modes_below(0.33, 1.4386), 1);
     assert_int_equal(cor_disk_modes_compute(0.33, 1, mode, &modes), COR_OK);
