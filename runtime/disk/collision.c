@@ -15,7 +15,7 @@
 
 #include "cor/disk.h"
 #include "cor/status.h"
-#include "runtime/disk/collision_runs.h"
+#include "runtime/disk/collision_run.h"
 #include "runtime/number/environment.h"
 
 /* COR_OK, or the status of the first error in the table and the options */
@@ -86,9 +86,16 @@ static const struct cor_disk_collision collision_unknown = {NAN, NAN, NAN, NAN, 
 static const struct cor_disk_collision collision_without_touch = {NAN, NAN, 0, NAN, 0, 0, NAN};
 
 /* Keeps the tables of angles of the speed before if their number is the same. */
-static int collision_at(struct cor_motion *m, const struct cor_disk_collision_options *options, double speed,
-                        struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
+static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collision_options *options, double speed,
+                              struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
 {
+    *out = collision_unknown;
+    if (!(speed <= COR_DISK_COLLISION_MAX_SPEED))
+        return COR_ERROR_SPEED;
+    if (speed <= 0) {
+        *out = collision_without_touch;
+        return COR_WALL_NOT_TOUCHED;
+    }
     m->speed = speed;
     m->work_per_step = options->max_steps > 0 ? 1 : 0;
     m->work_left = options->max_steps > 0 ? (double)options->max_steps : cor_tuning.work;
@@ -111,45 +118,10 @@ static int collision_in(void *workspace, size_t bytes, const struct cor_disk_mod
         return COR_ERROR_SPEED;
     struct cor_motion m;
     const int prepared = collision_prepare(&m, workspace, bytes, modes, n_modes, options);
-    if (prepared != COR_OK)
-        return prepared;
-    if (speed <= 0) {
-        *out = collision_without_touch;
-        return COR_WALL_NOT_TOUCHED;
-    }
-    return collision_at(&m, options, speed, out, detail);
-}
-
-static int collision_of_one(const struct cor_disk_modes *modes, size_t n_modes,
-                            const struct cor_disk_collision_options *options, double speed,
-                            struct cor_disk_collision *out)
-{
-    const int status = collision_check(modes, n_modes, options);
-    if (status != COR_OK)
-        return status;
-    const size_t bytes = collision_workspace(modes, n_modes, options);
-    void *const workspace = malloc(bytes);
-    if (workspace == NULL)
-        return COR_ERROR_MEMORY;
-    const int result = collision_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
-    free(workspace);
-    return result;
+    return prepared != COR_OK ? prepared : collision_of_speed(&m, options, speed, out, detail);
 }
 
 /* ---- many speeds ---- */
-
-static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collision_options *options, double speed,
-                              struct cor_disk_collision *out)
-{
-    *out = collision_unknown;
-    if (!(speed <= COR_DISK_COLLISION_MAX_SPEED))
-        return COR_ERROR_SPEED;
-    if (speed <= 0) {
-        *out = collision_without_touch;
-        return COR_WALL_NOT_TOUCHED;
-    }
-    return collision_at(m, options, speed, out, NULL);
-}
 
 static int collision_of_many(const struct cor_disk_modes *modes, size_t n_modes,
                              const struct cor_disk_collision_options *options, const double *speed, size_t n,
@@ -167,7 +139,7 @@ static int collision_of_many(const struct cor_disk_modes *modes, size_t n_modes,
     struct cor_motion m;
     int first = collision_prepare(&m, workspace, bytes, modes, n_modes, options);
     for (size_t i = 0; i < n; i++) {
-        const int of_speed = collision_of_speed(&m, options, speed[i], &out[i]);
+        const int of_speed = collision_of_speed(&m, options, speed[i], &out[i], NULL);
         if (status != NULL)
             status[i] = of_speed;
         if (first == COR_OK)
@@ -175,6 +147,16 @@ static int collision_of_many(const struct cor_disk_modes *modes, size_t n_modes,
     }
     free(workspace);
     return first;
+}
+
+static int collision_of_one(const struct cor_disk_modes *modes, size_t n_modes,
+                            const struct cor_disk_collision_options *options, double speed,
+                            struct cor_disk_collision *out)
+{
+    const int status = collision_check(modes, n_modes, options);
+    if (status == COR_OK && out != NULL && !(speed <= COR_DISK_COLLISION_MAX_SPEED))
+        return COR_ERROR_SPEED; /* *out is unchanged */
+    return collision_of_many(modes, n_modes, options, &speed, 1, out, NULL);
 }
 
 /* ---- in the default floating-point environment ---- */

@@ -32,4 +32,10 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
                                              const struct cor_collision_run *before, double *average,
                                              const struct cor_disk_collision_detail *detail);
 
+/* The runs of a call (collision_runs.c). The estimated error determines the steps, the angles and the number of runs.
+ * COR_OK, COR_TOLERANCE_NOT_REACHED or COR_CONTACT_NOT_ENDED, as cor/disk.h says. m has its modes and first angles,
+ * *out nothing known. */
+int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
+                       const struct cor_disk_collision_detail *detail);
+
 #endif

@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "runtime/disk/collision_runs.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -297,11 +295,9 @@ int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
                        const struct cor_disk_collision_detail *detail)
 {
     static const struct cor_disk_collision_detail no_detail;
-    const struct cor_disk_collision unknown = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
     struct runs runs;
     memset(&runs, 0, sizeof runs);
     runs.h = first_step(m);
-    *out = unknown;
     runs_settle(m, &runs, out, detail != NULL ? detail : &no_detail);
     if (isnan(out->eps) && runs.levels == 1) {
         cor_collision_results(m, runs.run, 1, out, detail != NULL ? detail->energy_after : NULL);

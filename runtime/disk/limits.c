@@ -49,13 +49,8 @@ static void eps_of_speeds(const double *speed, double nu, double *eps, size_t n)
         eps[i] = cor_disk_eps(speed[i], nu);
 }
 
-void cor_disk_eps_array(const double *speed, double nu, double *eps, size_t n)
-{
-    void (*const volatile in_environment)(const double *, double, double *, size_t) = eps_of_speeds;
-    const struct cor_environment caller = cor_environment_enter();
-    in_environment(speed, nu, eps, n);
-    cor_environment_leave(&caller);
-}
+COR_RUN_IN_ENVIRONMENT(cor_disk_eps_array, eps_of_speeds, (const double *speed, double nu, double *eps, size_t n),
+                       (speed, nu, eps, n))
 
 /* d eps = d(1 - eps^2)/(2 eps); eps is above 0.7 */
 double cor_disk_eps_uncertainty(double speed, double nu)

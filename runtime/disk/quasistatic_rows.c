@@ -55,13 +55,8 @@ static double law_contact_time(double speed, double nu, enum cor_disk_datum datu
         for (size_t i = 0; i < n; i++)                                                                                 \
             y[i] = law_##name(x[i], nu, datum);                                                                        \
     }                                                                                                                  \
-    void cor_disk_##name##_array(const double *x, double nu, enum cor_disk_datum datum, double *y, size_t n)           \
-    {                                                                                                                  \
-        void (*const volatile in_environment)(const double *, double, enum cor_disk_datum, double *, size_t) =         \
-            many_##name;                                                                                               \
-        const struct cor_environment caller = cor_environment_enter();                                                 \
-        in_environment(x, nu, datum, y, n);                                                                            \
-        cor_environment_leave(&caller);                                                                                \
-    }
+    COR_RUN_IN_ENVIRONMENT(cor_disk_##name##_array, many_##name,                                                       \
+                           (const double *x, double nu, enum cor_disk_datum datum, double *y, size_t n),               \
+                           (x, nu, datum, y, n))
 LAW(load)
 LAW(contact_time)

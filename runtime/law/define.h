@@ -55,13 +55,8 @@ static inline int law_is_ordinary(double x)
         for (size_t i = 0; i < n; i++)                                                                                 \
             y[i] = (type)cor_##name((double)beta[i], (double)elastic_exponent);                                        \
     }                                                                                                                  \
-    void array(const type *beta, type elastic_exponent, type *y, size_t n)                                             \
-    {                                                                                                                  \
-        void (*const volatile in_environment)(const type *, type, type *, size_t) = one_by_one_##array;                \
-        const struct cor_environment caller = cor_environment_enter();                                                 \
-        in_environment(beta, elastic_exponent, y, n);                                                                  \
-        cor_environment_leave(&caller);                                                                                \
-    }
+    COR_RUN_IN_ENVIRONMENT(array, one_by_one_##array, (const type *beta, type elastic_exponent, type *y, size_t n),    \
+                           (beta, elastic_exponent, y, n))
 #define LAW_DEFINE_WITH_EXPONENT(function, name)                                                                       \
     static COR_IN_ENVIRONMENT(double, anywhere_##function, cor_##name, (double beta, double elastic_exponent),         \
                               (beta, elastic_exponent)) double cor_##function(double beta, double elastic_exponent)    \

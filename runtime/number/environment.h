@@ -85,6 +85,16 @@ static inline double cor_in_environment(double (*function)(double), double x)
         return value;                                                                                                  \
     }
 
+/* The same of a function that returns nothing */
+#define COR_RUN_IN_ENVIRONMENT(name, formula, parameters, arguments)                                                   \
+    void name parameters                                                                                               \
+    {                                                                                                                  \
+        void(*const volatile in_environment) parameters = formula;                                                     \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        in_environment arguments;                                                                                      \
+        cor_environment_leave(&caller);                                                                                \
+    }
+
 /* Defines the array function `name` of formula(x): the elements one by one in the default environment. */
 #define COR_ARRAY_IN_ENVIRONMENT(type, name, formula)                                                                  \
     static void one_by_one_##name(const type *x, type *y, size_t n)                                                    \
@@ -92,12 +102,6 @@ static inline double cor_in_environment(double (*function)(double), double x)
         for (size_t i = 0; i < n; i++)                                                                                 \
             y[i] = formula(x[i]);                                                                                      \
     }                                                                                                                  \
-    void name(const type *x, type *y, size_t n)                                                                        \
-    {                                                                                                                  \
-        void (*const volatile in_environment)(const type *, type *, size_t) = one_by_one_##name;                       \
-        const struct cor_environment caller = cor_environment_enter();                                                 \
-        in_environment(x, y, n);                                                                                       \
-        cor_environment_leave(&caller);                                                                                \
-    }
+    COR_RUN_IN_ENVIRONMENT(name, one_by_one_##name, (const type *x, type *y, size_t n), (x, y, n))
 
 #endif
