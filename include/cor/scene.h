@@ -173,8 +173,9 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
  * For one contact eps is still a function of the speed, for every law, and no solver is needed; it is 0, and the
  * durations infinite, up to the sticking speed of that end: the motion then goes to rest in contact, because the energy
  * never grows (docs/theory.md, 24). The largest force is that of spring and damper.
- * Accuracy: COR_SCENE_PRESSED_ERROR, absolute for eps^2, relative for durations while eps > 0.01 and for overlap and
- * force; sampled in tests/unit/test_scene_pressed.c.
+ * Accuracy: COR_SCENE_PRESSED_ERROR, absolute for eps^2 up to 1 and relative beyond (which the end at zero force
+ * reaches), relative for durations while eps > 0.01 and for overlap and force; sampled in
+ * tests/unit/test_scene_pressed.c.
  * The sticking speed is in m/s: 0 without force or damping, infinite where the bodies stick at every speed up to 1e9
  * times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m; with a liquid that below which eps is 0. */
 #define COR_SCENE_PRESSED_ERROR 1e-10
