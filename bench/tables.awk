@@ -26,6 +26,7 @@ function write(name, a, b, c) {
     else if (name == "modes") modes()
     else if (name == "collision") collision()
     else if (name == "models") models()
+    else if (name == "rigid") rigid()
     else if (name == "generator") generator()
     else { print "bench/tables.awk: no table " name > "/dev/stderr"; exit 1 }
 }
@@ -202,6 +203,13 @@ function collision(    k, best) {
 function model(v, e,    i) {
     i = fastest("collision models", v, e)
     return i ? disk(i, 5) ", " disk(i, 4) + 0 ", " time(disk(i, 6)) : "none"
+}
+function rigid(    i) {
+    head("| tolerance | median | slowest | estimate, at most | scenes | reached | within 2 s |")
+    for (i = 1; i <= rows["disks"]; i++)
+        if (disk(i, 1) == "rigid wall" && disk(i, 2) == "median")
+            printf "| %s | %s | %s | %s | %d | %d | %d |\n", short(disk(i, 4)), time(disk(i, 6)), time(disk(i + 1, 6)), short(disk(i + 1, 7)), \
+                disk(i, 5), disk(i + 2, 5), disk(i + 3, 5)
 }
 function models(    i, k, errors) {
     head("| error at most | v = 0.1: modes, alpha, time | v = 0.01: modes, alpha, time |")

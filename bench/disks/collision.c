@@ -3,8 +3,13 @@
  * the motion in time, tests/unit/reference_collision.c.
  *
  * Then what few modes and a soft wall leave out, and what they save: eps against the limit of all modes at a rigid
- * wall, which comes from the library's table of limits, and no closer than that is known. */
+ * wall, which comes from the library's table of limits, and no closer than that is known.
+ *
+ * Then all modes at a rigid wall, modes included, at scenes spread over the domain of that table from v = 0.01 on: one
+ * run of each. */
 #include <math.h>
+#include <stdlib.h>
+#include <time.h>
 
 #include <cor/status.h>
 
@@ -82,6 +87,41 @@ static void models(struct disk_bench *bench, double speed, double softest, struc
     }
 }
 
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Rows "median", "slowest" and, with their number in place of modes, those reached and those reached within 2 s */
+static void rigid_wall(struct disk_bench *bench, double tolerance)
+{
+    enum { SCENES = 60, FEW = 6 };
+    const struct cor_disk_hard_wall_options options = {.tolerance = tolerance};
+    const size_t scenes = bench->quick ? FEW : SCENES;
+    double seconds[SCENES], most = 0;
+    size_t reached = 0, soon = 0;
+    for (size_t i = 0; i < scenes; i++) {
+        const double x = fmod(0.6180339887498949 * (double)i, 1), y = fmod(0.7548776662466927 * (double)i, 1);
+        struct cor_disk_hard_wall out;
+        const clock_t start = clock();
+        const int status = cor_disk_hard_wall_nu(COR_DISK_EPS_MIN_NU + x * (COR_DISK_EPS_MAX_NU - COR_DISK_EPS_MIN_NU),
+                                                 &options, 0.01 * pow(30, y), &out);
+        seconds[i] = (double)(clock() - start) / CLOCKS_PER_SEC;
+        disk_must(status, COR_TOLERANCE_NOT_REACHED);
+        reached += status == COR_OK;
+        soon += status == COR_OK && seconds[i] <= 2;
+        most = fmax(most, out.error_estimate);
+    }
+    qsort(seconds, scenes, sizeof *seconds, ascending);
+    const struct disk_row row[] = {{"rigid wall", "median", NAN, tolerance, scenes, seconds[scenes / 2], NAN},
+                                   {"rigid wall", "slowest", NAN, tolerance, scenes, seconds[scenes - 1], most},
+                                   {"rigid wall", "reached", NAN, tolerance, reached, NAN, NAN},
+                                   {"rigid wall", "within 2 s", NAN, tolerance, soon, NAN, NAN}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        disk_csv(bench, &row[i]);
+}
+
 void disk_collision(struct disk_bench *bench)
 {
     /* a collision takes from 1 ms to 1 s: those above 30 ms have one turn in four */
@@ -89,4 +129,6 @@ void disk_collision(struct disk_bench *bench)
     curve(bench, timing);
     models(bench, 0.1, 125, timing);
     models(bench, 0.01, 500, timing);
+    for (int k = 3; k <= 6; k++)
+        rigid_wall(bench, pow(10, -k));
 }
