@@ -32,7 +32,7 @@ TEST(test_samples)
 {
     static struct cor_disk_limit_piece piece[PIECES];
     memcpy(piece, cor_disk_limit_piece, sizeof piece);
-    for (size_t seed = 0; seed < points(1); seed++)
+    for (size_t seed = 0; seed < points(6); seed++)
         assert_int_equal(disk_limits_check_sample(seed), 0);
     for (int i = 0; i < PIECES; i++)
         piece[i].coefficient[0] += 10;
