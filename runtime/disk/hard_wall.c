@@ -53,8 +53,10 @@ enum { ENOUGH_LEVELS = 5 };
 enum { WILD_LEVELS = 8 };
 static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
-/* Where levels do not agree by chance, the estimate is no larger, from Omega = USUAL_FROM on, than what is usual at
- * Omega and a part of the last changes. Fitted at USUAL_TOLERANCE: the theory page, 17, has the sample. */
+/* In the domain of cor_disk_eps, and a little around it, the estimate is no larger, from Omega = USUAL_FROM on, than
+ * what is usual at Omega and a part of the last changes. Fitted there, at USUAL_TOLERANCE: the theory page, 17, has the
+ * sample, of no other nu. */
+#define USUAL_SPEED 9e-6
 #define USUAL 6.8e-7
 #define USUAL_OMEGA 680
 #define USUAL_POWER 3.5
@@ -130,10 +132,21 @@ static double limit_of(double before, double last)
     return last + (last - before);
 }
 
+static int is_calm_nu(double nu)
+{
+    return nu >= LEAST_CALM && nu <= LARGEST_CALM;
+}
+
+/* Whether few levels hardly agree by chance */
 static int is_calm(const struct ladder *ladder)
 {
-    const int calm_nu = ladder->nu >= LEAST_CALM && ladder->nu <= LARGEST_CALM;
-    return ladder->speed <= (calm_nu ? WILD_SPEED : CALM_SPEED);
+    return ladder->speed <= (is_calm_nu(ladder->nu) ? WILD_SPEED : CALM_SPEED);
+}
+
+static int is_usual(const struct ladder *ladder)
+{
+    return is_calm_nu(ladder->nu) && ladder->speed >= USUAL_SPEED && ladder->speed <= WILD_SPEED &&
+           omega_of(ladder->levels - 1) > USUAL_FROM;
 }
 
 /* Bound on the effect of waves that no level up to Omega shows */
@@ -167,15 +180,14 @@ static double usual_estimate(const struct ladder *ladder)
 
 static double estimate_of(const struct ladder *ladder)
 {
-    const int calm = is_calm(ladder);
     const size_t last = ladder->levels - 1;
     /* a single extrapolated value has no other to compare with */
     const double extrapolation = (last < 2 ? 1 : EXTRAPOLATED) * fabs(ladder->extrapolated[last] - ladder->l[last]);
-    const double *const weight = calm || ladder->levels > WILD_LEVELS ? calm_weight : wild_weight;
+    const double *const weight = is_calm(ladder) || ladder->levels > WILD_LEVELS ? calm_weight : wild_weight;
     const double estimate = fmax(extrapolation, changes_of(ladder, weight)) +
                             unseen_part(ladder->speed, omega_of(last)) + noise_of(ladder->tolerance);
     const double point = ladder->speed < COR_DISK_HARD_WALL_POINT_SPEED ? POINT_ERROR : 0;
-    return point + (calm && omega_of(last) > USUAL_FROM ? fmin(estimate, usual_estimate(ladder)) : estimate);
+    return point + (is_usual(ladder) ? fmin(estimate, usual_estimate(ladder)) : estimate);
 }
 
 static int is_settled(const struct ladder *ladder)
