@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The table behind cor_disk_eps, disk_limits.h: collisions of disks of all modes with a rigid wall, over cells of speed
- * and Poisson's ratio that are refined until their polynomials are accurate enough. The collisions take most of an
- * hour of CPU time and are kept: corgen is built with them. */
+ * and Poisson's ratio that are refined until their polynomials are accurate enough. The collisions take a quarter of
+ * an hour of CPU time and are kept: corgen is built with them. */
 #ifndef COR_GEN_TABLES_LIMITS_H
 #define COR_GEN_TABLES_LIMITS_H
 

@@ -455,7 +455,7 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
 
 /* Restitution of a disk of all its modes at a rigid wall, as cor_disk_hard_wall computes it. The functions interpolate
  * a table of collisions, generated/disk_limits.h, by polynomials of degree 3 in v^(1/8) and nu, which join where cells
- * of the table end. A call takes 15 ns (measured; docs/speed).
+ * of the table end. A call takes 14 ns (measured; docs/speed).
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
  *                                  combined with the error estimates of the collisions: an estimate, not a bound.

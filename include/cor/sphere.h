@@ -131,7 +131,7 @@ COR_SPHERE_DECLARE_(time_of_max_overlap)
  * and correct the few arguments where that is not the nearest float.
  * cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) sets y[i] to the bits of the function at x[i], for i < n.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_FAST_FLOAT_MAX_ULP, in units of the last place of a float, measured at
- * every float (tests/accuracy/test_fast_floats). Beta >= 8 (eps, loss and duration at zero overlap)
+ * every float (tests/accuracy/test_floats.c). Beta >= 8 (eps, loss and duration at zero overlap)
  * or 16 (the others), -0 and, for the loss, 0 < beta < 2^-100 take the correctly rounded function, which is slower.
  * Special values: those of the double functions; beta = 0 gives the float nearest to the exact value.
  * Source: that of each function. */
