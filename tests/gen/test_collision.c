@@ -133,6 +133,9 @@ TEST(test_collisions)
                 assert_digits(value[k], text[k]);
         }
     }
+    const struct law dashpot = law_of("3/2", "0"); /* near the threshold bits are lost, and asked for again */
+    collision_of(c, "1.127988", &dashpot, 90);
+    assert_true(arb_rel_accuracy_bits(c->eps_zero_overlap) >= 90);
 }
 
 /* Tsuji's at zeta = 1/4 and 2, beta = sqrt(5) zeta in a ball. */

@@ -400,6 +400,30 @@ TEST(test_enclosed_remainder)
     }
 }
 
+/* The same of ln, 1/p and the square root, of which ln and 1/p need a rest of less than half */
+TEST(test_enclosed_remainders)
+{
+    static const double w[] = {0.3, 0.45, 0.49};
+    LOCAL(arb_poly, p, y);
+    LOCAL(arb, x, argument, expected);
+    enclosed_add_double(p, 1);
+    for (size_t i = 0; i < 3 * sizeof w / sizeof *w; i++) {
+        arb_set_d(x, w[i / 3]);
+        arb_poly_set_coeff_arb(p, 1, x);
+        arb_set_si(x, -1);
+        arb_poly_evaluate(argument, p, x, 2 * ENCLOSED_BITS);
+        if (i % 3 == 0)
+            arb_log(expected, argument, 2 * ENCLOSED_BITS);
+        else if (i % 3 == 1)
+            arb_inv(expected, argument, 2 * ENCLOSED_BITS);
+        else
+            arb_sqrt(expected, argument, 2 * ENCLOSED_BITS);
+        assert_true((i % 3 == 0 ? enclosed_logarithm : i % 3 == 1 ? enclosed_inverse : enclosed_square_root)(y, p));
+        arb_poly_evaluate(x, y, x, 2 * ENCLOSED_BITS);
+        check(arb_contains(x, expected), "function %zu at w = %g", i % 3, w[i / 3]);
+    }
+}
+
 /* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds: all
  * rows in a long run only; `corgen tables` proves the rows each time. */
 TEST(test_creep_rows)
@@ -444,4 +468,5 @@ TEST(test_creep_rows)
 }
 
 RUN_GROUP(make_proof, clear_proof, test_real_axis, test_complex_plane, test_singular, test_rows, test_samples,
-          test_unknown, test_creep_series, test_enclosed_functions, test_enclosed_remainder, test_creep_rows)
+          test_unknown, test_creep_series, test_enclosed_functions, test_enclosed_remainder, test_enclosed_remainders,
+          test_creep_rows)

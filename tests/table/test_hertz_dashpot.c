@@ -116,6 +116,8 @@ TEST(test_approach_only)
     const size_t n = points(16);
     for (size_t i = 0; i < n; i++)
         check_approach(worst, i % 2 ? random_uniform(&r, 0, 3) : random_log(&r, 1e-12, 1e15), i % 4 < 2);
+    for (int k = 4; k < 50; k++)
+        check_approach(worst, ldexp(1, k), false);
     for (size_t i = 0; i < sizeof borders / sizeof *borders; i++)
         for (int ulp = -1; ulp <= 1; ulp += 2)
             check_approach(worst, moved(borders[i], ulp), false);

@@ -182,6 +182,9 @@ TEST(spheres)
 /* eps on both sides of the sticking speed, which another integration finds, backwards in time */
 TEST(sticking)
 {
+    const struct cor_scene_contact strong = contact_of(&cor_law_exponents[COR_LAW_LINEAR], 1.975, 1);
+    check(cor_scene_sticking_speed(&strong, 0) > 1e8 && cor_scene_sticking_speed(&strong, 0) < 1e9, "%g",
+          cor_scene_sticking_speed(&strong, 0)); /* below the end of the search, scene.h */
     static const int laws[] = {COR_LAW_VISCOELASTIC, COR_LAW_LINEAR, COR_LAW_TSUJI, COR_LAW_HUNT_CROSSLEY,
                                COR_LAW_HERTZ_DASHPOT};
     for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
@@ -208,6 +211,19 @@ TEST(limits)
     const struct cor_scene_contact creeping = contact_of(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3, 0.1);
     close_to("creeping", cor_scene_force_max_n(&creeping, 1),
              cor_law_force_max(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3), 1e-2);
+    /* damping nearly strong enough that the body never turns */
+    static const struct {
+        int law;
+        double beta, force;
+    } turns[] = {{COR_LAW_TSUJI, 2.31727, 7.19012}, {COR_LAW_HERTZ_DASHPOT, 3.06276, 0.203421}};
+    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
+        const struct cor_exponents *const law = &cor_law_exponents[turns[i].law];
+        const struct cor_scene_contact c = contact_of(law, turns[i].beta, turns[i].force);
+        struct cor_scene_impact impact;
+        assert_int_equal(cor_scene_impact(&impact, &c, 1), COR_OK);
+        close_to("turns", impact.max_overlap_m, (double)reference(law, turns[i].beta, turns[i].force).max_overlap,
+                 COR_SCENE_PRESSED_ERROR);
+    }
     for (int law = 0; law < COR_LAW_PLATE; law++) {
         /* without damping nothing is lost */
         struct cor_scene_contact c = contact_of(&cor_law_exponents[law], 0, 0.7);
