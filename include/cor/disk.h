@@ -79,7 +79,8 @@ struct cor_disk_mode {
 };
 
 /* Largest n of a mode that any function accepts, in a table or a file: the memory of a collision grows with n^2. The
- * 10^6 lowest modes of a disk, COR_DISK_MODES_MAX_COUNT, have n below 3000. */
+ * 10^6 lowest modes of a disk, COR_DISK_MODES_MAX_COUNT, have n below 3900 where nu is -0.7 or more. Nearer to -1 a
+ * table may have larger n, which collisions refuse. */
 #define COR_DISK_MODES_MAX_N 4095
 
 /* The lowest `count` modes of a disk, by increasing omega, without gaps. mode has count elements. */

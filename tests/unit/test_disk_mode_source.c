@@ -136,6 +136,9 @@ TEST(ends)
             for (int n = 1; n < 20; n++)
                 check(mode[n].n == n && fabs(mode[n].omega / sqrt((n + 1) * (n + 2) / 2.0) - 1) < 1e-6,
                       "nu = %.17g, n = %d: %.9f", *nus, n, mode[n].omega);
+        if (*nus == -1 + 1e-12) /* corgen disk-modes --poisson -0.999999999999 --count 300 */
+            check(fabs(mode[299].omega / 212.48529360875795621 - 1) < COR_DISK_MODES_OMEGA_MAX_ERROR / 10, "%.17g",
+                  mode[299].omega);
     }
 }
 
@@ -197,6 +200,7 @@ TEST(refusals)
         assert_int_equal(cor_disk_modes_below(0.33, omega) + cor_disk_modes_below(-0.9, omega), 0);
     assert_int_equal(cor_disk_modes_below(0.33, 1.4385), 0);
     assert_int_equal(cor_disk_modes_below(0.33, 1.4386), 1);
+    assert_true(cor_disk_modes_below(0.33, COR_DISK_MODES_MAX_OMEGA) > 1000000);
     assert_int_equal(cor_disk_modes_compute(0.33, 1, mode, &modes), COR_OK);
     assert_true(mode[0].n == 2 && mode[0].l == 0);
 }
