@@ -4,7 +4,7 @@
 
 #include "cli/commands.h"
 #include "support/console.h"
-#include "tables/law_header.h"
+#include "tables/files.h"
 
 static int run_law(const void *arguments)
 {

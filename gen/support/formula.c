@@ -141,14 +141,16 @@ static void power_of(struct value *y, struct value *x, const struct reader *r)
         return;
     }
     become_ball(y, prec);
-    if (x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !acb_is_real(y->ball))
-        acb_pow_fmpz(y->ball, y->ball, fmpq_numref(x->exact), prec);
-    else if (!acb_is_real(y->ball) || !acb_is_real(x->ball))
-        acb_indeterminate(y->ball);
-    else if (x->is_exact)
+    if (x->is_exact && acb_is_real(y->ball)) {
         arb_pow_fmpq(real_of(y), real_of(y), x->exact, prec);
-    else
+    } else if (x->is_exact && fmpz_is_one(fmpq_denref(x->exact))) {
+        acb_pow_fmpz(y->ball, y->ball, fmpq_numref(x->exact), prec);
+    } else if (acb_is_real(y->ball) && acb_is_real(x->ball)) {
         arb_pow(real_of(y), real_of(y), real_of(x), prec);
+    } else {
+        become_ball(x, prec);
+        acb_pow_analytic(y->ball, y->ball, x->ball, r->analytic, prec);
+    }
 }
 
 static void ball_abs(arb_t y, const arb_t x, slong prec)
@@ -161,11 +163,13 @@ static const struct {
     const char *name;
     void (*of_one)(arb_t y, const arb_t x, slong prec);
     void (*of_two)(arb_t z, const arb_t x, const arb_t y, slong prec);
-} functions[] = {{"abs", ball_abs, NULL},    {"acos", arb_acos, NULL},       {"acosh", arb_acosh, NULL},
-                 {"asin", arb_asin, NULL},   {"digamma", arb_digamma, NULL}, {"exp", arb_exp, NULL},
-                 {"expm1", arb_expm1, NULL}, {"gamma", arb_gamma, NULL},     {"log", arb_log, NULL},
-                 {"log1p", arb_log1p, NULL}, {"sqrt", arb_sqrt, NULL},       {"max", NULL, arb_max},
-                 {"min", NULL, arb_min}};
+    void (*plane)(acb_t y, const acb_t x, slong prec);
+} functions[] = {
+    {"abs", ball_abs, NULL, NULL},    {"acos", arb_acos, NULL, NULL},       {"acosh", arb_acosh, NULL, NULL},
+    {"asin", arb_asin, NULL, NULL},   {"digamma", arb_digamma, NULL, NULL}, {"exp", arb_exp, NULL, acb_exp},
+    {"expm1", arb_expm1, NULL, NULL}, {"gamma", arb_gamma, NULL, NULL},     {"log", arb_log, NULL, NULL},
+    {"log1p", arb_log1p, NULL, NULL}, {"sinc", arb_sinc, NULL, acb_sinc},   {"sinh", arb_sinh, NULL, acb_sinh},
+    {"sqrt", arb_sqrt, NULL, NULL},   {"max", NULL, arb_max, NULL},         {"min", NULL, arb_min, NULL}};
 
 static void read_sum(struct value *y, struct reader *r);
 
@@ -204,18 +208,20 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
     become_ball(y, r->prec);
     if (y->is_function) {
         apply_to_function(y->function, functions[i].name, r);
-    } else if (functions[i].of_two) {
+    } else if (functions[i].of_two && !r->in_plane) {
         expect(r, ",");
         read_sum(x, r);
         become_ball(x, r->prec);
         functions[i].of_two(real_of(y), real_of(y), real_of(x), r->prec);
-    } else if (r->in_plane && functions[i].of_one == arb_sqrt) {
-        acb_sqrt_analytic(y->ball, y->ball, r->analytic, r->prec);
-    } else {
+    } else if (!r->in_plane) {
         functions[i].of_one(real_of(y), real_of(y), r->prec);
-    }
-    if (r->in_plane && functions[i].of_one != arb_sqrt)
+    } else if (functions[i].of_one == arb_sqrt) {
+        acb_sqrt_analytic(y->ball, y->ball, r->analytic, r->prec);
+    } else if (functions[i].plane) {
+        functions[i].plane(y->ball, y->ball, r->prec);
+    } else {
         refuse(r);
+    }
     expect(r, ")");
 }
 

@@ -11,8 +11,8 @@
  * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sqrt, and max and min of two
  * numbers; the number pi. A text that is no formula ends the program.
  *
- * LET_COMPLEX computes with acb_t, too, of which it knows + - * /, whole powers and sqrt; that is not finite on its cut
- * if `analytic`. */
+ * LET_COMPLEX computes with acb_t, too, of which it knows + - * / ^, exp, sinc, sinh and sqrt. Roots and powers that
+ * are not whole are not finite on their cut if `analytic`. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
 #define COR_GEN_SUPPORT_FORMULA_H
 

@@ -322,6 +322,7 @@ char *read_whole(FILE *file, size_t most, size_t *size)
         if (*size == capacity)
             bytes = xrealloc(bytes, capacity *= 2);
     }
+    bytes[*size] = '\0';
     return bytes;
 }
 

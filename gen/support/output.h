@@ -52,8 +52,8 @@ void output_discard(struct output *out);
 int output_text(const char *path, const char *text); /* opens, writes and commits */
 int output_finish(struct output *out, int status);   /* commits if the status is STATUS_OK, otherwise discards */
 
-/* All that a file holds from here on, malloc'ed, or its first `most` bytes or a few more; ferror(file) says whether
- * reading failed. */
+/* All that a file holds from here on, malloc'ed, or its first `most` bytes or a few more, and a zero behind them;
+ * ferror(file) says whether reading failed. */
 char *read_whole(FILE *file, size_t most, size_t *size);
 
 /* A table of strings: the header row names the columns exactly as the contract does. In JSON the table is an array of

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/closed_forms.h"
+#include "tables/files.h"
 
 #include "approximation/pieces.h"
 #include "enclosure/closed_form.h"
@@ -180,45 +180,38 @@ static int closed_form_at(arb_t f, const void *context, const struct pieces *p, 
 
 /* ---- rows ---- */
 
-static void set_grid(struct pieces *p, enum variable variable, const char *words, double end)
-{
-    p->variable = variable;
-    p->words = words;
-    p->step = 0.125;
-    p->end = end;
-    p->head_bits = HEAD_BITS;
-}
-
-static void set_octaves(struct pieces *p, enum variable variable, const char *words, int first, double end)
-{
-    p->variable = variable;
-    p->words = words;
-    p->first = first;
-    p->octave_bits = PIECES_OCTAVE_BITS;
-    p->end = end;
-}
-
 static int emit_form(struct emit *e, const struct closed_form *law, enum form form)
 {
     static const char *const quantity[] = {"_loss", "_eps", "_near_%s", "_%s"}, *const words[] = {"(1 - eps)/%s", "eps",
                                                                                                   "%s/(1 - eps)", "%s"};
+    static const enum variable variable[] = {VARIABLE_OTHER, VARIABLE_BETA_OCTAVES, VARIABLE_LOSS,
+                                             VARIABLE_EPS_OCTAVES};
+    const bool grid = form == LOSS_QUOTIENT || form == DAMPING_QUOTIENT, inverse = form >= DAMPING_QUOTIENT;
     const char *const x = variable_of(law);
-    char part[16], stem[48], name[64], what[24], title[80];
+    char part[16], stem[48], name[64], what[24], title[80], y[16];
     snprintf(part, sizeof part, quantity[form], x);
     snprintf(stem, sizeof stem, law->stem, part);
     snprintf(name, sizeof name, "cor_rows_%s", stem);
     snprintf(what, sizeof what, words[form], x);
     snprintf(title, sizeof title, "%s: %s", law->title, what);
-    struct pieces p = {.root = 1, .degree = 10, .name = name, .title = title, .least_bits = LEAST_BITS};
-    if (form == LOSS_QUOTIENT)
-        set_grid(&p, VARIABLE_OTHER, x, law->near_end);
-    else if (form == EPS)
-        set_octaves(&p, VARIABLE_BETA_OCTAVES, law->is_crossley ? "beta 2^-k" : "zeta 2^-k", ilogb(law->near_end),
-                    law->end);
-    else if (form == DAMPING_QUOTIENT)
-        set_grid(&p, VARIABLE_LOSS, NULL, 0.5);
-    else
-        set_octaves(&p, VARIABLE_EPS_OCTAVES, NULL, law->least_octave, 0.5);
+    snprintf(y, sizeof y, grid ? "%s" : "%s 2^-k", x);
+    struct pieces p = {.root = 1,
+                       .degree = 10,
+                       .name = name,
+                       .title = title,
+                       .least_bits = LEAST_BITS,
+                       .variable = variable[form],
+                       .words = inverse ? NULL : y,
+                       .end = inverse ? 0.5
+                              : grid  ? law->near_end
+                                      : law->end};
+    if (grid) {
+        p.step = 0.125;
+        p.head_bits = HEAD_BITS;
+    } else {
+        p.first = inverse ? law->least_octave : ilogb(law->near_end);
+        p.octave_bits = PIECES_OCTAVE_BITS;
+    }
     const struct closed_rows rows = {law, form};
     return pieces_write(e, &p, (struct pieces_function){closed_form_at, &rows});
 }

@@ -14,13 +14,9 @@
 #include "support/console.h"
 #include "support/emit_c.h"
 #include "support/output.h"
-#include "tables/closed_forms.h"
 #include "tables/disk.h"
-#include "tables/law_header.h"
-#include "tables/laws.h"
+#include "tables/files.h"
 #include "tables/limits.h"
-#include "tables/sphere.h"
-#include "tables/waves.h"
 
 enum { PATH_MAX_LENGTH = 4096 };
 
@@ -61,7 +57,10 @@ static int disk_write(FILE *file, const char *poisson)
 {
     struct disk_table disk = {.count = DISK_TABLE_MODES};
     decimal_set(&disk.poisson, poisson);
-    const int status = disk_header_write(file, &disk);
+    int status = disk_table_solve(&disk);
+    if (status == STATUS_OK)
+        status = disk_header_write(file, &disk);
+    disk_modes_clear(&disk.modes);
     decimal_clear(&disk.poisson);
     return status;
 }
@@ -156,36 +155,29 @@ static int write_all(const struct content *c, int n, const char *directory)
     return output_commit_all(out, n);
 }
 
-/* The next line that is not ignored, or NULL. Sets *number to its line number. */
-static const char *next_line(const char **at, const char *end, bool manifest, size_t *length, long *number)
+/* The text behind lines that are not compared */
+static const char *skip_versions(const char *at)
 {
-    while (*at < end) {
-        const char *line = *at, *newline = memchr(line, '\n', (size_t)(end - line));
-        *length = newline ? (size_t)(newline - line) + 1 : (size_t)(end - line);
-        *at = line + *length;
-        ++*number;
-        const size_t word = strlen(MANIFEST_VERSION_WORD);
-        if (!manifest || *length < word || memcmp(line, MANIFEST_VERSION_WORD, word) != 0)
-            return line;
-    }
-    return NULL;
+    while (strncmp(at, MANIFEST_VERSION_WORD, strlen(MANIFEST_VERSION_WORD)) == 0)
+        at += strcspn(at, "\n") + (at[strcspn(at, "\n")] == '\n');
+    return at;
 }
 
 /* Number of the first line in which the file differs from the expected text, or 0. */
 static long first_difference(const struct content *c, const char *text, size_t size)
 {
-    const bool manifest = strcmp(c->name, MANIFEST) == 0;
-    const char *made = c->text, *found = text;
-    long made_number = 0, found_number = 0;
-    for (;;) {
-        size_t made_length = 0, found_length = 0;
-        const char *a = next_line(&made, c->text + c->size, manifest, &made_length, &made_number);
-        const char *b = next_line(&found, text + size, manifest, &found_length, &found_number);
-        if (!a && !b)
-            return 0;
-        if (!a || !b || made_length != found_length || memcmp(a, b, made_length) != 0)
-            return b ? found_number : found_number + 1;
+    const char *made = skip_versions(c->text), *found = skip_versions(text);
+    while (*made && *made == *found) {
+        const bool line_ends = *made == '\n';
+        made = line_ends ? skip_versions(made + 1) : made + 1;
+        found = line_ends ? skip_versions(found + 1) : found + 1;
     }
+    if (!*made && found == text + size)
+        return 0;
+    long line = 1;
+    while (text < found)
+        line += *text++ == '\n';
+    return line;
 }
 
 /* The text of the file, or NULL with errno set. */
@@ -264,12 +256,15 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     } form[] = {{"h", disk_header_write}, {"txt", disk_file_write}};
     enum { FORMS = sizeof form / sizeof *form };
     static char name[FORMS][DISK_TABLE_NAME];
-    const struct disk_table disk = {*request->poisson, request->modes ? request->modes : DISK_TABLE_MODES, true};
-    int status = STATUS_OK;
+    struct disk_table disk = {
+        .poisson = *request->poisson, .count = request->modes ? request->modes : DISK_TABLE_MODES, .embed = true};
+    profile_step("modes");
+    int status = disk_table_solve(&disk);
     for (*n = 0; *n < FORMS && status == STATUS_OK; ++*n) {
         FILE *const file = content_open(&c[*n], disk_table_name(name[*n], &disk, form[*n].extension));
         status = file ? content_close(&c[*n], file, form[*n].write(file, &disk)) : STATUS_FAILED;
     }
+    disk_modes_clear(&disk.modes);
     return status;
 }
 
@@ -307,7 +302,6 @@ int tables_run(const struct tables_request *request)
     for (int i = 0; i < CONTENTS; i++)
         free(c[i].text);
     sphere_tables_clear();
-    disk_tables_clear();
     disk_limits_clear();
     return status;
 }

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "disk/modes.h"
 #include "runtime/disk/mode_file.h"
 #include "support/console.h"
 #include "support/digits.h"
@@ -20,7 +19,6 @@ enum {
     NU_NAME = 128,
     LEAST_NU_DIGITS = 3,
     VALUES = 3,
-    PROGRESS_ROWS = 256,
     CHECK_LENGTH = 9 /* including the end of the line */
 };
 
@@ -58,43 +56,9 @@ static void command_text(char text[LINE_LENGTH], const struct disk_table *table)
         snprintf(text, LINE_LENGTH, "corgen tables");
 }
 
-/* The modes of the last table. */
-static struct {
-    bool made;
-    char poisson[LINE_LENGTH];
-    double nu; /* the nearest */
-    struct disk_modes modes;
-} last;
-
-void disk_tables_clear(void)
+int disk_table_solve(struct disk_table *table)
 {
-    if (last.made)
-        disk_modes_clear(&last.modes);
-    last.made = false;
-}
-
-static int find_modes(const struct disk_table *table)
-{
-    if (last.made && last.modes.count == table->count && strcmp(last.poisson, table->poisson.text) == 0)
-        return STATUS_OK;
-    disk_tables_clear();
-    snprintf(last.poisson, sizeof last.poisson, "%s", table->poisson.text);
-    last.nu = decimal_value(&table->poisson);
-    disk_modes_init(&last.modes);
-    last.made = true;
-    const int status = disk_modes_solve(&last.modes, table->poisson.value, table->count, TABLE_DIGITS);
-    if (status != STATUS_OK)
-        disk_tables_clear();
-    return status;
-}
-
-/* Sets value[0..2] to omega, C, S of mode i. */
-static void numbers_of(arb_ptr value, slong i)
-{
-    const struct disk_mode *const m = &last.modes.mode[i];
-    arb_set(value, m->omega);
-    arb_set(value + 1, m->c);
-    arb_set(value + 2, m->s);
+    return disk_modes_solve(&table->modes, table->poisson.value, table->count, TABLE_DIGITS);
 }
 
 static const char banner_format[] =
@@ -112,8 +76,6 @@ static const char banner_format[] =
 
 int disk_header_write(FILE *file, const struct disk_table *table)
 {
-    if (find_modes(table))
-        return STATUS_FAILED;
     char nu[NU_NAME] = "", upper[NU_NAME] = "", guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
     char banner[sizeof banner_format + 4 * LINE_LENGTH];
     nu_name(nu, table->poisson.text);
@@ -132,15 +94,17 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     LOCAL_VECTOR(value, VALUES);
     int status = STATUS_OK;
     for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
-        if (i % PROGRESS_ROWS == 0)
-            progress("rows of the header", i, table->count);
-        const slong whole[] = {last.modes.mode[i].n, last.modes.mode[i].l};
-        numbers_of(value, i);
-        status = emit_struct(&e, whole, 2, value, VALUES);
+        const struct disk_mode *const m = &table->modes.mode[i];
+        progress("rows of the header", i, table->count);
+        arb_set(value, m->omega);
+        arb_set(value + 1, m->c);
+        arb_set(value + 2, m->s);
+        status = emit_struct(&e, (const slong[]){m->n, m->l}, 2, value, VALUES);
     }
     progress_end();
     emit_structs_close(&e);
-    fprintf(file, "\n#define COR_DISK_MODES_NU%s {%.17g, %ld, %s}\n", upper, last.nu, (long)table->count, name);
+    fprintf(file, "\n#define COR_DISK_MODES_NU%s {%.17g, %ld, %s}\n", upper, decimal_value(&table->poisson),
+            (long)table->count, name);
     emit_close(&e);
     return status;
 }
@@ -152,8 +116,8 @@ struct lines {
     uint32_t check;
 };
 
-static void put_line(struct lines *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void put_line(struct lines *out, const char *format, ...)
+/* A line, and the check of all text up to it; the format ends with a space. */
+__attribute__((format(printf, 2, 3))) static void put_line(struct lines *out, const char *format, ...)
 {
     char text[LINE_LENGTH];
     va_list arguments;
@@ -161,38 +125,31 @@ static void put_line(struct lines *out, const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     out->check = cor_mode_file_check(out->check, text, strlen(text));
-    out->check = cor_mode_file_check(out->check, " ", 1);
     char check[CHECK_LENGTH + 1];
     snprintf(check, sizeof check, "%08" PRIx32 "\n", out->check);
     out->check = cor_mode_file_check(out->check, check, CHECK_LENGTH);
-    fprintf(out->file, "%s %s", text, check);
+    fprintf(out->file, "%s%s", text, check);
 }
 
 int disk_file_write(FILE *file, const struct disk_table *table)
 {
-    if (find_modes(table))
-        return STATUS_FAILED;
     char command[LINE_LENGTH];
     command_text(command, table);
     struct lines out = {file, COR_MODE_FILE_CHECK_START};
-    put_line(&out, COR_MODE_FILE_NAME " " COR_MODE_FILE_VERSION);
-    put_line(&out, "source %s", command);
-    put_line(&out, "poisson %a %s", last.nu, table->poisson.text);
-    put_line(&out, "modes %ld", (long)table->count);
-    LOCAL_VECTOR(value, VALUES);
+    put_line(&out, COR_MODE_FILE_NAME " " COR_MODE_FILE_VERSION " ");
+    put_line(&out, "source %s ", command);
+    put_line(&out, "poisson %a %s ", decimal_value(&table->poisson), table->poisson.text);
+    put_line(&out, "modes %ld ", (long)table->count);
     int status = STATUS_OK;
     for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
-        double x[VALUES];
-        if (i % PROGRESS_ROWS == 0)
-            progress("rows of the mode file", i, table->count);
-        numbers_of(value, i);
-        for (int k = 0; k < VALUES; k++)
-            if (!digits_to_double(&x[k], value + k))
-                status = fail("number %d of mode %ld is not known well enough to be rounded", k, (long)i);
-        put_line(&out, "mode %ld %ld %a %a %a", (long)last.modes.mode[i].n, (long)last.modes.mode[i].l, x[0], x[1],
-                 x[2]);
+        const struct disk_mode *const m = &table->modes.mode[i];
+        double omega = 0, c = 0, s = 0;
+        progress("rows of the mode file", i, table->count);
+        if (!digits_to_double(&omega, m->omega) || !digits_to_double(&c, m->c) || !digits_to_double(&s, m->s))
+            status = fail("mode %ld is not known well enough to be rounded", (long)i);
+        put_line(&out, "mode %ld %ld %a %a %a ", (long)m->n, (long)m->l, omega, c, s);
     }
     progress_end();
-    put_line(&out, "end");
+    put_line(&out, "end ");
     return status;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/law_header.h"
+#include "tables/files.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -177,34 +177,12 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
 
 /* ---- files ---- */
 
-/* Computes the tables of a law. law_tables_clear(t) in either case. */
-static int tables_of_law(struct law_tables *t, const struct law *law, const char *name)
-{
-    char prefix[TEXT_MAX];
-    *t = (struct law_tables){.f = NULL};
-    snprintf(prefix, sizeof prefix, "cor_rows_%s", name);
-    const int status = law_layout_init(&t->layout, law);
-    return status == STATUS_OK ? law_tables_make(t, prefix) : status;
-}
-
 static const char accuracy_text[] =
     "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against\n"
     "enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions "
     "enclosed\n"
     "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
     "table (sampled).\n";
-
-/* A text about zero overlap at large beta */
-static void threshold_text(char text[TEXT_MAX], const struct law_tables *t)
-{
-    if (t->layout.threshold < HUGE_VAL)
-        snprintf(text, TEXT_MAX,
-                 "At zero overlap eps is 0 and the duration infinite from beta_c = %.17g on;\n"
-                 "beta of eps = 0, and of every eps below the smallest that a double beta has, is beta_c.\n",
-                 t->layout.threshold);
-    else
-        snprintf(text, TEXT_MAX, "beta = +inf -> eps 0; eps = 0 -> beta +inf.\n");
-}
 
 /* gcc 12 at -O2 leaves a call, and with it a copy of the law's constants in every function: five times the time. */
 static const char always_inline[] =
@@ -216,86 +194,104 @@ static const char always_inline[] =
     "#define COR_INLINE static inline __attribute__((always_inline))\n"
     "#endif\n";
 
-int law_header_write(FILE *file, const struct law *law, const char *name)
+static void write_embedded(FILE *file, struct emit *e, const struct law_tables *t, const char *name,
+                           const char *accuracy)
 {
-    struct law_tables *t = xmalloc(sizeof *t);
-    char banner[4096], guard[TEXT_MAX], threshold[TEXT_MAX], accuracy[512];
-    int status = tables_of_law(t, law, name);
+    const struct law *const law = &t->layout.interpolant.law;
+    char guard[TEXT_MAX], threshold[TEXT_MAX] = "beta = +inf -> eps 0; eps = 0 -> beta +inf.\n";
+    if (t->layout.threshold < HUGE_VAL)
+        snprintf(threshold, TEXT_MAX,
+                 "At zero overlap eps is 0 and the duration infinite from beta_c = %.17g on;\n"
+                 "beta of eps = 0, and of every eps below the smallest that a double beta has, is beta_c.\n",
+                 t->layout.threshold);
+    snprintf(guard, sizeof guard, "COR_LAW_%s_EMBEDDED_H", name);
+    emit_capitals(guard);
+    char *const banner =
+        xprintf("%s: restitution coefficient, duration and largest overlap of collisions\n"
+                "%s, x(0) = 0, x'(0) = 1,\n"
+                "both ends of contact, for every beta, as one header to embed.\n"
+                "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, pow, exp, expm1, log and log1p of math.h, memcpy, IEEE "
+                "doubles.\n"
+                "\n"
+                "    double %s_eps_zero_overlap(double beta);      also _zero_force; restitution coefficient\n"
+                "    double %s_loss_zero_overlap(double beta);     also _zero_force; 1 - eps, relative accuracy\n"
+                "    double %s_beta_zero_overlap(double eps);      also _zero_force; the inverse\n"
+                "    double %s_beta_of_loss_zero_overlap(double loss);   the same from 1 - eps\n"
+                "    double %s_duration_zero_overlap(double beta); also _zero_force\n"
+                "    double %s_max_overlap(double beta);\n"
+                "    double %s_time_of_max_overlap(double beta);\n"
+                "\n"
+                "Force K x^a + C x^b x', effective mass m, impact speed g: times are in units of\n"
+                "T = (m/K)^(1/(a+1)) g^((1-a)/(a+1)), lengths in units of g T, and beta = (C/m) g^b T^(b+1).\n"
+                "Zero overlap ends the contact when x = 0 again, zero force when x'' = 0%s.\n"
+                "%s"
+                "Negative or NaN -> NaN.\n"
+                "\n%s"
+                "\n"
+                "Written by:  corgen law --elastic %s --damping %s --name %s\n"
+                "Checked by:  the same command, whose output is the same to the byte\n",
+                name, law_equation(law).text, name, name, name, name, name, name, name,
+                law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy, ratio_text(law->a).text,
+                ratio_text(law->b).text, name);
+    emit_open(e, file, guard, banner);
+    e->decimal = true;
+    fprintf(file, "\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_pair, evaluator_row,
+            evaluator_law);
+    free(banner);
+}
+
+static void write_included(FILE *file, struct emit *e, const struct law_tables *t, const char *accuracy)
+{
+    char *const banner =
+        xprintf("Hertz's contact with a constant dashpot, %s, x(0) = 0, x'(0) = 1,\n"
+                "both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: "
+                "docs/theory.md, 9;\n"
+                "form: docs/internals.md.\n"
+                "\n"
+                "Written by:  corgen tables\n"
+                "Checked by:  corgen tables --check\n"
+                "\n"
+                "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits "
+                "of\neach. In the functions\n%s",
+                law_equation(&t->layout.interpolant.law).text, accuracy);
+    emit_open(e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);
+    fprintf(file, "\n#include \"runtime/table/law.h\"\n#include \"runtime/table/rows.h\"\n");
+    free(banner);
+}
+
+/* prefix: of the functions, where the library has them; NULL: an embedded header */
+static int write_law(FILE *file, const struct law *law, const char *name, const char *prefix)
+{
+    struct law_tables t = {.f = NULL};
+    struct emit e;
+    char rows[TEXT_MAX], accuracy[512];
+    snprintf(rows, sizeof rows, "cor_rows_%s", name);
+    int status = law_layout_init(&t.layout, law);
+    if (status == STATUS_OK)
+        status = law_tables_make(&t, rows);
     if (status == STATUS_OK) {
-        threshold_text(threshold, t);
-        snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
-        snprintf(banner, sizeof banner,
-                 "%s: restitution coefficient, duration and largest overlap of collisions\n"
-                 "%s, x(0) = 0, x'(0) = 1,\n"
-                 "both ends of contact, for every beta, as one header to embed.\n"
-                 "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, pow, exp, expm1, log and log1p of math.h, memcpy, IEEE "
-                 "doubles.\n"
-                 "\n"
-                 "    double %s_eps_zero_overlap(double beta);      also _zero_force; restitution coefficient\n"
-                 "    double %s_loss_zero_overlap(double beta);     also _zero_force; 1 - eps, relative accuracy\n"
-                 "    double %s_beta_zero_overlap(double eps);      also _zero_force; the inverse\n"
-                 "    double %s_beta_of_loss_zero_overlap(double loss);   the same from 1 - eps\n"
-                 "    double %s_duration_zero_overlap(double beta); also _zero_force\n"
-                 "    double %s_max_overlap(double beta);\n"
-                 "    double %s_time_of_max_overlap(double beta);\n"
-                 "\n"
-                 "Force K x^a + C x^b x', effective mass m, impact speed g: times are in units of\n"
-                 "T = (m/K)^(1/(a+1)) g^((1-a)/(a+1)), lengths in units of g T, and beta = (C/m) g^b T^(b+1).\n"
-                 "Zero overlap ends the contact when x = 0 again, zero force when x'' = 0%s.\n"
-                 "%s"
-                 "Negative or NaN -> NaN.\n"
-                 "\n%s"
-                 "\n"
-                 "Written by:  corgen law --elastic %s --damping %s --name %s\n"
-                 "Checked by:  the same command, whose output is the same to the byte\n",
-                 name, law_equation(law).text, name, name, name, name, name, name, name,
-                 law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy, ratio_text(law->a).text,
-                 ratio_text(law->b).text, name);
-        snprintf(guard, sizeof guard, "COR_LAW_%s_EMBEDDED_H", name);
-        emit_capitals(guard);
-        struct emit e;
-        emit_open(&e, file, guard, banner);
-        e.decimal = true;
-        fprintf(file, "\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_pair, evaluator_row,
-                evaluator_law);
-        status = emit_law(&e, t, name, name);
+        snprintf(accuracy, sizeof accuracy, accuracy_text, t.error);
+        if (prefix)
+            write_included(file, &e, &t, accuracy);
+        else
+            write_embedded(file, &e, &t, name, accuracy);
+        status = emit_law(&e, &t, name, prefix ? prefix : name);
+        if (status == STATUS_OK && prefix)
+            status = law_tables_emit_approach(&e, &t, rows);
         emit_close(&e);
     }
-    law_tables_clear(t);
-    free(t);
+    law_tables_clear(&t);
     return status;
+}
+
+int law_header_write(FILE *file, const struct law *law, const char *name)
+{
+    return write_law(file, law, name, NULL);
 }
 
 int hertz_dashpot_tables_write(FILE *file)
 {
     struct law law;
-    struct law_tables *t = xmalloc(sizeof *t);
-    char banner[2048], accuracy[512];
-    const char *const wrong = law_parse(&law, "3/2", "0");
-    int status = wrong ? fail("%s", wrong) : tables_of_law(t, &law, "hertz_dashpot");
-    if (status == STATUS_OK) {
-        snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
-        snprintf(banner, sizeof banner,
-                 "Hertz's contact with a constant dashpot, %s, x(0) = 0, x'(0) = 1,\n"
-                 "both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: "
-                 "docs/theory.md, 9;\n"
-                 "form: docs/internals.md.\n"
-                 "\n"
-                 "Written by:  corgen tables\n"
-                 "Checked by:  corgen tables --check\n"
-                 "\n"
-                 "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits "
-                 "of\neach. In the functions\n%s",
-                 law_equation(&law).text, accuracy);
-        struct emit e;
-        emit_open(&e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);
-        fprintf(file, "\n#include \"runtime/table/law.h\"\n#include \"runtime/table/rows.h\"\n");
-        status = emit_law(&e, t, "hertz_dashpot", "cor_inline_hertz_dashpot");
-        if (status == STATUS_OK)
-            status = law_tables_emit_approach(&e, t, "cor_rows_hertz_dashpot");
-        emit_close(&e);
-    }
-    law_tables_clear(t);
-    free(t);
-    return status;
+    law_parse(&law, "3/2", "0");
+    return write_law(file, &law, "hertz_dashpot", "cor_inline_hertz_dashpot");
 }

@@ -1,17 +1,311 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/laws.h"
-
+/* Times of Tsuji's damping, of Hunt and Crossley's law and of the disk's contact law: integrals of docs/laws.md and
+ * docs/theory-disks.md in interval (ball) arithmetic, and their tables. Times of the laws of damping are in units of
+ * (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
 #include <math.h>
 
 #include "approximation/sampled_function.h"
+#include "enclosure/closed_form.h"
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"
-#include "tables/law_times.h"
+#include "tables/files.h"
 
-enum { FAR_BITS = 400, FIFTH = 5 };
+/* ---- quadrature ---- */
+
+enum { GUARD_BITS = 40, GAUSS_POINTS = 56, GAUSS_BITS = 320 };
+
+/* Integrates from 0 to 1 by a rule of GAUSS_POINTS in two parts, because singularities lie near 1 or around the middle.
+ * The nodes and weights on [0, 1] are computed once. */
+static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong prec)
+{
+    static const double from[] = {0, 0.75}, length[] = {0.75, 0.25};
+    static arb_ptr nodes, weights;
+    LOCAL(acb, x, value);
+    if (!nodes) {
+        nodes = _arb_vec_init(GAUSS_POINTS);
+        weights = _arb_vec_init(GAUSS_POINTS);
+        for (slong i = 0; i < GAUSS_POINTS; i++) {
+            arb_hypgeom_legendre_p_ui_root(nodes + i, weights + i, GAUSS_POINTS, (ulong)i, GAUSS_BITS);
+            arb_add_ui(nodes + i, nodes + i, 1, GAUSS_BITS);
+            arb_mul_2exp_si(nodes + i, nodes + i, -1);
+            arb_mul_2exp_si(weights + i, weights + i, -1);
+        }
+    }
+    arb_zero(y);
+    for (slong j = 0; j < 2 * GAUSS_POINTS; j++) {
+        const arb_srcptr node = nodes + j / 2, weight = weights + j / 2, part = acb_realref(value);
+        const double lo = from[j % 2], width = length[j % 2];
+        LET(acb_realref(x), prec + GUARD_BITS, "lo + width*node", lo, width, node);
+        f(value, x, parameters, 0, prec + GUARD_BITS);
+        LET(y, prec + GUARD_BITS, "y + width*weight*part", y, width, weight, part);
+    }
+}
+
+/* The integral of a real function f from 0 to 1: if `proved`, enclosed to at best `prec` bits by an adaptive rule, which
+ * takes 5 to 10 ms; otherwise 20 times faster by Gauss's, without its error. Samples, which are compared with
+ * enclosures, need no more. */
+static void integrate(arb_t y, bool proved, acb_calc_func_t f, void *parameters, slong prec)
+{
+    if (!proved) {
+        integrate_gauss(y, f, parameters, prec);
+        return;
+    }
+    LOCAL(acb, from, to, sum);
+    LOCAL(mag, tolerance);
+    acb_one(to);
+    mag_set_ui_2exp_si(tolerance, 1, -prec);
+    acb_calc_integrate(sum, f, parameters, from, to, prec - 16, tolerance, NULL, prec + GUARD_BITS);
+    arb_set(y, acb_realref(sum));
+}
+
+/* A time at a damping ratio zeta > 0 or beta > 0, or of the disk at q >= 1/4. Closed forms are enclosed in any case. */
+typedef void law_time(arb_t t, bool proved, const arb_t x, slong prec);
+
+/* ---- Tsuji's damping, (a, b) = (3/2, 1/4) ----
+ *
+ * G(end) = integral from 0 to end of exp(zeta s/5) (sin(om s)/om)^(-1/5) ds, om^2 = 1 - zeta^2 of any sign */
+
+struct tsuji_integrand {
+    arb_srcptr zeta, end;
+    acb_srcptr om;
+};
+
+/* With s = end x^5, the integrand s^(-1/5) ... ds becomes 5 x^3 end^(4/5) exp(zeta s/5) sinc(om s)^(-1/5) dx. */
+static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
+{
+    const struct tsuji_integrand *const p = parameters;
+    LOCAL(acb, s);
+    LET_COMPLEX(s, false, prec, "x^5*p->end", x, p->end);
+    LET_COMPLEX(y, order > 0, prec, "sinc(s*p->om)^(-1/5)*exp(s*p->zeta/5)*x^3", s, p->om, p->zeta, x);
+    return 0;
+}
+
+/* (5/4)^(-3/5) G(end); the first factor is w0^(-6/5). */
+static void tsuji_integral(arb_t g, bool proved, const arb_t zeta, const arb_t end, slong prec)
+{
+    LOCAL(acb, om);
+    LET_COMPLEX(om, false, prec + GUARD_BITS, "sqrt(1 - zeta^2)", zeta);
+    struct tsuji_integrand p = {zeta, end, om};
+    integrate(g, proved, tsuji_integrand, &p, prec);
+    LET(g, prec + GUARD_BITS, "g*5*end^(4/5)*(5/4)^(-3/5)", g, end);
+}
+
+static void tsuji_time_of_max_overlap(arb_t t, bool proved, const arb_t zeta, slong prec)
+{
+    LOCAL(arb, end);
+    closed_form_angle(end, zeta, prec + GUARD_BITS);
+    tsuji_integral(t, proved, zeta, end, prec);
+}
+
+/* V(y), y = zeta/(10 sqrt(1 - zeta^2)), zeta < 1, and exp(2 pi y) (1 - zeta^2)^(-2/5) V(y): closed forms */
+static void tsuji_overlap_factor(arb_t v, bool proved, const arb_t y, slong prec)
+{
+    (void)proved;
+    LOCAL(acb, z);
+    arb_srcptr ln_gamma = acb_realref(z);
+    LET(acb_realref(z), prec, "9/10");
+    arb_set(acb_imagref(z), y);
+    acb_lgamma(z, z, prec);
+    LET(v, prec, "(5/4)^(-3/5)*pi*2^(1/5)*gamma(4/5)*exp(-pi*y - 2*ln_gamma)", y, ln_gamma);
+}
+
+static void tsuji_duration_zero_overlap(arb_t t, bool proved, const arb_t zeta, slong prec)
+{
+    LOCAL(arb, y);
+    LET(y, prec, "zeta/sqrt(1 - zeta^2)/10", zeta);
+    tsuji_overlap_factor(t, proved, y, prec);
+    LET(t, prec, "t*exp(2*pi*y)*(1 - zeta^2)^(-2/5)", t, y, zeta);
+}
+
+/* For zeta < 0.7 the integrand has a singularity at om s = pi, which is near. The integral therefore starts from the
+ * other end: t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om. */
+static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, slong prec)
+{
+    LOCAL(arb, end, minus, part);
+    const slong more = prec + GUARD_BITS;
+    if (!HOLDS(prec, "zeta < 7/10", zeta)) {
+        closed_form_angle(end, zeta, more);
+        arb_mul_2exp_si(end, end, 1);
+        tsuji_integral(t, proved, zeta, end, prec);
+        return;
+    }
+    LET(end, more, "2*asin(zeta)/sqrt(1 - zeta^2)", zeta);
+    arb_neg(minus, zeta);
+    tsuji_integral(part, proved, minus, end, prec);
+    tsuji_duration_zero_overlap(t, proved, zeta, more);
+    LET(t, more, "t - part*exp(pi*zeta/(5*sqrt(1 - zeta^2)))", t, part, zeta);
+}
+
+/* The force is twice the elastic force for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2). From
+ * phase phi on, where phi = atan2(2 zeta om, 1 + 2 zeta^2), phi/om = k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2
+ * zeta^2), the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). */
+static void tsuji_duration_limited(arb_t t, bool proved, const arb_t zeta, slong prec)
+{
+    const slong more = prec + 2 * GUARD_BITS;
+    LOCAL(arb, k, x, half, one, other, phase, part);
+    LET(k, more, "2*zeta/(1 + 2*zeta^2)", zeta);
+    LET(x, more, "(zeta^2 - 1)*k^2", zeta, k);
+    LET(half, more, "1/2");
+    LET(one, more, "1");
+    LET(other, more, "3/2");
+    arb_hypgeom_2f1(phase, half, one, other, x, 0, more);
+    arb_mul(phase, phase, k, more);
+    tsuji_integral(part, proved, zeta, phase, prec);
+    tsuji_duration_zero_force(t, proved, zeta, prec);
+    LET(x, more, "8*zeta^2/(1 + 8*zeta^2)", zeta);
+    LET(other, more, "2/5");
+    arb_hypgeom_beta_lower(x, other, half, x, 0, more);
+    LET(t, more, "(5/8)^(2/5)*2/5*x + (t - part)*exp(-zeta*phase/5)", x, t, part, zeta, phase);
+}
+
+/* ---- Hunt and Crossley's law ----
+ *
+ * With tau = ln((1 + beta)/(1 + beta v)) during loading, tau = ln((1 + beta v)/(1 - h)) from the end backwards, and k =
+ * a/(a + 1),
+ *
+ *     t = beta^(2k - 1) int ((a + 1) tau B(tau))^-k d tau,   B = sign (p E(-sign tau) - 1), E(x) = (exp(x) - 1)/x
+ *
+ * loading: p = 1 + beta, sign +, up to ln(1 + beta); rebound: p = 1 - h, sign -, up to -ln(1 - h). */
+
+struct crossley_integrand {
+    struct ratio k;
+    slong sign;
+    arb_srcptr p, end;
+};
+
+/* With k = l/m and tau = end x^m, the integrand tau^-k ... d tau becomes x^(m - 1 - l) ((a + 1) B)^-k dx, times m
+ * end^(1 - k); a + 1 = m/(m - l). E(2 z) = exp(z) sinc(i z). */
+static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
+{
+    const struct crossley_integrand *const p = parameters;
+    const slong l = p->k.num, m = p->k.den, sign = p->sign;
+    LOCAL(acb, z, iz);
+    LET_COMPLEX(z, false, prec, "-sign*x^m*p->end/2", sign, x, m, p->end);
+    acb_mul_onei(iz, z);
+    LET_COMPLEX(z, false, prec, "sign*m/(m - l)*(exp(z)*sinc(iz)*p->p - 1)", sign, m, l, z, iz, p->p);
+    LET_COMPLEX(y, order > 0, prec, "z^(-l/m)*x^(m - 1 - l)", z, l, m, x);
+    return 0;
+}
+
+/* the integral times m end^(1 - k) beta^(2k - 1) */
+static void crossley_part(arb_t t, bool proved, struct ratio k, slong sign, const arb_t p, const arb_t end,
+                          const arb_t beta, slong prec)
+{
+    struct crossley_integrand integrand = {k, sign, p, end};
+    const slong m = k.den;
+    integrate(t, proved, crossley_integrand, &integrand, prec);
+    LET(t, prec, "t*m*end^(1 - k)*beta^(2*k - 1)", t, m, end, k, beta);
+}
+
+static void time_of_max_overlap(arb_t t, bool proved, struct ratio k, const arb_t beta, slong prec)
+{
+    LOCAL(arb, p, end);
+    LET(p, prec + 2 * GUARD_BITS, "1 + beta", beta);
+    LET(end, prec + 2 * GUARD_BITS, "log1p(beta)", beta);
+    crossley_part(t, proved, k, 1, p, end, beta, prec);
+}
+
+static void duration(arb_t t, bool proved, struct ratio k, const arb_t beta, slong prec)
+{
+    LOCAL(arb, p, end, loading);
+    /* near beta = 0 the branch point of W costs half of the bits, and logarithms some more */
+    LET(p, 3 * prec, "-(1 + beta)*exp(-1 - beta)", beta);
+    arb_lambertw(p, p, 0, 3 * prec);
+    arb_neg(p, p); /* 1 - h = -W_0(-(1 + beta) exp(-1 - beta)) */
+    LET(end, 2 * prec, "-log(p)", p);
+    crossley_part(t, proved, k, -1, p, end, beta, prec);
+    time_of_max_overlap(loading, proved, k, beta, prec);
+    arb_add(t, t, loading, prec);
+}
+
+#define CROSSLEY_TIME(of, end, l, m)                                                                                   \
+    static void crossley_##of##_##end(arb_t t, bool proved, const arb_t beta, slong prec)                              \
+    {                                                                                                                  \
+        of(t, proved, (struct ratio){l, m}, beta, prec);                                                               \
+    }
+
+CROSSLEY_TIME(time_of_max_overlap, 1, 1, 2)
+CROSSLEY_TIME(time_of_max_overlap, 3_2, 3, 5)
+CROSSLEY_TIME(duration, 1, 1, 2)
+CROSSLEY_TIME(duration, 3_2, 3, 5)
+
+/* ---- the disk's contact law, runtime/disk/quasistatic.c ---- */
+
+/* 1 + t = -W_-1(-exp(-1 - q)) */
+static void disk_one_plus_t(arb_t y, const arb_t q, slong prec)
+{
+    LET(y, prec, "-exp(-1 - q)", q);
+    arb_lambertw(y, y, 1, prec);
+    arb_neg(y, y);
+}
+
+/* The load over the compression, pi/(1 + t), q = ln(delta_limit/delta): closed form */
+static void disk_load_factor(arb_t factor, bool proved, const arb_t q, slong prec)
+{
+    (void)proved;
+    disk_one_plus_t(factor, q, prec + GUARD_BITS);
+    LET(factor, prec, "pi/factor", factor);
+}
+
+struct disk_integrand {
+    arb_srcptr y, t, c, end; /* y = 1 + t */
+};
+
+/* (exp(u) - 1 - u)/u^2; for |u| < 1 the series 1/2 (1 + u/3 (1 + u/4 (1 + ...))), whose terms from the 50th on are below
+ * 2^-214 */
+static void exp_less_two_terms(acb_t y, const acb_t u, slong prec)
+{
+    enum { TERMS = 50 };
+    LOCAL(mag, size);
+    LOCAL(acb, part);
+    acb_get_mag(size, u);
+    if (mag_cmp_2exp_si(size, 0) >= 0) {
+        LET_COMPLEX(y, false, prec, "(exp(u) - 1 - u)/u^2", u);
+        return;
+    }
+    acb_one(part);
+    for (slong k = TERMS; k > 2; k--)
+        LET_COMPLEX(part, false, prec, "part*u/k + 1", part, u, k);
+    acb_mul_2exp_si(y, part, -1);
+    mag_set_ui_2exp_si(size, 1, -214);
+    acb_add_error_mag(y, size);
+}
+
+/* The integrand f(end x) of runtime/disk/quasistatic.c, u = c sinh^2(end x/2), with the zeros at u = 0 divided out:
+ * (t + u) sqrt((u + c)/(t + (1 + t) (exp(u) - 1 - u)/u)) */
+static int disk_integrand(acb_ptr f, const acb_t x, void *parameters, slong order, slong prec)
+{
+    const struct disk_integrand *const p = parameters;
+    LOCAL(acb, u, low);
+    LET_COMPLEX(u, false, prec, "sinh(x*p->end/2)^2*p->c", x, p->end, p->c);
+    exp_less_two_terms(low, u, prec);
+    LET_COMPLEX(f, order > 0, prec, "sqrt((u + p->c)/(low*u*p->y + p->t))*(u + p->t)", u, p->c, low, p->y, p->t);
+    return 0;
+}
+
+/* The contact time, q = 2 ln(v_limit/v). The integral ends at u = U = 192. From there on the integrand in u is below
+ * sqrt(2) (t + u) exp(-u/2), and the rest of tau is below 2 (t + U + 2) exp(-U/2) < (t + U + 2) 2^-137. */
+static void disk_contact_time(arb_t tau, bool proved, const arb_t q, slong prec)
+{
+    enum { U = 192, REST_BITS = 137 };
+    const slong more = prec + GUARD_BITS;
+    LOCAL(arb, y, t, c, x, end);
+    disk_one_plus_t(y, q, more + GUARD_BITS);
+    LET(t, more, "y - 1", y);
+    LET(c, more, "t + t/y", t, y);
+    LET(x, more, "sqrt(U/c)", U, c);
+    LET(end, more, "2*log(x + sqrt(1 + x^2))", x);
+    struct disk_integrand p = {y, t, c, end};
+    integrate(tau, proved, disk_integrand, &p, prec);
+    LET(tau, more, "tau*end/sqrt(2)", tau, end);
+    LET(x, more, "(t + U + 2)/2^REST_BITS", t, U, REST_BITS);
+    arb_add_error(tau, x);
+}
 
 /* ---- rows: only this file defines their geometry ---- */
+
+enum { FAR_BITS = 400 };
 
 /* Ends of the rows in s = ln(1 + zeta) or ln(1 + beta) */
 #define TSUJI_END 12.25
@@ -25,58 +319,35 @@ enum { FAR_BITS = 400, FIFTH = 5 };
 #define DISK_END 128
 #define LEAST_BITS 56
 
-typedef void law_time(arb_t t, enum quadrature how, const arb_t damping, slong prec);
-
 struct time_rows {
     const char *name, *title, *variable;
     law_time *time;
-    /* zeta or beta of the variable y; NULL: they are y, in rows by octaves of 1/step cells */
-    void (*damping)(arb_t zeta, const arb_t y, slong prec);
+    const char *damping; /* zeta or beta of the variable y; NULL: they are y, in rows by octaves of 1/step cells */
     double from, step, end;
     double least_bits;
 };
-
-/* exp(s) - 1 */
-static void of_log(arb_t zeta, const arb_t s, slong prec)
-{
-    arb_expm1(zeta, s, prec + 64);
-}
-
-static void of_root(arb_t zeta, const arb_t r, slong prec)
-{
-    arb_pow_ui(zeta, r, FIFTH, prec + 64);
-}
-
-static void of_itself(arb_t y, const arb_t x, slong prec)
-{
-    (void)prec;
-    arb_set(y, x);
-}
 
 static void time_at(arb_t t, const void *what, const arb_t y, bool proved, slong prec)
 {
     const struct time_rows *const rows = what;
     LOCAL(arb, zeta);
-    if (rows->damping)
-        rows->damping(zeta, y, prec);
-    else
-        arb_set(zeta, y);
-    rows->time(t, proved ? QUADRATURE_ENCLOSED : QUADRATURE_GAUSS, zeta, prec);
+    LET(zeta, prec + 64, rows->damping ? rows->damping : "y", y);
+    rows->time(t, proved, zeta, prec);
 }
 
 static const struct time_rows tsuji_rows[] = {
     {"cor_rows_tsuji_time_of_max_overlap", "time of the largest overlap", "ln(1 + zeta)", tsuji_time_of_max_overlap,
-     of_log, 0, 0.25, TSUJI_END, LEAST_BITS},
+     "expm1(y)", 0, 0.25, TSUJI_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_zero_force_weak", "duration at zero force, weak damping", "zeta^(1/5)",
-     tsuji_duration_zero_force, of_root, 0, 0.0625, ROOT_END, LEAST_BITS},
-    {"cor_rows_tsuji_duration_zero_force", "duration at zero force", "ln(1 + zeta)", tsuji_duration_zero_force, of_log,
-     1.5, 0.25, TSUJI_END, LEAST_BITS},
+     tsuji_duration_zero_force, "y^5", 0, 0.0625, ROOT_END, LEAST_BITS},
+    {"cor_rows_tsuji_duration_zero_force", "duration at zero force", "ln(1 + zeta)", tsuji_duration_zero_force,
+     "expm1(y)", 1.5, 0.25, TSUJI_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_limited_weak", "duration with the limited damper, weak damping", "zeta^(1/5)",
-     tsuji_duration_limited, of_root, 0, 0.03125, ROOT_END, LEAST_BITS},
+     tsuji_duration_limited, "y^5", 0, 0.03125, ROOT_END, LEAST_BITS},
     {"cor_rows_tsuji_duration_limited", "duration with the limited damper", "ln(1 + zeta)", tsuji_duration_limited,
-     of_log, 1.5, 0.25, TSUJI_END, LEAST_BITS},
-    {"cor_rows_tsuji_duration_zero_overlap", "duration at zero overlap", "zeta", tsuji_duration_zero_overlap, of_itself,
-     0, 0.03125, 0.6875, LEAST_BITS},
+     "expm1(y)", 1.5, 0.25, TSUJI_END, LEAST_BITS},
+    {"cor_rows_tsuji_duration_zero_overlap", "duration at zero overlap", "zeta", tsuji_duration_zero_overlap, "y", 0,
+     0.03125, 0.6875, LEAST_BITS},
     {"cor_rows_tsuji_overlap_factor", "V of the duration at zero overlap", "zeta/(10 sqrt(1 - zeta^2)) 2^-k",
      tsuji_overlap_factor, NULL, 0.0625, 0.125, OVERLAP_END, 53.5},
 };
@@ -84,12 +355,12 @@ enum { TSUJI_ROWS = sizeof tsuji_rows / sizeof *tsuji_rows };
 
 static const struct time_rows crossley_rows[] = {
     {"cor_rows_crossley_time_of_max_overlap_1", "time of the largest overlap, a = 1", "ln(1 + beta)",
-     crossley_time_of_max_overlap_1, of_log, 0, 0.375, CROSSLEY_MAX_END, LEAST_BITS},
+     crossley_time_of_max_overlap_1, "expm1(y)", 0, 0.375, CROSSLEY_MAX_END, LEAST_BITS},
     {"cor_rows_crossley_time_of_max_overlap_3_2", "time of the largest overlap, a = 3/2", "ln(1 + beta)",
-     crossley_time_of_max_overlap_3_2, of_log, 0, 0.375, CROSSLEY_MAX_END, LEAST_BITS},
-    {"cor_rows_crossley_duration_1", "duration, a = 1", "ln(1 + beta)", crossley_duration_1, of_log, 0, 0.125,
+     crossley_time_of_max_overlap_3_2, "expm1(y)", 0, 0.375, CROSSLEY_MAX_END, LEAST_BITS},
+    {"cor_rows_crossley_duration_1", "duration, a = 1", "ln(1 + beta)", crossley_duration_1, "expm1(y)", 0, 0.125,
      CROSSLEY_DURATION_END, LEAST_BITS},
-    {"cor_rows_crossley_duration_3_2", "duration, a = 3/2", "ln(1 + beta)", crossley_duration_3_2, of_log, 0, 0.125,
+    {"cor_rows_crossley_duration_3_2", "duration, a = 3/2", "ln(1 + beta)", crossley_duration_3_2, "expm1(y)", 0, 0.125,
      CROSSLEY_DURATION_END, LEAST_BITS},
 };
 enum { CROSSLEY_ROWS = sizeof crossley_rows / sizeof *crossley_rows };
@@ -137,7 +408,6 @@ static int emit_rows_of(struct emit *e, const struct time_rows *rows, int n, slo
         status = emit_times(e, &rows[i], head_bits);
     }
     progress_end();
-    law_times_clear();
     return status;
 }
 
@@ -210,7 +480,7 @@ static void tsuji_equation(arb_ptr basis, arb_t value, const struct far_form *f,
     LOCAL(arb, u, zeta);
     LET(u, FAR_BITS, "13 + 3/4*i", i);
     arb_exp(zeta, u, FAR_BITS);
-    f->time(value, QUADRATURE_ENCLOSED, zeta, 256);
+    f->time(value, true, zeta, 256);
     LET(value, FAR_BITS, "value*exp(f->power*u)", value, f->power, u);
     for (slong k = 0; k < f->terms; k++)
         LET(basis + k, FAR_BITS, "u^f->term[k].log*exp(-f->mu_power*f->term[k].mu*u)", u, f->mu_power, f->term[k].log,
@@ -220,7 +490,7 @@ static void tsuji_equation(arb_ptr basis, arb_t value, const struct far_form *f,
 /* y^(4/5) V(y) */
 static void scaled_overlap_factor(arb_t v, const arb_t y)
 {
-    tsuji_overlap_factor(v, QUADRATURE_ENCLOSED, y, FAR_BITS);
+    tsuji_overlap_factor(v, true, y, FAR_BITS);
     LET(v, FAR_BITS, "v*y^(4/5)", v, y);
 }
 
@@ -318,7 +588,7 @@ static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, 
     LOCAL(arb, s, beta);
     LET(s, FAR_BITS, "27 + 3*i", i);
     arb_expm1(beta, s, FAR_BITS);
-    f->time(t, QUADRATURE_ENCLOSED, beta, 300);
+    f->time(t, true, beta, 300);
     LET(t, FAR_BITS, "(t*beta^(1 - 2*f->k)*(exp(s)/(1 - f->k))^f->k - s - f->constant)*exp(s)", t, beta, f->k, s,
         f->constant);
     for (slong j = 0; j < f->terms; j++)

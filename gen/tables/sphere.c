@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/sphere.h"
+#include "tables/files.h"
 
 #include <math.h>
 

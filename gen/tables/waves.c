@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/waves.h"
+#include "tables/files.h"
 
 #include <math.h>
 

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The table of collisions with a rigid wall, written again, and some of them once more. */
-#include "support/flint.h"
+#include "tables/limits.c" /* its cells; before cmocka.h makes a macro of fail */
 
 #include "check.h"
-#include "generated/disk_limits.h"
-#include "tables/limits.h"
 
 enum { PIECES = sizeof cor_disk_limit_piece / sizeof *cor_disk_limit_piece, MOST_BYTES = 1 << 22 };
 
@@ -41,4 +39,26 @@ TEST(test_samples)
     disk_limits_clear();
 }
 
-RUN_TESTS(test_file, test_samples)
+/* The uncertainty of a cell whose 16 values are those of a polynomial of degree 3, and one or none of the 9 collisions
+ * between them is off by 200 units: 1.5 times 200 and the largest estimate, as a root of squares, and 1. */
+TEST(test_uncertainty)
+{
+    struct cell cell = {.x = ROOT_SIDE, .nu = 2 * ROOT_SIDE, .depth = 1};
+    for (int off = -1; off < 9; off++) {
+        struct scenes scenes = {0};
+        int between = 0;
+        for (int j = 0; j <= SIXTHS; j++)
+            for (int i = j % 2; i <= SIXTHS; i += 2) {
+                const int32_t value = 1000 + i * i * i - 20 * i * j + 3 * i * j * j * j;
+                const bool wrong = j % 2 && between++ == off;
+                add_scene(&scenes, (struct scene){cell.x + i * sixth_of(&cell), cell.nu + j * sixth_of(&cell),
+                                                  value + (wrong ? 200 : 0), wrong ? 400 : 100});
+            }
+        fill_cell(&cell, &scenes);
+        assert_int_equal(cell.uncertainty, off < 0 ? 101 : 501);
+        assert_int_equal(cell.value[POINTS - 1], 1000 + 216 - 720 + 3 * 1296);
+        free(scenes.scene);
+    }
+}
+
+RUN_TESTS(test_file, test_samples, test_uncertainty)

@@ -80,11 +80,16 @@ TEST(test_complex)
     arb_set_ui(x, 2);
     LET_COMPLEX(y, false, PREC, "sqrt(z^2 + x*z*w + w^2)/(z + w) - (z - w)^-1*(z - w)*x/2", z, x, w);
     assert_true(acb_contains_zero(y) && mag_cmp_2exp_si(arb_radref(acb_realref(y)), -100) < 0);
+    acb_mul_onei(y, z);
+    LET_COMPLEX(y, false, PREC, "(sinh(z)*2*exp(z) + 1)/exp(2*z) - sinc(y)*z/sinh(z) + sqrt(w)*w^(-x/4) - 1", z, w, x,
+                y);
+    assert_true(acb_contains_zero(y) && mag_cmp_2exp_si(arb_radref(acb_realref(y)), -100) < 0);
     for (int analytic = 0; analytic < 2; analytic++) { /* -4 +- i/8 contains a place of the cut */
         acb_set_si(y, -4);
         mag_set_ui_2exp_si(arb_radref(acb_imagref(y)), 1, -3);
+        LET_COMPLEX(w, analytic == 1, PREC, "y^(-1/5)", y);
         LET_COMPLEX(y, analytic == 1, PREC, "sqrt(y)", y);
-        assert_true(acb_is_finite(y) == (analytic == 0));
+        assert_true(acb_is_finite(y) == (analytic == 0) && acb_is_finite(w) == (analytic == 0));
     }
 }
 
@@ -126,7 +131,8 @@ TEST(test_refusals)
     ends("x", 2);
     ends("x < 1 < 2", 2);
     ends("z + 1", 3);
-    ends("exp(z)", 4);
+    ends("log(z)", 4);
+    ends("max(z, z)", 4);
 }
 
 RUN_TESTS(test_values, test_operands, test_comparisons, test_complex, test_refusals)

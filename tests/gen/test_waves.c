@@ -4,7 +4,7 @@
 
 #include "enclosure/wave_factor.h"
 #include "support/local.h"
-#include "tables/waves.h"
+#include "tables/files.h"
 
 static void set_tau(acb_t tau, const char *nu, slong prec)
 {

@@ -18,7 +18,6 @@ int main(int argc, char **argv)
     for (int i = 0; i < n; i++)
         free(c[i].text);
     sphere_tables_clear();
-    disk_tables_clear();
     disk_limits_clear();
     return status != STATUS_OK || reds > 0;
 }
