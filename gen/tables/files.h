@@ -19,13 +19,13 @@ void sphere_tables_clear(void);
 /* eps and its inverse of the laws for which eps has a closed form */
 int closed_form_tables_write(FILE *file);
 
-/* Times of Tsuji's damping and of Hunt and Crossley's law that have no closed form; contact time and load of the disk */
+/* Times of Tsuji's damping and of Hunt and Crossley's law without a closed form; contact time and load of the disk */
 int tsuji_tables_write(FILE *file);
 int hunt_crossley_tables_write(FILE *file);
 int disk_law_tables_write(FILE *file);
 
-/* The tables of the law (3/2, 0), and the header of any law x'' + beta x^b x' + x^a = 0, which needs no other file, with
- * functions NAME_eps_zero_overlap, ... The name is a C identifier of at most LAW_NAME_MAX characters. Both evaluate
+/* The tables of the law (3/2, 0), and the header of any law x'' + beta x^b x' + x^a = 0, which needs no other file and
+ * has functions NAME_eps_zero_overlap, ... The name is a C identifier of at most LAW_NAME_MAX characters. Both evaluate
  * tables of approximation/law_layout.h by runtime/table/law.h (docs/internals.md). */
 enum { LAW_NAME_MAX = 48 };
 int hertz_dashpot_tables_write(FILE *file);

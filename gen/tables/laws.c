@@ -42,7 +42,7 @@ static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong 
     }
 }
 
-/* The integral of a real function f from 0 to 1: if `proved`, enclosed to at best `prec` bits by an adaptive rule, which
+/* The integral of a real function f from 0 to 1: if `proved`, enclosed to at best `prec` bits by an adaptive rule that
  * takes 5 to 10 ms; otherwise 20 times faster by Gauss's, without its error. Samples, which are compared with
  * enclosures, need no more. */
 static void integrate(arb_t y, bool proved, acb_calc_func_t f, void *parameters, slong prec)
@@ -252,8 +252,8 @@ struct disk_integrand {
     arb_srcptr y, t, c, end; /* y = 1 + t */
 };
 
-/* (exp(u) - 1 - u)/u^2; for |u| < 1 the series 1/2 (1 + u/3 (1 + u/4 (1 + ...))), whose terms from the 50th on are below
- * 2^-214 */
+/* (exp(u) - 1 - u)/u^2; for |u| < 1 the series 1/2 (1 + u/3 (1 + u/4 (1 + ...))), whose terms from the 50th on are
+ * below 2^-214 */
 static void exp_less_two_terms(acb_t y, const acb_t u, slong prec)
 {
     enum { TERMS = 50 };
