@@ -83,8 +83,6 @@ TEST(known_answers)
         const int status = disk_collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out);
         assert_true(status == (out.error_estimate <= 1e-13 ? COR_OK : COR_TOLERANCE_NOT_REACHED));
         assert_true(out.error_estimate < 4e-13);
-        print_message("N = %zu: eps = %.15f, drift %.1g, %zu steps\n", known[i].n, out.eps, out.energy_drift,
-                      out.steps);
         /* half a unit of the last digit, and what was asked for */
         check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-13, "N = %zu: %.15f", known[i].n, out.eps);
         /* an extrapolation of a lower order needs more */
@@ -143,10 +141,6 @@ static size_t judge(const struct cor_disk_modes *modes, size_t n, double alpha, 
           out.one_minus_eps2);
     if (!in_full)
         return out.steps;
-    print_message("%s: eps %.13f off %.1g, loss %.1g, time %.1g, compression %.1g, modes %.1g, average %.1g\n", what,
-                  truth->eps, out.eps - truth->eps, out.one_minus_eps2 - truth->one_minus_eps2,
-                  out.contact_time - truth->contact_time, out.max_compression - truth->max_compression, off_after,
-                  off_average);
     check(off_after <= 4 * (tolerance + slack), "%s: a mode's energy is off %g", what, off_after);
     check(fabs(out.max_compression - truth->max_compression) <= depth_bound * v, "%s: %.15f, not %.15f", what,
           out.max_compression, truth->max_compression);
@@ -367,9 +361,6 @@ TEST(radial)
         assert_int_equal(disk_collide(&modes, n, alpha, v, tolerance, &fine), COR_OK);
         assert_int_equal(disk_collide(&modes, n, alpha, v, 1e-5, &coarse), COR_OK);
         no_resonance(&modes, n, alpha, v, 1e-5);
-        print_message("%zu modes of n = 0, alpha = %g, v = %g: eps %.13f, %zu steps, drift %.1g; at 1e-5 off %.1g, "
-                      "%zu steps\n",
-                      n, alpha, v, fine.eps, fine.steps, fine.energy_drift, coarse.eps - fine.eps, coarse.steps);
         assert_true(fabs(coarse.eps - fine.eps) <= 1e-5);
         assert_true(fabs(fine.energy_drift) <= 2 * tolerance && fabs(coarse.energy_drift) <= 2e-5);
         /* the reference, which takes 2 s over all of them: this is its value */
@@ -409,7 +400,6 @@ TEST(phi_points)
             kept_from = n;
         check(kept_from == 0 || status == COR_OK, "enough with %zu angles, and not with %zu", kept_from, n);
     }
-    print_message("%zu angles suffice\n", kept_from);
     assert_true(kept_from > 30 && kept_from < 256);
 }
 
@@ -476,10 +466,6 @@ TEST(moments)
         assert_int_equal(cor_disk_collision(diary.modes, diary.n, &options, diary.speed, &silent), COR_OK);
         same_results(&out, &silent, "observed and not");
         const double energy = pi / 2 * diary.speed * diary.speed;
-        print_message(
-            "alpha = %g, v = %g, tolerance %g: %zu moments, %zu steps, energy wanders by %.1g, impulse %.6g of %.6g\n",
-            diary.alpha, diary.speed, scene[k].tolerance, diary.count, out.steps, diary.wander, diary.impulse,
-            pi * diary.speed * (1 + out.eps));
         assert_int_equal(diary.count, out.steps);
         /* before the contact */
         assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
@@ -490,9 +476,7 @@ TEST(moments)
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)
             off = fmax(off, fabs(diary.energy[i] / energy - after[i]));
-        print_message("first modes astray by %.1g\n", diary.astray);
         assert_true(diary.astray < 0.01);
-        print_message("last moment off %.1g, depth %.1g\n", off, diary.max_position + 1 - out.max_compression);
         assert_true(off < 1e-4);
         /* in between, where the modified potential stands for the wall's, to the square of the step */
         assert_true(diary.wander <= scene[k].wander);
@@ -557,8 +541,6 @@ TEST(chaotic)
     const struct cor_disk_collision_options options = {diary.alpha, 1e-3, 0, 30000};
     const struct cor_disk_collision_detail detail = {NULL, NULL, write_down, &diary, diary.q, diary.q_dot};
     const int status = collide_in_detail(diary.modes, diary.n, &options, diary.speed, &out, &detail);
-    print_message("chaotic: eps %.6f, drift %.1g, of the last run %.1g, %zu steps, %s\n", out.eps, out.energy_drift,
-                  diary.drift, out.steps, cor_status_text(status));
     assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
     assert_true(fabs(out.eps - 0.838) < 2e-3);
     static const double tolerance[] = {1e-2, 1e-3, 1e-8};

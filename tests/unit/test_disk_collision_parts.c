@@ -220,9 +220,6 @@ TEST(window)
         stage.now.depth = scan[i].depth;
         stage.now.window = COR_PANEL;
         const enum cor_collision_kick result = cor_collision_kick(&stage.m, h, scan[i].angles, &stage.now);
-        const double first_outside = stage.m.pressure[COR_PANEL] / stage.now.load;
-        print_message("alpha = %g, depth %g: %.2g of the load at the first angle outside\n", scan[i].alpha,
-                      scan[i].depth, first_outside);
         check(result == scan[i].kick, "scan %zu: %d", i, (int)result);
         /* the next window ends where the pressure is below 1e-26 of the peak, which is that of angle 0 */
         if (scan[i].angles != COR_WINDOW && result == COR_KICKED) {

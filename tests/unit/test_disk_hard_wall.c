@@ -60,8 +60,6 @@ TEST(known_answers)
     const struct cor_disk_modes modes = modes_of(0.33, 10);
     for (size_t i = 0; i < 3; i++) {
         const struct cor_disk_hard_wall out = wall_collide(&modes, known[i].speed, 1e-5, COR_OK);
-        print_message("v = %g: 1 - eps^2 = %.8f +- %.0e, %zu levels, contact time %.5f\n", known[i].speed,
-                      out.one_minus_eps2, out.error_estimate, out.omega_levels, out.contact_time);
         check(fabs(out.one_minus_eps2 - known[i].one_minus_eps2) < 1e-6 + known[i].error, "v = %g: %.8f, not %.7f",
               known[i].speed, out.one_minus_eps2, known[i].one_minus_eps2);
         check(out.error_estimate <= 1e-5, "%g", out.error_estimate);
@@ -86,8 +84,6 @@ TEST(proved_modes)
     assert_int_equal(cor_disk_hard_wall(&cor_disk_modes_nu033, 1800, &options, 0.1, &by_table), COR_OK);
     assert_int_equal(cor_disk_hard_wall(&computed, 2000, &options, 0.1, &by_computed), COR_OK);
     assert_int_equal(cor_disk_hard_wall(&computed, 1700, &options, 0.1, &by_part), COR_OK);
-    print_message("1800 proved modes: %.10f +- %.0e, as many computed ones: %.10f\n", by_table.one_minus_eps2,
-                  by_table.error_estimate, by_computed.one_minus_eps2);
     check(fabs(by_table.one_minus_eps2 - by_computed.one_minus_eps2) < 1e-10, "%.12f and %.12f",
           by_table.one_minus_eps2, by_computed.one_minus_eps2);
     assert_int_equal(by_table.omega_levels, 5);
@@ -146,8 +142,7 @@ TEST(budgets)
     leave_to_turn(2, 3);
     struct random_state random = random_start();
     int ended = 0;
-    double worst = 0;
-    for (size_t i = 0, scenes = points(6); i < scenes; i++) {
+    for (size_t i = 0; i < points(6); i++) {
         const double speed = random_log(&random, 1e-8, 0.5), nu = random_uniform(&random, -0.9, 0.95);
         const double most = random_log(&random, 4e8, few_or_all(0, 1) ? 1e10 : 1.5e9);
         const struct cor_disk_hard_wall_options free_steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 0};
@@ -155,7 +150,6 @@ TEST(budgets)
         double work;
         const int status = cor_hard_wall_within(most, nu, &free_steps, speed, &out, &work);
         check(work <= 1.01 * most, "nu = %.17g, v = %.17g: %.3g operations of %.3g", nu, speed, work, most);
-        worst = fmax(worst, work / most);
         check(status == COR_TOLERANCE_NOT_REACHED && out.omega_levels >= 2, "nu = %.17g, v = %.17g: %s", nu, speed,
               cor_status_text(status));
         ended += out.omega_levels < COR_DISK_HARD_WALL_MAX_LEVELS;
@@ -197,7 +191,6 @@ TEST(budgets)
         free((void *)modes.mode);
     }
     assert_true(ended > 0);
-    print_message("%zu budgets, spent by %.4f at most\n", points(6), worst);
 }
 
 /* The budget of cor_disk_hard_wall_nu, at a scene that took a minute */
@@ -210,7 +203,6 @@ TEST(whole_budget)
     double work;
     assert_int_equal(cor_hard_wall_within(COR_HARD_WALL_WORK, 0.9, &options, 0.1, &within, &work),
                      COR_TOLERANCE_NOT_REACHED);
-    print_message("%.3g operations, %zu levels, +- %.1e\n", work, within.omega_levels, within.error_estimate);
     assert_true(work <= 1.01 * COR_HARD_WALL_WORK && within.omega_levels < COR_DISK_HARD_WALL_MAX_LEVELS);
     assert_int_equal(cor_disk_hard_wall_nu(0.9, &options, 0.1, &out), COR_TOLERANCE_NOT_REACHED);
     same_results(&within, &out, "the default");
@@ -228,8 +220,6 @@ TEST(levels_that_agree_by_chance)
         const struct cor_disk_hard_wall_options options = {scene[i].tolerance, 0};
         struct cor_disk_hard_wall out;
         assert_int_equal(cor_disk_hard_wall_nu(scene[i].nu, &options, scene[i].speed, &out), COR_OK);
-        print_message("nu = %.4f, v = %.4f: %.6f +- %.1e after %zu levels, %.6f\n", scene[i].nu, scene[i].speed,
-                      out.one_minus_eps2, out.error_estimate, out.omega_levels, scene[i].one_minus_eps2);
         check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) + scene[i].error <= out.error_estimate,
               "%.6f +- %.1e, not %.6f", out.one_minus_eps2, out.error_estimate, scene[i].one_minus_eps2);
     }
@@ -291,9 +281,6 @@ TEST(joins)
           point.max_compression);
     const struct cor_disk_hard_wall slow = wall_collide(&modes, DBL_MIN, 1e-5, COR_OK),
                                     slowest = wall_collide(&modes, ldexp(1, -1074), 1e-5, COR_OK);
-    print_message("v = %g: %.8f at %.9f and %.9f; smallest normal double %.3e, smallest %.3e\n", speed,
-                  full.one_minus_eps2, full.one_minus_eps2, point.one_minus_eps2, slow.one_minus_eps2,
-                  slowest.one_minus_eps2);
     check(slow.one_minus_eps2 > 0 && slow.one_minus_eps2 < 1e-4 && fabs(slowest.one_minus_eps2) < 1e-4, "%g, %g",
           slow.one_minus_eps2, slowest.one_minus_eps2);
     free((void *)modes.mode);
@@ -377,9 +364,6 @@ TEST(details)
             left += after[i];
             mean += average[i];
         }
-        print_message("v = %g: %zu moments, energy in the modes %.6f after, %.4f on average, largest load %.4f, widest "
-                      "contact %.4f\n",
-                      speed, w.moments, left, mean, w.most_load / speed, w.widest);
         /* of the highest level, not extrapolated: within the estimate */
         check(fabs(left - out.one_minus_eps2) < 3e-3 * out.one_minus_eps2 + 3e-4, "%g left, 1 - eps^2 = %g", left,
               out.one_minus_eps2);

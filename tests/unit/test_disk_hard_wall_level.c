@@ -91,8 +91,6 @@ static void as_written_out(double nu, double speed, double omega, enum cor_hard_
     settings.spacing = pi / nyquist * (1 + 1e-12);
     const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
     const double reference = reference_limit(&modes, speed, reference_settings(&settings, speed, nyquist));
-    print_message("nu = %.4f, v = %.5f, Omega = %g: %.9f, written out %.9f (%+.1e), drift %.1e\n", nu, speed, omega,
-                  level.one_minus_eps2, reference, level.one_minus_eps2 - reference, level.energy_drift);
     /* both have a noise of steps, falling like 1/Omega^2 */
     check(fabs(level.one_minus_eps2 - reference) < 1.5e-3 / (omega * omega), "nu = %g, v = %g: %.9f, not %.9f", nu,
           speed, level.one_minus_eps2, reference);
@@ -124,8 +122,6 @@ TEST(in_pieces)
     struct reference_wall wall = reference_settings(&settings, speed, nyquist);
     wall.h = 0.25 / omega;
     const double reference = reference_hard_wall(&modes, speed, &wall);
-    print_message("%zu contacts not one piece from 0 on; %.8f, written out, with steps of %.2f/Omega, %.8f\n",
-                  level.pivotings, level.one_minus_eps2, wall.h * omega, reference);
     check(fabs(level.one_minus_eps2 - reference) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2, reference);
 }
 
@@ -149,18 +145,14 @@ TEST(two_fades)
     leave_to_turn(0, 3);
     struct random_state random = random_start();
     const double omega = 120 * sqrt(2);
-    double worst = 0;
     for (size_t i = 0; i < points(2); i++) {
         const double speed = i == 0 ? 0.1 : random_log(&random, 1e-3, 0.15);
         const double nu = i == 0 ? 0.33 : random_uniform(&random, -0.2, 0.6);
         const struct cor_disk_modes modes = modes_of(nu, omega);
         const double one = extrapolated(&modes, speed, omega, COR_HARD_WALL_FADE);
         const double other = extrapolated(&modes, speed, omega, COR_HARD_WALL_PLAIN_FADE);
-        print_message("nu = %.4f, v = %.5f: %.8f with one fade, %.8f with the other\n", nu, speed, one, other);
         check(fabs(one - other) < (i == 0 ? 1e-6 : 4e-5), "nu = %g, v = %g: %.9f and %.9f", nu, speed, one, other);
-        worst = fmax(worst, fabs(one - other));
     }
-    print_message("largest difference %.1e\n", worst);
 }
 
 /* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where
@@ -175,8 +167,6 @@ TEST(steps_and_energy)
         struct cor_hard_wall_settings settings = fine_settings(omega, speed);
         settings.turn = ldexp(0.8, -i);
         const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
-        print_message("Omega h = %g: %.9f, energy drift %.1e, %zu steps\n", settings.turn, level.one_minus_eps2,
-                      level.energy_drift, level.steps);
         check(fabs(level.energy_drift) < 2e-5 * settings.turn * settings.turn, "drift %g", level.energy_drift);
         l[i] = level.one_minus_eps2;
         depth[i] = level.max_compression;
@@ -198,8 +188,6 @@ TEST(budget)
         settings = fine_settings(60 * sqrt(2), *speeds);
         settings.point = *speeds < COR_DISK_HARD_WALL_POINT_SPEED;
         struct cor_hard_wall_result whole = level_of(&modes, *speeds, &settings, COR_OK);
-        print_message("v = %g: %.3g multiplications, %.2f times those of the level before\n", *speeds, whole.work,
-                      whole.work / before);
         assert_true(whole.work > 1.2 * before && whole.work < 1.2 * COR_HARD_WALL_GROWTH * before);
         for (int of_steps = 0; of_steps < 2; of_steps++) {
             settings.work_per_step = of_steps;
@@ -232,8 +220,6 @@ TEST(hard_limit)
         wall.alpha = i == 0 ? 2240 : 4480;
         l[i] = reference_limit(&modes, speed, wall);
     }
-    print_message("alpha v = 224: %.7f, 448: %.7f, infinite by 1/alpha: %.7f; rigid %.7f\n", l[0], l[1],
-                  2 * l[1] - l[0], rigid);
     check(fabs(2 * l[1] - l[0] - rigid) < 4e-5, "%.8f, not %.8f", 2 * l[1] - l[0], rigid);
 }
 
@@ -264,8 +250,6 @@ TEST(soft_wall_of_all_modes)
         at_once[i] = reference_limit(&modes, speed, wall);
     }
     const double by_modes = l[1] - (l[1] - l[0]) / (w[1] - w[0]) * w[1], by_omega = 2 * at_once[1] - at_once[0];
-    print_message("alpha v = 28: cor_disk_collision, 3600, 7200, all modes: %.6f %.6f %.6f; compliance at once: %.6f\n",
-                  l[0], l[1], by_modes, by_omega);
     check(fabs(by_modes - by_omega) < 1e-4, "%.7f and %.7f", by_modes, by_omega);
 }
 
@@ -282,9 +266,6 @@ TEST(point_contact)
         const struct cor_hard_wall_result full = level_of(&modes, speeds[i], &settings, COR_OK);
         settings.point = 1;
         const struct cor_hard_wall_result point = level_of(&modes, speeds[i], &settings, COR_OK);
-        print_message("v = %g: %.9f, as a point %.9f; largest compression %.7g v, %.7g v\n", speeds[i],
-                      full.one_minus_eps2, point.one_minus_eps2, full.max_compression / speeds[i],
-                      point.max_compression / speeds[i]);
         check(fabs(full.one_minus_eps2 - point.one_minus_eps2) < (i == 0 ? 3e-7 : 6e-8), "v = %g: %.9f and %.9f",
               speeds[i], full.one_minus_eps2, point.one_minus_eps2);
         check(fabs(full.max_compression / point.max_compression - 1) < 1e-4, "v = %g: %g and %g", speeds[i],

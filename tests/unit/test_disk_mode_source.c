@@ -37,7 +37,6 @@ TEST(as_proved)
             off_amplitude = fmax(off_amplitude, fabs(mode[i].c - exact->c) / length);
             off_amplitude = fmax(off_amplitude, fabs(mode[i].s - exact->s) / length);
         }
-        print_message("nu = %g: omega off by %.1e, c and s by %.1e\n", proved->nu, off_omega, off_amplitude);
         /* the bounds also allow for longer tables */
         check(off_omega <= 0.1 * COR_DISK_MODES_OMEGA_MAX_ERROR, "%g", off_omega);
         check(off_amplitude <= 0.02 * COR_DISK_MODES_AMPLITUDE_MAX_ERROR, "%g", off_amplitude);

@@ -46,7 +46,6 @@ TEST(fields)
         const double eps = cor_contact_eps_zero_overlap(&c, s.speed), beta = 1.5 * (double)lambda;
         assert_true(fabs(eps - cor_sphere_eps_zero_overlap(beta)) <= 1e-14);
     }
-    print_message("worst: %.2Lf ulp\n", worst);
     assert_true(worst <= COR_CONTACT_MAX_ULP);
 }
 
@@ -212,8 +211,6 @@ TEST(a_plate_with_edges)
         const double wide = square_plate_eps(lambda, 2 * half, duration / 1500),
                      narrow = square_plate_eps(lambda, half, duration / 600);
         const double eps = cor_sphere_eps_zero_overlap(beta);
-        print_message("lambda = %g: %.5f, without edges %.5f, with half of the width %.5f\n", lambda, wide, eps,
-                      narrow);
         assert_true(fabs(wide / eps - 1) < row[i].tolerance && fabs(narrow / eps - 1) > 4 * row[i].tolerance);
     }
 }
