@@ -10,41 +10,10 @@
 
 enum { LANES = 16 };
 
-/* Points of a path, each by its parts */
-struct points {
-    double rho[LANES], h_re[LANES], slope_re[LANES], slope_im[LANES], sine_re[LANES], sine_im[LANES], back_re[LANES],
-        back_im[LANES], beyond_re[LANES], beyond_im[LANES];
-};
-
-KERNEL void points_at(struct points *at, const struct cor_leg_path *path, int from_zero, int n)
-{
-    for (int i = 0; i < n; i++) {
-        const struct path_point point = kernel_path(path, from_zero, at->rho[i]);
-        at->h_re[i] = point.h_re;
-        at->slope_re[i] = point.slope.re;
-        at->slope_im[i] = point.slope.im;
-        at->sine_re[i] = point.sine.re;
-        at->sine_im[i] = point.sine.im;
-        at->back_re[i] = point.back.re;
-        at->back_im[i] = point.back.im;
-        at->beyond_re[i] = point.beyond_one.re;
-        at->beyond_im[i] = point.beyond_one.im;
-    }
-}
-
 /* n, rounded up to whole vectors */
 KERNEL int vectors_of(int n)
 {
     return (n + VECTOR - 1) & -VECTOR;
-}
-
-/* The n <= LANES points at at->rho */
-SHARED void points_of(struct points *at, const struct cor_leg_path *path, int n)
-{
-    if (path->from_zero)
-        points_at(at, path, 1, vectors_of(n));
-    else
-        points_at(at, path, 0, vectors_of(n));
 }
 
 SHARED void set_decays(double *restrict rho, const double *restrict u)
@@ -58,14 +27,12 @@ struct gauss_nodes {
     double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
 };
 
-SHARED void nodes_begin(struct gauss_nodes *restrict node, const struct cor_leg_path *path,
-                        const struct points *restrict at, double panel)
+KERNEL void nodes_at(struct gauss_nodes *restrict node, const struct cor_leg_path *path, int from_zero,
+                     const double *restrict rho, double panel)
 {
     for (int i = 0; i < LANES; i++) {
-        const struct path_point point = {at->h_re[i], cx_of(at->slope_re[i], at->slope_im[i]),
-                                         cx_of(at->sine_re[i], at->sine_im[i]), cx_of(at->back_re[i], at->back_im[i]),
-                                         cx_of(at->beyond_re[i], at->beyond_im[i])};
-        const struct cx step = cx_scaled(0.5 * panel * at->rho[i], cx_of(-point.slope.im, point.slope.re));
+        const struct path_point point = kernel_path(path, from_zero, rho[i]);
+        const struct cx step = cx_scaled(0.5 * panel * rho[i], cx_of(-point.slope.im, point.slope.re));
         const struct cx t = kernel_guess(path, &point, &node->move[i]);
         const struct cx power = cx_over(cx_of(1, 0), cx_times(point.sine, point.sine));
         node->step_re[i] = step.re;
@@ -75,6 +42,15 @@ SHARED void nodes_begin(struct gauss_nodes *restrict node, const struct cor_leg_
         node->power_re[i] = power.re;
         node->power_im[i] = power.im;
     }
+}
+
+SHARED void nodes_begin(struct gauss_nodes *restrict node, const struct cor_leg_path *path, const double *restrict rho,
+                        double panel)
+{
+    if (path->from_zero)
+        nodes_at(node, path, 1, rho, panel);
+    else
+        nodes_at(node, path, 0, rho, panel);
 }
 
 SHARED void nodes_solve(struct gauss_nodes *node, double q0, int steps)
@@ -88,21 +64,20 @@ SHARED void nodes_solve(struct gauss_nodes *node, double q0, int steps)
         }
 }
 
-/* t at the points at->rho of a path */
-static void solve(struct gauss_nodes *node, const struct cor_leg_path *path, struct points *at, double panel)
+/* t at points of a path */
+static void solve(struct gauss_nodes *node, const struct cor_leg_path *path, const double *rho, double panel)
 {
-    points_of(at, path, LANES);
-    nodes_begin(node, path, at, panel);
+    nodes_begin(node, path, rho, panel);
     nodes_solve(node, path->q0, path->from_zero ? STEPS_FROM_ZERO : STEPS_FROM_OTHER);
 }
 
-static void start(const struct cor_leg_path *path, double rho, double t[2])
+static void start(const struct cor_leg_path *path, double nearest, double t[2])
 {
     struct gauss_nodes node;
-    struct points at;
+    double rho[LANES];
     for (int i = 0; i < LANES; i++)
-        at.rho[i] = rho;
-    solve(&node, path, &at, 1);
+        rho[i] = nearest;
+    solve(&node, path, rho, 1);
     t[0] = node.t_re[0];
     t[1] = node.t_im[0];
 }
@@ -133,21 +108,28 @@ SHARED void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], 
     }
 }
 
-SHARED void leg_add_weights(struct cor_leg *restrict leg, const struct cor_leg_path *path, int steps, double top)
+KERNEL void weights_at(double *restrict w_re, double *restrict w_im, const struct cor_leg_path *path, int from_zero,
+                       const double *restrict rho, int n)
 {
-    struct points at;
-    double u[LANES];
-    double *const w_re = leg->w_re + leg->n, *const w_im = leg->w_im + leg->n;
-    for (int k = 0; k < LANES; k++)
-        u[k] = top - k * COR_LEG_STEP;
-    set_decays(at.rho, u);
-    points_of(&at, path, steps);
-    for (int k = 0; k < vectors_of(steps); k++) {
-        const struct cx sine = cx_of(at.sine_re[k], at.sine_im[k]), slope = cx_of(at.slope_re[k], at.slope_im[k]);
-        const struct cx w = cx_times(slope, cx_scaled(COR_LEG_STEP * at.rho[k] * path->scale, sine));
+    for (int k = 0; k < n; k++) {
+        const struct path_point point = kernel_path(path, from_zero, rho[k]);
+        const struct cx w = cx_times(point.slope, cx_scaled(COR_LEG_STEP * rho[k] * path->scale, point.sine));
         w_re[k] = w.re;
         w_im[k] = w.im;
     }
+}
+
+SHARED void leg_add_weights(struct cor_leg *restrict leg, const struct cor_leg_path *path, int steps, double top)
+{
+    double u[LANES], rho[LANES];
+    double *const w_re = leg->w_re + leg->n, *const w_im = leg->w_im + leg->n;
+    for (int k = 0; k < LANES; k++)
+        u[k] = top - k * COR_LEG_STEP;
+    set_decays(rho, u);
+    if (path->from_zero)
+        weights_at(w_re, w_im, path, 1, rho, vectors_of(steps));
+    else
+        weights_at(w_re, w_im, path, 0, rho, vectors_of(steps));
 }
 
 /* Computes a panel of a leg: p and weights at `steps` nodes, and p at the end. */
@@ -155,13 +137,12 @@ static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *ru
                   struct cor_leg *leg)
 {
     struct gauss_nodes node;
-    struct points at;
-    double u[LANES];
+    double u[LANES], rho[LANES];
     const double width = steps * COR_LEG_STEP;
     for (int i = 0; i < LANES; i++)
         u[i] = top - 0.5 * width * (1 - rule->x[i]);
-    set_decays(at.rho, u);
-    solve(&node, path, &at, width);
+    set_decays(rho, u);
+    solve(&node, path, rho, width);
     nodes_integrate(&node);
     leg_add_p(leg, steps == COR_LEG_STEPS ? rule->to_steps : rule->to_short, &node);
     leg_add_weights(leg, path, steps, top);
