@@ -1,39 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Full dynamics of a disk at a wall, (41) to (45): the public functions. The parts of the integrator:
- *     collision_workspace.c      sizes and places of arrays, tables of modes and angles
- *     collision_step.c           a step: drift and kick
- *     collision_run.c            one collision with steps of one size
- *     collision_extrapolation.c  runs with smaller and smaller steps, extrapolated to h = 0
- *     collision_error.c          the parts of the error
- *     collision_runs.c           the runs of a call, and the decision when to stop
- *     collision_kernel.c         the loops over modes and angles
- *     collision_tuning.h         every constant */
+/* Full dynamics of a disk at a wall, (41) to (45): the public functions */
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cor/disk.h"
 #include "cor/status.h"
-#include "runtime/disk/collision_run.h"
+#include "runtime/disk/collision.h"
 #include "runtime/number/environment.h"
 
 /* COR_OK, or the status of the first error in the table and the options */
 static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
                            const struct cor_disk_collision_options *options)
 {
-    if (modes == NULL || modes->mode == NULL || options == NULL)
-        return COR_ERROR_NULL;
-    if (!(modes->nu > -1 && modes->nu < 1))
-        return COR_ERROR_DISK_POISSON_RATIO;
-    if (n_modes < 1 || n_modes > modes->count)
-        return COR_ERROR_MODES;
-    for (size_t i = 0; i < n_modes; i++) {
-        const struct cor_disk_mode *mode = &modes->mode[i];
-        if (mode->n < 0 || mode->n > COR_DISK_MODES_MAX_N || !(mode->omega > 0 && mode->omega < INFINITY) ||
-            !isfinite(mode->c) || !isfinite(mode->s) || (i > 0 && !(mode->omega > mode[-1].omega)))
-            return COR_ERROR_MODES;
-    }
+    const int status = options == NULL ? COR_ERROR_NULL : cor_disk_table_check(modes, n_modes);
+    if (status != COR_OK)
+        return status;
     if (!(options->tolerance >= COR_DISK_COLLISION_MIN_TOLERANCE && options->tolerance < 1))
         return COR_ERROR_TOLERANCE;
     if (!(options->alpha >= COR_DISK_COLLISION_MIN_ALPHA && options->alpha <= COR_DISK_COLLISION_MAX_ALPHA))
@@ -50,14 +31,7 @@ static size_t collision_workspace(const struct cor_disk_modes *modes, size_t n_m
         return 0;
     struct cor_motion m;
     m.size = cor_motion_sizes(modes->mode, n_modes, options);
-    return cor_motion_arrange(&m, NULL) + COR_COLLISION_ALIGNMENT; /* the workspace may begin at any address */
-}
-
-/* Number of bytes to the next aligned address */
-static size_t misfit(const void *workspace)
-{
-    const size_t beyond = (size_t)((uintptr_t)workspace % COR_COLLISION_ALIGNMENT);
-    return beyond > 0 ? COR_COLLISION_ALIGNMENT - beyond : 0;
+    return cor_motion_arrange(&m, NULL) + COR_ALIGNMENT; /* the workspace may begin at any address */
 }
 
 /* ---- what the speed does not change ---- */
@@ -68,9 +42,9 @@ static int collision_prepare(struct cor_motion *m, void *workspace, size_t bytes
 {
     memset(m, 0, sizeof *m);
     m->size = cor_motion_sizes(modes->mode, n_modes, options);
-    if (bytes < cor_motion_arrange(m, NULL) + COR_COLLISION_ALIGNMENT)
+    if (bytes < cor_motion_arrange(m, NULL) + COR_ALIGNMENT)
         return COR_ERROR_WORKSPACE;
-    cor_motion_arrange(m, (char *)workspace + misfit(workspace));
+    cor_motion_arrange(m, cor_store_aligned(workspace));
     m->mode = modes->mode;
     m->alpha = options->alpha;
     m->tolerance = options->tolerance;
@@ -98,7 +72,7 @@ static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collis
     }
     m->speed = speed;
     m->work_per_step = options->max_steps > 0 ? 1 : 0;
-    m->work_left = options->max_steps > 0 ? (double)options->max_steps : cor_tuning.work;
+    m->work_left = options->max_steps > 0 ? (double)options->max_steps : COR_TUNING_WORK;
     const size_t phi = cor_motion_first_phi(m, options);
     if (m->phi != phi)
         cor_motion_set_angles(m, phi, 0);

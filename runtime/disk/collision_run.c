@@ -1,10 +1,196 @@
 /* SPDX-License-Identifier: MIT */
-#include "runtime/disk/collision_run.h"
+/* The Hamiltonian is that of free motion plus the wall. Free motion is solved exactly: every mode turns and the centre
+ * drifts. A step is a kick of the wall between two halves of free motion. In the kick,
+ *
+ *     V - (h^2/24) |grad V|^2/m                                                       (Takahashi and Imada, 1984)
+ *
+ * replaces the potential V of the wall. This costs one more passage from the rim to the modes and back, but no second
+ * exponential. Two successive halves of free motion are one drift. */
+#include "runtime/disk/collision.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "runtime/disk/collision_step.h"
+/* The load of the wall that is negligible before and after the contact */
+static double negligible_load(const struct cor_motion *m)
+{
+    return COR_TUNING_WALL_LEFT * fmin(m->tolerance, COR_TUNING_WALL_TOLERANCE) * 0.5 * COR_DISK_MASS * m->speed *
+           m->speed * m->alpha;
+}
+
+/* Loads below this value lose digits to underflow. */
+#define LEAST_LOAD 1e-290
+
+/* ---- the wall's force ---- */
+
+/* Computes reach and pressure at the first `points` angles from sum_c and sum_s; returns the load. */
+static double rim_load(struct cor_motion *m, double depth, size_t points)
+{
+    m->loops->gather(&m->rim, m->sum_c, m->sum_s, m->d);
+    m->loops->reach(&m->rim, points, depth, m->shape, m->d, m->reach);
+    return m->loops->press(points, m->alpha, m->weight, m->reach, m->pressure);
+}
+
+/* Number of angles, in whole panels, up to the last one whose pressure exceeds window_edge times the peak */
+static size_t window_of(const struct cor_motion *m)
+{
+    double peak = 0;
+    size_t last = 0;
+    for (size_t j = 0; j < m->phi; j++)
+        peak = fmax(peak, m->pressure[j]);
+    for (size_t j = 0; j < m->phi; j++)
+        if (m->pressure[j] > COR_TUNING_WINDOW_EDGE * peak)
+            last = j;
+    return (last / COR_PANEL + 1) * COR_PANEL;
+}
+
+/* Change of the load with half the angles */
+static double ripple_of(const struct cor_motion *m)
+{
+    double even = 0, odd = 0;
+    for (size_t j = 0; j < m->rim.points; j += 2) {
+        even += m->pressure[j];
+        odd += m->pressure[j + 1];
+    }
+    return fabs(even - odd);
+}
+
+/* Whether, after a scan, a window that ended at `window` has omitted a significant pressure */
+static int window_missed(const struct cor_motion *m, size_t window, double load)
+{
+    for (size_t j = window; j < m->rim.points; j++)
+        if (m->pressure[j] > COR_TUNING_WINDOW_MISSED * load)
+            return 1;
+    return 0;
+}
+
+/* Replaces the pressure in the window by that of the modified potential, pressure (1 - (h^2/12) alpha a) with the rim's
+ * acceleration a, (15.1), and sets its moments e; returns its force. */
+static double rim_soften(struct cor_motion *m, double h, double load, size_t window, double *stiffness)
+{
+    double fastest, *const sum_c = m->force_c, *const sum_s = m->force_s;
+    m->loops->transform(&m->rim, window, m->pressure, m->e);
+    m->loops->split(&m->rim, 1, m->e, m->force_c, m->force_s);
+    for (size_t n = 0; n < m->rim.blocks * COR_LANES; n++) {
+        const double force_c = m->force_c[n], force_s = m->force_s[n];
+        sum_c[n] = m->cc[n] * force_c + m->cs[n] * force_s;
+        sum_s[n] = m->cs[n] * force_c + m->ss[n] * force_s;
+    }
+    m->loops->gather(&m->rim, sum_c, sum_s, m->d);
+    m->loops->reach(&m->rim, window, load / COR_DISK_MASS, m->flat, m->d, m->response);
+    const double force = m->loops->soften(window, h * h * m->alpha / 12, m->response, m->pressure, &fastest);
+    *stiffness = h * h * m->alpha * fastest;
+    m->loops->transform(&m->rim, window, m->pressure, m->e);
+    return force;
+}
+
+/* ---- a step ---- */
+
+void cor_collision_drift(struct cor_motion *m, double h, struct cor_collision_state *now)
+{
+    m->loops->turn(&m->rim, m->q, m->p, m->cosine, m->sine, m->force_c, m->force_s, m->sum_c, m->sum_s);
+    now->depth += h * now->v;
+    now->time += h;
+}
+
+enum cor_collision_outcome cor_collision_kick(struct cor_motion *m, double h, enum cor_collision_angles angles,
+                                              struct cor_collision_state *now)
+{
+    const double negligible = negligible_load(m);
+    const size_t reached = angles == COR_WINDOW ? now->window : m->rim.points;
+    now->force = now->stiffness = 0;
+    now->load = rim_load(m, now->depth, reached);
+    /* the rim accelerates at least as much as the centre */
+    if (!(h * h * m->alpha / COR_DISK_MASS * now->load < COR_TUNING_MAX_STIFFNESS))
+        return COR_RUN_TOO_STIFF;
+    COR_CLEAR_DOUBLES(m->size.blocks * COR_LANES, m->force_c, m->force_s);
+    if (angles != COR_WINDOW) {
+        const size_t window = now->window;
+        now->ripple = ripple_of(m);
+        now->window = window_of(m);
+        if (angles == COR_SCAN && window_missed(m, window, fmax(now->load, negligible)))
+            return COR_RUN_TOO_NARROW;
+    }
+    if (now->load > COR_TUNING_NO_LOAD * negligible) {
+        now->force = rim_soften(m, h, now->load, now->window, &now->stiffness);
+        if (!(now->stiffness < COR_TUNING_MAX_STIFFNESS))
+            return COR_RUN_TOO_STIFF;
+        m->loops->split(&m->rim, -h, m->e, m->force_c, m->force_s);
+    }
+    now->v -= h * now->force / COR_DISK_MASS;
+    m->work_left -= m->work_per_step > 0 ? m->work_per_step : cor_motion_work(m, reached, now->window);
+    return COR_RUN_ENDED;
+}
+
+/* ---- the first moment ---- */
+
+/* alpha (x_0 + 1) at the first moment, at which the load sqrt(2 pi/alpha) exp(alpha (x_0 + 1)) of a disk that keeps its
+ * shape is negligible */
+static double first_exponent(const struct cor_motion *m)
+{
+    return log(negligible_load(m) * sqrt(m->alpha / (2 * COR_PI)));
+}
+
+/* Whether a collision with steps h can end within COR_DISK_COLLISION_MAX_STEPS, judged by the time to reach the wall */
+static int in_sight(const struct cor_motion *m, double h)
+{
+    /* the way to the wall and back takes at least twice as long */
+    return negligible_load(m) > LEAST_LOAD &&
+           -2 * first_exponent(m) <= h * COR_DISK_COLLISION_MAX_STEPS * (m->alpha * m->speed);
+}
+
+static void modes_at_rest(struct cor_motion *m, double h)
+{
+    const size_t lanes = m->size.blocks * COR_LANES;
+    COR_CLEAR_DOUBLES(m->size.cells, m->q, m->p, m->cosine, m->sine);
+    COR_CLEAR_DOUBLES(lanes, m->force_c, m->force_s, m->sum_c, m->sum_s);
+    COR_CLEAR_DOUBLES(m->size.terms + lanes, m->e);
+    for (size_t i = 0; i < m->size.modes; i++) {
+        m->cosine[m->place[i]] = cos(m->mode[i].omega * h);
+        m->sine[m->place[i]] = sin(m->mode[i].omega * h);
+    }
+}
+
+/* The wall's force grows like exp(sigma t), sigma = alpha v: Q'' + omega^2 Q = F/m gives Q = F/(m (omega^2 + sigma^2)),
+ * and the centre has lost the wall's energy. The first half of the kick at this moment precedes it. */
+void cor_collision_approach(struct cor_motion *m, double h, struct cor_collision_state *now)
+{
+    const double sigma = m->alpha * m->speed, energy = 0.5 * COR_DISK_MASS * m->speed * m->speed;
+    const struct cor_collision_state first = {first_exponent(m) / sigma, m->speed, 0, 0, 0, 0, 0, m->rim.points};
+    *now = first;
+    modes_at_rest(m, h);
+    now->depth = m->speed * now->time;
+    now->load = rim_load(m, now->depth, m->rim.points);
+    m->loops->transform(&m->rim, m->rim.points, m->pressure, m->e);
+    m->loops->split(&m->rim, -1, m->e, m->force_c, m->force_s);
+    for (size_t i = 0; i < m->size.modes; i++) {
+        const size_t cell = m->place[i], n = (size_t)m->mode[i].n;
+        const double omega = m->mode[i].omega;
+        const double force = m->c[cell] * m->force_c[n] + m->s[cell] * m->force_s[n];
+        m->q[cell] = omega * force / (omega * omega + sigma * sigma);
+        m->p[cell] = sigma / omega * m->q[cell];
+    }
+    m->loops->split(&m->rim, -0.5 * h, m->e, m->force_c, m->force_s);
+    now->v = m->speed * sqrt(1 - now->load / (m->alpha * energy)) - 0.5 * h * now->load / COR_DISK_MASS;
+}
+
+/* ---- modes ---- */
+
+double cor_collision_mode_energy(const struct cor_motion *m, size_t i)
+{
+    const size_t cell = m->place[i], n = (size_t)m->mode[i].n;
+    const double q = m->q[cell];
+    const double p = m->p[cell] + 0.5 * (m->c[cell] * m->force_c[n] + m->s[cell] * m->force_s[n]);
+    return 0.5 * m->mode[i].omega * (q * q + p * p);
+}
+
+/* Largest displacement of any part of the rim out of its round shape in free motion */
+static double greatest_swing(const struct cor_motion *m)
+{
+    double swing = 0;
+    for (size_t i = 0; i < m->size.cells; i++)
+        swing += fmax(fabs(m->c[i]), fabs(m->s[i])) * sqrt(m->q[i] * m->q[i] + m->p[i] * m->p[i]);
+    return swing;
+}
 
 /* ---- between steps: a polynomial through five moments at intervals of h ---- */
 
@@ -135,47 +321,37 @@ static void report_moment(const struct cor_motion *m, const struct cor_disk_coll
 
 /* ---- the run ---- */
 
-static void run_begin(struct cor_collision_run *run)
-{
-    run->steps = 0;
-    run->max_load = run->ripple = run->stiffness = 0;
-    run->max_compression = -INFINITY;
-    run->start = run->end = NAN;
-}
-
-static int run_may_step(const struct cor_motion *m, const struct cor_collision_run *run)
-{
-    return run->steps < COR_DISK_COLLISION_MAX_STEPS && m->work_left > 0;
-}
-
 enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_collision_run *run,
                                              const struct cor_collision_run *before, double *average,
                                              const struct cor_disk_collision_detail *detail)
 {
     const double h = run->h, work_left = m->work_left;
     const int known = before != NULL && before->max_load > 0;
-    const double log_threshold = known ? log(cor_tuning.contact_load * before->max_load) : INFINITY;
+    const double log_threshold = known ? log(COR_TUNING_CONTACT_LOAD * before->max_load) : INFINITY;
     struct course course;
     struct cor_collision_state now;
     memset(&course, 0, sizeof course);
-    run_begin(run);
+    run->steps = 0;
+    run->max_load = run->ripple = run->stiffness = 0;
+    run->max_compression = -INFINITY;
+    run->start = run->end = NAN;
     if (average != NULL)
         memset(average, 0, m->size.modes * sizeof *average);
-    if (!cor_collision_in_sight(m, h))
+    if (!in_sight(m, h))
         return COR_RUN_TOO_LONG;
     cor_collision_approach(m, h, &now);
     /* the largest reach of a rim with a negligible load */
-    const double negligible = cor_collision_negligible_load(m), clear = log(negligible / COR_PI) / m->alpha;
+    const double negligible = negligible_load(m), clear = log(negligible / COR_PI) / m->alpha;
     for (;;) {
-        if (!run_may_step(m, run))
+        if (!(run->steps < COR_DISK_COLLISION_MAX_STEPS && m->work_left > 0))
             return COR_RUN_TOO_LONG;
         run->steps++;
-        const int scan = run->steps % (size_t)cor_tuning.scan_interval == 1;
+        const int scan = run->steps % (size_t)COR_TUNING_SCAN_INTERVAL == 1;
         const enum cor_collision_angles angles = run->all_angles ? COR_ALL_ANGLES : scan ? COR_SCAN : COR_WINDOW;
         cor_collision_drift(m, h, &now);
-        const enum cor_collision_kick kick = cor_collision_kick(m, h, angles, &now);
-        if (kick != COR_KICKED)
-            return kick == COR_KICK_TOO_STIFF ? COR_RUN_TOO_STIFF : COR_RUN_TOO_NARROW;
+        const enum cor_collision_outcome kick = cor_collision_kick(m, h, angles, &now);
+        if (kick != COR_RUN_ENDED)
+            return kick;
         run->ripple = fmax(run->ripple, now.ripple);
         run->stiffness = fmax(run->stiffness, now.stiffness);
         course_follow(&course, run, &now, log_threshold);
@@ -183,8 +359,7 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
             add_to_average(m, now.time, h, before, average);
         if (detail != NULL && detail->observe != NULL)
             report_moment(m, detail, &now, h);
-        if (angles != COR_WINDOW && now.v < 0 && now.load < negligible &&
-            now.depth + cor_collision_greatest_swing(m) < clear)
+        if (angles != COR_WINDOW && now.v < 0 && now.load < negligible && now.depth + greatest_swing(m) < clear)
             break;
     }
     run->eps = -now.v / m->speed;

@@ -1,11 +1,224 @@
 /* SPDX-License-Identifier: MIT */
+#include "runtime/disk/collision.h"
+
 #include <math.h>
-#include <string.h>
 
 #include "cor/status.h"
-#include "runtime/disk/collision_error.h"
-#include "runtime/disk/collision_extrapolation.h"
-#include "runtime/disk/collision_step.h"
+
+/* ---- extrapolation ----
+ *
+ * The step is of order 2, but a change of variables makes it conjugate to a step of order 4. The change is the identity
+ * where the wall exerts no force. Quantities measured long before and long after the contact, such as eps, therefore
+ * have an error c_4 h^4 + c_6 h^6 + .... The powers are even because the step is symmetric. */
+
+enum { LEVELS = COR_COLLISION_LEVELS };
+
+/* First powers of h in the errors of quantities measured after the contact and during it */
+enum { AFTER = 4, AMIDST = 2 };
+
+/* Weights of the last `levels` runs in the extrapolation of a series in h^first, h^(first + 2), ... by Neville's
+ * scheme; h^2 halves from run to run. */
+static void extrapolation_weights(int levels, int first, double weight[LEVELS])
+{
+    double row[LEVELS][LEVELS];
+    memset(row, 0, sizeof row);
+    memset(weight, 0, LEVELS * sizeof *weight);
+    if (levels < 1)
+        return;
+    for (int i = 0; i < levels; i++)
+        row[i][i] = 1;
+    for (int j = 1; j < levels; j++) {
+        const double ratio = ldexp(1, first / 2 + j - 1);
+        for (int i = levels - 1; i >= j; i--)
+            for (int k = 0; k < levels; k++)
+                row[i][k] += (row[i][k] - row[i - 1][k]) / (ratio - 1);
+    }
+    memcpy(weight, row[levels - 1], LEVELS * sizeof *weight);
+}
+
+/* Weights of the runs in the change of the result by the last run */
+static void movement_weights(int levels, double weight[LEVELS])
+{
+    double before[LEVELS];
+    extrapolation_weights(levels, AFTER, weight);
+    extrapolation_weights(levels - 1, AFTER, before);
+    for (int k = 0; k < levels - 1; k++)
+        weight[k] -= before[k];
+}
+
+static double weighted_eps(const struct cor_collision_run *run, int levels, const double weight[LEVELS])
+{
+    double eps = 0;
+    for (int k = 0; k < levels; k++)
+        eps += weight[k] * run[k].eps;
+    return eps;
+}
+
+static double weighted_after(const struct cor_motion *m, size_t mode, int levels, const double weight[LEVELS])
+{
+    double after = 0;
+    for (int k = 0; k < levels; k++)
+        after += weight[k] * m->after[k][mode];
+    return after;
+}
+
+double cor_collision_results(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
+                             struct cor_disk_collision *out, double *energy_after)
+{
+    double less_than_none = 0;
+    double weight[LEVELS];
+    const struct cor_disk_collision none = {0, 0, 0, 0, 0, run[levels - 1].steps, out->error_estimate};
+    *out = none;
+    extrapolation_weights(levels, AFTER, weight);
+    for (int k = 0; k < levels; k++) {
+        out->eps += weight[k] * run[k].eps;
+        out->max_compression += weight[k] * run[k].max_compression;
+    }
+    for (size_t i = 0; i < m->size.modes; i++) {
+        const double after = weighted_after(m, i, levels, weight);
+        less_than_none += fmax(-after, 0);
+        out->one_minus_eps2 += fmax(after, 0);
+        if (energy_after != NULL)
+            energy_after[i] = fmax(after, 0);
+    }
+    out->energy_drift = out->eps * out->eps + out->one_minus_eps2 - 1;
+    /* the first run does not know the load that defines the contact */
+    const int first = run[0].number < 1;
+    if (levels == first)
+        out->contact_time = NAN;
+    extrapolation_weights(levels - first, AFTER, weight);
+    for (int k = first; k < levels; k++)
+        out->contact_time += weight[k - first] * run[k].contact_time;
+    return less_than_none;
+}
+
+void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
+                            double *energy_average)
+{
+    double weight[LEVELS];
+    /* Run number 2 is the first that averages. It averages over the contact of run 1, and the contact of run 1 is
+     * defined by the largest load of run 0. */
+    const int first = run[0].number < 2 ? 2 - run[0].number : 0;
+    extrapolation_weights(levels - first, AMIDST, weight);
+    for (size_t i = 0; i < m->size.modes; i++) {
+        double average = levels > first ? 0 : NAN;
+        for (int k = first; k < levels; k++)
+            average += weight[k - first] * m->average[k][i];
+        energy_average[i] = levels > first ? fmax(average, 0) : NAN;
+    }
+}
+
+/* The larger of a weighted eps and half the norm of weighted energies */
+static double weighted_norm(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
+                            const double weight[LEVELS])
+{
+    double sum = 0;
+    for (size_t i = 0; i < m->size.modes; i++) {
+        const double after = weighted_after(m, i, levels, weight);
+        sum += after * after;
+    }
+    return fmax(fabs(weighted_eps(run, levels, weight)), 0.5 * sqrt(sum));
+}
+
+double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels)
+{
+    double weight[LEVELS];
+    movement_weights(levels, weight);
+    return weighted_norm(m, run, levels, weight);
+}
+
+double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels)
+{
+    double weight[LEVELS] = {0};
+    weight[levels - 1] = 1;
+    weight[levels - 2] = -1;
+    return weighted_norm(m, run, levels, weight);
+}
+
+/* ---- error ---- */
+
+/* The next run would move the result by about the last movement times the ratio of the last two. The runs after it
+ * would move the result by less and less: the sum is a geometric series. Movements are those of all energies, because
+ * that of eps alone may be small by chance. */
+static double series_error(const struct cor_collision_evidence *evidence)
+{
+    const int runs = evidence->runs;
+    const double *const movement = evidence->movement + runs - 1; /* the last one */
+    if (runs == 2)
+        return COR_TUNING_TWO_RUNS * movement[0];
+    double ratio = runs == 3 ? COR_TUNING_THIRD_RATIO : COR_TUNING_LATER_RATIO;
+    if (movement[-1] > 0)
+        ratio = fmax(ratio, movement[0] / movement[-1]);
+    if (runs > 3 && movement[-2] > 0)
+        ratio = fmax(ratio, movement[-1] / movement[-2]);
+    const double last = fmax(movement[0], COR_TUNING_LEAST_MOVEMENT * movement[-1]);
+    return ratio < COR_TUNING_NO_CONVERGENCE ? last * ratio / (1 - ratio)
+                                             : COR_TUNING_SCATTER * fmax(movement[0], movement[-1]);
+}
+
+/* At a hard wall the rim strikes in many blows, which amplify the error of each run. The errors of eps and of all
+ * energies then grow along one direction, so all of them may be small by chance in the same run. The series therefore
+ * counts no more than a bound by the last two movements. Round-off moves the result, too, and counts elsewhere. */
+static double blows_error(const struct cor_collision_evidence *evidence, double round_off)
+{
+    const double *const movement = evidence->movement + evidence->runs - 1;
+    if (evidence->runs == 2)
+        return COR_TUNING_HARD_TWO_RUNS * movement[0];
+    return fmax(COR_TUNING_HARD_MOVEMENT * fmax(movement[0] - round_off, 0), COR_TUNING_HARD_BEFORE * movement[-1]);
+}
+
+double cor_collision_step_error(const struct cor_motion *m, const struct cor_collision_evidence *evidence,
+                                double round_off)
+{
+    if (evidence->runs < 2)
+        return 1; /* eps lies between 0 and 1, and one run shows no error */
+    const double error = series_error(evidence);
+    return m->alpha * m->speed < COR_TUNING_HARD ? error : fmax(error, blows_error(evidence, round_off));
+}
+
+/* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst case is
+ * the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load therefore measures
+ * the decay of the harmonics. */
+double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run)
+{
+    const double power = 2 - 0.5 * (double)m->size.n_max / (double)m->phi;
+    return power > 0 && run->ripple < run->max_load ? pow(run->ripple / run->max_load, power) : 1;
+}
+
+/* The collision amplifies the error of the quadrature as any other. The runs bound the amplification without regard to
+ * what calm collisions show, so that this estimate may be far too large; a run with other angles measures the error. */
+static double angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
+                           const struct cor_collision_evidence *evidence)
+{
+    if (evidence->angles_measured)
+        return COR_TUNING_ANGLES_IN_EPS * evidence->by_angles;
+    const double quadrature = cor_collision_quadrature_error(m, run);
+    const double amplification = evidence->amplification * (evidence->measured ? 1 : COR_TUNING_BOUND_AMPLIFIES);
+    return quadrature < 1 ? fmin(1, quadrature * fmax(COR_TUNING_QUADRATURE_IN_EPS, amplification)) : 1;
+}
+
+void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
+                                const struct cor_collision_evidence *evidence, struct cor_collision_error *error)
+{
+    const double steps = (double)run->steps, amplification = evidence->amplification, half_ulp = 0x1p-53;
+    const double wall = COR_TUNING_WALL_LEFT * fmin(m->tolerance, COR_TUNING_WALL_TOLERANCE);
+    error->angles = angles_error(m, run, evidence);
+    error->round_off = half_ulp * (sqrt(steps) * (1 + COR_TUNING_RANDOM_WALK * amplification) +
+                                   COR_TUNING_STEADY_DRIFT * steps * sqrt(left) * (1 + 0.5 * amplification));
+    error->wall = COR_TUNING_WALL_IN_EPS * wall * (1 + amplification);
+}
+
+double cor_collision_lasting_error(const struct cor_collision_error *error)
+{
+    return error->round_off + error->wall;
+}
+
+double cor_collision_total_error(const struct cor_collision_error *error)
+{
+    return fmin(1, error->step + error->angles + cor_collision_lasting_error(error));
+}
+
+/* ---- a call ---- */
 
 /* The runs kept for the extrapolation. All have the same angles; each step is that of the run before over
  * COR_COLLISION_RATIO. */
@@ -27,14 +240,14 @@ struct runs {
 static double first_step(const struct cor_motion *m)
 {
     const double sigma = m->alpha * m->speed;
-    const int turns = cor_tuning.max_turn * sigma < cor_tuning.max_rise * m->size.omega_max;
-    const double safe = turns ? cor_tuning.max_turn / m->size.omega_max : cor_tuning.max_rise / sigma;
-    return safe * fmin(1, pow(m->tolerance / cor_tuning.easy_tolerance, 1.0 / 8));
+    const int turns = COR_TUNING_MAX_TURN * sigma < COR_TUNING_MAX_RISE * m->size.omega_max;
+    const double safe = turns ? COR_TUNING_MAX_TURN / m->size.omega_max : COR_TUNING_MAX_RISE / sigma;
+    return safe * fmin(1, pow(m->tolerance / COR_TUNING_EASY_TOLERANCE, 1.0 / 8));
 }
 
 static int too_few_angles(const struct cor_motion *m, const struct cor_collision_run *run)
 {
-    return cor_collision_quadrature_error(m, run) > cor_tuning.quadrature_allowed * m->tolerance;
+    return cor_collision_quadrature_error(m, run) > COR_TUNING_QUADRATURE_ALLOWED * m->tolerance;
 }
 
 /* Discards all runs, which have other angles or too large a step, and starts again with the step h. */
@@ -121,7 +334,7 @@ static void bound_amplification(const struct cor_motion *m, struct runs *runs)
     if (evidence->measured || !(stiffness > 0))
         return;
     const double bound =
-        cor_collision_difference(m, runs->run, runs->levels) / (cor_tuning.least_sensitivity * stiffness * stiffness);
+        cor_collision_difference(m, runs->run, runs->levels) / (COR_TUNING_LEAST_SENSITIVITY * stiffness * stiffness);
     evidence->amplification = fmax(evidence->amplification, bound);
 }
 
@@ -147,7 +360,7 @@ static int runs_repeat(struct cor_motion *m, const struct runs *runs, int level,
  * costs less. */
 static void measure_amplification(struct cor_motion *m, struct runs *runs)
 {
-    const double speed = m->speed, change = cor_tuning.perturbation;
+    const double speed = m->speed, change = COR_TUNING_PERTURBATION;
     double eps, energies;
     if (runs->evidence.measured || !runs_affordable(m, runs, 1))
         return;
@@ -193,7 +406,7 @@ static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_di
     evidence->movement[evidence->runs - 1] = cor_collision_movement(m, runs->run, runs->levels);
     bound_amplification(m, runs);
     out->error_estimate = runs_estimate(m, runs);
-    if (runs->error.angles > cor_tuning.angles_share * m->tolerance && runs->error.step <= m->tolerance) {
+    if (runs->error.angles > COR_TUNING_ANGLES_SHARE * m->tolerance && runs->error.step <= m->tolerance) {
         measure_angles(m, runs);
         out->error_estimate = runs_estimate(m, runs);
     }
@@ -217,9 +430,9 @@ static enum verdict runs_judge(const struct cor_motion *m, const struct runs *ru
         return SETTLED;
     if (runs->error.step <= angles + cor_collision_lasting_error(&runs->error))
         return GIVEN_UP;
-    if (evidence->runs < cor_tuning.patience)
+    if (evidence->runs < COR_TUNING_PATIENCE)
         return GO_ON;
-    const int converging = movement[0] <= cor_tuning.hopeless * movement[-cor_tuning.runs_before];
+    const int converging = movement[0] <= COR_TUNING_HOPELESS * movement[-COR_TUNING_RUNS_BEFORE];
     return converging && evidence->runs < COR_COLLISION_RUNS ? GO_ON : GIVEN_UP;
 }
 
@@ -233,9 +446,9 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
         return 0;
     if (runs->outcome != COR_RUN_ENDED) {
         runs_restart(runs, runs->h / COR_COLLISION_RATIO);
-        return runs->cuts++ < cor_tuning.max_cuts;
+        return runs->cuts++ < COR_TUNING_MAX_CUTS;
     }
-    if (!too_few_angles(m, &runs->run[runs->levels]) || !runs_restart_finer(m, runs, cor_tuning.least_growth, runs->h))
+    if (!too_few_angles(m, &runs->run[runs->levels]) || !runs_restart_finer(m, runs, COR_TUNING_LEAST_GROWTH, runs->h))
         runs_keep(m, runs);
     return 1;
 }
@@ -245,11 +458,11 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
-    const double share = cor_tuning.angles_wanted * m->tolerance, quadrature = cor_collision_quadrature_error(m, last);
+    const double share = COR_TUNING_ANGLES_WANTED * m->tolerance, quadrature = cor_collision_quadrature_error(m, last);
     if (!runs->evidence.angles_measured || runs->error.angles <= share || !runs_affordable(m, runs, 3))
         return 0;
     const double growth = quadrature < 1 ? log(0.5 * share / runs->error.angles) / log(quadrature) : 1;
-    return runs_restart_finer(m, runs, fmin(fmax(growth, cor_tuning.least_growth), 1),
+    return runs_restart_finer(m, runs, fmin(fmax(growth, COR_TUNING_LEAST_GROWTH), 1),
                               runs->run[runs->levels > 3 ? runs->levels - 3 : 0].h);
 }
 

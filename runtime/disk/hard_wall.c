@@ -4,7 +4,6 @@
 #include "runtime/disk/hard_wall.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -283,20 +282,12 @@ static int check_options(const struct cor_disk_hard_wall_options *options)
 static int hard_wall_check(const struct cor_disk_modes *modes, size_t n_modes,
                            const struct cor_disk_hard_wall_options *options)
 {
-    if (modes == NULL || modes->mode == NULL || options == NULL)
-        return COR_ERROR_NULL;
-    if (!(modes->nu > -1 && modes->nu < 1))
-        return COR_ERROR_DISK_POISSON_RATIO;
-    if (n_modes < 1 || n_modes > modes->count)
-        return COR_ERROR_MODES;
-    for (size_t i = 0; i < n_modes; i++) {
-        const struct cor_disk_mode *const mode = &modes->mode[i];
-        if (mode->n < 0 || mode->n > COR_DISK_MODES_MAX_N ||
-            (mode->n > COR_HARD_WALL_MAX_N && mode->omega < omega_of(MAX_LEVELS - 1)) ||
-            !(mode->omega > 0 && mode->omega < INFINITY) || !isfinite(mode->c) || !isfinite(mode->s) ||
-            (i > 0 && !(mode->omega > mode[-1].omega)))
+    const int status = options == NULL ? COR_ERROR_NULL : cor_disk_table_check(modes, n_modes);
+    if (status != COR_OK)
+        return status;
+    for (size_t i = 0; i < n_modes; i++)
+        if (modes->mode[i].n > COR_HARD_WALL_MAX_N && modes->mode[i].omega < omega_of(MAX_LEVELS - 1))
             return COR_ERROR_MODES;
-    }
     return levels_of(modes, n_modes) < LEAST_LEVELS ? COR_ERROR_MODES : check_options(options);
 }
 
@@ -318,13 +309,7 @@ static size_t bytes_of_level(const struct cor_disk_modes *modes, size_t level, d
     size_t below = 0;
     while (below < modes->count && modes->mode[below].omega < settings.omega)
         below++;
-    return cor_hard_wall_level_bytes(modes->mode, below, &settings) + COR_HARD_WALL_ALIGNMENT;
-}
-
-static void *aligned(void *workspace)
-{
-    const size_t misfit = (size_t)((uintptr_t)workspace % COR_HARD_WALL_ALIGNMENT);
-    return (char *)workspace + (misfit > 0 ? COR_HARD_WALL_ALIGNMENT - misfit : 0);
+    return cor_hard_wall_level_bytes(modes->mode, below, &settings) + COR_ALIGNMENT;
 }
 
 static size_t hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
@@ -332,7 +317,7 @@ static size_t hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_m
 {
     if (hard_wall_check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
         return 0;
-    size_t most = COR_HARD_WALL_ALIGNMENT;
+    size_t most = COR_ALIGNMENT;
     for (size_t level = 0, levels = levels_of(modes, n_modes); level < levels && speed > 0; level++) {
         const size_t bytes = bytes_of_level(modes, level, speed, options->tolerance);
         most = bytes > most ? bytes : most;
@@ -359,11 +344,11 @@ static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_mod
     struct ladder ladder;
     ladder_begin(&ladder, modes->nu, speed, options, COR_HARD_WALL_WORK);
     const struct cor_disk_modes lowest = {modes->nu, n_modes, modes->mode};
-    status = ladder_climb(&ladder, aligned(workspace), &lowest, levels_of(modes, n_modes));
+    status = ladder_climb(&ladder, cor_store_aligned(workspace), &lowest, levels_of(modes, n_modes));
     if (ladder.levels >= LEAST_LEVELS)
         ladder_conclude(&ladder, out);
     if (detail != NULL && (status == COR_OK || status == COR_TOLERANCE_NOT_REACHED) && ladder.levels > 0) {
-        const int told = ladder_tell(&ladder, aligned(workspace), &lowest, detail);
+        const int told = ladder_tell(&ladder, cor_store_aligned(workspace), &lowest, detail);
         status = told == COR_OK ? status : told;
     }
     return status;
@@ -417,13 +402,13 @@ static int climb_alone(struct ladder *ladder, size_t levels)
     int status = compute_modes(ladder, levels, &modes);
     if (status != COR_OK)
         return status;
-    size_t bytes = COR_HARD_WALL_ALIGNMENT;
+    size_t bytes = COR_ALIGNMENT;
     for (size_t level = ladder->levels; level < levels; level++) {
         const size_t needed = bytes_of_level(&modes, level, ladder->speed, ladder->tolerance);
         bytes = needed > bytes ? needed : bytes;
     }
     void *const workspace = malloc(bytes);
-    status = workspace == NULL ? COR_ERROR_MEMORY : ladder_climb(ladder, aligned(workspace), &modes, levels);
+    status = workspace == NULL ? COR_ERROR_MEMORY : ladder_climb(ladder, cor_store_aligned(workspace), &modes, levels);
     free(workspace);
     free((void *)modes.mode);
     return status;

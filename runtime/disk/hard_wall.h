@@ -12,33 +12,23 @@
  *     Q_(k+1) = 2 cos(omega h) Q_k - Q_(k-1) + g F_k,     g = h sin(omega h)/(m omega)
  *
  * where F_k is the force on the mode. The code stores q = Q/sqrt(g). The same coefficients c = sqrt(w g) C and s =
- * sqrt(w g) S then lead from modes to the rim and from forces to modes. A block has COR_LANES lanes, one for each n,
- * and one row for each mode of that n. Empty places have c = s = 0. */
+ * sqrt(w g) S then lead from modes to the rim and from forces to modes. */
 #ifndef COR_RUNTIME_DISK_HARD_WALL_H
 #define COR_RUNTIME_DISK_HARD_WALL_H
 
-#include <stddef.h>
-
-#include "cor/disk.h"
-#include "runtime/number/sets.h"
+#include "runtime/disk/rim.h"
 
 /* Number of kicks for one pass over the modes. The pass also predicts the sums over the modes of each n at the next
- * kicks without forces. Sums over products give the additions of the forces.
- * */
+ * kicks without forces. Sums over products give the additions of the forces. */
 enum { COR_HARD_WALL_BATCH = 4 };
 /* Numbers of angles and of terms are multiples of this size. */
 enum { COR_HARD_WALL_PANEL = 64 };
-enum { COR_HARD_WALL_LANES = 8 };
 /* Largest n of a mode, which occurs at Omega = 1100 */
 enum { COR_HARD_WALL_MAX_N = 2047 };
 
-struct cor_hard_wall_block {
-    size_t first, rows; /* in COR_HARD_WALL_LANES doubles */
-};
-
 struct cor_hard_wall_modes {
     size_t blocks;
-    const struct cor_hard_wall_block *block;
+    const struct cor_mode_block *block;
     const double *turn, *c, *s; /* turn: 2 cos(omega h); c, s: as above */
     double *q, *before;         /* amplitudes at a kick, and at the kick before */
 };
@@ -60,7 +50,7 @@ static inline int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles 
 }
 
 /* Loops that are compiled for every instruction set. All sets give the same bits. Arrays of each n have `lanes`
- * elements, lanes = blocks COR_HARD_WALL_LANES; [b] of an array is at b lanes. */
+ * elements, lanes = blocks COR_LANES; [b] of an array is at b lanes. */
 struct cor_hard_wall_loops {
     /* Advances the modes by `steps` kicks with the forces [0..steps-1] of each n. Sets [0..steps-1] of sum_c and sum_s
      * to sum c q and sum s q at the next kicks without forces. steps is BATCH or 1. */
@@ -70,21 +60,12 @@ struct cor_hard_wall_loops {
      * COR_HARD_WALL_PANEL */
     void (*cosines)(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
                     double *result);
-    /* sum x_i y_i and y_i -= factor x_i, i < n: n is a multiple of COR_HARD_WALL_LANES */
+    /* sum x_i y_i and y_i -= factor x_i, i < n: n is a multiple of COR_LANES */
     double (*dot)(size_t n, const double *x, const double *y);
     void (*subtract)(size_t n, double factor, const double *x, double *y);
 };
 
 COR_TABLES(struct cor_hard_wall_loops, cor_hard_wall, cor_hard_wall_set)
-
-/* ---- workspaces ---- */
-
-/* Takes arrays from a workspace, or only counts their bytes if base is NULL. */
-struct cor_hard_wall_store {
-    char *base;
-    size_t used;
-};
-void *cor_hard_wall_take(struct cor_hard_wall_store *store, size_t n, size_t bytes);
 
 /* ---- contact: hard_wall_contact.c ---- */
 
@@ -118,8 +99,7 @@ struct cor_hard_wall_contact {
 };
 
 /* Takes the arrays from the store. */
-void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_hard_wall_store *store,
-                                   size_t points);
+void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_store *store, size_t points);
 /* Sets the compliance from T_k, k < t_terms, and Q_n, n < q_terms, of docs/theory-disks.md, 17; the others are 0.
  * angles->twice_cosine and scratch have 2 points elements. */
 void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
@@ -171,7 +151,6 @@ struct cor_hard_wall_result {
 };
 
 /* Bytes of workspace for a level of the lowest `modes` modes, a multiple of the alignment of the workspace */
-enum { COR_HARD_WALL_ALIGNMENT = 64 };
 size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
                                  const struct cor_hard_wall_settings *settings);
 /* Computes a level with the modes below settings->omega. Returns COR_OK, COR_ERROR_MODES (no disk has such modes),

@@ -12,55 +12,40 @@
 
 #include "runtime/disk/hard_wall.h"
 
-#define PI 3.14159265358979323846
-
 /* Number of rounds of pivoting without progress in which all wrong angles change sides. After these rounds one angle
  * changes at a time, which terminates (Murty). */
 enum { PATIENCE = 10, MAX_ROUNDS = 10000 };
 /* Pulling forces below this part of the largest force are rounding errors. */
 #define FORCE_ROUNDING 1e-12
 
-void *cor_hard_wall_take(struct cor_hard_wall_store *store, size_t n, size_t bytes)
-{
-    const size_t alignment = COR_HARD_WALL_ALIGNMENT;
-    void *const here = store->base == NULL ? NULL : store->base + store->used;
-    store->used += (n * bytes + alignment - 1) / alignment * alignment;
-    return here;
-}
-
 static size_t padded(size_t n)
 {
-    return (n + COR_HARD_WALL_LANES - 1) / COR_HARD_WALL_LANES * COR_HARD_WALL_LANES;
+    return (n + COR_LANES - 1) / COR_LANES * COR_LANES;
 }
 
 /* First element of row i; row r has padded(r) elements. */
 static size_t row_start(size_t i)
 {
-    const size_t lanes = COR_HARD_WALL_LANES, above = i > 0 ? i - 1 : 0, whole = above / lanes;
+    const size_t lanes = COR_LANES, above = i > 0 ? i - 1 : 0, whole = above / lanes;
     return lanes * (lanes * whole * (whole + 1) / 2 + above % lanes * (whole + 1));
 }
 
-static void arrange_factor(struct cor_hard_wall_factor *factor, struct cor_hard_wall_store *store, size_t points)
+static void arrange_factor(struct cor_hard_wall_factor *factor, struct cor_store *store, size_t points)
 {
-    factor->below = cor_hard_wall_take(store, row_start(points), sizeof *factor->below);
-    factor->pivot = cor_hard_wall_take(store, points, sizeof *factor->pivot);
-    factor->angle = cor_hard_wall_take(store, points, sizeof *factor->angle);
+    factor->below = cor_store_take(store, row_start(points), sizeof *factor->below);
+    factor->pivot = cor_store_take(store, points, sizeof *factor->pivot);
+    factor->angle = cor_store_take(store, points, sizeof *factor->angle);
     factor->rows = 0;
 }
 
-void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_hard_wall_store *store,
-                                   size_t points)
+void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_store *store, size_t points)
 {
     contact->points = points;
-    double **const of_sums[] = {&contact->same, &contact->across, &contact->cosine};
-    for (size_t i = 0; i < sizeof of_sums / sizeof *of_sums; i++)
-        *of_sums[i] = cor_hard_wall_take(store, 3 * points, sizeof(double));
-    double **const of_points[] = {&contact->far, &contact->z, &contact->row};
-    for (size_t i = 0; i < sizeof of_points / sizeof *of_points; i++)
-        *of_points[i] = cor_hard_wall_take(store, points, sizeof(double));
-    contact->wanted = cor_hard_wall_take(store, points, sizeof *contact->wanted);
-    contact->touches = cor_hard_wall_take(store, points, 1);
-    contact->faulty = cor_hard_wall_take(store, points, 1);
+    COR_STORE_TAKE_DOUBLES(store, 3 * points, &contact->same, &contact->across, &contact->cosine);
+    COR_STORE_TAKE_DOUBLES(store, points, &contact->far, &contact->z, &contact->row);
+    contact->wanted = cor_store_take(store, points, sizeof *contact->wanted);
+    contact->touches = cor_store_take(store, points, 1);
+    contact->faulty = cor_store_take(store, points, 1);
     arrange_factor(&contact->whole, store, points);
     arrange_factor(&contact->part, store, points);
 }
@@ -81,9 +66,9 @@ void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t
     const size_t points = contact->points;
     contact->constant = constant;
     contact->loops->cosines(angles, t_terms, t, 2 * points, scratch);
-    mirror(points, 1 / (8 * PI), scratch, contact->same);
+    mirror(points, 1 / (8 * COR_PI), scratch, contact->same);
     contact->loops->cosines(angles, q_terms, q, 2 * points, scratch);
-    mirror(points, 1 / (4 * PI), scratch, contact->across);
+    mirror(points, 1 / (4 * COR_PI), scratch, contact->across);
     mirror(points, 0.5, angles->twice_cosine, contact->cosine);
     double greatest = 0;
     for (size_t i = 2 * points; i-- > 0;) {

@@ -6,15 +6,12 @@
  * h, replaces 1/omega^2. For the centre of mass, h^2/12 replaces 0. The error of the kicks is then of order h^4 instead
  * of h^2. */
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "cor/status.h"
-#include "runtime/disk/collision_loops.h"
+#include "runtime/disk/collision.h"
 #include "runtime/disk/hard_wall.h"
 
-#define PI 3.14159265358979323846
-#define MASS PI
 #define LN_2 0.69314718055994531
 
 /* The first kick follows the first touch after this part of a step, so that the kick represents the step around it. */
@@ -23,7 +20,7 @@
 #define NEGLIGIBLE_REACH 1e-12
 /* Batches of kicks without contact between two checks whether contact has ended finally */
 enum { BATCHES_A_LOOK = 8 };
-enum { MAX_STEPS = 2000000, MAX_BLOCKS = COR_HARD_WALL_MAX_N / COR_HARD_WALL_LANES + 1 };
+enum { MAX_STEPS = 2000000 };
 
 struct sizes {
     size_t modes, blocks, cells, lanes;
@@ -40,7 +37,7 @@ struct level {
     const struct cor_disk_mode *mode;
     double speed, h, spacing;
     struct cor_hard_wall_modes modes;
-    struct cor_hard_wall_block *block;
+    struct cor_mode_block *block;
     size_t *place;                       /* cell of each mode */
     double *turn, *c, *s;                /* of each cell */
     double *sine, *unit;                 /* of each mode: sin(omega h), sqrt(g): the amplitude of q = 1 */
@@ -49,7 +46,7 @@ struct level {
     double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on the sums 1 to batch - 1 kicks
                                           * later */
     struct cor_hard_wall_angles angles;
-    double *twice_cosine, *shape, *reach, *force, *series, *filled;
+    double *twice_cosine, *shape, *reach, *force, *series;
     double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
     double work, work_per_step, most_work; /* the budget; multiplications but for those of the contact */
@@ -63,79 +60,49 @@ static size_t panels(size_t n)
     return (n + COR_HARD_WALL_PANEL - 1) / COR_HARD_WALL_PANEL * COR_HARD_WALL_PANEL;
 }
 
-/* Sets the rows of each block of modes, the largest number of modes with the same n. Returns the number of blocks. */
-static size_t count_rows(const struct cor_disk_mode *mode, size_t modes, size_t *rows)
-{
-    uint32_t count[COR_HARD_WALL_MAX_N + 1] = {0}; /* not size_t: it is most of the stack that a level takes */
-    size_t n_max = 1;
-    for (size_t i = 0; i < modes; i++) {
-        const size_t n = (size_t)mode[i].n;
-        count[n]++;
-        n_max = n > n_max ? n : n_max;
-    }
-    const size_t blocks = n_max / COR_HARD_WALL_LANES + 1;
-    for (size_t b = 0; b < blocks; b++) {
-        rows[b] = 0;
-        for (size_t n = b * COR_HARD_WALL_LANES; n < (b + 1) * COR_HARD_WALL_LANES && n <= n_max; n++)
-            rows[b] = count[n] > rows[b] ? count[n] : rows[b];
-    }
-    return blocks;
-}
-
 static struct sizes sizes_of(const struct cor_disk_mode *mode, size_t modes,
                              const struct cor_hard_wall_settings *settings)
 {
     struct sizes size;
-    size_t rows[MAX_BLOCKS];
     memset(&size, 0, sizeof size);
     size.modes = modes;
-    size.blocks = count_rows(mode, modes, rows);
-    size.lanes = size.blocks * COR_HARD_WALL_LANES;
-    for (size_t b = 0; b < size.blocks; b++)
-        size.cells += rows[b] * COR_HARD_WALL_LANES;
+    for (size_t i = 0; i < modes; i++)
+        size.blocks = (size_t)mode[i].n / COR_LANES > size.blocks ? (size_t)mode[i].n / COR_LANES : size.blocks;
+    size.lanes = ++size.blocks * COR_LANES;
+    size.cells = cor_mode_blocks(mode, modes, size.blocks, NULL);
     size.terms = panels(size.lanes + 2);
     if (!settings->point) {
         const double least = (double)size.lanes + 2, half = 0.5 * COR_HARD_WALL_PANEL;
-        const size_t bins = (size_t)ceil(fmax(PI / settings->spacing, least) / half);
+        const size_t bins = (size_t)ceil(fmax(COR_PI / settings->spacing, least) / half);
         size.nyquist = bins * COR_HARD_WALL_PANEL / 2;
         size.bins = 2 * bins < size.lanes ? bins : 0;
-        size.points = panels((size_t)(fmin(settings->range, PI / 2) * (double)size.nyquist / PI) + 1);
+        size.points = panels((size_t)(fmin(settings->range, COR_PI / 2) * (double)size.nyquist / COR_PI) + 1);
     }
     return size;
 }
 
-static void arrange(struct level *level, struct cor_hard_wall_store *store)
+static void arrange(struct level *level, struct cor_store *store)
 {
     const struct sizes *const size = &level->size;
-    const size_t batch = COR_HARD_WALL_BATCH, real = sizeof(double);
     const size_t both = size->terms > 2 * size->points ? size->terms : 2 * size->points;
-    level->block = cor_hard_wall_take(store, size->blocks, sizeof *level->block);
-    level->place = cor_hard_wall_take(store, size->modes, sizeof *level->place);
-    double **const of_cells[] = {&level->turn, &level->c, &level->s, &level->modes.q, &level->modes.before};
-    for (size_t i = 0; i < sizeof of_cells / sizeof *of_cells; i++)
-        *of_cells[i] = cor_hard_wall_take(store, size->cells, real);
-    double **const of_modes[] = {&level->sine, &level->unit};
-    for (size_t i = 0; i < sizeof of_modes / sizeof *of_modes; i++)
-        *of_modes[i] = cor_hard_wall_take(store, size->modes, real);
-    double **const of_batches[] = {&level->force_c, &level->force_s, &level->sum_c,  &level->sum_s,
-                                   &level->echo_cc, &level->echo_cs, &level->echo_ss};
-    for (size_t i = 0; i < sizeof of_batches / sizeof *of_batches; i++)
-        *of_batches[i] = cor_hard_wall_take(store, batch * size->lanes, real);
-    level->filled = cor_hard_wall_take(store, size->lanes, real);
-    level->series = cor_hard_wall_take(store, size->terms, real);
-    level->twice_cosine = cor_hard_wall_take(store, both, real);
-    level->reach = cor_hard_wall_take(store, both, real); /* also scratch for sums and differences of angles */
+    level->block = cor_store_take(store, size->blocks, sizeof *level->block);
+    level->place = cor_store_take(store, size->modes, sizeof *level->place);
+    COR_STORE_TAKE_DOUBLES(store, size->cells, &level->turn, &level->c, &level->s, &level->modes.q,
+                           &level->modes.before);
+    COR_STORE_TAKE_DOUBLES(store, size->modes, &level->sine, &level->unit);
+    COR_STORE_TAKE_DOUBLES(store, COR_HARD_WALL_BATCH * size->lanes, &level->force_c, &level->force_s, &level->sum_c,
+                           &level->sum_s, &level->echo_cc, &level->echo_cs, &level->echo_ss);
+    COR_STORE_TAKE_DOUBLES(store, size->terms, &level->series);
+    /* reach is also scratch for sums and differences of angles */
+    COR_STORE_TAKE_DOUBLES(store, both, &level->twice_cosine, &level->reach);
     struct cor_hard_wall_angles *const angles = &level->angles;
     const size_t circle = 2 * COR_HARD_WALL_PANEL, pays = size->bins > 0;
-    angles->part = cor_hard_wall_take(store, pays * circle * (COR_HARD_WALL_PANEL / 2 + 1), real);
-    angles->turn = cor_hard_wall_take(store, size->bins * circle, real);
-    angles->whole = cor_hard_wall_take(store, size->bins * 2, real);
-    angles->sums = cor_hard_wall_take(store, size->bins * circle, real);
-    double **const of_points[] = {&level->shape, &level->force};
-    for (size_t i = 0; i < sizeof of_points / sizeof *of_points; i++)
-        *of_points[i] = cor_hard_wall_take(store, size->points, real);
-    level->t = cor_hard_wall_take(store, size->nyquist + 1, real);
-    level->q = cor_hard_wall_take(store, size->lanes, real);
+    COR_STORE_TAKE_DOUBLES(store, pays * circle * (COR_HARD_WALL_PANEL / 2 + 1), &angles->part);
+    COR_STORE_TAKE_DOUBLES(store, size->bins * circle, &angles->turn, &angles->sums);
+    COR_STORE_TAKE_DOUBLES(store, size->bins * 2, &angles->whole);
+    COR_STORE_TAKE_DOUBLES(store, size->points, &level->shape, &level->force);
+    COR_STORE_TAKE_DOUBLES(store, size->nyquist + 1, &level->t);
+    COR_STORE_TAKE_DOUBLES(store, size->lanes, &level->q);
     if (size->points > 0)
         cor_hard_wall_contact_arrange(&level->contact, store, size->points);
 }
@@ -144,7 +111,7 @@ size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
                                  const struct cor_hard_wall_settings *settings)
 {
     struct level level;
-    struct cor_hard_wall_store store = {NULL, 0};
+    struct cor_store store = {NULL, 0};
     level.size = sizes_of(mode, modes, settings);
     arrange(&level, &store);
     return store.used;
@@ -161,21 +128,9 @@ static double fade_of(enum cor_hard_wall_fade fade, double r)
 static void place_modes(struct level *level)
 {
     const struct sizes *const size = &level->size;
-    size_t first = 0, rows[MAX_BLOCKS] = {0};
-    count_rows(level->mode, size->modes, rows);
-    for (size_t b = 0; b < size->blocks; b++) {
-        level->block[b].first = first;
-        level->block[b].rows = rows[b];
-        first += rows[b];
-    }
-    memset(level->filled, 0, size->lanes * sizeof *level->filled);
-    for (size_t i = 0; i < size->modes; i++) {
-        const size_t n = (size_t)level->mode[i].n, lanes = COR_HARD_WALL_LANES, row = (size_t)level->filled[n]++;
-        level->place[i] = (level->block[n / lanes].first + row) * lanes + n % lanes;
-    }
-    double *const cleared[] = {level->turn, level->c, level->s, level->modes.q, level->modes.before};
-    for (size_t i = 0; i < sizeof cleared / sizeof *cleared; i++)
-        memset(cleared[i], 0, size->cells * sizeof(double));
+    cor_mode_blocks(level->mode, size->modes, size->blocks, level->block);
+    cor_mode_places(level->mode, size->modes, size->blocks, level->block, level->q, level->place);
+    COR_CLEAR_DOUBLES(size->cells, level->turn, level->c, level->s, level->modes.q, level->modes.before);
     const struct cor_hard_wall_modes modes = {size->blocks, level->block,   level->turn,        level->c,
                                               level->s,     level->modes.q, level->modes.before};
     level->modes = modes;
@@ -195,8 +150,8 @@ static void add_compliance(struct level *level, size_t n, double sum_square, dou
 /* Adds the static compliance of all modes up to the Nyquist number, section 14. */
 static void add_static_compliance(struct level *level, double nu)
 {
-    memset(level->t, 0, (level->size.nyquist + 1) * sizeof *level->t);
-    memset(level->q, 0, level->size.lanes * sizeof *level->q);
+    COR_CLEAR_DOUBLES(level->size.nyquist + 1, level->t);
+    COR_CLEAR_DOUBLES(level->size.lanes, level->q);
     const double one = 0.5 * (1 - nu); /* A_0 = A_1 = B_1 */
     add_compliance(level, 0, one, one, one);
     add_compliance(level, 1, 3 * one + 0.5 * (3 + nu), 0.5 * (3 + nu) - one, one - 0.5 * (3 + nu));
@@ -211,9 +166,7 @@ static void set_modes(struct level *level, const struct cor_hard_wall_settings *
 {
     const struct sizes *const size = &level->size;
     const size_t lanes = size->lanes;
-    double *const echoes[] = {level->echo_cc, level->echo_cs, level->echo_ss};
-    for (size_t i = 0; i < sizeof echoes / sizeof *echoes; i++)
-        memset(echoes[i], 0, COR_HARD_WALL_BATCH * lanes * sizeof(double));
+    COR_CLEAR_DOUBLES(COR_HARD_WALL_BATCH * lanes, level->echo_cc, level->echo_cs, level->echo_ss);
     double moving = 0; /* sum of w C^2/omega^2 */
     for (size_t i = 0; i < size->modes; i++) {
         const struct cor_disk_mode *const mode = &level->mode[i];
@@ -221,7 +174,7 @@ static void set_modes(struct level *level, const struct cor_hard_wall_settings *
         const double half_sine = sin(0.5 * mode->omega * level->h), half_cosine = cos(0.5 * mode->omega * level->h);
         const double w = fade_of(settings->fade, mode->omega / settings->omega);
         level->sine[i] = 2 * half_sine * half_cosine;
-        level->unit[i] = sqrt(level->h * level->sine[i] / (MASS * mode->omega));
+        level->unit[i] = sqrt(level->h * level->sine[i] / (COR_DISK_MASS * mode->omega));
         const double turn = 2 - 4 * half_sine * half_sine, c = sqrt(w) * level->unit[i] * mode->c,
                      s = sqrt(w) * level->unit[i] * mode->s;
         level->turn[cell] = turn;
@@ -259,7 +212,7 @@ static void set_angles(struct level *level)
 {
     const struct sizes *const size = &level->size;
     const size_t both = size->terms > 2 * size->points ? size->terms : 2 * size->points;
-    level->spacing = PI / (double)size->nyquist;
+    level->spacing = COR_PI / (double)size->nyquist;
     for (size_t j = 0; j < both; j++)
         level->twice_cosine[j] = 2 * cos((double)j * level->spacing);
     struct cor_hard_wall_angles *const angles = &level->angles;
@@ -272,8 +225,8 @@ static void set_angles(struct level *level)
     if (size->bins > 0) {
         for (size_t b = 0; b <= panel / 2; b++)
             set_circle(angles->part + 2 * panel * b, angles->part + 2 * panel * b + panel, 1, panel,
-                       2 * PI * (double)b / (double)panel);
-        set_circle(angles->whole, angles->whole + 1, 2, size->bins, 2 * PI / (double)size->bins);
+                       2 * COR_PI * (double)b / (double)panel);
+        set_circle(angles->whole, angles->whole + 1, 2, size->bins, 2 * COR_PI / (double)size->bins);
     }
     for (size_t j = 0; j < size->points; j++) {
         const double half_sine = sin(0.5 * (double)j * level->spacing);
@@ -281,7 +234,7 @@ static void set_angles(struct level *level)
     }
     memset(level->force, 0, size->points * sizeof *level->force);
     cor_hard_wall_contact_begin(&level->contact, size->nyquist + 1, level->t, size->lanes, level->q, angles,
-                                level->h * level->h / (12 * MASS), level->reach);
+                                level->h * level->h / (12 * COR_DISK_MASS), level->reach);
 }
 
 /* ---- wall ---- */
@@ -298,10 +251,10 @@ static double point_load(double depth, double a)
 {
     if (!(depth > 0))
         return 0;
-    double p = PI * depth / a;
-    p = PI * depth / (a - log(p));
+    double p = COR_PI * depth / a;
+    p = COR_PI * depth / (a - log(p));
     for (int i = 0; i < 20; i++) {
-        const double step = (p * (a - log(p)) - PI * depth) / (a - 1 - log(p));
+        const double step = (p * (a - log(p)) - COR_PI * depth) / (a - 1 - log(p));
         p -= step;
         if (fabs(step) < 1e-15 * p)
             break;
@@ -316,7 +269,7 @@ static struct kick push_at_point(const struct level *level, double depth, const 
     double reach = depth;
     for (size_t n = 0; n < lanes; n++)
         reach += sum_c[n];
-    const double a = log(4 * PI) - log(level->speed) + level->point_constant;
+    const double a = log(4 * COR_PI) - log(level->speed) + level->point_constant;
     const struct kick kick = {point_load(reach, a), 0};
     for (size_t n = 0; n < lanes; n++) {
         force_c[n] = -kick.load;
@@ -369,7 +322,7 @@ static double greatest_swing(const struct level *level)
 /* Under kicks at intervals h the depth of the centre of mass exceeds the true depth by (h^2/12) load/m. */
 static double true_depth(const struct level *level, const struct motion *motion, double load)
 {
-    return motion->depth - level->h * level->h / (12 * MASS) * load;
+    return motion->depth - level->h * level->h / (12 * COR_DISK_MASS) * load;
 }
 
 /* Updates the largest depth, from a parabola through three depths, and the end of the contact, from a linear
@@ -393,7 +346,7 @@ static void follow(struct motion *motion, const struct level *level, double load
 static double energy_of(const struct level *level, size_t i, double before, double q, double next)
 {
     const double sine = level->sine[i], p = 0.5 * (next - before);
-    return level->mode[i].omega * level->h / (PI * sine) * (sine * sine * q * q + p * p);
+    return level->mode[i].omega * level->h / (COR_PI * sine) * (sine * sine * q * q + p * p);
 }
 
 /* Amplitude at the next kick, the forces of this one included */
@@ -416,14 +369,14 @@ static void level_tell(const struct level *level, const struct motion *motion, c
         if (detail->energy_average != NULL && motion->time <= contact_time)
             detail->energy_average[i] += h / contact_time * energy_of(level, i, before, q, next);
         if (detail->q != NULL)
-            detail->q[i] = v * (level->unit[i] * q + h * h / (12 * MASS) * force);
+            detail->q[i] = v * (level->unit[i] * q + h * h / (12 * COR_DISK_MASS) * force);
         if (detail->q_dot != NULL)
             detail->q_dot[i] = v * level->unit[i] * level->mode[i].omega * (next - before) / (2 * level->sine[i]);
     }
     if (detail->observe != NULL) {
         const double angle = kick->end > 0 ? (double)(kick->end - 1) * level->spacing : 0;
         const struct cor_disk_hard_wall_moment moment = {motion->time, v * true_depth(level, motion, kick->load) - 1,
-                                                         v * (motion->velocity - 0.5 * h * kick->load / MASS),
+                                                         v * (motion->velocity - 0.5 * h * kick->load / COR_DISK_MASS),
                                                          v * kick->load, angle};
         detail->observe(detail->context, &moment);
     }
@@ -468,7 +421,7 @@ static struct kick step(struct level *level, struct motion *motion, size_t at)
 
 static void drift(const struct level *level, struct motion *motion, double load)
 {
-    motion->velocity -= level->h * load / MASS;
+    motion->velocity -= level->h * load / COR_DISK_MASS;
     motion->depth += level->h * motion->velocity;
     motion->time += level->h;
     motion->steps++;
@@ -547,7 +500,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
                         const struct cor_disk_hard_wall_detail *detail)
 {
     struct level level;
-    struct cor_hard_wall_store store = {workspace, 0};
+    struct cor_store store = {workspace, 0};
     size_t count = 0;
     while (count < modes->count && modes->mode[count].omega < settings->omega)
         count++;
@@ -569,8 +522,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     if (level.size.points > 0)
         set_angles(&level);
     level.point_constant += -2 * LN_2 - 0.25 * (1 + modes->nu);
-    memset(level.sum_c, 0, COR_HARD_WALL_BATCH * level.size.lanes * sizeof *level.sum_c);
-    memset(level.sum_s, 0, COR_HARD_WALL_BATCH * level.size.lanes * sizeof *level.sum_s);
+    COR_CLEAR_DOUBLES(COR_HARD_WALL_BATCH * level.size.lanes, level.sum_c, level.sum_s);
     if (detail != NULL)
         clear_detail(modes, detail);
 

@@ -36,9 +36,9 @@ static double middle(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-/* (2 I)^2 at the frequencies and tau from the integrals over theta of cor/disk.h, downwards from pi/2: power series about
- * the middle of panels, which a frequency turns by 6 at most to either side, and which are 0.3 times as far from the
- * branch points at pi/2 +- i Theta, cosh(Theta) = exp(q0/2), and from 0. */
+/* (2 I)^2 at the frequencies and tau from the integrals over theta of cor/disk.h, downwards from pi/2: power series
+ * about the middle of panels, which a frequency turns by 6 at most to either side, and which are 0.3 times as far from
+ * the branch points at pi/2 +- i Theta, cosh(Theta) = exp(q0/2), and from 0. */
 static void reference(double *response, double *contact_time, const double *omega, double nu, enum cor_disk_datum datum,
                       double v)
 {

@@ -5,9 +5,7 @@
 
 #include <cor/disk.h>
 
-#include "runtime/disk/collision_error.h"
-#include "runtime/disk/collision_extrapolation.h"
-#include "runtime/disk/collision_step.h"
+#include "runtime/disk/collision.h"
 
 /* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that is freed by motion_end */
 struct stage {
@@ -23,10 +21,9 @@ static void stage_begin(struct stage *stage, size_t n, double alpha, double spee
     struct cor_motion *const m = &stage->m;
     m->size = cor_motion_sizes(cor_disk_modes_nu033.mode, n, &options);
     const size_t bytes = cor_motion_arrange(m, NULL);
-    stage->memory = malloc(bytes + COR_COLLISION_ALIGNMENT);
+    stage->memory = malloc(bytes + COR_ALIGNMENT);
     assert_non_null(stage->memory);
-    const size_t beyond = (size_t)((uintptr_t)stage->memory % COR_COLLISION_ALIGNMENT);
-    cor_motion_arrange(m, (char *)stage->memory + COR_COLLISION_ALIGNMENT - beyond);
+    cor_motion_arrange(m, cor_store_aligned(stage->memory));
     m->mode = cor_disk_modes_nu033.mode;
     m->alpha = alpha;
     m->tolerance = options.tolerance;
@@ -55,8 +52,7 @@ TEST(drift)
     stage_begin(&stage, MODES, 500, 0.1, 64, h);
     struct cor_motion *const m = &stage.m;
     double q[MODES], p[MODES];
-    memset(m->force_c, 0, m->size.blocks * COR_LANES * sizeof *m->force_c);
-    memset(m->force_s, 0, m->size.blocks * COR_LANES * sizeof *m->force_s);
+    COR_CLEAR_DOUBLES(m->size.blocks * COR_LANES, m->force_c, m->force_s);
     for (size_t i = 0; i < MODES; i++) {
         m->q[m->place[i]] = q[i] = random_uniform(&random, -1, 1);
         m->p[m->place[i]] = p[i] = random_uniform(&random, -1, 1);
@@ -128,23 +124,22 @@ TEST(kick)
     for (size_t k = 0; k < points(20); k++) {
         const struct potential p = {1 + random_below(&random, MODES), 48, random_log(&random, 50, 500),
                                     random_log(&random, 0.001, 0.02)};
-        const double mass = 3.14159265358979323846;
+        const double mass = COR_PI;
         struct stage stage;
         stage_begin(&stage, p.modes, p.alpha, 0.1, p.phi, p.h);
         struct cor_motion *const m = &stage.m;
         long double y[1 + MODES];
-        memset(m->force_c, 0, m->size.blocks * COR_LANES * sizeof *m->force_c);
-        memset(m->force_s, 0, m->size.blocks * COR_LANES * sizeof *m->force_s);
+        COR_CLEAR_DOUBLES(m->size.blocks * COR_LANES, m->force_c, m->force_s);
         for (size_t i = 0; i < p.modes; i++)
             m->q[m->place[i]] = random_uniform(&random, -0.02, 0.02);
-        memset(m->p, 0, m->size.cells * sizeof *m->p);
+        COR_CLEAR_DOUBLES(m->size.cells, m->p);
         stage.now.depth = random_uniform(&random, -1, 0.5) / p.alpha;
         stage.now.v = 0;
         cor_collision_drift(m, 0, &stage.now); /* sums up the modes, whose angles it was given for h: turned */
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
-        if (cor_collision_kick(m, p.h, COR_ALL_ANGLES, &stage.now) != COR_KICKED) {
+        if (cor_collision_kick(m, p.h, COR_ALL_ANGLES, &stage.now) != COR_RUN_ENDED) {
             stage_end(&stage);
             continue; /* too stiff */
         }
@@ -176,8 +171,8 @@ TEST(stiffness)
 {
     static const struct {
         double stiffness;
-        enum cor_collision_kick kick;
-    } step[] = {{0.01, COR_KICKED}, {2.99, COR_KICKED}, {3.01, COR_KICK_TOO_STIFF}, {7, COR_KICK_TOO_STIFF}};
+        enum cor_collision_outcome kick;
+    } step[] = {{0.01, COR_RUN_ENDED}, {2.99, COR_RUN_ENDED}, {3.01, COR_RUN_TOO_STIFF}, {7, COR_RUN_TOO_STIFF}};
     double square = 1e-6, found = 0;
     for (size_t i = 0; i < sizeof step / sizeof *step; i++) {
         struct stage stage;
@@ -185,7 +180,7 @@ TEST(stiffness)
         stage_begin(&stage, 5, 500, 0.1, 96, h);
         cor_collision_drift(&stage.m, h, &stage.now);
         stage.now.depth = 0.001;
-        const enum cor_collision_kick result = cor_collision_kick(&stage.m, h, COR_ALL_ANGLES, &stage.now);
+        const enum cor_collision_outcome result = cor_collision_kick(&stage.m, h, COR_ALL_ANGLES, &stage.now);
         if (i == 0)
             found = stage.now.stiffness;
         else
@@ -203,26 +198,24 @@ TEST(window)
     static const struct {
         double alpha, depth;
         enum cor_collision_angles angles;
-        enum cor_collision_kick kick;
+        enum cor_collision_outcome kick;
     } scan[] = {
-        {1400, 0, COR_SCAN, COR_KICK_TOO_NARROW}, {1400, 0, COR_ALL_ANGLES, COR_KICKED},
-        {1400, 0, COR_WINDOW, COR_KICKED},        {1800, 0, COR_SCAN, COR_KICKED},
-        {1400, -0.2, COR_SCAN, COR_KICKED},       {1300, 0.001, COR_SCAN, COR_KICK_TOO_NARROW},
+        {1400, 0, COR_SCAN, COR_RUN_TOO_NARROW}, {1400, 0, COR_ALL_ANGLES, COR_RUN_ENDED},
+        {1400, 0, COR_WINDOW, COR_RUN_ENDED},    {1800, 0, COR_SCAN, COR_RUN_ENDED},
+        {1400, -0.2, COR_SCAN, COR_RUN_ENDED},   {1300, 0.001, COR_SCAN, COR_RUN_TOO_NARROW},
     };
     for (size_t i = 0; i < sizeof scan / sizeof *scan; i++) {
         struct stage stage;
         const double h = 1e-4;
         stage_begin(&stage, 3, scan[i].alpha, 0.1, PHI, h);
-        memset(stage.m.q, 0, stage.m.size.cells * sizeof *stage.m.q);
-        memset(stage.m.p, 0, stage.m.size.cells * sizeof *stage.m.p);
-        memset(stage.m.sum_c, 0, stage.m.size.blocks * COR_LANES * sizeof *stage.m.sum_c);
-        memset(stage.m.sum_s, 0, stage.m.size.blocks * COR_LANES * sizeof *stage.m.sum_s);
+        COR_CLEAR_DOUBLES(stage.m.size.cells, stage.m.q, stage.m.p);
+        COR_CLEAR_DOUBLES(stage.m.size.blocks * COR_LANES, stage.m.sum_c, stage.m.sum_s);
         stage.now.depth = scan[i].depth;
         stage.now.window = COR_PANEL;
-        const enum cor_collision_kick result = cor_collision_kick(&stage.m, h, scan[i].angles, &stage.now);
+        const enum cor_collision_outcome result = cor_collision_kick(&stage.m, h, scan[i].angles, &stage.now);
         check(result == scan[i].kick, "scan %zu: %d", i, (int)result);
         /* the next window ends where the pressure is below 1e-26 of the peak, which is that of angle 0 */
-        if (scan[i].angles != COR_WINDOW && result == COR_KICKED) {
+        if (scan[i].angles != COR_WINDOW && result == COR_RUN_ENDED) {
             size_t last = 0;
             for (size_t j = 0; j < PHI; j++)
                 if (stage.m.shape[j] * scan[i].alpha > log(1e-26) - log(2))

@@ -36,10 +36,9 @@ static struct cor_hard_wall_result level_of(const struct cor_disk_modes *modes, 
     while (below < modes->count && modes->mode[below].omega < settings->omega)
         below++;
     const size_t bytes = cor_hard_wall_level_bytes(modes->mode, below, settings);
-    char *const room = malloc(bytes + COR_HARD_WALL_ALIGNMENT);
+    char *const room = malloc(bytes + COR_ALIGNMENT);
     assert_non_null(room);
-    char *const workspace = room + COR_HARD_WALL_ALIGNMENT - (uintptr_t)room % COR_HARD_WALL_ALIGNMENT;
-    const int status = cor_hard_wall_level(workspace, modes, speed, settings, &result, NULL);
+    const int status = cor_hard_wall_level(cor_store_aligned(room), modes, speed, settings, &result, NULL);
     check(status == expected, "nu = %g, v = %g, Omega = %g: %s", modes->nu, speed, settings->omega,
           cor_status_text(status));
     free(room);
@@ -282,7 +281,7 @@ TEST(coarse_angles)
     int n_max = 0;
     for (size_t i = 0; i + 1 < modes.count; i++)
         n_max = modes.mode[i].n > n_max ? modes.mode[i].n : n_max;
-    const int lanes = (n_max / COR_HARD_WALL_LANES + 1) * COR_HARD_WALL_LANES;
+    const int lanes = (n_max / COR_LANES + 1) * COR_LANES;
     struct cor_hard_wall_settings settings = fine_settings(omega, speed);
     settings.spacing = 1;
     const double coarse = level_of(&modes, speed, &settings, COR_OK).one_minus_eps2;
