@@ -60,11 +60,9 @@ struct disk_modes_arguments {
 
 struct disk_collide_arguments {
     struct option_common common;
-    struct values speed, poisson, alpha, modes;
+    struct sweep_request request; /* its lists, wall and picture */
     struct decimal tolerance;
     slong phi_points, threads; /* 0 if not given */
-    bool hard_wall, rayleigh;
-    const char *plot;
 };
 
 struct embed_arguments {
@@ -121,9 +119,7 @@ struct audit_arguments {
 
 struct tables_arguments {
     struct option_common common;
-    struct decimal poisson;
-    slong modes, seed; /* OPTIONS_NOT_GIVEN if so */
-    bool check, all, digits;
+    struct tables_request request; /* without its directory */
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,

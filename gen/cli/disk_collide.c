@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen disk-collide: sweeps of the full dynamics of disks. docs/disks.md. */
+#include <stdlib.h>
+
 #include "cli/commands.h"
 #include "cor/disk.h"
 #include "support/console.h"
@@ -21,15 +23,16 @@ static const struct option_numbers hard_wall_tolerance = {
 /* Soft walls need alpha and a number of modes; the hard wall has neither. */
 static int check_wall(const struct disk_collide_arguments *o)
 {
-    const char *const missing = o->hard_wall                     ? NULL
-                                : !o->rayleigh && !o->alpha.text ? "alpha"
-                                : !o->modes.text                 ? "modes"
-                                                                 : NULL;
+    const struct sweep *const sweep = &o->request.sweep;
+    const char *const missing = sweep->hard_wall                         ? NULL
+                                : !sweep->rayleigh && !sweep->alpha.text ? "alpha"
+                                : !sweep->modes.text                     ? "modes"
+                                                                         : NULL;
     if (missing)
         return usage_error(
             "corgen disk-collide needs --%s, as --%s 500, or --hard-wall; see corgen disk-collide --help", missing,
             missing);
-    if (o->hard_wall && o->tolerance.text)
+    if (sweep->hard_wall && o->tolerance.text)
         return options_check_real("tolerance", &hard_wall_tolerance, &o->tolerance);
     return STATUS_OK;
 }
@@ -37,28 +40,19 @@ static int check_wall(const struct disk_collide_arguments *o)
 static int run_disk_collide(const void *arguments)
 {
     const struct disk_collide_arguments *const o = arguments;
+    struct sweep_request request = o->request;
     const int wrong = check_wall(o);
     if (wrong)
         return wrong;
-    if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
+    if (request.plot && gnuplot_check(request.plot) != STATUS_OK)
         return STATUS_USAGE;
-    struct decimal tolerance = {0};
-    decimal_set(&tolerance, o->tolerance.text ? o->tolerance.text
-                            : o->hard_wall    ? DEFAULT_HARD_WALL_TOLERANCE
-                                              : DEFAULT_TOLERANCE);
-    const struct sweep_request request = {.sweep = {.speed = o->speed,
-                                                    .poisson = o->poisson,
-                                                    .alpha = o->alpha,
-                                                    .modes = o->modes,
-                                                    .hard_wall = o->hard_wall,
-                                                    .rayleigh = o->rayleigh,
-                                                    .tolerance = decimal_value(&tolerance),
-                                                    .phi_points = (size_t)o->phi_points},
-                                          .threads = (int)o->threads,
-                                          .format = (enum output_format)o->common.format,
-                                          .output = o->common.output,
-                                          .plot = o->plot};
-    decimal_clear(&tolerance);
+    request.sweep.tolerance = o->tolerance.text         ? decimal_value(&o->tolerance)
+                              : request.sweep.hard_wall ? strtod(DEFAULT_HARD_WALL_TOLERANCE, NULL)
+                                                        : strtod(DEFAULT_TOLERANCE, NULL);
+    request.sweep.phi_points = (size_t)o->phi_points;
+    request.threads = (int)o->threads;
+    request.format = (enum output_format)o->common.format;
+    request.output = o->common.output;
     return sweep_run(&request);
 }
 
@@ -100,16 +94,16 @@ static const char help[] =
 
 #define ARGUMENTS struct disk_collide_arguments
 static const struct option_rule options[] = {
-    OPTION("speed", LIST, speed, .range.values = &sweep_speed, .required = true),
-    OPTION("poisson", LIST, poisson, .range.values = &sweep_poisson, .required = true),
-    OPTION("alpha", LIST, alpha, .range.values = &sweep_alpha),
-    OPTION("modes", LIST, modes, .range.values = &sweep_modes),
+    OPTION("speed", LIST, request.sweep.speed, .range.values = &sweep_speed, .required = true),
+    OPTION("poisson", LIST, request.sweep.poisson, .range.values = &sweep_poisson, .required = true),
+    OPTION("alpha", LIST, request.sweep.alpha, .range.values = &sweep_alpha),
+    OPTION("modes", LIST, request.sweep.modes, .range.values = &sweep_modes),
     OPTION("tolerance", REAL, tolerance, .range.number = &tolerance_numbers),
     OPTION("phi-points", WHOLE, phi_points, .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
            .why = "walls that need more are not computed"),
-    OPTION("hard-wall", FLAG, hard_wall, .excludes = "alpha modes phi-points"),
-    OPTION("rayleigh", FLAG, rayleigh, .excludes = "alpha tolerance phi-points hard-wall"),
-    OPTION_PLAIN("plot", FILE, plot),
+    OPTION("hard-wall", FLAG, request.sweep.hard_wall, .excludes = "alpha modes phi-points"),
+    OPTION("rayleigh", FLAG, request.sweep.rayleigh, .excludes = "alpha tolerance phi-points hard-wall"),
+    OPTION_PLAIN("plot", FILE, request.plot),
     OPTION("threads", WHOLE, threads, .range.whole = {1, PARALLEL_MAX_THREADS}, .why = "no machine has use for more"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "cli/commands.h"
+#include "cli/proved_table.h"
 #include "disk/modes.h"
 #include "support/console.h"
 #include "support/digits.h"
@@ -32,18 +33,29 @@ static void spell_mode(void *context, slong i)
     text[2] = digits_of_ball(mode->s, work->digits);
 }
 
-static void fill_table(struct table *table, const struct disk_modes *modes, slong digits)
+/* The digits are decided at once. */
+static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
-    struct spelling work = {modes, digits, xmalloc((size_t)(NUMBERS * modes->count) * sizeof *work.text)};
-    parallel_for(spell_mode, &work, modes->count, "digits of modes");
+    (void)undecided;
+    (void)bits;
+    const struct disk_modes_arguments *const o = arguments;
+    struct disk_modes modes = {0};
     table_init(table, "n,l,omega,C,S", "nnddd");
-    for (slong i = 0; i < modes->count; i++) {
-        table_add_integer(table, modes->mode[i].n);
-        table_add_integer(table, modes->mode[i].l);
-        for (int k = 0; k < NUMBERS; k++)
-            table_add(table, work.text[NUMBERS * i + k]);
+    const int status = disk_modes_solve(&modes, o->poisson.value, o->count, o->digits);
+    profile_step("printing");
+    if (status == STATUS_OK) {
+        struct spelling work = {&modes, o->digits, xmalloc((size_t)(NUMBERS * modes.count) * sizeof *work.text)};
+        parallel_for(spell_mode, &work, modes.count, "digits of modes");
+        for (slong i = 0; i < modes.count; i++) {
+            table_add_integer(table, modes.mode[i].n);
+            table_add_integer(table, modes.mode[i].l);
+            for (int k = 0; k < NUMBERS; k++)
+                table_add(table, work.text[NUMBERS * i + k]);
+        }
+        free(work.text);
     }
-    free(work.text);
+    disk_modes_clear(&modes);
+    return status;
 }
 
 static int check_memory(const struct disk_modes_arguments *o)
@@ -58,28 +70,11 @@ static int check_memory(const struct disk_modes_arguments *o)
 static int run_disk_modes(const void *arguments)
 {
     const struct disk_modes_arguments *const o = arguments;
-    struct output out;
     int status = options_disk_poisson(&o->poisson);
     if (status == STATUS_OK)
         status = check_memory(o);
-    if (status == STATUS_OK)
-        status = output_open(&out, o->common.output);
-    if (status != STATUS_OK)
-        return status;
-
-    struct disk_modes modes;
-    disk_modes_init(&modes);
-    status = disk_modes_solve(&modes, o->poisson.value, o->count, o->digits);
-    profile_step("printing");
-    if (status == STATUS_OK) {
-        struct table table;
-        fill_table(&table, &modes, o->digits);
-        table.json_strings = o->common.json_strings;
-        table_print(&table, (enum output_format)o->common.format, out.file);
-        table_clear(&table);
-    }
-    disk_modes_clear(&modes);
-    return output_finish(&out, status);
+    const struct proved_table table = {o->digits, o, fill_table, NULL};
+    return status == STATUS_OK ? proved_table_write(&table, &o->common) : status;
 }
 
 static const char help[] =

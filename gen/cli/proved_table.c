@@ -29,7 +29,7 @@ int proved_table_write(const struct proved_table *proved, const struct option_co
     int status = fill_until_decided(&table, proved);
     profile_step("printing");
     table.json_strings = common->json_strings;
-    if (status == STATUS_OK && format == FORMAT_TEXT && proved->print_text)
+    if (status == STATUS_OK && (format == FORMAT_TEXT || format == FORMAT_LATEX) && proved->print_text)
         proved->print_text(out.file, &table, proved->arguments);
     else if (status == STATUS_OK)
         table_print(&table, format, out.file);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A table of proved digits. It is filled with more and more bits until every digit is decided, and then printed. */
+/* A table of proved digits, filled with more and more bits until every digit is decided, and then printed. A table of
+ * exact numbers is filled once. */
 #ifndef COR_GEN_CLI_PROVED_TABLE_H
 #define COR_GEN_CLI_PROVED_TABLE_H
 
@@ -13,7 +14,7 @@ struct proved_table {
     /* Initialises a table and fills it, computing with `bits` bits. Returns STATUS_OK or STATUS_FAILED. `undecided`
      * stays empty, or becomes the name of the first number whose digits are undecided. */
     int (*fill)(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits);
-    /* prints FORMAT_TEXT; NULL: the common text format */
+    /* prints FORMAT_TEXT and FORMAT_LATEX; NULL: the common text format */
     void (*print_text)(FILE *file, const struct table *table, const void *arguments);
 };
 

@@ -8,16 +8,16 @@
 #include "tables/disk.h"
 #include "tables/limits.h"
 
-static int check_arguments(const struct tables_arguments *o)
+static int check_request(const struct tables_request *o)
 {
     if ((o->all || o->seed != OPTIONS_NOT_GIVEN) && o->poisson.text)
         return usage_error("--%s is about the collisions of generated/" DISK_LIMITS_FILE ", not about --poisson",
                            o->all ? "all" : "seed");
     if (o->seed != OPTIONS_NOT_GIVEN && (o->all || !o->check))
         return usage_error("--seed chooses the sample of --check without --all");
-    if (o->modes != OPTIONS_NOT_GIVEN && !o->poisson.text)
+    if (o->modes != 0 && !o->poisson.text)
         return usage_error("--modes needs --poisson: the tables of generated/ have %d modes", DISK_TABLE_MODES);
-    if (o->digits && (o->poisson.text || o->check || o->all || o->common.output))
+    if (o->digits && (o->poisson.text || o->check || o->all || o->directory))
         return usage_error("--digits prints the digits of all tables and goes with no other option%s",
                            o->poisson.text ? "; corgen disk-modes prints those of modes" : "");
     if (!o->poisson.text)
@@ -31,18 +31,10 @@ static int check_arguments(const struct tables_arguments *o)
 static int run_tables(const void *arguments)
 {
     const struct tables_arguments *const o = arguments;
-    const int wrong = check_arguments(o);
-    if (wrong)
-        return wrong;
-    const struct tables_request request = {.poisson = o->poisson.text ? &o->poisson : NULL,
-                                           .modes = o->modes == OPTIONS_NOT_GIVEN ? 0 : o->modes,
-                                           .directory = o->common.output,
-                                           .check = o->check,
-                                           .digits = o->digits,
-                                           .all = o->all,
-                                           .seeded = o->seed != OPTIONS_NOT_GIVEN,
-                                           .seed = o->seed == OPTIONS_NOT_GIVEN ? 0 : (uint64_t)o->seed};
-    return tables_run(&request);
+    struct tables_request request = o->request;
+    request.directory = o->common.output;
+    const int wrong = check_request(&request);
+    return wrong ? wrong : tables_run(&request);
 }
 
 static const char help[] =
@@ -66,16 +58,17 @@ static const char help[] =
 
 #define ARGUMENTS struct tables_arguments
 static const struct option_rule options[] = {
-    OPTION("poisson", REAL, poisson, .range.number = &option_disk_poisson),
-    OPTION("modes", WHOLE, modes, .range.whole = {1, DISK_MODES_MAX}, .why = OPTION_COUNT_WHY),
-    OPTION_PLAIN("check", FLAG, check),
-    OPTION_PLAIN("all", FLAG, all),
-    OPTION_PLAIN("digits", FLAG, digits),
-    OPTION("seed", WHOLE, seed, .range.whole = {0, TABLES_MAX_SEED}, .why = "there are no more samples than that"),
+    OPTION("poisson", REAL, request.poisson, .range.number = &option_disk_poisson),
+    OPTION("modes", WHOLE, request.modes, .range.whole = {1, DISK_MODES_MAX}, .why = OPTION_COUNT_WHY),
+    OPTION_PLAIN("check", FLAG, request.check),
+    OPTION_PLAIN("all", FLAG, request.all),
+    OPTION_PLAIN("digits", FLAG, request.digits),
+    OPTION("seed", WHOLE, request.seed, .range.whole = {0, TABLES_MAX_SEED},
+           .why = "there are no more samples than that"),
     OPTION_COMMON,
     {.name = NULL},
 };
 
-static const struct tables_arguments defaults = {.modes = OPTIONS_NOT_GIVEN, .seed = OPTIONS_NOT_GIVEN};
+static const struct tables_arguments defaults = {.request.seed = OPTIONS_NOT_GIVEN};
 
 SUBCOMMAND(tables, "tables", "write or check the generated C tables");

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen trajectory prints the exact x_k(t) of (48), (49). */
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/commands.h"
+#include "cli/proved_table.h"
 #include "series/trajectory.h"
 #include "support/console.h"
 #include "support/local.h"
@@ -10,17 +12,43 @@
 #define COEFFICIENTS_MAX 10000000
 enum { MAX_ORDER = 100000, MAX_TERMS = 100000 };
 
-/* Exponent of t in the term j of row k: 1 + k (b+1) + j (a+1). */
-static struct ratio term_exponent(const struct law *law, slong k, slong j)
+struct problem {
+    const struct trajectory_arguments *given;
+    struct law law;
+};
+
+static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
-    struct ratio one = {1, 1};
-    struct ratio u = ratio_mul(ratio_make(k, 1), ratio_add(law->b, one));
-    struct ratio s = ratio_mul(ratio_make(j, 1), ratio_add(law->a, one));
-    return ratio_add(one, ratio_add(u, s));
+    (void)undecided;
+    (void)bits;
+    const struct problem *const problem = arguments;
+    const slong order = problem->given->order, terms = problem->given->terms;
+    profile_step("exact rationals");
+    table_init(table, "k,j,numerator,denominator", "nndd");
+    fmpq_poly_struct *row = xmalloc((size_t)(order + 1) * sizeof *row);
+    for (slong k = 0; k <= order; k++)
+        fmpq_poly_init(&row[k]);
+    trajectory_exact(row, order, terms, &problem->law);
+    LOCAL(fmpq, c);
+    for (slong k = 0; k <= order; k++) {
+        for (slong j = 0; j <= terms; j++) {
+            fmpq_poly_get_coeff_fmpq(c, &row[k], j);
+            table_add_integer(table, k);
+            table_add_integer(table, j);
+            table_add(table, fmpz_get_str(NULL, 10, fmpq_numref(c)));
+            table_add(table, fmpz_get_str(NULL, 10, fmpq_denref(c)));
+        }
+        fmpq_poly_clear(&row[k]);
+    }
+    free(row);
+    return STATUS_OK;
 }
 
-static void print_power(FILE *file, struct ratio e, bool latex)
+/* t to the exponent of term j of row k, 1 + k (b+1) + j (a+1) */
+static void print_power(FILE *file, const struct law *law, slong k, slong j, bool latex)
 {
+    const struct ratio one = {1, 1}, u = ratio_mul(ratio_make(k, 1), ratio_add(law->b, one)),
+                       s = ratio_mul(ratio_make(j, 1), ratio_add(law->a, one)), e = ratio_add(one, ratio_add(u, s));
     const char *const open = latex ? "{" : e.den != 1 ? "(" : "", *const close = latex ? "}" : e.den != 1 ? ")" : "";
     fputs("t", file);
     if (e.den != 1)
@@ -29,106 +57,49 @@ static void print_power(FILE *file, struct ratio e, bool latex)
         fprintf(file, "^%s%ld%s", open, (long)e.num, close);
 }
 
-static void print_size(FILE *file, const fmpq_t size, bool latex)
+/* The rows without their vanishing terms; dots stand for the terms beyond the requested ones. */
+static void print_rows(FILE *file, const struct table *table, const void *arguments)
 {
-    const bool whole = fmpz_is_one(fmpq_denref(size));
-    char *numerator = fmpz_get_str(NULL, 10, fmpq_numref(size));
-    char *denominator = fmpz_get_str(NULL, 10, fmpq_denref(size));
-    if (whole)
-        fprintf(file, latex ? "%s\\," : "%s ", numerator);
-    else
-        fprintf(file, latex ? "\\frac{%s}{%s}" : "%s/%s ", numerator, denominator);
-    flint_free(numerator);
-    flint_free(denominator);
-}
-
-/* Prints a row without its vanishing terms; dots stand for the terms beyond the requested ones. */
-static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct trajectory_arguments *o,
-                      const struct law *law)
-{
-    bool latex = o->common.format == FORMAT_LATEX;
-    bool first = true;
-    LOCAL(fmpq, c);
-    for (slong j = 0; j <= o->terms; j++) {
-        fmpq_poly_get_coeff_fmpq(c, row, j);
-        int sign = fmpq_sgn(c);
-        if (sign == 0)
-            continue;
-        if (first)
-            fputs(sign < 0 ? "-" : "", file);
-        else
-            fputs(sign < 0 ? " - " : " + ", file);
-        first = false;
-        fmpq_abs(c, c);
-        if (!fmpq_is_one(c))
-            print_size(file, c, latex);
-        print_power(file, term_exponent(law, k, j), latex);
-    }
-    fprintf(file, "%s%s", first ? "" : " + ", latex ? "\\cdots" : "...");
-}
-
-static void print_rows(FILE *file, const fmpq_poly_struct *row, const struct trajectory_arguments *o,
-                       const struct law *law)
-{
-    bool latex = o->common.format == FORMAT_LATEX;
+    const struct problem *const problem = arguments;
+    const bool latex = problem->given->common.format == FORMAT_LATEX;
+    char *const *cell = table->cell;
     fputs(latex ? "\\begin{aligned}\n" : "", file);
-    for (slong k = 0; k <= o->order; k++) {
+    for (slong k = 0; k <= problem->given->order; k++) {
+        const char *minus = "-", *plus = "";
         fprintf(file, latex ? "x_{%ld}(t) &= " : "x_%ld = ", (long)k);
-        print_row(file, &row[k], k, o, law);
-        fputs(latex && k < o->order ? " \\\\\n" : "\n", file);
+        for (slong j = 0; j <= problem->given->terms; j++, cell += table->columns) {
+            const bool negative = *cell[2] == '-', whole = strcmp(cell[3], "1") == 0;
+            const char *const numerator = cell[2] + negative;
+            if (strcmp(numerator, "0") == 0)
+                continue;
+            fputs(negative ? minus : plus, file);
+            minus = " - ";
+            plus = " + ";
+            if (!whole)
+                fprintf(file, latex ? "\\frac{%s}{%s}" : "%s/%s ", numerator, cell[3]);
+            else if (strcmp(numerator, "1") != 0)
+                fprintf(file, latex ? "%s\\," : "%s ", numerator);
+            print_power(file, &problem->law, k, j, latex);
+        }
+        fprintf(file, "%s%s", plus, latex ? "\\cdots" : "...");
+        fputs(latex && k < problem->given->order ? " \\\\\n" : "\n", file);
     }
     fputs(latex ? "\\end{aligned}\n" : "", file);
-}
-
-static void print_table(FILE *file, const fmpq_poly_struct *row, const struct trajectory_arguments *o)
-{
-    struct table table;
-    table_init(&table, "k,j,numerator,denominator", "nndd");
-    table.json_strings = o->common.json_strings;
-    LOCAL(fmpq, c);
-    for (slong k = 0; k <= o->order; k++) {
-        for (slong j = 0; j <= o->terms; j++) {
-            fmpq_poly_get_coeff_fmpq(c, &row[k], j);
-            table_add_integer(&table, k);
-            table_add_integer(&table, j);
-            table_add(&table, fmpz_get_str(NULL, 10, fmpq_numref(c)));
-            table_add(&table, fmpz_get_str(NULL, 10, fmpq_denref(c)));
-        }
-    }
-    table_print(&table, (enum output_format)o->common.format, file);
-    table_clear(&table);
 }
 
 static int run_trajectory(const void *arguments)
 {
     const struct trajectory_arguments *const o = arguments;
-    struct law law;
-    const int wrong = options_law(&law, &o->law);
+    struct problem problem = {.given = o};
+    const int wrong = options_law(&problem.law, &o->law);
     if (wrong)
         return wrong;
     if ((o->order + 1) * (o->terms + 1) > COEFFICIENTS_MAX)
         return usage_error("--order %ld with --terms %ld is more than %d coefficients, (order + 1) "
                            "(terms + 1), which no memory holds as exact rationals",
                            (long)o->order, (long)o->terms, COEFFICIENTS_MAX);
-    struct output out;
-    if (output_open(&out, o->common.output) != STATUS_OK)
-        return STATUS_FAILED;
-
-    profile_step("exact rationals");
-    fmpq_poly_struct *row = xmalloc((size_t)(o->order + 1) * sizeof *row);
-    for (slong k = 0; k <= o->order; k++)
-        fmpq_poly_init(&row[k]);
-    trajectory_exact(row, o->order, o->terms, &law);
-
-    profile_step("printing");
-    if (o->common.format == FORMAT_TEXT || o->common.format == FORMAT_LATEX)
-        print_rows(out.file, row, o, &law);
-    else
-        print_table(out.file, row, o);
-    for (slong k = 0; k <= o->order; k++)
-        fmpq_poly_clear(&row[k]);
-    free(row);
-    return output_commit(&out);
+    const struct proved_table table = {1, &problem, fill_table, print_rows};
+    return proved_table_write(&table, &o->common);
 }
 
 static const char help[] =

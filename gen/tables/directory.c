@@ -257,7 +257,7 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     enum { FORMS = sizeof form / sizeof *form };
     static char name[FORMS][DISK_TABLE_NAME];
     struct disk_table disk = {
-        .poisson = *request->poisson, .count = request->modes ? request->modes : DISK_TABLE_MODES, .embed = true};
+        .poisson = request->poisson, .count = request->modes ? request->modes : DISK_TABLE_MODES, .embed = true};
     profile_step("modes");
     int status = disk_table_solve(&disk);
     for (*n = 0; *n < FORMS && status == STATUS_OK; ++*n) {
@@ -274,28 +274,30 @@ static int check_limits(const struct tables_request *request)
 {
     if (request->all)
         return disk_limits_check_all();
-    return disk_limits_check_sample(
-        request->seeded ? request->seed : ((uint64_t)time(NULL) * 1000 + (uint64_t)getpid()) % TABLES_MAX_SEED);
+    return disk_limits_check_sample(request->seed >= 0
+                                        ? (uint64_t)request->seed
+                                        : ((uint64_t)time(NULL) * 1000 + (uint64_t)getpid()) % TABLES_MAX_SEED);
 }
 
 int tables_run(const struct tables_request *request)
 {
+    const bool material = request->poisson.text;
     const char *directory = request->directory ? request->directory
-                            : request->poisson ? DEFAULT_DIRECTORY_OF_MATERIAL
+                            : material         ? DEFAULT_DIRECTORY_OF_MATERIAL
                                                : DEFAULT_DIRECTORY;
     struct content c[CONTENTS] = {{NULL, NULL, 0}};
     int n = 0, status = request->check || request->digits ? STATUS_OK : probe_directory(directory);
     emit_digits(request->digits ? stdout : NULL);
     if (status == STATUS_OK)
-        status = request->poisson ? make_material(c, &n, request) : make_generated(c, &n, request, directory);
+        status = material ? make_material(c, &n, request) : make_generated(c, &n, request, directory);
     emit_digits(NULL);
     if (status == STATUS_OK && !request->digits)
         status = request->check ? check_all(c, n, directory) : write_all(c, n, directory);
     for (int i = 0; i < n && status == STATUS_OK && !request->digits; i++)
         printf("%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", directory, c[i].name, c[i].size);
-    if (status == STATUS_OK && request->check && !request->poisson && disk_limits_known(NULL))
+    if (status == STATUS_OK && request->check && !material && disk_limits_known(NULL))
         status = check_limits(request);
-    if (status == STATUS_OK && !request->check && !request->digits && !request->all && !request->poisson)
+    if (status == STATUS_OK && !request->check && !request->digits && !request->all && !material)
         printf("kept the collisions of " DISK_LIMITS_FILE "; --all makes them anew\n");
     if (fflush(stdout) && status == STATUS_OK)
         status = fail("standard output: %s", strerror(errno));

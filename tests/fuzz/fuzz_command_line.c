@@ -107,8 +107,10 @@ FUZZED(collide,
        require_number(&o->beta), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
 FUZZED(disk_modes, o->count <= 6 && o->digits <= 40 && short_number(&o->poisson), require_number(&o->poisson),
        require_whole(o->count, 1, DISK_MODES_MAX), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
-FUZZED(tables, o->modes != OPTIONS_NOT_GIVEN && o->modes <= 6 && o->poisson.text != NULL && short_number(&o->poisson),
-       require_number(&o->poisson))
+FUZZED(tables,
+       o->request.modes != 0 && o->request.modes <= 6 && o->request.poisson.text != NULL &&
+           short_number(&o->request.poisson),
+       require_number(&o->request.poisson))
 
 /* Whether a list is short and its values are in a range, or the list is not given */
 static bool few(const struct values *values, size_t most, double least, double largest)
@@ -120,9 +122,9 @@ static bool few(const struct values *values, size_t most, double least, double l
 }
 
 FUZZED(disk_collide,
-       few(&o->speed, 4, 0.01, 0.5) && few(&o->poisson, 1, -0.95, 0.95) && few(&o->alpha, 2, 0, 200) &&
-           few(&o->modes, 2, 1, 6) && (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) &&
-           o->phi_points <= 100 && o->threads <= 3,
+       few(&o->request.sweep.speed, 4, 0.01, 0.5) && few(&o->request.sweep.poisson, 1, -0.95, 0.95) &&
+           few(&o->request.sweep.alpha, 2, 0, 200) && few(&o->request.sweep.modes, 2, 1, 6) &&
+           (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) && o->phi_points <= 100 && o->threads <= 3,
        require_number(&o->tolerance))
 
 static void require_scene(const struct embed_request *scene)
