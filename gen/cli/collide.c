@@ -35,10 +35,7 @@ static const struct {
 
 struct problem {
     const struct collide_arguments *given;
-    const struct decimal *beta;
     struct law law;
-    slong digits;
-    int end; /* OPTIONS_NOT_GIVEN: both */
     bool in_si;
 };
 
@@ -50,7 +47,7 @@ static bool is_printed(int i, const struct problem *problem)
     const int end = column[i].end;
     return column[i].name[problem->in_si] && (i == BETA || (i >= STICKING) == o->threshold) &&
            !(i == FORCE_MAX && o->force.text) &&
-           (end == OPTIONS_NOT_GIVEN || problem->end == OPTIONS_NOT_GIVEN || problem->end == end);
+           (end == OPTIONS_NOT_GIVEN || problem->given->end == OPTIONS_NOT_GIVEN || problem->given->end == end);
 }
 
 /* f = F T/(m g) in SI units; 0: none */
@@ -70,21 +67,21 @@ static int problem_solve(struct collision *c, const arb_t beta, const arb_t forc
                          slong bits)
 {
     if (!arb_is_zero(force))
-        return collision_solve_pressed(c, beta, force, &problem->law, problem->end, bits);
-    if (problem->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
+        return collision_solve_pressed(c, beta, force, &problem->law, problem->given->end, bits);
+    if (problem->given->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
         return collision_solve(c, beta, &problem->law, bits);
-    return (problem->end == END_ZERO_FORCE ? collision_solve_force : collision_solve_overlap)(c, beta, &problem->law,
-                                                                                              bits);
+    return (problem->given->end == END_ZERO_FORCE ? collision_solve_force
+                                                  : collision_solve_overlap)(c, beta, &problem->law, bits);
 }
 
 /* beta as a number of every format: a decimal as given, with a digit before its point and one behind; a ratio rounded
  * to the digits of the table, or to one more where it lies in the middle of two. */
 static char *beta_text(const struct problem *problem, const arb_t beta)
 {
-    const char *given = problem->beta->text;
-    if (problem->beta->forms & DECIMAL_RATIO) {
-        char *const rounded = digits_of_ball(beta, problem->digits);
-        return rounded ? rounded : digits_of_ball(beta, problem->digits + 1);
+    const char *given = problem->given->beta.text;
+    if (problem->given->beta.forms & DECIMAL_RATIO) {
+        char *const rounded = digits_of_ball(beta, problem->given->digits);
+        return rounded ? rounded : digits_of_ball(beta, problem->given->digits + 1);
     }
     while (given[0] == '0' && given[1] >= '0' && given[1] <= '9')
         given++;
@@ -124,16 +121,6 @@ static int to_si(struct collision *c, arb_t force, const struct problem *problem
     return status;
 }
 
-/* The forces of --threshold */
-static int find_thresholds(arb_ptr sticking, const arb_t beta, const struct problem *problem, slong bits)
-{
-    int status = STATUS_OK;
-    for (int end = 0; end < 2 && status == STATUS_OK; end++)
-        if (is_printed(STICKING + end, problem))
-            status = collision_sticking_force(sticking + end, beta, &problem->law, end, bits);
-    return status;
-}
-
 /* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
@@ -152,10 +139,12 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     if (problem->in_si)
         scales(beta, time_unit, problem, 3 * bits + 256);
     else
-        arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
+        arb_set_fmpq(beta, problem->given->beta.value, 3 * bits + 256);
     pressing_force(pressing, problem, time_unit, 3 * bits + 256);
-    int status = problem->given->threshold ? find_thresholds(sticking, beta, problem, bits)
-                                           : problem_solve(&collision, beta, pressing, problem, bits);
+    int status = problem->given->threshold ? STATUS_OK : problem_solve(&collision, beta, pressing, problem, bits);
+    for (int end = 0; end < 2 && problem->given->threshold && status == STATUS_OK; end++)
+        if (is_printed(STICKING + end, problem))
+            status = collision_sticking_force(sticking + end, beta, &problem->law, end, bits);
     if (status == STATUS_OK && problem->in_si)
         status = to_si(&collision, force, problem, beta, time_unit, bits);
     profile_step("digits");
@@ -173,7 +162,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
         if (!is_printed(i, problem))
             continue;
         char *text =
-            i == BETA && !problem->in_si ? beta_text(problem, beta) : digits_of_ball(value[i], problem->digits);
+            i == BETA && !problem->in_si ? beta_text(problem, beta) : digits_of_ball(value[i], problem->given->digits);
         if (text)
             table_add(table, text);
         else
@@ -196,8 +185,7 @@ static void print_text(FILE *file, const struct table *table, const void *argume
 static int run_collide(const void *arguments)
 {
     const struct collide_arguments *const o = arguments;
-    struct problem problem = {
-        .given = o, .beta = &o->beta, .digits = o->digits, .end = o->end, .in_si = o->stiffness.text != NULL};
+    struct problem problem = {.given = o, .in_si = o->stiffness.text != NULL};
     const int wrong = options_law(&problem.law, &o->law);
     if (!problem.in_si && !o->beta.text)
         return usage_error("collide needs --beta, as --beta 0.1, or a collision in SI units, as --stiffness 1e5 "

@@ -11,6 +11,7 @@
 #include "series/series.h"
 #include "support/c_names.h"
 #include "support/console.h"
+#include "support/formula.h"
 #include "support/local.h"
 #include "support/words.h"
 #include "sweep/values.h"
@@ -412,13 +413,12 @@ int options_law(struct law *law, const struct option_law *text)
 int options_disk_poisson(const struct decimal *poisson)
 {
     struct decimal least = {0};
-    LOCAL(fmpq, margin);
-    fmpq_abs(margin, poisson->value);
-    fmpq_sub_si(margin, margin, 1);
-    fmpq_neg(margin, margin);
+    LOCAL(fmpq, below, above);
     decimal_set(&least, DISK_MARGIN);
-    const bool apart = fmpq_cmp(margin, least.value) > 0;
+    EXACT(below, "1 - poisson->value - least.value", poisson->value, least.value);
+    EXACT(above, "1 + poisson->value - least.value", poisson->value, least.value);
     decimal_clear(&least);
+    const bool apart = fmpq_sgn(below) > 0 && fmpq_sgn(above) > 0;
     return apart ? STATUS_OK
                  : usage_error("--poisson: '%s' is nearer than " DISK_MARGIN " to -1 or 1, where a disk has no modes",
                                poisson->text);
