@@ -25,22 +25,16 @@ struct texts {
 };
 
 /* Reads a file, "-" for standard input. Returns 0, or an error number. */
-static int read_file(struct cor_audit_text *text, struct texts *texts, const char *path)
+static int read_text(struct cor_audit_text *text, struct texts *texts, const char *path)
 {
-    const bool standard = strcmp(path, "-") == 0;
-    FILE *const file = standard ? stdin : fopen(path, "rb");
-    if (!file)
-        return errno;
     size_t size;
-    errno = 0;
-    char *const bytes = read_whole(file, MOST_BYTES, &size);
-    const int wrong = ferror(file) ? errno : size < MOST_BYTES ? 0 : EFBIG;
-    if (!standard)
-        fclose(file);
-    *text = (struct cor_audit_text){xstrdup(standard ? "standard input" : path), bytes, size};
+    char *const bytes = read_file(path, MOST_BYTES, &size);
+    if (!bytes)
+        return errno;
+    *text = (struct cor_audit_text){xstrdup(strcmp(path, "-") == 0 ? "standard input" : path), bytes, size};
     texts->text = xrealloc(texts->text, (size_t)(texts->count + 1) * sizeof *texts->text);
     texts->text[texts->count++] = *text;
-    return wrong;
+    return 0;
 }
 
 static void clear_texts(struct texts *texts)
@@ -57,11 +51,11 @@ static void clear_texts(struct texts *texts)
 static const char columns[] = "line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,advice";
 
 struct audit_run {
+    const struct audit_arguments *given;
     struct texts texts;
     FILE *file; /* text */
     struct table table;
     const char *name; /* of the file, which a line number of csv needs no name for; NULL: several */
-    int format;
     int contacts, as_asked, not_as_asked, not_read;
     double tolerance;
 };
@@ -72,12 +66,9 @@ static int open_included(void *context, struct cor_audit_text *included, const c
     struct audit_run *const run = context;
     const char *const folders[] = {from, run->texts.text[0].name};
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        const char *const slash = strrchr(folders[i], '/');
-        const int folder = slash && *name != '/' ? (int)(slash + 1 - folders[i]) : 0;
-        const size_t size = (size_t)folder + strlen(name) + 1;
-        char *const path = xmalloc(size);
-        snprintf(path, size, "%.*s%s", folder, folders[i], name);
-        const int wrong = read_file(included, &run->texts, path);
+        const int folder = *name == '/' ? 0 : (int)(file_name(folders[i]) - folders[i]);
+        char *const path = xprintf("%.*s%s", folder, folders[i], name);
+        const int wrong = read_text(included, &run->texts, path);
         free(path);
         if (wrong == 0)
             return 0;
@@ -88,12 +79,8 @@ static int open_included(void *context, struct cor_audit_text *included, const c
 static void add_row(struct audit_run *run, const struct cor_audit_finding *f)
 {
     struct table *const table = &run->table;
-    char line[4096], advice[16384];
     const bool named = !run->name || strcmp(run->name, f->file) != 0;
-    snprintf(line, sizeof line, "%s%s%ld", named ? f->file : "", named ? ":" : "", f->line);
-    snprintf(advice, sizeof advice, "%s%s%s%s", f->advice, *f->advice && *f->instead ? " " : "",
-             *f->instead ? "Write: " : "", f->instead);
-    table_add_text(table, line);
+    table_add(table, xprintf("%s%s%ld", named ? f->file : "", named ? ":" : "", f->line));
     table_add_text(table, f->simulator);
     table_add_text(table, f->model ? f->model : "");
     table_add_text(table, f->pair);
@@ -103,7 +90,8 @@ static void add_row(struct audit_run *run, const struct cor_audit_finding *f)
     table_add_known(table, f->realised, CONTACT_DIGITS);
     table_add_known(table, f->step_bias, CONTACT_DIGITS);
     table_add_known(table, f->step_scatter, CONTACT_DIGITS);
-    table_add_text(table, advice);
+    table_add(table, xprintf("%s%s%s%s", f->advice, *f->advice && *f->instead ? " " : "", *f->instead ? "Write: " : "",
+                             f->instead));
 }
 
 static void print_finding(FILE *file, const struct cor_audit_finding *f)
@@ -148,7 +136,7 @@ static void take_finding(void *context, const struct cor_audit_finding *f)
     run->as_asked += f->as_asked == 1;
     run->not_as_asked += f->model && f->as_asked == 0;
     run->not_read += !f->model;
-    if (run->format == FORMAT_TEXT)
+    if (run->given->common.format == FORMAT_TEXT)
         print_finding(run->file, f);
     else
         add_row(run, f);
@@ -162,9 +150,9 @@ static double number_or_nan(const struct decimal *number)
 }
 
 /* Returns STATUS_OK, STATUS_NOT_AS_ASKED, or STATUS_USAGE after a message. */
-static int audit_file(struct audit_run *run, const struct audit_arguments *o, struct cor_audit_memory *memory,
-                      const char *path)
+static int audit_file(struct audit_run *run, struct cor_audit_memory *memory, const char *path)
 {
+    const struct audit_arguments *const o = run->given;
     const char *const simulator = o->simulator < 0 ? NULL : cor_audit_simulators[o->simulator];
     const struct cor_audit_options options = {.simulator = simulator,
                                               .version = o->version ? cor_simulator_version(o->version) : 0,
@@ -180,23 +168,19 @@ static int audit_file(struct audit_run *run, const struct audit_arguments *o, st
                                               .context = run};
     struct cor_audit_text text;
     run->texts = (struct texts){0};
-    const int wrong = read_file(&text, &run->texts, path);
-    int status = STATUS_OK;
-    if (wrong != 0) {
-        status = usage_error("cannot read %s: %s", path, strerror(wrong));
-    } else {
-        run->name = o->files.count == 1 ? text.name : NULL;
-        const int found = cor_audit(memory, &text, &options);
-        if (found == COR_AUDIT_NOT_AS_ASKED)
-            status = STATUS_NOT_AS_ASKED;
-        else if (found == COR_AUDIT_NO_CONTACT)
-            status = usage_error("%s: no contact could be made out; allowed: the input of %s", text.name,
-                                 simulator ? simulator : "a simulator that corgen audit --help names");
-        else if (found == COR_AUDIT_NOT_TEXT)
-            status = usage_error("%s is not a text: it holds zero bytes", text.name);
-        else if (found == COR_AUDIT_UNKNOWN)
-            status = usage_error("%s: no simulator is recognised; name it by --for, as --for lammps", text.name);
-    }
+    const int wrong = read_text(&text, &run->texts, path);
+    if (wrong != 0)
+        return usage_error("cannot read %s: %s", path, strerror(wrong));
+    run->name = o->files.count == 1 ? text.name : NULL;
+    const int found = cor_audit(memory, &text, &options);
+    int status = found == COR_AUDIT_NOT_AS_ASKED ? STATUS_NOT_AS_ASKED : STATUS_OK;
+    if (found == COR_AUDIT_NO_CONTACT)
+        status = usage_error("%s: no contact could be made out; allowed: the input of %s", text.name,
+                             simulator ? simulator : "a simulator that corgen audit --help names");
+    else if (found == COR_AUDIT_NOT_TEXT)
+        status = usage_error("%s is not a text: it holds zero bytes", text.name);
+    else if (found == COR_AUDIT_UNKNOWN)
+        status = usage_error("%s: no simulator is recognised; name it by --for, as --for lammps", text.name);
     clear_texts(&run->texts);
     return status;
 }
@@ -214,9 +198,8 @@ static void print_summary(const struct audit_run *run)
 static int run_audit(const void *arguments)
 {
     const struct audit_arguments *const o = arguments;
-    struct audit_run run = {.format = o->common.format,
-                            .tolerance =
-                                o->tolerance.text ? decimal_value(&o->tolerance) : strtod(DEFAULT_TOLERANCE, NULL)};
+    struct audit_run run = {
+        .given = o, .tolerance = o->tolerance.text ? decimal_value(&o->tolerance) : strtod(DEFAULT_TOLERANCE, NULL)};
     char *text = NULL;
     size_t size;
     int status = STATUS_OK;
@@ -226,15 +209,15 @@ static int run_audit(const void *arguments)
     run.file = open_memstream(&text, &size);
     table_init(&run.table, columns, o->files.count == 1 ? "ntttntnnnnt" : "ttttntnnnnt");
     for (int i = 0; i < o->files.count && status != STATUS_USAGE; i++) {
-        const int found = audit_file(&run, o, memory, o->files.name[i]);
+        const int found = audit_file(&run, memory, o->files.name[i]);
         status = found > status ? found : status;
         if (found == STATUS_USAGE)
             status = STATUS_USAGE;
     }
-    if (run.format == FORMAT_TEXT)
+    if (o->common.format == FORMAT_TEXT)
         print_summary(&run);
     else
-        table_print(&run.table, (enum output_format)run.format, run.file);
+        table_print(&run.table, (enum output_format)o->common.format, run.file);
     fclose(run.file);
     if (status != STATUS_USAGE) {
         const int written = output_text(o->common.output, text);

@@ -44,12 +44,6 @@ static int read_bodies(struct fit_bodies *bodies, const struct embed_request *re
 
 /* ---- output ---- */
 
-static const char *file_name(const char *path)
-{
-    const char *const slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /* Writes the table and the picture: both or neither. */
 static int write_results(const struct fit_arguments *o, const struct fit_report *report)
 {

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "support/console.h"
+#include "support/output.h"
 
 #define CSS_PIXELS 96.0 /* in an inch */
 
@@ -24,7 +25,7 @@ enum { FORMATS = sizeof format / sizeof *format };
 /* The place in the list, or FORMATS */
 static int format_of(const char *path)
 {
-    const char *const slash = strrchr(path, '/'), *const dot = strrchr(slash ? slash : path, '.');
+    const char *const dot = strrchr(file_name(path), '.');
     int i = 0;
     while (dot && i < FORMATS && strcasecmp(dot + 1, format[i]) != 0)
         i++;

@@ -63,7 +63,7 @@ static int descriptor_named(const char *path)
                                                                                             : NOT_A_DESCRIPTOR;
 }
 
-static const char *last_part(const char *path)
+const char *file_name(const char *path)
 {
     const char *const slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
@@ -72,7 +72,7 @@ static const char *last_part(const char *path)
 /* The name beside the path: its folder and `last`, malloc'ed */
 static char *beside(const char *path, const char *last)
 {
-    const size_t folder = (size_t)(last_part(path) - path), size = strlen(last) + 1;
+    const size_t folder = (size_t)(file_name(path) - path), size = strlen(last) + 1;
     char *const name = xmalloc(folder + size);
     memcpy(name, path, folder);
     memcpy(name + folder, last, size);
@@ -123,7 +123,7 @@ bool output_same_file(const char *path, const char *other)
     if (exists || other_exists || !path || !other)
         return exists && other_exists && S_ISREG(x.st_mode) && same_inode(&x, &y);
     return folder_status(&x, path) && folder_status(&y, other) && same_inode(&x, &y) &&
-           strcmp(last_part(path), last_part(other)) == 0;
+           strcmp(file_name(path), file_name(other)) == 0;
 }
 
 /* ---- opening ---- */
@@ -312,8 +312,12 @@ int output_text(const char *path, const char *text)
     return status == STATUS_OK ? output_commit(&out) : status;
 }
 
-char *read_whole(FILE *file, size_t most, size_t *size)
+char *read_file(const char *path, size_t most, size_t *size)
 {
+    const bool standard = strcmp(path, "-") == 0;
+    FILE *const file = standard ? stdin : fopen(path, "rb");
+    if (!file)
+        return NULL;
     size_t capacity = 1 << 16;
     char *bytes = xmalloc(capacity);
     *size = 0;
@@ -323,6 +327,14 @@ char *read_whole(FILE *file, size_t most, size_t *size)
             bytes = xrealloc(bytes, capacity *= 2);
     }
     bytes[*size] = '\0';
+    const int wrong = ferror(file) ? errno : *size < most ? 0 : EFBIG;
+    if (!standard)
+        fclose(file);
+    if (wrong) {
+        free(bytes);
+        errno = wrong;
+        return NULL;
+    }
     return bytes;
 }
 

@@ -52,9 +52,12 @@ void output_discard(struct output *out);
 int output_text(const char *path, const char *text); /* opens, writes and commits */
 int output_finish(struct output *out, int status);   /* commits if the status is STATUS_OK, otherwise discards */
 
-/* All that a file holds from here on, malloc'ed, or its first `most` bytes or a few more, and a zero behind them;
- * ferror(file) says whether reading failed. */
-char *read_whole(FILE *file, size_t most, size_t *size);
+/* The last part of a path */
+const char *file_name(const char *path);
+
+/* All that a file holds, or standard input, "-", malloc'ed, and a zero behind it. NULL with errno if it cannot be read
+ * or has `most` bytes or more */
+char *read_file(const char *path, size_t most, size_t *size);
 
 /* A table of strings: the header row names the columns exactly as the contract does. In JSON the table is an array of
  * objects. Numbers are numbers, with all their digits; what is missing or infinite is null. In csv a missing number, an

@@ -180,23 +180,6 @@ static long first_difference(const struct content *c, const char *text, size_t s
     return line;
 }
 
-/* The text of the file, or NULL with errno set. */
-static char *read_file(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return NULL;
-    char *text = read_whole(file, SIZE_MAX, size);
-    const int error = ferror(file) ? errno : 0;
-    fclose(file);
-    if (error) {
-        free(text);
-        errno = error;
-        return NULL;
-    }
-    return text;
-}
-
 static int check_all(const struct content *c, int n, const char *directory)
 {
     int status = STATUS_OK;
@@ -205,7 +188,7 @@ static int check_all(const struct content *c, int n, const char *directory)
         size_t size = 0;
         if (set_path(path, directory, c[i].name))
             return STATUS_FAILED;
-        char *text = read_file(path, &size);
+        char *text = read_file(path, SIZE_MAX, &size);
         const long line = text ? first_difference(&c[i], text, size) : 0;
         if (!text)
             status = fail("cannot read %s: %s", path, strerror(errno));
@@ -229,7 +212,7 @@ static int limits_make(struct content *c, const struct tables_request *request, 
     c->name = DISK_LIMITS_FILE;
     if (set_path(path, directory, DISK_LIMITS_FILE))
         return STATUS_FAILED;
-    c->text = read_file(path, &c->size);
+    c->text = read_file(path, SIZE_MAX, &c->size);
     return c->text ? STATUS_OK : fail("cannot read %s: %s; --all makes it", path, strerror(errno));
 }
 
