@@ -40,17 +40,8 @@ int fail(const char *format, ...)
     return STATUS_FAILED;
 }
 
-static bool usage_errors_hidden;
-
-void console_show_usage_errors(bool show)
-{
-    usage_errors_hidden = !show;
-}
-
 int usage_error(const char *format, ...)
 {
-    if (usage_errors_hidden)
-        return STATUS_USAGE;
     va_list arguments;
     va_start(arguments, format);
     print_message(format, arguments);
@@ -72,34 +63,31 @@ static FLINT_NORETURN void library_gave_up(void)
     exit(STATUS_FAILED);
 }
 
-void *xmalloc(size_t size)
+static void *granted(void *p, size_t size)
 {
-    void *p = malloc(size ? size : 1);
     if (!p)
         out_of_memory(size);
     return p;
+}
+
+void *xmalloc(size_t size)
+{
+    return granted(malloc(size ? size : 1), size);
 }
 
 static void *xcalloc(size_t n, size_t size)
 {
-    void *p = calloc(n ? n : 1, size ? size : 1);
-    if (!p)
-        out_of_memory(n * size);
-    return p;
+    return granted(calloc(n ? n : 1, size ? size : 1), n * size);
 }
 
 void *xrealloc(void *old, size_t size)
 {
-    void *p = realloc(old, size ? size : 1);
-    if (!p)
-        out_of_memory(size);
-    return p;
+    return granted(realloc(old, size ? size : 1), size);
 }
 
 char *xstrdup(const char *text)
 {
-    size_t size = strlen(text) + 1;
-    return memcpy(xmalloc(size), text, size);
+    return xprintf("%s", text);
 }
 
 char *xvprintf(const char *format, va_list arguments)
@@ -108,9 +96,8 @@ char *xvprintf(const char *format, va_list arguments)
     va_copy(again, arguments);
     const int length = vsnprintf(NULL, 0, format, again);
     va_end(again);
-    const size_t size = length < 0 ? 1 : (size_t)length + 1;
+    const size_t size = (size_t)length + 1;
     char *const text = xmalloc(size);
-    *text = '\0';
     vsnprintf(text, size, format, arguments);
     return text;
 }
@@ -128,12 +115,6 @@ static void *gmp_realloc(void *old, size_t old_size, size_t size)
 {
     (void)old_size;
     return xrealloc(old, size);
-}
-
-static void gmp_free(void *p, size_t size)
-{
-    (void)size;
-    free(p);
 }
 
 static double physical_memory(void)
@@ -183,7 +164,7 @@ void console_start(void)
     }
     console_thread = true;
     limit_memory_to_physical();
-    mp_set_memory_functions(xmalloc, gmp_realloc, gmp_free);
+    mp_set_memory_functions(xmalloc, gmp_realloc, NULL);
     __flint_set_memory_functions(xmalloc, xcalloc, xrealloc, free);
     flint_set_abort(library_gave_up);
 }
@@ -309,19 +290,14 @@ void profile_step(const char *name)
     double now = clock_seconds();
     if (step_now >= 0)
         steps[step_now].seconds += now - step_started;
-    step_now = -1;
-    if (!name)
-        return;
-    for (int i = 0; i < step_count; i++) {
-        if (strcmp(steps[i].name, name) == 0)
-            step_now = i;
-    }
-    if (step_now < 0 && step_count < STEPS_MAX) {
-        step_now = step_count++;
-        steps[step_now].name = name;
-        steps[step_now].seconds = 0;
-    }
     step_started = now;
+    for (step_now = name ? 0 : -1; step_now >= 0 && step_now < step_count; step_now++)
+        if (strcmp(steps[step_now].name, name) == 0)
+            return;
+    if (step_now == STEPS_MAX)
+        step_now = -1;
+    else if (step_now >= 0)
+        steps[step_count++].name = name;
 }
 
 void profile_report(void)

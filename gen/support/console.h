@@ -20,9 +20,6 @@ void console_start(void);
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Whether usage_error prints. Fuzzing, which makes many, hides them. */
-void console_show_usage_errors(bool show);
-
 /* Bytes of memory that this process may use: those of the machine, or fewer where a limit is set (ulimit -d); 0 if the
  * system does not report them. */
 double console_memory(void);

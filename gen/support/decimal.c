@@ -152,26 +152,22 @@ bool decimal_inside(const struct decimal_range *range, const fmpq_t x)
 
 double decimal_nearest(const fmpq_t x)
 {
-    LOCAL(arf, y);
-    LOCAL(fmpz, exponent);
-    /* rounded towards 0 to a few bits, so that the exponent is that of x: 2^(e-1) <= |x| < 2^e */
-    arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 2, ARF_RND_DOWN);
-    arf_abs_bound_lt_2exp_fmpz(exponent, y);
-    /* a subnormal double has as many bits as lie above 2^-1074 */
-    const slong bits = fmpz_cmp_si(exponent, DBL_MIN_EXP) >= 0 ? DBL_MANT_DIG
-                       : fmpz_cmp_si(exponent, DBL_MIN_EXP - 60) > 0
-                           ? DBL_MANT_DIG - DBL_MIN_EXP + fmpz_get_si(exponent)
-                           : 0;
-    double nearest = 0;
-    if (bits >= 1) {
-        arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), bits, ARF_RND_NEAR);
-        nearest = arf_get_d(y, ARF_RND_NEAR);
-    } else if (bits == 0 && fmpz_cmp_si(exponent, DBL_MIN_EXP - DBL_MANT_DIG) == 0) {
-        /* 2^-1075 is a tie and becomes 0; larger numbers become 2^-1074 */
-        const bool tie = arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 1, ARF_RND_DOWN) == 0;
-        nearest = tie ? 0 : fmpq_sgn(x) * DBL_TRUE_MIN;
-    }
-    return nearest;
+    const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
+    mpfr_t y;
+    mpq_t q;
+    mpq_init(q);
+    mpfr_init2(y, DBL_MANT_DIG);
+    fmpq_get_mpq(q, x);
+    /* the exponents of doubles, as the manual of MPFR has it */
+    mpfr_set_emin(DBL_MIN_EXP - DBL_MANT_DIG + 1);
+    mpfr_set_emax(DBL_MAX_EXP);
+    mpfr_subnormalize(y, mpfr_set_q(y, q, MPFR_RNDN), MPFR_RNDN);
+    const double nearest = mpfr_get_d(y, MPFR_RNDN);
+    mpfr_set_emin(least);
+    mpfr_set_emax(most);
+    mpfr_clear(y);
+    mpq_clear(q);
+    return nearest + 0;
 }
 
 double decimal_value(const struct decimal *x)

@@ -368,24 +368,17 @@ void table_add_text(struct table *t, const char *text)
 
 void table_add_integer(struct table *t, long value)
 {
-    char text[32];
-    snprintf(text, sizeof text, "%ld", value);
-    table_add_text(t, text);
+    table_add(t, xprintf("%ld", value));
 }
 
 void table_add_number(struct table *t, double x, int digits)
 {
-    char text[32];
-    snprintf(text, sizeof text, isnan(x) ? "nan" : "%.*g", digits, x);
-    table_add_text(t, text);
+    table_add(t, isnan(x) ? xstrdup("nan") : xprintf("%.*g", digits, x));
 }
 
 void table_add_known(struct table *t, double x, int digits)
 {
-    if (isnan(x))
-        table_add_text(t, "");
-    else
-        table_add_number(t, x, digits);
+    table_add(t, isnan(x) ? xstrdup("") : xprintf("%.*g", digits, x));
 }
 
 void table_drop_rows(struct table *t)

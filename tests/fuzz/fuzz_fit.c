@@ -42,9 +42,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
         return 0;
     FILE *const file = fmemopen((void *)(uintptr_t)input, size, "r");
     REQUIRE(file, "no stream of %zu bytes", size);
-    console_show_usage_errors(false);
+    FILE *const shown = stderr;
+    stderr = fopen("/dev/null", "w");
     struct fit_data data;
     const int status = fit_data_read_file(&data, file, "input", &FIT_FORM_DEFAULT);
+    fclose(stderr);
+    stderr = shown;
     fclose(file);
     REQUIRE(status == STATUS_OK || status == STATUS_USAGE, "status %d", status);
     if (status != STATUS_OK)
