@@ -60,57 +60,55 @@ static void plate_time(arb_t time, const struct embed_request *request, const ar
     LET(time, prec, "mass/sqrt(16*h^4*density/(3*c))", mass, h, density, c);
 }
 
-/* m, K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies. A wall and a plate have 1/R =
- * 1/m = 0; a plate has A_2 = 0, and m/Z is added to A. */
-static void bodies_of(arb_t mass, arb_t stiffness, arb_t time, const struct embed_request *request, slong prec)
+/* m, K, A and R = 1/(1/R_1 + 1/R_2) of a contact */
+struct contact {
+    arb_t mass, stiffness, time, radius;
+};
+
+static void contact_init(struct contact *c)
+{
+    FOR_ALL(arb, init, c->mass, c->stiffness, c->time, c->radius);
+}
+
+static void contact_clear(struct contact *c)
+{
+    FOR_ALL(arb, clear, c->mass, c->stiffness, c->time, c->radius);
+}
+LOCAL_STRUCT(contact)
+
+/* K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies. A wall and a plate have 1/R =
+ * 1/m = 0; a plate has A_2 = 0, and m/Z is added to A. Or a spring and an effective mass. */
+static void contact_of(struct contact *c, const struct embed_request *request, slong prec)
 {
     const bool plate = request->law == COR_LAW_PLATE;
-    LOCAL(fmpq, c, compliance, inverse_radius, weighted, x);
-    LOCAL(arb, inverse_mass);
+    LOCAL(fmpq, own, compliance, inverse_radius, weighted, x);
+    LOCAL(arb, mass);
+    if (!embed_given(request, COR_SCENE_YOUNG)) {
+        arb_set_fmpq(c->mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
+        arb_set_fmpq(c->stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
+        if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
+            arb_set_fmpq(c->time, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
+        return;
+    }
     for (int body = 1; body <= 2; body++) {
-        compliance_of(c, request, body);
-        fmpq_add(compliance, compliance, c);
+        compliance_of(own, request, body);
+        fmpq_add(compliance, compliance, own);
         dissipation_time_of(x, request, body);
         if (body == 1 || !plate)
-            fmpq_addmul(weighted, x, c);
+            fmpq_addmul(weighted, x, own);
         if (body == 2 && (request->wall || plate))
             continue;
         fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
         fmpq_add(inverse_radius, inverse_radius, x);
         mass_of(mass, request, body, prec);
-        LET(inverse_mass, prec, "inverse_mass + 1/mass", inverse_mass, mass);
+        LET(c->mass, prec, "c->mass + 1/mass", c->mass, mass);
     }
-    arb_inv(mass, inverse_mass, prec);
-    LET(stiffness, prec, "sqrt(16/(9*compliance^2*inverse_radius))", compliance, inverse_radius);
-    arb_zero(time);
+    arb_inv(c->mass, c->mass, prec);
+    LET(c->radius, prec, "1/inverse_radius", inverse_radius);
+    LET(c->stiffness, prec, "sqrt(16/(9*compliance^2*inverse_radius))", compliance, inverse_radius);
     if (plate)
-        plate_time(time, request, mass, prec);
-    LET(time, prec, "time + weighted/compliance", time, weighted, compliance);
-}
-
-/* R of 1/R = 1/R_1 + 1/R_2 */
-static void radius_of(arb_t radius, const struct embed_request *request, slong prec)
-{
-    LOCAL(fmpq, inverse, x);
-    for (int body = 1; body <= (request->wall || request->law == COR_LAW_PLATE ? 1 : 2); body++) {
-        fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
-        fmpq_add(inverse, inverse, x);
-    }
-    fmpq_inv(x, inverse);
-    arb_set_fmpq(radius, x, prec);
-}
-
-/* The same of bodies, or of a spring and an effective mass */
-static void contact_of(arb_t mass, arb_t stiffness, arb_t time, const struct embed_request *request, slong prec)
-{
-    if (embed_given(request, COR_SCENE_YOUNG)) {
-        bodies_of(mass, stiffness, time, request, prec);
-        return;
-    }
-    arb_set_fmpq(mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
-    arb_set_fmpq(stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
-    if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
-        arb_set_fmpq(time, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
+        plate_time(c->time, request, c->mass, prec);
+    LET(c->time, prec, "c->time + weighted/compliance", c->time, weighted, compliance);
 }
 
 /* ---- beta ---- */
@@ -133,14 +131,15 @@ static void beta_of_g_star(arb_t beta, exact g_star, const struct law *law, slon
 /* Of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9. C is given, or (3/2) A K. */
 static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
 {
-    LOCAL(arb, mass, stiffness, coefficient);
-    contact_of(mass, stiffness, coefficient, request, prec);
+    LOCAL(contact, c);
+    LOCAL(arb, C);
+    contact_of(c, request, prec);
     if (embed_given(request, COR_SCENE_DAMPING_COEFFICIENT))
-        arb_set_fmpq(coefficient, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
+        arb_set_fmpq(C, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
     else
-        LET(coefficient, prec, "coefficient*stiffness*3/2", coefficient, stiffness);
-    LET(beta, prec, "(mass/stiffness)^((law->b + 1)/(law->a + 1))*coefficient/mass", mass, stiffness, law->a, law->b,
-        coefficient);
+        LET(C, prec, "c->time*c->stiffness*3/2", c->time, c->stiffness);
+    LET(beta, prec, "(c->mass/c->stiffness)^((law->b + 1)/(law->a + 1))*C/c->mass", c->mass, c->stiffness, law->a,
+        law->b, C);
 }
 
 /* ---- a constant force ---- */
@@ -156,18 +155,16 @@ void embed_contact_force(arb_t force, const struct embed_request *request, const
 {
     const bool heavy = embed_given(request, COR_SCENE_GRAVITY), sticky = embed_given(request, COR_SCENE_ADHESION);
     const exact G = request->number[COR_SCENE_GRAVITY].value, w = request->number[COR_SCENE_ADHESION].value;
-    LOCAL(arb, mass, stiffness, R);
+    LOCAL(contact, c);
     arb_zero(force);
     if (!heavy && !sticky)
         return;
-    contact_of(mass, stiffness, R, request, prec);
-    if (sticky) {
-        radius_of(R, request, prec);
-        LET(force, prec, "2*pi*w*R/mass", w, R, mass);
-    }
+    contact_of(c, request, prec);
+    if (sticky)
+        LET(force, prec, "2*pi*w*c->radius/c->mass", w, c->radius, c->mass);
     if (heavy)
         LET(force, prec, "force + G", force, G);
-    LET(force, prec, "force*(mass/stiffness)^(1/(law->a + 1))", force, mass, stiffness, law->a);
+    LET(force, prec, "force*(c->mass/c->stiffness)^(1/(law->a + 1))", force, c->mass, c->stiffness, law->a);
 }
 
 /* ---- a measured restitution ---- */
@@ -300,12 +297,12 @@ int embed_contact_yield_speed(arb_t speed, const struct embed_request *request, 
                               slong prec)
 {
     const exact p = request->number[COR_SCENE_YIELD_STRESS].value;
-    LOCAL(arb, mass, K, unused, R);
+    LOCAL(contact, c);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return yield_speed_of_restitution(speed, request, contact->yield_speed_m_s, prec);
-    bodies_of(mass, K, unused, request, prec);
-    radius_of(R, request, prec);
-    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/mass)", p, R, K, mass);
+    contact_of(c, request, prec);
+    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*c->radius^5/(c->stiffness*3/4)^4/c->mass)", p, c->radius, c->stiffness,
+        c->mass);
     return STATUS_OK;
 }
 
@@ -314,11 +311,10 @@ void embed_contact_liquid_speed(arb_t speed, const struct embed_request *request
 {
     const exact outer = request->number[COR_SCENE_GAP_OUTER].value, inner = request->number[COR_SCENE_GAP_INNER].value,
                 eta = request->number[COR_SCENE_LIQUID_VISCOSITY].value;
-    LOCAL(arb, mass, stiffness, unused, R);
+    LOCAL(contact, c);
     arb_zero(speed);
     if (!embed_given(request, COR_SCENE_LIQUID_VISCOSITY))
         return;
-    bodies_of(mass, stiffness, unused, request, prec);
-    radius_of(R, request, prec);
-    LET(speed, prec, "6*pi*eta*R^2*log(outer/inner)/mass", eta, R, outer, inner, mass);
+    contact_of(c, request, prec);
+    LET(speed, prec, "6*pi*eta*c->radius^2*log(outer/inner)/c->mass", eta, c->radius, outer, inner, c->mass);
 }
