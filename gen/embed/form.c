@@ -122,8 +122,15 @@ static double form_split_polynomial(const struct embed_form *f, const double *c,
     return mul_add(f, x, form_horner(f, c + 1, degree - 1 - (degree - 1) % 2, 2, square, fused), even, fused);
 }
 
-const double embed_root_seed[4] = {0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971};
-const double embed_root_step[4] = {1, 0.2, 0.12, 0.088};
+struct embed_root_coefficients embed_root_coefficients(const struct embed_form *f, int step)
+{
+    static const struct embed_root_coefficients known[] = {
+        {{0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971}}, {{1, 0.2, 0.12, 0.088}}};
+    struct embed_root_coefficients rounded = known[step];
+    for (int i = 0; i < 4; i++)
+        rounded.c[i] = form_rounded(f, rounded.c[i]);
+    return rounded;
+}
 
 double embed_root_start(const struct embed_form *f, double g, bool fused)
 {
@@ -140,10 +147,8 @@ static double fifth_root(const struct embed_form *f, double g, bool fused)
     for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
         const double square = form_product(f, r, r), fourth = form_product(f, square, square);
         const double e = mul_add(f, -form_product(f, g, r), fourth, 1, fused);
-        double c[4];
-        for (int i = 0; i < 4; i++)
-            c[i] = form_rounded(f, k == 0 ? embed_root_seed[i] : embed_root_step[i]);
-        r = form_product(f, r, form_horner(f, c, k == 0 ? 3 : f->refinement, 1, e, fused));
+        const double series = form_horner(f, embed_root_coefficients(f, k).c, k == 0 ? 3 : f->refinement, 1, e, fused);
+        r = form_product(f, r, series);
     }
     const double square = form_product(f, r, r);
     return form_product(f, g, form_product(f, square, square));

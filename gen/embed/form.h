@@ -54,12 +54,11 @@ enum { EMBED_REFINEMENTS = 4 };
 double embed_root_error(int refinement, bool single);
 
 /* constant - fifth n gives g^(-1/5) from g, where both are integers made of their bits. Then r (1 - e)^(-1/5), e = 1 -
- * g r^5, improves r. embed_root_seed has terms up to e^3, interpolated at Chebyshev points, for the start value with
- * |e| < 0.155. embed_root_step follows, up to the power `refinement`. */
+ * g r^5, improves r. The coefficients of step 0 have terms up to e^3, interpolated at Chebyshev points, for the start
+ * value with |e| < 0.155; those of step 1 follow, up to the power `refinement`. */
 #define EMBED_ROOT_FIFTH 0.2
 #define EMBED_ROOT_CONSTANT 5404320840011480.0 /* 1.2 2^52 + 1287166885, of the upper half of a double's bits */
 #define EMBED_ROOT_SINGLE 1277903765u
-extern const double embed_root_seed[4], embed_root_step[4];
 
 /* From this degree on a polynomial is split into two in x^2, one of the even and one of the odd powers. In a loop this
  * is as fast as Horner's rule, in calls a little faster, and the latency is a fifth smaller. The rows of tables, which
@@ -95,6 +94,12 @@ struct embed_form {
 };
 
 void embed_form_clear(struct embed_form *f);
+
+/* Rounded to the header's type */
+struct embed_root_coefficients {
+    double c[4];
+};
+struct embed_root_coefficients embed_root_coefficients(const struct embed_form *f, int step);
 
 /* The start value of g^(-1/5), as the header computes it. It does not rise with g. */
 double embed_root_start(const struct embed_form *f, double g, bool fused);

@@ -42,18 +42,17 @@ struct rounded {
     double error;
 };
 
-static struct rounded rounded_zero(void)
+static void rounded_init(struct rounded *x)
 {
-    return (struct rounded){.exact = {arb_local()}};
+    *x = (struct rounded){.error = 0};
+    arb_init(x->exact);
 }
 
-static void rounded_local_clear(struct rounded *x)
+static void rounded_clear(struct rounded *x)
 {
     arb_clear(x->exact);
 }
-
-/* A local variable that begins as rounded_zero() and clears itself, as those of support/local.h */
-#define ROUNDED __attribute__((cleanup(rounded_local_clear))) struct rounded
+LOCAL_STRUCT(rounded)
 
 static double magnitude(const arb_t x)
 {
@@ -120,13 +119,13 @@ static void rounded_polynomial(struct rounded *y, const double *c, slong degree,
         rounded_horner(y, c, degree, 1, x, a);
         return;
     }
-    ROUNDED square = rounded_zero(), even = rounded_zero(), odd = rounded_zero();
-    rounded_mul_add(&square, x, x, 0, a);
-    rounded_horner(&even, c, degree - degree % 2, 2, &square, a);
-    rounded_horner(&odd, c + 1, degree - 1 - (degree - 1) % 2, 2, &square, a);
-    rounded_mul_add(y, x, &odd, 0, a);
-    arb_add(y->exact, y->exact, even.exact, BITS);
-    y->error += even.error;
+    LOCAL(rounded, square, even, odd);
+    rounded_mul_add(square, x, x, 0, a);
+    rounded_horner(even, c, degree - degree % 2, 2, square, a);
+    rounded_horner(odd, c + 1, degree - 1 - (degree - 1) % 2, 2, square, a);
+    rounded_mul_add(y, x, odd, 0, a);
+    arb_add(y->exact, y->exact, even->exact, BITS);
+    y->error += even->error;
     y->error = (y->error + rounding_of(y, a)) * RAISE;
 }
 
@@ -182,20 +181,19 @@ static double root_step_distance(const double *c, slong degree, double e)
 /* The rounding error of the result of that step, in units in which r = 1, so that g = 1 - x */
 static double root_step_rounding(const double *c, slong degree, double e, const struct arithmetic *a)
 {
-    ROUNDED r = rounded_zero(), fourth = rounded_zero(), product = rounded_zero(), off = rounded_zero(),
-            series = rounded_zero();
+    LOCAL(rounded, r, fourth, product, off, series);
     LOCAL(arb, radius);
-    arb_one(r.exact);
-    rounded_mul_add(&fourth, &r, &r, 0, a);
-    rounded_mul_add(&fourth, &fourth, &fourth, 0, a);
+    arb_one(r->exact);
+    rounded_mul_add(fourth, r, r, 0, a);
+    rounded_mul_add(fourth, fourth, fourth, 0, a);
     arb_set_d(radius, e);
-    arb_set_si(product.exact, -1);
-    arb_add_error(product.exact, radius);
-    product.error = rounding_of(&product, a);
-    rounded_mul_add(&off, &product, &fourth, 1, a);
-    rounded_horner(&series, c, degree, 1, &off, a);
-    rounded_mul_add(&series, &r, &series, 0, a);
-    return series.error;
+    arb_set_si(product->exact, -1);
+    arb_add_error(product->exact, radius);
+    product->error = rounding_of(product, a);
+    rounded_mul_add(off, product, fourth, 1, a);
+    rounded_horner(series, c, degree, 1, off, a);
+    rounded_mul_add(series, r, series, 0, a);
+    return series->error;
 }
 
 /* A bound of the relative distance of the step's result from g^(-1/5) */
@@ -214,14 +212,9 @@ static double fifth_root_bound(const struct embed_form *f, const struct arithmet
     const double e = seed_bound(f);
     if (!(e < SEED_LIMIT))
         return HUGE_VAL;
-    double seed[4], step[4];
-    for (int i = 0; i < 4; i++) {
-        seed[i] = f->single ? (double)(float)embed_root_seed[i] : embed_root_seed[i];
-        step[i] = f->single ? (double)(float)embed_root_step[i] : embed_root_step[i];
-    }
-    double r = root_step(seed, 3, e, a);
+    double r = root_step(embed_root_coefficients(f, 0).c, 3, e, a);
     if (f->refinement > 0)
-        r = root_step(step, f->refinement, power_of_error(r, 5) * RAISE, a);
+        r = root_step(embed_root_coefficients(f, 1).c, f->refinement, power_of_error(r, 5) * RAISE, a);
     /* g (r^2)^2 */
     return both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
 }
@@ -265,19 +258,19 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
     const struct arithmetic a = arithmetic_of(f->single);
     const slong m = f->numerator, n = f->denominator;
     LOCAL(arb, middle, radius, value, slope, q_value, q_slope);
-    ROUNDED x = rounded_zero(), p = rounded_zero(), q = rounded_zero();
+    LOCAL(rounded, x, p, q);
     arb_set_d(middle, lo / 2 + hi / 2);
     arb_set_d(radius, ((hi - lo) / 2 + x_error + 1e-15 * fabs(hi) + DBL_MIN) * RAISE);
-    arb_set(x.exact, middle);
-    arb_add_error(x.exact, radius);
-    rounded_polynomial(&p, c, m, &x, f->rows == 0, &a);
+    arb_set(x->exact, middle);
+    arb_add_error(x->exact, radius);
+    rounded_polynomial(p, c, m, x, f->rows == 0, &a);
     cell_values(value, slope, c, m, middle, radius);
-    double least = least_size(value), relative = p.error / least;
+    double least = least_size(value), relative = p->error / least;
     arb_div(slope, slope, value, BITS);
     if (n > 0) {
-        rounded_polynomial(&q, c + m + 1, n, &x, true, &a);
+        rounded_polynomial(q, c + m + 1, n, x, true, &a);
         cell_values(q_value, q_slope, c + m + 1, n, middle, radius);
-        const double of_q = q.error / least_size(q_value);
+        const double of_q = q->error / least_size(q_value);
         relative = of_q < 0.5 ? (relative + of_q) / (1 - of_q) : HUGE_VAL;
         relative += (1 + relative) * a.unit;
         least /= magnitude(q_value);
