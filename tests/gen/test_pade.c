@@ -474,7 +474,6 @@ TEST(test_rounded)
             worst = fmax(worst, fabs(p / q / eps - 1));
             worst_loss = fmax(worst_loss, fabs(b * l / q / (1 - eps) - 1));
         }
-        print_message("[%ld/%ld]: %.3g, loss %.3g\n", (long)entry[k].m, (long)entry[k].n, error->eps, error->loss);
         assert_near(error->eps / worst, 1, 1e-6);
         assert_near(error->loss / worst_loss, 1, 1e-6);
     }
