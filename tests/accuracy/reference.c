@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference.h"
 
-#include "motion.h"
 #include "series/restitution.h"
 #include "series/series.h"
 #include "support/formula.h"
@@ -11,7 +10,7 @@
 #include <stdbool.h>
 
 enum {
-    BITS = MOTION_BITS,
+    BITS = 128,
     /* beta below 2^FIRST_BINADE: series, TERMS in beta and as many in sqrt(beta) */
     FIRST_BINADE = -3,
     TERMS = 24,
@@ -62,6 +61,182 @@ static struct place place_of(long double beta)
     return (struct place){first + part, ldexpl(1, exponent - 1) + (long double)(2 * part + 1) * half, half};
 }
 
+/* ---- the motion ----
+ *
+ * X'' + sqrt(X) X' + mu X^(3/2) = 0, X' = 1 at first contact, by Taylor steps in a form of its own. With X = w^2,
+ * ds = w dsigma and the force over -sqrt(X), f = X' + mu X,
+ *
+ *     dw/dsigma = (f - mu w^2)/2,     df/dsigma = -w (w f - mu f + mu^2 w^2),     ds/dsigma = w
+ *
+ * so that f keeps its relative accuracy while it decays. Plain floating point of BITS bits, by the middles of balls. */
+
+enum { DEGREE = 32, LENGTH };
+
+/* Relative size of the terms that a step leaves out, and of what is left of the past on the slow manifold. */
+static const double STEP_LOG2 = -90, JOINED_LOG2 = -90;
+
+static struct {
+    arb_t mu, step;
+    arb_ptr w, f, s;         /* Taylor coefficients at the state in hand, LENGTH of each */
+    arb_ptr v, square, rest; /* X', w^2, w f - mu f + mu^2 w^2 */
+} m;
+
+static double log2_size(const arb_t x)
+{
+    LOCAL(mag, size);
+    arb_get_mag(size, x);
+    return mag_is_zero(size) ? -HUGE_VAL : mag_get_d_log2_approx(size);
+}
+
+/* First contact: w = 0, f = 1, s = 0 */
+static void motion_start(void)
+{
+    _arb_vec_zero(m.w, 6 * LENGTH);
+    arb_one(m.f);
+}
+
+static void convolve(arb_t out, arb_srcptr x, arb_srcptr y, slong n)
+{
+    arb_approx_dot(out, NULL, 0, x, 1, y + n, -1, n + 1, BITS);
+}
+
+/* log2 of the longest step at which coefficients of this size, relative to scale, stay below STEP_LOG2. */
+static double step_log2(arb_srcptr c, double scale)
+{
+    double least = HUGE_VAL;
+    for (slong n = DEGREE - 3; n <= DEGREE; n++)
+        least = fmin(least, (STEP_LOG2 + scale - log2_size(c + n)) / (double)n);
+    return least;
+}
+
+/* Expands at the state in hand and chooses the step. */
+static void motion_expand(void)
+{
+    LOCAL(arb, x);
+    for (slong n = 0; n <= DEGREE; n++) {
+        convolve(m.square + n, m.w, m.w, n);
+        arb_set(m.v + n, m.f + n);
+        arb_submul(m.v + n, m.mu, m.square + n, BITS);
+        if (n == DEGREE)
+            break;
+        convolve(m.rest + n, m.w, m.f, n);
+        arb_submul(m.rest + n, m.mu, m.v + n, BITS);
+        convolve(x, m.w, m.rest, n);
+        arb_div_si(m.f + n + 1, x, -(n + 1), BITS);
+        arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), BITS);
+        arb_div_si(m.s + n + 1, m.w + n, n + 1, BITS);
+    }
+    /* f passes zero where mu^2 w^2 takes over, w where the speed does */
+    const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
+    const double scale_w = fmax(log2_size(m.w), log2_size(m.v));
+    arb_set_d(m.step, exp2(fmin(step_log2(m.f, scale_f), step_log2(m.w, scale_w))));
+}
+
+/* A component's value at sigma */
+static void motion_value(arb_t value, arb_srcptr component, const arb_t sigma)
+{
+    LOCAL(arb, x);
+    _arb_poly_evaluate_horner(x, component, LENGTH, sigma, BITS);
+    arb_get_mid_arb(value, x);
+}
+
+static void motion_advance(void)
+{
+    arb_ptr const state[] = {m.w, m.f, m.s};
+    for (int i = 0; i < 3; i++)
+        motion_value(state[i], state[i], m.step);
+}
+
+static bool negative_at_end(arb_srcptr component)
+{
+    LOCAL(arb, x);
+    motion_value(x, component, m.step);
+    return arb_is_negative(x);
+}
+
+/* Where a component that is positive at 0 and negative at the end of the step is zero, by Newton's method */
+static void motion_zero(arb_t sigma, arb_srcptr component)
+{
+    LOCAL(arb, x, y, slope);
+    arb_set(x, m.step);
+    for (int i = 0; i < 9; i++) {
+        _arb_poly_evaluate2_horner(y, slope, component, LENGTH, x, BITS);
+        arb_div(y, y, slope, BITS);
+        arb_sub(x, x, y, BITS);
+        arb_get_mid_arb(x, x);
+    }
+    arb_set(sigma, x);
+}
+
+/* ---- the fall ----
+ *
+ * The slow manifold, which every strongly damped unloading joins: with z = X/mu^2, t' = mu s, r = z^(-1/2) = mu/w and
+ * p = -dz/dt'/z it is p = P(r), a divergent series, here for r <= 1/FALL_DEGREE. */
+enum { FALL_DEGREE = 40, FALL_LENGTH };
+
+static arb_ptr fall_p;      /* coefficients of P */
+static arb_ptr fall_series; /* t' from r to the end = constant - 2 ln r - sum of series[n] r^n, n >= 1 */
+static arb_t fall_constant;
+
+static void fall_time(arb_t time, const arb_t r)
+{
+    LOCAL(arb, x);
+    _arb_poly_evaluate(x, fall_series, FALL_LENGTH, r, 2 * BITS);
+    LET(time, 2 * BITS, "fall_constant - 2*log(r) - x", fall_constant, r, x);
+    arb_get_mid_arb(time, time);
+}
+
+/* P(r) of the state in hand */
+static void fall_rate(arb_t p, arb_t r)
+{
+    arb_div(r, m.mu, m.w, BITS);
+    arb_get_mid_arb(r, r);
+    _arb_poly_evaluate(p, fall_p, FALL_LENGTH, r, 2 * BITS);
+}
+
+/* The formal solution of 1 - p + r p^2 - r^2 p p'/2 = 0 and of 2/(r p) dr, and the motion from the manifold at r =
+ * 1/FALL_DEGREE to the end, mu = 1, X = z. The end speed -dz/dt' is the limit h*^5 of beta^5 eps. */
+static void fall_build(arb_t end_speed)
+{
+    LOCAL(arb, r, p);
+    arb_one(fall_p);
+    for (slong n = 1; n <= FALL_DEGREE; n++) {
+        arb_dot(fall_p + n, NULL, 0, fall_p, 1, fall_p + n - 1, -1, n, 2 * BITS);
+        arb_mul_si(fall_p + n, fall_p + n, 5 - n, 2 * BITS);
+        arb_mul_2exp_si(fall_p + n, fall_p + n, -2);
+    }
+    _arb_poly_inv_series(fall_series, fall_p, FALL_LENGTH, FALL_LENGTH, 2 * BITS);
+    arb_zero(fall_series);
+    for (slong n = 1; n <= FALL_DEGREE; n++) {
+        arb_mul_2exp_si(fall_series + n, fall_series + n, 1);
+        arb_div_si(fall_series + n, fall_series + n, n, 2 * BITS);
+    }
+    arb_one(m.mu);
+    motion_start();
+    arb_set_si(m.w, FALL_DEGREE);
+    fall_rate(p, r);
+    LET(m.f, BITS, "(1 - p)*m.w^2", p, m.w);
+    arb_get_mid_arb(m.f, m.f);
+    for (motion_expand(); !negative_at_end(m.w); motion_expand())
+        motion_advance();
+    motion_zero(m.step, m.w);
+    motion_advance();
+    arb_neg(end_speed, m.f);
+    fall_time(p, r);
+    arb_sub(fall_constant, m.s, p, BITS);
+    arb_get_mid_arb(fall_constant, fall_constant);
+}
+
+/* The state in hand has joined the manifold: p - 1 = -f/(mu w^2). */
+static bool fall_joined(void)
+{
+    LOCAL(arb, r, p);
+    fall_rate(p, r);
+    LET(p, BITS, "p - 1 + m.f/(m.mu*m.w^2)", p, m.f, m.mu, m.w);
+    arb_get_mid_arb(p, p);
+    return log2_size(r) <= -log2(FALL_DEGREE) && log2_size(p) < JOINED_LOG2;
+}
+
 /* ---- tables ---- */
 
 static long double rounded(const arb_t x)
@@ -74,241 +249,211 @@ static long double rounded(const arb_t x)
     return value;
 }
 
-static void cell_split(long double *high, long double *low, const arb_t x)
+/* The first coefficient of a polynomial, in two parts */
+static void first_split(long double *c, long double *low, const arb_t x)
 {
-    LOCAL(arb, rest);
-    mpfr_t y;
-    mpfr_init2(y, 64);
-    *high = rounded(x);
-    mpfr_set_ld(y, *high, MPFR_RNDN);
-    arf_set_mpfr(arb_midref(rest), y);
-    arb_sub(rest, x, rest, BITS);
-    *low = rounded(rest);
-    mpfr_clear(y);
+    const double high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    LOCAL(arb, less);
+    LET(less, BITS, "x - high", x, high);
+    *c = high;
+    *low = rounded(less);
 }
 
-/* From a power series in sqrt(beta) without its first 2 power terms. */
-static void small_set(struct small *s, const arb_poly_t f, int power)
+/* From a power series in beta (stride 1) or sqrt(beta) (stride 2) without its first terms, of which `power` are even */
+static void small_set(enum quantity quantity, const arb_poly_t g, int stride, int power)
 {
+    struct small *const small = &series[quantity];
     LOCAL(arb, c);
-    s->power = power;
+    small->power = power;
     for (slong k = 0; k < TERMS; k++) {
-        arb_poly_get_coeff_arb(c, f, 2 * (k + power));
-        s->even[k] = rounded(c);
+        arb_poly_get_coeff_arb(c, g, stride * (k + power));
+        small->even[k] = rounded(c);
         if (k == 0)
-            cell_split(&s->even[0], &s->low, c);
-        arb_poly_get_coeff_arb(c, f, 2 * (k + power) + 1);
-        s->odd[k] = rounded(c);
+            first_split(&small->even[0], &small->low, c);
+        if (stride == 2) {
+            arb_poly_get_coeff_arb(c, g, 2 * (k + power) + 1);
+            small->odd[k] = rounded(c);
+        }
     }
 }
 
-/* f(z^2) */
-static void in_root(arb_poly_t g, const arb_poly_t f)
+/* eps and 1 - eps */
+static void small_set_eps(enum quantity eps, enum quantity loss, arb_poly_t g, int stride)
 {
-    LOCAL(arb, c);
-    arb_poly_zero(g);
-    for (slong k = 0; k < f->length; k++) {
-        arb_poly_get_coeff_arb(c, f, k);
-        arb_poly_set_coeff_arb(g, 2 * k, c);
-    }
+    small_set(eps, g, stride, 0);
+    arb_poly_neg(g, g);
+    small_set(loss, g, stride, 1);
+}
+
+/* g(z^2) */
+static void in_root(arb_poly_t in_z, const arb_poly_t g)
+{
+    LOCAL(arb_poly, z_2);
+    arb_poly_set_coeff_si(z_2, 2, 1);
+    arb_poly_compose(in_z, g, z_2, 2 * BITS);
 }
 
 /* T_zero_overlap = tau(beta) + eps^(-1/5) tau(-h), h = beta eps^(1/5); T_zero_force = T_zero_overlap - beta T(w),
- * w = h^(5/2). As power series in z = sqrt(beta). */
-static void duration_series(arb_poly_t overlap, arb_poly_t force, const struct series *s, slong length)
+ * w = h^(5/2). As power series in beta, and in z = sqrt(beta). */
+static void duration_series(arb_poly_t overlap, arb_poly_t force, const struct series *y, slong length)
 {
-    const slong n = s->order + 1;
+    const slong n = y->order + 1;
     LOCAL(arb_poly, root, h, x, T);
     LOCAL(fmpq_poly, G_exact, T_exact);
     LOCAL(arb, e);
 
-    arb_set_si(e, 5);
-    arb_inv(e, e, 2 * BITS);
-    arb_poly_pow_arb_series(root, s->c, e, n, 2 * BITS);
+    LET(e, 2 * BITS, "1/5");
+    arb_poly_pow_arb_series(root, y->c, e, n, 2 * BITS);
     arb_poly_shift_left(h, root, 1);
     arb_poly_truncate(h, n);
     arb_poly_neg(x, h);
-    arb_poly_compose_series(x, s->tau, x, n, 2 * BITS);
+    arb_poly_compose_series(x, y->tau, x, n, 2 * BITS);
     arb_poly_div_series(x, x, root, n, 2 * BITS);
-    arb_poly_add(x, x, s->tau, 2 * BITS);
-    in_root(overlap, x);
+    arb_poly_add(overlap, x, y->tau, 2 * BITS);
 
     restitution_zero_force_exact(G_exact, T_exact, length / 5 + 1, &law_sphere);
     arb_poly_set_fmpq_poly(T, T_exact, 2 * BITS);
-    arb_set_d(e, 0.5);
-    arb_poly_pow_arb_series(x, s->c, e, n, 2 * BITS); /* w = beta^(5/2) eps^(1/2) */
+    arb_poly_sqrt_series(x, y->c, n, 2 * BITS); /* w = beta^(5/2) eps^(1/2) */
     in_root(h, x);
     arb_poly_shift_left(h, h, 5);
     arb_poly_truncate(h, length);
     arb_poly_compose_series(x, T, h, length, 2 * BITS);
     arb_poly_shift_left(x, x, 2);
-    arb_poly_sub(force, overlap, x, 2 * BITS);
-}
-
-/* (y/y_0)^(5/4) */
-static void approach_series(arb_poly_t eps, const arb_poly_t y, slong order)
-{
-    LOCAL(arb, power);
-    arb_poly_get_coeff_arb(power, y, 0);
-    arb_poly_scalar_div(eps, y, power, 2 * BITS);
-    arb_set_d(power, 1.25);
-    arb_poly_pow_arb_series(eps, eps, power, order + 1, 2 * BITS);
+    in_root(force, overlap);
+    arb_poly_sub(force, force, x, 2 * BITS);
 }
 
 static int build_series(void)
 {
     const slong order = TERMS + 2;
     slong root;
-    LOCAL(series, s);
-    LOCAL(arb_poly, f, g);
-    int failed = series_compute(s, order, &law_sphere, BITS);
-    if (!failed) {
-        in_root(f, s->y);
-        small_set(&series[MAX_OVERLAP], f, 0);
-        approach_series(g, s->y, order);
-        in_root(f, g);
-        small_set(&series[EPS_APPROACH_ONLY], f, 0);
-        arb_poly_neg(f, f);
-        small_set(&series[LOSS_APPROACH_ONLY], f, 1);
-        in_root(f, s->tau);
-        small_set(&series[TIME_OF_MAX_OVERLAP], f, 0);
-        in_root(f, s->c);
-        small_set(&series[EPS_ZERO_OVERLAP], f, 0);
-        arb_poly_neg(f, f);
-        small_set(&series[LOSS_ZERO_OVERLAP], f, 1);
-        duration_series(f, g, s, 2 * order);
-        small_set(&series[DURATION_ZERO_OVERLAP], f, 0);
-        small_set(&series[DURATION_ZERO_FORCE], g, 0);
-        failed = series_eps(f, &root, END_ZERO_FORCE, 2 * order, &law_sphere, BITS);
-    }
-    if (!failed) {
-        small_set(&series[EPS_ZERO_FORCE], f, 0);
-        arb_poly_neg(f, f);
-        small_set(&series[LOSS_ZERO_FORCE], f, 1);
-    }
-    return failed;
+    LOCAL(series, y);
+    LOCAL(arb_poly, g, h);
+    LOCAL(arb, power);
+    if (series_compute(y, order, &law_sphere, BITS) != 0 ||
+        series_eps(g, &root, END_ZERO_FORCE, 2 * order, &law_sphere, BITS) != 0)
+        return 1;
+    small_set_eps(EPS_ZERO_FORCE, LOSS_ZERO_FORCE, g, 2);
+    small_set(MAX_OVERLAP, y->y, 1, 0);
+    small_set(TIME_OF_MAX_OVERLAP, y->tau, 1, 0);
+    duration_series(g, h, y, 2 * order);
+    small_set(DURATION_ZERO_OVERLAP, g, 1, 0);
+    small_set(DURATION_ZERO_FORCE, h, 2, 0);
+    /* damped while approaching only: (y/y_0)^(5/4) */
+    arb_poly_get_coeff_arb(power, y->y, 0);
+    arb_poly_scalar_div(g, y->y, power, 2 * BITS);
+    arb_set_d(power, 1.25);
+    arb_poly_pow_arb_series(g, g, power, order + 1, 2 * BITS);
+    small_set_eps(EPS_APPROACH_ONLY, LOSS_APPROACH_ONLY, g, 1);
+    small_set_eps(EPS_ZERO_OVERLAP, LOSS_ZERO_OVERLAP, y->c, 1);
+    return 0;
 }
 
-static bool negative_at(const arb_t sigma, arb_srcptr component)
+/* All quantities at one beta >= 1/8, but for eps at zero overlap where the manifold serves */
+static void collide(arb_ptr value, const arb_t beta)
 {
-    LOCAL(arb, x);
-    motion_value(x, component, sigma);
-    return arb_is_negative(x);
-}
-
-/* All quantities at one beta >= 1/8; those of zero overlap that have a closed form there stay 0. */
-static void fall_solve(arb_ptr value, const arb_t beta, const struct fall *fall)
-{
+    static const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP,
+                                           TIME_OF_MAX_OVERLAP};
     enum { NOTHING, TURNED, RELEASED } seen = NOTHING;
-    struct motion m;
-    LOCAL(arb, length, mu, x);
-    bool done = false;
-    LET(length, 2 * BITS, "beta^(-2/3)", beta);
-    LET(mu, 2 * BITS, "beta^(-5/3)", beta);
+    LOCAL(arb, x);
+    LET(m.mu, 2 * BITS, "beta^(-5/3)", beta);
+    arb_get_mid_arb(m.mu, m.mu);
     const bool manifold = arf_cmpabs_2exp_si(arb_midref(beta), MANIFOLD_BINADE) >= 0;
-    const bool closed = arf_cmpabs_2exp_si(arb_midref(beta), CLOSED_BINADE) >= 0;
-
-    _arb_vec_zero(value, QUANTITIES);
-    motion_init(&m, mu);
-    while (!done) {
-        motion_expand(&m);
-        if (seen == NOTHING && negative_at(m.step, m.v)) {
+    bool done = false;
+    for (motion_start(); !done; motion_advance()) {
+        motion_expand();
+        if (seen == NOTHING && negative_at_end(m.v)) {
             seen = TURNED;
-            motion_zero(x, m.v, m.step);
+            motion_zero(x, m.v);
             motion_value(value + TIME_OF_MAX_OVERLAP, m.s, x);
             motion_value(value + MAX_OVERLAP, m.square, x);
-        }
-        const bool parted = negative_at(m.step, m.w);
-        if (parted) {
+        } else if (manifold && seen == RELEASED && fall_joined()) {
             done = true;
-            motion_zero(m.step, m.w, m.step);
+            arb_div(x, m.mu, m.w, BITS);
+            fall_time(x, x);
+            LET(value + DURATION_ZERO_OVERLAP, BITS, "x/m.mu + m.s", x, m.mu, m.s);
+        } else if (negative_at_end(m.w)) {
+            done = true;
+            motion_zero(m.step, m.w);
             motion_value(value + DURATION_ZERO_OVERLAP, m.s, m.step);
-            motion_value(value + EPS_ZERO_OVERLAP, m.f, m.step);
-            arb_neg(value + EPS_ZERO_OVERLAP, value + EPS_ZERO_OVERLAP);
+            motion_value(x, m.f, m.step);
+            arb_neg(value + EPS_ZERO_OVERLAP, x);
         }
-        if (seen == TURNED && negative_at(m.step, m.f)) {
+        if (seen == TURNED && negative_at_end(m.f)) {
             seen = RELEASED;
-            motion_zero(x, m.f, m.step);
+            motion_zero(x, m.f);
             motion_value(value + DURATION_ZERO_FORCE, m.s, x);
-            motion_value(value + EPS_ZERO_FORCE, m.v, x);
-            arb_neg(value + EPS_ZERO_FORCE, value + EPS_ZERO_FORCE);
-        }
-        if (!done)
-            motion_advance(&m, m.step);
-        if (manifold && seen == RELEASED && fall_joined(fall, &m)) {
-            done = true;
-            fall_time(value + DURATION_ZERO_OVERLAP, fall, &m);
-            arb_div(value + DURATION_ZERO_OVERLAP, value + DURATION_ZERO_OVERLAP, m.mu, BITS);
-            arb_add(value + DURATION_ZERO_OVERLAP, value + DURATION_ZERO_OVERLAP, m.s, BITS);
+            motion_value(x, m.v, x);
+            arb_neg(value + EPS_ZERO_FORCE, x);
         }
     }
-    const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP, TIME_OF_MAX_OVERLAP};
+    LET(x, 2 * BITS, "beta^(-2/3)", beta);
     for (size_t i = 0; i < sizeof scaled / sizeof *scaled; i++)
-        arb_mul(value + scaled[i], value + scaled[i], length, BITS);
-    arb_sub_si(value + LOSS_ZERO_FORCE, value + EPS_ZERO_FORCE, 1, BITS);
-    arb_neg(value + LOSS_ZERO_FORCE, value + LOSS_ZERO_FORCE);
-    arb_sub_si(value + LOSS_ZERO_OVERLAP, value + EPS_ZERO_OVERLAP, 1, BITS);
-    arb_neg(value + LOSS_ZERO_OVERLAP, value + LOSS_ZERO_OVERLAP);
-    if (closed) {
-        arb_zero(value + EPS_ZERO_OVERLAP);
-        arb_zero(value + LOSS_ZERO_OVERLAP);
-    }
-    motion_clear(&m);
+        arb_mul(value + scaled[i], value + scaled[i], x, BITS);
+    arb_sub_si(x, value + EPS_ZERO_FORCE, 1, BITS);
+    arb_neg(value + LOSS_ZERO_FORCE, x);
+    arb_sub_si(x, value + EPS_ZERO_OVERLAP, 1, BITS);
+    arb_neg(value + LOSS_ZERO_OVERLAP, x);
 }
 
 /* The polynomials of a cell through the values at x_j of [-1, 1] */
-static void build_cell(struct place place, arb_srcptr x, const struct fall *fall)
+static void build_cell(struct place place, arb_srcptr x)
 {
-    arb_ptr values = _arb_vec_init(QUANTITIES * POINTS), value = _arb_vec_init(QUANTITIES);
+    LOCAL_VECTOR(values, QUANTITIES * POINTS);
+    LOCAL_VECTOR(value, QUANTITIES);
     LOCAL(arb, beta, c);
-    LOCAL(arb_poly, f);
+    LOCAL(arb_poly, g);
     const double middle = (double)place.middle, half = (double)place.half;
     for (slong j = 0; j < POINTS; j++) {
         arb_srcptr at = x + j;
         LET(beta, BITS, "middle + half*at", middle, half, at);
         arb_get_mid_arb(beta, beta);
-        fall_solve(value, beta, fall);
+        collide(value, beta);
         for (int q = 0; q < QUANTITIES; q++)
-            arb_swap(values + q * POINTS + j, value + q);
+            arb_set(values + q * POINTS + j, value + q);
     }
     for (int q = 0; q < QUANTITIES; q++) {
         struct cell *cell = &cells[q][place.index];
-        arb_poly_interpolate_barycentric(f, x, values + q * POINTS, POINTS, 2 * BITS);
+        arb_poly_interpolate_barycentric(g, x, values + q * POINTS, POINTS, 2 * BITS);
         for (slong k = 0; k < POINTS; k++) {
-            arb_poly_get_coeff_arb(c, f, k);
+            arb_poly_get_coeff_arb(c, g, k);
             cell->c[k] = rounded(c);
             if (k == 0)
-                cell_split(&cell->c[0], &cell->low, c);
+                first_split(&cell->c[0], &cell->low, c);
         }
     }
-    _arb_vec_clear(values, QUANTITIES * POINTS);
-    _arb_vec_clear(value, QUANTITIES);
 }
 
 int reference_build(void)
 {
-    struct fall fall;
+    LOCAL_VECTOR(x, POINTS); /* Chebyshev's points cos(pi (2 j + 1)/(2 POINTS)) */
+    LOCAL_VECTOR(of_motion, 6 * LENGTH);
+    LOCAL_VECTOR(of_fall, 2 * FALL_LENGTH);
+    LOCAL(arb, c);
+    arb_ptr *const component[] = {&m.w, &m.f, &m.s, &m.v, &m.square, &m.rest};
+    for (int i = 0; i < 6; i++)
+        *component[i] = of_motion + i * LENGTH;
+    fall_p = of_fall;
+    fall_series = of_fall + FALL_LENGTH;
+    FOR_ALL(arb, init, m.mu, m.step, fall_constant);
     if (build_series() != 0)
         return 1;
-    fall_init(&fall);
-    arb_ptr x = _arb_vec_init(POINTS); /* Chebyshev's points cos(pi (2 j + 1)/(2 POINTS)) */
-    LOCAL(arb, c);
+    fall_build(c);
+    h_star_5 = rounded(c);
     for (slong j = 0; j < POINTS; j++) {
-        arb_set_si(c, 2 * j + 1);
-        arb_div_si(c, c, 2 * (slong)POINTS, 2 * BITS);
+        const slong odd = 2 * j + 1, points = POINTS;
+        LET(c, 2 * BITS, "odd/(2*points)", odd, points);
         arb_cos_pi(c, c, BITS);
         arb_get_mid_arb(x + j, c);
     }
     for (long double beta = ldexpl(1, FIRST_BINADE); beta < ldexpl(1, LAST_BINADE + 3);) {
         const struct place place = place_of(beta);
-        build_cell(place, x, &fall);
+        build_cell(place, x);
         beta = place.middle + place.half;
     }
-    h_star_5 = rounded(fall.h_star_5);
     arb_const_log2(c, BITS);
     ln2 = rounded(c);
-    _arb_vec_clear(x, POINTS);
-    fall_clear(&fall);
+    FOR_ALL(arb, clear, m.mu, m.step, fall_constant);
     return 0;
 }
 

@@ -3,7 +3,7 @@
  * where long double has 64 bits: what the doubles of the library are judged by.
  *
  * beta < 1/8           the exact series of corgen in beta and sqrt(beta)
- * 1/8 <= beta < 2^48   Chebyshev interpolation in beta within binades, the values integrated by motion.h
+ * 1/8 <= beta < 2^48   Chebyshev interpolation in beta within binades, the values integrated
  * 2^48 <= beta         powers of beta and ln(beta), what is next is below 2^-70
  * zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
  *
@@ -21,10 +21,10 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* made of the largest overlap and its time */
+    /* made of the largest overlap and its time; a loss stands two places behind its eps */
     EPS_APPROACH_ONLY = QUANTITIES,
-    LOSS_APPROACH_ONLY,
     DURATION_APPROACH_ONLY,
+    LOSS_APPROACH_ONLY,
     ALL_QUANTITIES
 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The search for the worst error of a function of one double, which test_accuracy.c and test_laws.c share: random
- * points on several threads, every double near a place, uphill from the worst point; options. */
+/* The search for the worst error of a function of one double, which the programs of this folder share: random points on
+ * several threads, every double near a place, uphill from the worst point; options. */
 #ifndef COR_TESTS_ACCURACY_SEARCH_H
 #define COR_TESTS_ACCURACY_SEARCH_H
 
@@ -9,15 +9,17 @@
 
 #include "random.h"
 
+/* eps, which falls from 1 to 0; 1 - eps; any other function; the inverse of eps, of 1 - eps */
+enum search_shape { EPS, LOSS, OTHER, INVERSE, INVERSE_OF_LOSS };
+
 struct search_function {
     const char *name;
     double (*value)(double);
-    double last;           /* the largest argument: 1 of an inverse, else infinity */
-    uint64_t largest_rise; /* of a function that falls from 1 to 0, in ulp, from one double >= 0 to the next */
-    bool falls;
-    double (*error)(const void *row, double computed, double x); /* in ulp; infinite or NaN where it is wrong */
-    double (*random_argument)(struct random_state *r, const void *row);
-    const void *row; /* of the table of the test */
+    enum search_shape shape;
+    double max_ulp;
+    int law, end;                 /* which exact value: of the program */
+    long double (*exact)(double); /* or this one */
+    uint64_t share;               /* one in so many points, if not 0 */
 };
 
 struct worst {
@@ -25,41 +27,49 @@ struct worst {
     uint64_t points, rises; /* rises: the function rose too much, or left [0, 1] */
 };
 
-void worst_take(struct worst *worst, double error, double at);
-
-/* One random point, and the order of its value and the next double's */
-void worst_random(struct worst *worst, const struct search_function *f, struct random_state *r);
-
-/* Every double from `radius` before |x| to as many after it, with the sign of x: error, order, range */
-void worst_walk(struct worst *worst, const struct search_function *f, double x, uint64_t radius);
-
-/* Uphill from the worst point so far, while there is a worse one within `radius`, `turns` times at most */
-void worst_climb(struct worst *worst, const struct search_function *f, uint64_t radius, int turns);
-
-/* Whether the values at 0, 1 and infinity, next to them and outside of domains are within the bound; prints others */
-bool specials_are_good(const struct search_function *f, double bound);
-
-/* Prints the heading of the lines of worst_report. */
-void worst_heading(uint64_t seed);
-
-/* Prints one line; returns whether the worst error is within the bound and nothing rose. */
-bool worst_report(const char *name, const char *suffix, const struct worst *worst, double bound);
-
-enum { SEARCH_MAX_THREADS = 64 };
-
 struct search_options {
     uint64_t points, seed, stride, times; /* 0: there are no --stride and --hashes, no --times */
     int threads;
     const char *only; /* part of the names of the functions wanted; NULL for all */
     const char *hashes;
+
+    /* Of the program: the exact value; of an inverse, that of the eps or the loss which it inverts */
+    long double (*exact)(const struct search_function *f, enum search_shape shape, long double x);
+    double (*random_argument)(struct random_state *r, const struct search_function *f);
+    void (*boundaries)(struct worst *worst, const struct search_function *f, const struct search_options *o);
+    bool judges_specials;          /* the values at 0, 1, infinity, next to them and outside of domains */
+    uint64_t largest_rise, radius; /* of eps in ulp, from one double >= 0 to the next; about the worst point */
 };
+
+static inline bool search_is_inverse(const struct search_function *f)
+{
+    return f->shape >= INVERSE;
+}
+
+/* In ulp; infinite or NaN where it is wrong */
+double search_error(const struct search_function *f, const struct search_options *o, double computed, double x);
+
+void worst_take(struct worst *worst, double error, double at);
+
+/* Every double from `radius` before |x| to as many after it, with the sign of x: error, order, range */
+void worst_walk(struct worst *worst, const struct search_function *f, const struct search_options *o, double x,
+                uint64_t radius);
+
+/* Prints the heading of the lines of worst_report. */
+void worst_heading(uint64_t seed);
+
+/* Prints one line; returns whether the worst error is within the bound and nothing rose. */
+bool worst_report(const char *name, const struct worst *worst, double bound);
+
+/* Searches at random points, at boundaries and uphill, and prints a line. Returns the worst error, which is infinite where
+ * the bound or an order is missed, and 0 of a function that is not wanted. */
+double search_worst(const struct search_function *f, const struct search_options *o);
+
+enum { SEARCH_MAX_THREADS = 64 };
 
 /* Reads --points, --threads, --seed, --only, --stride, --hashes and --times. Returns 0, or the exit status: 2 after the
  * help for wrong ones, 77 where long double is too short for a reference. */
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help);
-
-/* The worst of so many random points, on the threads of the options */
-struct worst search_random(const struct search_function *f, const struct search_options *o, uint64_t points);
 
 bool search_wants(const struct search_options *o, const char *name);
 

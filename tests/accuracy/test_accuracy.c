@@ -12,70 +12,33 @@
 
 #include <stdio.h>
 
-/* ---- what is tested ---- */
-
-enum shape { FALLS, SMOOTH, INVERSE };
-
-struct function {
-    const char *name;
-    double (*value)(double);
-    enum quantity quantity; /* of an inverse: that it inverts */
-    enum shape shape;
-    double max_ulp;
-};
-
-#define ROW(name, quantity, shape, max_ulp)                                                                            \
+#define ROW(name, shape, quantity, max_ulp)                                                                            \
     {                                                                                                                  \
-#name, cor_sphere_##name, quantity, shape, max_ulp                                                             \
+#name, cor_sphere_##name, shape, max_ulp, quantity, .share = (quantity) >= QUANTITIES ? 10 : 0                 \
     }
 
-static const struct function functions[] = {
-    ROW(eps_zero_overlap, EPS_ZERO_OVERLAP, FALLS, COR_SPHERE_EPS_MAX_ULP),
-    ROW(eps_zero_force, EPS_ZERO_FORCE, FALLS, COR_SPHERE_EPS_MAX_ULP),
-    ROW(loss_zero_overlap, LOSS_ZERO_OVERLAP, SMOOTH, COR_SPHERE_LOSS_MAX_ULP),
-    ROW(loss_zero_force, LOSS_ZERO_FORCE, SMOOTH, COR_SPHERE_LOSS_MAX_ULP),
-    ROW(duration_zero_overlap, DURATION_ZERO_OVERLAP, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
-    ROW(duration_zero_force, DURATION_ZERO_FORCE, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
-    ROW(max_overlap, MAX_OVERLAP, SMOOTH, COR_SPHERE_MAX_OVERLAP_MAX_ULP),
-    ROW(time_of_max_overlap, TIME_OF_MAX_OVERLAP, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
-    ROW(beta_zero_overlap, EPS_ZERO_OVERLAP, INVERSE, COR_SPHERE_BETA_MAX_ULP),
-    ROW(beta_zero_force, EPS_ZERO_FORCE, INVERSE, COR_SPHERE_BETA_MAX_ULP),
-    ROW(eps_approach_only, EPS_APPROACH_ONLY, FALLS, COR_SPHERE_APPROACH_MAX_ULP),
-    ROW(loss_approach_only, LOSS_APPROACH_ONLY, SMOOTH, COR_SPHERE_APPROACH_MAX_ULP),
-    ROW(duration_approach_only, DURATION_APPROACH_ONLY, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
-    ROW(beta_approach_only, EPS_APPROACH_ONLY, INVERSE, COR_SPHERE_APPROACH_MAX_ULP),
+/* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a
+ * tenth. Of an inverse, the quantity that it inverts. */
+static const struct search_function functions[] = {
+    ROW(eps_zero_overlap, EPS, EPS_ZERO_OVERLAP, COR_SPHERE_EPS_MAX_ULP),
+    ROW(eps_zero_force, EPS, EPS_ZERO_FORCE, COR_SPHERE_EPS_MAX_ULP),
+    ROW(loss_zero_overlap, LOSS, EPS_ZERO_OVERLAP, COR_SPHERE_LOSS_MAX_ULP),
+    ROW(loss_zero_force, LOSS, EPS_ZERO_FORCE, COR_SPHERE_LOSS_MAX_ULP),
+    ROW(duration_zero_overlap, OTHER, DURATION_ZERO_OVERLAP, COR_SPHERE_TIME_MAX_ULP),
+    ROW(duration_zero_force, OTHER, DURATION_ZERO_FORCE, COR_SPHERE_TIME_MAX_ULP),
+    ROW(max_overlap, OTHER, MAX_OVERLAP, COR_SPHERE_MAX_OVERLAP_MAX_ULP),
+    ROW(time_of_max_overlap, OTHER, TIME_OF_MAX_OVERLAP, COR_SPHERE_TIME_MAX_ULP),
+    ROW(beta_zero_overlap, INVERSE, EPS_ZERO_OVERLAP, COR_SPHERE_BETA_MAX_ULP),
+    ROW(beta_zero_force, INVERSE, EPS_ZERO_FORCE, COR_SPHERE_BETA_MAX_ULP),
+    ROW(eps_approach_only, EPS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP),
+    ROW(loss_approach_only, LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP),
+    ROW(duration_approach_only, OTHER, DURATION_APPROACH_ONLY, COR_SPHERE_TIME_MAX_ULP),
+    ROW(beta_approach_only, INVERSE, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP),
 };
 
-enum { FUNCTIONS = sizeof functions / sizeof *functions };
-
-/* ---- errors ---- */
-
-/* Error of beta(eps), without an inverse of the reference: by how much eps or 1 - eps at the computed beta is off,
- * over its slope. */
-static double inverse_error(enum quantity eps_quantity, double computed, double eps)
+static long double exact(const struct search_function *f, enum search_shape shape, long double beta)
 {
-    if (!(eps >= 0 && eps <= 1))
-        return isnan(computed) ? 0 : HUGE_VAL;
-    if (eps == 0 || eps == 1)
-        return computed == (eps == 0 ? HUGE_VAL : 0) ? 0 : HUGE_VAL;
-    if (isinf(computed)) /* right where eps at the largest double is above */
-        return reference_value(eps_quantity, ldexpl(1, DBL_MAX_EXP)) > eps ? 0 : HUGE_VAL;
-    if (!(computed > 0))
-        return HUGE_VAL;
-    const enum quantity loss_quantity = eps_quantity == EPS_ZERO_OVERLAP ? LOSS_ZERO_OVERLAP
-                                        : eps_quantity == EPS_ZERO_FORCE ? LOSS_ZERO_FORCE
-                                                                         : LOSS_APPROACH_ONLY;
-    const enum quantity quantity = eps < 0.5 ? eps_quantity : loss_quantity;
-    const long double wanted = eps < 0.5 ? (long double)eps : 1 - (long double)eps;
-    const long double off = (reference_value(quantity, computed) - wanted) / reference_slope(quantity, computed);
-    return (double)(fabsl(off) / ulp(computed));
-}
-
-static double error_of(const void *row, double computed, double x)
-{
-    const struct function *const f = row;
-    return f->shape == INVERSE ? inverse_error(f->quantity, computed, x)
-                               : ulp_error(computed, reference_value(f->quantity, x));
+    return reference_value((enum quantity)f->law + (shape == LOSS ? LOSS_ZERO_OVERLAP - EPS_ZERO_OVERLAP : 0), beta);
 }
 
 /* ---- random points ---- */
@@ -102,35 +65,12 @@ static double random_eps(struct random_state *r)
     return 1 - exp2(-54 * random_uniform(r, 0, 1));
 }
 
-static double random_argument(struct random_state *r, const void *row)
+static double random_argument(struct random_state *r, const struct search_function *f)
 {
-    return ((const struct function *)row)->shape == INVERSE ? random_eps(r) : random_beta(r);
+    return search_is_inverse(f) ? random_eps(r) : random_beta(r);
 }
 
-/* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a
- * tenth. */
-static uint64_t share_of(const struct function *f)
-{
-    return f->quantity == EPS_APPROACH_ONLY || f->quantity == LOSS_APPROACH_ONLY ||
-                   f->quantity == DURATION_APPROACH_ONLY
-               ? 10
-               : 1;
-}
-
-/* ---- the searches ---- */
-
-/* eps may rise by a unit of the last place. */
-static struct search_function search_of(const struct function *f)
-{
-    return (struct search_function){.name = f->name,
-                                    .value = f->value,
-                                    .last = f->shape == INVERSE ? 1 : HUGE_VAL,
-                                    .largest_rise = 1,
-                                    .falls = f->shape == FALLS,
-                                    .error = error_of,
-                                    .random_argument = random_argument,
-                                    .row = f};
-}
+/* ---- boundaries ---- */
 
 /* Cells of width 1/16 around i/16, in beta at zero overlap and in sqrt(beta) at zero force; their edges and middles
  * up to these numbers of cells. */
@@ -141,27 +81,26 @@ static const double region_boundaries[] = {
     0x1p-1074, 0x1p-1022, 0x1p-149, 0x1p-126, 7.0, 0x1.fffffep+127, 0x1.fffffffffffffp+1023, 1.39e62, 1.01e65, 7.6e304,
 };
 
-static void search_boundaries(struct worst *worst, const struct search_function *search)
+static void boundaries(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
-    const struct function *f = search->row;
-    const uint64_t radius = 256 / share_of(f);
-    if (f->shape == INVERSE) {
+    const uint64_t radius = f->share > 0 ? 256 / f->share : 256;
+    if (search_is_inverse(f)) {
         for (int i = 0; i <= 256; i++)
-            worst_walk(worst, search, i / 256.0, radius);
+            worst_walk(worst, f, o, i / 256.0, radius);
         for (int exponent = -1074; exponent < 0; exponent++)
-            worst_walk(worst, search, ldexp(1, exponent), 16);
+            worst_walk(worst, f, o, ldexp(1, exponent), 16);
         for (int exponent = -53; exponent < 0; exponent++)
-            worst_walk(worst, search, 1 - ldexp(1, exponent), radius);
+            worst_walk(worst, f, o, 1 - ldexp(1, exponent), radius);
         return;
     }
     for (int i = 1; i <= 2 * CELLS_IN_BETA; i++)
-        worst_walk(worst, search, i / 32.0, radius);
+        worst_walk(worst, f, o, i / 32.0, radius);
     for (int i = 1; i <= 2 * CELLS_IN_ROOT; i++)
-        worst_walk(worst, search, (i / 32.0) * (i / 32.0), radius);
-    for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
-        worst_walk(worst, search, region_boundaries[i], radius);
+        worst_walk(worst, f, o, (i / 32.0) * (i / 32.0), radius);
+    for (size_t i = 0; i < COUNT_OF(region_boundaries); i++)
+        worst_walk(worst, f, o, region_boundaries[i], radius);
     for (int exponent = -1074; exponent < 1024; exponent++)
-        worst_walk(worst, search, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
+        worst_walk(worst, f, o, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
 }
 
 /* ---- contacts ---- */
@@ -214,7 +153,7 @@ static void search_contacts(struct worst *worst, const struct contact_function *
         cor_sphere_contact_init_g_star(&contact, g_star);
         for (int i = 0; i < SPEEDS; i++) {
             const double kind = random_uniform(&r, 0, 1),
-                         speed = kind < 0.05  ? fixed[random_below(&r, sizeof fixed / sizeof *fixed)]
+                         speed = kind < 0.05  ? fixed[random_below(&r, COUNT_OF(fixed))]
                                  : kind < 0.5 ? g_star * exp((random_uniform(&r, 0, 1) - 0.5) * 40)
                                               : random_pattern(&r, HUGE_VAL);
             const double eps = f->value(&contact, speed);
@@ -225,29 +164,18 @@ static void search_contacts(struct worst *worst, const struct contact_function *
 
 /* ---- running and reporting ---- */
 
-static bool function_is_good(const struct function *f, const struct search_options *o)
-{
-    const struct search_function search = search_of(f);
-    struct worst worst = search_random(&search, o, o->points / share_of(f));
-    search_boundaries(&worst, &search);
-    worst_climb(&worst, &search, 4096, 16);
-    bool good = worst_report(f->name, "", &worst, f->max_ulp);
-    return specials_are_good(&search, f->max_ulp) && good;
-}
-
 static bool functions_are_good(const struct search_options *o)
 {
     bool good = true;
     worst_heading(o->seed);
-    for (int i = 0; i < FUNCTIONS; i++)
-        if (search_wants(o, functions[i].name))
-            good = function_is_good(&functions[i], o) && good;
-    for (size_t i = 0; i < sizeof contact_functions / sizeof *contact_functions; i++) {
+    for (size_t i = 0; i < COUNT_OF(functions); i++)
+        good = search_worst(&functions[i], o) < HUGE_VAL && good;
+    for (size_t i = 0; i < COUNT_OF(contact_functions); i++) {
         if (!search_wants(o, contact_functions[i].name))
             continue;
         struct worst worst = {0};
         search_contacts(&worst, &contact_functions[i], o);
-        good = worst_report(contact_functions[i].name, "", &worst, 1) && good;
+        good = worst_report(contact_functions[i].name, &worst, 1) && good;
     }
     printf("contact: error as a part of (2 + 2 |d ln eps/d ln beta|) 2^-53, argument the speed\n");
     return good;
@@ -264,7 +192,16 @@ static const char help[] =
 
 int main(int argc, char **argv)
 {
-    struct search_options o = {.points = 1000000, .seed = 19990101, .threads = 1, .stride = 2141};
+    struct search_options o = {.points = 1000000,
+                               .seed = 19990101,
+                               .threads = 1,
+                               .stride = 2141,
+                               .exact = exact,
+                               .random_argument = random_argument,
+                               .boundaries = boundaries,
+                               .judges_specials = true,
+                               .largest_rise = 1,
+                               .radius = 4096};
     const int status = search_options_read(&o, argc, argv, help);
     if (status != 0)
         return status;

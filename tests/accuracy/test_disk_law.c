@@ -270,7 +270,7 @@ static int search_laws(uint64_t points)
             } while (error < 0 && precision_raise(&p));
             worst_take(&worst, error < 0 ? HUGE_VAL : error, x);
         }
-        good &= worst_report(f->name, "", &worst, COR_DISK_LAW_MAX_ULP);
+        good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP);
     }
     return good;
 }
@@ -336,7 +336,7 @@ static int search_lambert(uint64_t points)
         }
         worst_take(&worst, error < 0 ? HUGE_VAL : error, q);
     }
-    return worst_report("t of q", "", &worst, 2);
+    return worst_report("t of q", &worst, 2);
 }
 
 /* ---- contact time ---- */
@@ -368,7 +368,7 @@ static int search_contact_time(uint64_t points)
     /* halving the step squares the error of the rule, or nearly */
     printf("%-30s halving the step of the reference changes it by %.2g\n", "", largest_step);
     good &= largest_step < 1e-11;
-    return worst_report("contact_time, of its bound", "", &worst, 1) & good;
+    return worst_report("contact_time, of its bound", &worst, 1) & good;
 }
 
 /* ---- */

@@ -34,10 +34,10 @@ static long double nearest_long_double(const arb_t x)
     return value;
 }
 
-/* L of an end by acos, acosh and logarithms, in balls; with limited damping for zeta > 1 */
-static void exponent_ball(arb_t l, enum law_end end, double zeta)
+/* exp(-share L), L by acos, acosh and logarithms, in balls; with limited damping for zeta > 1 */
+static long double eps_far(enum law_end end, double zeta, struct ratio share)
 {
-    LOCAL(arb, om, phase);
+    LOCAL(arb, l, om, phase);
     LET(om, BALL_BITS, "sqrt(abs(1 - zeta^2))", zeta);
     if (end == LAW_ZERO_OVERLAP)
         arb_const_pi(phase, BALL_BITS);
@@ -49,105 +49,60 @@ static void exponent_ball(arb_t l, enum law_end end, double zeta)
         LET(phase, BALL_BITS, "2*phase", phase);
     if (end == LAW_LIMITED)
         LET(phase, BALL_BITS, "2*phase - log(1 + 2*zeta^2 + 2*zeta*om) + log1p(8*zeta^2)/2", phase, zeta, om);
-    LET(l, BALL_BITS, "zeta*phase/om", zeta, phase, om);
-}
-
-/* exp(-share L) */
-static long double eps_far(enum law_end end, double zeta, struct ratio share)
-{
-    LOCAL(arb, l);
-    exponent_ball(l, end, zeta);
-    LET(l, BALL_BITS, "exp(-share*l)", share, l);
+    LET(l, BALL_BITS, "exp(-share*zeta*phase/om)", share, zeta, phase, om);
     return nearest_long_double(l);
 }
 
-static long double ratio_eps(enum law_end end, double zeta)
+/* eps or 1 - eps */
+static long double ratio(enum law_end end, bool loss, long double zeta)
 {
     if (zeta == 0)
-        return 1;
+        return !loss;
     if (isinf(zeta) || (end == LAW_ZERO_OVERLAP && zeta >= 1))
-        return 0;
+        return loss;
     const long double l = reference_ratio_exponent(end, zeta);
-    return l < far_exponent ? expl(-l) : eps_far(end, zeta, ratio_make(1, 1));
-}
-
-static long double ratio_loss(enum law_end end, double zeta)
-{
-    if (zeta == 0 || isinf(zeta) || (end == LAW_ZERO_OVERLAP && zeta >= 1))
-        return zeta == 0 ? 0 : 1;
-    return -expm1l(-reference_ratio_exponent(end, zeta));
-}
-
-/* ln(zeta computed/exact) from L wanted = -ln(eps), where the least eps makes L - ln(...) all that counts */
-static double ratio_inverse_error(enum law_end end, double zeta, long double wanted, double eps, double loss)
-{
-    const long double h = 1e-6L;
-    if (end == LAW_ZERO_OVERLAP) {
-        const long double pi = acosl(-1);
-        return ulp_error(zeta, wanted / sqrtl(pi * pi + wanted * wanted));
-    }
-    const long double l = reference_ratio_exponent(end, zeta);
-    const long double slope =
-        (reference_ratio_exponent(end, zeta * (1 + h)) - reference_ratio_exponent(end, zeta * (1 - h))) / (2 * h);
-    long double off = (l - wanted) / slope;
-    if (wanted > far_exponent) {
-        LOCAL(arb, exact);
-        exponent_ball(exact, end, zeta);
-        if (loss == 0)
-            LET(exact, BALL_BITS, "exact + log(eps)", exact, eps);
-        else
-            LET(exact, BALL_BITS, "exact + log1p(-loss)", exact, loss);
-        off = nearest_long_double(exact) / slope;
-    }
-    return (double)(fabsl(off) * zeta / ulp(zeta));
+    return loss ? -expm1l(-l) : l < far_exponent ? expl(-l) : eps_far(end, (double)zeta, ratio_make(1, 1));
 }
 
 /* ---- what is tested ---- */
 
-/* SLOW_TIME: the reference takes 0.1 ms, and so there are fewer points */
-enum shape { EPS, LOSS, TIME, SLOW_TIME, INVERSE, INVERSE_OF_LOSS };
-enum { SLOW_SHARE = 400 };
 enum family { RATIO, CROSSLEY, CROSSLEY_APPROACH, CROSSLEY_TIMES };
+enum { SLOW_SHARE = 400 }; /* where the reference takes 0.1 ms */
 
-struct function {
-    const char *name;
-    double (*value)(double);
-    enum shape shape;
-    enum family law;
-    enum law_end end;
-    long double (*time)(double);
-    double max_ulp;
-};
-
-#define ROW(name, shape, law, end, time, max_ulp)                                                                      \
+#define ROW(name, shape, law, end, exact, max_ulp, share)                                                              \
     {                                                                                                                  \
-#name, cor_##name, shape, law, end, time, max_ulp                                                              \
+#name, cor_##name, shape, max_ulp, law, end, exact, share                                                      \
     }
-#define RATIO_ROWS(law, name, end)                                                                                     \
-    ROW(law##_eps_##name, EPS, RATIO, end, NULL, COR_LAW_EPS_MAX_ULP),                                                 \
-        ROW(law##_loss_##name, LOSS, RATIO, end, NULL, COR_LAW_LOSS_MAX_ULP),                                          \
-        ROW(law##_zeta_##name, INVERSE, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP),                                    \
-        ROW(law##_zeta_of_loss_##name, INVERSE_OF_LOSS, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP)
-
-#define CROSSLEY_OVERLAP_ROW(name) ROW(name, TIME, CROSSLEY_APPROACH, 0, name##_exact, COR_LAW_MAX_OVERLAP_MAX_ULP)
-#define CROSSLEY_ROW(name) ROW(name, SLOW_TIME, CROSSLEY_TIMES, 0, name##_exact, COR_LAW_TIME_MAX_ULP)
+#define RATIO_ROWS(name, end)                                                                                          \
+    ROW(linear_eps_##name, EPS, RATIO, end, NULL, COR_LAW_EPS_MAX_ULP, 0),                                             \
+        ROW(linear_loss_##name, LOSS, RATIO, end, NULL, COR_LAW_LOSS_MAX_ULP, 0),                                      \
+        ROW(linear_zeta_##name, INVERSE, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP, 0),                                \
+        ROW(linear_zeta_of_loss_##name, INVERSE_OF_LOSS, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP, 0)
+#define CROSSLEY_ROWS(law, suffix)                                                                                     \
+    ROW(hunt_crossley_eps##suffix, EPS, law, 0, NULL, COR_LAW_EPS_MAX_ULP, 0),                                         \
+        ROW(hunt_crossley_loss##suffix, LOSS, law, 0, NULL, COR_LAW_LOSS_MAX_ULP, 0),                                  \
+        ROW(hunt_crossley_beta##suffix, INVERSE, law, 0, NULL, COR_LAW_INVERSE_MAX_ULP, 0),                            \
+        ROW(hunt_crossley_beta_of_loss##suffix, INVERSE_OF_LOSS, law, 0, NULL, COR_LAW_INVERSE_MAX_ULP, 0)
+#define TIME_ROW(law, name) ROW(name, OTHER, law, 0, name##_exact, COR_LAW_TIME_MAX_ULP, 0)
+#define SLOW_ROW(law, name) ROW(name, OTHER, law, 0, name##_exact, COR_LAW_TIME_MAX_ULP, SLOW_SHARE)
+#define OVERLAP_ROW(law, name) ROW(name, OTHER, law, 0, name##_exact, COR_LAW_MAX_OVERLAP_MAX_ULP, 0)
 
 /* A function of zeta, with its values at 0 and infinity */
 #define OF_ZETA(name, at_0, at_infinity, elsewhere)                                                                    \
-    static long double name(double zeta)                                                                               \
+    static long double name##_exact(double zeta)                                                                       \
     {                                                                                                                  \
         return zeta == 0 ? (at_0) : isinf(zeta) ? (at_infinity) : (elsewhere);                                         \
     }
 #define PI acosl(-1)
 #define PHASE reference_ratio_exponent(LAW_APPROACH_ONLY, zeta)
-OF_ZETA(time_of_max_overlap, PI / 2, 0, PHASE / zeta)
-OF_ZETA(duration_zero_force, PI, 0, 2 * PHASE / zeta)
-OF_ZETA(duration_zero_overlap, PI, HUGE_VALL,
+OF_ZETA(linear_time_of_max_overlap, PI / 2, 0, PHASE / zeta)
+OF_ZETA(linear_duration_zero_force, PI, 0, 2 * PHASE / zeta)
+OF_ZETA(linear_duration_zero_overlap, PI, HUGE_VALL,
         zeta < 1 ? PI / sqrtl((1 - (long double)zeta) * (1 + (long double)zeta)) : HUGE_VALL)
-OF_ZETA(duration_limited, PI, PI / sqrtl(8),
+OF_ZETA(linear_duration_limited, PI, PI / sqrtl(8),
         atanl(sqrtl(8) * zeta) / sqrtl(2) + reference_ratio_exponent(LAW_LIMITED, zeta) / zeta)
-OF_ZETA(duration_approach_only, PI, PI / 2, PI / 2 + PHASE / zeta)
-OF_ZETA(linear_max_overlap, 1, 0, ratio_eps(LAW_APPROACH_ONLY, zeta))
+OF_ZETA(linear_duration_approach_only, PI, PI / 2, PI / 2 + PHASE / zeta)
+OF_ZETA(linear_max_overlap, 1, 0, ratio(LAW_APPROACH_ONLY, false, zeta))
 
 /* Tsuji's damping: the largest overlap is (5/4 eps)^(2/5). By Gamma functions half of the elastic duration, and the
  * duration of limited damping without bound: (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1. */
@@ -204,50 +159,38 @@ CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 1, 1)
 CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 5_4, 1.25)
 CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 3_2, 1.5)
 
-static const struct function functions[] = {
-    RATIO_ROWS(linear, zero_overlap, LAW_ZERO_OVERLAP),
-    RATIO_ROWS(linear, zero_force, LAW_ZERO_FORCE),
-    RATIO_ROWS(linear, limited, LAW_LIMITED),
-    RATIO_ROWS(linear, approach_only, LAW_APPROACH_ONLY),
-    ROW(linear_duration_zero_overlap, TIME, RATIO, 0, duration_zero_overlap, COR_LAW_TIME_MAX_ULP),
-    ROW(linear_duration_zero_force, TIME, RATIO, 0, duration_zero_force, COR_LAW_TIME_MAX_ULP),
-    ROW(linear_duration_limited, TIME, RATIO, 0, duration_limited, COR_LAW_TIME_MAX_ULP),
-    ROW(linear_duration_approach_only, TIME, RATIO, 0, duration_approach_only, COR_LAW_TIME_MAX_ULP),
-    ROW(linear_max_overlap, TIME, RATIO, 0, linear_max_overlap, COR_LAW_MAX_OVERLAP_MAX_ULP),
-    ROW(linear_time_of_max_overlap, TIME, RATIO, 0, time_of_max_overlap, COR_LAW_TIME_MAX_ULP),
-    ROW(tsuji_max_overlap, TIME, RATIO, 0, tsuji_max_overlap, COR_LAW_MAX_OVERLAP_MAX_ULP),
-    ROW(tsuji_duration_zero_overlap, SLOW_TIME, RATIO, 0, tsuji_duration_zero_overlap, COR_LAW_TIME_MAX_ULP),
-    ROW(tsuji_duration_zero_force, SLOW_TIME, RATIO, 0, tsuji_duration_zero_force, COR_LAW_TIME_MAX_ULP),
-    ROW(tsuji_duration_limited, SLOW_TIME, RATIO, 0, tsuji_duration_limited, COR_LAW_TIME_MAX_ULP),
-    ROW(tsuji_duration_approach_only, SLOW_TIME, RATIO, 0, tsuji_duration_approach_only, COR_LAW_TIME_MAX_ULP),
-    ROW(tsuji_time_of_max_overlap, SLOW_TIME, RATIO, 0, tsuji_time_of_max_overlap, COR_LAW_TIME_MAX_ULP),
-    CROSSLEY_ROW(hunt_crossley_duration_1),
-    CROSSLEY_ROW(hunt_crossley_duration_3_2),
-    CROSSLEY_ROW(hunt_crossley_time_of_max_overlap_1),
-    CROSSLEY_ROW(hunt_crossley_time_of_max_overlap_3_2),
-    CROSSLEY_ROW(hunt_crossley_duration_approach_only_1),
-    CROSSLEY_ROW(hunt_crossley_duration_approach_only_3_2),
-    CROSSLEY_OVERLAP_ROW(hunt_crossley_max_overlap_1),
-    CROSSLEY_OVERLAP_ROW(hunt_crossley_max_overlap_5_4),
-    CROSSLEY_OVERLAP_ROW(hunt_crossley_max_overlap_3_2),
-    ROW(hunt_crossley_eps, EPS, CROSSLEY, 0, NULL, COR_LAW_EPS_MAX_ULP),
-    ROW(hunt_crossley_loss, LOSS, CROSSLEY, 0, NULL, COR_LAW_LOSS_MAX_ULP),
-    ROW(hunt_crossley_beta, INVERSE, CROSSLEY, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
-    ROW(hunt_crossley_beta_of_loss, INVERSE_OF_LOSS, CROSSLEY, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
-    ROW(hunt_crossley_eps_approach_only, EPS, CROSSLEY_APPROACH, 0, NULL, COR_LAW_EPS_MAX_ULP),
-    ROW(hunt_crossley_loss_approach_only, LOSS, CROSSLEY_APPROACH, 0, NULL, COR_LAW_LOSS_MAX_ULP),
-    ROW(hunt_crossley_beta_approach_only, INVERSE, CROSSLEY_APPROACH, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
-    ROW(hunt_crossley_beta_of_loss_approach_only, INVERSE_OF_LOSS, CROSSLEY_APPROACH, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
+static const struct search_function functions[] = {
+    RATIO_ROWS(zero_overlap, LAW_ZERO_OVERLAP),
+    RATIO_ROWS(zero_force, LAW_ZERO_FORCE),
+    RATIO_ROWS(limited, LAW_LIMITED),
+    RATIO_ROWS(approach_only, LAW_APPROACH_ONLY),
+    TIME_ROW(RATIO, linear_duration_zero_overlap),
+    TIME_ROW(RATIO, linear_duration_zero_force),
+    TIME_ROW(RATIO, linear_duration_limited),
+    TIME_ROW(RATIO, linear_duration_approach_only),
+    OVERLAP_ROW(RATIO, linear_max_overlap),
+    TIME_ROW(RATIO, linear_time_of_max_overlap),
+    OVERLAP_ROW(RATIO, tsuji_max_overlap),
+    SLOW_ROW(RATIO, tsuji_duration_zero_overlap),
+    SLOW_ROW(RATIO, tsuji_duration_zero_force),
+    SLOW_ROW(RATIO, tsuji_duration_limited),
+    SLOW_ROW(RATIO, tsuji_duration_approach_only),
+    SLOW_ROW(RATIO, tsuji_time_of_max_overlap),
+    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_1),
+    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_3_2),
+    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_time_of_max_overlap_1),
+    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_time_of_max_overlap_3_2),
+    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_approach_only_1),
+    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_approach_only_3_2),
+    OVERLAP_ROW(CROSSLEY_APPROACH, hunt_crossley_max_overlap_1),
+    OVERLAP_ROW(CROSSLEY_APPROACH, hunt_crossley_max_overlap_5_4),
+    OVERLAP_ROW(CROSSLEY_APPROACH, hunt_crossley_max_overlap_3_2),
+    CROSSLEY_ROWS(CROSSLEY, ),
+    CROSSLEY_ROWS(CROSSLEY_APPROACH, _approach_only),
 };
-enum { FUNCTIONS = sizeof functions / sizeof *functions };
-
-static bool is_inverse(const struct function *f)
-{
-    return f->shape == INVERSE || f->shape == INVERSE_OF_LOSS;
-}
 
 /* eps or 1 - eps of Hunt and Crossley's law */
-static long double crossley(enum family law, bool loss, long double beta)
+static long double crossley(int law, bool loss, long double beta)
 {
     if (beta == 0 || isinf(beta))
         return (beta == 0) == loss ? 0 : 1;
@@ -256,66 +199,21 @@ static long double crossley(enum family law, bool loss, long double beta)
     return loss ? reference_hunt_crossley_approach_loss(beta) : reference_hunt_crossley_approach_eps(beta);
 }
 
-/* By how much eps, or 1 - eps where that is small, is off at the computed beta, over its slope */
-static double crossley_inverse_error(enum family law, double beta, long double eps, long double loss)
+static long double exact(const struct search_function *f, enum search_shape shape, long double x)
 {
-    const bool of_loss = loss < 0.5L;
-    const long double h = 1e-6L, wanted = of_loss ? loss : eps;
-    const long double slope =
-        (crossley(law, of_loss, beta * (1 + h)) - crossley(law, of_loss, beta * (1 - h))) / (2 * h);
-    const long double off = (crossley(law, of_loss, beta) - wanted) / slope;
-    return (double)(fabsl(off) * beta / ulp(beta));
-}
-
-static double inverse_error(const struct function *f, double computed, double x)
-{
-    const bool of_loss = f->shape == INVERSE_OF_LOSS;
-    if (!(x >= 0 && x <= 1))
-        return isnan(computed) ? 0 : HUGE_VAL;
-    const double at_rest = f->law == RATIO && f->end == LAW_ZERO_OVERLAP ? 1 : HUGE_VAL;
-    if (x == 0 || x == 1)
-        return computed == ((x == 1) != of_loss ? 0 : at_rest) ? 0 : HUGE_VAL;
-    const long double eps = of_loss ? 1 - (long double)x : x, loss = of_loss ? x : 1 - (long double)x;
-    if (isinf(computed)) /* eps at the largest double must be above */
-        return f->law == RATIO ? (ratio_eps(f->end, 0x1.fffffffffffffp+1023) >= eps ? 0 : HUGE_VAL)
-                               : (crossley(f->law, false, 0x1.fffffffffffffp+1023) >= eps ? 0 : HUGE_VAL);
-    if (of_loss && x < 0x1p-1022) /* proportional to the loss, which reference functions know for a normal one */
-        return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x);
-    if (!(computed > 0))
-        return HUGE_VAL;
-    if (f->law == RATIO)
-        return ratio_inverse_error(f->end, computed, of_loss ? -log1pl(-loss) : -logl(eps), x, of_loss ? x : 0);
-    return crossley_inverse_error(f->law, computed, eps, loss);
-}
-
-static long double exact_value(const struct function *f, double x)
-{
-    if (f->law == RATIO && !(x >= 0))
+    if (!(x >= 0) && (f->law == RATIO || !(x > -1)))
         return NAN;
-    if (f->law != RATIO && !(x > -1))
-        return NAN;
-    if (f->shape == TIME || f->shape == SLOW_TIME)
-        return f->time(x);
-    if (f->law == RATIO)
-        return f->shape == LOSS ? ratio_loss(f->end, x) : ratio_eps(f->end, x);
-    return crossley(f->law, f->shape == LOSS, x);
-}
-
-static double error_of(const void *row, double computed, double x)
-{
-    const struct function *f = row;
-    if (is_inverse(f))
-        return inverse_error(f, computed, x);
-    if (f->law == CROSSLEY_TIMES && x < 0) /* by quadrature: tests/unit/test_law.c */
-        return 0;
-    const long double exact = exact_value(f, x);
-    return exact < 0 ? ulp_error(-computed, -exact) : ulp_error(computed, exact);
+    if (f->law == CROSSLEY_TIMES && x < 0) /* not judged: by quadrature, tests/unit/test_law.c */
+        return (long double)f->value((double)x);
+    if (f->exact != NULL)
+        return f->exact((double)x);
+    return f->law == RATIO ? ratio((enum law_end)f->end, shape == LOSS, x) : crossley(f->law, shape == LOSS, x);
 }
 
 /* ---- searches ---- */
 
 /* zeta or beta: where kernels are, near 1, every size, every bit pattern; a part of beta is negative */
-static double random_damping(struct random_state *r, const struct function *f)
+static double random_damping(struct random_state *r, const struct search_function *f)
 {
     const double kind = random_uniform(r, 0, 1), u = random_uniform(r, 0, 1);
     if (f->law != RATIO && kind < 0.15)
@@ -343,24 +241,9 @@ static double random_eps(struct random_state *r)
     return exp(-30 * u);
 }
 
-static double random_argument(struct random_state *r, const void *row)
+static double random_argument(struct random_state *r, const struct search_function *f)
 {
-    const struct function *f = row;
-    return is_inverse(f) ? random_eps(r) : random_damping(r, f);
-}
-
-/* eps never rises by more than two units of the last place from one double to the next, and stays in [0, 1] but for a
- * pumped collision. */
-static struct search_function search_of(const struct function *f)
-{
-    return (struct search_function){.name = f->name,
-                                    .value = f->value,
-                                    .last = is_inverse(f) ? 1 : HUGE_VAL,
-                                    .largest_rise = 2,
-                                    .falls = f->shape == EPS,
-                                    .error = error_of,
-                                    .random_argument = random_argument,
-                                    .row = f};
+    return search_is_inverse(f) ? random_eps(r) : random_damping(r, f);
 }
 
 /* Where kernels and series meet (runtime/law/damping_ratio.h, hunt_crossley.h), and the ends of the number format */
@@ -371,28 +254,27 @@ static NUMBERS(eps_boundaries, 0.5, 0.25, 0.125, 0x1p-5, 0x1p-6, 0.1353352832366
                0.26359713811572677, 0.4065696597405991, 0.1495686192226351, 0x1p-900, 0x1p-200, 1e-154,
                2.7813423231340017e-309, 1.9667060174891983e-309, 5.562684646268003e-309, 0x1p-60, 0x1p-30);
 
-static void search_boundaries(struct worst *worst, const struct search_function *search)
+static void boundaries(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
-    const struct function *f = search->row;
-    const uint64_t radius = f->shape == SLOW_TIME ? 0 : 32;
-    if (is_inverse(f)) {
-        for (size_t i = 0; i < sizeof eps_boundaries / sizeof *eps_boundaries; i++) {
-            worst_walk(worst, search, eps_boundaries[i], radius);
-            worst_walk(worst, search, 1 - eps_boundaries[i], radius);
+    const uint64_t radius = f->share > 0 ? 0 : 32;
+    if (search_is_inverse(f)) {
+        for (size_t i = 0; i < COUNT_OF(eps_boundaries); i++) {
+            worst_walk(worst, f, o, eps_boundaries[i], radius);
+            worst_walk(worst, f, o, 1 - eps_boundaries[i], radius);
         }
         for (int k = -1074; k <= 0; k++)
-            worst_walk(worst, search, ldexp(1, k), 1);
+            worst_walk(worst, f, o, ldexp(1, k), 1);
         for (int k = -53; k < 0; k++)
-            worst_walk(worst, search, 1 - ldexp(1, k), 3);
+            worst_walk(worst, f, o, 1 - ldexp(1, k), 3);
         return;
     }
-    for (size_t i = 0; i < sizeof damping_boundaries / sizeof *damping_boundaries; i++) {
-        worst_walk(worst, search, damping_boundaries[i], radius);
+    for (size_t i = 0; i < COUNT_OF(damping_boundaries); i++) {
+        worst_walk(worst, f, o, damping_boundaries[i], radius);
         if (f->law != RATIO && damping_boundaries[i] <= 1)
-            worst_walk(worst, search, -damping_boundaries[i], radius);
+            worst_walk(worst, f, o, -damping_boundaries[i], radius);
     }
-    for (int k = -1074; k < 1024; k += f->shape == SLOW_TIME ? 91 : 1)
-        worst_walk(worst, search, ldexp(1, k), radius > 0);
+    for (int k = -1074; k<1024; k += f->share> 0 ? 91 : 1)
+        worst_walk(worst, f, o, ldexp(1, k), radius > 0);
 }
 
 /* ---- Hunt and Crossley's times by quadrature, against enclosed collisions ---- */
@@ -463,7 +345,7 @@ static bool no_slip_is_good(const struct search_options *o)
     for (uint64_t i = 0; i < o->points; i++) {
         static const double exponents[] = {1, 1.5, 0.5, 3, 1.25, COR_NO_SLIP_MIN_EXPONENT, COR_NO_SLIP_MAX_EXPONENT};
         const double a = i % 2 == 0 ? random_log(&r, COR_NO_SLIP_MIN_EXPONENT, COR_NO_SLIP_MAX_EXPONENT)
-                                    : exponents[random_below(&r, sizeof exponents / sizeof *exponents)];
+                                    : exponents[random_below(&r, COUNT_OF(exponents))];
         const double n = (double)random_below(&r, i % 3 == 0 ? 1400 : 4);
         const double zero = a / (2 * (a + 1)) + n * (n + 1) / 2 * (a + 1);
         double kappa = i % 5 == 0 ? random_uniform(&r, 0, 10) : random_log(&r, 1e-320, COR_NO_SLIP_MAX_KAPPA);
@@ -490,29 +372,26 @@ static bool no_slip_is_good(const struct search_options *o)
 
 /* ---- the run ---- */
 
-static bool function_is_good(const struct function *f, const struct search_options *o)
-{
-    const struct search_function search = search_of(f);
-    struct worst worst = search_random(&search, o, o->points / (f->shape == SLOW_TIME ? SLOW_SHARE : 1));
-    search_boundaries(&worst, &search);
-    worst_climb(&worst, &search, f->shape == SLOW_TIME ? 2 : 200, 8);
-    bool good = worst_report(f->name, "", &worst, f->max_ulp);
-    return specials_are_good(&search, f->max_ulp) && good;
-}
-
 static const char help[] = "test_laws [--points N] [--threads N] [--only TEXT] [--seed N]\n";
 
 int main(int argc, char **argv)
 {
-    struct search_options o = {.points = 20000, .seed = 19990101, .threads = 1};
+    struct search_options o = {.points = 20000,
+                               .seed = 19990101,
+                               .threads = 1,
+                               .exact = exact,
+                               .random_argument = random_argument,
+                               .boundaries = boundaries,
+                               .judges_specials = true,
+                               .largest_rise = 2,
+                               .radius = 200};
     const int status = search_options_read(&o, argc, argv, help);
     if (status != 0)
         return status;
     bool good = true;
     worst_heading(o.seed);
-    for (int i = 0; i < FUNCTIONS; i++)
-        if (search_wants(&o, functions[i].name))
-            good = function_is_good(&functions[i], &o) && good;
+    for (size_t i = 0; i < COUNT_OF(functions); i++)
+        good = search_worst(&functions[i], &o) < HUGE_VAL && good;
     if (search_wants(&o, "hunt_crossley_times_by_quadrature"))
         good = crossley_times_are_enclosed(&o) && good;
     if (search_wants(&o, "tangential_no_slip"))

@@ -21,15 +21,11 @@
 /* What proofs of corgen embed allow for pow (gen/embed/proof.c, SLACK): 1e-13, in units of the last place */
 #define POW_ULP 450
 
-enum { KNOWN = 2 };
-
 struct row {
-    const char *name;
-    double (*value)(double);
+    struct search_function f; /* its name begins with that of the other program */
     int (*exact)(mpfr_t, const mpfr_t, mpfr_rnd_t);
-    double first, last;  /* of the arguments; log-uniform */
-    double ulp;          /* assumed */
-    double known[KNOWN]; /* 0: none. Zimmermann and others, Accuracy of mathematical functions */
+    double first, last; /* of the arguments; log-uniform */
+    double known[2];    /* 0: none. Zimmermann and others, Accuracy of mathematical functions */
 };
 
 static double fifth_power(double x)
@@ -60,7 +56,7 @@ static int exact_power(mpfr_t y, const mpfr_t x, mpfr_rnd_t round)
 /* ---- another C library ---- */
 
 static FILE *to_other, *from_other;
-static const char *asked; /* the name of a function, as the other program has it */
+static const char *asked; /* the name of the row */
 
 /* Starts the command, whose standard input and output become to_other and from_other. */
 static bool other_starts(const char *command)
@@ -88,7 +84,7 @@ static double value_of_other(double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
-    fprintf(to_other, "%s %016" PRIx64 "\n", asked, bits);
+    fprintf(to_other, "%.*s %016" PRIx64 "\n", (int)strcspn(asked, ","), asked, bits);
     fflush(to_other);
     if (fscanf(from_other, "%" SCNx64, &bits) != 1) {
         fputs("test_libm: COR_TEST_LIBM gives no answer\n", stderr);
@@ -98,46 +94,59 @@ static double value_of_other(double x)
     return x;
 }
 
-static const char *name_of(double (*value)(double))
-{
-    return value == cbrt ? "cbrt" : value == log ? "log" : value == log1p ? "log1p" : value == power ? "x^0.2" : "x^5";
-}
+/* ---- the search ---- */
 
-static const struct row rows[] = {
-    {"cbrt, beta^(2/3)", cbrt, mpfr_cbrt, 1, 8, COR_PROOF_CBRT_ULP, {0x1.7a337e1ba1ec2p+1, 0x1.7a337e1ba1ec2p+0}},
-    {"cbrt, beta^(-5/3)", cbrt, mpfr_cbrt, 0x1p14, DBL_MAX, COR_PROOF_CBRT_ULP, {0x1.7a337e1ba1ec2p+256}},
-    {"cbrt, any double", cbrt, mpfr_cbrt, 0x1p-1074, DBL_MAX, COR_PROOF_CBRT_ULP, {0x1.7a337e1ba1ec2p-257}},
-    {"log, of a significand", log, mpfr_log, 0.7071, 1.4143, COR_PROOF_LOG_ULP, {0x1.1211bef8f68e9p+0}},
-    {"log, 1 + t", log, mpfr_log, 1.1, 2100, COR_PROOF_LOG_ULP, {0x1.1211bef8f68e9p+0}},
-    {"log, a small eps", log, mpfr_log, 0x1p-500, 9.2e-8, COR_PROOF_LOG_ULP, {0x1.1211bef8f68e9p+0}},
-    {"log1p, of a quotient", log1p, mpfr_log1p, 0x1p-500, 0.6488, COR_PROOF_LOG1P_ULP, {0}},
-    {"pow, x^5", fifth_power, exact_fifth_power, 1e-40, 1e40, POW_ULP, {0}},
-    {"pow, x^0.2", power, exact_power, 1e-300, 1e300, POW_ULP, {0}},
+#define ROW(name, value, ulp, ...)                                                                                     \
+    {                                                                                                                  \
+        {name, value, OTHER, ulp, 0, 0, NULL, 0}, __VA_ARGS__                                                          \
+    }
+static struct row rows[] = {
+    ROW("cbrt, beta^(2/3)", cbrt, COR_PROOF_CBRT_ULP, mpfr_cbrt, 1, 8, {0x1.7a337e1ba1ec2p+1, 0x1.7a337e1ba1ec2p+0}),
+    ROW("cbrt, beta^(-5/3)", cbrt, COR_PROOF_CBRT_ULP, mpfr_cbrt, 0x1p14, DBL_MAX, {0x1.7a337e1ba1ec2p+256}),
+    ROW("cbrt, any double", cbrt, COR_PROOF_CBRT_ULP, mpfr_cbrt, 0x1p-1074, DBL_MAX, {0x1.7a337e1ba1ec2p-257}),
+    ROW("log, of a significand", log, COR_PROOF_LOG_ULP, mpfr_log, 0.7071, 1.4143, {0x1.1211bef8f68e9p+0}),
+    ROW("log, 1 + t", log, COR_PROOF_LOG_ULP, mpfr_log, 1.1, 2100, {0x1.1211bef8f68e9p+0}),
+    ROW("log, a small eps", log, COR_PROOF_LOG_ULP, mpfr_log, 0x1p-500, 9.2e-8, {0x1.1211bef8f68e9p+0}),
+    ROW("log1p, of a quotient", log1p, COR_PROOF_LOG1P_ULP, mpfr_log1p, 0x1p-500, 0.6488, {0}),
+    ROW("x^5, pow", fifth_power, POW_ULP, exact_fifth_power, 1e-40, 1e40, {0}),
+    ROW("x^0.2, pow", power, POW_ULP, exact_power, 1e-300, 1e300, {0}),
 };
-enum { ROWS = sizeof rows / sizeof *rows };
 
-static double error_of(const void *of, double computed, double x)
+static long double exact(const struct search_function *f, enum search_shape shape, long double x)
 {
-    const struct row *row = of;
+    (void)shape;
     mpfr_t y;
     mpfr_init2(y, 64);
-    mpfr_set_d(y, x, MPFR_RNDN);
-    row->exact(y, y, MPFR_RNDN);
-    const long double exact = mpfr_get_ld(y, MPFR_RNDN);
+    mpfr_set_ld(y, x, MPFR_RNDN);
+    ((const struct row *)f)->exact(y, y, MPFR_RNDN);
+    const long double value = mpfr_get_ld(y, MPFR_RNDN);
     mpfr_clear(y);
-    return ulp_error(computed, exact);
+    return value;
 }
 
-static double random_argument(struct random_state *r, const void *of)
+static double random_argument(struct random_state *r, const struct search_function *f)
 {
-    const struct row *row = of;
+    const struct row *const row = (const struct row *)f;
     return fmin(random_log(r, row->first, row->last), row->last);
+}
+
+static void known_arguments(struct worst *worst, const struct search_function *f, const struct search_options *o)
+{
+    const struct row *const row = (const struct row *)f;
+    for (size_t k = 0; k < COUNT_OF(row->known) && row->known[k] != 0; k++)
+        worst_walk(worst, f, o, row->known[k], 0);
 }
 
 int main(int argc, char **argv)
 {
     static const char help[] = "test_libm [--points N] [--only TEXT] [--seed N]\n";
-    struct search_options o = {.points = 20000, .seed = 19990101, .threads = 1};
+    struct search_options o = {.points = 20000,
+                               .seed = 19990101,
+                               .threads = 1,
+                               .exact = exact,
+                               .random_argument = random_argument,
+                               .boundaries = known_arguments,
+                               .radius = 64};
     const int status = search_options_read(&o, argc, argv, help);
     if (status != 0)
         return status;
@@ -147,31 +156,18 @@ int main(int argc, char **argv)
     if (other && !other_starts(other))
         return fputs("test_libm: COR_TEST_LIBM does not start\n", stderr), 1;
     worst_heading(o.seed);
-    for (int i = 0; i < ROWS; i++) {
-        const struct row *row = &rows[i];
-        const struct search_function search = {.name = row->name,
-                                               .value = other ? value_of_other : row->value,
-                                               .last = row->last,
-                                               .error = error_of,
-                                               .random_argument = random_argument,
-                                               .row = row};
-        struct random_state r = random_seeded(o.seed);
-        struct worst worst = {0};
-        if (!search_wants(&o, row->name))
-            continue;
-        asked = name_of(row->value);
-        for (uint64_t k = 0; k < o.points; k++)
-            worst_random(&worst, &search, &r);
-        worst_climb(&worst, &search, 64, 8);
-        for (int k = 0; k < KNOWN && row->known[k] != 0; k++)
-            worst_take(&worst, error_of(row, search.value(row->known[k]), row->known[k]), row->known[k]);
-        good = worst_report(row->name, "", &worst, row->ulp) && good;
-        if (row->value == log)
-            worst_log = fmax(worst_log, worst.error);
+    for (size_t i = 0; i < COUNT_OF(rows); i++) {
+        asked = rows[i].f.name;
+        if (other)
+            rows[i].f.value = value_of_other;
+        const double worst = search_worst(&rows[i].f, &o);
+        good = worst < HUGE_VAL && good;
+        if (rows[i].exact == mpfr_log)
+            worst_log = fmax(worst_log, worst);
     }
-    printf("log is %s%.2f ulp: the bound of t(q) is that %s\n",
-           worst_log <= COR_PROOF_LOG_NEAR_ULP ? "within " : "not within ", COR_PROOF_LOG_NEAR_ULP,
-           worst_log <= COR_PROOF_LOG_NEAR_ULP ? "of 2 ulp" : "for a log within 1 ulp");
+    const bool near = worst_log <= COR_PROOF_LOG_NEAR_ULP;
+    printf("log is %s%.2f ulp: the bound of t(q) is that %s\n", near ? "within " : "not within ",
+           COR_PROOF_LOG_NEAR_ULP, near ? "of 2 ulp" : "for a log within 1 ulp");
     mpfr_free_cache();
     return good ? 0 : 1;
 }
