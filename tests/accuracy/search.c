@@ -184,8 +184,6 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
             o->stride = (uint64_t)number;
         } else if (strcmp(argv[i], "--times") == 0 && o->times > 0 && number >= 1 && number <= 1e15) {
             o->times = (uint64_t)number;
-        } else if (strcmp(argv[i], "--hashes") == 0 && o->stride > 0 && i + 1 < argc) {
-            o->hashes = argv[i + 1];
         } else {
             fputs(help, stderr);
             return 2;

@@ -28,10 +28,9 @@ struct worst {
 };
 
 struct search_options {
-    uint64_t points, seed, stride, times; /* 0: there are no --stride and --hashes, no --times */
+    uint64_t points, seed, stride, times; /* 0: there is no --stride, no --times */
     int threads;
     const char *only; /* part of the names of the functions wanted; NULL for all */
-    const char *hashes;
 
     /* Of the program: the exact value; of an inverse, that of the eps or the loss which it inverts */
     long double (*exact)(const struct search_function *f, enum search_shape shape, long double x);
@@ -67,7 +66,7 @@ double search_worst(const struct search_function *f, const struct search_options
 
 enum { SEARCH_MAX_THREADS = 64 };
 
-/* Reads --points, --threads, --seed, --only, --stride, --hashes and --times. Returns 0, or the exit status: 2 after the
+/* Reads --points, --threads, --seed, --only, --stride and --times. Returns 0, or the exit status: 2 after the
  * help for wrong ones, 77 where long double is too short for a reference. */
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help);
 

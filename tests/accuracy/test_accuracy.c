@@ -181,14 +181,12 @@ static bool functions_are_good(const struct search_options *o)
     return good;
 }
 
-static const char help[] =
-    "test_accuracy [--points N] [--stride N] [--hashes FILE] [--threads N] [--seed N] [--only TEXT]\n"
-    "    --points N     random doubles for each function, 1e6 if not said (1e9: a long run)\n"
-    "    --stride N     every Nth float, 2141 if not said (a prime: every last bit occurs)\n"
-    "    --hashes FILE  those of all floats: tests/accuracy/float_hashes.txt\n"
-    "    --threads N    1 if not said\n"
-    "    --seed N       repeats a run\n"
-    "    --only TEXT    only functions with this in their name\n";
+static const char help[] = "test_accuracy [--points N] [--stride N] [--threads N] [--seed N] [--only TEXT]\n"
+                           "    --points N   random doubles for each function, 1e6 if not said (1e9: a long run)\n"
+                           "    --stride N   every Nth float, 2141 if not said (a prime: every last bit occurs)\n"
+                           "    --threads N  1 if not said\n"
+                           "    --seed N     repeats a run\n"
+                           "    --only TEXT  only functions with this in their name\n";
 
 int main(int argc, char **argv)
 {
