@@ -9,7 +9,7 @@
 /* ---- parts of lists of operations ---- */
 
 /* The exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers) */
-static void exact_two_sum(gappa &g, int hi, int lo)
+static void exact_two_sum(gappa &g, term hi, term lo)
 {
     const char *const name = "cor_pair_two_sum";
     const int x = at(hi, "a"), y = at(hi, "b");
@@ -23,7 +23,7 @@ static void exact_two_sum(gappa &g, int hi, int lo)
 }
 
 /* The same for cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem) */
-static void exact_sum(gappa &g, int hi, int lo)
+static void exact_sum(gappa &g, term hi, term lo)
 {
     expect(what_is(hi) == ADD && what_is(lo) == SUBTRACT && at(lo, "a") == at(hi, "b") &&
                what_is(at(lo, "b")) == SUBTRACT && at(lo, "ba") == hi && at(lo, "bb") == at(hi, "a"),
@@ -60,25 +60,25 @@ static void write_log_far(void)
         const struct cor_inline_pair q = cor_log_ratio_far(a, x);
         const int l = find_operation(LOG), m = at(l, "a");
         int e;
-        std::frexp(p.low / nodes()[(std::size_t)m].value, &e);
+        std::frexp(p.low / of(m).value, &e);
         e--;
-        expect(what_is(m) == SEED && std::ldexp(nodes()[(std::size_t)m].value, e) == p.low, "cor_log_ratio_far");
+        expect(what_is(m) == SEED && std::ldexp(of(m).value, e) == p.low, "cor_log_ratio_far");
         for (const number end : {p.low, p.high}) /* within 1e-6 of sqrt(1/2) and sqrt(2) */
             expect(std::ldexp(end, -e) > 0.7071061 && std::ldexp(end, -e) < 1.4142136, "cor_log_ratio_far");
         expect(e == last || e == last + 1, "cor_log_ratio_far: an exponent");
         last = e;
         gappa g;
-        g.cut("ah", a.hi.node(), "[-4, 3]");
-        g.cut("al", a.lo.node(), "[-1b-51, 1b-51]");
+        g.cut("ah", a.hi, "[-4, 3]");
+        g.cut("al", a.lo, "[-1b-51, 1b-51]");
         g.cut("l", l, "[-0.3466, 0.3466]");
         /* q is the sum of all and the rest; `all` and `large` are exact sums of two numbers */
-        const int all = at(q.hi.node(), "a"), rest = at(q.hi.node(), "b"), large = at(all, "a");
+        const int all = at(q.hi, "a"), rest = at(q.hi, "b"), large = at(all, "a");
         exact_two_sum(g, large, at(rest, "ba"));
         exact_two_sum(g, all, at(rest, "a"));
         expect(at(all, "b") >= 0 && what_is(at(all, "b")) == NEGATE && at(large, "a") == a.hi.node() &&
                    at(rest, "bba") == a.lo.node(),
                "cor_log_ratio_far");
-        exact_sum(g, q.hi.node(), q.lo.node());
+        exact_sum(g, q.hi, q.lo);
         g.call({{"q", q.hi}, {"ql", q.lo}, {"rest", rest}, {"all", all}});
         g.assume("$all in [-10, 800]");
         g.assume(ln2);
@@ -100,10 +100,10 @@ static void write_log_near(void)
     const struct cor_inline_pair a = {variable("a", 1.5), variable("a_lo", 1e-17)};
     const Real x = variable("x", 1.25);
     const struct cor_inline_pair q = cor_log_ratio_near(a, x);
-    const int quotient = q.lo.node(), d = at(q.hi.node(), "a"), difference = at(d, "a"), rest = at(quotient, "a");
+    const int quotient = q.lo.node(), d = at(q.hi, "a"), difference = at(d, "a"), rest = at(quotient, "a");
     const int exact_part = at(difference, "a");
     const char *const name = "cor_log_ratio_near";
-    expect(what_is(q.hi.node()) == LOG1P && what_is(quotient) == DIVIDE && what_is(d) == DIVIDE, name);
+    expect(what_is(q.hi) == LOG1P && what_is(quotient) == DIVIDE && what_is(d) == DIVIDE, name);
     expect(at(d, "b") == x.node() && at(rest, "aa") == difference && what_is(at(quotient, "b")) == ADD, name);
     expect(what_is(difference) == ADD && at(difference, "b") == a.lo.node(), name);
     expect(what_is(exact_part) == SUBTRACT && at(exact_part, "a") == a.hi.node() && at(exact_part, "b") == x.node(),
@@ -111,7 +111,7 @@ static void write_log_near(void)
     {
         gappa g;
         g.cut("d", difference, "[1, 4]");
-        g.cut("x", x.node(), "[1, 2]");
+        g.cut("x", x, "[1, 2]");
         g.define(rest);
         g.call({{"q", d}, {"rest", rest}});
         g.assume("$q in [1, 2]");
@@ -125,8 +125,8 @@ static void write_log_near(void)
     /* a.hi - x is exact for x <= a.hi <= 1.66 x */
     for (int k = 0; k < 2; k++) {
         gappa g;
-        g.cut("x", x.node(), "[1, 2]");
-        g.cut("a", a.hi.node(), k ? "[2, 4]" : "[1, 2]");
+        g.cut("x", x, "[1, 2]");
+        g.cut("a", a.hi, k ? "[2, 4]" : "[1, 2]");
         g.call({{"part", exact_part}});
         g.define(exact_part);
         g.assume("$a - $x in [0, 1.4]");
@@ -165,16 +165,6 @@ static mpq_class rational(number x)
     return mpq_class(x);
 }
 
-/* A rational number: no two formulas of low degree that differ agree at such numbers, unless by a chance of 2^-16 */
-static mpq_class arbitrary(void)
-{
-    static std::uint64_t state = 1;
-    state = state * 6364136223846793005 + 1442695040888963407;
-    mpq_class value((long)(state >> 46) + 1000, (long)(state >> 29 & 0xffff) + 1001);
-    value.canonicalize();
-    return value;
-}
-
 /* The list of operations `result`, without rounding, must be `formula` of the variable `at`, at 24 arbitrary numbers;
  * the formula gives numbers to the other variables. */
 static void check_disk_formula(const char *what, int result, int at,
@@ -195,10 +185,9 @@ static void write_series(void)
 {
     start();
     const struct cor_inline_pair q = {variable("q", 0.04), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
-    const int p = t.hi.node(), correction = at(t.lo.node(), "a"), rest = at(t.lo.node(), "b"),
-              sum = at(correction, "a");
+    const int p = t.hi.node(), correction = at(t.lo, "a"), rest = at(t.lo, "b"), sum = at(correction, "a");
     const char *const name = "the series of cor_lambert_t_pair";
-    expect(what_is(t.lo.node()) == ADD && what_is(p) == SQRT && what_is(correction) == DIVIDE, name);
+    expect(what_is(t.lo) == ADD && what_is(p) == SQRT && what_is(correction) == DIVIDE, name);
     check_disk_formula(name, rest, p, [](const mpq_class &z, assignment &) {
         mpq_class series = 0;
         for (std::size_t k = sizeof lambert_series / sizeof *lambert_series; k-- > 0;)
@@ -358,7 +347,7 @@ static void write_steps(void)
 
 /* cor_inline_product(x, y) for x and y from [1, 2): |hi + lo - x y| <= 2^-102. All its sums but the last are exact,
  * because the 27 lower bits of a factor are below 2^-25 - 2^-52. Returns the text of hi + lo - x y. */
-static std::string sharp_product(gappa &g, int hi, int lo)
+static std::string sharp_product(gappa &g, term hi, term lo)
 {
     const char *const name = "cor_inline_product";
     for (const char *sum : {"", "a", "aa"})
@@ -390,10 +379,10 @@ static void write_sharp_product(void)
     const Real x = variable("x", 1.3), y = variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_product(x, y);
     gappa g;
-    g.cut("x", x.node(), below_2);
-    g.cut("y", y.node(), below_2);
-    g.define(p.lo.node());
-    const std::string error = sharp_product(g, p.hi.node(), p.lo.node());
+    g.cut("x", x, below_2);
+    g.cut("y", y, below_2);
+    g.define(p.lo);
+    const std::string error = sharp_product(g, p.hi, p.lo);
     g.say("off = ($h + $l) - $x * $y;");
     g.hint("off -> " + error);
     g.write("disk_product", {}, "|off| in [0, 1b-102]");
@@ -405,14 +394,14 @@ static void write_sharp_pair_times(void)
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_times(x, y);
-    const int rest = at(p.hi.node(), "b");
+    const int rest = at(p.hi, "b");
     gappa g;
-    g.cut("xh", x.hi.node(), below_2);
-    g.cut("yh", y.hi.node(), below_2);
-    g.cut("xl", x.lo.node(), "[-1b-53, 1b-53]");
-    g.cut("yl", y.lo.node(), "[-1b-53, 1b-53]");
-    exact_sum(g, p.hi.node(), p.lo.node());
-    const std::string product = sharp_product(g, at(p.hi.node(), "a"), at(rest, "a"));
+    g.cut("xh", x.hi, below_2);
+    g.cut("yh", y.hi, below_2);
+    g.cut("xl", x.lo, "[-1b-53, 1b-53]");
+    g.cut("yl", y.lo, "[-1b-53, 1b-53]");
+    exact_sum(g, p.hi, p.lo);
+    const std::string product = sharp_product(g, at(p.hi, "a"), at(rest, "a"));
     g.call({{"xh", x.hi}, {"yh", y.hi}, {"s", p.hi}, {"sl", p.lo}, {"rest", rest}});
     g.say("off = ($s + $sl) - ($xh + $xl) * ($yh + $yl);");
     g.say("low = $l;");
@@ -435,12 +424,12 @@ static void write_sums(void)
         start();
         const struct cor_inline_pair t = {variable("t", 0.3), variable("t_lo", 0.01)};
         const struct cor_inline_pair y = f.one == 1 ? one_plus(t) : cor_pair_plus(cor_pair(f.one, 0), t);
-        const int rest = at(y.hi.node(), "b");
+        const int rest = at(y.hi, "b");
         gappa g;
-        g.cut("th", t.hi.node(), "[0, " + hex(f.hi) + "]");
-        g.cut("tl", t.lo.node(), within(-f.low, f.low));
-        exact_two_sum(g, at(y.hi.node(), "a"), at(rest, "a"));
-        exact_sum(g, y.hi.node(), y.lo.node());
+        g.cut("th", t.hi, "[0, " + hex(f.hi) + "]");
+        g.cut("tl", t.lo, within(-f.low, f.low));
+        exact_two_sum(g, at(y.hi, "a"), at(rest, "a"));
+        exact_sum(g, y.hi, y.lo);
         g.call({{"y", y.hi}, {"yl", y.lo}, {"rest", rest}});
         g.say("off = ($y + $yl) - (" + hex(f.one) + " + $th + $tl);");
         g.hint("off -> ($rest - ($rest.a + $rest.b)) + ($rest.b - $tl)");
@@ -455,7 +444,7 @@ static void write_pair_sqrt(void)
 {
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), root = pair_sqrt(x);
-    const int p = at(root.hi.node(), "a"), correction = at(root.hi.node(), "b"), sum = at(correction, "a");
+    const int p = at(root.hi, "a"), correction = at(root.hi, "b"), sum = at(correction, "a");
     expect(what_is(p) == SQRT && at(sum, "b") == x.lo.node() && at(p, "a") == x.hi.node(), "pair_sqrt");
     write_root_correction("disk_pair_sqrt", p, correction, x.hi.node(), x.lo.node(), at(sum, "aab"), at(sum, "ab"));
 }
@@ -468,10 +457,10 @@ static void write_times(void)
     const Real x = variable("x", 1.3);
     const struct cor_inline_pair f = pair_variable("f", 1.7);
     const Real value = times(x, f);
-    const int last = at(value.node(), "a");
-    expect(what_is(last) == ADD && is_constant(at(value.node(), "b"), 1), "times");
+    const int last = at(value, "a");
+    expect(what_is(last) == ADD && is_constant(at(value, "b"), 1), "times");
     gappa g;
-    g.cut("x", x.node(), "[1, 2]");
+    g.cut("x", x, "[1, 2]");
     pair_in(g, f, "fh", "fl");
     g.define(at(last, "b"));
     g.call({{"s", last}});
@@ -548,8 +537,8 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     known[x.node()] = arbitrary();
     known[nu.node()] = arbitrary();
     mpq_class root; /* the last one is the law's */
-    for (std::size_t i = 0; i < nodes().size(); i++) {
-        const operation what = nodes()[i].what;
+    for (std::size_t i = 0; i < nodes.size(); i++) {
+        const operation what = nodes[i].what;
         if (what == HEAD || what == SEED || what == LOG)
             known[(int)i] = arbitrary();
         if (what == SQRT)
@@ -560,7 +549,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     const mpq_class slope = datum == COR_DISK_DATUM_DIAMETER  ? mpq_class(0)
                             : datum == COR_DISK_DATUM_PRINTED ? mpq_class(-1)
                                                               : mpq_class(-1, 4);
-    const mpq_class moved = exact_value(limit.exponent.node(), known);
+    const mpq_class moved = exact_value(limit.exponent, known);
     expect(f.constant != nullptr || moved == (f.quantity == ENERGY ? 2 : 1) * slope * known[nu.node()], f.name);
     mpq_class q = of_pair(limit.at_zero.log) + moved - known[far] -
                   exponent * (rational(0.69314718055989033019) + rational(5.4979230187083711747e-14));
@@ -651,8 +640,8 @@ static void check_limit(void)
     assignment known;
     known[nu.node()] = mpq_class(1, 2);
     known[x.node()] = mpq_class(3, 4);
-    for (std::size_t i = 0; i < nodes().size(); i++)
-        if (nodes()[i].what == HEAD)
+    for (std::size_t i = 0; i < nodes.size(); i++)
+        if (nodes[i].what == HEAD)
             known[(int)i] = mpq_class((int)i % 3);
     const mpq_class r = mpq_class(-1, 8) / 512; /* -nu/4/512 */
     static const number factorial[] = {1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800};
@@ -676,9 +665,8 @@ static void check_limit(void)
     for (int i = 0; i < 9; i++)
         value *= value;
     value *= of_pair(limit.at_zero.number);
-    expect(exact_value(pair.hi.node(), known) + exact_value(pair.lo.node(), known) == value, "limit_number");
-    expect(exact_value(at(q.hi.node(), "a"), known) == (value - mpq_class(3, 4)) / mpq_class(3, 4),
-           "cor_log_ratio_near");
+    expect(exact_value(pair.hi, known) + exact_value(pair.lo, known) == value, "limit_number");
+    expect(exact_value(at(q.hi, "a"), known) == (value - mpq_class(3, 4)) / mpq_class(3, 4), "cor_log_ratio_near");
 }
 
 static void write_disk(void)

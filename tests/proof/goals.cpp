@@ -5,8 +5,8 @@
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
  * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS.
- * TABLES.h is generated/sphere_tables.h, read as text: its macros say which interval each row is for. The exit status is
- * 1 if the evaluator does not compute the formula of a row. */
+ * TABLES.h is generated/sphere_tables.h, of which the proved errors of rows in beta^5 are read as text. The exit status
+ * is 1 if the evaluator does not compute the formula of a row. */
 #include "trace.h"
 
 #include <cstring>
@@ -79,134 +79,115 @@ static std::string units(number error)
     return " in [-" + hex(error) + ", " + hex(error) + "]";
 }
 
+static std::string numbered(const std::string &name, int i)
+{
+    char digits[16];
+    snprintf(digits, sizeof digits, "_%04d", i);
+    return name + digits;
+}
+
 /* ---- what the tables say ---- */
 
+struct table {
+    const Real *(*rows)(int i);
+    int count;
+    number first, step;      /* nodes first + i step, or */
+    int octave, octave_bits; /* 2^octave_bits rows to each octave from this one on */
+};
+#define GRID(name, NAME)                                                                                               \
+    {                                                                                                                  \
+        cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_FIRST, COR_ROWS_##NAME##_STEP, 0, -1                \
+    }
+#define OCTAVES(name, NAME)                                                                                            \
+    {                                                                                                                  \
+        cor_rows_##name, COR_ROWS_##NAME##_ROWS, 0, 0, COR_ROWS_##NAME##_FIRST_OCTAVE, COR_ROWS_##NAME##_OCTAVE_BITS   \
+    }
+
 struct row {
+    int index, octave;
     number low, high; /* of y, or of y 2^-octave */
-    int octave;
-    bool by_octaves;
-    number bits; /* -log2 of the proved error */
-    std::vector<std::string> value;
+    const Real *c;
     number node() const
     {
         return low == 0 ? 0 : (low + high) / 2;
     }
 };
-typedef std::vector<row> table;
 
-/* The grid of a table: its macros, and the bits of its rows from the comment above them */
-struct grid {
-    number first = 0, step = 0;
-    int octave = 0, octave_bits = -1;
-    std::vector<number> bits;
-
-    row cell(int i) const
-    {
-        row r = {};
-        r.by_octaves = octave_bits >= 0;
-        const int cells = r.by_octaves ? 1 << octave_bits : 1;
-        const number width = r.by_octaves ? 1.0 / cells : step;
-        const number node = r.by_octaves ? 1 + width * (i % cells + 0.5) : first + i * step;
-        r.octave = r.by_octaves ? octave + i / cells : 0;
-        r.low = std::max(node - width / 2, 0.0);
-        r.high = node + width / 2;
-        r.bits = (std::size_t)i < bits.size() ? bits[(std::size_t)i] : 0;
-        return r;
-    }
-};
-
-static void read_macro(grid &g, const std::string &line)
+static row row_of(const table &t, int i)
 {
-    const auto number_of_macro = [&](const char *what, auto &into) {
-        const std::size_t at = line.find(what);
-        if (at != std::string::npos)
-            into = (typename std::remove_reference<decltype(into)>::type)strtod(
-                line.c_str() + line.find_first_of("-0123456789", at + strlen(what)), nullptr);
-    };
-    number_of_macro("_FIRST ", g.first);
-    number_of_macro("_STEP ", g.step);
-    number_of_macro("_FIRST_OCTAVE ", g.octave);
-    number_of_macro("_OCTAVE_BITS ", g.octave_bits);
+    const bool by_octaves = t.octave_bits >= 0;
+    const int cells = by_octaves ? 1 << t.octave_bits : 1;
+    const number width = by_octaves ? 1.0 / cells : t.step;
+    const number node = by_octaves ? 1 + width * (i % cells + 0.5) : t.first + i * t.step;
+    return {i, by_octaves ? t.octave + i / cells : 0, std::max(node - width / 2, 0.0), node + width / 2, t.rows(i)};
 }
-
-static std::map<std::string, table> tables_of(const char *file)
-{
-    std::map<std::string, table> all;
-    std::ifstream in(file);
-    std::string line, name;
-    grid g;
-    bool in_bits = false;
-    std::size_t columns = 0; /* of the table that is being read, or 0 */
-    while (std::getline(in, line)) {
-        char text[128];
-        int rows, width;
-        const std::size_t bits = line.find("Bits of the rows:");
-        if (line.compare(0, 3, "/* ") == 0 && columns == 0)
-            g = {};
-        if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1)
-            name = text;
-        else if (sscanf(line.c_str(), "COR_ROWS(double, cor_rows_%127[a-z0-9_], %d, %d)", text, &rows, &width) == 3)
-            name = text, columns = (std::size_t)width;
-        else if (sscanf(line.c_str(), "    static const double row[%d][%d]", &rows, &width) == 2)
-            columns = (std::size_t)width;
-        else if (line.find('}') == 0 || line == "    };")
-            columns = 0;
-        else if (columns > 0 && line[0] == ' ') {
-            std::replace_if(
-                line.begin(), line.end(), [](char c) { return c == '{' || c == '}' || c == ','; }, ' ');
-            std::istringstream words(line);
-            table &t = all[name];
-            for (std::string word; words >> word; t.back().value.push_back(word))
-                if (t.empty() || t.back().value.size() == columns)
-                    t.push_back(g.cell((int)t.size()));
-        } else if (in_bits || bits != std::string::npos) {
-            std::istringstream words(line.substr(bits == std::string::npos ? 2 : bits + 17));
-            for (number x; words >> x;)
-                g.bits.push_back(x);
-            in_bits = line.find("*/") == std::string::npos;
-        } else {
-            read_macro(g, line);
-        }
-    }
-    return all;
-}
-
-static std::map<std::string, table> tables;
 
 /* A coefficient, and c_0 + c_0' + s (c_1 + c_2 t + ...) */
-static mpq_class coefficient(const row &r, std::size_t k)
+static mpq_class coefficient(const Real *c, int k)
 {
-    return mpq_class(strtod(r.value[k].c_str(), nullptr));
+    return mpq_class(c[k].value);
 }
-static mpq_class polynomial(const row &r, const mpq_class &s, const mpq_class &t)
+static mpq_class polynomial(const Real *c, const mpq_class &s, const mpq_class &t)
 {
     mpq_class sum = 0;
-    for (std::size_t k = r.value.size(); k-- > 2;)
-        sum = sum * t + coefficient(r, k);
-    return coefficient(r, 0) + coefficient(r, 1) + s * sum;
+    for (int k = COR_INLINE_COLUMNS; k-- > 2;)
+        sum = sum * t + coefficient(c, k);
+    return coefficient(c, 0) + coefficient(c, 1) + s * sum;
 }
 
 /* ---- exact arithmetic with a list of operations ---- */
 
 typedef std::map<int, mpq_class> assignment;
 
-static mpq_class exact_value(int id, assignment &known)
+static mpq_class exact_value(term id, assignment &known)
 {
     const auto found = known.find(id);
     if (found != known.end())
         return found->second;
-    const node &n = nodes()[(std::size_t)id];
-    if (n.what != CONSTANT && n.what != NEGATE && (n.what < ADD || n.what > DIVIDE))
-        die("an operation that exact arithmetic does not know: " + std::to_string(n.what));
+    const node n = of(id);
     const mpq_class x = n.a < 0 ? mpq_class(n.value) : exact_value(n.a, known),
                     y = n.b < 0 ? x : exact_value(n.b, known);
-    mpq_class value = n.what == ADD ? x + y : n.what == SUBTRACT ? x - y : n.what == MULTIPLY ? x * y : x;
-    if (n.what == DIVIDE)
-        value = x / y;
-    if (n.what == NEGATE)
-        value = -x;
-    known[id] = value;
+    switch (n.what) {
+    case CONSTANT:
+        return x;
+    case ADD:
+        return known[id] = x + y;
+    case SUBTRACT:
+        return known[id] = x - y;
+    case MULTIPLY:
+        return known[id] = x * y;
+    case DIVIDE:
+        return known[id] = x / y;
+    case NEGATE:
+        return known[id] = -x;
+    default:
+        die("an operation that exact arithmetic does not know: " + std::to_string(n.what));
+    }
+}
+
+/* A rational number: no two formulas of low degree that differ agree at such numbers, unless by a chance of 2^-16 */
+static mpq_class arbitrary(void)
+{
+    static std::uint64_t state = 1;
+    state = state * 6364136223846793005 + 1442695040888963407;
+    mpq_class value((long)(state >> 46) + 1000, (long)(state >> 29 & 0xffff) + 1001);
+    value.canonicalize();
     return value;
+}
+
+/* The list of operations, if nothing is rounded, must be a formula: their sum at 24 arbitrary numbers, which the formula
+ * gives to the variables. */
+static void check_formula(const std::string &what, std::initializer_list<term> operations,
+                          const std::function<mpq_class(assignment &)> &formula)
+{
+    for (int i = 0; i < 24; i++) {
+        assignment known;
+        mpq_class off = -formula(known);
+        for (const term id : operations)
+            off += exact_value(id, known);
+        if (off != 0)
+            die(what + ": the evaluator does not compute the formula");
+    }
 }
 
 /* ---- intervals, widened: only to know which binades a result can reach ---- */
@@ -215,57 +196,45 @@ struct interval {
     number low, high;
 };
 
-static interval widened(number a, number b, number c, number d)
-{
-    const number low = std::min({a, b, c, d}), high = std::max({a, b, c, d});
-    return {low - std::fabs(low) * 0x1p-45, high + std::fabs(high) * 0x1p-45};
-}
-
 typedef std::map<int, interval> ranges;
 
-static interval range_of(int id, ranges &known)
+static interval range_of(term id, ranges &known)
 {
     const auto found = known.find(id);
     if (found != known.end())
         return found->second;
-    const node n = nodes()[(std::size_t)id];
+    const node n = of(id);
     const interval x = n.a < 0 ? interval{0, 0} : range_of(n.a, known), y = n.b < 0 ? x : range_of(n.b, known);
-    interval z;
-    switch (n.what) {
-    case CONSTANT:
-        z = {n.value, n.value};
-        break;
-    case ADD:
-        z = widened(x.low + y.low, x.low + y.low, x.high + y.high, x.high + y.high);
-        break;
-    case SUBTRACT:
-        if (nodes()[(std::size_t)n.b].what == HEAD && nodes()[(std::size_t)n.b].a == n.a)
-            z = {0, x.high * 0x1p-25};
-        else
-            z = widened(x.low - y.high, x.low - y.high, x.high - y.low, x.high - y.low);
-        break;
-    case MULTIPLY:
-        z = n.a == n.b && x.low < 0 && x.high > 0
-                ? widened(0, 0, x.low * x.low, x.high * x.high)
-                : widened(x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high);
-        break;
-    case DIVIDE:
-        z = widened(x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high);
-        break;
-    case NEGATE:
-        z = {-x.high, -x.low};
-        break;
-    case SQRT:
-        z = widened(std::sqrt(x.low), 0 + std::sqrt(x.low), std::sqrt(x.high), std::sqrt(x.high));
-        break;
-    case HEAD:
-        z = {x.low * (1 - 0x1p-25), x.high};
-        break;
-    default:
-        die("an operation without an interval: " + std::to_string(n.what));
-    }
-    known[id] = z;
-    return z;
+    const auto result = [&](number u, number v) -> number {
+        switch (n.what) {
+        case CONSTANT:
+            return n.value;
+        case ADD:
+            return u + v;
+        case SUBTRACT:
+            return u - v;
+        case MULTIPLY:
+            return u * v;
+        case DIVIDE:
+            return u / v;
+        case NEGATE:
+            return -u;
+        case SQRT:
+            return std::sqrt(u);
+        case HEAD:
+            return u * (1 - 0x1p-25);
+        default:
+            die("an operation without an interval: " + std::to_string(n.what));
+        }
+    };
+    const auto ends = std::minmax({result(x.low, y.low), result(x.low, y.high), result(x.high, y.low),
+                                   n.what == HEAD ? x.high : result(x.high, y.high)});
+    interval z = {ends.first, ends.second};
+    if (n.what == SUBTRACT && of(n.b).what == HEAD && of(n.b).a == n.a)
+        z = {0, x.high * 0x1p-25};
+    else if (n.what == MULTIPLY && n.a == n.b && x.low < 0 && x.high > 0)
+        z = {0, std::max(x.low * x.low, x.high * x.high)};
+    return known[id] = {z.low - std::fabs(z.low) * 0x1p-45, z.high + std::fabs(z.high) * 0x1p-45};
 }
 
 /* ---- pieces ---- */
@@ -279,10 +248,10 @@ struct piece {
 static word path_at(const function &f, number x)
 {
     start();
-    recording() = false;
+    recording = false;
     f(variable("x", x));
-    recording() = true;
-    return path();
+    recording = true;
+    return path;
 }
 
 /* The pieces of [first, end). Every decision of the evaluator is a monotone function of the argument, so the arguments
@@ -313,23 +282,24 @@ static std::vector<piece> pieces_of(const function &f, number first, number end)
 }
 
 /* The operand of an operand ... of an operation: "ab" is the second one of the first */
-static int at(int id, const char *operands)
+static int at(term f, const char *operands)
 {
+    int id = f;
     for (; *operands; operands++)
-        id = *operands == 'a' ? nodes()[(std::size_t)id].a : nodes()[(std::size_t)id].b;
+        id = *operands == 'a' ? of(id).a : of(id).b;
     return id;
 }
 
-static operation what_is(int id)
+static operation what_is(term id)
 {
-    return nodes()[(std::size_t)id].what;
+    return of(id).what;
 }
 
 /* The last operation that is wanted, or -1 */
 static int last_where(const std::function<bool(const node &)> &wanted)
 {
-    int i = (int)nodes().size() - 1;
-    while (i >= 0 && !wanted(nodes()[(std::size_t)i]))
+    int i = (int)nodes.size() - 1;
+    while (i >= 0 && !wanted(of(i)))
         i--;
     return i;
 }
@@ -352,23 +322,23 @@ static std::vector<std::string> patterns;
 
 static bool is_wanted(const std::string &name)
 {
-    const auto fits = [&](const std::string &pattern) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; };
-    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), fits);
+    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string &pattern) {
+               return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+           });
 }
 
 /* Whether a pattern begins with the name of a table */
-static bool is_wanted_in_part(const std::string &table_name)
+static bool is_wanted_in_part(const std::string &name)
 {
-    const auto begins = [&](const std::string &pattern) {
-        return pattern.compare(0, table_name.size(), table_name) == 0;
-    };
-    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), begins);
+    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string &pattern) {
+               return pattern.compare(0, name.size(), name) == 0;
+           });
 }
 
 /* The number of a constant, or NaN */
 static number constant_of(int id)
 {
-    return nodes()[(std::size_t)id].what == CONSTANT ? nodes()[(std::size_t)id].value : NAN;
+    return of(id).what == CONSTANT ? of(id).value : NAN;
 }
 
 /* The text of a Gappa file that is being written: rounded (n..) and exact (e..) versions of every operation. In what is
@@ -395,7 +365,7 @@ struct gappa {
     }
     static std::string name_of(int id, char kind)
     {
-        const node &n = nodes()[(std::size_t)id];
+        const node &n = of(id);
         return n.what == CONSTANT ? "(" + hex(n.value) + ")" : kind + std::to_string(id);
     }
 
@@ -423,24 +393,14 @@ struct gappa {
         hints.push_back(filled(rule) + ";");
     }
 
-    struct call_name {
-        const char *name;
-        int id;
-        call_name(const char *n, int i) : name(n), id(i)
-        {
-        }
-        call_name(const char *n, Real x) : name(n), id(x.node())
-        {
-        }
-    };
-    void call(std::initializer_list<call_name> list)
+    void call(std::initializer_list<std::pair<std::string, term>> more)
     {
-        for (const call_name &f : list)
-            names[f.name] = f.id;
+        for (const auto &f : more)
+            names[f.first] = f.second;
     }
 
     /* An operation whose text is given: the rounded version and, where it is another, the exact one */
-    void give(int id, const std::string &round, const std::string &precise = "")
+    void give(term id, const std::string &round, const std::string &precise = "")
     {
         text << rounded(id) << " " << filled(round) << ";\n";
         if (!precise.empty())
@@ -449,7 +409,7 @@ struct gappa {
     }
 
     /* A double that the goal takes from `interval`; its exact value is the same. */
-    void cut(const char *name, int id, const std::string &interval)
+    void cut(const char *name, term id, const std::string &interval)
     {
         call({{name, id}});
         give(id, "= rnd(cut" + std::to_string(id) + ")", "same");
@@ -457,23 +417,23 @@ struct gappa {
     }
 
     /* A double in an interval; exact and rounded version are the same. */
-    void variable_in(int id, interval x)
+    void variable_in(term id, interval x)
     {
         give(id, "= rnd(v" + std::to_string(id) + ")", "same");
         assume(rounded(id) + " in " + within(x.low, x.high));
     }
 
     /* A real number in an interval, and the double next to it */
-    void rounded_in(int id, interval x)
+    void rounded_in(term id, interval x)
     {
         text << exact(id) << " = v" << id << ";\n" << rounded(id) << " = rnd(v" << id << ");\n";
         assume("v" + std::to_string(id) + " in " + within(x.low, x.high));
         done[id] = true;
     }
 
-    void define(int id)
+    void define(term id)
     {
-        const node n = nodes()[(std::size_t)id];
+        const node n = of(id);
         if (n.what == CONSTANT || done[id])
             return;
         done[id] = true;
@@ -523,13 +483,6 @@ struct gappa {
     }
 };
 
-static std::string numbered(const std::string &name, int i)
-{
-    char digits[16];
-    snprintf(digits, sizeof digits, "_%04d", i);
-    return name + digits;
-}
-
 static std::string power_of_two(int k)
 {
     return "1b" + std::to_string(k);
@@ -539,9 +492,9 @@ static std::string power_of_two(int k)
  * within 2^-55 of it. A file for each binade that the exact value may reach, and for each side of the binade's borders
  * on which the sum may lie that is rounded last: a sum beside a power of two can round to another spacing than that of
  * the exact value. */
-static void write_goals(const std::string &name, gappa &g, int result, ranges &known, number ulp)
+static void write_goals(const std::string &name, gappa &g, term result, ranges &known, number ulp)
 {
-    const node n = nodes()[(std::size_t)result];
+    const node n = of(result);
     g.define(n.a);
     g.define(n.b);
     g.text << "sum = " << g.rounded(n.a) << (n.what == SUBTRACT ? " - " : " + ") << g.rounded(n.b) << ";\n";
@@ -583,44 +536,37 @@ struct evaluator {
     shape kind;
     bool product; /* value = m (c_0 + row) */
     number ulp;
+    table rows;
 };
 
 /* The row for a number of a piece, according to the geometry of the table */
-static const row &row_for(const evaluator &f, number x)
+static row row_for(const evaluator &f, number x)
 {
-    for (const row &r : tables[f.name]) {
-        number y = f.kind == IN_ROOT     ? std::sqrt(x)
-                   : f.kind == NEAR      ? 1 - x
-                   : f.kind == NEAR_ROOT ? std::sqrt(1 - x)
-                                         : x;
-        if (r.by_octaves)
-            y = std::ldexp(y, -r.octave);
+    for (int i = 0; i < f.rows.count; i++) {
+        const row r = row_of(f.rows, i);
+        const number y = f.kind == IN_ROOT     ? std::sqrt(x)
+                         : f.kind == NEAR      ? 1 - x
+                         : f.kind == NEAR_ROOT ? std::sqrt(1 - x)
+                                               : std::ldexp(x, -r.octave);
         if (y >= r.low && y <= r.high)
             return r;
     }
     die(std::string(f.name) + ": no row for " + hex(x));
 }
 
+/* The nodes that the result depends on */
 static void mark_operands(int id, std::vector<bool> &needed)
 {
     if (id < 0 || needed[(std::size_t)id])
         return;
     needed[(std::size_t)id] = true;
-    mark_operands(nodes()[(std::size_t)id].a, needed);
-    mark_operands(nodes()[(std::size_t)id].b, needed);
+    mark_operands(of(id).a, needed);
+    mark_operands(of(id).b, needed);
 }
 
-/* The nodes that the result depends on */
-static std::vector<bool> needed_for(int result)
+static bool is_constant(term id, number value)
 {
-    std::vector<bool> needed(nodes().size(), false);
-    mark_operands(result, needed);
-    return needed;
-}
-
-static bool is_constant(int id, number value)
-{
-    return id >= 0 && nodes()[(std::size_t)id].what == CONSTANT && nodes()[(std::size_t)id].value == value;
+    return id >= 0 && of(id).what == CONSTANT && of(id).value == value;
 }
 
 /* The nodes of a piece that the goals need by name; -1 where there is none */
@@ -631,10 +577,11 @@ struct landmarks {
 /* place: t of row 0, y - 0 - 0 step or y - 0 */
 static landmarks landmarks_of(int result)
 {
-    const std::vector<bool> needed = needed_for(result);
+    std::vector<bool> needed(nodes.size(), false);
+    mark_operands(result, needed);
     const auto find_node = [&](const std::function<bool(const node &)> &wanted) {
-        for (std::size_t i = 0; i < nodes().size(); i++)
-            if (needed[i] && wanted(nodes()[i]))
+        for (std::size_t i = 0; i < nodes.size(); i++)
+            if (needed[i] && wanted(nodes[i]))
                 return (int)i;
         return -1;
     };
@@ -645,8 +592,8 @@ static landmarks landmarks_of(int result)
     l.head = find_node([](const node &n) { return n.what == HEAD; });
     l.loss = find_node([&](const node &n) { return n.what == SUBTRACT && is_constant(n.a, 1) && n.b == l.x; });
     l.place = -1;
-    for (std::size_t i = 0; i < nodes().size(); i++) {
-        const node &n = nodes()[i];
+    for (std::size_t i = 0; i < nodes.size(); i++) {
+        const node &n = nodes[i];
         const int y = l.root >= 0 ? l.root : l.loss >= 0 ? l.loss : l.x;
         if (needed[i] && n.what == SUBTRACT && is_constant(n.b, 0) && (n.a == y || n.a == l.place))
             l.place = (int)i;
@@ -654,38 +601,23 @@ static landmarks landmarks_of(int result)
     return l;
 }
 
-/* The evaluator computes exactly c_0 + c_0' + s (c_1 + c_2 t + ...) of the row that the table's comments assign to the
- * piece, times m, if nothing is rounded: two polynomials of degree at most 13 agree at 16 points. */
-static void check_formula(const evaluator &f, const row &r, const landmarks &l, int result, number x)
+/* The evaluator computes exactly c_0 + c_0' + s (c_1 + c_2 t + ...) of the row that the table's macros assign to the
+ * piece, times m, if nothing is rounded. */
+static void check_row(const evaluator &f, const row &r, const landmarks &l, int result)
 {
-    for (int i = 1; i <= 16; i++) {
-        assignment known;
-        mpq_class t, m = 1;
-        const mpq_class node(r.node()), z(i * 7 + 3, 40 + i);
-        t = z - node;
-        if (l.significand >= 0) {
-            known[l.significand] = z;
-        } else if (f.kind == IN_BETA) {
-            known[l.x] = z;
-        } else if (f.kind == IN_ROOT) {
+    const bool by_square = f.kind == IN_ROOT && f.rows.count == COR_ROWS_EPS_ZERO_FORCE_ROWS &&
+                           r.index >= COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS;
+    check_formula(numbered(f.name, r.index), {result}, [&](assignment &known) {
+        const mpq_class node(r.node()), z = arbitrary(), t = z - node;
+        if (l.root >= 0)
             known[l.root] = z;
-            known[l.x] = z * z;
-        } else {
-            const bool root = f.kind == NEAR_ROOT;
-            known[l.loss] = root ? mpq_class(z * z) : z;
-            if (root)
-                known[l.root] = z;
-        }
-        if (f.product) {
-            m = known[l.loss >= 0 ? l.loss : l.x];
-            known[l.head] = mpq_class(i, 3); /* any split of m gives the same product */
-        }
-        const bool by_square = f.kind == IN_ROOT && tables[f.name].size() == COR_ROWS_EPS_ZERO_FORCE_ROWS &&
-                               &r - &tables[f.name][0] >= COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS;
-        const mpq_class sum = polynomial(r, by_square ? mpq_class(z * z - node * node) : t, t);
-        if (exact_value(result, known) != m * sum)
-            die(std::string(f.name) + " at " + hex(x) + ": the evaluator does not compute the formula of the row");
-    }
+        known[l.significand >= 0 ? l.significand : l.loss >= 0 ? l.loss : l.x] = l.root >= 0 ? mpq_class(z * z) : z;
+        const mpq_class sum = polynomial(r.c, by_square ? mpq_class(z * z - node * node) : t, t);
+        if (!f.product)
+            return sum;
+        known[l.head] = arbitrary(); /* any split of m gives the same product */
+        return mpq_class(known[l.loss >= 0 ? l.loss : l.x] * sum);
+    });
 }
 
 static void write_row_piece(const evaluator &f, const piece &p, int index)
@@ -694,8 +626,8 @@ static void write_row_piece(const evaluator &f, const piece &p, int index)
     const Real value = f.value(variable("x", p.low));
     const int result = value.node();
     const landmarks l = landmarks_of(result);
-    const row &r = row_for(f, p.low + (p.high - p.low) / 2);
-    check_formula(f, r, l, result, p.low);
+    const row r = row_for(f, p.low + (p.high - p.low) / 2);
+    check_row(f, r, l, result);
     const bool first = f.product && l.place >= 0 && r.low == 0;
     gappa g;
     ranges known;
@@ -724,7 +656,7 @@ static void write_rows(const evaluator &f)
     const std::vector<piece> pieces = pieces_of(f.value, f.first, f.end);
     for (std::size_t i = 0; i < pieces.size(); i++)
         write_row_piece(f, pieces[i], (int)i);
-    printf("%s: %zu pieces of %zu rows\n", f.name, pieces.size(), tables[f.name].size());
+    printf("%s: %zu pieces of %d rows\n", f.name, pieces.size(), f.rows.count);
 }
 
 /* ---- tails ---- */
@@ -759,8 +691,8 @@ static void write_log(void)
         gappa g;
         g.give(log, "= rnd(v)", "LNM");
         g.call({{"l", log}, {"hi", u.hi}});
-        g.define(u.lo.node());
-        g.define(u.hi.node());
+        g.define(u.lo);
+        g.define(u.hi);
         const std::string off = hint_sum(g, u, "pair");
         g.say("exact = " + exponent + " * LN2 + LNM;");
         g.hint("pair - exact -> " + off + " + ($hi.b - ($hi.ba + $l)) + ($l - LNM) + (($hi.a + $hi.ba) - " + exponent +
@@ -775,33 +707,30 @@ static void write_log(void)
 /* The factors of the tails, as pairs: rows in u = ln(beta) up to u = 10, and three orders in mu = beta^(-5/3) beyond.
  * `error` is the relative error that the goals state, in units of 2^-53. */
 struct tail {
-    const char *name;
+    std::string name;
     struct cor_inline_pair (*factor)(Real beta);
     number error, far_error;
+    table rows;
+    const Real *far_row;
 };
-
+#define TAIL(name, NAME, error, far_error)                                                                             \
+    {                                                                                                                  \
+#name, [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, name, COR_ROWS_TAIL_##NAME); }, error, far_error,    \
+                                                                                               GRID(tail_##name,       \
+                                                                                                    TAIL_##NAME),      \
+                                                                                               cor_rows_far_##name(0)  \
+    }
 static const tail tails[] = {
-    {"tail_eps_zero_force",
-     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE); }, 0.3, 0.1},
-    {"tail_duration_zero_overlap",
-     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, duration_zero_overlap, COR_ROWS_TAIL_DURATION_ZERO_OVERLAP); },
-     0.8, 0.2},
-    {"tail_duration_zero_force",
-     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, duration_zero_force, COR_ROWS_TAIL_DURATION_ZERO_FORCE); }, 0.6,
-     0.2},
-    {"tail_max_overlap", [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, max_overlap, COR_ROWS_TAIL_MAX_OVERLAP); },
-     0.3, 0.1},
-    {"tail_time_of_max_overlap",
-     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, time_of_max_overlap, COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP); }, 0.6,
-     0.2},
-};
+    TAIL(eps_zero_force, EPS_ZERO_FORCE, 0.3, 0.1), TAIL(duration_zero_overlap, DURATION_ZERO_OVERLAP, 0.8, 0.2),
+    TAIL(duration_zero_force, DURATION_ZERO_FORCE, 0.6, 0.2), TAIL(max_overlap, MAX_OVERLAP, 0.3, 0.1),
+    TAIL(time_of_max_overlap, TIME_OF_MAX_OVERLAP, 0.6, 0.2)};
 
 /* u.hi and u.lo become variables with |hi + lo - U| <= 2^-53, which the goals of write_log prove; U is ln(beta). */
 static void cut_log(gappa &g, const struct cor_inline_pair &u, interval range)
 {
     g.call({{"hi", u.hi}, {"lo", u.lo}});
-    g.give(u.lo.node(), "= rnd(low)", "same");
-    g.give(u.hi.node(), "= rnd(high)", "U - $lo");
+    g.give(u.lo, "= rnd(low)", "same");
+    g.give(u.hi, "= rnd(high)", "U - $lo");
     g.assume("|$lo| <= " + hex(std::ldexp(range.high, -52)));
     g.assume("$hi in " + within(range.low, range.high));
     g.assume("$hi - @hi in [-1b-53, 1b-53]");
@@ -809,40 +738,38 @@ static void cut_log(gappa &g, const struct cor_inline_pair &u, interval range)
 
 /* |pair - E| <= error 2^-53 E for a row of a tail. The row may be used a little beyond its cell, because log is
  * rounded. */
-static void write_tail_row(const tail &f, const row &r, int index)
+static void write_tail_row(const tail &f, int index)
 {
     const number slack = 0x1p-40;
     start();
+    const row r = row_of(f.rows, index);
     const Real beta = variable("x", std::exp(r.node()));
     const struct cor_inline_pair u = cor_inline_log(beta), pair = f.factor(beta);
     const int hi = pair.hi.node(), lo = pair.lo.node();
-    for (int i = 1; i <= 16; i++) { /* the formula of the row, as check_formula */
-        assignment known;
-        const mpq_class y(i * 7 + 3, 40 + i), t = y - mpq_class(r.node()), rest(i, 7);
+    check_formula("the tail of " + f.name, {hi, lo}, [&](assignment &known) {
+        const mpq_class y = arbitrary(), t = y - mpq_class(r.node()), rest = arbitrary();
         known[u.hi.node()] = y - rest;
         known[u.lo.node()] = rest;
-        const mpq_class sum = polynomial(r, t, t);
-        if (exact_value(hi, known) + exact_value(lo, known) != sum)
-            die(std::string(f.name) + ": the evaluator does not compute the formula of row " + std::to_string(index));
-    }
+        return polynomial(r.c, t, t);
+    });
     gappa g;
     cut_log(g, u, {r.low - slack, r.high + slack});
     g.define(lo);
     const std::string off = hint_sum(g, pair, "pair");
     g.hint("pair - @sum -> " + off + " + ($sum.b - @sum.b)");
-    g.write(numbered(f.name, index), {}, "|(pair - @sum) / @sum|" + at_most(std::ldexp(f.error, -53)));
+    g.write(numbered("tail_" + f.name, index), {}, "|(pair - @sum) / @sum|" + at_most(std::ldexp(f.error, -53)));
 }
 
 static void write_tails(void)
 {
     for (const tail &f : tails)
-        for (std::size_t i = 0; i < tables[f.name].size(); i++)
-            write_tail_row(f, tables[f.name][i], (int)i);
+        for (int i = 0; i < f.rows.count; i++)
+            write_tail_row(f, i);
 }
 
 /* hi + lo of a pair that cor_inline_product(x, y) computes: lo approximates x y - hi. Returns the text of hi + lo - x y
  * for the rounded x and y. */
-static std::string product_error(gappa &g, int hi, int lo)
+static std::string product_error(gappa &g, term hi, term lo)
 {
     const int first = at(lo, "aaa");
     expect(what_is(lo) == ADD && what_is(at(lo, "a")) == ADD && what_is(at(lo, "aa")) == ADD &&
@@ -872,24 +799,18 @@ static void write_far_binade(const tail &f, interval range, int index)
     const int slope_lo = at(rest, "baaa"), orders = at(rest, "bbb"), second = at(sum_hi, "b");
     const int slope_hi = second >= 0 && what_is(second) == MULTIPLY ? second : at(sum_hi, "a");
     const int mu = last_where([](const node &n) { return n.what == DIVIDE && what_is(n.b) == MULTIPLY; });
-    const row &r = tables["far_" + std::string(f.name).substr(5)][0];
-    for (int i = 1; i <= 16; i++) {
-        assignment known;
-        const mpq_class y(i * 7 + 3, 40 + i), m(i, 50);
+    check_formula("far " + f.name, {hi, lo}, [&](assignment &known) {
+        const mpq_class y = arbitrary(), m = arbitrary();
         known[v] = y;
         known[ulo] = 0;
         known[mu] = m;
-        std::vector<mpq_class> c;
-        for (std::size_t k = 0; k < r.value.size(); k++)
-            c.push_back(coefficient(r, k));
-        for (std::size_t k = 0; k < nodes().size(); k++)
-            if (nodes()[k].what == HEAD)
-                known[(int)k] = mpq_class(i, 9);
-        const mpq_class sum = c[0] + c[1] + (c[2] + c[3]) * y + m * (c[4] + y * (c[5] + y * c[6])) +
-                              m * m * (c[7] + y * (c[8] + y * (c[9] + y * c[10])));
-        if (exact_value(hi, known) + exact_value(lo, known) != sum)
-            die(std::string(f.name) + ": the evaluator does not compute the formula beyond u = 10");
-    }
+        for (std::size_t k = 0; k < nodes.size(); k++)
+            if (nodes[k].what == HEAD)
+                known[(int)k] = arbitrary();
+        const auto c = [&](int k) { return coefficient(f.far_row, k); };
+        return mpq_class(c(0) + c(1) + (c(2) + c(3)) * y + m * (c(4) + y * (c(5) + y * c(6))) +
+                         m * m * (c(7) + y * (c(8) + y * (c(9) + y * c(10)))));
+    });
     const number most = std::max(std::exp(-5 * range.low / 3) * (1 + 0x1p-40), 0x1p-900); /* mu may underflow */
     gappa g;
     g.call({{"v", v}, {"u", ulo}, {"mu", mu}});
@@ -910,12 +831,12 @@ static void write_far_binade(const tail &f, interval range, int index)
     g.call({{"rest", rest}, {"slope_lo", slope_lo}, {"orders", orders}});
     std::vector<std::string> c;
     for (int k = 0; k < 4; k++)
-        c.push_back("(" + hex(strtod(r.value[(std::size_t)k].c_str(), nullptr)) + ")");
+        c.push_back("(" + hex(f.far_row[k].value) + ")");
     g.say("exact = " + c[0] + " + " + c[1] + " + (" + c[2] + " + " + c[3] + ") * U + @orders;");
     g.say("terms = (($slope_lo + " + c[2] + " * $u) + " + c[3] + " * $v) + (" + c[1] + " + $orders);");
     g.hint("pair - exact -> " + off_2 + " + ($rest - ($rest.a + $rest.b)) + " + off_1 + " + " + slope +
            " + ($rest.b - terms) + " + c[2] + " * (($v + $u) - U) + " + c[3] + " * ($v - U) + ($orders - @orders)");
-    g.write("far_" + std::string(f.name + 5) + "_" + std::to_string(index), {},
+    g.write("far_" + f.name + "_" + std::to_string(index), {},
             "|(pair - exact) / exact|" + at_most(std::ldexp(f.far_error, -53)));
 }
 
@@ -945,8 +866,8 @@ static struct cor_inline_pair pair_variable(const std::string &name, number hi)
 static void pair_in(gappa &g, const struct cor_inline_pair &pair, const char *hi, const char *lo)
 {
     g.call({{hi, pair.hi}, {lo, pair.lo}});
-    g.variable_in(pair.hi.node(), {1, 2});
-    g.variable_in(pair.lo.node(), {-0x1p-52, 0x1p-52});
+    g.variable_in(pair.hi, {1, 2});
+    g.variable_in(pair.lo, {-0x1p-52, 0x1p-52});
 }
 
 /* cor_inline_product: |hi + lo - x y| <= 2^-74 */
@@ -956,11 +877,11 @@ static void write_product(void)
     const Real x = variable("x", 1.3), y = variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_product(x, y);
     gappa g;
-    g.variable_in(x.node(), {1, 2});
-    g.variable_in(y.node(), {1, 2});
-    g.define(p.hi.node());
-    g.define(p.lo.node());
-    const std::string error = product_error(g, p.hi.node(), p.lo.node());
+    g.variable_in(x, {1, 2});
+    g.variable_in(y, {1, 2});
+    g.define(p.hi);
+    g.define(p.lo);
+    const std::string error = product_error(g, p.hi, p.lo);
     g.say("off = ($product + $off) - $product.a * $product.b;");
     g.hint("off -> " + error);
     g.write("pair_product", {}, "|off| in [0, 1b-74]");
@@ -972,14 +893,14 @@ static void write_pair_times(void)
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_times(x, y);
-    const int rest = at(p.hi.node(), "b");
+    const int rest = at(p.hi, "b");
     gappa g;
     pair_in(g, x, "xh", "xl");
     pair_in(g, y, "yh", "yl");
-    g.define(p.lo.node());
+    g.define(p.lo);
     g.call({{"rest", rest}});
     const std::string off = hint_sum(g, p, "pair");
-    const std::string product = product_error(g, at(p.hi.node(), "a"), at(rest, "a"));
+    const std::string product = product_error(g, at(p.hi, "a"), at(rest, "a"));
     g.say("off = pair - ($xh + $xl) * ($yh + $yl);");
     g.say("terms = $rest.a + ($xh * $yl + $xl * $yh);");
     g.hint("off -> " + off + " + ($rest - terms) + " + product + " - $xl * $yl");
@@ -992,12 +913,12 @@ static void write_pair_over(void)
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_over(x, y);
-    const int correction = at(p.hi.node(), "b"), rest = at(correction, "a");
+    const int correction = at(p.hi, "b"), rest = at(correction, "a");
     gappa g;
     pair_in(g, x, "xh", "xl");
     pair_in(g, y, "yh", "yl");
-    g.define(p.hi.node());
-    g.call({{"q", at(p.hi.node(), "a")}, {"c", correction}, {"rest", rest}, {"hi", at(rest, "aab")}});
+    g.define(p.hi);
+    g.call({{"q", at(p.hi, "a")}, {"c", correction}, {"rest", rest}, {"hi", at(rest, "aab")}});
     const std::string product = product_error(g, at(rest, "aab"), at(rest, "ab"));
     g.say("exact = ($xh + $xl) / ($yh + $yl);");
     g.say("terms = (($xh - $hi) - $rest.ab) + ($xl - $q * $yl);");
@@ -1029,7 +950,7 @@ static void write_rounding(const std::string &name, number error, number ulp)
 }
 
 /* The head of a root, known only to lie in `interval` */
-static void give_head(gappa &g, int id, const char *of, const std::string &interval)
+static void give_head(gappa &g, term id, const char *of, const std::string &interval)
 {
     g.call({{"r", id}});
     g.give(id, std::string("= head(") + of + ")", "same");
@@ -1048,7 +969,7 @@ static void write_two_thirds(void)
         const int d = last_where([&](const node &n) { return n.what == DIVIDE && n.b == m.node(); }), rest = at(d, "a");
         gappa g;
         g.call({{"m", m}, {"s", s}, {"square", square}, {"d", d}, {"hi", at(rest, "ab")}});
-        g.variable_in(m.node(), {std::ldexp(1, i), std::ldexp(1, i + 1)});
+        g.variable_in(m, {std::ldexp(1, i), std::ldexp(1, i + 1)});
         give_head(g, at(square, "a"), "C", "[0.99, 2]");
         g.define(rest);
         const std::string product = product_error(g, at(rest, "ab"), at(rest, "b"));
@@ -1057,7 +978,7 @@ static void write_two_thirds(void)
         g.say("@d = D;");
         g.done[d] = true;
         g.assume("D in [-1b-23, 1b-23]");
-        g.define(p.lo.node());
+        g.define(p.lo);
         const std::string off = hint_sum(g, p, "pair");
         g.say("exact = $r * $r * (1 + D * (2 / 3 + D * (5 / 9)));");
         g.say("series = $r * $r * (D * (2 / 3 + D * (5 / 9)));");
@@ -1098,15 +1019,15 @@ static void write_fifth_root(void)
     const int d = last_where([](const node &n) { return n.what == DIVIDE && n.a >= 0 && what_is(n.a) == SUBTRACT; });
     gappa g;
     g.call({{"x", x}, {"d", d}, {"fifth", at(d, "b")}, {"lo", root.lo}});
-    give_head(g, root.hi.node(), "R", "[1, 2]");
-    g.give(x.node(), "= rnd(X)");
+    give_head(g, root.hi, "R", "[1, 2]");
+    g.give(x, "= rnd(X)");
     g.define(at(d, "b"));
     g.say("@x = $x;");
     g.say("five = $r * $r * ($r * $r) * $r;");
     g.say("D = ($x - five) / five;");
     g.say("$d.a rnd= $x - $fifth;");
     g.give(d, "rnd= $d.a / $fifth", "D");
-    g.define(root.lo.node());
+    g.define(root.lo);
     g.assume("D in [-4e-4, 4e-4]");
     g.say("delta = ($fifth - five) / five;");
     g.hint("$x -> five * (1 + D) { five <> 0 }");
@@ -1130,7 +1051,7 @@ static void write_fifth_root_of_pair(void)
     const int r5_hi = at(d, "b"), r5_lo = at(d, "aab");
     gappa g;
     g.call({{"xh", x.hi}, {"xl", x.lo}, {"ph", r5_hi}, {"pl", r5_lo}, {"d", d}, {"lo", root.lo}});
-    give_head(g, root.hi.node(), "R", "[1, 2]");
+    give_head(g, root.hi, "R", "[1, 2]");
     for (const int id : {x.hi.node(), x.lo.node(), r5_hi, r5_lo})
         g.give(id, "= rnd(V" + std::to_string(id) + ")");
     g.say("$d.aaa rnd= $d.aaaa - $d.aaab;");
@@ -1144,7 +1065,7 @@ static void write_fifth_root_of_pair(void)
     g.say("lambda = $pl / five;");
     g.say("@d = D;");
     g.done[d] = true;
-    g.define(root.lo.node());
+    g.define(root.lo);
     for (const char *known : {"D in [-4e-4, 4e-4]", "eta in [-1b-68, 1b-68]", "lambda in [-1b-52, 1b-52]"})
         g.assume(known);
     g.assume("|$xl| <= 1b-46");
@@ -1173,7 +1094,7 @@ static void write_beta_force_far(void)
     const int v = last_where([&](const node &n) { return n.what == MULTIPLY && (n.a == log || n.b == log); });
     expect(root.hi.node() == at(cube_hi, "b") && v >= 0, "cor_inline_beta_force_far");
     gappa g;
-    give_head(g, root.hi.node(), "R", "[1, 2]");
+    give_head(g, root.hi, "R", "[1, 2]");
     for (const int id : {root.lo.node(), at(log, "a"), v})
         g.give(id, "= rnd(V" + std::to_string(id) + ")", "E" + std::to_string(id));
     g.define(cube_hi);
@@ -1221,7 +1142,7 @@ static void write_linear_tail(void)
     const int value = cor_inline_linear_tail(b, factor).node();
     gappa g;
     g.call({{"b", b}, {"s", value}});
-    g.variable_in(b.node(), {1, 2});
+    g.variable_in(b, {1, 2});
     pair_in(g, factor, "fh", "fl");
     g.define(value);
     const std::string product = product_error(g, at(value, "a"), at(value, "ba"));
@@ -1236,15 +1157,15 @@ static void write_far_root(void)
     start();
     const Real x = variable("x", 1.25);
     const int value = cor_inline_eps_overlap_far_root(x).node();
-    const row &h = tables["h_star_5"][0];
+    const std::string h = hex(cor_rows_h_star_5(0)[0].value), less = hex(cor_rows_h_star_5(0)[1].value);
     for (int side = 0; side < 2; side++) {
         gappa g;
         g.call({{"x", x}, {"value", value}});
-        g.variable_in(x.node(), {1, 2});
+        g.variable_in(x, {1, 2});
         g.define(value);
         g.say("S = $value.a / $x;");
-        g.say("exact = (" + h.value[0] + " + " + h.value[1] + ") / $x;");
-        g.hint("S - exact -> -(" + h.value[1] + ") / $x");
+        g.say("exact = (" + h + " + " + less + ") / $x;");
+        g.hint("S - exact -> -(" + less + ") / $x");
         const int k = side + 1; /* the exact value lies in [2^k, 2^(k + 1)] */
         for (const char *where : {"S <= 4", "S >= 4"})
             g.write("far_root_" + std::to_string(k) + (where[2] == '<' ? "_below" : "_above"),
@@ -1258,7 +1179,7 @@ static void write_last_steps(void)
 {
     const number pairs = 0x1p-12; /* errors of powers and quotients of pairs, 2^-65 */
     for (const tail &f : tails)
-        write_rounding("last_" + std::string(f.name + 5), std::max(f.error, f.far_error) + pairs,
+        write_rounding("last_" + f.name, std::max(f.error, f.far_error) + pairs,
                        0.5 + std::max(f.error, f.far_error) + 2 * pairs);
     write_rounding("last_eps_zero_overlap", pairs, 0.5 + 2 * pairs);
     write_rounding("last_beta_zero_overlap", 0x1p-4, 0.57);
@@ -1292,21 +1213,29 @@ static void write_pairs(void)
 
 #include "disk.h"
 
+#define ROWS(name, NAME, value, ...)                                                                                   \
+    {                                                                                                                  \
+#name, cor_inline_##value, __VA_ARGS__, GRID(name, NAME)                                                       \
+    }
+#define ROWS_BY_OCTAVES(name, NAME, value, ...)                                                                        \
+    {                                                                                                                  \
+#name, cor_inline_##value, __VA_ARGS__, BY_OCTAVES, false, 0.8, OCTAVES(name, NAME)                            \
+    }
 static const evaluator row_tables[] = {
-    {"eps_zero_overlap", cor_inline_eps_zero_overlap, 0x1p-60, 7, IN_BETA, false, 0.8},
-    {"eps_zero_force", cor_inline_eps_zero_force, 0x1p-60, 16, IN_ROOT, false, 0.8},
-    {"power_eps_zero_overlap", cor_inline_eps_zero_overlap_root, 0x1p-40, 0x1p14, BY_OCTAVES, false, 0.8},
-    {"power_eps_zero_force", cor_inline_eps_zero_force_root, 0x1p-40, 0x1p20, BY_OCTAVES, false, 0.8},
-    {"loss_zero_overlap", cor_inline_loss_zero_overlap, 0x1p-900, 7, IN_BETA, true, 0.8},
-    {"loss_zero_force", cor_inline_loss_zero_force, 0x1p-900, 16, IN_ROOT, true, 0.8},
-    {"duration_zero_overlap", cor_inline_duration_zero_overlap, 0, 8, IN_BETA, false, 0.8},
-    {"duration_zero_force", cor_inline_duration_zero_force, 0, 8, IN_ROOT, false, 1.1},
-    {"max_overlap", cor_inline_max_overlap, 0, 8, IN_BETA, false, 0.8},
-    {"time_of_max_overlap", cor_inline_time_of_max_overlap, 0, 8, IN_BETA, false, 0.8},
-    {"near_beta_zero_overlap", cor_inline_beta_zero_overlap, 0.5, 1, NEAR, true, 0.8},
-    {"near_beta_zero_force", cor_inline_beta_zero_force, 0.5, 1, NEAR_ROOT, true, 1.85},
-    {"beta_zero_overlap", cor_inline_beta_zero_overlap, 0x1p-12, 0.5, BY_OCTAVES, false, 0.8},
-    {"beta_zero_force", cor_inline_beta_zero_force, 0x1p-23, 0.5, BY_OCTAVES, false, 0.8},
+    ROWS(eps_zero_overlap, EPS_ZERO_OVERLAP, eps_zero_overlap, 0x1p-60, 7, IN_BETA, false, 0.8),
+    ROWS(eps_zero_force, EPS_ZERO_FORCE, eps_zero_force, 0x1p-60, 16, IN_ROOT, false, 0.8),
+    ROWS_BY_OCTAVES(power_eps_zero_overlap, POWER_EPS_ZERO_OVERLAP, eps_zero_overlap_root, 0x1p-40, 0x1p14),
+    ROWS_BY_OCTAVES(power_eps_zero_force, POWER_EPS_ZERO_FORCE, eps_zero_force_root, 0x1p-40, 0x1p20),
+    ROWS(loss_zero_overlap, LOSS_ZERO_OVERLAP, loss_zero_overlap, 0x1p-900, 7, IN_BETA, true, 0.8),
+    ROWS(loss_zero_force, LOSS_ZERO_FORCE, loss_zero_force, 0x1p-900, 16, IN_ROOT, true, 0.8),
+    ROWS(duration_zero_overlap, DURATION_ZERO_OVERLAP, duration_zero_overlap, 0, 8, IN_BETA, false, 0.8),
+    ROWS(duration_zero_force, DURATION_ZERO_FORCE, duration_zero_force, 0, 8, IN_ROOT, false, 1.1),
+    ROWS(max_overlap, MAX_OVERLAP, max_overlap, 0, 8, IN_BETA, false, 0.8),
+    ROWS(time_of_max_overlap, TIME_OF_MAX_OVERLAP, time_of_max_overlap, 0, 8, IN_BETA, false, 0.8),
+    ROWS(near_beta_zero_overlap, NEAR_BETA_ZERO_OVERLAP, beta_zero_overlap, 0.5, 1, NEAR, true, 0.8),
+    ROWS(near_beta_zero_force, NEAR_BETA_ZERO_FORCE, beta_zero_force, 0.5, 1, NEAR_ROOT, true, 1.85),
+    ROWS_BY_OCTAVES(beta_zero_overlap, BETA_ZERO_OVERLAP, beta_zero_overlap, 0x1p-12, 0.5),
+    ROWS_BY_OCTAVES(beta_zero_force, BETA_ZERO_FORCE, beta_zero_force, 0x1p-23, 0.5),
 };
 
 #include "speed.h"
@@ -1318,7 +1247,6 @@ int main(int argc, char **argv)
         return 2;
     }
     output_directory = argv[1];
-    tables = tables_of(argv[2]);
     if (argc >= 5) {
         parts = strtoul(argv[4], nullptr, 10);
         if (parts < 1)
@@ -1326,12 +1254,6 @@ int main(int argc, char **argv)
         part = strtoul(argv[3], nullptr, 10) % parts;
         patterns.assign(argv + 5, argv + argc);
     }
-    std::size_t coefficients = 0;
-    for (const auto &t : tables)
-        for (const row &r : t.second)
-            coefficients += r.value.size();
-    if (coefficients < 20000)
-        die("fewer coefficients than the tables have: " + std::to_string(coefficients));
     for (const evaluator &f : row_tables)
         if (is_wanted_in_part(f.name))
             write_rows(f);
@@ -1341,7 +1263,7 @@ int main(int argc, char **argv)
     write_far();
     write_pairs();
     write_disk();
-    check_speed();
+    check_speed(argv[2]);
     printf("%lu of %lu goals written\n", written, files);
     return 0;
 }

@@ -4,7 +4,7 @@
  * operations: the proofs are about the shipped source, and nothing is typed twice.
  *
  * A decision (a comparison, a conversion to an integer, bits that select) depends on the argument but is not part of
- * the list. path_hash() tells two lists of operations apart by their decisions and constants. */
+ * the list. path tells two lists of operations apart by their decisions and constants. */
 #ifndef COR_TESTS_PROOF_TRACE_H
 #define COR_TESTS_PROOF_TRACE_H
 
@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,35 +50,25 @@ struct node {
     std::string name; /* of a variable */
 };
 
-inline std::vector<node> &nodes()
-{
-    static std::vector<node> all;
-    return all;
-}
+static std::vector<node> nodes;
+static word path;
+static bool recording = true; /* otherwise decisions alone: the search for pieces needs no operations */
 
-inline word &path()
+inline const node &of(int id)
 {
-    static word hash;
-    return hash;
+    return nodes[(std::size_t)id];
 }
 
 inline void decide(word decision)
 {
-    path() = (path() ^ decision) * UINT64_C(0x9e3779b97f4a7c15);
-    path() ^= path() >> 29;
-}
-
-/* While this is false, only decisions are recorded: the search for pieces needs no operations. */
-inline bool &recording()
-{
-    static bool yes = true;
-    return yes;
+    path = (path ^ decision) * UINT64_C(0x9e3779b97f4a7c15);
+    path ^= path >> 29;
 }
 
 inline void start()
 {
-    nodes().clear();
-    path() = 1;
+    nodes.clear();
+    path = 1;
 }
 
 inline word bits_of(number x)
@@ -97,13 +88,13 @@ inline number number_of(word bits)
 /* The index of a node; operations on the same operands share one node. */
 inline int node_of(operation what, int a, int b, number value, const std::string &name = "")
 {
-    for (std::size_t i = nodes().size(); i-- > 0;) {
-        const node &n = nodes()[i];
+    for (int i = (int)nodes.size(); i-- > 0;) {
+        const node &n = of(i);
         if (n.what == what && n.a == a && n.b == b && bits_of(n.value) == bits_of(value) && n.name == name)
-            return (int)i;
+            return i;
     }
-    nodes().push_back({what, a, b, value, name});
-    return (int)nodes().size() - 1;
+    nodes.push_back({what, a, b, value, name});
+    return (int)nodes.size() - 1;
 }
 
 struct Real {
@@ -135,7 +126,22 @@ struct Real {
     }
     bool constant() const
     {
-        return id < 0 || nodes()[(std::size_t)id].what == CONSTANT;
+        return id < 0 || of(id).what == CONSTANT;
+    }
+};
+
+/* A node, by its index or by the number that it computes */
+struct term {
+    int id;
+    term(int index) : id(index)
+    {
+    }
+    term(Real x) : id(x.node())
+    {
+    }
+    operator int() const
+    {
+        return id;
     }
 };
 
@@ -144,24 +150,19 @@ inline Real variable(const std::string &name, number value)
     return Real(value, node_of(VARIABLE, -1, -1, value, name));
 }
 
-inline Real result_of(operation what, Real x, Real y, number value)
+/* Of one operand or two */
+inline Real result_of(operation what, Real x, number value, const Real *y = nullptr)
 {
-    if (x.constant() && y.constant()) /* a compiler computes it; every double of it is exact or rounded alike */
+    if (x.constant() &&
+        (!y || y->constant())) /* a compiler computes it; every double of it is exact or rounded alike */
         return Real(value);
-    return recording() ? Real(value, node_of(what, x.node(), y.node(), value)) : Real(value, 0);
-}
-
-inline Real result_of(operation what, Real x, number value)
-{
-    if (x.constant())
-        return Real(value);
-    return recording() ? Real(value, node_of(what, x.node(), -1, value)) : Real(value, 0);
+    return recording ? Real(value, node_of(what, x.node(), y ? y->node() : -1, value)) : Real(value, 0);
 }
 
 #define REAL_OPERATOR(sign, what)                                                                                      \
     inline Real operator sign(Real x, Real y)                                                                          \
     {                                                                                                                  \
-        return result_of(what, x, y, x.value sign y.value);                                                            \
+        return result_of(what, x, x.value sign y.value, &y);                                                           \
     }
 REAL_OPERATOR(+, ADD)
 REAL_OPERATOR(-, SUBTRACT)
@@ -302,23 +303,12 @@ inline void copy(Bits *to, const Real *from)
 
 inline void copy(Real *to, const Bits *from)
 {
+    static const std::map<Bits::meaning, operation> what = {
+        {Bits::TOP_26, HEAD}, {Bits::ONE_TO_TWO, SIGNIFICAND}, {Bits::FRACTION, SEED}, {Bits::OTHER, SEED}};
     const number value = number_of(from->value);
-    switch (from->what) {
-    case Bits::NOTHING:
-        *to = Real(value);
-        return;
-    case Bits::ALL:
-        *to = from->of;
-        return;
-    case Bits::TOP_26:
-        *to = result_of(HEAD, from->of, value);
-        return;
-    case Bits::ONE_TO_TWO:
-        *to = result_of(SIGNIFICAND, from->of, value);
-        return;
-    default:
-        *to = result_of(SEED, from->of, value);
-    }
+    *to = from->what == Bits::NOTHING ? Real(value)
+          : from->what == Bits::ALL   ? from->of
+                                      : result_of(what.at(from->what), from->of, value);
 }
 
 } // namespace trace
