@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The goals of the contact law of the disk: part of goals.cpp. Each goal is about one stage of
  * runtime/number/lambert_w.c or runtime/disk/quasistatic.c: the result of `log` or `log1p` is a variable, so that a
- * goal does not depend on the accuracy of these functions. tests/accuracy/test_disk_proof.c adds the errors of the
+ * goal does not depend on the accuracy of these functions. tests/proof/disk_bounds.cpp adds the errors of the
  * stages, times what the later stages make of them, over cells that cover the domain; disk_errors.h has the errors for
  * both programs. */
 #include "disk_errors.h"
@@ -11,26 +11,17 @@
 /* The exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers) */
 static void exact_two_sum(gappa &g, term hi, term lo)
 {
-    const char *const name = "cor_pair_two_sum";
-    const int x = at(hi, "a"), y = at(hi, "b");
-    for (const int difference : {at(lo, "a"), at(lo, "b"), at(lo, "bb"), at(lo, "ab")})
-        expect(what_is(difference) == SUBTRACT, name);
-    expect(what_is(hi) == ADD && what_is(lo) == ADD && at(lo, "aa") == x && at(lo, "ba") == y, name);
-    expect(at(lo, "bba") == hi && at(lo, "bbb") == x && at(lo, "aba") == hi && at(lo, "abb") == at(lo, "bb"), name);
+    g.match_anew(lo, "((s1-(sum:(s1+s2)-part:(sum-s1)))+(s2-part))", {{"sum", hi}});
     g.define(hi);
-    g.call({{"hi", hi}});
-    g.give(lo, constant_of(y) == 0 ? "= ($hi.a) - $hi" : "= ($hi.a + $hi.b) - $hi", "same");
+    g.give(lo, constant_of(g["s2"]) == 0 ? "= ($s1) - $sum" : "= ($s1 + $s2) - $sum", "same");
 }
 
 /* The same for cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem) */
 static void exact_sum(gappa &g, term hi, term lo)
 {
-    expect(what_is(hi) == ADD && what_is(lo) == SUBTRACT && at(lo, "a") == at(hi, "b") &&
-               what_is(at(lo, "b")) == SUBTRACT && at(lo, "ba") == hi && at(lo, "bb") == at(hi, "a"),
-           "cor_inline_sum");
+    g.match_anew(lo, "(s2-(sum:(s1+s2)-s1))", {{"sum", hi}});
     g.define(hi);
-    g.call({{"hi", hi}});
-    g.give(lo, "= ($hi.a + $hi.b) - $hi", "same");
+    g.give(lo, "= ($s1 + $s2) - $sum", "same");
 }
 
 /* The first operation of a kind, or the last one, which must be there */
@@ -51,9 +42,9 @@ static int find_operation(operation what, bool last = false)
 static void write_log_far(void)
 {
     const function f = [](Real x) { return cor_log_ratio_far({Real(1.3), Real(1e-17)}, x).hi; };
-    const std::vector<piece> pieces = pieces_of(f, 0x1p-1074, 8);
+    const std::vector<interval> pieces = pieces_of(f, 0x1p-1074, 8);
     int last = -1075;
-    for (const piece &p : pieces) {
+    for (const interval &p : pieces) {
         start();
         const struct cor_inline_pair a = {variable("a", 1.3), variable("a_lo", 1e-17)};
         const Real x = variable("x", p.low);
@@ -71,21 +62,18 @@ static void write_log_far(void)
         g.cut("ah", a.hi, "[-4, 3]");
         g.cut("al", a.lo, "[-1b-51, 1b-51]");
         g.cut("l", l, "[-0.3466, 0.3466]");
-        /* q is the sum of all and the rest; `all` and `large` are exact sums of two numbers */
-        const int all = at(q.hi, "a"), rest = at(q.hi, "b"), large = at(all, "a");
-        exact_two_sum(g, large, at(rest, "ba"));
-        exact_two_sum(g, all, at(rest, "a"));
-        expect(at(all, "b") >= 0 && what_is(at(all, "b")) == NEGATE && at(large, "a") == a.hi.node() &&
-                   at(rest, "bba") == a.lo.node(),
-               "cor_log_ratio_far");
+        /* `all` and `large` are exact sums of two numbers */
+        g.match(q.hi, "q:(all:(large:(ah+e)+-l)+rest:(allo+(largelo+(al-f))))");
+        exact_two_sum(g, g["large"], g["largelo"]);
+        exact_two_sum(g, g["all"], g["allo"]);
         exact_sum(g, q.hi, q.lo);
-        g.call({{"q", q.hi}, {"ql", q.lo}, {"rest", rest}, {"all", all}});
+        g.call({{"ql", q.lo}});
         g.assume("$all in [-10, 800]");
         g.assume(ln2);
         const std::string multiple = "(" + std::to_string(e) + ") * LN2";
         g.say("off = ($q + $ql) - (($ah + $al)" + (e == 0 ? "" : " - " + multiple) + " - $l);");
         g.hint("off -> ($rest - ($rest.a + $rest.b)) + ($rest.b - ($rest.ba + $rest.bb))" +
-               (e == 0 ? "" : " + ($rest.bb - ($al - $rest.bbb)) + (($all.ab - $rest.bbb) + " + multiple + ")"));
+               (e == 0 ? "" : " + ($rest.bb - ($al - $f)) + (($e - $f) + " + multiple + ")"));
         g.write(numbered("disk_far", (int)(&p - &pieces[0])), {},
                 "off" + units(COR_PROOF_FAR) + " /\\ |$rest| in [0, 1b-30]");
     }
@@ -100,35 +88,29 @@ static void write_log_near(void)
     const struct cor_inline_pair a = {variable("a", 1.5), variable("a_lo", 1e-17)};
     const Real x = variable("x", 1.25);
     const struct cor_inline_pair q = cor_log_ratio_near(a, x);
-    const int quotient = q.lo.node(), d = at(q.hi, "a"), difference = at(d, "a"), rest = at(quotient, "a");
-    const int exact_part = at(difference, "a");
-    const char *const name = "cor_log_ratio_near";
-    expect(what_is(q.hi) == LOG1P && what_is(quotient) == DIVIDE && what_is(d) == DIVIDE, name);
-    expect(at(d, "b") == x.node() && at(rest, "aa") == difference && what_is(at(quotient, "b")) == ADD, name);
-    expect(what_is(difference) == ADD && at(difference, "b") == a.lo.node(), name);
-    expect(what_is(exact_part) == SUBTRACT && at(exact_part, "a") == a.hi.node() && at(exact_part, "b") == x.node(),
-           name);
+    gappa shape;
+    shape.call({{"a", a.hi}, {"al", a.lo}, {"x", x}});
+    shape.match(q.hi, "log1p(q:(d:(part:(a-x)+al)/x))");
+    shape.match(q.lo, "(rest:((d-product)-off)/(x+d))");
     {
-        gappa g;
-        g.cut("d", difference, "[1, 4]");
-        g.cut("x", x, "[1, 2]");
-        g.define(rest);
-        g.call({{"q", d}, {"rest", rest}});
+        gappa g = shape;
+        g.cut("d", "[1, 4]");
+        g.cut("x", "[1, 2]");
+        g.define(g["rest"]);
         g.assume("$q in [1, 2]");
-        const std::string product = product_error(g, at(rest, "ab"), at(rest, "b"));
+        const std::string product = product_error(g, g["product"], g["off"]);
         g.say("exact = $d - $q * $x;");
         g.hint("exact -> $x * ($d / $x - $q) { $x <> 0 }");
-        g.hint("$d - $rest.ab -> exact - ($rest.ab - $q * $x)");
-        g.hint("$rest - exact -> ($rest - ($rest.a - $rest.b)) + ($rest.a - ($d - $rest.ab)) - " + product);
+        g.hint("$d - $product -> exact - ($product - $q * $x)");
+        g.hint("$rest - exact -> ($rest - ($rest.a - $rest.b)) + ($rest.a - ($d - $product)) - " + product);
         g.write("disk_near_remainder", {}, "|$rest - exact|" + at_most(COR_PROOF_NEAR));
     }
     /* a.hi - x is exact for x <= a.hi <= 1.66 x */
     for (int k = 0; k < 2; k++) {
-        gappa g;
-        g.cut("x", x, "[1, 2]");
-        g.cut("a", a.hi, k ? "[2, 4]" : "[1, 2]");
-        g.call({{"part", exact_part}});
-        g.define(exact_part);
+        gappa g = shape;
+        g.cut("x", "[1, 2]");
+        g.cut("a", k ? "[2, 4]" : "[1, 2]");
+        g.define(g["part"]);
         g.assume("$a - $x in [0, 1.4]");
         g.write("disk_near_difference_" + std::to_string(k), {}, "$part - ($a - $x) in [0, 0]");
     }
@@ -136,23 +118,20 @@ static void write_log_near(void)
 
 /* ---- t of q ---- */
 
-/* A rounded root p of the double `twice`, and its correction (twice + twice_lo - p^2)/(2 p), where (hi, lo) is the
- * square of p: within 2^-70 for p from [1, 2]. Powers of four times `twice` scale every operation. */
-static void write_root_correction(const std::string &name, int p, int correction, int twice, int twice_lo, int hi,
-                                  int lo)
+/* A rounded root p of the double t, and its correction c = (t + tl - p^2)/(2 p), where h and low are the square of p:
+ * within 2^-70 for p from [1, 2]. Powers of four times t scale every operation. */
+static void write_root_correction(const std::string &name, gappa g)
 {
-    gappa g;
-    g.cut("p", p, "[1, 2]");
-    g.cut("t", twice, "[0.99, 4.01]");
-    g.cut("tl", twice_lo, "[-1b-50, 1b-50]");
-    g.define(correction);
-    g.call({{"c", correction}, {"h", hi}});
-    const std::string product = product_error(g, hi, lo);
+    g.cut("p", "[1, 2]");
+    g.cut("t", "[0.99, 4.01]");
+    g.cut("tl", "[-1b-50, 1b-50]");
+    g.define(g["c"]);
+    const std::string product = product_error(g, g["h"], g["low"]);
     /* p is within 2^-53 p of the root */
     g.assume("$t - $p * $p in [-1b-50, 1b-50]");
     g.say("R = ($t - $p * $p) + $tl;");
     g.hint("$t - $h -> ($t - $p * $p) - ($h - $p * $p)");
-    g.hint("$c.a - R -> ($c.a - ($c.aa + $tl)) + ($c.aa - ($c.aaa - $off)) + ($c.aaa - ($t - $h)) - " + product);
+    g.hint("$c.a - R -> ($c.a - ($c.aa + $tl)) + ($c.aa - ($c.aaa - $low)) + ($c.aaa - ($t - $h)) - " + product);
     g.hint("$c.a -> R + ($c.a - R)");
     g.hint("$c - R / (2 * $p) -> ($c - $c.a / $c.b) + ($c.a - R) / (2 * $p) + $c.a * (2 * $p - $c.b) / ($c.b * (2 * "
            "$p)) { $p <> 0, $c.b <> 0 }");
@@ -165,47 +144,27 @@ static mpq_class rational(number x)
     return mpq_class(x);
 }
 
-/* The list of operations `result`, without rounding, must be `formula` of the variable `at`, at 24 arbitrary numbers;
- * the formula gives numbers to the other variables. */
-static void check_disk_formula(const char *what, int result, int at,
-                               const std::function<mpq_class(const mpq_class &, assignment &)> &formula)
-{
-    for (int i = 1; i <= 24; i++) {
-        assignment known;
-        const mpq_class z = arbitrary();
-        known[at] = z;
-        const mpq_class value = formula(z, known);
-        expect(exact_value(result, known) == value, what);
-    }
-}
-
 /* cor_lambert_t_pair for q.hi < 0.1, p = sqrt(2 q.hi): the rest of the series has a relative error below
  * COR_PROOF_SERIES, and the correction of p, for p from [1, 2], an error below 2^-70. */
 static void write_series(void)
 {
     start();
     const struct cor_inline_pair q = {variable("q", 0.04), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
-    const int p = t.hi.node(), correction = at(t.lo, "a"), rest = at(t.lo, "b"), sum = at(correction, "a");
-    const char *const name = "the series of cor_lambert_t_pair";
-    expect(what_is(t.lo) == ADD && what_is(p) == SQRT && what_is(correction) == DIVIDE, name);
-    check_disk_formula(name, rest, p, [](const mpq_class &z, assignment &) {
+    gappa shape;
+    shape.match(t.hi, "p:sqrt(t)");
+    shape.match(t.lo, "(c:((((t-h)-low)+tl)/(2*p))+rest)");
+    check_formula("the series of cor_lambert_t_pair", {shape["rest"]}, [&](assignment &known) {
+        const mpq_class z = known[shape["p"]] = arbitrary();
         mpq_class series = 0;
         for (std::size_t k = sizeof lambert_series / sizeof *lambert_series; k-- > 0;)
             series = series * z + rational(lambert_series[k].value);
         return mpq_class(series * z * z);
     });
-    {
-        gappa g;
-        g.cut("p", p, "[1b-251, " + hex(COR_PROOF_SERIES_MAX_P) + "]");
-        g.call({{"rest", rest}});
-        g.define(rest);
-        g.write("disk_series", {}, "($rest - @rest) / @rest" + units(COR_PROOF_SERIES));
-    }
-    expect(what_is(sum) == ADD && what_is(at(sum, "a")) == SUBTRACT && what_is(at(sum, "aa")) == SUBTRACT &&
-               at(p, "a") == at(sum, "aaa"),
-           name);
-    write_root_correction("disk_series_correction", p, correction, at(p, "a"), at(sum, "b"), at(sum, "aab"),
-                          at(sum, "ab"));
+    gappa g = shape;
+    g.cut("p", "[1b-251, " + hex(COR_PROOF_SERIES_MAX_P) + "]");
+    g.define(g["rest"]);
+    g.write("disk_series", {}, "($rest - @rest) / @rest" + units(COR_PROOF_SERIES));
+    write_root_correction("disk_series_correction", shape);
 }
 
 /* (q <= 3) the start 1 + p (1 + p (1/3 + p (1/36 - p/270))) has a relative error below 2^-48 */
@@ -215,7 +174,8 @@ static void write_start(void)
     const struct cor_inline_pair q = {variable("q", 1.1), variable("q_lo", 1e-19)};
     cor_lambert_t_pair(q);
     const int p = find_operation(SQRT), y = at(find_operation(LOG), "a");
-    check_disk_formula("the start of t", y, p, [](const mpq_class &z, assignment &) {
+    check_formula("the start of t", {y}, [&](assignment &known) {
+        const mpq_class z = known[p] = arbitrary();
         return mpq_class(1 + z * (1 + z * (rational(1.0 / 3) + z * (rational(1.0 / 36) - z * rational(1.0 / 270)))));
     });
     gappa g;
@@ -225,58 +185,26 @@ static void write_start(void)
     g.write("disk_start", {}, "($y - @y) / @y" + units(COR_PROOF_START));
 }
 
-/* The operations of both steps for y = 1 + t: logarithms, residuals r, u = y - 1, and the pair -ln(y) = q - u */
-struct steps {
-    int qh, ql, y0, l0, r0, over, y1, l1, u1, r1, lo;
-};
-
-static steps find_steps(number place)
+/* The operations of both steps for y = 1 + t, by name: logarithms l, residuals r, u = y - 1, and the pair -ln(y) = q - u.
+ * They must compute y (1 + (r/u) (b + r)/(b + 2 r)) and y r/u. */
+static gappa steps_at(number place)
 {
-    const char *const name = "cor_lambert_t_pair";
-    steps f;
     start();
     const struct cor_inline_pair q = {variable("q", place), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
-    f.qh = q.hi.node();
-    f.ql = q.lo.node();
-    f.l0 = find_operation(LOG);
-    f.y0 = at(f.l0, "a");
-    f.l1 = find_operation(LOG, true);
-    f.y1 = at(f.l1, "a");
-    f.u1 = t.hi.node();
-    f.lo = t.lo.node();
-    expect(f.l0 != f.l1 && what_is(f.lo) == MULTIPLY && at(f.lo, "a") == f.y1, name);
-    expect(what_is(at(f.lo, "b")) == DIVIDE && at(f.lo, "bb") == f.u1, name);
-    expect(what_is(f.u1) == SUBTRACT && at(f.u1, "a") == f.y1 && is_constant(at(f.u1, "b"), 1), name);
-    f.r1 = at(f.lo, "ba");
-    expect(what_is(f.y1) == ADD && at(f.y1, "a") == f.y0 && what_is(at(f.y1, "b")) == MULTIPLY, name);
-    const int ratio = at(f.y1, "bb");
-    f.over = at(ratio, "a");
-    expect(what_is(ratio) == MULTIPLY && what_is(f.over) == DIVIDE, name);
-    f.r0 = at(f.over, "a");
-    const int u0 = at(f.over, "b");
-    expect(what_is(f.r0) == ADD && at(f.r0, "b") == f.l0 && what_is(u0) == SUBTRACT && at(u0, "a") == f.y0, name);
-    expect(what_is(f.r1) == ADD && what_is(at(f.r1, "a")) == ADD && what_is(at(f.r1, "b")) == ADD, name);
-    expect(at(f.r1, "ab") == f.l1 && at(f.r1, "bb") == f.ql, name);
-    return f;
-}
-
-/* y (1 + (r/u) (b + r)/(b + 2 r)) and y r/u */
-static void check_steps(const steps &f)
-{
-    check_disk_formula("the step of fourth order", f.y1, f.y0, [&](const mpq_class &z, assignment &known) {
-        const mpq_class u = z - 1, log = arbitrary(), q0 = arbitrary(), r = (q0 - u) + log;
-        known[f.l0] = log;
-        known[f.qh] = q0;
-        const mpq_class b = 2 * u * (u + r * rational(2.0 / 3));
+    gappa f;
+    f.call({{"q", q.hi}, {"ql", q.lo}, {"u", t.hi}});
+    f.match(t.lo, "lo:(y:(y0+(y0*(o:(((q-(y0-1))+l0:log(y0))/(y0-1))*ratio)))*(r:((high+l:log(y))+(low+ql))/u:(y-1)))");
+    check_formula("the step of fourth order", {f["y"]}, [&](assignment &known) {
+        const mpq_class z = known[f["y0"]] = arbitrary(), log = known[f["l0"]] = arbitrary(), u = z - 1,
+                        r = ((known[f["q"]] = arbitrary()) - u) + log, b = 2 * u * (u + r * rational(2.0 / 3));
         return mpq_class(z + z * (r / u * ((b + r) / (b + 2 * r))));
     });
-    check_disk_formula("Newton's step", f.lo, f.y1, [&](const mpq_class &z, assignment &known) {
-        const mpq_class log = arbitrary(), q0 = arbitrary(), low = arbitrary();
-        known[f.l1] = log;
-        known[f.qh] = q0;
-        known[f.ql] = low;
-        return mpq_class(z * ((q0 + low - (z - 1) + log) / (z - 1)));
+    check_formula("Newton's step", {f["lo"]}, [&](assignment &known) {
+        const mpq_class z = known[f["y"]] = arbitrary(), log = known[f["l"]] = arbitrary(),
+                        whole = known[f["q"]] = arbitrary(), less = known[f["ql"]] = arbitrary();
+        return mpq_class(z * ((whole + less - (z - 1) + log) / (z - 1)));
     });
+    return f;
 }
 
 /* A cell of y, and the numbers that log(y) and q.hi can then be */
@@ -286,14 +214,12 @@ struct step_cell {
 };
 
 /* The residual r has the double L that log(y) returns, and y (1 + ...) is within COR_PROOF_STEP, relative. */
-static void write_first_step(const steps &f, const step_cell &cell)
+static void write_first_step(gappa g, const step_cell &cell)
 {
-    gappa g;
-    g.cut("y0", f.y0, cell.y);
-    g.cut("l", f.l0, cell.log);
-    g.cut("q", f.qh, cell.q);
-    g.define(f.y1);
-    g.call({{"y", f.y1}, {"o", f.over}});
+    g.cut("y0", cell.y);
+    g.cut("l0", cell.log);
+    g.cut("q", cell.q);
+    g.define(g["y"]);
     g.assume("@o.a" + units(COR_PROOF_FIRST_RESIDUAL * cell.low));
     g.hint("$o - @o -> ($o - $o.a / $o.b) + ($o.a - @o.a) / $o.b + @o.a * (@o.b - $o.b) / ($o.b * @o.b)"
            " { $o.b <> 0, @o.b <> 0 }");
@@ -302,16 +228,14 @@ static void write_first_step(const steps &f, const step_cell &cell)
 
 /* Newton's step is within COR_PROOF_NEWTON y of y R/u, where R is the residual with the double L that log(y) returns.
  * u >= q, so that q - u is an exact sum: disk_bounds.cpp. */
-static void write_newton_step(const steps &f, const step_cell &cell)
+static void write_newton_step(gappa g, const step_cell &cell)
 {
-    gappa g;
-    g.cut("y", f.y1, cell.y);
-    g.cut("l", f.l1, cell.log);
-    g.cut("q", f.qh, cell.q);
-    g.cut("ql", f.ql, "[-1b-42, 1b-42]");
-    exact_sum(g, at(f.r1, "aa"), at(f.r1, "ba"));
-    g.define(f.lo);
-    g.call({{"r", f.r1}, {"u", f.u1}, {"lo", f.lo}});
+    g.cut("y", cell.y);
+    g.cut("l", cell.log);
+    g.cut("q", cell.q);
+    g.cut("ql", "[-1b-42, 1b-42]");
+    exact_sum(g, g["high"], g["low"]);
+    g.define(g["lo"]);
     g.say("R = (($q + $ql) - ($y - 1)) + $l;");
     g.assume("R" + units(COR_PROOF_SECOND_RESIDUAL * cell.low));
     g.hint("$r.aa + $l -> R - ($r.ba + $ql) + (($y - 1) - $u)");
@@ -324,8 +248,8 @@ static void write_newton_step(const steps &f, const step_cell &cell)
 static void write_steps(void)
 {
     for (const number place : {0.2, 3.1, 700.0}) /* with either start the steps are the same */
-        check_steps(find_steps(place));
-    const steps f = find_steps(1.1);
+        steps_at(place);
+    const gappa f = steps_at(1.1);
     std::vector<number> ends; /* no cell has a power of two inside, which changes the unit of y */
     for (number power = 1; power < 2048; power *= 2)
         for (int k = power == 1 ? 4 : 0; k < 8; k += power < 4 ? 1 : 4)
@@ -349,13 +273,8 @@ static void write_steps(void)
  * because the 27 lower bits of a factor are below 2^-25 - 2^-52. Returns the text of hi + lo - x y. */
 static std::string sharp_product(gappa &g, term hi, term lo)
 {
-    const char *const name = "cor_inline_product";
-    for (const char *sum : {"", "a", "aa"})
-        expect(what_is(at(lo, sum)) == ADD, name);
-    for (const char *difference : {"aaa", "ba", "bb"})
-        expect(what_is(at(lo, difference)) == SUBTRACT, name);
-    expect(what_is(at(lo, "bab")) == HEAD, name);
-    g.call({{"h", hi}, {"l", lo}, {"xh", at(lo, "bab")}, {"yh", at(lo, "bbb")}});
+    g.match_anew(lo, "l:(((((xh*yh)-h:(x1*x2))+(xh*t2))+(t1*yh))+(t1:(x1-xh:head(x1))*t2:(x2-yh:head(x2))))",
+                 {{"h", hi}});
     const std::string high = std::to_string((1L << 27) - 1) + "b-52", id = std::to_string(lo);
     g.assume("$h.a - $xh in [0, " + high + "]");
     g.assume("$h.b - $yh in [0, " + high + "]");
@@ -444,9 +363,10 @@ static void write_pair_sqrt(void)
 {
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), root = pair_sqrt(x);
-    const int p = at(root.hi, "a"), correction = at(root.hi, "b"), sum = at(correction, "a");
-    expect(what_is(p) == SQRT && at(sum, "b") == x.lo.node() && at(p, "a") == x.hi.node(), "pair_sqrt");
-    write_root_correction("disk_pair_sqrt", p, correction, x.hi.node(), x.lo.node(), at(sum, "aab"), at(sum, "ab"));
+    gappa shape;
+    shape.call({{"t", x.hi}, {"tl", x.lo}});
+    shape.match(root.hi, "(p:sqrt(t)+c:((((t-h)-low)+tl)/(2*p)))");
+    write_root_correction("disk_pair_sqrt", shape);
 }
 
 /* times: the number that is rounded last is within 2^-68 of x f, x and f from [1, 2). square_times: the square and its
@@ -456,45 +376,21 @@ static void write_times(void)
     start();
     const Real x = variable("x", 1.3);
     const struct cor_inline_pair f = pair_variable("f", 1.7);
-    const Real value = times(x, f);
-    const int last = at(value, "a");
-    expect(what_is(last) == ADD && is_constant(at(value, "b"), 1), "times");
     gappa g;
-    g.cut("x", x, "[1, 2]");
+    g.match(times(x, f), "(s:(product+rest:(off+(x*fl)))*1)");
+    g.cut("x", "[1, 2]");
     pair_in(g, f, "fh", "fl");
-    g.define(at(last, "b"));
-    g.call({{"s", last}});
-    const std::string product = product_error(g, at(last, "a"), at(last, "ba"));
+    g.define(g["rest"]);
+    const std::string product = product_error(g, g["product"], g["off"]);
     g.say("off = ($s.a + $s.b) - $x * ($fh + $fl);");
     g.hint("off -> ($s.b - ($s.ba + $s.bb)) + ($s.bb - $x * $fl) + " + product);
     g.write("disk_times", {}, "|off|" + at_most(COR_PROOF_PAIRS));
-    const int square_last = square_times(x, f).node(), square = at(square_last, "aaa");
-    expect(what_is(square_last) == ADD && what_is(square) == MULTIPLY && at(square, "a") == x.node() &&
-               at(square, "b") == x.node(),
-           "square_times");
     const struct cor_inline_pair again = cor_inline_pair_times(cor_inline_product(x, x), f);
-    expect(again.hi.node() == at(square_last, "a") && again.lo.node() == at(square_last, "b"), "square_times");
+    g.call({{"hi", again.hi}, {"lo", again.lo}});
+    g.match(square_times(x, f), "(hi+lo)");
 }
 
 /* ---- the formulas of the law ---- */
-
-/* The last logarithm and Newton's step of a trace */
-struct found_t {
-    int log, hi, lo;
-};
-
-static found_t find_t(void)
-{
-    found_t t;
-    t.log = find_operation(LOG, true);
-    const int y = at(t.log, "a");
-    t.hi = last_where([&](const node &n) { return n.what == SUBTRACT && n.a == y && is_constant(n.b, 1); });
-    t.lo = last_where([&](const node &n) {
-        return n.what == MULTIPLY && n.a == y && what_is(n.b) == DIVIDE && at(n.b, "b") == t.hi;
-    });
-    expect(t.hi >= 0 && t.lo >= 0, "the law of the disk");
-    return t;
-}
 
 static mpq_class of_pair(const struct cor_inline_pair &x)
 {
@@ -508,6 +404,7 @@ static mpq_class newton_root(const mpq_class &x, const mpq_class &r)
 }
 
 typedef mpq_class formula(const mpq_class &x, const mpq_class &t, const mpq_class &r);
+#define FORMULA(...) [](const mpq_class &x, const mpq_class &t, const mpq_class &r) { return mpq_class(__VA_ARGS__); }
 
 /* A function of the law and its formula */
 struct law_formula {
@@ -531,8 +428,11 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     find_limit(f.quantity, nu, datum, &limit);
     if (f.constant != nullptr)
         limit = {*f.constant, Real(0)};
-    const int far = find_operation(LOG);
-    const found_t t = f.inverse ? find_t() : found_t{far, -1, -1};
+    const int far = find_operation(LOG), last = find_operation(LOG, true), y = at(last, "a"); /* of Newton's step */
+    const int hi = last_where([&](const node &n) { return n.what == SUBTRACT && n.a == y && is_constant(n.b, 1); });
+    const int lo = last_where(
+        [&](const node &n) { return n.what == MULTIPLY && n.a == y && what_is(n.b) == DIVIDE && at(n.b, "b") == hi; });
+    expect(!f.inverse || (hi >= 0 && lo >= 0), "the law of the disk");
     assignment known;
     known[x.node()] = arbitrary();
     known[nu.node()] = arbitrary();
@@ -558,8 +458,8 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     const mpq_class rounding = rational(0x1p-75);
     mpq_class value = q;
     if (f.inverse) {
-        const mpq_class u = exact_value(t.hi, known), low = (u + 1) * (q - u + known[t.log]) / u;
-        expect(abs(low - exact_value(t.lo, known)) <= abs(low) * rounding, f.name);
+        const mpq_class u = exact_value(hi, known), low = (u + 1) * (q - u + known[last]) / u;
+        expect(abs(low - exact_value(lo, known)) <= abs(low) * rounding, f.name);
         value = u + low;
     }
     const mpq_class wanted = f.of(known[x.node()], value, root);
@@ -575,50 +475,21 @@ template <Real (*law)(Real)> static Real of_x(Real x, Real, enum cor_disk_datum)
 static void check_law(void)
 {
     static const law_formula laws[] = {
-        {"cor_disk_load_by_pairs", cor_disk_load_by_pairs, COMPRESSION, true, 1,
-         [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
-             return mpq_class(x * of_pair(pi) / (1 + t));
-         }},
-        {"law_compression", law_compression, LOAD, false, 1,
-         [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
-             return mpq_class(x * of_pair(one_over_pi) * (1 + t));
-         }},
-        {"law_energy", law_energy, LOAD, false, 1,
-         [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
-             return mpq_class(x * x * of_pair(one_over_two_pi) * (mpq_class(1, 2) + t));
-         }},
+        {"cor_disk_load_by_pairs", cor_disk_load_by_pairs, COMPRESSION, true, 1, FORMULA(x * of_pair(pi) / (1 + t))},
+        {"law_compression", law_compression, LOAD, false, 1, FORMULA(x * of_pair(one_over_pi) * (1 + t))},
+        {"law_energy", law_energy, LOAD, false, 1, FORMULA(x * x * of_pair(one_over_two_pi) * (mpq_class(1, 2) + t))},
         {"law_load_of_energy", law_load_of_energy, ENERGY, true, 1,
-         [](const mpq_class &x, const mpq_class &t, const mpq_class &r) {
-             return newton_root(of_pair(four_pi) * x / (1 + t), r);
-         }},
-        {"law_max_load", law_max_load, SPEED, true, 2,
-         [](const mpq_class &x, const mpq_class &t, const mpq_class &r) {
-             return mpq_class(x * of_pair(root_2_pi) / newton_root(1 + t, r));
-         }},
+         FORMULA(newton_root(of_pair(four_pi) * x / (1 + t), r))},
+        {"law_max_load", law_max_load, SPEED, true, 2, FORMULA(x * of_pair(root_2_pi) / newton_root(1 + t, r))},
         {"law_max_compression", law_max_compression, SPEED, true, 2,
-         [](const mpq_class &x, const mpq_class &t, const mpq_class &r) {
-             return mpq_class(x * of_pair(root_2) * (1 + t / 2) / newton_root(1 + t, r));
-         }},
-        {"leading_compression", of_x<leading_compression>, LOAD, false, 1,
-         [](const mpq_class &x, const mpq_class &q, const mpq_class &) {
-             return mpq_class(x * of_pair(one_over_pi) * q);
-         },
+         FORMULA(x * of_pair(root_2) * (1 + t / 2) / newton_root(1 + t, r))},
+        {"leading_compression", of_x<leading_compression>, LOAD, false, 1, FORMULA(x * of_pair(one_over_pi) * t),
          &log_four_pi},
-        {"leading_load", of_x<leading_load>, LOAD, false, 1,
-         [](const mpq_class &x, const mpq_class &q, const mpq_class &) { return mpq_class(x * of_pair(pi) / q); },
+        {"leading_load", of_x<leading_load>, LOAD, false, 1, FORMULA(x * of_pair(pi) / t), &four},
+        {"leading_energy", of_x<leading_energy>, LOAD, false, 1, FORMULA(x * x * of_pair(half_pi) / t), &four},
+        {"leading_max_compression", of_x<leading_max_compression>, LOAD, false, 1, FORMULA(x * newton_root(t, r)),
          &four},
-        {"leading_energy", of_x<leading_energy>, LOAD, false, 1,
-         [](const mpq_class &x, const mpq_class &q, const mpq_class &) {
-             return mpq_class(x * x * of_pair(half_pi) / q);
-         },
-         &four},
-        {"leading_max_compression", of_x<leading_max_compression>, LOAD, false, 1,
-         [](const mpq_class &x, const mpq_class &q, const mpq_class &r) { return mpq_class(x * newton_root(q, r)); },
-         &four},
-        {"leading_contact_time", of_x<leading_contact_time>, LOAD, false, 1,
-         [](const mpq_class &, const mpq_class &q, const mpq_class &r) {
-             return mpq_class(of_pair(pi) * newton_root(q, r));
-         },
+        {"leading_contact_time", of_x<leading_contact_time>, LOAD, false, 1, FORMULA(of_pair(pi) * newton_root(t, r)),
          &four},
     };
     for (const law_formula &f : laws)

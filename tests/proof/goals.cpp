@@ -241,10 +241,6 @@ static interval range_of(term id, ranges &known)
 
 typedef std::function<Real(Real)> function;
 
-struct piece {
-    number low, high;
-};
-
 static word path_at(const function &f, number x)
 {
     start();
@@ -256,9 +252,9 @@ static word path_at(const function &f, number x)
 
 /* The pieces of [first, end). Every decision of the evaluator is a monotone function of the argument, so the arguments
  * of a piece are neighbours, and bisection finds the last one. */
-static std::vector<piece> pieces_of(const function &f, number first, number end)
+static std::vector<interval> pieces_of(const function &f, number first, number end)
 {
-    std::vector<piece> all;
+    std::vector<interval> all;
     word low = bits_of(first);
     const word stop = bits_of(end);
     while (low < stop) {
@@ -341,19 +337,37 @@ static number constant_of(int id)
     return of(id).what == CONSTANT ? of(id).value : NAN;
 }
 
+/* Whether the operations that lead to `id` fit what stands at p: gappa::match */
+static bool fits(int id, const char *&p, std::map<std::string, int> &names)
+{
+    static const std::map<char, operation> signs = {{'+', ADD}, {'-', SUBTRACT}, {'*', MULTIPLY}, {'/', DIVIDE}};
+    static const std::map<std::string, operation> functions = {
+        {"sqrt", SQRT}, {"log", LOG}, {"log1p", LOG1P}, {"head", HEAD}};
+    if (id < 0)
+        return false;
+    const node n = of(id);
+    if (*p == '-')
+        return n.what == NEGATE && fits(n.a, ++p, names);
+    if (*p == '(')
+        return fits(n.a, ++p, names) && n.what == signs.at(*p++) && fits(n.b, p, names) && *p++ == ')';
+    const std::string word(p, strspn(p, "abcdefghijklmnopqrstuvwxyz_0123456789."));
+    p += word.size();
+    if (*p == '(')
+        return n.what == functions.at(word) && fits(n.a, ++p, names) && *p++ == ')';
+    if (std::isdigit(word[0]))
+        return constant_of(id) == std::stod(word);
+    const bool same = names.emplace(word, id).first->second == id;
+    return *p == ':' ? same && fits(id, ++p, names) : same;
+}
+
 /* The text of a Gappa file that is being written: rounded (n..) and exact (e..) versions of every operation. In what is
  * said, assumed, hinted and concluded, "$x" is the rounded version of the operation that `names` has as x, "@x" the
  * exact one, and "$x.ab" an operand, as at() has it. */
 struct gappa {
-    std::ostringstream text;
+    std::string text = "@rnd = float<ieee_64, ne>;\n@head = float<26, -2000, zr>;\n";
     std::map<int, bool> done;
     std::vector<std::string> hypotheses, hints;
     std::map<std::string, int> names;
-
-    gappa()
-    {
-        text << "@rnd = float<ieee_64, ne>;\n@head = float<26, -2000, zr>;\n";
-    }
 
     static std::string rounded(int id)
     {
@@ -365,6 +379,8 @@ struct gappa {
     }
     static std::string name_of(int id, char kind)
     {
+        if (id < 0)
+            return "";
         const node &n = of(id);
         return n.what == CONSTANT ? "(" + hex(n.value) + ")" : kind + std::to_string(id);
     }
@@ -380,7 +396,7 @@ struct gappa {
 
     void say(const std::string &line)
     {
-        text << filled(line) << "\n";
+        text += filled(line) + "\n";
     }
 
     void assume(const std::string &hypothesis)
@@ -393,27 +409,54 @@ struct gappa {
         hints.push_back(filled(rule) + ";");
     }
 
+    int operator[](const std::string &name) const
+    {
+        return names.at(name);
+    }
+
     void call(std::initializer_list<std::pair<std::string, term>> more)
     {
         for (const auto &f : more)
             names[f.first] = f.second;
     }
 
+    /* Names the operations that lead to one. They must fit the pattern: (x+y), -x, sqrt(x), 0.5, or a name, which is
+     * the same operation wherever it stands; name:pattern names what fits the pattern. */
+    void match(term id, const char *pattern)
+    {
+        const char *at = pattern;
+        expect(fits(id, at, names), pattern);
+    }
+
+    /* The same with names that may have been others, but for `known` ones */
+    void match_anew(term id, const char *pattern, std::initializer_list<std::pair<std::string, term>> known)
+    {
+        gappa other;
+        other.call(known);
+        other.match(id, pattern);
+        for (const auto &f : other.names)
+            names[f.first] = f.second;
+    }
+
     /* An operation whose text is given: the rounded version and, where it is another, the exact one */
     void give(term id, const std::string &round, const std::string &precise = "")
     {
-        text << rounded(id) << " " << filled(round) << ";\n";
+        text += rounded(id) + " " + filled(round) + ";\n";
         if (!precise.empty())
-            text << exact(id) << " = " << (precise == "same" ? rounded(id) : filled(precise)) << ";\n";
+            text += exact(id) + " = " + (precise == "same" ? rounded(id) : filled(precise)) + ";\n";
         done[id] = true;
     }
 
     /* A double that the goal takes from `interval`; its exact value is the same. */
+    void cut(const char *name, const std::string &interval)
+    {
+        give(names.at(name), "= rnd(cut" + std::to_string(names.at(name)) + ")", "same");
+        assume("$" + std::string(name) + " in " + interval);
+    }
     void cut(const char *name, term id, const std::string &interval)
     {
-        call({{name, id}});
-        give(id, "= rnd(cut" + std::to_string(id) + ")", "same");
-        assume(rounded(id) + " in " + interval);
+        names[name] = id;
+        cut(name, interval);
     }
 
     /* A double in an interval; exact and rounded version are the same. */
@@ -423,41 +466,31 @@ struct gappa {
         assume(rounded(id) + " in " + within(x.low, x.high));
     }
 
-    /* A real number in an interval, and the double next to it */
-    void rounded_in(term id, interval x)
-    {
-        text << exact(id) << " = v" << id << ";\n" << rounded(id) << " = rnd(v" << id << ");\n";
-        assume("v" + std::to_string(id) + " in " + within(x.low, x.high));
-        done[id] = true;
-    }
-
     void define(term id)
     {
+        static const std::map<operation, const char *> signs = {
+            {ADD, " + "}, {SUBTRACT, " - "}, {MULTIPLY, " * "}, {DIVIDE, " / "}};
         const node n = of(id);
         if (n.what == CONSTANT || done[id])
             return;
         done[id] = true;
-        if (n.a >= 0)
-            define(n.a);
-        if (n.b >= 0)
-            define(n.b);
-        static const std::map<operation, const char *> sign = {
-            {ADD, " + "}, {SUBTRACT, " - "}, {MULTIPLY, " * "}, {DIVIDE, " / "}};
-        const auto two = sign.find(n.what);
+        for (const int operand : {n.a, n.b})
+            if (operand >= 0)
+                define(operand);
+        const std::string round = rounded(id), precise = exact(id) + " = ", a = rounded(n.a), a_exact = exact(n.a);
         const bool nothing_added = n.what == ADD && constant_of(n.a) == 0;
         if (nothing_added || ((n.what == SUBTRACT || n.what == ADD) && constant_of(n.b) == 0)) {
             const int same = nothing_added ? n.b : n.a;
-            text << rounded(id) << " = " << rounded(same) << ";\n" << exact(id) << " = " << exact(same) << ";\n";
-        } else if (two != sign.end()) {
-            text << rounded(id) << " rnd= " << rounded(n.a) << two->second << rounded(n.b) << ";\n"
-                 << exact(id) << " = " << exact(n.a) << two->second << exact(n.b) << ";\n";
+            text += round + " = " + rounded(same) + ";\n" + precise + exact(same) + ";\n";
+        } else if (signs.count(n.what)) {
+            const std::string sign = signs.at(n.what);
+            text += round + " rnd= " + a + sign + rounded(n.b) + ";\n" + precise + a_exact + sign + exact(n.b) + ";\n";
         } else if (n.what == NEGATE) {
-            text << rounded(id) << " = -" << rounded(n.a) << ";\n" << exact(id) << " = -" << exact(n.a) << ";\n";
+            text += round + " = -" + a + ";\n" + precise + "-" + a_exact + ";\n";
         } else if (n.what == SQRT) {
-            text << rounded(id) << " = rnd(sqrt(" << rounded(n.a) << "));\n"
-                 << exact(id) << " = sqrt(" << exact(n.a) << ");\n";
+            text += round + " = rnd(sqrt(" + a + "));\n" + precise + "sqrt(" + a_exact + ");\n";
         } else if (n.what == HEAD) {
-            text << rounded(id) << " = head(" << rounded(n.a) << ");\n" << exact(id) << " = " << rounded(id) << ";\n";
+            text += round + " = head(" + a + ");\n" + precise + round + ";\n";
         } else {
             die("an operation that no goal can state: " + std::to_string(n.what) + " at " + hex(n.value));
         }
@@ -472,7 +505,7 @@ struct gappa {
         if (std::ifstream(path))
             die(name + ": two goals have this name");
         std::ofstream out(path);
-        out << text.str() << "{ ";
+        out << text << "{ ";
         std::vector<std::string> all = hypotheses;
         all.insert(all.end(), more.begin(), more.end());
         for (std::size_t i = 0; i < all.size(); i++)
@@ -497,7 +530,7 @@ static void write_goals(const std::string &name, gappa &g, term result, ranges &
     const node n = of(result);
     g.define(n.a);
     g.define(n.b);
-    g.text << "sum = " << g.rounded(n.a) << (n.what == SUBTRACT ? " - " : " + ") << g.rounded(n.b) << ";\n";
+    g.text += "sum = " + g.rounded(n.a) + (n.what == SUBTRACT ? " - " : " + ") + g.rounded(n.b) + ";\n";
     g.define(result);
     const std::string exact = g.exact(result), error = "|" + g.rounded(result) + " - " + exact + "|";
     const interval range = range_of(result, known);
@@ -620,7 +653,7 @@ static void check_row(const evaluator &f, const row &r, const landmarks &l, int 
     });
 }
 
-static void write_row_piece(const evaluator &f, const piece &p, int index)
+static void write_row_piece(const evaluator &f, const interval &p, int index)
 {
     start();
     const Real value = f.value(variable("x", p.low));
@@ -639,10 +672,14 @@ static void write_row_piece(const evaluator &f, const piece &p, int index)
         const int m = l.loss >= 0 ? l.loss : l.x;
         g.variable_in(m, known[m] = {1, 2});
         known[l.place] = {0, r.high};
-        if (l.root >= 0)
-            g.rounded_in(l.place, known[l.place]);
-        else
+        const std::string place = "v" + std::to_string(l.place); /* a real number, and the double next to it */
+        if (l.root >= 0) {
+            g.text += g.exact(l.place) + " = " + place + ";\n";
+            g.give(l.place, "= rnd(" + place + ")");
+            g.assume(place + " in " + within(0, r.high));
+        } else {
             g.variable_in(l.place, known[l.place]);
+        }
     } else if (l.loss >= 0) {
         g.variable_in(l.loss, known[l.loss] = {1 - p.high, 1 - p.low});
     } else {
@@ -653,7 +690,7 @@ static void write_row_piece(const evaluator &f, const piece &p, int index)
 
 static void write_rows(const evaluator &f)
 {
-    const std::vector<piece> pieces = pieces_of(f.value, f.first, f.end);
+    const std::vector<interval> pieces = pieces_of(f.value, f.first, f.end);
     for (std::size_t i = 0; i < pieces.size(); i++)
         write_row_piece(f, pieces[i], (int)i);
     printf("%s: %zu pieces of %d rows\n", f.name, pieces.size(), f.rows.count);
@@ -666,12 +703,10 @@ static void write_rows(const evaluator &f)
  * hi + lo a name. */
 static std::string hint_sum(gappa &g, const struct cor_inline_pair &pair, const char *name)
 {
-    const int lo = pair.lo.node(), s = pair.hi.node(), a = at(lo, "bb");
-    expect(at(lo, "ba") == s && what_is(s) == ADD && at(s, "a") == a && at(s, "b") == at(lo, "a"), "cor_inline_sum");
-    g.call({{"sum", s}, {"left", lo}});
-    g.hint("$left.a - $left.b -> (($left.bb + $left.a) - $sum) + (($sum - $left.bb) - $left.b)");
+    g.match_anew(pair.lo, "left:(small-cut:(sum:(large+small)-large))", {{"sum", pair.hi}});
+    g.hint("$small - $cut -> (($large + $small) - $sum) + (($sum - $large) - $cut)");
     g.say(std::string(name) + " = $sum + $left;");
-    return g.filled("(($sum - $left.bb) - $left.b) + ($left - ($left.a - $left.b))");
+    return g.filled("(($sum - $large) - $cut) + ($left - ($small - $cut))");
 }
 
 /* ln(2) to 31 digits, rounded down and up */
@@ -708,22 +743,23 @@ static void write_log(void)
  * `error` is the relative error that the goals state, in units of 2^-53. */
 struct tail {
     std::string name;
-    struct cor_inline_pair (*factor)(Real beta);
     number error, far_error;
     table rows;
     const Real *far_row;
+    struct cor_inline_pair (*factor)(Real beta);
 };
 #define TAIL(name, NAME, error, far_error)                                                                             \
     {                                                                                                                  \
-#name, [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, name, COR_ROWS_TAIL_##NAME); }, error, far_error,    \
-                                                                                               GRID(tail_##name,       \
-                                                                                                    TAIL_##NAME),      \
-                                                                                               cor_rows_far_##name(0)  \
+#name, error, far_error, GRID(tail_##name, TAIL_##NAME), cor_rows_far_##name(0),                               \
+            [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, name, COR_ROWS_TAIL_##NAME); }                          \
     }
 static const tail tails[] = {
-    TAIL(eps_zero_force, EPS_ZERO_FORCE, 0.3, 0.1), TAIL(duration_zero_overlap, DURATION_ZERO_OVERLAP, 0.8, 0.2),
-    TAIL(duration_zero_force, DURATION_ZERO_FORCE, 0.6, 0.2), TAIL(max_overlap, MAX_OVERLAP, 0.3, 0.1),
-    TAIL(time_of_max_overlap, TIME_OF_MAX_OVERLAP, 0.6, 0.2)};
+    TAIL(eps_zero_force, EPS_ZERO_FORCE, 0.3, 0.1),
+    TAIL(duration_zero_overlap, DURATION_ZERO_OVERLAP, 0.8, 0.2),
+    TAIL(duration_zero_force, DURATION_ZERO_FORCE, 0.6, 0.2),
+    TAIL(max_overlap, MAX_OVERLAP, 0.3, 0.1),
+    TAIL(time_of_max_overlap, TIME_OF_MAX_OVERLAP, 0.6, 0.2),
+};
 
 /* u.hi and u.lo become variables with |hi + lo - U| <= 2^-53, which the goals of write_log prove; U is ln(beta). */
 static void cut_log(gappa &g, const struct cor_inline_pair &u, interval range)
@@ -760,27 +796,14 @@ static void write_tail_row(const tail &f, int index)
     g.write(numbered("tail_" + f.name, index), {}, "|(pair - @sum) / @sum|" + at_most(std::ldexp(f.error, -53)));
 }
 
-static void write_tails(void)
-{
-    for (const tail &f : tails)
-        for (int i = 0; i < f.rows.count; i++)
-            write_tail_row(f, i);
-}
-
 /* hi + lo of a pair that cor_inline_product(x, y) computes: lo approximates x y - hi. Returns the text of hi + lo - x y
  * for the rounded x and y. */
 static std::string product_error(gappa &g, term hi, term lo)
 {
-    const int first = at(lo, "aaa");
-    expect(what_is(lo) == ADD && what_is(at(lo, "a")) == ADD && what_is(at(lo, "aa")) == ADD &&
-               what_is(first) == SUBTRACT && what_is(at(first, "a")) == MULTIPLY && what_is(hi) == MULTIPLY,
-           "cor_inline_product");
+    g.match_anew(lo, "off:(((((h1*h2)-product:(x1*x2))+(h1*t2))+(t1*h2))+(t1*t2))", {{"product", hi}});
     const std::string low = "low" + std::to_string(lo);
-    g.call({{"product", hi}, {"off", lo}, {"heads", at(first, "a")}});
-    g.say(low +
-          " = ((($heads.a * $heads.b - $product) + $heads.a * ($product.b - $heads.b)) + ($product.a - $heads.a)" +
-          " * $heads.b) + ($product.a - $heads.a) * ($product.b - $heads.b);");
-    g.hint(low + " -> $product.a * $product.b - $product");
+    g.say(low + " = ((($h1 * $h2 - $product) + $h1 * ($x2 - $h2)) + ($x1 - $h1) * $h2) + ($x1 - $h1) * ($x2 - $h2);");
+    g.hint(low + " -> $x1 * $x2 - $product");
     g.hint("$off -> " + low + " + ($off - " + low + ")");
     return g.filled("($off - " + low + ")");
 }
@@ -794,12 +817,11 @@ static void write_far_binade(const tail &f, interval range, int index)
     start();
     const Real beta = variable("x", std::exp(range.low * 1.0001));
     const struct cor_inline_pair u = cor_inline_log(beta), pair = f.factor(beta);
-    const int v = u.hi.node(), ulo = u.lo.node(), lo = pair.lo.node(), hi = pair.hi.node();
-    const int rest = at(hi, "b"), sum_lo = at(rest, "a"), sum_hi = at(hi, "a");
-    const int slope_lo = at(rest, "baaa"), orders = at(rest, "bbb"), second = at(sum_hi, "b");
+    const int v = u.hi.node(), ulo = u.lo.node(), hi = pair.hi.node(), rest = at(hi, "b"), sum_hi = at(hi, "a");
+    const int slope_lo = at(rest, "baaa"), second = at(sum_hi, "b");
     const int slope_hi = second >= 0 && what_is(second) == MULTIPLY ? second : at(sum_hi, "a");
     const int mu = last_where([](const node &n) { return n.what == DIVIDE && what_is(n.b) == MULTIPLY; });
-    check_formula("far " + f.name, {hi, lo}, [&](assignment &known) {
+    check_formula("far " + f.name, {hi, pair.lo}, [&](assignment &known) {
         const mpq_class y = arbitrary(), m = arbitrary();
         known[v] = y;
         known[ulo] = 0;
@@ -824,14 +846,14 @@ static void write_far_binade(const tail &f, interval range, int index)
     g.assume("$v - U" + units(std::ldexp(range.high, -51)));
     g.assume("MU in [0, " + hex(most) + "]");
     g.assume("|$mu - MU| <= " + hex(most * mu_error));
-    g.define(lo);
-    const std::string off_2 = hint_sum(g, pair, "pair");
-    const struct cor_inline_pair inner = {Real(0, sum_hi), Real(0, sum_lo)};
-    const std::string off_1 = hint_sum(g, inner, "inner"), slope = product_error(g, slope_hi, slope_lo);
-    g.call({{"rest", rest}, {"slope_lo", slope_lo}, {"orders", orders}});
-    std::vector<std::string> c;
+    g.define(pair.lo);
+    const std::string off_2 = hint_sum(g, pair, "pair"),
+                      off_1 = hint_sum(g, {Real(0, sum_hi), Real(0, at(rest, "a"))}, "inner"),
+                      slope = product_error(g, slope_hi, slope_lo);
+    g.call({{"rest", rest}, {"slope_lo", slope_lo}, {"orders", at(rest, "bbb")}});
+    std::string c[4];
     for (int k = 0; k < 4; k++)
-        c.push_back("(" + hex(f.far_row[k].value) + ")");
+        c[k] = "(" + hex(f.far_row[k].value) + ")";
     g.say("exact = " + c[0] + " + " + c[1] + " + (" + c[2] + " + " + c[3] + ") * U + @orders;");
     g.say("terms = (($slope_lo + " + c[2] + " * $u) + " + c[3] + " * $v) + (" + c[1] + " + $orders);");
     g.hint("pair - exact -> " + off_2 + " + ($rest - ($rest.a + $rest.b)) + " + off_1 + " + " + slope +
@@ -840,15 +862,13 @@ static void write_far_binade(const tail &f, interval range, int index)
             "|(pair - exact) / exact|" + at_most(std::ldexp(f.far_error, -53)));
 }
 
-static void write_far(void)
+static void write_tails(void)
 {
     for (const tail &f : tails) {
-        number low = 10;
-        for (int k = 4; k <= 10; k++) {
-            const number high = std::min(std::ldexp(1, k), 709.8);
-            write_far_binade(f, {low, high}, k);
-            low = high;
-        }
+        for (int i = 0; i < f.rows.count; i++)
+            write_tail_row(f, i);
+        for (int k = 4; k <= 10; k++)
+            write_far_binade(f, {k == 4 ? 10 : std::ldexp(1, k - 1), std::min(std::ldexp(1, k), 709.8)}, k);
     }
 }
 
@@ -1192,7 +1212,7 @@ static void write_last_steps(void)
     g.write("last_loss", {}, "|V - (1 - E)|" + at_most(std::ldexp(0.51, -53)));
     /* A normal number within 0.8 ulp of E, scaled to a subnormal number: 0.91 units of 2^-1074 */
     gappa s;
-    s.text << "@subnormal = fixed<-1074, ne>;\nV = subnormal(S);\n";
+    s.text += "@subnormal = fixed<-1074, ne>;\nV = subnormal(S);\n";
     s.hypotheses = {"S in [0, 1b-1022]", "S - E in [-0x1.ap-1076, 0x1.ap-1076]"};
     s.write("last_subnormal", {}, "|V - E| in [0, 0x1.dp-1075]");
 }
@@ -1260,7 +1280,6 @@ int main(int argc, char **argv)
     if (is_wanted_in_part("log"))
         write_log();
     write_tails();
-    write_far();
     write_pairs();
     write_disk();
     check_speed(argv[2]);
