@@ -60,8 +60,8 @@ void worst_heading(uint64_t seed);
 /* Prints one line; returns whether the worst error is within the bound and nothing rose. */
 bool worst_report(const char *name, const struct worst *worst, double bound);
 
-/* Searches at random points, at boundaries and uphill, and prints a line. Returns the worst error, which is infinite where
- * the bound or an order is missed, and 0 of a function that is not wanted. */
+/* Searches at random points, at boundaries and uphill, and prints a line. Returns the worst error, which is infinite
+ * where the bound or an order is missed, and 0 of a function that is not wanted. */
 double search_worst(const struct search_function *f, const struct search_options *o);
 
 enum { SEARCH_MAX_THREADS = 64 };

@@ -81,7 +81,7 @@ static const double region_boundaries[] = {
     0x1p-1074, 0x1p-1022, 0x1p-149, 0x1p-126, 7.0, 0x1.fffffep+127, 0x1.fffffffffffffp+1023, 1.39e62, 1.01e65, 7.6e304,
 };
 
-static void boundaries(struct worst *worst, const struct search_function *f, const struct search_options *o)
+static void search_boundaries(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
     const uint64_t radius = f->share > 0 ? 256 / f->share : 256;
     if (search_is_inverse(f)) {
@@ -196,7 +196,7 @@ int main(int argc, char **argv)
                                .stride = 2141,
                                .exact = exact,
                                .random_argument = random_argument,
-                               .boundaries = boundaries,
+                               .boundaries = search_boundaries,
                                .judges_specials = true,
                                .largest_rise = 1,
                                .radius = 4096};

@@ -10,9 +10,9 @@
  * results are not correctly rounded, by the double functions, whose bound counts as part of the error. From 16 on they
  * return cor_sphere_..f; 1 in FAR_STRIDE floats are taken there.
  *
- * test_accuracy --stride N takes every Nth float, of the arrays in float arithmetic FAST_SHARE times as many; --stride 1
- * also prints the lines of float_hashes.txt. It is a failure if a result is wrong or if the reference cannot decide.
- * Negative numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
+ * test_accuracy --stride N takes every Nth float, of the arrays in float arithmetic FAST_SHARE times as many. With
+ * --stride 1 it also prints the lines of float_hashes.txt. It fails if a result is wrong or the reference cannot
+ * decide. Negative numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
 #include "cor/sphere.h"
 
 #include "reference.h"

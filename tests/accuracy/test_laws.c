@@ -254,7 +254,7 @@ static NUMBERS(eps_boundaries, 0.5, 0.25, 0.125, 0x1p-5, 0x1p-6, 0.1353352832366
                0.26359713811572677, 0.4065696597405991, 0.1495686192226351, 0x1p-900, 0x1p-200, 1e-154,
                2.7813423231340017e-309, 1.9667060174891983e-309, 5.562684646268003e-309, 0x1p-60, 0x1p-30);
 
-static void boundaries(struct worst *worst, const struct search_function *f, const struct search_options *o)
+static void search_boundaries(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
     const uint64_t radius = f->share > 0 ? 0 : 32;
     if (search_is_inverse(f)) {
@@ -381,7 +381,7 @@ int main(int argc, char **argv)
                                .threads = 1,
                                .exact = exact,
                                .random_argument = random_argument,
-                               .boundaries = boundaries,
+                               .boundaries = search_boundaries,
                                .judges_specials = true,
                                .largest_rise = 2,
                                .radius = 200};

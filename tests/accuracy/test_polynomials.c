@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The polynomials of runtime/number/elementary.h, runtime/number/lambert_w.c and runtime/law/: the errors that stand
  * beside them, proved: in each cell of the interval the error is Taylor's polynomial in balls around the middle and a
- * remainder enclosed over the cell. And pair_exp of runtime/disk/quasistatic.c, of whose digits no double shows the last,
- * at sampled numbers. */
+ * remainder enclosed over the cell. And pair_exp of runtime/disk/quasistatic.c at sampled numbers: no double shows its
+ * last digits. */
 #include "runtime/disk/quasistatic.c"
 #include "runtime/law/damping_ratio.h"
 #include "runtime/law/hunt_crossley.h"

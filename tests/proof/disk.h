@@ -185,8 +185,8 @@ static void write_start(void)
     g.write("disk_start", {}, "($y - @y) / @y" + units(COR_PROOF_START));
 }
 
-/* The operations of both steps for y = 1 + t, by name: logarithms l, residuals r, u = y - 1, and the pair -ln(y) = q - u.
- * They must compute y (1 + (r/u) (b + r)/(b + 2 r)) and y r/u. */
+/* The operations of both steps for y = 1 + t, by name: logarithms l, residuals r, u = y - 1. They must compute
+ * y (1 + (r/u) (b + r)/(b + 2 r)) and y r/u. */
 static gappa steps_at(number place)
 {
     start();
