@@ -269,9 +269,7 @@ static const struct option_rule options[] = {
     OPTION_PLAIN("simulator-version", TEXT, version),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct audit_arguments defaults = {.simulator = OPTIONS_NOT_GIVEN};
-
-SUBCOMMAND(audit, "audit", "the restitution that the input of a simulator really gives");
+SUBCOMMAND(audit, "audit", "the restitution that the input of a simulator really gives",
+           .simulator = OPTIONS_NOT_GIVEN);

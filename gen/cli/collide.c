@@ -246,9 +246,7 @@ static const struct option_rule options[] = {
     OPTION_JSON_STRINGS,
     OPTION_LAW,
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct collide_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS, .end = OPTIONS_NOT_GIVEN};
-
-SUBCOMMAND(collide, "collide", "one collision to any number of digits");
+SUBCOMMAND(collide, "collide", "one collision to any number of digits", .digits = OPTIONS_DEFAULT_DIGITS,
+           .end = OPTIONS_NOT_GIVEN);

@@ -9,7 +9,6 @@
 #include "contact/contact_rows.h"
 #include "contact/contact_simulator.h"
 #include "support/console.h"
-#include "support/eps_plot.h"
 #include "support/gnuplot.h"
 
 _Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "--end that is not given stands for both ends");
@@ -242,9 +241,7 @@ static const struct option_rule options[] = {
     OPTION("plot", FILE, plot, .needs = "speed"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct contact_arguments defaults = {.scene.end = OPTIONS_NOT_GIVEN, .integrator = OPTIONS_NOT_GIVEN};
-
-SUBCOMMAND(contact, "contact", "one contact in SI units: eps, durations, forces, input of simulators");
+SUBCOMMAND(contact, "contact", "one contact in SI units: eps, durations, forces, input of simulators",
+           .scene.end = OPTIONS_NOT_GIVEN, .integrator = OPTIONS_NOT_GIVEN);

@@ -107,9 +107,7 @@ static const struct option_rule options[] = {
     OPTION("threads", WHOLE, threads, .range.whole = {1, PARALLEL_MAX_THREADS}, .why = "no machine has use for more"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct disk_collide_arguments defaults = {0};
-
-SUBCOMMAND(disk_collide, "disk-collide", "collisions of elastic disks, over lists of parameters");
+SUBCOMMAND(disk_collide, "disk-collide", "collisions of elastic disks, over lists of parameters",
+           .common.format = FORMAT_TEXT);

@@ -95,9 +95,6 @@ static const struct option_rule options[] = {
     OPTION_FORMAT(option_formats),
     OPTION_JSON_STRINGS,
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct disk_modes_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
-
-SUBCOMMAND(disk_modes, "disk-modes", "the free modes of an elastic disk");
+SUBCOMMAND(disk_modes, "disk-modes", "the free modes of an elastic disk", .digits = OPTIONS_DEFAULT_DIGITS);

@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "embed/choose.h"
-#include "embed/header.h"
 #include "support/console.h"
 
 static int write_header(const struct embed_arguments *o, const struct embed_scene *s, const struct embed_form *form)
@@ -88,9 +87,6 @@ static const struct option_rule options[] = {
     OPTION("type", WORD, scene.type, .range.words = embed_type_names, .why = "a type"),
     OPTION_PLAIN("name", C_NAME, scene.name),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct embed_arguments defaults = {0};
-
-SUBCOMMAND(embed, "embed", "a C header with eps of the impact speed for one scene");
+SUBCOMMAND(embed, "embed", "a C header with eps of the impact speed for one scene", .common.format = FORMAT_TEXT);

@@ -192,9 +192,7 @@ static const struct option_rule options[] = {
     OPTION_PLAIN("wall", FLAG, scene.wall),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct fit_arguments defaults = {.law = "all", .end = OPTIONS_NOT_GIVEN, .unit = FIT_UNIT_OF_COLUMN};
-
-SUBCOMMAND(fit, "fit", "models of restitution fitted to measured points");
+SUBCOMMAND(fit, "fit", "models of restitution fitted to measured points", .law = "all", .end = OPTIONS_NOT_GIVEN,
+           .unit = FIT_UNIT_OF_COLUMN);

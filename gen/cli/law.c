@@ -42,9 +42,6 @@ static const struct option_rule options[] = {
     OPTION_LAW,
     OPTION("name", C_NAME, name, .required = true),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct law_arguments defaults = {0};
-
-SUBCOMMAND(law, "law", "a C header with every quantity of one contact law");
+SUBCOMMAND(law, "law", "a C header with every quantity of one contact law", .common.format = FORMAT_TEXT);

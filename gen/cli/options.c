@@ -9,7 +9,6 @@
 #include "disk/equation.h"
 #include "series/law.h"
 #include "series/series.h"
-#include "support/c_names.h"
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"

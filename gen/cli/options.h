@@ -72,8 +72,12 @@ struct option_common {
     }
 #define OPTION_PLAIN(NAME, KIND, FIELD) OPTION(NAME, KIND, FIELD, .why = NULL)
 
-/* Rules that several subcommands share */
-#define OPTION_COMMON OPTION_PLAIN("output", FILE, common.output), OPTION_PLAIN("profile", FLAG, common.profile)
+/* Rules that several subcommands share; those of all end the list. */
+#define OPTION_COMMON                                                                                                  \
+    OPTION_PLAIN("output", FILE, common.output), OPTION_PLAIN("profile", FLAG, common.profile),                        \
+    {                                                                                                                  \
+        .name = NULL                                                                                                   \
+    }
 #define OPTION_FORMAT(WORDS) OPTION("format", WORD, common.format, .range.words = (WORDS), .why = "a format")
 #define OPTION_JSON_STRINGS OPTION("json-strings", FLAG, common.json_strings, .needs = "format")
 #define OPTION_DIGITS                                                                                                  \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/dispatch.h"
+#include "cli/subcommand.h"
 
 #include <string.h>
 

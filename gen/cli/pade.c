@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen pade prints the coefficients and the analysis, and writes a C header on request. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,8 +139,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
                                            .title = header_title(r, f->root),
                                            .end = r->end,
                                            .beta_max = beta_max,
-                                           .references = assessed ? &references : NULL,
-                                           .limit = INFINITY};
+                                           .references = assessed ? &references : NULL};
         struct emit e;
         emit_open(&e, out.file, guard, banner);
         emit_lines(&e, "#include <math.h>\n");
@@ -279,10 +277,7 @@ static const struct option_rule options[] = {
     OPTION_JSON_STRINGS,
     OPTION_LAW,
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct pade_arguments defaults = {
-    .numerator = OPTIONS_NOT_GIVEN, .denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS};
-
-SUBCOMMAND(pade, "pade", "Pade approximants of eps(beta)");
+SUBCOMMAND(pade, "pade", "Pade approximants of eps(beta)", .numerator = OPTIONS_NOT_GIVEN,
+           .denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS);

@@ -101,9 +101,6 @@ static const struct option_rule options[] = {
            .why = "every point takes collisions"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct plan_arguments defaults = {0};
-
-SUBCOMMAND(plan, "plan", "which model a scene needs, what it costs and leaves out");
+SUBCOMMAND(plan, "plan", "which model a scene needs, what it costs and leaves out", .common.format = FORMAT_TEXT);

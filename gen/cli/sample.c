@@ -93,9 +93,6 @@ static const struct option_rule options[] = {
     SCENE_OPTIONS(&option_sphere_poisson, NULL, ""),
     OPTION_FORMAT(sample_format_names),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct sample_arguments defaults = {.scene.end = OPTIONS_NOT_GIVEN};
-
-SUBCOMMAND(sample, "sample", "eps over speeds as the fewest points of a table");
+SUBCOMMAND(sample, "sample", "eps over speeds as the fewest points of a table", .scene.end = OPTIONS_NOT_GIVEN);

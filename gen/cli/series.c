@@ -132,9 +132,7 @@ static const struct option_rule options[] = {
     OPTION_JSON_STRINGS,
     OPTION_LAW,
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct series_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
-
-SUBCOMMAND(series, "series", "coefficients of x_max, t_max and eps in powers of beta");
+SUBCOMMAND(series, "series", "coefficients of x_max, t_max and eps in powers of beta",
+           .digits = OPTIONS_DEFAULT_DIGITS);

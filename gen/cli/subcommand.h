@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* A subcommand of corgen, as a row of the table in main.c. dispatch.h runs it. */
+/* A subcommand of corgen, as a row of the table in main.c, and what chooses and runs it */
 #ifndef COR_GEN_CLI_SUBCOMMAND_H
 #define COR_GEN_CLI_SUBCOMMAND_H
+
+#include <stdio.h>
 
 #include "cli/options.h"
 
@@ -15,9 +17,10 @@ struct subcommand {
     int (*run)(const void *arguments); /* exit status */
 };
 
-/* The subcommand of a file that defines ARGUMENTS, help, options, defaults and run_NAME */
-#define SUBCOMMAND(NAME, WORD, SUMMARY)                                                                                \
-    const struct subcommand command_##NAME = {WORD, SUMMARY, help, options, sizeof defaults, &defaults, run_##NAME}
+/* The subcommand of a file that defines ARGUMENTS, help, options and run_NAME; then the defaults of its options */
+#define SUBCOMMAND(NAME, WORD, SUMMARY, ...)                                                                           \
+    const struct subcommand command_##NAME = {                                                                         \
+        WORD, SUMMARY, help, options, sizeof(ARGUMENTS), &(const ARGUMENTS){__VA_ARGS__}, run_##NAME}
 
 /* Parts of help texts */
 #define HELP_LAW                                                                                                       \
@@ -29,5 +32,16 @@ struct subcommand {
 #define HELP_COMMON                                                                                                    \
     "  --output FILE    write to FILE, which changes only if everything succeeds (default: standard output)\n"         \
     "  --profile        print the seconds of each step and the peak memory on standard error\n"
+
+/* Chooses a subcommand from a table that ends with NULL, and runs it. Returns the exit status. */
+int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv);
+
+/* corgen --help: the subcommands by the task of a user, and the terms of all help texts. Lines of subcommands that are
+ * not in the table, and their examples, are left out. */
+void overview_print(const struct subcommand *const *table, FILE *file);
+
+/* Writes a script that a shell, bash or zsh, reads from its folder of completions, from the tables of subcommands and
+ * options. Returns false for another shell. */
+bool completion_print(const char *shell, const struct subcommand *const *table, FILE *file);
 
 #endif

@@ -66,9 +66,6 @@ static const struct option_rule options[] = {
     OPTION("seed", WHOLE, request.seed, .range.whole = {0, TABLES_MAX_SEED},
            .why = "there are no more samples than that"),
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct tables_arguments defaults = {.request.seed = OPTIONS_NOT_GIVEN};
-
-SUBCOMMAND(tables, "tables", "write or check the generated C tables");
+SUBCOMMAND(tables, "tables", "write or check the generated C tables", .request.seed = OPTIONS_NOT_GIVEN);

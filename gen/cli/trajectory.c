@@ -122,9 +122,6 @@ static const struct option_rule options[] = {
     OPTION_JSON_STRINGS,
     OPTION_LAW,
     OPTION_COMMON,
-    {.name = NULL},
 };
 
-static const struct trajectory_arguments defaults = {0};
-
-SUBCOMMAND(trajectory, "trajectory", "exact rational coefficients of x(t), any order");
+SUBCOMMAND(trajectory, "trajectory", "exact rational coefficients of x(t), any order", .common.format = FORMAT_TEXT);

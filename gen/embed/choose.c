@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "embed/fit.h"
+#include "approximation/pade.h"
+#include "embed/form.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/local.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "embed/contact.h"
+#include "embed/scene.h"
 
 #include "enclosure/collision.h"
 #include "support/console.h"

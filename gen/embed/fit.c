@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "embed/fit.h"
+#include "embed/form.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
-#include "embed/header.h"
+#include "embed/choose.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,6 @@
 
 #include "support/console.h"
 #include "support/emit_c.h"
-#include "support/evaluator_text.h"
 
 enum { NAME_MAX_HERE = 128 };
 

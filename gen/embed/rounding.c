@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "embed/rounding.h"
+#include "embed/proof.h"
 
 #include <float.h>
 #include <math.h>

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "approximation/interpolant.h"
-#include "embed/contact.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/local.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "support/c_names.h"
+#include "support/words.h"
 
 #include <stdbool.h>
 #include <stddef.h>

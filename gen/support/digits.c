@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "support/console.h"
-#include "support/local.h"
 
 enum { GUARD_BITS = 32, LEADING_ZEROS_MAX = 4 };
 
@@ -22,19 +21,12 @@ slong digits_to_bits(slong digits)
 static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong least_bits)
 {
     const slong prec = FLINT_MAX(arb_bits(x), least_bits) + GUARD_BITS;
-    LOCAL(arf, end);
-    int held = arb_is_finite(x);
-    for (int up = 0; up < 2; up++) {
-        mpfr_ptr to = up ? upper : lower;
-        mpfr_init2(to, prec);
-        if (!held)
-            continue;
-        (up ? arb_get_ubound_arf : arb_get_lbound_arf)(end, x, prec);
-        held = arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0 &&
-               (arf_is_zero(end) || arf_cmpabs_2exp_si(end, MPFR_EMIN_DEFAULT) > 0);
-        arf_get_mpfr(to, end, up ? MPFR_RNDU : MPFR_RNDD);
-    }
-    return held && mpfr_sgn(lower) * mpfr_sgn(upper) > 0;
+    mpfr_init2(lower, prec);
+    mpfr_init2(upper, prec);
+    arb_get_interval_mpfr(lower, upper, x);
+    mpfr_check_range(lower, 0, MPFR_RNDD);
+    mpfr_check_range(upper, 0, MPFR_RNDU);
+    return mpfr_number_p(lower) && mpfr_number_p(upper) && mpfr_sgn(lower) * mpfr_sgn(upper) > 0;
 }
 
 /* The shortest spelling that shows every digit of "-12345" with the point after the first `point` digits */

@@ -3,6 +3,7 @@
 #ifndef COR_GEN_SUPPORT_GNUPLOT_H
 #define COR_GEN_SUPPORT_GNUPLOT_H
 
+#include <stddef.h>
 #include <stdio.h>
 
 /* A picture's format is the ending of its file: .svg, .png or .pdf, and svg where there is none. Returns STATUS_OK, or
@@ -20,5 +21,18 @@ int gnuplot_run(FILE *script, FILE *out, const char *path);
 
 /* Writes any text as a string of gnuplot, "...", which prints as the text without its control characters. */
 void gnuplot_quote(FILE *script, const char *text);
+
+/* A curve eps(speed). Speeds are positive and rise; an eps of NaN is left out. */
+struct eps_curve {
+    const char *title;
+    const double *speed, *eps;
+    size_t count;
+};
+
+/* Draws curves with the label of the abscissa, and eps from `least` to 1: 0, or NAN, from the least eps. Writes the
+ * picture in the format of `path`, whole or not at all. Returns STATUS_OK, or STATUS_FAILED after a
+ * message, also where gnuplot is not installed. */
+int eps_plot(const char *path, const char *title, const char *label, double least, const struct eps_curve *curve,
+             size_t curves);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Words of a command line that are not known */
+/* Words of a command line that are not known, and names that a function of a C header cannot have */
 #ifndef COR_GEN_SUPPORT_WORDS_H
 #define COR_GEN_SUPPORT_WORDS_H
 
@@ -15,5 +15,10 @@ size_t slips_between(const char *a, const char *b);
  * STATUS_USAGE. */
 int refuse_word(const char *word, const char *const *words, const char *dashes, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+
+/* What an identifier is already, "a keyword of C or C++", in C99 to C23, in C++11 to C++23, or in the headers math.h,
+ * stdint.h and string.h with the extensions of GNU; NULL if it is free. Functions of the other headers of C count, too,
+ * because compilers know them without their headers. */
+const char *c_name_taken(const char *name);
 
 #endif

@@ -12,7 +12,7 @@
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
-#include "support/eps_plot.h"
+#include "support/gnuplot.h"
 #include "support/parallel.h"
 #include "sweep/journal.h"
 #include "sweep/threads.h"

@@ -7,7 +7,7 @@
 #include "approximation/law_tables.h"
 #include "series/series.h"
 #include "support/console.h"
-#include "support/evaluator_text.h"
+#include "support/emit_c.h"
 #include "support/local.h"
 
 enum { TEXT_MAX = LAW_TABLE_NAME_MAX };

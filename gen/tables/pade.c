@@ -91,37 +91,32 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
     LOCAL_INIT(pade_rounded, r, (&r));
     LOCAL_INIT(pade_error, approximation, (&approximation));
     int status = pade_round(&r, f);
-    if (status == 0) {
-        pade_evaluation_error(&eps, &loss, &r, h->beta_max);
-        if (h->references)
-            pade_approximation_error(&approximation, &r, h->end, h->references);
-        const double worst = fmax(approximation.eps + eps, approximation.loss + loss);
-        if (!(worst <= h->limit))
-            status = fail("%s: relative error %.1e, above %.1e", h->name, worst, h->limit);
+    if (status != STATUS_OK)
+        return status;
+    pade_evaluation_error(&eps, &loss, &r, h->beta_max);
+    if (h->references)
+        pade_approximation_error(&approximation, &r, h->end, h->references);
+    char *text = pade_comment(h, f, a, h->references ? &approximation : NULL, eps, loss);
+    emit_comment(e, "%s", text ? text : h->title);
+    free(text);
+    emit_lines(e, "enum {\n    $S_P = $d,\n    $S_Q = $d,\n    $S_L = $d\n};\n", h->name, (int)arb_poly_length(r.p),
+               h->name, (int)arb_poly_length(r.q), h->name, (int)arb_poly_length(r.l));
+    if (h->references) {
+        emit_error(e, h->name, "eps_approximation_rel", approximation.eps);
+        emit_error(e, h->name, "loss_approximation_rel", approximation.loss);
+        emit_error(e, h->name, "eps_evaluation_rel", eps);
+        emit_error(e, h->name, "loss_evaluation_rel", loss);
+        emit_error(e, h->name, "eps_max_rel", approximation.eps + eps);
+        emit_error(e, h->name, "loss_max_rel", approximation.loss + loss);
+        emit_error(e, h->name, "beta_max", (double)h->beta_max);
     }
+    status = emit_polynomial(e, h->name, "_p", r.p) || emit_polynomial(e, h->name, "_q", r.q) ||
+             emit_polynomial(e, h->name, "_l", r.l);
     if (status == 0) {
-        char *text = pade_comment(h, f, a, h->references ? &approximation : NULL, eps, loss);
-        emit_comment(e, "%s", text ? text : h->title);
-        free(text);
-        emit_lines(e, "enum {\n    $S_P = $d,\n    $S_Q = $d,\n    $S_L = $d\n};\n", h->name, (int)arb_poly_length(r.p),
-                   h->name, (int)arb_poly_length(r.q), h->name, (int)arb_poly_length(r.l));
-        if (h->references) {
-            emit_error(e, h->name, "eps_approximation_rel", approximation.eps);
-            emit_error(e, h->name, "loss_approximation_rel", approximation.loss);
-            emit_error(e, h->name, "eps_evaluation_rel", eps);
-            emit_error(e, h->name, "loss_evaluation_rel", loss);
-            emit_error(e, h->name, "eps_max_rel", approximation.eps + eps);
-            emit_error(e, h->name, "loss_max_rel", approximation.loss + loss);
-            emit_error(e, h->name, "beta_max", (double)h->beta_max);
-        }
-        status = emit_polynomial(e, h->name, "_p", r.p) || emit_polynomial(e, h->name, "_q", r.q) ||
-                 emit_polynomial(e, h->name, "_l", r.l);
-        if (status == 0) {
-            emit_comment(e, "eps, and 1 - eps without cancellation near 0; NaN below 0%s",
-                         f->root > 2 ? ". The rounding of pow is not part of the bounds." : "");
-            emit_quotient(e, h->name, "eps", "p", f, "");
-            emit_quotient(e, h->name, "loss", "l", f, f->variable);
-        }
+        emit_comment(e, "eps, and 1 - eps without cancellation near 0; NaN below 0%s",
+                     f->root > 2 ? ". The rounding of pow is not part of the bounds." : "");
+        emit_quotient(e, h->name, "eps", "p", f, "");
+        emit_quotient(e, h->name, "loss", "l", f, f->variable);
     }
     return status;
 }

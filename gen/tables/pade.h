@@ -12,7 +12,6 @@ struct pade_header {
     enum contact_end end;
     slong beta_max;                      /* its bounds hold up to this beta */
     const struct references *references; /* NULL: no approximation error is stated */
-    double limit;                        /* refused if the total relative error exceeds this */
 };
 
 /* Emits name_p, name_q, name_l (ascending powers of z), NAME_P, NAME_Q, NAME_L, name_eps(beta) and name_loss(beta),

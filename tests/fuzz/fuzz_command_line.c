@@ -15,7 +15,7 @@
 
 #include "approximation/interpolant.h"
 #include "cli/commands.h"
-#include "cli/dispatch.h"
+#include "cli/subcommand.h"
 #include "disk/modes.h"
 #include "disk/modes_rounded.h"
 #include "embed/choose.h"

@@ -7,9 +7,9 @@
 #include "ball.h"
 #include "contact/contact.h"
 #include "embed/choose.h"
-#include "embed/contact.h"
-#include "embed/fit.h"
+#include "embed/form.h"
 #include "embed/proof.h"
+#include "embed/scene.h"
 #include "enclosure/collision.h"
 #include "request.h"
 
