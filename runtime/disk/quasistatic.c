@@ -193,24 +193,18 @@ double cor_disk_load_by_pairs(double compression, double nu, enum cor_disk_datum
 
 static double law_compression(double load, double nu, enum cor_disk_datum datum)
 {
-    if (!(load > 0))
-        return not_positive(load, 0, nu, datum);
     const pair t = depth(LOAD, load, nu, datum);
     return times(load, cor_inline_pair_times(one_over_pi, one_plus(t)));
 }
 
 static double law_energy(double load, double nu, enum cor_disk_datum datum)
 {
-    if (!(load > 0))
-        return not_positive(load, 0, nu, datum);
     const pair t = depth(LOAD, load, nu, datum);
     return square_times(load, cor_inline_pair_times(one_over_two_pi, cor_pair_plus(cor_pair(0.5, 0), t)));
 }
 
 static double law_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
 {
-    if (!(energy > 0))
-        return not_positive(energy, 0, nu, datum);
     const pair t = cor_lambert_t_pair(depth(ENERGY, energy, nu, datum));
     const int small = energy < COR_INLINE_2_M900;
     const pair scaled = cor_pair(small ? energy * COR_INLINE_2_200 : energy, 0);
@@ -238,16 +232,12 @@ double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
 
 static double law_max_load(double speed, double nu, enum cor_disk_datum datum)
 {
-    if (!(speed > 0))
-        return not_positive(speed, 0, nu, datum);
     const pair t = t_of_speed(speed, nu, datum);
     return times(speed, cor_inline_pair_over(root_2_pi, pair_sqrt(one_plus(t))));
 }
 
 static double law_max_compression(double speed, double nu, enum cor_disk_datum datum)
 {
-    if (!(speed > 0))
-        return not_positive(speed, 0, nu, datum);
     const pair t = t_of_speed(speed, nu, datum), half = {t.hi / 2, t.lo / 2};
     const pair numerator = cor_inline_pair_times(root_2, one_plus(half));
     return times(speed, cor_inline_pair_over(numerator, pair_sqrt(one_plus(t))));
@@ -338,41 +328,6 @@ static const struct cor_logarithm log_four_pi = {{12.5663706143591725, 4.8985871
 /* the largest double below 4 pi/e */
 static const double load_end = 4.62290939916368604;
 
-static double leading_compression(double load)
-{
-    if (!(load > 0 && load <= load_end))
-        return load == 0 ? 0 : NAN;
-    return times(load, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, load)));
-}
-
-static double leading_load(double compression)
-{
-    if (!(compression > 0 && compression < 4))
-        return compression == 0 ? 0 : NAN;
-    return times(compression, cor_inline_pair_over(pi, cor_log_ratio(&four, compression)));
-}
-
-static double leading_energy(double compression)
-{
-    if (!(compression > 0 && compression < 4))
-        return compression == 0 ? 0 : NAN;
-    return square_times(compression, cor_inline_pair_over(half_pi, cor_log_ratio(&four, compression)));
-}
-
-static double leading_max_compression(double speed)
-{
-    if (!(speed > 0 && speed <= 4))
-        return speed == 0 ? 0 : NAN;
-    return times(speed, pair_sqrt(cor_log_ratio(&four, speed)));
-}
-
-static double leading_contact_time(double speed)
-{
-    if (!(speed > 0 && speed <= 4))
-        return speed == 0 ? INFINITY : NAN;
-    return cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, speed))).hi;
-}
-
 /* ---- the public functions: pairs need rounding to nearest ---- */
 
 #define LIMIT(name, quantity)                                                                                          \
@@ -388,7 +343,11 @@ LIMIT(energy, ENERGY)
 LIMIT(speed, SPEED)
 
 #define LAW(name)                                                                                                      \
-    COR_IN_ENVIRONMENT(double, cor_disk_##name, law_##name, (double x, double nu, enum cor_disk_datum datum),          \
+    static double checked_##name(double x, double nu, enum cor_disk_datum datum)                                       \
+    {                                                                                                                  \
+        return x > 0 ? law_##name(x, nu, datum) : not_positive(x, 0, nu, datum);                                       \
+    }                                                                                                                  \
+    COR_IN_ENVIRONMENT(double, cor_disk_##name, checked_##name, (double x, double nu, enum cor_disk_datum datum),      \
                        (x, nu, datum))
 LAW(compression)
 LAW(energy)
@@ -396,10 +355,18 @@ LAW(load_of_energy)
 LAW(max_load)
 LAW(max_compression)
 
-#define LEADING_LOGARITHM(name)                                                                                        \
+/* `value` where x > 0 and `inside` */
+#define LEADING_LOGARITHM(name, inside, at_zero, value)                                                                \
+    static double leading_##name(double x)                                                                             \
+    {                                                                                                                  \
+        if (!(x > 0 && inside))                                                                                        \
+            return x == 0 ? at_zero : NAN;                                                                             \
+        return value;                                                                                                  \
+    }                                                                                                                  \
     COR_IN_ENVIRONMENT(double, cor_disk_##name##_leading_log, leading_##name, (double x), (x))
-LEADING_LOGARITHM(compression)
-LEADING_LOGARITHM(load)
-LEADING_LOGARITHM(energy)
-LEADING_LOGARITHM(max_compression)
-LEADING_LOGARITHM(contact_time)
+LEADING_LOGARITHM(compression, x <= load_end, 0,
+                  times(x, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, x))))
+LEADING_LOGARITHM(load, x < 4, 0, times(x, cor_inline_pair_over(pi, cor_log_ratio(&four, x))))
+LEADING_LOGARITHM(energy, x < 4, 0, square_times(x, cor_inline_pair_over(half_pi, cor_log_ratio(&four, x))))
+LEADING_LOGARITHM(max_compression, x <= 4, 0, times(x, pair_sqrt(cor_log_ratio(&four, x))))
+LEADING_LOGARITHM(contact_time, x <= 4, INFINITY, cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, x))).hi)

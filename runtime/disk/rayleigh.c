@@ -16,7 +16,16 @@ enum { TAIL_MODES = 1800 };
 
 /* ---- statuses ---- */
 
-static int modes_status(const struct cor_disk_modes *modes, size_t n_modes)
+/* Number of modes in the sums and the tail of n_modes modes */
+static size_t modes_taken(const struct cor_disk_modes *modes, size_t n_modes)
+{
+    const size_t least = modes->count < TAIL_MODES ? modes->count : TAIL_MODES;
+    return n_modes > least ? n_modes : least;
+}
+
+/* *limit: the largest speed of the contact law */
+static int arguments_status(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
+                            double *limit)
 {
     if (!(modes->nu > -1 && modes->nu < 1))
         return COR_ERROR_DISK_POISSON_RATIO;
@@ -24,23 +33,14 @@ static int modes_status(const struct cor_disk_modes *modes, size_t n_modes)
         return COR_ERROR_MODES;
     if (!modes->mode)
         return COR_ERROR_NULL;
+    const struct cor_disk_mode *const end = modes->mode + modes_taken(modes, n_modes);
     double below = COR_RAYLEIGH_LEAST_OMEGA;
-    for (size_t i = 0; i < n_modes; i++) {
-        const double omega = modes->mode[i].omega, c = modes->mode[i].c;
-        const int n = modes->mode[i].n;
-        if (!(omega >= below && omega < 1e9 && fabs(c) < 1e9) || n < 0 || n > COR_DISK_MODES_MAX_N)
+    for (const struct cor_disk_mode *mode = modes->mode; mode < end; mode++) {
+        if (!(mode->omega >= below && mode->omega < 1e9 && fabs(mode->c) < 1e9) || mode->n < 0 ||
+            mode->n > COR_DISK_MODES_MAX_N)
             return COR_ERROR_MODES;
-        below = omega;
+        below = mode->omega;
     }
-    return COR_OK;
-}
-
-/* *limit: the largest speed of the contact law */
-static int table_status(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double *limit)
-{
-    const int status = modes_status(modes, n_modes);
-    if (status)
-        return status;
     *limit = cor_disk_speed_limit(modes->nu, datum);
     return isnan(*limit) ? COR_ERROR_DATUM : COR_OK;
 }
@@ -61,21 +61,6 @@ static int at_rest(struct cor_disk_rayleigh *out)
     out->fraction = out->tail = out->error_estimate = 0;
     out->contact_time = INFINITY;
     return COR_OK;
-}
-
-/* Number of modes in the sums and the tail of n_modes modes */
-static size_t modes_taken(const struct cor_disk_modes *modes, size_t n_modes)
-{
-    const size_t least = modes->count < TAIL_MODES ? modes->count : TAIL_MODES;
-    return n_modes > least ? n_modes : least;
-}
-
-static int arguments_status(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
-                            double *limit)
-{
-    if (n_modes == 0 || n_modes > modes->count)
-        return modes->nu > -1 && modes->nu < 1 ? COR_ERROR_MODES : COR_ERROR_DISK_POISSON_RATIO;
-    return table_status(modes, modes_taken(modes, n_modes), datum, limit);
 }
 
 /* ---- one speed ---- */
@@ -133,8 +118,8 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
     }
     const size_t all = modes_taken(modes, n_modes);
     out->contact_time = cor_disk_contact_time_by_quadrature(speed, modes->nu, datum);
-    cor_spectrum_init(&spectrum, cor_disk_depth(speed, modes->nu, datum), out->contact_time, first_omega(),
-                      last_omega(modes, all));
+    cor_spectrum_init(cor_rayleigh_set(cor_widest_set()), &spectrum, cor_disk_depth(speed, modes->nu, datum),
+                      out->contact_time, first_omega(), last_omega(modes, all));
     cor_rayleigh_table_init(&table, spectrum.set, modes, all);
     add_modes(&sums, &table, 0, n_modes, &spectrum, mode_fraction);
     out->fraction = sums.fraction;
@@ -175,7 +160,7 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
     double limit = 0;
     if (!modes || !out)
         return COR_ERROR_NULL;
-    int status = table_status(modes, modes->count, datum, &limit);
+    int status = arguments_status(modes, modes->count, datum, &limit);
     if (status == COR_OK)
         status = speed_status(speed, limit);
     if (status)
@@ -188,8 +173,8 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
         return at_rest(out);
     }
     const double contact_time = cor_disk_contact_time_by_quadrature(speed, modes->nu, datum);
-    cor_spectrum_init(&spectrum, cor_disk_depth(speed, modes->nu, datum), contact_time, first_omega(),
-                      last_omega(modes, modes->count));
+    cor_spectrum_init(cor_rayleigh_set(cor_widest_set()), &spectrum, cor_disk_depth(speed, modes->nu, datum),
+                      contact_time, first_omega(), last_omega(modes, modes->count));
     /* adds a quarter more modes at a time until they suffice, then bisects between the last two numbers */
     size_t few = 0, enough = 0, n = 1;
     double sum_few = 0;
@@ -245,25 +230,14 @@ static size_t chunks_of(size_t modes)
     return (modes + COR_LINES - 1) / COR_LINES;
 }
 
-/* Number of chunks of surface modes, which are continued to their end */
-static size_t count_surface(struct cor_rayleigh_table *table)
-{
-    struct cor_mode_chunk chunk;
-    size_t count = 0;
-    while (cor_surface_modes_next(&table->surface, table->set, &chunk))
-        count++;
-    return count;
-}
-
 static void list_weigh(struct list *list, struct cor_surface_modes surface)
 {
-    const size_t all = list->table.n_modes;
-    for (size_t k = 0; k < list->asked; k++)
-        cor_rayleigh_weigh_modes(&list->table, k * COR_LINES, list->n_modes, &list->chunk[k]);
-    for (size_t k = list->asked; k < list->taken; k++)
-        cor_rayleigh_weigh_modes(&list->table, list->n_modes + (k - list->asked) * COR_LINES, all, &list->chunk[k]);
-    for (size_t k = list->taken; k < list->with_surface; k++)
-        cor_surface_modes_next(&surface, list->table.set, &list->chunk[k]);
+    const size_t asked = list->n_modes, all = list->table.n_modes;
+    struct cor_mode_chunk *chunk = list->chunk;
+    for (size_t i = 0; i < all; i += (size_t)chunk++->count)
+        cor_rayleigh_weigh_modes(&list->table, i, i < asked ? asked : all, chunk);
+    for (; chunk < list->chunk + list->with_surface; chunk++)
+        cor_surface_modes_next(&surface, list->table.set, chunk);
 }
 
 /* Returns 0 if memory is short. The caller calls list_free in either case. */
@@ -277,7 +251,9 @@ static int list_init(struct list *list, const struct cor_disk_modes *modes, size
     const struct cor_surface_modes first = list->table.surface;
     list->asked = chunks_of(n_modes);
     list->taken = list->asked + chunks_of(all - n_modes);
-    list->with_surface = list->taken + count_surface(&list->table);
+    list->with_surface = list->taken;
+    for (struct cor_mode_chunk chunk; cor_surface_modes_next(&list->table.surface, list->table.set, &chunk);)
+        list->with_surface++; /* the surface modes, which are continued to their end */
     list->chunk = malloc(list->with_surface * sizeof *list->chunk);
     list->room = malloc(cor_spectrum_piece_size(first_omega(), last_omega(modes, all)) * sizeof *list->room);
     list->spectrum = malloc(sizeof *list->spectrum);
@@ -342,7 +318,7 @@ static void list_of_piece(struct list *list, int number, const double *speed, si
         if (whole)
             cor_spectrum_of_piece(list->spectrum, &piece, q0, contact_time);
         else
-            cor_spectrum_init_by(list->table.set, list->spectrum, q0, contact_time, first_omega(), high);
+            cor_spectrum_init(list->table.set, list->spectrum, q0, contact_time, first_omega(), high);
         list_evaluate(list, list->spectrum, contact_time, &out[i],
                       mode_fraction ? mode_fraction + i * list->n_modes : NULL);
         list->q0[i] = NAN;

@@ -155,11 +155,6 @@ static double decay_of(const struct cor_leg_rule *rule, double theta, double tan
     return sum;
 }
 
-void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high)
-{
-    cor_spectrum_init_by(cor_rayleigh_set(cor_widest_set()), spectrum, q0, contact_time, first, high);
-}
-
 /* cosh(Theta) - 1, Theta and tanh(Theta) of cosh(Theta) = exp(q0/2) */
 struct branch_point {
     double x, theta, tanh_theta;
@@ -240,8 +235,8 @@ static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_raylei
     init_edges(spectrum, &leg, rule, path, &point, nearest, enough, edges);
 }
 
-void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
-                          double contact_time, double first, double high)
+void cor_spectrum_init(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
+                       double contact_time, double first, double high)
 {
     struct cor_leg_rule rule;
     rule_init(&rule);
@@ -330,13 +325,6 @@ void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spect
 
 /* ---- lines ---- */
 
-void cor_lines_fill(struct cor_lines *lines, int n)
-{
-    double *const arrays[] = {lines->re, lines->im, lines->cosine, lines->sine, lines->other};
-    for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
-        memset(arrays[k] + n, 0, (size_t)(COR_LINES - n) * sizeof(double));
-}
-
 void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines)
 {
     double padded[COR_LINES_ROOM];
@@ -353,6 +341,9 @@ void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double
             to++;
         spectrum->set->lines(spectrum, octave, start, from, to, padded, lines);
     }
+    double *const arrays[] = {lines->re, lines->im, lines->cosine, lines->sine, lines->other};
+    for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
+        memset(arrays[k] + n, 0, (size_t)(COR_LINES - n) * sizeof(double));
     /* arguments too large for the short reduction */
     for (int i = n; i-- > 0 && omega[i] * spectrum->half_time > 1e6;) {
         lines->cosine[i] = cos(omega[i] * spectrum->half_time);

@@ -139,11 +139,9 @@ struct cor_spectrum {
     double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
 };
 
-/* Computes the spectrum for frequencies from `first` to `high`; contact_time is tau. The first function uses the widest
- * set of this processor, the second `set`; both give the same bits. */
-void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high);
-void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
-                          double contact_time, double first, double high);
+/* Computes the spectrum for frequencies from `first` to `high`; contact_time is tau. All sets give the same bits. */
+void cor_spectrum_init(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
+                       double contact_time, double first, double high);
 
 /* The terms of I at frequencies that are processed together */
 struct cor_lines {
@@ -152,10 +150,8 @@ struct cor_lines {
     double other[COR_LINES_ROOM];                        /* b exp(-omega Y) */
 };
 
-/* n <= COR_LINES frequencies, increasing */
+/* n <= COR_LINES frequencies, increasing; the other lines, for loops over all, are 0. */
 void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines);
-/* Sets the lines from n on to 0, for loops over all lines. */
-void cor_lines_fill(struct cor_lines *lines, int n);
 
 /* ---- many speeds ---- */
 

@@ -96,7 +96,6 @@ void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode
     struct cor_lines lines;
     double fraction[COR_LINES];
     cor_spectrum_lines(spectrum, chunk->count, chunk->omega, &lines);
-    cor_lines_fill(&lines, chunk->count);
     spectrum->set->sum(&lines, &chunk->weights, sums, fraction);
     if (mode_fraction)
         memcpy(mode_fraction, fraction, (size_t)chunk->count * sizeof *mode_fraction);

@@ -34,7 +34,7 @@ static void same_lines(const struct cor_rayleigh_set *set, const struct cor_spec
 TEST(test_every_set)
 {
     struct random_state state = random_start();
-    static struct cor_spectrum by_portable, by_set, by_best;
+    static struct cor_spectrum by_portable, by_set;
     int sets = 0;
     for (int i = 0; i < COR_INSTRUCTION_SETS; i++) {
         const struct cor_rayleigh_set *const set = cor_rayleigh_set(i);
@@ -46,11 +46,9 @@ TEST(test_every_set)
         for (size_t k = 0; k < points(300); k++) {
             const double q0 = k == 0 ? 0 : k % 2 ? random_uniform(&state, 0, 40) : random_log(&state, 1e-9, 1500);
             const double high = k % 3 == 0 ? 1e9 : random_log(&state, 1.2, 1e4), tau = random_uniform(&state, 1, 60);
-            cor_spectrum_init_by(cor_rayleigh_set(0), &by_portable, q0, tau, first, high);
-            cor_spectrum_init_by(set, &by_set, q0, tau, first, high);
-            cor_spectrum_init(&by_best, q0, tau, first, high);
+            cor_spectrum_init(cor_rayleigh_set(0), &by_portable, q0, tau, first, high);
+            cor_spectrum_init(set, &by_set, q0, tau, first, high);
             same_coefficients(set, &by_portable, &by_set, q0);
-            same_coefficients(set, &by_portable, &by_best, q0);
             /* any number of lines, of one octave or of several */
             for (int n = 1; n <= COR_LINES; n++) {
                 double omega[COR_LINES];
@@ -131,7 +129,7 @@ TEST(test_pieces)
         for (int j = 0; j < 12; j++) {
             const double place = j == 0 ? 0 : j == 1 ? 0.99999 : j == 2 ? 0.5 : random_uniform(&state, 0, 1);
             const double q0 = ldexp(1, 2 * k) * pow(4, place), tau = random_uniform(&state, 1, 60);
-            cor_spectrum_init_by(set, &direct, q0, tau, first, high);
+            cor_spectrum_init(set, &direct, q0, tau, first, high);
             cor_spectrum_of_piece(&interpolated, &piece, q0, tau);
             for (double omega = 1.18; omega < high; omega *= 1.1) {
                 struct cor_lines x, y;
