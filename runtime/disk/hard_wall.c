@@ -26,9 +26,7 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define LEAST_ANGLES 60
 #define MOST_ANGLES 120
 #define HALF_WIDTH 1.1 /* a is about HALF_WIDTH sqrt(v); the contact reaches 1.45 sqrt(v) */
-#define RANGE 2.6      /* range of the angles over sqrt(v); widened if the contact reaches the end of the range */
-#define WIDENING 1.5
-enum { MAX_WIDENINGS = 4 };
+#define RANGE 2.6      /* range of the angles over sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
  * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect, unseen
@@ -76,7 +74,7 @@ static double omega_of(size_t level)
     return COR_DISK_HARD_WALL_FIRST_OMEGA * ldexp(level % 2 == 0 ? 1 : 1.4142135623730951, (int)(level / 2));
 }
 
-static struct cor_hard_wall_settings settings_of(size_t level, double speed, double tolerance, double widened)
+static struct cor_hard_wall_settings settings_of(size_t level, double speed, double tolerance)
 {
     const double fine = fineness_of(tolerance), omega = omega_of(level), half_width = HALF_WIDTH * sqrt(speed);
     const double wave = fmax(WAVE_SPACING * fine / omega, half_width * fine / MOST_ANGLES);
@@ -85,8 +83,8 @@ static struct cor_hard_wall_settings settings_of(size_t level, double speed, dou
         TURN * fine,
         COR_HARD_WALL_FADE,
         speed < COR_DISK_HARD_WALL_POINT_SPEED,
-        fmin(widened * fmin(wave, half_width * fine / LEAST_ANGLES), COARSEST_SPACING / omega),
-        widened * RANGE * sqrt(speed),
+        fmin(fmin(wave, half_width * fine / LEAST_ANGLES), COARSEST_SPACING / omega),
+        RANGE * sqrt(speed),
         0,
         0,
         NULL};
@@ -114,15 +112,16 @@ struct ladder {
     int exhausted;                   /* the budget has ended */
 };
 
-static void ladder_begin(struct ladder *ladder, double nu, double speed,
-                         const struct cor_disk_hard_wall_options *options, double most_work)
+static struct ladder ladder_begin(double nu, double speed, const struct cor_disk_hard_wall_options *options,
+                                  double most_work)
 {
-    memset(ladder, 0, sizeof *ladder);
-    ladder->nu = nu;
-    ladder->speed = speed;
-    ladder->tolerance = options->tolerance;
-    ladder->work_per_step = options->max_steps > 0 ? 1 : 0;
-    ladder->work_left = options->max_steps > 0 ? (double)options->max_steps : most_work;
+    const int counted = options->max_steps > 0;
+    const struct ladder ladder = {.nu = nu,
+                                  .speed = speed,
+                                  .tolerance = options->tolerance,
+                                  .work_per_step = counted,
+                                  .work_left = counted ? (double)options->max_steps : most_work};
+    return ladder;
 }
 
 /* The limit extrapolated from two levels, of which the second has twice the Omega^2 of the first */
@@ -205,22 +204,18 @@ static void ladder_conclude(const struct ladder *ladder, struct cor_disk_hard_wa
     out->omega_levels = ladder->levels;
 }
 
-/* Computes one level, and widens the range of angles if the contact needs more. Returns COR_TOLERANCE_NOT_REACHED if
- * no range suffices or if the budget ends. With detail there is no budget: the level is known to end. */
+/* Computes one level. Returns COR_TOLERANCE_NOT_REACHED if the range of angles does not suffice, which no scene is known
+ * for, or if the budget ends. With detail there is no budget: the level is known to end. */
 static int compute_level(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t level,
                          struct cor_hard_wall_result *result, const struct cor_disk_hard_wall_detail *detail)
 {
-    double widened = 1;
-    int status = COR_ERROR_WORKSPACE;
-    ladder->last_work = 0;
-    for (int i = 0; i < MAX_WIDENINGS && status == COR_ERROR_WORKSPACE; i++, widened *= WIDENING) {
-        struct cor_hard_wall_settings settings = settings_of(level, ladder->speed, ladder->tolerance, widened);
-        settings.work_per_step = ladder->work_per_step;
-        settings.most_work = detail == NULL ? fmax(ladder->work_left, 1) : 0;
-        status = cor_hard_wall_level(workspace, modes, ladder->speed, &settings, result, detail);
-        ladder->work_left -= result->work;
-        ladder->last_work += result->work;
-    }
+    struct cor_hard_wall_settings settings = settings_of(level, ladder->speed, ladder->tolerance);
+    settings.work_per_step = ladder->work_per_step;
+    settings.most_work = detail == NULL ? fmax(ladder->work_left, 1) : 0;
+    const int status =
+        cor_hard_wall_level(cor_store_aligned(workspace), modes, ladder->speed, &settings, result, detail);
+    ladder->work_left -= result->work;
+    ladder->last_work = result->work;
     return status == COR_ERROR_WORKSPACE ? COR_TOLERANCE_NOT_REACHED : status;
 }
 
@@ -235,8 +230,7 @@ static int is_affordable(const struct ladder *ladder, double before)
 static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t levels)
 {
     while (ladder->levels < levels && !is_settled(ladder) && !ladder->exhausted) {
-        struct cor_hard_wall_result result;
-        memset(&result, 0, sizeof result);
+        struct cor_hard_wall_result result = {0};
         const size_t k = ladder->levels;
         const int status = is_affordable(ladder, 0) ? compute_level(ladder, workspace, modes, k, &result, NULL)
                                                     : COR_TOLERANCE_NOT_REACHED;
@@ -256,16 +250,6 @@ static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor
     if (ladder->exhausted && ladder->levels < LEAST_LEVELS)
         return COR_CONTACT_NOT_ENDED;
     return is_settled(ladder) ? COR_OK : COR_TOLERANCE_NOT_REACHED;
-}
-
-/* Repeats the highest level for the optional results */
-static int ladder_tell(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes,
-                       const struct cor_disk_hard_wall_detail *detail)
-{
-    struct cor_hard_wall_result result;
-    memset(&result, 0, sizeof result);
-    result.contact_time = ladder->contact_time;
-    return compute_level(ladder, workspace, modes, ladder->levels - 1, &result, detail);
 }
 
 /* ---- calls ---- */
@@ -296,20 +280,21 @@ static int check_speed(double speed)
     return speed <= COR_DISK_HARD_WALL_MAX_SPEED ? COR_OK : COR_ERROR_SPEED;
 }
 
-static void set_unknown(struct cor_disk_hard_wall *out)
-{
-    const struct cor_disk_hard_wall unknown = {NAN, NAN, NAN, NAN, NAN, 0};
-    *out = unknown;
-}
+static const struct cor_disk_hard_wall unknown = {NAN, NAN, NAN, NAN, NAN, 0};
 
-/* Bytes for a level, and for the alignment of a workspace */
-static size_t bytes_of_level(const struct cor_disk_modes *modes, size_t level, double speed, double tolerance)
+/* Bytes for the levels from..to-1 and for the alignment of a workspace */
+static size_t bytes_of_levels(const struct cor_disk_modes *modes, size_t from, size_t to, double speed,
+                              double tolerance)
 {
-    const struct cor_hard_wall_settings settings = settings_of(level, speed, tolerance, 1);
-    size_t below = 0;
-    while (below < modes->count && modes->mode[below].omega < settings.omega)
-        below++;
-    return cor_hard_wall_level_bytes(modes->mode, below, &settings) + COR_ALIGNMENT;
+    size_t most = 0;
+    for (size_t level = from, below = 0; level < to; level++) {
+        const struct cor_hard_wall_settings settings = settings_of(level, speed, tolerance);
+        while (below < modes->count && modes->mode[below].omega < settings.omega)
+            below++;
+        const size_t bytes = cor_hard_wall_level_bytes(modes->mode, below, &settings);
+        most = bytes > most ? bytes : most;
+    }
+    return most + COR_ALIGNMENT;
 }
 
 static size_t hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
@@ -317,12 +302,7 @@ static size_t hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_m
 {
     if (hard_wall_check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
         return 0;
-    size_t most = COR_ALIGNMENT;
-    for (size_t level = 0, levels = levels_of(modes, n_modes); level < levels && speed > 0; level++) {
-        const size_t bytes = bytes_of_level(modes, level, speed, options->tolerance);
-        most = bytes > most ? bytes : most;
-    }
-    return most;
+    return bytes_of_levels(modes, 0, speed > 0 ? levels_of(modes, n_modes) : 0, speed, options->tolerance);
 }
 
 static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
@@ -338,17 +318,18 @@ static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_mod
         return COR_ERROR_NULL;
     if (bytes < hard_wall_workspace(modes, n_modes, options, speed))
         return COR_ERROR_WORKSPACE;
-    set_unknown(out);
+    *out = unknown;
     if (speed <= 0)
         return COR_WALL_NOT_TOUCHED;
-    struct ladder ladder;
-    ladder_begin(&ladder, modes->nu, speed, options, COR_HARD_WALL_WORK);
+    struct ladder ladder = ladder_begin(modes->nu, speed, options, COR_HARD_WALL_WORK);
     const struct cor_disk_modes lowest = {modes->nu, n_modes, modes->mode};
-    status = ladder_climb(&ladder, cor_store_aligned(workspace), &lowest, levels_of(modes, n_modes));
+    status = ladder_climb(&ladder, workspace, &lowest, levels_of(modes, n_modes));
     if (ladder.levels >= LEAST_LEVELS)
         ladder_conclude(&ladder, out);
     if (detail != NULL && (status == COR_OK || status == COR_TOLERANCE_NOT_REACHED) && ladder.levels > 0) {
-        const int told = ladder_tell(&ladder, cor_store_aligned(workspace), &lowest, detail);
+        /* the highest level again, for the optional results */
+        struct cor_hard_wall_result result = {.contact_time = ladder.contact_time};
+        const int told = compute_level(&ladder, workspace, &lowest, ladder.levels - 1, &result, detail);
         status = told == COR_OK ? status : told;
     }
     return status;
@@ -358,59 +339,36 @@ static int hard_wall_of_table(const struct cor_disk_modes *modes, size_t n_modes
                               const struct cor_disk_hard_wall_options *options, double speed,
                               struct cor_disk_hard_wall *out)
 {
-    int status = hard_wall_check(modes, n_modes, options);
-    if (status == COR_OK)
-        status = out == NULL ? COR_ERROR_NULL : check_speed(speed);
-    if (status != COR_OK)
-        return status;
     const size_t bytes = hard_wall_workspace(modes, n_modes, options, speed);
-    void *const workspace = malloc(bytes);
-    if (workspace == NULL)
-        return COR_ERROR_MEMORY;
-    status = hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
+    void *const workspace = malloc(bytes > 0 ? bytes : 1); /* 0: refused, below */
+    const int status = workspace == NULL ? COR_ERROR_MEMORY
+                                         : hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
     free(workspace);
     return status;
 }
 
 /* ---- without a table ---- */
 
-/* Numbers of levels of the tables: modes of two more take eight times as long */
-static const size_t tables[] = {7, 9, 11, 12, MAX_LEVELS};
-
-/* Computes the modes that `levels` levels need; malloc'ed. COR_TOLERANCE_NOT_REACHED if the budget ends */
-static int compute_modes(struct ladder *ladder, size_t levels, struct cor_disk_modes *modes)
+/* Computes the ladder up to `levels` levels, with its own modes and workspace. COR_TOLERANCE_NOT_REACHED if the budget
+ * ends */
+static int climb_alone(struct ladder *ladder, size_t levels)
 {
     const size_t count = cor_disk_modes_below(ladder->nu, omega_of(levels - 1)) + 1;
     const double work = ladder->work_per_step > 0 ? 0 : COR_HARD_WALL_MODE_WORK * (double)count;
     ladder->exhausted = !is_affordable(ladder, work);
     if (ladder->exhausted)
         return COR_TOLERANCE_NOT_REACHED;
-    struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
-    if (mode == NULL)
-        return COR_ERROR_MEMORY;
-    const int status = cor_disk_modes_compute(ladder->nu, count, mode, modes);
-    ladder->work_left -= work;
-    if (status != COR_OK)
-        free(mode);
-    return status;
-}
-
-/* Computes the ladder up to `levels` levels, with its own modes and workspace. */
-static int climb_alone(struct ladder *ladder, size_t levels)
-{
     struct cor_disk_modes modes;
-    int status = compute_modes(ladder, levels, &modes);
-    if (status != COR_OK)
-        return status;
-    size_t bytes = COR_ALIGNMENT;
-    for (size_t level = ladder->levels; level < levels; level++) {
-        const size_t needed = bytes_of_level(&modes, level, ladder->speed, ladder->tolerance);
-        bytes = needed > bytes ? needed : bytes;
+    struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
+    int status = mode == NULL ? COR_ERROR_MEMORY : cor_disk_modes_compute(ladder->nu, count, mode, &modes);
+    ladder->work_left -= work;
+    void *workspace = NULL;
+    if (status == COR_OK) {
+        workspace = malloc(bytes_of_levels(&modes, ladder->levels, levels, ladder->speed, ladder->tolerance));
+        status = workspace == NULL ? COR_ERROR_MEMORY : ladder_climb(ladder, workspace, &modes, levels);
     }
-    void *const workspace = malloc(bytes);
-    status = workspace == NULL ? COR_ERROR_MEMORY : ladder_climb(ladder, cor_store_aligned(workspace), &modes, levels);
     free(workspace);
-    free((void *)modes.mode);
+    free(mode);
     return status;
 }
 
@@ -427,16 +385,15 @@ int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard
         status = check_speed(speed);
     if (status != COR_OK)
         return status;
-    set_unknown(out);
+    *out = unknown;
     if (speed <= 0)
         return COR_WALL_NOT_TOUCHED;
-    struct ladder ladder;
-    ladder_begin(&ladder, nu, speed, options, most_work);
+    struct ladder ladder = ladder_begin(nu, speed, options, most_work);
     const double whole = ladder.work_left;
-    const size_t *table = tables;
-    do
-        status = climb_alone(&ladder, *table++);
-    while (status == COR_TOLERANCE_NOT_REACHED && !ladder.exhausted && ladder.levels < MAX_LEVELS);
+    size_t levels = 7;
+    while ((status = climb_alone(&ladder, levels)) == COR_TOLERANCE_NOT_REACHED && !ladder.exhausted &&
+           levels < MAX_LEVELS)
+        levels += levels < 11 ? 2 : 1; /* the modes of two more take eight times as long */
     if (ladder.levels >= LEAST_LEVELS)
         ladder_conclude(&ladder, out);
     *work = whole - ladder.work_left;
