@@ -80,21 +80,14 @@ static int wave_set(struct wave *a, slong n, slong prec)
 }
 
 /* z d/dz of h, d and k. z dA/dz is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
-static void wave_derivative(arb_t h, arb_t d, arb_t k, const struct wave *a, slong n, slong prec)
+static void wave_derivative(struct wave *x, const struct wave *a, slong n, slong prec)
 {
-    arb_mul(h, a->z, a->h, prec);
-    arb_mul(h, h, a->h, prec);
-    arb_div_si(h, h, 4 * (n + 1), prec);
-    arb_mul(d, a->d, a->k, prec);
-    arb_mul_si(d, d, n + 1, prec);
-    arb_sub(h, h, d, prec); /* d^2 times z dA/dz */
+    arb_zero(x->d);
+    LET(x->k, prec, "a->z*a->h^2/(4*(n + 1)) - (n + 1)*a->d*a->k", a->z, a->h, n, a->d, a->k); /* d^2 times z dA/dz */
+    arb_set(x->h, x->k);
     if (a->tall) {
-        arb_neg(d, h);
-        arb_set(k, h);
-        arb_zero(h);
-    } else {
-        arb_zero(d);
-        arb_set(k, h);
+        arb_neg(x->d, x->h);
+        arb_zero(x->h);
     }
 }
 
@@ -157,34 +150,20 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
 }
 
 /* T0, T1, T2 are bilinear. With the derivatives of one wave they are one half of the product rule. */
-static void products(arb_ptr t, const struct disk *disk, const arb_t h, const arb_t d, const arb_t k,
-                     const struct wave *b)
+static void products(arb_ptr t, const struct disk *disk, const struct wave *a, const struct wave *b)
 {
-    const slong prec = disk->prec;
-    arb_mul(t + 0, disk->e, d, prec);
-    arb_submul(t + 0, disk->s, k, prec);
-    arb_mul(t + 0, t + 0, b->d, prec);
-    arb_mul(t + 1, b->k, d, prec);
-    arb_mul_2exp_si(t + 1, t + 1, 1);
-    arb_sub(t + 0, t + 0, t + 1, prec);
-    arb_mul(t + 1, d, b->d, prec);
-    arb_mul(t + 2, h, b->h, prec);
+    LET(t + 0, disk->prec, "(disk->e*a->d - disk->s*a->k)*b->d - 2*b->k*a->d", disk->e, a->d, disk->s, a->k, b->d,
+        b->k);
+    LET(t + 1, disk->prec, "a->d*b->d", a->d, b->d);
+    LET(t + 2, disk->prec, "a->h*b->h", a->h, b->h);
 }
 
 /* f = rest - n(n-1)/2 T0 is the left side of the equation; rest contains the terms with the factor g */
-static void combine(arb_t f, arb_t rest, arb_srcptr t, const struct disk *disk, const arb_t g, slong n)
+static void combine(arb_t f, arb_t rest, arb_srcptr t0, const struct disk *disk, const arb_t g, slong n)
 {
-    const slong prec = disk->prec;
-    arb_mul(rest, disk->s, t + 2, prec);
-    arb_mul_2exp_si(rest, rest, -1);
-    arb_sub(rest, t + 1, rest, prec);
-    arb_mul_si(rest, rest, n - 1, prec);
-    arb_mul_2exp_si(f, t + 0, -1);
-    arb_add(rest, rest, f, prec);
-    arb_mul(rest, rest, g, prec);
-    arb_div_si(rest, rest, n + 1, prec);
-    arb_mul_si(f, t + 0, n * (n - 1) / 2, prec);
-    arb_sub(f, rest, f, prec);
+    const arb_srcptr t1 = t0 + 1, t2 = t0 + 2;
+    LET(rest, disk->prec, "((n - 1)*(t1 - disk->s*t2/2) + t0/2)*g/(n + 1)", n, t1, disk->s, t2, t0, g);
+    LET(f, disk->prec, "rest - n*(n - 1)/2*t0", rest, n, t0);
 }
 
 enum { UNDECIDED_SIGN = 3 };
@@ -192,104 +171,71 @@ enum { UNDECIDED_SIGN = 3 };
 /* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive factors, the 2 x 2
  * matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of the equation, and diagonals
  * -y/D and -P/D, where P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
-static int eigenvalues(arb_srcptr t, const struct disk *disk, const struct waves *v, slong n)
+static int eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
-    LOCAL(arb, f, x, y);
-    int result = UNDECIDED_SIGN;
+    const arb_srcptr t1 = t0 + 1, t2 = t0 + 2;
+    LOCAL(arb, f, part, det, p, y);
 
     /* F, D and P times d D of the waves */
-    combine(f, x, t, disk, v->g, n);
-    const int sign_f = arb_sgn_nonzero(f);
-
-    arb_mul(f, v->a.z, t + 2, prec);
-    arb_div_si(f, f, 2 * (n + 1), prec);
-    arb_mul_2exp_si(y, t + 0, -1);
-    arb_mul_2exp_si(x, t + 1, 1);
-    arb_sub(x, y, x, prec);
-    arb_mul_si(x, x, n, prec);
-    arb_add(x, x, f, prec);
-    const int sign_det = arb_sgn_nonzero(x);
-
-    arb_mul_si(x, t + 1, n - 1, prec);
-    arb_add(x, x, y, prec);
-    arb_mul_si(x, x, n, prec);
-    arb_mul(y, v->b.h, v->a.d, prec);
-    arb_submul(x, y, v->g, prec);
-    arb_add(x, x, f, prec);
-    const int sign_p = arb_sgn_nonzero(x);
-
-    arb_mul(y, v->g, v->b.h, prec);
-    arb_div_si(y, y, n + 1, prec);
-    arb_mul_si(x, v->b.d, n, prec);
-    arb_sub(y, x, y, prec);
+    combine(f, p, t0, disk, v->g, n);
+    LET(part, prec, "v->a.z*t2/(2*(n + 1))", v->a.z, t2, n);
+    LET(det, prec, "n*(t0/2 - 2*t1) + part", n, t0, t1, part);
+    LET(p, prec, "n*((n - 1)*t1 + t0/2) - v->b.h*v->a.d*v->g + part", n, t1, t0, v->b.h, v->a.d, v->g, part);
+    LET(y, prec, "n*v->b.d - v->g*v->b.h/(n + 1)", n, v->b.d, v->g, v->b.h);
+    const int sign_f = arb_sgn_nonzero(f), sign_det = arb_sgn_nonzero(det), sign_p = arb_sgn_nonzero(p);
     const int sign_poles = arb_sgn_nonzero(v->a.d) * arb_sgn_nonzero(v->b.d);
     const int sign_y = arb_sgn_nonzero(y) * arb_sgn_nonzero(v->b.d);
 
-    if (sign_f && sign_det && sign_poles) {
-        const int open = sign_f * sign_det < 0 ? 1 : sign_p == sign_det ? 2 : 0;
-        const int closed = sign_det * sign_poles < 0 ? 1 : sign_y > 0 ? 2 : 0;
-        if ((sign_p || open == 1) && (sign_y || closed == 1))
-            result = open - closed;
-    }
-    return result;
+    if (!sign_f || !sign_det || !sign_poles)
+        return UNDECIDED_SIGN;
+    const int open = sign_f * sign_det < 0 ? 1 : sign_p == sign_det ? 2 : 0;
+    const int closed = sign_det * sign_poles < 0 ? 1 : sign_y > 0 ? 2 : 0;
+    return (sign_p || open == 1) && (sign_y || closed == 1) ? open - closed : UNDECIDED_SIGN;
 }
 
 slong disk_count(const struct disk *disk, slong n, const arb_t w)
 {
     LOCAL_VECTOR(t, 3);
     LOCAL_INIT(waves, v, (&v));
-    slong count = DISK_UNDECIDED;
-    if (!waves_set(&v, disk, n, w)) {
-        /* undecided */
-    } else if (n == 0) {
-        arb_mul(t + 0, disk->e, v.a.d, disk->prec);
-        arb_submul(t + 0, disk->s, v.a.k, disk->prec);
+    if (!waves_set(&v, disk, n, w))
+        return DISK_UNDECIDED;
+    if (n == 0) {
+        LET(t, disk->prec, "disk->e*v.a.d - disk->s*v.a.k", disk->e, v.a.d, disk->s, v.a.k);
+        const int sign = arb_sgn_nonzero(t) * arb_sgn_nonzero(v.a.d);
         const int positive = arb_sgn_nonzero(v.a.h) * arb_sgn_nonzero(v.a.d) > 0; /* A */
-        if (!positive)
-            count = v.a.zeros;
-        else if (arb_sgn_nonzero(t + 0))
-            count = v.a.zeros + (arb_sgn_nonzero(t + 0) * arb_sgn_nonzero(v.a.d) < 0);
-    } else {
-        products(t, disk, v.a.h, v.a.d, v.a.k, &v.b);
-        const int rim = eigenvalues(t, disk, &v, n);
-        if (rim != UNDECIDED_SIGN)
-            count = v.a.zeros + v.b.zeros + rim + (n > 1);
+        return positive && sign == 0 ? DISK_UNDECIDED : v.a.zeros + (positive && sign < 0);
     }
-    return count;
+    products(t, disk, &v.a, &v.b);
+    const int rim = eigenvalues(t, disk, &v, n);
+    return rim == UNDECIDED_SIGN ? DISK_UNDECIDED : v.a.zeros + v.b.zeros + rim + (n > 1);
 }
 
 int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
 {
     const slong prec = disk->prec;
     LOCAL_VECTOR(t, 3);
-    LOCAL(arb, f, df, rest);
+    LOCAL(arb, f, df, part, rest);
     LOCAL_INIT(waves, v, (&v));
-    LOCAL_INIT(wave, derivative, (&derivative));
-    int done = waves_set(&v, disk, n, w);
-    if (done) {
-        wave_derivative(derivative.h, derivative.d, derivative.k, &v.a, n, prec);
-        if (n == 0) {
-            arb_mul(f, disk->e, v.a.d, prec);
-            arb_submul(f, disk->s, v.a.k, prec);
-            arb_mul(df, disk->e, derivative.d, prec);
-            arb_submul(df, disk->s, derivative.k, prec);
-        } else {
-            LOCAL(arb, part);
-            products(t, disk, v.a.h, v.a.d, v.a.k, &v.b);
-            combine(f, df, t, disk, v.g, n); /* rest is proportional to g, so it equals g times its derivative by g */
-            products(t, disk, derivative.h, derivative.d, derivative.k, &v.b);
-            combine(part, rest, t, disk, v.g, n);
-            arb_add(df, df, part, prec);
-            wave_derivative(derivative.h, derivative.d, derivative.k, &v.b, n, prec);
-            products(t, disk, v.a.h, v.a.d, v.a.k, &derivative);
-            combine(part, rest, t, disk, v.g, n);
-            arb_add(df, df, part, prec);
-        }
-        arb_div(step, f, df, prec);
-        done = arb_is_finite(step);
+    LOCAL_INIT(wave, x, (&x)); /* derivative */
+    if (!waves_set(&v, disk, n, w))
+        return 0;
+    wave_derivative(&x, &v.a, n, prec);
+    if (n == 0) {
+        LET(step, prec, "(disk->e*v.a.d - disk->s*v.a.k)/(disk->e*x.d - disk->s*x.k)", disk->e, v.a.d, disk->s, v.a.k,
+            x.d, x.k);
+    } else {
+        products(t, disk, &v.a, &v.b);
+        combine(f, df, t, disk, v.g, n); /* rest is proportional to g, so it equals g times its derivative by g */
+        products(t, disk, &x, &v.b);
+        combine(part, rest, t, disk, v.g, n);
+        arb_add(df, df, part, prec);
+        wave_derivative(&x, &v.b, n, prec);
+        products(t, disk, &v.a, &x);
+        combine(part, rest, t, disk, v.g, n);
+        LET(step, prec, "f/(df + part)", f, df, part);
     }
-    return done;
+    return arb_is_finite(step);
 }
 
 static slong accuracy(const arb_t x, const arb_t y)

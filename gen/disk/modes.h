@@ -3,6 +3,7 @@
 #ifndef COR_GEN_DISK_MODES_H
 #define COR_GEN_DISK_MODES_H
 
+#include "cor/disk.h"
 #include "support/flint.h"
 
 #define DISK_MODES_MAX 10000000 /* largest number of modes of one disk */
@@ -26,6 +27,10 @@ void disk_modes_clear(struct disk_modes *modes);
  * digits_to_double a double; s of n = 0 is exactly 0. The result does not depend on the number of threads,
  * parallel_threads(). Returns 0, or 1 after reporting the failure. */
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits);
+
+/* Sets *modes to these modes, with every double nearest to the exact value; modes->mode is malloc'ed. Returns 0 or 1
+ * likewise. */
+int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);
 
 /* Computes the mode (n, l) to about `bits` relative bits by the count alone, which is slower. Returns 0 or 1
  * likewise. */

@@ -8,7 +8,6 @@
 #include "cor/disk.h"
 #include "cor/status.h"
 #include "disk/modes.h"
-#include "disk/modes_rounded.h"
 #include "plan/plan.h"
 #include "support/console.h"
 #include "support/parallel.h"

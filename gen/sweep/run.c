@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "cor/status.h"
-#include "disk/modes_rounded.h"
+#include "disk/modes.h"
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
