@@ -95,13 +95,9 @@ static void wave_derivative(struct wave *x, const struct wave *a, slong n, slong
 
 void disk_init(struct disk *d, const fmpq_t nu, slong prec)
 {
-    LOCAL(fmpq, x);
     FOR_ALL(arb, init, d->e, d->s);
-    fmpq_add_si(x, nu, 1);
-    arb_set_fmpq(d->e, x, prec);
-    fmpq_sub_si(x, x, 2);
-    fmpq_neg(x, x);
-    arb_set_fmpq(d->s, x, prec);
+    LET(d->e, prec, "1 + nu", nu);
+    LET(d->s, prec, "1 - nu", nu);
     d->e_double = arf_get_d(arb_midref(d->e), ARF_RND_NEAR);
     d->s_double = arf_get_d(arb_midref(d->s), ARF_RND_NEAR);
     d->prec = prec;

@@ -43,10 +43,7 @@ static struct cor_disk_hard_wall wall_collide(const struct cor_disk_modes *modes
 
 static void same_results(const struct cor_disk_hard_wall *x, const struct cor_disk_hard_wall *y, const char *what)
 {
-    check(same_bits(x->one_minus_eps2, y->one_minus_eps2) && same_bits(x->eps, y->eps) &&
-              same_bits(x->contact_time, y->contact_time) && same_bits(x->max_compression, y->max_compression) &&
-              same_bits(x->error_estimate, y->error_estimate) && x->omega_levels == y->omega_levels,
-          "%s: 1 - eps^2 = %a and %a", what, x->one_minus_eps2, y->one_minus_eps2);
+    check(memcmp(x, y, sizeof *x) == 0, "%s: 1 - eps^2 = %a and %a", what, x->one_minus_eps2, y->one_minus_eps2);
 }
 
 /* ---- values ---- */
@@ -417,19 +414,11 @@ TEST(refusals)
     const struct cor_disk_modes other_nu = {1.5, 1800, mode};
     memcpy(mode, modes->mode, sizeof mode);
     assert_int_equal(cor_disk_hard_wall(&other_nu, 1800, &good, 0.1, &out), COR_ERROR_DISK_POISSON_RATIO);
-    mode[7].omega = mode[6].omega;
+    mode[7].omega = mode[6].omega; /* test_disk_collision.c has other entries that both walls refuse */
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     mode[7] = modes->mode[7];
-    mode[9].s = NAN;
+    mode[9].n = COR_HARD_WALL_MAX_N + 1;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
-    mode[9] = modes->mode[9];
-    mode[9].n = -1;
-    assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
-    static const int bad_n[] = {COR_HARD_WALL_MAX_N + 1, COR_DISK_MODES_MAX_N + 1, 100000, INT32_MAX};
-    for (size_t i = 0; i < sizeof bad_n / sizeof *bad_n; i++) {
-        mode[9].n = bad_n[i];
-        assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
-    }
     mode[9] = modes->mode[9];
     mode[1799].omega = 1000; /* moves in no level */
     for (int i = 0; i < 2; i++) {
