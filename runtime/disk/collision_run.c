@@ -328,9 +328,8 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
     const double h = run->h, work_left = m->work_left;
     const int known = before != NULL && before->max_load > 0;
     const double log_threshold = known ? log(COR_TUNING_CONTACT_LOAD * before->max_load) : INFINITY;
-    struct course course;
+    struct course course = {{0}, {0}};
     struct cor_collision_state now;
-    memset(&course, 0, sizeof course);
     run->steps = 0;
     run->max_load = run->ripple = run->stiffness = 0;
     run->max_compression = -INFINITY;

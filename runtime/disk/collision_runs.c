@@ -20,8 +20,7 @@ enum { AFTER = 4, AMIDST = 2 };
  * scheme; h^2 halves from run to run. */
 static void extrapolation_weights(int levels, int first, double weight[LEVELS])
 {
-    double row[LEVELS][LEVELS];
-    memset(row, 0, sizeof row);
+    double row[LEVELS][LEVELS] = {{0}};
     memset(weight, 0, LEVELS * sizeof *weight);
     if (levels < 1)
         return;
@@ -508,19 +507,17 @@ int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
                        const struct cor_disk_collision_detail *detail)
 {
     static const struct cor_disk_collision_detail no_detail;
-    struct runs runs;
-    memset(&runs, 0, sizeof runs);
-    runs.h = first_step(m);
-    runs_settle(m, &runs, out, detail != NULL ? detail : &no_detail);
+    struct runs runs = {.h = first_step(m)};
+    detail = detail != NULL ? detail : &no_detail;
+    runs_settle(m, &runs, out, detail);
     if (isnan(out->eps) && runs.levels == 1) {
-        cor_collision_results(m, runs.run, 1, out, detail != NULL ? detail->energy_after : NULL);
+        cor_collision_results(m, runs.run, 1, out, detail->energy_after);
         out->error_estimate = cor_collision_step_error(m, &runs.evidence, 0);
     }
     if (isnan(out->eps)) {
         out->steps = runs.run[runs.levels].steps;
         return runs.outcome == COR_RUN_TOO_LONG ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED;
     }
-    if (detail != NULL)
-        runs_add_details(m, &runs, detail);
+    runs_add_details(m, &runs, detail);
     return out->error_estimate <= m->tolerance ? COR_OK : COR_TOLERANCE_NOT_REACHED;
 }

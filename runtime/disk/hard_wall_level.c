@@ -63,9 +63,7 @@ static size_t panels(size_t n)
 static struct sizes sizes_of(const struct cor_disk_mode *mode, size_t modes,
                              const struct cor_hard_wall_settings *settings)
 {
-    struct sizes size;
-    memset(&size, 0, sizeof size);
-    size.modes = modes;
+    struct sizes size = {.modes = modes};
     for (size_t i = 0; i < modes; i++)
         size.blocks = (size_t)mode[i].n / COR_LANES > size.blocks ? (size_t)mode[i].n / COR_LANES : size.blocks;
     size.lanes = ++size.blocks * COR_LANES;
@@ -446,8 +444,7 @@ static double kick_work(const struct level *level, size_t end)
 /* What the level has spent */
 static double work_of(const struct level *level, const struct motion *motion)
 {
-    return level->work_per_step > 0 ? level->work_per_step * (double)motion->steps
-                                    : level->work + (level->size.points > 0 ? level->contact.work : 0);
+    return level->work_per_step > 0 ? level->work_per_step * (double)motion->steps : level->work + level->contact.work;
 }
 
 /* Makes kicks until no part of the rim can reach the wall any more. */
@@ -460,10 +457,10 @@ static int level_collide(struct level *level, struct motion *motion, double cont
         double load = 0;
         for (size_t at = 0; at < batch; at++) {
             const struct kick kick = step(level, motion, at);
-            if (level->size.points > 0 && kick.end == level->size.points)
-                return COR_ERROR_WORKSPACE;
             if (level->contact.indefinite || !(kick.load < INFINITY))
                 return COR_ERROR_MODES;
+            if (level->size.points > 0 && kick.end == level->size.points)
+                return COR_ERROR_WORKSPACE;
             if (detail != NULL)
                 level_tell(level, motion, &kick, contact_time, detail);
             drift(level, motion, kick.load);
@@ -499,21 +496,19 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
                         const struct cor_hard_wall_settings *settings, struct cor_hard_wall_result *result,
                         const struct cor_disk_hard_wall_detail *detail)
 {
-    struct level level;
     struct cor_store store = {workspace, 0};
     size_t count = 0;
     while (count < modes->count && modes->mode[count].omega < settings->omega)
         count++;
-    memset(&level, 0, sizeof level);
-    level.loops = settings->loops ? settings->loops : cor_hard_wall_set(cor_widest_set());
+    struct level level = {.loops = settings->loops ? settings->loops : cor_hard_wall_set(cor_widest_set()),
+                          .rim = cor_collision_set(cor_widest_set()),
+                          .mode = modes->mode,
+                          .size = sizes_of(modes->mode, count, settings),
+                          .speed = speed,
+                          .h = settings->turn / settings->omega,
+                          .work_per_step = settings->work_per_step,
+                          .most_work = settings->most_work};
     level.contact.loops = level.loops;
-    level.rim = cor_collision_set(cor_widest_set());
-    level.mode = modes->mode;
-    level.size = sizes_of(modes->mode, count, settings);
-    level.speed = speed;
-    level.h = settings->turn / settings->omega;
-    level.work_per_step = settings->work_per_step;
-    level.most_work = settings->most_work;
     arrange(&level, &store);
     place_modes(&level);
     if (level.size.points > 0)
@@ -526,20 +521,17 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     if (detail != NULL)
         clear_detail(modes, detail);
 
-    struct motion motion;
-    memset(&motion, 0, sizeof motion);
-    motion.velocity = 1;
-    motion.time = motion.depth = FIRST_KICK * level.h;
+    struct motion motion = {.velocity = 1, .time = FIRST_KICK * level.h, .depth = FIRST_KICK * level.h};
     const int status = level_collide(&level, &motion, result->contact_time, detail);
     result->work = work_of(&level, &motion);
     if (status != COR_OK)
-        return level.contact.indefinite ? COR_ERROR_MODES : status;
+        return status;
     const double energy = energy_after(&level, detail == NULL ? NULL : detail->energy_after);
     result->one_minus_eps2 = 1 - motion.velocity * motion.velocity;
     result->contact_time = motion.end;
     result->max_compression = speed * motion.max_depth;
     result->energy_drift = energy - result->one_minus_eps2;
     result->steps = motion.steps;
-    result->pivotings = level.size.points > 0 ? level.contact.pivotings : 0;
-    return level.contact.indefinite ? COR_ERROR_MODES : COR_OK;
+    result->pivotings = level.contact.pivotings;
+    return COR_OK;
 }

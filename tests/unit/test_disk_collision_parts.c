@@ -235,12 +235,9 @@ TEST(extrapolation)
     struct random_state random = random_start();
     enum { LEVELS = COR_COLLISION_LEVELS };
     for (int levels = 2; levels <= LEVELS; levels++) {
-        struct cor_motion m;
-        struct cor_collision_run run[LEVELS];
+        struct cor_motion m = {.size.modes = 2};
+        struct cor_collision_run run[LEVELS] = {{0}};
         double after[LEVELS][2], average[LEVELS][2], c[4][LEVELS], limit[2] = {0.3, 0.01}, found[2], mean[2];
-        memset(&m, 0, sizeof m);
-        memset(run, 0, sizeof run);
-        m.size.modes = 2;
         for (int i = 0; i < 4; i++)
             for (int k = 0; k < LEVELS; k++)
                 c[i][k] = random_uniform(&random, -0.1, 0.1);
@@ -282,21 +279,16 @@ TEST(extrapolation)
     }
 }
 
-/* An energy below none counts as none, and the results say how much it was. */
-TEST(negative_energy)
+TEST(energies)
 {
-    double after[2][2] = {{0.2, 0.04}, {0.25, 0.01}}, found[2];
-    struct cor_motion m;
-    struct cor_collision_run run[2];
-    struct cor_disk_collision out = {0, 0, 0, 0, 0, 0, 0};
-    memset(&m, 0, sizeof m);
-    memset(run, 0, sizeof run);
-    m.size.modes = 2;
-    m.after[0] = after[0];
-    m.after[1] = after[1];
-    run[0].number = 1;
-    run[0].eps = run[1].eps = 0.8;
-    /* weights 4/3 and -1/3: the second mode gets (4 * 0.01 - 0.04)/3 = 0, then less */
+    double after[2][2] = {{0.2, 0.04}, {0.21, 0.03}}, found[2];
+    const struct cor_motion m = {.size.modes = 2, .after = {after[0], after[1]}};
+    struct cor_collision_run run[2] = {{.number = 1, .eps = 0.8}, {.eps = 0.8}};
+    struct cor_disk_collision out = {0};
+    /* energies that move while eps does not count as well: by 4/3 of the differences */
+    assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
+    /* one below 0 counts as 0, and the results say how much it was: weights 4/3 and -1/3 */
+    after[1][0] = 0.25;
     after[1][1] = 0.0025;
     const double less = cor_collision_results(&m, run, 2, &out, found);
     assert_true(fabs(less - 0.01) < 1e-16 && found[1] == 0 && fabs(found[0] - 0.8 / 3) < 1e-15);
@@ -320,20 +312,10 @@ static double remainder_of(struct cor_collision_evidence *evidence, int runs, do
     return first * pow(ratio, runs - 1) / (1 - ratio);
 }
 
-/* A collision of which only alpha v is known */
-static struct cor_motion motion_at(double alpha_v)
-{
-    struct cor_motion m;
-    memset(&m, 0, sizeof m);
-    m.alpha = alpha_v;
-    m.speed = 1;
-    return m;
-}
-
 TEST(step_error)
 {
     struct cor_collision_evidence evidence;
-    const struct cor_motion soft = motion_at(23.9);
+    const struct cor_motion soft = {.alpha = 23.9, .speed = 1};
     remainder_of(&evidence, 1, 0, 0.1);
     assert_true(cor_collision_step_error(&soft, &evidence, 0) == 1);
     for (int runs = 2; runs <= 8; runs++)
@@ -367,7 +349,7 @@ TEST(step_error)
 TEST(hard_wall_step_error)
 {
     struct cor_collision_evidence evidence;
-    const struct cor_motion soft = motion_at(nextafter(24, 0)), hard = motion_at(24);
+    const struct cor_motion soft = {.alpha = nextafter(24, 0), .speed = 1}, hard = {.alpha = 24, .speed = 1};
     remainder_of(&evidence, 1, 0, 0.1);
     assert_true(cor_collision_step_error(&hard, &evidence, 0) == 1);
     remainder_of(&evidence, 2, 1e-3, 0.1);
@@ -388,39 +370,15 @@ TEST(hard_wall_step_error)
         }
 }
 
-/* Energies that move while eps does not count as well. */
-TEST(energies_move)
-{
-    double after[2][2] = {{0.2, 0.04}, {0.21, 0.03}};
-    struct cor_motion m;
-    struct cor_collision_run run[2];
-    memset(&m, 0, sizeof m);
-    memset(run, 0, sizeof run);
-    m.size.modes = 2;
-    m.after[0] = after[0];
-    m.after[1] = after[1];
-    run[0].eps = run[1].eps = 0.8;
-    /* by 4/3 of the differences */
-    assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
-}
-
 /* ---- the other errors ---- */
 
 TEST(other_errors)
 {
     struct stage stage;
     stage_begin(&stage, 5, 500, 0.1, 96, 0.01);
-    struct cor_collision_evidence calm, wild;
-    struct cor_collision_run run;
+    const struct cor_collision_evidence calm = {.amplification = 0.1}, wild = {.amplification = 1e6};
+    const struct cor_collision_run run = {.steps = 1000, .max_load = 1, .ripple = 1e-6};
     struct cor_collision_error error, more;
-    memset(&run, 0, sizeof run);
-    memset(&calm, 0, sizeof calm);
-    calm.amplification = 0.1;
-    wild = calm;
-    wild.amplification = 1e6;
-    run.steps = 1000;
-    run.max_load = 1;
-    run.ripple = 1e-6;
     /* a random walk of 1000 steps, and what 10^6 makes of it */
     cor_collision_other_errors(&stage.m, &run, 0, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0, &wild, &more);
@@ -446,14 +404,9 @@ TEST(angles_error)
 {
     struct stage stage;
     stage_begin(&stage, 5, 500, 0.1, 96, 0.01);
-    struct cor_collision_evidence evidence;
-    struct cor_collision_run run;
+    struct cor_collision_evidence evidence = {.amplification = 0.05};
+    struct cor_collision_run run = {.max_load = 1, .ripple = 1e-6};
     struct cor_collision_error error;
-    memset(&run, 0, sizeof run);
-    memset(&evidence, 0, sizeof evidence);
-    run.max_load = 1;
-    run.ripple = 1e-6;
-    evidence.amplification = 0.05;
     const double quadrature = cor_collision_quadrature_error(&stage.m, &run);
     assert_true(quadrature > 1e-12 && quadrature < 2e-12);
     static const double amplification[] = {0.05, 1e6};
@@ -512,8 +465,7 @@ TEST(every_set)
     for (size_t k = 0; k < points(24); k++) {
         const size_t n = 1 + random_below(&random, k % 4 ? 40 : 400), phi = 40 + random_below(&random, 200);
         const double alpha = random_log(&random, 40, 2000), speed = random_uniform(&random, 0.02, 0.3);
-        struct cor_collision_run run[COR_INSTRUCTION_SETS];
-        memset(run, 0, sizeof run);
+        struct cor_collision_run run[COR_INSTRUCTION_SETS] = {{0}};
         for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
             struct stage stage;
             if (cor_collision_set(set) == NULL)
@@ -566,9 +518,7 @@ TEST(work)
     struct cor_motion *const m = &stage.m;
     assert_true(cor_motion_work(m, 96, 96) > cor_motion_work(m, 96, 32) &&
                 cor_motion_work(m, 96, 32) > cor_motion_work(m, 32, 32));
-    struct cor_collision_run run;
-    memset(&run, 0, sizeof run);
-    run.h = 0.01;
+    struct cor_collision_run run = {.h = 0.01};
     for (int by_steps = 0; by_steps < 2; by_steps++) {
         m->work_per_step = by_steps;
         m->work_left = 1e9;
@@ -586,5 +536,5 @@ TEST(work)
     stage_end(&stage);
 }
 
-RUN_TESTS(drift, kick, stiffness, window, extrapolation, negative_energy, step_error, hard_wall_step_error,
-          energies_move, other_errors, angles_error, shifted_angles, every_set, exponential, work)
+RUN_TESTS(drift, kick, stiffness, window, extrapolation, energies, step_error, hard_wall_step_error, other_errors,
+          angles_error, shifted_angles, every_set, exponential, work)

@@ -30,8 +30,7 @@ static struct cor_disk_modes modes_of(double nu, double omega)
 static struct cor_hard_wall_result level_of(const struct cor_disk_modes *modes, double speed,
                                             const struct cor_hard_wall_settings *settings, int expected)
 {
-    struct cor_hard_wall_result result;
-    memset(&result, 0, sizeof result);
+    struct cor_hard_wall_result result = {0};
     size_t below = 0;
     while (below < modes->count && modes->mode[below].omega < settings->omega)
         below++;
