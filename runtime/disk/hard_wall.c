@@ -204,8 +204,8 @@ static void ladder_conclude(const struct ladder *ladder, struct cor_disk_hard_wa
     out->omega_levels = ladder->levels;
 }
 
-/* Computes one level. Returns COR_TOLERANCE_NOT_REACHED if the range of angles does not suffice, which no scene is known
- * for, or if the budget ends. With detail there is no budget: the level is known to end. */
+/* Computes one level. Returns COR_TOLERANCE_NOT_REACHED if the range of angles does not suffice, which no scene is
+ * known for, or if the budget ends. With detail there is no budget: the level is known to end. */
 static int compute_level(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t level,
                          struct cor_hard_wall_result *result, const struct cor_disk_hard_wall_detail *detail)
 {

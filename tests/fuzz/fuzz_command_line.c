@@ -17,7 +17,6 @@
 #include "cli/commands.h"
 #include "cli/subcommand.h"
 #include "disk/modes.h"
-#include "disk/modes.h"
 #include "embed/choose.h"
 #include "fuzz.h"
 #include "support/console.h"
