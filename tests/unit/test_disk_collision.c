@@ -511,7 +511,7 @@ TEST(without_results)
 
 enum { CANARIES = 64 };
 
-/* The same bits from any workspace of that size, at any address and whatever is in it; what is refused touches nothing */
+/* Any workspace of that size gives the same bits, whatever is in it. What is refused touches nothing. */
 TEST(workspaces)
 {
     static const struct {
