@@ -22,10 +22,10 @@ static struct cor_audit_finding empty_finding(const struct audit *a)
 
 static void report_line(struct audit *a, const char *sentence, const char *word, int as_asked)
 {
-    char text[AUDIT_ADVICE] = "";
     struct cor_audit_finding finding = empty_finding(a);
-    audit_append(text, sizeof text, word ? "$ $" : "$", sentence, word);
-    finding.advice = text;
+    a->advice[0] = '\0';
+    audit_append(a->advice, sizeof a->advice, word ? "$ $" : "$", sentence, word);
+    finding.advice = a->advice;
     finding.as_asked = as_asked;
     a->options->report(a->options->context, &finding);
 }
@@ -57,6 +57,37 @@ struct audit_contact *audit_add(struct audit *a, const char *text)
     contact->word[0] = contact->word[1] = -1;
     contact->number = contact->stiffness = contact->speed = (double)NAN;
     return contact;
+}
+
+void audit_between(struct audit_contact *contact, int i, int j)
+{
+    contact->first[0] = contact->last[0] = i;
+    contact->first[1] = contact->last[1] = j;
+}
+
+/* Whether the contact is one of the types i and j, in either order */
+int audit_covers(const struct audit_contact *c, int i, int j)
+{
+    return (c->first[0] <= i && i <= c->last[0] && c->first[1] <= j && j <= c->last[1]) ||
+           (c->first[0] <= j && j <= c->last[0] && c->first[1] <= i && i <= c->last[1]);
+}
+
+void audit_unknown(struct audit_contact *contact, const char *reason)
+{
+    contact->unknown = 1;
+    contact->fault = reason;
+}
+
+void audit_clear_types(struct audit *a)
+{
+    for (struct audit_type *type = a->type; type < a->type + AUDIT_TYPES; type++)
+        type->radius[0] = type->radius[1] = type->density = type->young = type->poisson = (double)NAN;
+}
+
+void audit_set_time_step(struct audit *a, double step_s)
+{
+    if (isnan(a->options->time_step_s))
+        a->time_step = step_s;
 }
 
 void audit_add_speed(struct audit *a, double speed)
@@ -245,11 +276,6 @@ static struct outcome solve(const struct audit *a, const struct cor_simulator_mo
 
 /* ---- advice ---- */
 
-static void say(struct audit *a, const char *sentence)
-{
-    audit_append(a->advice, sizeof a->advice, *a->advice ? " $" : "$", sentence);
-}
-
 /* The text of a contact with its e replaced */
 static void write_instead(struct audit *a, const struct audit_contact *contact, double e)
 {
@@ -258,15 +284,11 @@ static void write_instead(struct audit *a, const struct audit_contact *contact, 
         const size_t blank = strspn(at, " ");
         audit_append(a->instead, sizeof a->instead, blank ? " " : "");
         at += blank;
-        const size_t size = strcspn(at, " ");
-        char copy[2] = "";
+        const size_t size = strcspn(at, " "), used = strlen(a->instead), left = sizeof a->instead - used;
         if (word == contact->word[0] || word == contact->word[1])
             audit_append(a->instead, sizeof a->instead, "%", e);
         else
-            for (size_t i = 0; i < size; i++) {
-                copy[0] = at[i];
-                audit_append(a->instead, sizeof a->instead, "$", copy);
-            }
+            audit_append(a->instead + used, size + 1 < left ? size + 1 : left, "$", at);
         at += size;
         word++;
     }
@@ -281,31 +303,24 @@ static void advise_asked(struct audit *a, const struct cor_simulator_model *mode
         ended.end = COR_END_ZERO_FORCE;
     const double e = cor_simulator_e(&ended, contact->number, &status);
     if (isnan(realised))
-        audit_append(a->advice, sizeof a->advice, "$$ accepts e from % to %.", *a->advice ? " " : "", a->simulator,
-                     model->least, model->most);
+        audit_say(a, "$ accepts e from % to %.", a->simulator, model->least, model->most);
     else
-        audit_append(a->advice, sizeof a->advice, "$e = % realises %.", *a->advice ? " " : "", contact->number,
-                     realised);
+        audit_say(a, "e = % realises %.", contact->number, realised);
     if (!isnan(e) && contact->word[0] >= 0)
         write_instead(a, contact, e);
     else if (isnan(e))
-        say(a, "No e realises it here.");
+        audit_say(a, "No e realises it here.");
 }
 
 /* What is missing for eps, or for the duration */
 static void advise_missing(struct audit *a, const struct outcome *o, double speed)
 {
     const int scales = !(o->scene.mass_kg > 0 && o->scene.stiffness > 0);
-    if (scales && isnan(o->scene.radius_m))
-        say(a, "The radius is not in the text: give --radius.");
-    else if (scales && isnan(o->scene.mass_kg))
-        say(a, "The density is not in the text: give --density.");
-    else if (scales)
-        say(a, "The stiffness could not be read.");
-    else if (isnan(speed))
-        say(a, "eps depends on the impact speed: give --speed.");
-    else
-        say(a, "This law has no function in libcor.");
+    audit_say(a, scales && isnan(o->scene.radius_m)  ? "The radius is not in the text: give --radius."
+                 : scales && isnan(o->scene.mass_kg) ? "The density is not in the text: give --density."
+                 : scales                            ? "The stiffness could not be read."
+                 : isnan(speed)                      ? "eps depends on the impact speed: give --speed."
+                                                     : "This law has no function in libcor.");
 }
 
 /* ---- the time step ---- */
@@ -328,7 +343,7 @@ static int add_step(struct audit *a, struct cor_audit_finding *f, const struct o
     if (a->integrator == COR_NO_INTEGRATOR || !(collision > 0 && collision < INFINITY))
         return 1;
     if (steps < COR_SCENE_STEPS_MIN) {
-        say(a, "The contact takes less than two time steps: eps is left to chance.");
+        audit_say(a, "The contact takes less than two time steps: eps is left to chance.");
         return 0;
     }
     const double cost = fmax(PHASES_LEAST * collision, fmin(PHASES * collision, STEPS_OF_PHASES));
@@ -342,14 +357,13 @@ static int add_step(struct audit *a, struct cor_audit_finding *f, const struct o
         return 1;
     if (fabs(error.bias) <= allowed && error.scatter <= allowed)
         return 0; /* it is not the step that is to blame */
-    audit_append(a->advice, sizeof a->advice, "$The time step makes eps % in the mean, with the standard deviation %.",
-                 *a->advice ? " " : "", o->eps + error.bias, error.scatter);
+    audit_say(a, "The time step makes eps % in the mean, with the standard deviation %.", o->eps + error.bias,
+              error.scatter);
     double least;
     if (allowed >= LEAST_SEARCHED && a->steps_left >= STEPS_OF_SEARCH) {
         a->steps_left -= STEPS_OF_SEARCH;
         if (cor_scene_step_for(&least, &o->scene, at, (int)o->end, allowed, a->integrator) == COR_OK)
-            audit_append(a->advice, sizeof a->advice, " A time step of % or less keeps both errors below %.",
-                         elastic / least, allowed);
+            audit_say(a, "A time step of % or less keeps both errors below %.", elastic / least, allowed);
     }
     return 0;
 }
@@ -383,10 +397,10 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
     }
     f.model = a->model;
     if (contact->fault)
-        say(a, contact->fault);
+        audit_say(a, contact->fault);
     f.as_asked = 0;
     if (model && version != 0 && !has_version(model, version))
-        say(a, "This version does not have the model.");
+        audit_say(a, "This version does not have the model.");
     if (model && model->damping_of_e)
         f.asked = contact->number;
     if (model && !contact->unknown) {
@@ -402,15 +416,14 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
                 advise_asked(a, model, contact, o.eps);
             f.as_asked = add_step(a, &f, &o, speed_here, f.asked) && f.as_asked;
             if (other && version == 0)
-                audit_append(a->advice, sizeof a->advice, "$The model $ realises %.", *a->advice ? " " : "",
-                             other->model, cor_simulator_realised(other, contact->number));
+                audit_say(a, "The model $ realises %.", other->model, cor_simulator_realised(other, contact->number));
         } else if (isnan(o.eps)) {
             advise_missing(a, &o, speed);
         } else {
             f.as_asked = -1;
             add_step(a, &f, &o, speed_here, (double)NAN);
             if (!cor_law_is_constant(&o.scene.law))
-                say(a, model->advice);
+                audit_say(a, model->advice);
         }
     }
     a->found++;
@@ -446,9 +459,7 @@ static int same_type(const struct audit_type *x, const struct audit_type *y)
 static int is_overridden(const struct audit *a, const struct audit_contact *contact, int i, int j)
 {
     for (const struct audit_contact *next = contact + 1; next < a->contact + a->contacts; next++)
-        if (!contact->wall && !next->wall && !contact->pair && !next->pair &&
-            ((next->first[0] <= i && i <= next->last[0] && next->first[1] <= j && j <= next->last[1]) ||
-             (next->first[0] <= j && j <= next->last[0] && next->first[1] <= i && i <= next->last[1])))
+        if (!contact->wall && !next->wall && !contact->pair && !next->pair && audit_covers(next, i, j))
             return 1;
     return 0;
 }
@@ -463,13 +474,10 @@ static void name_types(struct audit *a, const struct audit_contact *contact, int
         return;
     }
     for (int k = 0; k < 2; k++) {
+        const char *const name = k && contact->wall ? "wall" : all && all[k] ? "*" : a->type[type[k]].name;
         audit_append(a->pair, sizeof a->pair, k ? "-" : "");
-        if (k && contact->wall)
-            audit_append(a->pair, sizeof a->pair, "wall");
-        else if (all && all[k])
-            audit_append(a->pair, sizeof a->pair, "*");
-        else if (a->type[type[k]].name)
-            audit_append(a->pair, sizeof a->pair, "$", a->type[type[k]].name);
+        if (name)
+            audit_append(a->pair, sizeof a->pair, "$", name);
         else
             audit_append(a->pair, sizeof a->pair, "%", (double)(type[k] + 1));
     }
@@ -538,12 +546,9 @@ void audit_flush(struct audit *a)
 static int contains(const struct cor_audit_text *text, const char *word)
 {
     const size_t size = strlen(word);
-    const char *at = text->text, *const end = at + text->size;
-    while ((size_t)(end - at) >= size && (at = memchr(at, *word, (size_t)(end - at) - size + 1)) != NULL) {
-        if (memcmp(at, word, size) == 0)
+    for (size_t i = 0; i + size <= text->size; i++)
+        if (memcmp(text->text + i, word, size) == 0)
             return 1;
-        at++;
-    }
     return 0;
 }
 
@@ -574,14 +579,11 @@ static void clear(struct audit *a, const struct cor_audit_options *options, cons
     a->options = options;
     a->text = *text;
     a->next_line = 1;
-    a->time_step = (double)NAN;
+    a->time_step = options->time_step_s;
     a->steps_left = STEPS_IN_ALL;
     a->length = a->mass = a->time = 1;
     a->simulator = options->simulator ? options->simulator : simulator_of(text);
-    for (int i = 0; i < AUDIT_TYPES; i++) {
-        struct audit_type *const type = &a->type[i];
-        type->radius[0] = type->radius[1] = type->density = type->young = type->poisson = (double)NAN;
-    }
+    audit_clear_types(a);
 }
 
 int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text,
@@ -598,8 +600,6 @@ int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text
     if (!a->simulator)
         return COR_AUDIT_UNKNOWN;
     a->integrator = cor_simulator_integrator(a->simulator);
-    if (!isnan(options->time_step_s))
-        a->time_step = options->time_step_s;
     for (size_t i = 0; cor_audit_simulators[i]; i++)
         if (audit_is(cor_audit_simulators[i], a->simulator))
             readers[i](a);

@@ -71,12 +71,6 @@ struct audit_property {
     double value[AUDIT_VALUES];
 };
 
-struct audit_words {
-    char line[AUDIT_LINE];
-    const char *word[AUDIT_WORDS];
-    int count;
-};
-
 struct audit {
     const struct cor_audit_options *options;
     const char *simulator;
@@ -99,27 +93,30 @@ struct audit {
     double time_step;
     double length, mass, time; /* units of the text in SI */
 
-    /* scripts of LAMMPS */
-    const char *style, *style_file, *style_text;
-    long style_line;
-
     char pool[AUDIT_POOL];
     size_t used;
-    char raw[AUDIT_LINE];
-    struct audit_words words;
-    char advice[AUDIT_ADVICE], instead[AUDIT_LINE], pair[64], model[160];
+    char raw[AUDIT_LINE], split[AUDIT_LINE];
+    const char *word[AUDIT_WORDS]; /* of a script's line, in `split` */
+    int words;
+    char advice[AUDIT_ADVICE], instead[AUDIT_LINE], pair[64], model[160], printed[AUDIT_LINE];
 };
 
 /* ---- audit_text.c ---- */
 
 int audit_is(const char *text, const char *other); /* equal */
 int audit_starts(const char *text, const char *start);
+int audit_is_space(char c);
+int audit_is_of_name(char c);
 /* A number that is the whole text; NaN otherwise. Exponents by e or d. */
 double audit_number(const char *text);
 /* A copy that lasts; "" once the pool is full. */
 const char *audit_keep(struct audit *a, const char *text, size_t size);
 /* Appends to a text of `size` bytes what fits; % stands for a double, @ for one with 15 digits, $ for a text. */
 void audit_append(char *text, size_t size, const char *format, ...);
+/* The same as a text that lasts until the next call, as one that lasts, and as a sentence of the advice */
+const char *audit_print(struct audit *a, const char *format, ...);
+const char *audit_kept(struct audit *a, const char *format, ...);
+void audit_say(struct audit *a, const char *format, ...);
 
 /* Reads the next line into a->raw, without its comment, with its continuations; those of Python keep their line ends.
  * 0: there is none. */
@@ -132,6 +129,7 @@ int audit_next_part(struct audit *a, const char *ends, const char *start);
 
 /* The value of an expression of numbers, names, functions and operators; NaN if it has none. */
 double audit_value(struct audit *a, const char *text);
+double audit_value_of(struct audit *a, const char *text, size_t size); /* up to 255 characters; NaN: more */
 struct audit_variable *audit_variable_named(struct audit *a, const char *name, size_t size);
 void audit_set_variable(struct audit *a, const char *name, const char *text, int formula);
 
@@ -143,40 +141,23 @@ void audit_remark(struct audit *a, const char *sentence, const char *word);
 void audit_note(struct audit *a, const char *sentence, const char *word);
 /* A new contact of the present line, with no number known; never NULL. */
 struct audit_contact *audit_add(struct audit *a, const char *text);
+void audit_between(struct audit_contact *contact, int i, int j); /* of the types i and j alone */
+int audit_covers(const struct audit_contact *contact, int i, int j);
+void audit_unknown(struct audit_contact *contact, const char *reason);
+void audit_clear_types(struct audit *a);
+void audit_set_time_step(struct audit *a, double step_s); /* unless the options say one */
 /* Reports all contacts since the last call. */
 void audit_flush(struct audit *a);
 void audit_add_speed(struct audit *a, double speed);
 
 /* ---- readers ---- */
 
-/* LAMMPS and LIGGGHTS: audit_script.c. Words are counted from 0; one that is not there is "", its number NaN. */
-void audit_script(struct audit *a);
 /* Reads another text, and goes on with this one. */
 void audit_include(struct audit *a, const char *name, void (*read)(struct audit *a, void *context), void *context);
-const char *audit_word(const struct audit_words *w, int i);
-double audit_number_at(const struct audit_words *w, int i);
-int audit_find(const struct audit_words *w, int from, const char *word); /* -1: not there */
-int audit_range(const char *word, int *first, int *last);                /* whether it is a range of types */
-const char *audit_joined(struct audit *a, const struct audit_words *w, int first);
-
-const char *audit_keep_line(struct audit *a, const struct audit_words *w);
-
-/* audit_lammps.c */
-void audit_lammps_pair(struct audit *a, const struct audit_words *w);
-void audit_lammps_wall(struct audit *a, const struct audit_words *w);
-void audit_lammps_mix(struct audit *a);
-
-/* audit_keys.c */
-void audit_yade(struct audit *a);
+void audit_script(struct audit *a); /* LAMMPS and LIGGGHTS: audit_script.c */
+void audit_yade(struct audit *a);   /* the others: audit_keys.c */
 void audit_kratos(struct audit *a);
 void audit_mfix(struct audit *a);
 void audit_mujoco(struct audit *a);
-
-/* audit_liggghts.c */
-void audit_liggghts_property(struct audit *a, const struct audit_words *w);
-void audit_liggghts_pair(struct audit *a, const struct audit_words *w);
-void audit_liggghts_mesh(struct audit *a, const struct audit_words *w);
-void audit_liggghts_wall(struct audit *a, const struct audit_words *w);
-void audit_liggghts_pairs(struct audit *a);
 
 #endif

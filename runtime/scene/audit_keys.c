@@ -7,22 +7,12 @@
 
 /* ---- keywords ---- */
 
-static int is_of_name(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
-}
-
-static int is_blank(char c)
-{
-    return c != '\0' && strchr(" \t\r\n\f\v", c) != NULL;
-}
-
 /* The text behind `word` where it stands as a name of its own, from `at` on; NULL: nowhere */
 static const char *behind(const char *at, const char *word)
 {
     const size_t size = strlen(word);
     for (const char *found = at; (found = strstr(found, word)) != NULL; found++)
-        if ((found == at || !is_of_name(found[-1]) || found[-1] == '.') && !is_of_name(found[size]))
+        if ((found == at || !audit_is_of_name(found[-1]) || found[-1] == '.') && !audit_is_of_name(found[size]))
             return found + size;
     return NULL;
 }
@@ -33,11 +23,11 @@ static const char *value_of(const char *text, const char *key, size_t *size)
     for (const char *at = text; (at = behind(at, key)) != NULL;) {
         const char *value = at;
         int depth = 0;
-        while (is_blank(*value) || *value == '"')
+        while (audit_is_space(*value) || *value == '"')
             value++;
         if ((*value != '=' && *value != ':') || value[1] == '=')
             continue;
-        for (value++; is_blank(*value); value++)
+        for (value++; audit_is_space(*value); value++)
             ;
         const char quote = *value == '"' || *value == '\'' ? *value++ : '\0', *end = value;
         for (; *end; end++) {
@@ -45,12 +35,18 @@ static const char *value_of(const char *text, const char *key, size_t *size)
             if (quote ? *end == quote : depth < 0 || (depth == 0 && *end == ','))
                 break;
         }
-        while (end > value && is_blank(end[-1]))
+        while (end > value && audit_is_space(end[-1]))
             end--;
         *size = (size_t)(end - value);
         return value;
     }
     return NULL;
+}
+
+static int has(const char *text, const char *key)
+{
+    size_t size;
+    return value_of(text, key, &size) != NULL;
 }
 
 static int has_value(const char *text, const char *key, const char *value)
@@ -67,16 +63,6 @@ static const char *kept_value(struct audit *a, const char *text, const char *key
     return found ? audit_keep(a, found, size) : "";
 }
 
-static double evaluate(struct audit *a, const char *text, size_t size)
-{
-    char copy[256];
-    if (size >= sizeof copy)
-        return (double)NAN;
-    memcpy(copy, text, size);
-    copy[size] = '\0';
-    return audit_value(a, copy);
-}
-
 /* The number of `key`, or `otherwise` where the key is not there; NaN after a remark: it is no number. */
 static double number_of(struct audit *a, const char *text, const char *key, double otherwise)
 {
@@ -84,7 +70,7 @@ static double number_of(struct audit *a, const char *text, const char *key, doub
     const char *const found = value_of(text, key, &size);
     if (!found)
         return otherwise;
-    const double value = evaluate(a, found, size);
+    const double value = audit_value_of(a, found, size);
     if (isnan(value))
         audit_remark(a, "this is no number that can be read:", key);
     return value;
@@ -99,7 +85,7 @@ static struct audit_contact *add(struct audit *a, const char *text, const char *
     for (const char *at = text + strspn(text, " \t\n"); *at && used + 3 < sizeof a->instead; at++) {
         if (at == value || (value && at == value + size))
             copy[used++] = ' ';
-        copy[used] = is_blank(*at) ? ' ' : *at;
+        copy[used] = audit_is_space(*at) ? ' ' : *at;
         if (value && at < value && copy[used] != ' ' && (used == 0 || copy[used - 1] == ' '))
             words++;
         used++;
@@ -108,7 +94,7 @@ static struct audit_contact *add(struct audit *a, const char *text, const char *
     struct audit_contact *const contact = audit_add(a, copy);
     contact->word[0] = value ? words : -1;
     if (value)
-        contact->number = evaluate(a, value, size);
+        contact->number = audit_value_of(a, value, size);
     return contact;
 }
 
@@ -128,50 +114,32 @@ static int type_of(struct audit *a, const char *name)
 
 static void between(struct audit *a, struct audit_contact *contact, int i, int j)
 {
-    contact->first[0] = contact->last[0] = i;
-    contact->first[1] = contact->last[1] = j;
-    a->pair[0] = '\0';
-    audit_append(a->pair, sizeof a->pair, "$-$", a->type[i].name, a->type[j].name);
-    contact->pair = audit_keep(a, a->pair, strlen(a->pair));
-}
-
-static void set_time_step(struct audit *a, double step)
-{
-    if (isnan(a->options->time_step_s))
-        a->time_step = step;
-}
-
-static void cannot_be_known(struct audit_contact *contact, const char *reason)
-{
-    contact->unknown = 1;
-    contact->fault = reason;
+    audit_between(contact, i, j);
+    contact->pair = audit_kept(a, "$-$", a->type[i].name, a->type[j].name);
 }
 
 /* ---- YADE ---- */
 
-/* The arguments of the next call of `name` from *at on, in a->words.line, and its line; *at is behind them. */
+/* The arguments of the next call of `name` from *at on, in a->split, and its line; *at is behind them. */
 static const char *arguments(struct audit *a, const char **at, const char *name, long first_line)
 {
     for (const char *found = *at; (found = behind(found, name)) != NULL;) {
-        const char *from = found, *end;
+        const char *const from = found + strspn(found, " \t\r\n\f\v"), *end = from;
         int depth = 0;
-        while (is_blank(*from))
-            from++;
         if (*from != '(')
             continue;
-        for (end = from; *end; end++) {
+        for (; *end; end++) {
             depth += (*end == '(') - (*end == ')');
             if (depth == 0)
                 break;
         }
-        const size_t size = (size_t)(end - from) > 0 ? (size_t)(end - from) - 1 : 0;
-        memcpy(a->words.line, from + 1, size);
-        a->words.line[size] = '\0';
+        a->split[0] = '\0';
+        audit_append(a->split, (size_t)(end - from), "$", from + 1);
         *at = *end ? end + 1 : end;
         a->line = first_line;
         for (const char *c = a->raw; c < found; c++)
             a->line += *c == '\n';
-        return a->words.line;
+        return a->split;
     }
     return NULL;
 }
@@ -193,36 +161,31 @@ static struct audit_contact *add_call(struct audit *a, const char *name, const c
     }
     struct audit_contact *const contact = add(a, call, value, size);
     if (value && isnan(contact->number))
-        cannot_be_known(contact, "Its number could not be read.");
+        audit_unknown(contact, "Its number could not be read.");
     return contact;
 }
 
 /* ViscElMat(...) and FrictMat(...); without a number those of YADE's classes: young 1e9, poisson 0.25, density 1000 */
 static void read_yade_material(struct audit *a, const char *name, const char *text)
 {
-    size_t size = 0;
-    const char *label = kept_value(a, text, "label");
-    char number[32] = "";
-    audit_append(number, sizeof number, "material %", (double)(a->types + 1));
-    if (!*label)
-        label = audit_keep(a, number, strlen(number));
-    const int type = type_of(a, label);
+    const char *const label = kept_value(a, text, "label");
+    const int type = type_of(a, *label ? label : audit_kept(a, "material %", (double)(a->types + 1)));
     a->type[type].density = number_of(a, text, "density", 1000);
     if (audit_is(name, "FrictMat")) {
         a->type[type].young = number_of(a, text, "young", 1e9);
         a->type[type].poisson = number_of(a, text, "poisson", 0.25);
         return;
     }
-    const int by_time = value_of(text, "tc", &size) != NULL, by_spring = value_of(text, "kn", &size) != NULL;
+    const int by_time = has(text, "tc"), by_spring = has(text, "kn");
     struct audit_contact *const contact = add_call(a, name, text, by_spring ? "cn" : "en");
     between(a, contact, type, type);
     contact->model = by_spring ? "ViscElMat, kn and cn" : "ViscElMat, tc and en";
     contact->spring = by_spring ? AUDIT_HOOKE : AUDIT_CONTACT_TIME;
     contact->stiffness = by_spring ? number_of(a, text, "kn", 0) / 2 : number_of(a, text, "tc", 0);
     if (by_spring == by_time)
-        cannot_be_known(contact, by_time ? "The material has tc and kn." : "YADE solves for young and en by itself.");
+        audit_unknown(contact, by_time ? "The material has tc and kn." : "YADE solves for young and en by itself.");
     else if (isnan(contact->number))
-        cannot_be_known(contact, "The number of its damping is missing, or could not be read.");
+        audit_unknown(contact, "The number of its damping is missing, or could not be read.");
     else if (by_time && !contact->fault)
         contact->fault = "At a wall or facet YADE halves kn and cn, and eps is larger.";
 }
@@ -231,7 +194,7 @@ static void read_yade_material(struct audit *a, const char *name, const char *te
  * are none. */
 static int read_matches(struct audit *a, const char *name, const char *text)
 {
-    char call[AUDIT_LINE] = "", pair[64];
+    char call[AUDIT_LINE] = "";
     size_t size = 0, inner = 0;
     int found = 0;
     audit_append(call, sizeof call, "$($)", name, text);
@@ -243,15 +206,13 @@ static int read_matches(struct audit *a, const char *name, const char *text)
                                                                 second + 1 + strcspn(second + (*second != 0), ",()");
         if (*second != ',' || *third != ',')
             continue;
-        const double i = evaluate(a, at, (size_t)(second - at)),
-                     j = evaluate(a, second + 1, (size_t)(third - second) - 1);
+        const double i = audit_value_of(a, at, (size_t)(second - at)),
+                     j = audit_value_of(a, second + 1, (size_t)(third - second) - 1);
         struct audit_contact *const contact = add(a, call, third + 1, strcspn(third + 1, ",()"));
-        pair[0] = '\0';
-        audit_append(pair, sizeof pair, "%-%", i, j);
-        contact->pair = audit_keep(a, pair, strlen(pair));
+        contact->pair = audit_kept(a, "%-%", i, j);
         contact->model = "Mindlin, en (2023 and later)";
         if (isnan(contact->number) || isnan(i) || isnan(j))
-            cannot_be_known(contact, "Its numbers could not be read.");
+            audit_unknown(contact, "Its numbers could not be read.");
         found = 1;
     }
     return found;
@@ -259,21 +220,20 @@ static int read_matches(struct audit *a, const char *name, const char *text)
 
 static void read_mindlin(struct audit *a, const char *name, const char *text)
 {
-    size_t size = 0;
     if (read_matches(a, name, text))
         return;
-    const int en = value_of(text, "en", &size) != NULL, betan = value_of(text, "betan", &size) != NULL;
+    const int en = has(text, "en"), betan = has(text, "betan");
     struct audit_contact *const contact = add_call(a, name, text, en ? "en" : "betan");
     contact->model = en ? "Mindlin, en (2023 and later)" : "Mindlin, betan";
     contact->spring = AUDIT_MATERIAL;
     if (!en && !betan)
         contact->number = 0;
     if (en && betan)
-        cannot_be_known(contact, "It has en and betan.");
-    else if (value_of(text, "vn", &size))
-        cannot_be_known(contact, "Its en holds at vn: the viscoelastic sphere of YADE 2025, which is not read.");
-    else if (value_of(text, "gamma", &size))
-        cannot_be_known(contact, "The adhesion changes eps.");
+        audit_unknown(contact, "It has en and betan.");
+    else if (has(text, "vn"))
+        audit_unknown(contact, "Its en holds at vn: the viscoelastic sphere of YADE 2025, which is not read.");
+    else if (has(text, "gamma"))
+        audit_unknown(contact, "The adhesion changes eps.");
 }
 
 /* The assignment of a name at the margin: what is indented may not happen. */
@@ -282,7 +242,7 @@ static void read_assignment(struct audit *a)
     static const char *const elsewhere[] = {"en", "betan", "tc", "kn", "cn", "damping"};
     char *const line = a->raw + strspn(a->raw, " \t");
     size_t size = 0;
-    while (is_of_name(line[size]))
+    while (audit_is_of_name(line[size]))
         size++;
     const char *value = line + size + strspn(line + size, " \t");
     if (size == 0 || *value != '=' || value[1] == '=')
@@ -290,7 +250,7 @@ static void read_assignment(struct audit *a)
     const char *const name = audit_keep(a, line, size), *const dot = strrchr(name, '.');
     const double number = line == a->raw ? audit_value(a, value + 1) : (double)NAN;
     if (audit_is(name, "O.dt") || audit_is(name, "o.dt")) {
-        set_time_step(a, number);
+        audit_set_time_step(a, number);
         if (isnan(number))
             audit_note(a, "the time step is no number that can be read; give --time-step", NULL);
     }
@@ -298,10 +258,8 @@ static void read_assignment(struct audit *a)
         if (audit_is(dot + 1, elsewhere[i]))
             audit_remark(a, "a number that is set outside of its constructor is not read:", name);
     struct audit_variable *const known = audit_variable_named(a, name, strlen(name));
-    char text[32] = "";
-    audit_append(text, sizeof text, "@", number);
     if (!isnan(number))
-        audit_set_variable(a, name, text, 0);
+        audit_set_variable(a, name, audit_print(a, "@", number), 0);
     else if (known)
         *known = a->variable[--a->variables];
 }
@@ -317,7 +275,7 @@ static void read_sphere(struct audit *a, const char *text, double radius[2])
         value = *at ? at + 1 : at;
         size = strcspn(value, ",");
     }
-    const double r = evaluate(a, value, size);
+    const double r = audit_value_of(a, value, size);
     if (isnan(r))
         audit_note(a, "the radius of a sphere is not read", NULL);
     radius[0] = radius[0] < r ? radius[0] : r;
@@ -367,7 +325,7 @@ void audit_yade(struct audit *a)
     for (int i = 0; i < a->types; i++)
         memcpy(a->type[i].radius, radius, sizeof radius);
     for (int i = 0; damped && i < a->contacts; i++)
-        cannot_be_known(&a->contact[i], damped);
+        audit_unknown(&a->contact[i], damped);
     for (int n = a->contacts - 1; n >= 0; n--)
         if (a->contact[n].spring == AUDIT_MATERIAL)
             add_pairs(a, n);
@@ -425,7 +383,7 @@ void audit_kratos(struct audit *a)
                 struct audit_contact *const contact = add(a, line, value, size);
                 between(a, contact, pair[0], pair[1]);
                 contact->model = numbers[gamma];
-                cannot_be_known(contact, "The contact law of these materials is not read.");
+                audit_unknown(contact, "The contact law of these materials is not read.");
                 open = a->contacts - 1;
             }
         if (open >= 0 && law >= 0 && law < 2) {
@@ -449,12 +407,12 @@ struct elements {
 
 static double next_element(struct audit *a, struct elements *e, const char **value, size_t *size)
 {
-    while (is_blank(*e->at) || *e->at == ',')
+    while (audit_is_space(*e->at) || *e->at == ',')
         e->at++;
     *value = e->at;
     *size = strcspn(e->at, ", \t");
     e->at += *size;
-    return evaluate(a, *value, *size);
+    return audit_value_of(a, *value, *size);
 }
 
 /* Whether the line sets `key`, in upper or lower case */
@@ -467,7 +425,7 @@ static int elements_of(struct audit *a, const char *key, struct elements *e)
     at += strspn(at, " \t");
     e->first = 1;
     if (*at == '(') {
-        const double index = evaluate(a, at + 1, strcspn(at + 1, ":,)"));
+        const double index = audit_value_of(a, at + 1, strcspn(at + 1, ":,)"));
         e->first = index >= 1 && index <= 1000 ? (int)index : 0;
         at += strcspn(at, ")");
         at += *at == ')';
@@ -495,7 +453,7 @@ static void set_mfix_step(struct audit *a, double stiffness, double factor)
             shortest = duration;
     }
     if (shortest < INFINITY)
-        set_time_step(a, shortest / factor);
+        audit_set_time_step(a, shortest / factor);
 }
 
 void audit_mfix(struct audit *a)
@@ -544,7 +502,7 @@ void audit_mfix(struct audit *a)
                 if (size == 0)
                     break;
                 if (star) {
-                    const double repeated = evaluate(a, value, (size_t)(star - value));
+                    const double repeated = audit_value_of(a, value, (size_t)(star - value));
                     times = repeated >= 1 && repeated <= AUDIT_TYPES ? (int)repeated : 1;
                     size -= (size_t)(star + 1 - value);
                     value = star + 1;
@@ -586,15 +544,15 @@ void audit_mfix(struct audit *a)
         contact->stiffness = stiffness[contact->wall];
         if (i < 0 || i >= phases || j < 0) {
             contact->first[0] = 0;
-            cannot_be_known(contact, "The phases that this element stands for could not be made out.");
+            audit_unknown(contact, "The phases that this element stands for could not be made out.");
             continue;
         }
         contact->first[0] = contact->last[0] = i;
         contact->first[1] = contact->last[1] = j;
         if (fault)
-            cannot_be_known(contact, fault);
+            audit_unknown(contact, fault);
         else if (isnan(contact->number))
-            cannot_be_known(contact, "Its number could not be read.");
+            audit_unknown(contact, "Its number could not be read.");
     }
     if (!hertz)
         set_mfix_step(a, stiffness[0], factor);
@@ -615,12 +573,12 @@ static void read_numbers(struct audit *a, const char *tag, const char *key, doub
     size_t size = 0;
     const char *at = value_of(tag, key, &size), *const end = at ? at + size : NULL;
     for (int i = 0; at && at < end && i < count; i++) {
-        while (at < end && is_blank(*at))
+        while (at < end && audit_is_space(*at))
             at++;
         const size_t length = strcspn(at, " \t\n\"'");
         if (length == 0)
             break;
-        number[i] = evaluate(a, at, length);
+        number[i] = audit_value_of(a, at, length);
         at += length;
     }
 }
@@ -647,9 +605,7 @@ static void add_geom(struct audit *a, const struct softness *s, const char *pair
                  : s->solimp[0] == s->solimp[1]))
             return; /* the same as before */
     struct audit_contact *const contact = add(a, a->raw, NULL, 0);
-    char both[128] = "";
-    audit_append(both, sizeof both, strchr(pair, '-') ? "$" : "$-$", pair, pair);
-    contact->pair = audit_keep(a, both, strlen(both));
+    contact->pair = audit_kept(a, strchr(pair, '-') ? "$" : "$-$", pair, pair);
     contact->model =
         direct ? "solref (-stiffness, -damping), dmin = dmax" : "solref (timeconst, dampratio), dmin = dmax";
     contact->number = number;
@@ -662,11 +618,11 @@ static void add_geom(struct audit *a, const struct softness *s, const char *pair
                          "depend on the overlap, and eps on the speed.";
     }
     if (!(s->solimp[0] > 0 && s->solimp[1] > 0 && s->solimp[0] <= 1 && s->solimp[1] <= 1 && s->solimp[2] > 0))
-        cannot_be_known(contact, "Its solimp could not be read.");
+        audit_unknown(contact, "Its solimp could not be read.");
     else if (contact->fault && (s->solimp[3] != 0.5 || s->solimp[4] != 2))
-        cannot_be_known(contact, "cor reads solimp with the midpoint 0.5 and the power 2 alone.");
+        audit_unknown(contact, "cor reads solimp with the midpoint 0.5 and the power 2 alone.");
     else if (isnan(number) || isnan(stiffness) || number < 0)
-        cannot_be_known(contact, "Its solref could not be read.");
+        audit_unknown(contact, "Its solref could not be read.");
 }
 
 struct model_file {
@@ -718,12 +674,10 @@ static void read_tag(struct audit *a, struct model_file *m)
             add_geom(a, &s, *own && !strchr(own, '-') ? own : "geom");
     } else if (audit_is(name, "pair")) {
         struct softness s = m->class[0];
-        char pair[128] = "";
         soften(a, &s, attributes);
-        audit_append(pair, sizeof pair, "$-$", kept_value(a, attributes, "geom1"), kept_value(a, attributes, "geom2"));
-        add_geom(a, &s, pair);
+        add_geom(a, &s, audit_kept(a, "$-$", kept_value(a, attributes, "geom1"), kept_value(a, attributes, "geom2")));
     } else if (audit_is(name, "option")) {
-        set_time_step(a, number_of(a, attributes, "timestep", a->time_step));
+        audit_set_time_step(a, number_of(a, attributes, "timestep", a->time_step));
         m->elliptic = m->elliptic || has_value(attributes, "cone", "elliptic");
         if (has_value(attributes, "integrator", "RK4"))
             a->integrator = COR_NO_INTEGRATOR;
@@ -753,12 +707,12 @@ void audit_mujoco(struct audit *a)
     const struct softness start = {"main", {0.02, 1}, {0.9, 0.95, 0.001, 0.5, 2}, {1, 1}, 3};
     m.class[0] = start;
     m.classes = 1;
-    set_time_step(a, 0.002);
+    audit_set_time_step(a, 0.002);
     read_model(a, &m);
     for (int i = 0; i < a->contacts; i++) {
         struct audit_contact *const contact = &a->contact[i];
         if (contact->condim > 3 && !m.elliptic)
-            cannot_be_known(contact, "With condim 4 or 6 pyramidal cones of friction change eps: use elliptic ones.");
+            audit_unknown(contact, "With condim 4 or 6 pyramidal cones of friction change eps: use elliptic ones.");
         const double frequency = sqrt(contact->stiffness), least = 1 / (2 * a->time_step * contact->number);
         if (strstr(contact->model, "timeconst") && !contact->unknown && frequency > least) {
             contact->stiffness = least * least;

@@ -17,6 +17,11 @@ int audit_starts(const char *text, const char *start)
     return strncmp(text, start, strlen(start)) == 0;
 }
 
+int audit_is_space(char c)
+{
+    return c != '\0' && strchr(" \t\r\n\f\v", c) != NULL;
+}
+
 static int is_digit(char c)
 {
     return c >= '0' && c <= '9';
@@ -27,9 +32,9 @@ static int is_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-static int is_space(char c)
+int audit_is_of_name(char c)
 {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+    return is_letter(c) || is_digit(c) || c == '.';
 }
 
 /* Not strtod, which asks the locale for the decimal point. Exact for up to 15 digits and exponents up to 22; within
@@ -98,11 +103,9 @@ const char *audit_keep(struct audit *a, const char *text, size_t size)
     return kept;
 }
 
-void audit_append(char *text, size_t size, const char *format, ...)
+static void append(char *text, size_t size, const char *format, va_list arguments)
 {
     size_t length = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
     for (; *format; format++) {
         char number[32] = {*format, '\0'};
         const char *part = number;
@@ -117,8 +120,40 @@ void audit_append(char *text, size_t size, const char *format, ...)
         while (*part && length + 1 < size)
             text[length++] = *part++;
     }
-    va_end(arguments);
     text[length] = '\0';
+}
+
+#define APPEND(text, size, format)                                                                                     \
+    do {                                                                                                               \
+        va_list arguments;                                                                                             \
+        va_start(arguments, format);                                                                                   \
+        append(text, size, format, arguments);                                                                         \
+        va_end(arguments);                                                                                             \
+    } while (0)
+
+void audit_append(char *text, size_t size, const char *format, ...)
+{
+    APPEND(text, size, format);
+}
+
+const char *audit_print(struct audit *a, const char *format, ...)
+{
+    a->printed[0] = '\0';
+    APPEND(a->printed, sizeof a->printed, format);
+    return a->printed;
+}
+
+const char *audit_kept(struct audit *a, const char *format, ...)
+{
+    a->printed[0] = '\0';
+    APPEND(a->printed, sizeof a->printed, format);
+    return audit_keep(a, a->printed, strlen(a->printed));
+}
+
+void audit_say(struct audit *a, const char *format, ...)
+{
+    audit_append(a->advice, sizeof a->advice, *a->advice ? " " : "");
+    APPEND(a->advice, sizeof a->advice, format);
 }
 
 /* ---- lines ---- */
@@ -168,7 +203,7 @@ int audit_next_line(struct audit *a, enum audit_language language)
         const char c = text[a->at++];
         if (c == '\n') {
             a->next_line++;
-            while (used > 0 && used < sizeof a->raw && is_space(a->raw[used - 1]))
+            while (used > 0 && used < sizeof a->raw && audit_is_space(a->raw[used - 1]))
                 used--;
             const int more = language == AUDIT_PYTHON
                                  ? open > 0 || (used > 0 && used < sizeof a->raw && a->raw[used - 1] == '\\')
@@ -225,7 +260,7 @@ int audit_next_part(struct audit *a, const char *ends, const char *start)
             if (used > 0)
                 break;
             depth = 0;
-        } else if (used > 0 || !is_space(c)) {
+        } else if (used > 0 || !audit_is_space(c)) {
             if (used == 0)
                 a->line = a->next_line;
             if (quote || c == '"' || (c == '\'' && *start))
@@ -274,7 +309,7 @@ static double expression(struct parser *p, int level);
 
 static void skip_space(struct parser *p)
 {
-    while (is_space(*p->at))
+    while (audit_is_space(*p->at))
         p->at++;
 }
 
@@ -316,7 +351,7 @@ static double call(const char *name, size_t size, double x, double y)
 static double named(struct parser *p)
 {
     const char *name = p->at;
-    while (is_letter(*p->at) || is_digit(*p->at) || *p->at == '.')
+    while (audit_is_of_name(*p->at))
         p->at++;
     const char *const end = p->at;
     size_t size = (size_t)(end - name);
@@ -453,4 +488,14 @@ double audit_value(struct audit *a, const char *text)
     const double value = expression(&p, 0);
     skip_space(&p);
     return *p.at || !isfinite(value) ? (double)NAN : value;
+}
+
+double audit_value_of(struct audit *a, const char *text, size_t size)
+{
+    char copy[256];
+    if (size >= sizeof copy)
+        return (double)NAN;
+    memcpy(copy, text, size);
+    copy[size] = '\0';
+    return audit_value(a, copy);
 }
