@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/simulators.h"
 #include "web/web.h"
 
 /* ---- text ---- */
@@ -274,8 +275,7 @@ int web_is_model_of(const struct cor_simulator_model *model, const struct web_re
 {
     const long version = *r->version ? cor_simulator_version(r->version) : 0;
     return r->simulator && strcmp(model->simulator, r->simulator->name) == 0 && model->damping_of_e &&
-           !cor_simulator_has_function(model) &&
-           (version == 0 || (version >= model->since && (model->until == 0 || version <= model->until)));
+           !cor_simulator_has_function(model) && cor_model_has_version(model, version);
 }
 
 double web_realised(const struct cor_simulator_model *model, const struct web_request *r, double speed_m_s)

@@ -7,6 +7,7 @@
 
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/simulators.h"
 
 const char *const cor_audit_simulators[] = {"lammps", "liggghts", "yade", "kratos", "mfix", "mujoco", NULL};
 
@@ -121,11 +122,6 @@ static const struct cor_simulator_model *other_version(const struct cor_simulato
         if (audit_is(pairs[i][0], model->model))
             return model_named(model->simulator, pairs[i][1]);
     return NULL;
-}
-
-static int has_version(const struct cor_simulator_model *model, long version)
-{
-    return version >= model->since && (model->until == 0 || version <= model->until);
 }
 
 /* Two bodies of the types i and j, the least or the largest of each */
@@ -376,7 +372,7 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
     const struct cor_simulator_model *model = contact->model ? model_named(a->simulator, contact->model) : NULL;
     const struct cor_simulator_model *other = model ? other_version(model) : NULL;
     const long version = a->options->version;
-    if (other && version != 0 && !has_version(model, version))
+    if (other && !cor_model_has_version(model, version))
         model = other;
     const double speed_here = speed * a->time / a->length; /* in the units of the text */
     struct cor_audit_finding f = empty_finding(a);
@@ -399,7 +395,7 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
     if (contact->fault)
         audit_say(a, contact->fault);
     f.as_asked = 0;
-    if (model && version != 0 && !has_version(model, version))
+    if (model && !cor_model_has_version(model, version))
         audit_say(a, "This version does not have the model.");
     if (model && model->damping_of_e)
         f.asked = contact->number;

@@ -7,10 +7,7 @@
 #include "cor/scene.h"
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/jkr.h"
 #include "runtime/scene/motion.h"
-#include "runtime/scene/plastic.h"
-#include "runtime/scene/pressed.h"
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
 {

@@ -4,7 +4,7 @@
 
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/pressed.h"
+#include "runtime/scene/motion.h"
 
 /* ---- q = 0: u = x^((a+1)/2) obeys u'' + 2 zeta w u' + w^2 u = 0 with w^2 = (a+1)/2 ----
  *

@@ -4,7 +4,7 @@
  *     du/ds = p,     dp/ds = -(4 u^3 - 1) (f + kappa u^power p),     p = dx/dt
  *
  * which is regular to the end of the tail, 4 u^3 = 1, where dx/du = 0. */
-#include "runtime/scene/jkr.h"
+#include "runtime/scene/motion.h"
 
 #include "runtime/scene/exponents.h"
 
@@ -29,7 +29,7 @@ static double inward(const struct motion *m, double s, double level)
     return -cor_motion_v(m, s, level);
 }
 
-/* In the units of jkr.h */
+/* In the units of motion.h */
 static int solve(struct cor_full_impact *impact, double kappa, int power, double speed)
 {
     struct motion m;

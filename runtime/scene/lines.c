@@ -9,6 +9,7 @@
 #include "cor/scene.h"
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
+#include "runtime/scene/simulators.h"
 
 enum { INPUT_DIGITS = 12, TEXT_DIGITS = 6, NUMBER = 32, WORD = 16, SENTENCE = 800 };
 #define DEFAULT_STEPS 50
@@ -172,7 +173,18 @@ struct task {
      * the restitution may have been measured */
     struct cor_scene_contact contact[PAIRS][COR_SCENE_ENDS];
     struct cor_simulator_wish wish[PAIRS];
+    char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
+
+/* Says why there are no lines; 0. */
+static int refuse(struct task *task, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vsnprintf(task->refusal, sizeof task->refusal, format, list);
+    va_end(list);
+    return 0;
+}
 
 /* A model with its numbers for each pair */
 struct block {
@@ -180,13 +192,8 @@ struct block {
     double number[PAIRS];
     double damping, speed_m_s; /* for the pair of the request at this speed */
     double time_step_s;        /* NaN: not known */
+    char reason[SENTENCE];     /* why it has no numbers, or has none that are corrected */
 };
-
-static int is_given(const struct cor_scene *scene, int number)
-{
-    return cor_scene_given(scene, number) && cor_scene_given(scene, number + COR_SCENE_BODY) &&
-           scene->number[number] != scene->number[number + COR_SCENE_BODY];
-}
 
 /* Whether the request is of two spheres that differ */
 static int bodies_differ(const struct cor_scene *scene)
@@ -196,7 +203,8 @@ static int bodies_differ(const struct cor_scene *scene)
     const struct cor_body one = cor_scene_body(scene, 1), two = cor_scene_body(scene, 2);
     return one.radius_m != two.radius_m || one.mass_kg != two.mass_kg || one.young_modulus_pa != two.young_modulus_pa ||
            one.poisson_ratio != two.poisson_ratio || one.dissipation_time_s != two.dissipation_time_s ||
-           is_given(scene, COR_SCENE_DENSITY);
+           cor_scene_of_body(scene, COR_SCENE_DENSITY, 1) < cor_scene_of_body(scene, COR_SCENE_DENSITY, 2) ||
+           cor_scene_of_body(scene, COR_SCENE_DENSITY, 1) > cor_scene_of_body(scene, COR_SCENE_DENSITY, 2);
 }
 
 /* Turns the contact of two bodies into that of two like one of them. The same material: its own dissipation time, or
@@ -233,25 +241,26 @@ static void fill_pairs(struct task *task, const struct cor_scene_contact *contac
     }
 }
 
+/* The end at which eps is asked for */
+static int end_of(const struct cor_scene *scene)
+{
+    return scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP;
+}
+
 static int is_of(const struct cor_simulator_model *model, const struct task *task)
 {
     return model->lines && strcmp(model->simulator, task->simulator->name) == 0;
 }
 
-static int version_has(const struct cor_simulator_model *model, long version)
+static int version_has(const struct cor_simulator_model *model, const char *version)
 {
-    return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
-}
-
-static long version_of(const char *version)
-{
-    return version ? cor_simulator_version(version) : 0;
+    return cor_model_has_version(model, version ? cor_simulator_version(version) : 0);
 }
 
 /* Whether lines of the model can be printed, but for their numbers */
 static int suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
-    return is_of(model, task) && version_has(model, version_of(task->request->version)) &&
+    return is_of(model, task) && version_has(model, task->request->version) &&
            (!task->request->scene->wall || model->wall_lines) &&
            (has_law ? cor_simulator_has_law : cor_simulator_has_one_eps)(model, task->request->contacts);
 }
@@ -283,8 +292,7 @@ static double realised(const struct block *block, const struct task *task, doubl
     const double constant = cor_law_eps(model->law, model->end, block->damping);
     double eps = NAN;
     if (cor_simulator_has_function(model))
-        cor_scene_eps(&eps, task->request->contacts, speed_m_s,
-                      task->request->scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP);
+        cor_scene_eps(&eps, task->request->contacts, speed_m_s, end_of(task->request->scene));
     else if (model->law == COR_LAW_IMPULSE || cor_law_is_constant(&cor_law_exponents[model->law]))
         eps = constant;
     else if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE) {
@@ -347,14 +355,14 @@ static double damping_of(const struct block *block, const struct task *task)
 }
 
 /* Corrects the numbers for the time step, at the speed of the request or at the one at which they hold. Returns whether
- * that is possible; otherwise `reason` says why not. */
-static int correct(struct block *block, char reason[SENTENCE], const struct task *task)
+ * that is possible. */
+static int correct(struct block *block, const struct task *task)
 {
     enum cor_simulator_status status;
     double number[PAIRS];
     if (block->model->law == COR_LAW_IMPULSE)
         return 1;
-    snprintf(reason, SENTENCE, "its damping has no correction for the time step: %s",
+    snprintf(block->reason, SENTENCE, "its damping has no correction for the time step: %s",
              task->request->speeds != 1 ? "it holds at one impact speed, which is to be given"
              : integrator_of(task) == COR_NO_INTEGRATOR
                  ? "its method is implicit, or chooses its steps"
@@ -377,9 +385,8 @@ static int correct(struct block *block, char reason[SENTENCE], const struct task
     return 1;
 }
 
-/* Finds the numbers of a model. Returns whether there are some; otherwise `reason` says why not. */
-static int fill_block(struct block *block, char reason[SENTENCE], const struct task *task,
-                      const struct cor_simulator_model *model)
+/* Finds the numbers of a model. Returns whether there are some. */
+static int fill_block(struct block *block, const struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;
     const struct cor_simulator_wish *const wish = &task->wish[PAIR];
@@ -390,16 +397,16 @@ static int fill_block(struct block *block, char reason[SENTENCE], const struct t
         block->number[pair] = cor_simulator_number(model, &task->wish[pair], task->has_law, &status);
     const double wished = cor_simulator_damping(model, wish, task->has_law), number = block->number[PAIR];
     if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
-        snprintf(reason, SENTENCE,
+        snprintf(block->reason, SENTENCE,
                  "its end, %s, has no closed form of the damping: give --damping-coefficient C, or --end with "
                  "--restitution",
                  cor_end_names[model->end]);
     } else if (status == COR_SIMULATOR_NO_SCALES) {
-        snprintf(reason, SENTENCE, "it needs %s: give bodies, or --stiffness and --effective-mass",
+        snprintf(block->reason, SENTENCE, "it needs %s: give bodies, or --stiffness and --effective-mass",
                  isnan(wish->contacts->mass_kg) ? "mass and stiffness" : "the effective radius");
     } else if (isnan(number)) {
         cor_simulator_reach(model, &least, &most);
-        snprintf(reason, SENTENCE, "no e realises %s, the e of this model reach %s to %s%s",
+        snprintf(block->reason, SENTENCE, "no e realises %s, the e of this model reach %s to %s%s",
                  TEXT(cor_law_eps(model->law, model->end, wished)), TEXT(least), TEXT(most),
                  status == COR_SIMULATOR_TOO_SMALL && model->end == COR_END_ZERO_FORCE
                      ? " (its formula is that of contacts that end at zero overlap, and its force ends at zero, so "
@@ -411,17 +418,28 @@ static int fill_block(struct block *block, char reason[SENTENCE], const struct t
         return 0;
     block->damping = damping_of(block, task);
     block->time_step_s = time_step(block, task);
-    return !task->request->step_corrected || correct(block, reason, task);
+    return !task->request->step_corrected || correct(block, task);
 }
 
 /* ---- lines ---- */
+
+/* The law's number by its name, not that of a plate; -1: it has none */
+static int law_with_name(const struct cor_exponents *law)
+{
+    for (int i = COR_LAW_PLATE - 1; i >= 0; i--)
+        if (cor_law_exponents[i].elastic * law->denominator == law->elastic * cor_law_exponents[i].denominator &&
+            cor_law_exponents[i].damping * law->denominator == law->damping * cor_law_exponents[i].denominator)
+            return i;
+    return -1;
+}
 
 /* The command that writes a header for this contact: g* holds every law whose eps depends on the speed. */
 static void put_embed(struct text *t, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_exponents *const law = &request->scene->law;
-    char line[SENTENCE], name[64] = "";
+    const int named = law_with_name(law);
+    char line[SENTENCE], damping[200];
     double least = 1e-3, most = 100;
     for (size_t i = 0; i < request->speeds; i++) {
         least = i == 0 ? request->speed_m_s[i] : fmin(least, request->speed_m_s[i]);
@@ -431,18 +449,13 @@ static void put_embed(struct text *t, const struct task *task)
         least /= 10;
         most *= 10;
     }
-    snprintf(name, sizeof name, " --elastic %d/%d --damping %d/%d", law->elastic, law->denominator, law->damping,
-             law->denominator);
-    for (int i = 0; i < COR_LAW_PLATE; i++) {
-        const struct cor_exponents *const other = &cor_law_exponents[i];
-        if (other->elastic * law->denominator == law->elastic * other->denominator &&
-            other->damping * law->denominator == law->damping * other->denominator)
-            snprintf(name, sizeof name, "%s%s", i == COR_LAW_VISCOELASTIC ? "" : " --law ",
-                     i == COR_LAW_VISCOELASTIC ? "" : cor_law_names[i]);
-    }
-    char damping[160];
-    snprintf(damping, sizeof damping, "%s --g-star %s", name,
-             number_text(cor_scene_damping(request->contacts, COR_SCENE_G_STAR), 15).text);
+    const struct number g_star = number_text(cor_scene_damping(request->contacts, COR_SCENE_G_STAR), 15);
+    if (named < 0)
+        snprintf(damping, sizeof damping, " --elastic %d/%d --damping %d/%d --g-star %s", law->elastic,
+                 law->denominator, law->damping, law->denominator, g_star.text);
+    else
+        snprintf(damping, sizeof damping, "%s%s --g-star %s", named == COR_LAW_VISCOELASTIC ? "" : " --law ",
+                 named == COR_LAW_VISCOELASTIC ? "" : cor_law_names[named], g_star.text);
     if (request->contacts->plastic) /* any eps and its speed name v_y */
         snprintf(damping, sizeof damping, " --law elastic-plastic --restitution 0.5 --at %s",
                  number_text(request->contacts->yield_speed_m_s * cor_elastic_plastic_speed_ratio(0.5), 15).text);
@@ -672,7 +685,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
                  task->simulator->setup, types ? task->types == 2 ? "2 types" : "1 type" : "",
                  types ? types + strlen("{types}") : "");
         comment(t, "%s", setup);
-        if (!task->request->version && !version_has(model, version_of(task->simulator->version)))
+        if (!task->request->version && !version_has(model, task->simulator->version))
             comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
                     task->simulator->title, task->simulator->version, task->simulator->version);
     }
@@ -755,7 +768,7 @@ static int rank(const struct cor_simulator_model *model, const struct task *task
 {
     const int end = task->request->scene->end;
     return 2 * (end == COR_BOTH_ENDS || (int)model->end == end || model->law == COR_LAW_IMPULSE) +
-           version_has(model, version_of(task->simulator->version));
+           version_has(model, task->simulator->version);
 }
 
 /* Prints the model by which the simulator realises at its own end what was asked for at another one. */
@@ -779,7 +792,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
     struct task cure = *task;
     struct block block;
     struct cor_scene_contact contact = *request->contacts;
-    char reason[SENTENCE], instead[SENTENCE];
+    char instead[SENTENCE];
     const double closed = cor_law_damping(model->law, model->end, eps);
     if (!isnan(closed))
         contact.damping = closed;
@@ -790,7 +803,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
     snprintf(instead, sizeof instead, "For eps = %s%s%s%s: ", TEXT(eps), constant ? "" : " at ",
              constant ? "" : TEXT(speed), constant ? "" : " m/s");
     const struct text before = *t;
-    if (fill_block(&block, reason, &cure, model) && !put_block(t, &block, &cure, instead))
+    if (fill_block(&block, &cure, model) && !put_block(t, &block, &cure, instead))
         *t = before;
 }
 
@@ -802,7 +815,7 @@ static void put_own_maps(struct text *t, const struct task *task)
         const struct cor_simulator_model *const model = &cor_simulator_models[i];
         const double own = cor_simulator_realised(model, eps);
         if (strcmp(model->simulator, task->simulator->name) != 0 || !model->damping_of_e ||
-            cor_simulator_has_function(model) || !version_has(model, version_of(task->request->version)))
+            cor_simulator_has_function(model) || !version_has(model, task->request->version))
             continue;
         if (isnan(own))
             comment(t, "If e = %s is set by hand: %s (%s) refuses it.", TEXT(eps), model->model, model->version);
@@ -816,7 +829,7 @@ static void put_own_maps(struct text *t, const struct task *task)
 static void choose_reason(char instead[SENTENCE], const struct cor_simulator_model *model, const struct block *active,
                           const struct task *task)
 {
-    if (!task->request->version && !version_has(model, version_of(task->simulator->version)))
+    if (!task->request->version && !version_has(model, task->simulator->version))
         snprintf(instead, SENTENCE, "Instead, in another version: ");
     else if (model->end != active->model->end)
         snprintf(instead, SENTENCE, "Instead, where contacts are to end at %s: ", cor_end_names[model->end]);
@@ -826,29 +839,28 @@ static void choose_reason(char instead[SENTENCE], const struct cor_simulator_mod
         snprintf(instead, SENTENCE, "Instead, the same by another parameter: ");
 }
 
-/* Prints all that realises the contact. Returns whether something does; otherwise `refusal` is the reason of the first
+/* Prints all that realises the contact. Returns whether something does; otherwise the refusal is the reason of the first
  * model, or empty. */
-static int put_all(struct text *t, char refusal[COR_SIMULATOR_REASON], const struct task *task)
+static int put_all(struct text *t, struct task *task)
 {
-    struct block block, active = {NULL, {0}, NAN, NAN, NAN};
-    char reason[SENTENCE], instead[SENTENCE];
-    refusal[0] = '\0';
+    struct block block, active = {.model = NULL};
+    char instead[SENTENCE];
     for (int wanted = 3; wanted >= 0 && !active.model; wanted--)
         for (size_t i = 0; i < cor_simulator_model_count && !active.model; i++) {
             const struct cor_simulator_model *const model = &cor_simulator_models[i];
             const struct text before = *t;
             if (!suits(model, task, task->has_law) || rank(model, task) != wanted)
                 continue;
-            snprintf(reason, sizeof reason,
-                     "it needs numbers that are not given: bodies, or --stiffness and "
-                     "--effective-mass");
-            if (fill_block(&block, reason, task, model) && put_block(t, &block, task, ""))
+            const int filled = fill_block(&block, task, model);
+            if (filled && put_block(t, &block, task, "")) {
                 active = block;
-            else {
-                *t = before;
-                if (!*refusal)
-                    snprintf(refusal, COR_SIMULATOR_REASON, "%s, %s: %s", task->simulator->name, model->model, reason);
+                continue;
             }
+            *t = before;
+            if (!*task->refusal)
+                refuse(task, "%s, %s: %s", task->simulator->name, model->model,
+                       filled ? "it needs numbers that are not given: bodies, or --stiffness and --effective-mass"
+                              : block.reason);
         }
     if (!active.model)
         return 0;
@@ -859,9 +871,8 @@ static int put_all(struct text *t, char refusal[COR_SIMULATOR_REASON], const str
         if (!suits(model, task, task->has_law) || model == active.model)
             continue;
         choose_reason(instead, model, &active, task);
-        snprintf(reason, sizeof reason, "it needs numbers that are not given");
-        if (!fill_block(&block, reason, task, model)) {
-            comment(t, "Not possible: %s: %s.", model->model, reason);
+        if (!fill_block(&block, task, model)) {
+            comment(t, "Not possible: %s: %s.", model->model, block.reason);
             put(t, "\n");
         } else if (!put_block(t, &block, task, instead))
             *t = before;
@@ -875,18 +886,17 @@ static int put_all(struct text *t, char refusal[COR_SIMULATOR_REASON], const str
 static void law_text(char text[NUMBER], const struct cor_scene *scene)
 {
     const struct cor_exponents *const law = &scene->law;
-    snprintf(text, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping, law->denominator);
-    for (int i = 0; i < COR_LAW_PLATE; i++)
-        if (cor_law_exponents[i].elastic * law->denominator == law->elastic * cor_law_exponents[i].denominator &&
-            cor_law_exponents[i].damping * law->denominator == law->damping * cor_law_exponents[i].denominator)
-            snprintf(text, NUMBER, "%s", cor_law_names[i]);
-    if (scene->plastic)
-        snprintf(text, NUMBER, "%s", cor_law_names[COR_LAW_ELASTIC_PLASTIC]);
+    const int named = scene->plastic ? COR_LAW_ELASTIC_PLASTIC : law_with_name(law);
+    if (named >= 0)
+        snprintf(text, NUMBER, "%s", cor_law_names[named]);
+    else
+        snprintf(text, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping,
+                 law->denominator);
 }
 
 /* The one speed, and eps there, at which a simulator without the law of the contact is to agree. Returns whether the
  * request has what it takes. */
-static int find_speed(struct task *task, char refusal[COR_SIMULATOR_REASON])
+static int find_speed(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_scene *const scene = request->scene;
@@ -895,46 +905,36 @@ static int find_speed(struct task *task, char refusal[COR_SIMULATOR_REASON])
     char law[NUMBER];
     double eps = NAN;
     law_text(law, scene);
-    if (!task->has_law && isnan(speed)) {
-        snprintf(refusal, COR_SIMULATOR_REASON,
-                 "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as --speed 1",
-                 task->simulator->name, law);
-        return 0;
-    }
+    if (!task->has_law && isnan(speed))
+        return refuse(task,
+                      "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as "
+                      "--speed 1",
+                      task->simulator->name, law);
     if (cor_scene_given(scene, COR_SCENE_RESTITUTION) && (constant || speed == at)) {
         eps = scene->number[COR_SCENE_RESTITUTION];
     } else if (scene->end == COR_BOTH_ENDS && cor_scene_ends_differ(request->contacts)) {
-        if (!task->has_law && !constant) {
-            snprintf(refusal, COR_SIMULATOR_REASON,
-                     "eps of this contact at zero overlap differs from that at zero force; give the one that %s is to "
-                     "realise: --end zero-overlap or zero-force",
-                     task->simulator->name);
-            return 0;
-        }
+        if (!task->has_law && !constant)
+            return refuse(task,
+                          "eps of this contact at zero overlap differs from that at zero force; give the one that %s "
+                          "is to realise: --end zero-overlap or zero-force",
+                          task->simulator->name);
     } else if ((!isnan(speed) || constant) &&
-               cor_scene_eps(&eps, request->contacts, isnan(speed) ? 1 : speed,
-                             scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP) !=
-                   COR_FAULT_NONE) {
-        snprintf(refusal, COR_SIMULATOR_REASON, "eps of the law %s is not known without a solver", law);
-        return 0;
+               cor_scene_eps(&eps, request->contacts, isnan(speed) ? 1 : speed, end_of(scene)) != COR_FAULT_NONE) {
+        return refuse(task, "eps of the law %s is not known without a solver", law);
     }
     fill_pairs(task, request->contacts, request->count, speed, eps);
     return 1;
 }
 
-static long refuse(char *text, size_t size, const char *reason)
+/* Finds the simulator, and whether it has what the request asks for. */
+static int check_task(struct task *task)
 {
-    snprintf(text, size, "%s", reason);
-    return -1;
-}
-
-long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
-{
-    char refusal[COR_SIMULATOR_REASON], law[NUMBER];
-    struct task task = {.request = request, .simulator = cor_simulator_named(request->simulator)};
+    const struct cor_simulator_request *const request = task->request;
+    const struct cor_scene_contact *const contact = request->contacts;
     int has_wall = 0;
-    if (!task.simulator) {
-        struct text t = {refusal, sizeof refusal, 0, NULL, 0, 0, 1};
+    task->simulator = cor_simulator_named(request->simulator);
+    if (!task->simulator) {
+        struct text t = {task->refusal, sizeof task->refusal, 0, NULL, 0, 0, 1};
         put(&t, "'");
         put(&t, request->simulator);
         put(&t, "' is not a simulator that cor has lines for; allowed: ");
@@ -942,43 +942,44 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
             put(&t, i > 0 ? ", " : "");
             put(&t, cor_simulators[i].name);
         }
-        return refuse(text, size, refusal);
+        return 0;
     }
-    if (request->version && cor_simulator_version(request->version) == 0) {
-        snprintf(refusal, sizeof refusal, "'%.100s' is not a version of %s: write it as 29 Sep 2021 or as 3.8.1",
-                 request->version, task.simulator->title);
-        return refuse(text, size, refusal);
-    }
-    if (request->contacts[0].force_n > 0 || request->contacts[0].adhesion_j_m2 > 0)
-        return refuse(text, size,
-                      "lines hold without a constant force, and the simulator adds its own; leave out --gravity and "
-                      "--adhesion, and see docs/contact.md for the eps that it then realises");
-    if (request->contacts[0].liquid_speed_m_s > 0)
-        return refuse(text, size,
-                      "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a host "
-                      "that calls a function of the speed");
-    task.types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
+    if (request->version && cor_simulator_version(request->version) == 0)
+        return refuse(task, "'%.100s' is not a version of %s: write it as 29 Sep 2021 or as 3.8.1", request->version,
+                      task->simulator->title);
+    if (contact->force_n > 0 || contact->adhesion_j_m2 > 0)
+        return refuse(task, "lines hold without a constant force, and the simulator adds its own; leave out --gravity "
+                            "and --adhesion, and see docs/contact.md for the eps that it then realises");
+    if (contact->liquid_speed_m_s > 0)
+        return refuse(task, "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
+                            "host that calls a function of the speed");
+    task->types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
-        task.has_law = task.has_law || suits(&cor_simulator_models[i], &task, 1);
-        has_wall = has_wall || (is_of(&cor_simulator_models[i], &task) && cor_simulator_models[i].wall_lines);
+        task->has_law = task->has_law || suits(&cor_simulator_models[i], task, 1);
+        has_wall = has_wall || (is_of(&cor_simulator_models[i], task) && cor_simulator_models[i].wall_lines);
     }
-    if (request->scene->wall && !has_wall) {
-        snprintf(refusal, sizeof refusal, "no model of %s has lines for a wall", task.simulator->title);
-        return refuse(text, size, refusal);
+    return !request->scene->wall || has_wall ||
+           refuse(task, "no model of %s has lines for a wall", task->simulator->title);
+}
+
+long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
+{
+    char law[NUMBER];
+    struct task task = {.request = request};
+    if (check_task(&task) && find_speed(&task)) {
+        struct text t = {text, size, 0, task.simulator, 0, 1, 1};
+        if (put_all(&t, &task)) {
+            if (request->contacts[0].plastic)
+                put_plastic(&t, &task);
+            return (long)t.length;
+        }
+        law_text(law, request->scene);
+        if (!*task.refusal)
+            refuse(&task, "%s has no model for the law %s%s", task.simulator->name, law,
+                   request->version ? " in this version" : "");
     }
-    if (!find_speed(&task, refusal))
-        return refuse(text, size, refusal);
-    struct text t = {text, size, 0, task.simulator, 0, 1, 1};
-    if (put_all(&t, refusal, &task)) {
-        if (request->contacts[0].plastic)
-            put_plastic(&t, &task);
-        return (long)t.length;
-    }
-    law_text(law, request->scene);
-    if (!*refusal)
-        snprintf(refusal, sizeof refusal, "%s has no model for the law %s%s", task.simulator->name, law,
-                 request->version ? " in this version" : "");
-    return refuse(text, size, refusal);
+    snprintf(text, size, "%s", task.refusal);
+    return -1;
 }
 
 long cor_simulator_list(char *text, size_t size, const struct cor_simulator *simulator)

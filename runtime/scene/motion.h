@@ -4,7 +4,7 @@
  *     du/ds = v,     dv/ds = -T(u) (F - press),     F = E(u) + damper u^b v,     dt/ds = T(u)
  *
  * u is a function of the overlap, and v the velocity; T and E are sums of two terms. Beside it parts that files of this
- * folder share: whole powers, and roots of falling functions */
+ * folder share: whole powers, roots of falling functions, and collisions that are more than a law */
 #ifndef COR_RUNTIME_SCENE_MOTION_H
 #define COR_RUNTIME_SCENE_MOTION_H
 
@@ -98,5 +98,51 @@ static inline double cor_motion_start(const struct motion *m)
 {
     return m->power[1].c[0];
 }
+
+/* ---- pressed.c ---- */
+
+/* The collision x'' + beta x^b x' + x^a = f, x(0) = 0, x'(0) = 1, under a constant force f > 0 that presses the bodies
+ * together (docs/theory.md, 24) */
+
+/* The largest force of x'' + damper x^b x' + elastic x^a = 0; NaN where the motion takes too many steps */
+double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper);
+
+/* `force_max` is that of x^a + beta x^b x'. Returns COR_OK, or COR_FAULT_PRESSED where the motion takes too many
+ * steps. */
+int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double beta, double f);
+
+/* x'' + damping x^b x' + x^a = 1: the impact speed up to which the bodies stay together; infinite: every speed, or
+ * those up to 1e9 and more */
+double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end);
+
+/* ---- jkr.c ---- */
+
+/* Collisions of spheres that adhere as Johnson, Kendall and Roberts have it (docs/theory.md, 22), in the units
+ *
+ *     contact radius  c = c_0 u^2, c_0^3 = 2 pi w R^2/E*     overlap  (c_0^2/R) (u^4 - u)     force  pi w R
+ *     time  T = (m c_0^2/(pi w R^2))^(1/2)                   speed  V = c_0^2/(R T)
+ *
+ * With x = u^4 - u the force is f = (8/3) u^6 - 4 u^3 and the motion x'' + kappa u^power x' + f = 0. The bodies touch
+ * at x = 0 with the speed 1/V, where the contact jumps to u = 1. */
+
+/* The collision of a contact with adhesion_j_m2 > 0 and the damping coefficient C, in SI units, at a speed > 0. Returns
+ * COR_OK, or COR_FAULT_PRESSED where the motion takes too many steps. */
+int cor_jkr_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double coefficient,
+                   double speed_m_s);
+
+/* The speed up to which the bodies stay together, m/s; NaN where a motion takes too many steps */
+double cor_jkr_sticking_speed(const struct cor_scene_contact *contact, double coefficient, int end);
+
+/* Whether the damper of a law has a contact radius: exponents 0, 1/4, 1/2 and 3/2 of Hertz's laws */
+int cor_jkr_has_law(const struct cor_exponents *law);
+
+/* ---- plastic.c ---- */
+
+/* The collision above the yield speed, in SI units */
+void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
+
+/* The contact without its liquid, and the speed below which the liquid holds the bodies */
+struct cor_scene_contact cor_dry_contact(const struct cor_scene_contact *contact);
+double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end);
 
 #endif

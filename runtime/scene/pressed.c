@@ -5,7 +5,7 @@
  *
  * which is regular at x = 0 and at the turning point v = 0. d is at least 2, so that w = v = 0 is a place of rest: a
  * motion that turns just before x = 0 turns there slowly, and no step hides that. */
-#include "runtime/scene/pressed.h"
+#include "runtime/scene/motion.h"
 
 #include "runtime/scene/exponents.h"
 

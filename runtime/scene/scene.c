@@ -5,7 +5,7 @@
 #include "cor/scene.h"
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
-#include "runtime/scene/jkr.h"
+#include "runtime/scene/motion.h"
 
 static int refuse(struct cor_scene_fault *fault, int what, int number, int other)
 {

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Published formulas that simulators use, for comparisons with exact functions */
+/* Published formulas that simulators use, for comparisons with exact functions; versions of models */
 #ifndef COR_RUNTIME_SCENE_SIMULATORS_H
 #define COR_RUNTIME_SCENE_SIMULATORS_H
+
+#include "cor/scene.h"
 
 /* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero
  * force */
@@ -10,5 +12,11 @@ double cor_thornton_gamma(double e);
 double cor_tsuji_alpha(double e);
 /* beta as a function of e: Flores et al. (2011) */
 double cor_flores_beta(double e);
+
+/* Whether a version, by cor_simulator_version, has the model; 0: any version will do */
+static inline int cor_model_has_version(const struct cor_simulator_model *model, long version)
+{
+    return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
+}
 
 #endif

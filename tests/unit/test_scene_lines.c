@@ -297,6 +297,13 @@ TEST(corrected_for_a_step)
     found(text_for("simbody", NULL, &scene, speed), "refused: simbody, HuntCrossleyForce; OpenSim: its damping has no "
                                                     "correction for the time step: its method is implicit");
     found(text_for("bullet", NULL, &scene, speed), "realises eps = 0.7 at 0.7 m/s\n");
+    /* what is missing is said, not a step that is right */
+    scene = empty_scene(COR_LAW_TSUJI);
+    scene.number[COR_SCENE_STIFFNESS] = 1e9;
+    scene.number[COR_SCENE_EFFECTIVE_MASS] = 1e-3;
+    scene.number[COR_SCENE_RESTITUTION] = 0.7;
+    corrected_step_s = 1e-7;
+    found(text_for("esys-particle", NULL, &scene, speed), "COR: it needs numbers that are not given: bodies");
     corrected_step_s = 1;
     scene = bodies(COR_LAW_VISCOELASTIC, 0);
     scene.number[COR_SCENE_DISSIPATION_TIME] = 1e-4;
