@@ -298,8 +298,8 @@ static void read_velocity(struct audit *a, int set)
 
 /* ---- contacts of LAMMPS: pair styles granular and gran/..., walls ---- */
 
-/* A contact of the present line, whose words begin at a->word[at], between all types; NULL after a remark: the damping is
- * not known. A model without a row for limit_damping is the one without it, but for its end. */
+/* A contact of the present line, whose words begin at a->word[at], between all types; NULL after a remark on the
+ * damping. A model without a row for limit_damping is the one without it, but for its end. */
 static struct audit_contact *add_granular(struct audit *a, int at, int hertz, const char *damping, double number,
                                           double stiffness)
 {

@@ -839,8 +839,8 @@ static void choose_reason(char instead[SENTENCE], const struct cor_simulator_mod
         snprintf(instead, SENTENCE, "Instead, the same by another parameter: ");
 }
 
-/* Prints all that realises the contact. Returns whether something does; otherwise the refusal is the reason of the first
- * model, or empty. */
+/* Prints all that realises the contact. Returns whether something does; otherwise the refusal is the reason of the
+ * first model, or empty. */
 static int put_all(struct text *t, struct task *task)
 {
     struct block block, active = {.model = NULL};
