@@ -9,8 +9,7 @@
  *                - B_n (cos(n phi) cos(phi) sin(n psi) sin(psi) + sin(n phi) sin(phi) cos(n psi) cos(psi)),
  *
  * A_n, B_n, D_n being the sums over l of C^2, C S, S^2 over omega^2. The load is P = int f dphi, x_0 = -1 +
- * compression.
- * Units as in cor/disk.h. */
+ * compression. Units as in cor/disk.h. */
 #ifndef COR_PAPER_RELAXED_DISK_H
 #define COR_PAPER_RELAXED_DISK_H
 
@@ -18,11 +17,19 @@
 
 #include "cor/disk.h"
 
-struct relaxed_disk;
+struct relaxed_disk {
+    size_t points;
+    double alpha, x_0, step; /* step: points are (i + 1/2) step */
+    double load, energy;     /* P, and (41) with P = 0: elastic energy and (1/alpha) int f dphi */
+    double largest_residual; /* of the equation above, over all points, in units of R */
+    double *log_f, *f;       /* the pressure at the points */
+    double *kernel, *matrix; /* G, and one for the Newton step: points x points */
+    double *residual, *scale, *u, *newton, *saved;
+    double memory[];
+};
 
-/* A disk that has not touched the wall yet. NULL: nu outside (-1, 1), alpha outside (0, 1e6], points outside 16 to
- * 4096, no such number of modes, a table that is none, or no memory (16 points^2 bytes). The points are equally spaced
- * on the quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they resolve, so its
+/* A disk that has not touched the wall yet; NULL without memory (16 points^2 bytes). The points are equally spaced on
+ * the quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they resolve, so its
  * error falls faster than any power once the edge of the contact, about alpha^(-2/3) wide, is a few points wide: at
  * delta <= 0.3 below 1e-12 of the load with 192 points for alpha = 500, 1e-7 with 512 for 20000. Sampled, against twice
  * as many points.
@@ -30,26 +37,13 @@ struct relaxed_disk;
  * The first has the lowest n_modes of a table; the second all modes there are, as far as n < 2 points, by
  *     A_n = D_n = (2n - 1 + nu)/(n^2 - 1),  B_n = (n (1 - nu) - 2)/(n^2 - 1)                       n >= 2
  *     A_1 = B_1 = (1 - nu)/2,  D_1 = (3 + nu)/2,     A_0 = (1 - nu)/2,  B_0 = D_0 = 0
- * the static compliance of a disk under tractions cos(n phi), sin(n phi), its centre of mass held. */
+ * the static compliance of a disk under tractions cos(n phi), sin(n phi), its centre of mass held. free() it. */
 struct relaxed_disk *relaxed_disk_of_modes(const struct cor_disk_modes *modes, size_t n_modes, double alpha,
                                            size_t points);
 struct relaxed_disk *relaxed_disk_of_all_modes(double nu, double alpha, size_t points);
-void relaxed_disk_free(struct relaxed_disk *disk);
-
-struct relaxed_state {
-    double load;            /* P */
-    double energy;          /* (41) with P = 0: elastic energy and (1/alpha) int f dphi */
-    double residual;        /* largest error of the equation above over all points, in units of R */
-    const double *pressure; /* f at the points, until the next call */
-    size_t points;
-};
 
 /* Moves the disk to a compression, from wherever it is: damped Newton steps in ln f, in as many stages as they need.
- * 1, or 0 where no equilibrium is found (then *out is what it was): a compression that is NaN, beyond
- * -1 to 1, or so large that few modes cannot bend the disk that far. */
-int relaxed_disk_press(struct relaxed_disk *disk, double compression, struct relaxed_state *out);
-
-/* G between two of the points. */
-double relaxed_disk_kernel(const struct relaxed_disk *disk, size_t i, size_t j);
+ * The load, or NaN where no equilibrium is found, for few modes cannot bend the disk far. */
+double relaxed_disk_press(struct relaxed_disk *disk, double compression);
 
 #endif

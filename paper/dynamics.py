@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""The collisions of the full dynamics that several figures share, docs/paper/collisions.csv; the two extrapolations of
+the paper's section 4 from them; and the limit that they look for, a disk of all its modes at a rigid wall."""
+import collections
+import concurrent.futures
+import ctypes
+import functools
+import math
+import os
+import random
+import statistics
+import sys
+import time
+
+from library import MATERIALS, ROOT, constant, cor, judge
+
+COLLISIONS = ROOT / "docs" / "paper" / "collisions.csv"
+CSV_HEAD = "nu,modes,alpha,speed,converged,one_minus_eps2,contact_time,max_compression"
+TOLERANCE = 1e-8  # absolute error allowed in eps
+# Hardness of the wall in units of 1/speed: alpha v is the rate at which the wall's force grows on impact, beside which
+# omega of the modes stands. Those of every limit, and those of wall_limit beside them
+WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
+# Numbers of modes of the limits, those of the paper, and those of the slow speeds, which the better limit takes
+SIZES = (300, 400, 600, 940, 1300, 1800)
+FEW, LARGE = SIZES[:4], SIZES[3:]
+# Of 1 - eps^2: where a limit is given as a number, and where as a line in a picture
+RIGID_TOLERANCE, RIGID_LINE_TOLERANCE = 2e-5, 1e-4
+
+
+def rounded(x):
+    """A double as the csv file has it"""
+    return float("%.5g" % x)
+
+
+def log_point(a, b, i, n):
+    """The i-th of n points from a to b, equal steps in the logarithm"""
+    return a * (b / a)**(i / (n - 1))
+
+
+PAPER_SPEEDS = [rounded(v) for v in [0.005, 0.01] + [0.02 * i for i in range(1, 16)]]
+SLOW_SPEEDS = [rounded(log_point(1e-3, 0.1, i, 28)) for i in range(28)]  # of the oscillation
+
+Key = collections.namedtuple("Key", "nu modes alpha speed")
+Collision = collections.namedtuple("Collision", "converged one_minus_eps2 contact_time max_compression")
+table = {}  # Collision of Key; whether it converged: if not, a chaotic collision
+
+
+def key_of(nu, modes, rate, speed):
+    return Key(nu, modes, rounded(rate / speed), speed)
+
+
+def find(nu, modes, rate, speed):
+    """None: not among them, a wall too soft or too hard"""
+    return table.get(key_of(nu, modes, rate, speed))
+
+
+def planned():
+    keys = []
+    for v in PAPER_SPEEDS:
+        keys += [key_of(nu, n, rate, v) for n in SIZES for rate in WALLS for nu in MATERIALS]
+        keys += [key_of(0.33, FEW[-1], rate, v) for rate in OTHER_WALLS]
+    for v in SLOW_SPEEDS:
+        keys += [key_of(0.33, n, rate, v) for n in LARGE for rate in WALLS]
+        keys.append(key_of(0.33, FEW[-1], OTHER_WALLS[-1], v))
+    least, most = constant("COR_DISK_COLLISION_MIN_ALPHA"), constant("COR_DISK_COLLISION_MAX_ALPHA")
+    return [key for key in dict.fromkeys(keys) if least <= key.alpha <= most]
+
+
+def compute(keys):
+    """Those collisions, on every core, with progress on a terminal"""
+
+    def collide(key):
+        out, converged, _, _ = MATERIALS[key.nu].collision(key.modes, key.alpha, key.speed, TOLERANCE)
+        return Collision(converged, out.one_minus_eps2, out.contact_time, out.max_compression)
+
+    start, computed = time.monotonic(), {}
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for done, (key, collision) in enumerate(zip(keys, pool.map(collide, keys)), 1):
+            computed[key] = collision
+            if sys.stderr.isatty():
+                left = (time.monotonic() - start) / done * (len(keys) - done)
+                print("\rcollisions: %d of %d, %.0f s left   " % (done, len(keys), left), end="", file=sys.stderr)
+    return computed
+
+
+def row_of(key, collision):
+    return "%g,%d,%.5g,%.5g,%d,%.6f,%.3f,%.5g" % (key + collision)
+
+
+def read_row(row):
+    nu, modes, *number = map(float, row.split(","))
+    return Key(nu, int(modes), *number[:2]), Collision(*number[2:])
+
+
+def make_table():
+    # What figures are made of is what the file has.
+    table.update(read_row(row_of(key, collision)) for key, collision in compute(planned()).items())
+
+
+def agree(old, new):
+    """A collision that did not converge, chaotic, has but its size to be compared; the others the digits printed. The
+    contact time ends where a load that trembles falls below its threshold, and knows fewer."""
+    off = abs(old.one_minus_eps2 - new.one_minus_eps2)
+    if not old.converged and not new.converged:
+        return off <= 5e-3
+    return (old.converged == new.converged and off <= 2 * TOLERANCE + 1e-6 and
+            abs(old.contact_time - new.contact_time) <= 2e-3 and
+            abs(old.max_compression / new.max_compression - 1) <= 1e-4)
+
+
+def read_table(sample):
+    """The rows of collisions.csv, which have to be those planned; `sample` of them, which COR_SEED draws, or all if None, are
+    computed again. Returns whether they agree."""
+    head, *rows = COLLISIONS.read_text(encoding="ascii").splitlines()
+    table.update(map(read_row, rows))
+    if [head, *table] != [CSV_HEAD, *planned()] or rows != [row_of(*item) for item in table.items()]:
+        sys.exit("paper: %s is not what is computed; paper/run computes it again" % COLLISIONS)
+    seed = int(os.environ.get("COR_SEED", "19990101"))
+    again = compute(random.Random(seed).sample(list(table), sample) if sample else list(table))
+    wrong = [row_of(key, collision) for key, collision in again.items() if not agree(table[key], collision)]
+    for row in wrong:
+        print("paper: %s should have %s" % (COLLISIONS, row), file=sys.stderr)
+    return not wrong
+
+
+# ---- extrapolations ----
+
+Line = collections.namedtuple("Line", "slope at_zero")
+Limit = collections.namedtuple("Limit", "one_minus_eps2 uncertainty")
+
+
+def fit_line(x, y):
+    return Line(*statistics.linear_regression(x, y))
+
+
+def wall_line(nu, modes, speed, walls=WALLS):
+    """1 - eps^2 against 1/alpha for so many modes: NaN where a collision is missing, here and below"""
+    keys = [key_of(nu, modes, rate, speed) for rate in walls]
+    if not all(key in table for key in keys):
+        return Line(math.nan, math.nan)
+    return fit_line([1 / key.alpha for key in keys], [table[key].one_minus_eps2 for key in keys])
+
+
+def size_line(nu, speed, sizes, walls=WALLS):
+    """Its value at alpha = inf against 1/sqrt(N)"""
+    return fit_line([1 / math.sqrt(n) for n in sizes], [wall_line(nu, n, speed, walls).at_zero for n in sizes])
+
+
+def limit_of(nu, speed):
+    """Both limits, the second from N = 940 on. uncertainty: the largest difference from what fewer or other points
+    give, each line without its first point and without its last, and the paper's N = 300 to 940 where there are such"""
+    best = size_line(nu, speed, LARGE).at_zero
+    other = [size_line(nu, speed, LARGE[:-1]), size_line(nu, speed, LARGE[1:]), size_line(nu, speed, LARGE, WALLS[:-1]),
+             size_line(nu, speed, LARGE, WALLS[1:]), size_line(nu, speed, FEW)]
+    return Limit(best, max(abs(line.at_zero - best) for line in other if not math.isnan(line.at_zero)))
+
+
+@functools.lru_cache(maxsize=None)
+def hard_wall(nu, speed, tolerance=RIGID_TOLERANCE):
+    """All modes at a rigid wall"""
+    out, options = cor.struct.disk_hard_wall(), cor.struct.disk_hard_wall_options(tolerance, ctypes.c_size_t(-1).value)
+    judge(cor.disk_hard_wall_nu(nu, ctypes.byref(options), speed, ctypes.byref(out)), "rigid wall, v = %g" % speed,
+          "COR_TOLERANCE_NOT_REACHED")
+    return out
