@@ -129,31 +129,14 @@ static struct ratio variable_power(const struct embed_scene *s, const struct emb
 /* The variable of the polynomials; x is sqrt(beta) or ln(beta) */
 static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t x, const struct prover *w, bool by_log)
 {
-    bool done = true;
-    if (by_log) {
-        const struct ratio power = variable_power(w->s, w->f);
-        LET_FUNCTION(y, "exp(power*x)", power, x);
-    } else {
-        switch (w->f->variable) {
-        case SPEED: /* beta^5 */
-            LET_FUNCTION(y, "beta^5", beta);
-            break;
-        case SQRT_OF_SPEED: /* beta^2 x */
-            LET_FUNCTION(y, "beta^2*x", beta, x);
-            break;
-        case FOURTH_ROOT_OF_SPEED: /* beta x^(1/2) */
-            done = LET_FUNCTION(y, "sqrt(x)*beta", x, beta);
-            break;
-        case FIFTH_ROOT_OF_SPEED:
-            arb_poly_set(y, beta);
-            break;
-        case TENTH_ROOT_OF_SPEED:
-            arb_poly_set(y, x);
-            break;
-        }
-    }
-    arb_poly_scalar_mul(y, y, w->factor, ENCLOSED_BITS);
-    return done;
+    static const char *const of_root[] = {[SPEED] = "beta^5*factor",
+                                          [SQRT_OF_SPEED] = "beta^2*x*factor",
+                                          [FOURTH_ROOT_OF_SPEED] = "sqrt(x)*beta*factor",
+                                          [FIFTH_ROOT_OF_SPEED] = "beta*factor",
+                                          [TENTH_ROOT_OF_SPEED] = "x*factor"};
+    const struct ratio power = variable_power(w->s, w->f);
+    const arb_srcptr factor = w->factor;
+    return LET_FUNCTION(y, by_log ? "exp(power*x)*factor" : of_root[w->f->variable], power, x, beta, factor);
 }
 
 /* The variable where the speed is not that of beta: a root of v. In a liquid v = v_d + s, where v_d is the dry speed,
@@ -163,25 +146,15 @@ static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb
 {
     const struct ratio power = ratio_div((struct ratio){1, 1}, law_speed_exponent(&w->s->law));
     const double origin = w->s->origin;
-    const arb_srcptr lost = w->s->liquid_speed;
-    if (by_log)
-        LET_FUNCTION(v, "exp(power*x)", power, x);
-    else
-        LET_FUNCTION(v, "beta^5", beta);
-    LET_FUNCTION(v, "v*w->speed_factor", v, w->speed_factor);
-    if (w->s->pressed) {
-        LET_FUNCTION(v, "v - origin", v, origin);
-    } else {
+    const arb_srcptr lost = w->s->liquid_speed, factor = w->speed_factor;
+    LET_FUNCTION(v, by_log ? "exp(power*x)*factor" : "beta^5*factor", power, x, beta, factor);
+    if (!w->s->pressed)
         LET_FUNCTION(eps, "eps*v - lost", eps, v, lost);
-        LET_FUNCTION(v, "v + lost", v, lost);
-    }
+    LET_FUNCTION(v, w->s->pressed ? "v - origin" : "v + lost", v, origin, lost);
     const struct embed_root *const root = &embed_roots[w->f->variable];
     const slong degree = root->degree;
-    if (root->fifth)
-        return LET_FUNCTION(y, "exp(log(v)/degree)", v, degree);
-    arb_poly_set(y, v);
-    bool done = true;
-    for (int k = 0; k < root->square_roots && done; k++)
+    bool done = LET_FUNCTION(y, root->fifth ? "exp(log(v)/degree)" : "v", v, degree);
+    for (int k = 0; k < root->square_roots && !root->fifth && done; k++)
         done = LET_FUNCTION(y, "sqrt(y)", y);
     return done;
 }
@@ -190,15 +163,11 @@ static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb
 static void part_place(arb_poly_t y, const struct prover *w, slong row)
 {
     const struct embed_form *const f = w->f;
-    LOCAL(arb, slope);
-    if (f->family == FAMILY_PIECES_SPEED) {
-        enclosed_add_double(y, -embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits));
-    } else if (f->family == FAMILY_PIECES_BETA) {
-        arb_set_d(slope, f->slope);
-        arb_poly_scalar_mul(y, y, slope, ENCLOSED_BITS);
-        enclosed_add_double(y, f->shift);
-        enclosed_add_double(y, -(double)row);
-    }
+    const double start = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
+    if (f->family == FAMILY_PIECES_SPEED)
+        LET_FUNCTION(y, "y - start", y, start);
+    else if (f->family == FAMILY_PIECES_BETA)
+        LET_FUNCTION(y, "y*f->slope + f->shift - row", y, f->slope, f->shift, row);
 }
 
 static void part_polynomial(arb_poly_t p, const double *c, slong degree, const arb_poly_t y)

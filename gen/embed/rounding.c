@@ -146,30 +146,18 @@ static double seed_bound(const struct embed_form *f)
     return bound * (1 + 1e-9) + 1e-12;
 }
 
-static void poly_set_doubles(arb_poly_t p, const double *c, slong degree)
-{
-    LOCAL(arb, number);
-    for (slong k = degree; k >= 0; k--) {
-        arb_set_d(number, c[k]);
-        arb_poly_set_coeff_arb(p, k, number);
-    }
-}
-
 /* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Without rounding, its relative distance
  * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. Returns a bound of |h|, infinite
  * if |H| may reach 1/2. */
 static double root_step_distance(const double *c, slong degree, double e)
 {
-    LOCAL(arb_poly, h, one);
-    LOCAL(arb, middle, radius);
-    poly_set_doubles(h, c, degree);
-    arb_poly_pow_ui(h, h, 5, ENCLOSED_BITS);
-    arb_poly_set_coeff_si(one, 1, -1);
-    arb_poly_set_coeff_si(one, 0, 1);
-    arb_poly_mul(h, h, one, ENCLOSED_BITS);
-    enclosed_add_double(h, -1);
-    arb_set_d(radius, e);
-    enclosed_rescale(h, h, middle, radius, ENCLOSED_BITS);
+    LOCAL(arb_poly, x, S, h, one);
+    enclosed_variable(x, -e, e);
+    for (slong k = degree; k >= 0; k--) {
+        const double c_k = c[k];
+        LET_FUNCTION(S, "S*x + c_k", S, x, c_k);
+    }
+    LET_FUNCTION(h, "S^5*(1 - x) - 1", S, x);
     arb_poly_one(one);
     double known = 0;
     for (int k = -16; k <= 16; k++)
@@ -235,7 +223,10 @@ static double variable_bound(const struct embed_form *f, const struct arithmetic
 static void cell_values(arb_t value, arb_t slope, const double *c, slong degree, const arb_t middle, const arb_t radius)
 {
     LOCAL(arb_poly, p);
-    poly_set_doubles(p, c, degree);
+    for (slong k = degree; k >= 0; k--) {
+        arb_set_d(value, c[k]);
+        arb_poly_set_coeff_arb(p, k, value);
+    }
     enclosed_rescale(p, p, middle, radius, ENCLOSED_BITS);
     enclosed_range(value, p);
     arb_poly_derivative(p, p, ENCLOSED_BITS);

@@ -40,11 +40,7 @@ static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, co
     static const int first[] = {0, 2, 5, INTERPOLANT_FAR};
     arb_zero(y);
     for (int i = 2; i >= 0; i--) {
-        arb_zero(order);
-        for (int k = first[i + 1] - 1; k >= first[i]; k--) {
-            arb_mul(order, order, u, EMBED_BITS);
-            arb_add(order, order, a + k, EMBED_BITS);
-        }
+        _arb_poly_evaluate(order, a + first[i], first[i + 1] - first[i], u, EMBED_BITS);
         LET(y, EMBED_BITS, "y*mu + order", y, mu, order);
     }
 }
