@@ -40,16 +40,6 @@ static void append_command(FILE *t, const struct embed_request *request)
     fprintf(t, "\nChecked by:  the same command, whose output is the same to the byte\n");
 }
 
-static void append_operations(FILE *t, const struct embed_form *f)
-{
-    const char *before = "";
-    for (int op = 0; op < OPERATIONS; op++)
-        if (f->operations[op] > 0) {
-            fprintf(t, "%s%d %s", before, f->operations[op], embed_operation_names[op]);
-            before = ", ";
-        }
-}
-
 static void append_alternatives(FILE *t, const struct embed_scene *s, const struct embed_form *form,
                                 enum embed_family chosen)
 {
@@ -63,7 +53,12 @@ static void append_alternatives(FILE *t, const struct embed_scene *s, const stru
             embed_form_size(size, sizeof size, f);
             fprintf(t, "%-22s %s  %6.2f %6.2f  ", size, emit_bound(f->error).text, f->cost[USE_SCALAR],
                     f->cost[USE_ARRAY]);
-            append_operations(t, f);
+            const char *before = "";
+            for (int op = 0; op < OPERATIONS; op++)
+                if (f->operations[op] > 0) {
+                    fprintf(t, "%s%d %s", before, f->operations[op], embed_operation_names[op]);
+                    before = ", ";
+                }
             fprintf(t, "\n");
         } else {
             fprintf(t, "%s\n", f->why);
@@ -71,28 +66,12 @@ static void append_alternatives(FILE *t, const struct embed_scene *s, const stru
     }
 }
 
-/* The meaning of a purpose, as text */
-static const char *rule_of_purpose(enum embed_purpose purpose)
-{
-    switch (purpose) {
-    case PURPOSE_SCALAR:
-        return "the least time for calls of their own, column scalar";
-    case PURPOSE_ARRAY:
-        return "the least time in loops that become vectors, column vector";
-    default:
-        return "the least time, a call of its own counting\nas much as four numbers of a loop that becomes vectors, "
-               "scalar + 4 vector";
-    }
-}
-
 static void append_title(FILE *t, const struct embed_scene *s, const char *name)
 {
     const char *type = s->single ? "float" : "double";
-    if (s->plastic)
-        fprintf(t, "Restitution coefficient of elastic-plastic spheres that collide at an impact speed, for one "
-                   "scene:\n");
-    else if (law_is_sphere(&s->named))
-        fprintf(t, "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n");
+    if (s->plastic || law_is_sphere(&s->named))
+        fprintf(t, "Restitution coefficient of %s spheres that collide at an impact speed, for one scene:\n",
+                s->plastic ? "elastic-plastic" : "viscoelastic");
     else
         fprintf(t,
                 "Restitution coefficient of bodies that collide at an impact speed by the contact law\n"
@@ -185,6 +164,12 @@ static void append_proof(FILE *t, const struct embed_scene *s, const struct embe
 static void append_choice(FILE *t, const struct embed_request *request, const struct embed_scene *s,
                           const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof)
 {
+    static const char *const rule[] = {
+        [PURPOSE_BALANCED] =
+            "the least time, a call of its own counting\nas much as four numbers of a loop that becomes "
+            "vectors, scalar + 4 vector",
+        [PURPOSE_SCALAR] = "the least time for calls of their own, column scalar",
+        [PURPOSE_ARRAY] = "the least time in loops that become vectors, column vector"};
     const struct embed_form *f = &form[chosen];
     char size[64];
     embed_form_size(size, sizeof size, f);
@@ -192,8 +177,8 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
             "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
             "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
             "once and twice: sampled. %s\n",
-            embed_family_name(chosen, s), size, rule_of_purpose(request->purpose),
-            embed_purpose_names[request->purpose], emit_bound(f->error).text, f->error_at + f->origin, EMBED_SAMPLES,
+            embed_family_name(chosen, s), size, rule[request->purpose], embed_purpose_names[request->purpose],
+            emit_bound(f->error).text, f->error_at + f->origin, EMBED_SAMPLES,
             f->rows > 0 ? "No branch; one table." : "No branch, no table.");
     append_proof(t, s, proof);
     fprintf(
@@ -205,25 +190,20 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
 
 static void append_provenance(FILE *t, const struct embed_scene *s, const struct embed_proof *proof)
 {
-    if (s->by_speed) {
+    const char *const dialects = "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n";
+    if (s->by_speed)
         fprintf(t, "\nFitted to and compared with a closed form in interval arithmetic; coefficients rounded once to "
-                   "the type.\nC99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n");
-        return;
-    }
-    if (s->constant) {
+                   "the type.\n");
+    else if (s->constant)
+        fprintf(t, "\neps is that of one collision %s, enclosed (proved), or is given.\n", law_equation(&s->law).text);
+    else
         fprintf(t,
-                "\neps is that of one collision %s, enclosed (proved), or is given.\n"
-                "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
-                law_equation(&s->law).text);
-        return;
-    }
-    fprintf(
-        t,
-        "\nFitted to and compared with collisions %s%s enclosed to 76 bits or\n"
-        "more (proved), which are interpolated to 1e-17 (%s); coefficients\n"
-        "rounded once to the type. C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
-        law_equation(&s->law).text, s->pressed ? " + f" : "",
-        proof->proved ? "sampled; the proof includes their proved error" : "sampled");
+                "\nFitted to and compared with collisions %s%s enclosed to 76 bits or\n"
+                "more (proved), which are interpolated to 1e-17 (%s); coefficients\n"
+                "rounded once to the type. ",
+                law_equation(&s->law).text, s->pressed ? " + f" : "",
+                proof->proved ? "sampled; the proof includes their proved error" : "sampled");
+    fputs(dialects, t);
 }
 
 /* ---- the function: the operations of embed_form_value, all in one block ---- */

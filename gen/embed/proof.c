@@ -238,7 +238,7 @@ static double place_of_speed(const struct prover *w, double speed, bool by_log, 
     LOCAL(arb, x);
     LOCAL(arf, end);
     arb_set_d(x, speed);
-    embed_scene_beta_enclosed(x, w->s, x);
+    embed_scene_beta(x, w->s, x, true);
     (by_log ? arb_log : arb_sqrt)(x, x, EMBED_BITS);
     (above ? arb_get_ubound_arf : arb_get_lbound_arf)(end, x, EMBED_BITS);
     return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
@@ -357,7 +357,7 @@ static double first_proved(double beta[2], const struct embed_scene *s)
     const bool rises = law_speed_exponent(&s->law).num > 0;
     LOCAL(arb, x);
     arb_set_d(x, speed);
-    embed_scene_beta(x, s, x);
+    embed_scene_beta(x, s, x, false);
     beta[rises ? 0 : 1] = arf_get_d(arb_midref(x), ARF_RND_NEAR);
     return speed;
 }

@@ -71,22 +71,12 @@ static bool is_wet(const struct embed_scene *s)
     return !arb_is_zero(s->liquid_speed);
 }
 
-/* `whole` is the impact speed, of which a liquid leaves less */
-static void beta_of_speed(arb_t beta, const struct embed_scene *s, const arb_t whole, const arb_t beta_per_root)
+void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed, bool enclosed)
 {
     const struct ratio q = law_speed_exponent(&s->law);
-    LET(beta, EMBED_BITS, "(s->origin + whole - s->liquid_speed)^q*beta_per_root", s->origin, whole, s->liquid_speed, q,
+    const arb_srcptr beta_per_root = enclosed ? s->beta_enclosed : s->beta_per_root;
+    LET(beta, EMBED_BITS, "(s->origin + speed - s->liquid_speed)^q*beta_per_root", s->origin, speed, s->liquid_speed, q,
         beta_per_root);
-}
-
-void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed)
-{
-    beta_of_speed(beta, s, speed, s->beta_per_root);
-}
-
-void embed_scene_beta_enclosed(arb_t beta, const struct embed_scene *s, const arb_t speed)
-{
-    beta_of_speed(beta, s, speed, s->beta_enclosed);
 }
 
 static enum quantity quantity_of(const struct embed_scene *s)
@@ -97,7 +87,7 @@ static enum quantity quantity_of(const struct embed_scene *s)
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 {
     LOCAL(arb, beta);
-    embed_scene_beta(beta, s, speed);
+    embed_scene_beta(beta, s, speed, false);
     if (s->by_speed && s->plastic && !arb_le(beta, s->yield_speed))
         embed_elastic_plastic_eps(eps, beta, s->yield_speed, EMBED_BITS);
     else if (s->constant || s->by_speed)
@@ -147,27 +137,21 @@ static void take_samples(struct embed_scene *s)
                                        log(samples->speed[i] / samples->speed[i - step])));
 }
 
-struct limit {
-    arb_ptr h_star_5;
-    int status;
-};
-
 static void find_limit(void *context)
 {
-    struct limit *const limit = context;
-    limit->status = collision_h_star(limit->h_star_5, EMBED_BITS / 2);
-    arb_pow_ui(limit->h_star_5, limit->h_star_5, 5, EMBED_BITS);
+    struct embed_scene *const s = context;
+    s->limit_status = collision_h_star(s->h_star_5, EMBED_BITS / 2);
+    arb_pow_ui(s->h_star_5, s->h_star_5, 5, EMBED_BITS);
 }
 
 /* Computes the interpolant and, beside it, h*^5, which only zero overlap needs. */
 static int scene_collide(struct embed_scene *s)
 {
     const bool overlap = s->end == END_ZERO_OVERLAP;
-    struct limit limit = {s->h_star_5, STATUS_OK};
     struct parallel_task task;
     int status = STATUS_OK;
     if (overlap)
-        parallel_begin(&task, find_limit, &limit);
+        parallel_begin(&task, find_limit, s);
     if (!overlap || s->beta_min < OVERLAP_FAR) {
         s->interpolant = interpolant_new(&interpolant_sphere_proof, s->beta_min * (1 - 1e-9),
                                          overlap ? fmin(s->beta_max, OVERLAP_FAR) : s->beta_max * (1 + 1e-9));
@@ -175,7 +159,7 @@ static int scene_collide(struct embed_scene *s)
     }
     if (overlap)
         parallel_end(&task);
-    return status == STATUS_OK ? limit.status : status;
+    return status == STATUS_OK ? s->limit_status : status;
 }
 
 /* ---- a constant force ---- */

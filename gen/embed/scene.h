@@ -37,6 +37,7 @@ struct embed_scene {
     struct embed_samples samples;
     struct interpolant *interpolant;
     arb_t h_star_5;           /* spheres */
+    int limit_status;         /* of its computation */
     struct law_layout layout; /* of another law's interpolant */
 };
 
@@ -48,9 +49,8 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact);
 void embed_scene_clear(struct embed_scene *s);
 
-/* beta at a speed; the second includes the uncertainty of a beta that eps determines */
-void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed);
-void embed_scene_beta_enclosed(arb_t beta, const struct embed_scene *s, const arb_t speed);
+/* beta at a speed; if `enclosed`, with the uncertainty of a beta that eps determines */
+void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed, bool enclosed);
 
 /* eps at a speed in [speed_min, speed_max], shifted like these, as accurate as interpolant.h states */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);

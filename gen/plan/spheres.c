@@ -93,7 +93,7 @@ static void find_truth_at(void *context, slong i)
     struct plan *const plan = truth->plan;
     LOCAL(arb, beta);
     arb_set_d(beta, plan->speed[i]);
-    embed_scene_beta(beta, &truth->spheres->scene, beta);
+    embed_scene_beta(beta, &truth->spheres->scene, beta, false);
     double eps[2];
     if (collide_both_ends(eps, beta, &truth->spheres->scene.law, truth->h_star) != STATUS_OK)
         atomic_store(&truth->failed, true);
