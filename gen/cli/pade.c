@@ -19,7 +19,7 @@ enum {
     HEADER_EVEN = 64, /* number of sample points, see references_init */
     HEADER_SMALL = 4,
     PRINT_ATTEMPTS = 3, /* a coefficient half-way between two decimals needs more bits */
-    TEXT_MAX = 1024,
+    TEXT_MAX = 128,
     PUBLISHED_NUMERATOR = 1,
     PUBLISHED_DENOMINATOR = 4,
     MAX_DEGREE = 2000
@@ -60,35 +60,6 @@ static int compute_coefficients(struct pade *f, struct pade_analysis *a, struct 
     return fail("a coefficient lies too near the middle of two numbers of %ld digits", (long)digits);
 }
 
-/* The command line that writes the header again */
-static void command_line(char text[TEXT_MAX], const struct pade_request *r, bool force)
-{
-    const struct law *law = &r->law;
-    int n = snprintf(text, TEXT_MAX, "corgen pade --numerator %ld --denominator %ld --end %s", (long)r->numerator,
-                     (long)r->denominator, contact_end_options[r->end]);
-    if (!law_is_sphere(law))
-        n += snprintf(text + n, TEXT_MAX - (size_t)n, " --elastic %ld/%ld --damping %ld/%ld", (long)law->a.num,
-                      (long)law->a.den, (long)law->b.num, (long)law->b.den);
-    snprintf(text + n, TEXT_MAX - (size_t)n, "%s%s%s --header FILE", r->kind == PADE_TWO_POINT ? " --two-point" : "",
-             r->kind == PADE_AS_PUBLISHED ? " --as-published" : "", force ? " --force" : "");
-}
-
-static void header_name(char name[TEXT_MAX], const struct pade_request *r)
-{
-    const struct law *law = &r->law;
-    int n = snprintf(name, TEXT_MAX, "cor_");
-    if (law_is_sphere(law))
-        n += snprintf(name + n, TEXT_MAX - (size_t)n, "sphere");
-    else
-        n += snprintf(name + n, TEXT_MAX - (size_t)n, "law_%ld_%ld_%ld_%ld", (long)law->a.num, (long)law->a.den,
-                      (long)law->b.num, (long)law->b.den);
-    snprintf(name + n, TEXT_MAX - (size_t)n, "_pade%s_%s_%ld_%ld",
-             r->kind == PADE_TWO_POINT      ? "_two_point"
-             : r->kind == PADE_AS_PUBLISHED ? "_as_published"
-                                            : "",
-             contact_end_names[r->end], (long)r->numerator, (long)r->denominator);
-}
-
 static const char *header_title(const struct pade_request *r, slong root)
 {
     if (r->kind == PADE_AS_PUBLISHED)
@@ -103,35 +74,43 @@ static const char *header_title(const struct pade_request *r, slong root)
 static int write_header(const struct pade_arguments *o, const struct pade_request *r, const struct pade *f,
                         const struct pade_analysis *a)
 {
-    char name[TEXT_MAX], guard[TEXT_MAX + 8], command[TEXT_MAX], banner[3 * TEXT_MAX];
+    const struct law *const law = &r->law;
+    const long A = (long)law->a.num, a_den = (long)law->a.den, B = (long)law->b.num, b_den = (long)law->b.den;
+    const bool sphere = law_is_sphere(law), two_point = r->kind == PADE_TWO_POINT,
+               published = r->kind == PADE_AS_PUBLISHED;
+    const slong beta_max = two_point ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;
+    char exponents[TEXT_MAX] = "sphere", options[TEXT_MAX] = "", z[32] = "";
     struct references references;
-    /* Table I has another variable and other numbers, so that no comparison is possible.
-     */
-    const slong beta_max = r->kind == PADE_TWO_POINT ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;
-    const bool assessed = law_is_sphere(&r->law) && r->kind != PADE_AS_PUBLISHED;
-    if (assessed && references_init(&references, &r->law, beta_max, HEADER_EVEN, HEADER_SMALL))
+    /* Table I has another variable and other numbers, so that no comparison is possible. */
+    const bool assessed = sphere && !published;
+    if (assessed && references_init(&references, law, beta_max, HEADER_EVEN, HEADER_SMALL))
         return STATUS_FAILED;
-
-    header_name(name, r);
-    command_line(command, r, o->force);
-    snprintf(guard, sizeof guard, "%s_h", name);
-    emit_capitals(guard);
-    char z[32] = "";
+    if (!sphere) {
+        snprintf(exponents, sizeof exponents, "law_%ld_%ld_%ld_%ld", A, a_den, B, b_den);
+        snprintf(options, sizeof options, " --elastic %ld/%ld --damping %ld/%ld", A, a_den, B, b_den);
+    }
     if (f->root > 1)
         snprintf(z, sizeof z, "^(1/%ld)", (long)f->root);
-    snprintf(banner, sizeof banner,
-             "Restitution coefficient of x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0:\n"
-             "    eps = P(z)/Q(z),    1 - eps = %s L(z)/Q(z),    z = %s%s%s.\n"
-             "Arrays hold ascending powers of z; q[0] = 1. Source: docs/theory.md, 7.\n"
-             "\n"
-             "Written by:  %s\n"
-             "Checked by:  the same command, whose output is the same to the byte\n"
-             "\n"
-             "Each double is the one nearest to the exact coefficient, which stands beside it: "
-             "proved.\n",
-             (long)r->law.b.num, (long)r->law.b.den, (long)r->law.a.num, (long)r->law.a.den, f->variable, f->variable,
-             z, r->kind == PADE_AS_PUBLISHED ? " = (g/g*)^(1/5)" : "", command);
-
+    char *const name = xprintf("cor_%s_pade%s_%s_%ld_%ld", exponents,
+                               two_point   ? "_two_point"
+                               : published ? "_as_published"
+                                           : "",
+                               contact_end_names[r->end], (long)r->numerator, (long)r->denominator);
+    char *const guard = xprintf("%s_h", name);
+    emit_capitals(guard);
+    char *const banner =
+        xprintf("Restitution coefficient of x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0:\n"
+                "    eps = P(z)/Q(z),    1 - eps = %s L(z)/Q(z),    z = %s%s%s.\n"
+                "Arrays hold ascending powers of z; q[0] = 1. Source: docs/theory.md, 7.\n"
+                "\n"
+                "Written by:  corgen pade --numerator %ld --denominator %ld --end %s%s%s%s%s --header FILE\n"
+                "Checked by:  the same command, whose output is the same to the byte\n"
+                "\n"
+                "Each double is the one nearest to the exact coefficient, which stands beside it: "
+                "proved.\n",
+                B, b_den, A, a_den, f->variable, f->variable, z, published ? " = (g/g*)^(1/5)" : "", (long)r->numerator,
+                (long)r->denominator, contact_end_options[r->end], options, two_point ? " --two-point" : "",
+                published ? " --as-published" : "", o->force ? " --force" : "");
     struct output out;
     int status = output_open(&out, o->header);
     if (status == STATUS_OK) {
@@ -147,6 +126,9 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
         emit_close(&e);
         status = output_finish(&out, status);
     }
+    free(banner);
+    free(guard);
+    free(name);
     if (assessed)
         references_clear(&references);
     return status;
