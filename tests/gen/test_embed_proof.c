@@ -26,20 +26,29 @@ static struct embed_scene scene_of(enum contact_end end, double beta_min, double
                             .beta_min = beta_min,
                             .beta_max = beta_max,
                             .interpolant = f};
-    arb_init(s.beta_per_root);
+    FOR_ALL(arb, init, s.beta_per_root, s.beta_enclosed, s.h_star_5);
     arb_one(s.beta_per_root);
-    arb_init(s.beta_enclosed);
     arb_one(s.beta_enclosed);
-    arb_init(s.h_star_5);
     arb_set_d(s.h_star_5, 5.158); /* roughly: only test_far_parts uses it */
     return s;
 }
 
 static void clear_scene(struct embed_scene *s)
 {
-    arb_clear(s->beta_per_root);
-    arb_clear(s->beta_enclosed);
-    arb_clear(s->h_star_5);
+    FOR_ALL(arb, clear, s->beta_per_root, s->beta_enclosed, s->h_star_5);
+}
+
+/* A form on the whole range, with the finest root */
+static struct embed_form form_of(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
+                                 slong numerator, double *number)
+{
+    return (struct embed_form){.family = family,
+                               .variable = variable,
+                               .speed_min = s->speed_min,
+                               .speed_max = s->speed_max,
+                               .numerator = numerator,
+                               .refinement = 3,
+                               .number = number};
 }
 
 static struct embed_proof proof_of(const struct embed_form *f, const struct embed_scene *s)
@@ -95,12 +104,8 @@ TEST(test_far_parts)
     s.beta_max /= 2;
     for (int i = 0; i < 3; i++) {
         double number[16] = {32 * h5, 0, 1};
-        struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
-                               .variable = SPEED,
-                               .speed_min = s.speed_min,
-                               .speed_max = s.speed_max,
-                               .denominator = 1,
-                               .number = number};
+        struct embed_form f = form_of(&s, FAMILY_RATIONAL_SPEED, SPEED, 0, number);
+        f.denominator = 1;
         if (i == 0) {
             const struct embed_proof proof = proof_of(&f, &s);
             LOCAL(arb, rest);
@@ -166,13 +171,7 @@ TEST(test_intervals)
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
     for (int i = 0; i < 3; i++) {
         double number[40] = {0};
-        struct embed_form f = {.family = FAMILY_RATIONAL_BETA,
-                               .variable = FIFTH_ROOT_OF_SPEED,
-                               .speed_min = s.speed_min,
-                               .speed_max = s.speed_max,
-                               .numerator = 11,
-                               .refinement = 3,
-                               .number = number};
+        struct embed_form f = form_of(&s, FAMILY_RATIONAL_BETA, FIFTH_ROOT_OF_SPEED, 11, number);
         fit(number, f.numerator, &s, s.beta_min, s.beta_max, false, 0, 1);
         number[f.numerator + 1] = 1;
         bump(number, &f.numerator, &f.denominator,
@@ -191,14 +190,10 @@ TEST(test_rows)
     struct random_state random = random_start();
     struct embed_scene s = scene_of(END_ZERO_FORCE, 0.5, 1, interpolant());
     for (int of_speed = 0; of_speed < 2; of_speed++) {
-        struct embed_form f = {.family = of_speed ? FAMILY_PIECES_SPEED : FAMILY_PIECES_BETA,
-                               .variable = of_speed ? SPEED : FIFTH_ROOT_OF_SPEED,
-                               .speed_min = s.speed_min,
-                               .speed_max = s.speed_max,
-                               .numerator = DEGREE,
-                               .refinement = 3,
-                               .slope = (double)ROWS * (1 - 1e-9) / (s.beta_max - s.beta_min),
-                               .low_bits = 50};
+        struct embed_form f = form_of(&s, of_speed ? FAMILY_PIECES_SPEED : FAMILY_PIECES_BETA,
+                                      of_speed ? SPEED : FIFTH_ROOT_OF_SPEED, DEGREE, NULL);
+        f.slope = (double)ROWS * (1 - 1e-9) / (s.beta_max - s.beta_min);
+        f.low_bits = 50;
         f.shift = 1e-10 - s.beta_min * f.slope;
         f.first = embed_bits_of(&f, s.speed_min) >> f.low_bits;
         f.rows = of_speed ? (slong)((embed_bits_of(&f, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
@@ -243,13 +238,7 @@ TEST(test_gap)
 {
     double number[] = {1, 1};
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 1, 2, interpolant());
-    const struct embed_form f = {.family = FAMILY_POLYNOMIAL_BETA,
-                                 .variable = FIFTH_ROOT_OF_SPEED,
-                                 .speed_min = s.speed_min,
-                                 .speed_max = s.speed_max,
-                                 .refinement = 2,
-                                 .numerator = 1,
-                                 .number = number};
+    const struct embed_form f = form_of(&s, FAMILY_POLYNOMIAL_BETA, FIFTH_ROOT_OF_SPEED, 1, number);
     const struct embed_proof proof = proof_of(&f, &s);
     assert_true(!proof.proved && !(proof.error < HUGE_VAL) && proof.rounding < 1e-6);
     clear_scene(&s);
@@ -257,43 +246,50 @@ TEST(test_gap)
 
 /* ---- rounding ---- */
 
-static void assert_rounding(struct embed_form f, double units, const char *what)
-{
-    struct embed_rounding bound;
-    f.speed_min = 0.5;
-    f.speed_max = 16;
-    assert_true(embed_rounding_bound(&bound, &f));
-    check(bound.error >= units * UNIT * (1 - 1e-9) && bound.error <= units * UNIT * 1.02,
-          "%s: %g units proved, %g by hand", what, bound.error / UNIT, units);
-}
-
 /* Counts by hand for the speed x from 1/2 to 16, in units of 2^-53. Products, sums, the quotient and the roots are
  * rounded once each. */
 TEST(test_counts)
 {
     const double x = 16, x4 = x * x * x * x;
-    /* 3 + 2 x: 2 x once and the sum once; largest at x = 16 */
-    assert_rounding((struct embed_form){.variable = SPEED, .numerator = 1, .number = (double[]){3, 2}},
-                    1 + 2 * x / (3 + 2 * x), "3 + 2 x");
-    /* 1 + x^2 by Horner's rule: two products and the sum */
-    assert_rounding((struct embed_form){.variable = SPEED, .numerator = 2, .number = (double[]){1, 0, 1}},
-                    1 + 2 * x * x / (1 + x * x), "1 + x^2");
-    /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
-    assert_rounding((struct embed_form){.variable = SPEED, .numerator = 4, .number = (double[]){1, 0, 0, 0, 1}},
-                    2 + 4 * x4 / (1 + x4), "1 + x^4, split");
-    /* (1 + x)/(5 + x): at x = 16 both sums round once, products with 1 once, and the quotient */
-    assert_rounding(
-        (struct embed_form){.variable = SPEED, .numerator = 1, .denominator = 1, .number = (double[]){1, 1, 5, 1}},
-        (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1, "(1 + x)/(5 + x)");
-    /* roots: sqrt(x) is rounded once, its root adds a half, and the product */
-    assert_rounding((struct embed_form){.variable = SQRT_OF_SPEED, .numerator = 1, .number = (double[]){0, 1}}, 2,
-                    "sqrt(x)");
-    assert_rounding((struct embed_form){.variable = FOURTH_ROOT_OF_SPEED, .numerator = 1, .number = (double[]){0, 1}},
-                    2.5, "x^(1/4)");
-    /* float numbers below the smallest normal one: half of the smallest positive one, 2^-150, besides */
-    assert_rounding(
-        (struct embed_form){.single = true, .variable = SPEED, .numerator = 1, .number = (double[]){0, 0x1p-127}},
-        (1 + 4) * 0x1p29, "2^-127 x in float");
+    static const struct {
+        enum embed_variable variable;
+        slong numerator, denominator;
+        bool single;
+        double number[5];
+        const char *what;
+    } form[] = {{SPEED, 1, 0, false, {3, 2}, "3 + 2 x"}, /* 2 x once and the sum once; largest at x = 16 */
+                {SPEED, 2, 0, false, {1, 0, 1}, "1 + x^2 by Horner's rule: two products and the sum"},
+                /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
+                {SPEED, 4, 0, false, {1, 0, 0, 0, 1}, "1 + x^4, split"},
+                /* at x = 16 both sums round once, products with 1 once, and the quotient */
+                {SPEED, 1, 1, false, {1, 1, 5, 1}, "(1 + x)/(5 + x)"},
+                /* sqrt(x) is rounded once, its root adds a half, and the product */
+                {SQRT_OF_SPEED, 1, 0, false, {0, 1}, "sqrt(x)"},
+                {FOURTH_ROOT_OF_SPEED, 1, 0, false, {0, 1}, "x^(1/4)"},
+                /* float numbers below the smallest normal one: half of the smallest positive one, 2^-150, besides */
+                {SPEED, 1, 0, true, {0, 0x1p-127}, "2^-127 x in float"}};
+    const double units[] = {1 + 2 * x / (3 + 2 * x),
+                            1 + 2 * x * x / (1 + x * x),
+                            2 + 4 * x4 / (1 + x4),
+                            (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1,
+                            2,
+                            2.5,
+                            (1 + 4) * 0x1p29};
+    for (size_t i = 0; i < sizeof form / sizeof *form; i++) {
+        double number[5];
+        memcpy(number, form[i].number, sizeof number);
+        const struct embed_form f = {.variable = form[i].variable,
+                                     .speed_min = 0.5,
+                                     .speed_max = 16,
+                                     .numerator = form[i].numerator,
+                                     .denominator = form[i].denominator,
+                                     .single = form[i].single,
+                                     .number = number};
+        struct embed_rounding bound;
+        assert_true(embed_rounding_bound(&bound, &f));
+        check(bound.error >= units[i] * UNIT * (1 - 1e-9) && bound.error <= units[i] * UNIT * 1.02,
+              "%s: %g units proved, %g by hand", form[i].what, bound.error / UNIT, units[i]);
+    }
 }
 
 /* A polynomial with a zero and one that overflows: no bound. Without a refinement the bound of the fifth root is near
