@@ -395,8 +395,9 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     emit_open(&e, file, guard, text);
     e.single = s->single;
     if (!request->name)
-        fprintf(file, "#ifdef COR_SCENE_H\n#error \"cor/scene.h has another %s: corgen embed --name gives this one a "
-                      "name of its own\"\n#endif\n",
+        fprintf(file,
+                "#ifdef COR_SCENE_H\n#error \"cor/scene.h has another %s: corgen embed --name gives this one a "
+                "name of its own\"\n#endif\n",
                 name);
     fprintf(file, "\n%s\n", evaluator_inline);
     emit_macros(&e, name, request);
