@@ -63,8 +63,6 @@ static int run_plan(const void *arguments)
     }
     if (status == STATUS_OK && plan.chosen < 0)
         status = fail("no model meets the tolerance %s", o->scene.number[EMBED_TOLERANCE].text);
-    if (!o->disks)
-        plan_spheres_clear(&plan);
     plan_clear(&plan);
     return status;
 }

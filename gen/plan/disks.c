@@ -3,7 +3,6 @@
  * all modes */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "cor/disk.h"
 #include "cor/status.h"
@@ -13,18 +12,27 @@
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
 
-/* Every number of modes is combined with every hardness alpha v. */
-static const size_t counts[] = {10, 30, 100, 300, 940, 1800, 3600};
-static const double hardness[] = {11, 22, 56};
+/* Collisions with a soft wall of alpha = hardness/v; hardness 0: the paper's wall */
+#define SOME "higher modes; some hardness of the wall"
+#define MUCH "higher modes; much hardness of the wall"
+static const struct {
+    size_t modes;
+    double hardness;
+    const char *leaves_out;
+} dynamics[] = {{10, 56, SOME},   {30, 56, SOME},   {100, 56, SOME},
+                {300, 56, SOME},  {940, 56, SOME},  {1800, 56, SOME},
+                {3600, 56, SOME}, {300, 11, MUCH},  {300, 22, MUCH},
+                {1800, 11, MUCH}, {1800, 22, MUCH}, {940, 0, "higher modes; the wall is soft to slow disks"}};
+#define PAPER_ALPHA 500.0
 /* Tolerances of the rigid wall on 1 - eps^2, and nanoseconds of a collision with given modes: the median of 30 speeds
  * from 0.001 to 0.3, measured once (docs/plan.md). */
 static const struct {
     double tolerance, cost;
 } rigid[] = {{1e-3, 4e6}, {1e-4, 7e6}, {1e-5, 5e7}, {1e-6, 5e8}};
 enum {
-    COUNTS = sizeof counts / sizeof *counts,
-    WALLS = sizeof hardness / sizeof *hardness,
+    DYNAMICS = sizeof dynamics / sizeof *dynamics,
     RIGID = sizeof rigid / sizeof *rigid,
+    MOST_MODES = 3600,
     QUANTITIES = 3 /* enum plan_quantity */
 };
 /* The reference is a rigid wall with this part of the requested tolerance, limited by these bounds. */
@@ -38,10 +46,6 @@ enum {
 #define LEAST_TOLERANCE 1e-6
 #define MIN_SPEED 1e-3 /* a little below this speed, alpha v = 56 needs an alpha beyond COR_DISK_COLLISION_MAX_ALPHA */
 #define COLLISION_TOLERANCE 1e-6
-/* The paper's wall and number of modes. */
-#define PAPER_ALPHA 500.0
-#define PAPER_MODES ((size_t)940)
-
 /* Nanoseconds of a step of a collision, and of each mode in a step, measured once (docs/plan.md). */
 #define NS_STEP 1000.0
 #define NS_STEP_MODE 4.0
@@ -50,91 +54,60 @@ enum {
 #define NS_RAYLEIGH_MODE 45.0
 static const double ns_law[QUANTITIES] = {0, 770, 130}, ns_leading_log[QUANTITIES] = {0, 40, 40};
 
-struct outcome {
-    double value[QUANTITIES]; /* eps, contact time, largest compression; NaN if unknown */
-    double steps;
-};
-
 struct disks {
-    const struct plan *plan;
+    struct plan *plan;
     const struct plan_disks_request *request;
     struct cor_disk_modes modes;
-    struct outcome *grid; /* [point][count][wall] */
-    struct outcome *paper;
-    struct outcome *truth; /* [point] */
+    struct cor_disk_collision *collision; /* [dynamics][point] */
     struct hard_wall_tables tables;
 };
 
-static struct outcome *outcome_at(const struct disks *d, slong point, int count, int wall)
-{
-    return &d->grid[(point * COUNTS + count) * WALLS + wall];
-}
+/* ---- the collisions ---- */
 
-static double alpha_of(double hard, double speed)
-{
-    return fmax(COR_DISK_COLLISION_MIN_ALPHA, hard / speed);
-}
-
-static void disks_collide_one(const struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
-{
-    const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0, 0};
-    const size_t bytes = cor_disk_collision_workspace(&d->modes, modes, &options);
-    void *const memory = xmalloc(bytes);
-    struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0, (double)NAN};
-    cor_disk_collision_in(memory, bytes, &d->modes, modes, &options, speed, &c, NULL);
-    free(memory);
-    *out = (struct outcome){{c.eps, c.contact_time, c.max_compression}, (double)c.steps};
-}
-
-/* Task i: the collisions of one row of a point's grid, with the most modes first, or the paper's collision */
-static void disks_collide_row(void *context, slong i)
+/* The costliest first */
+static void collide_soft(void *context, slong i)
 {
     struct disks *const d = context;
-    const slong points = d->plan->points, point = i % points;
-    const double speed = d->plan->speed[point];
-    const int count = COUNTS - 1 - (int)(i / points);
-    if (count < 0) {
-        disks_collide_one(d, &d->paper[point], PAPER_MODES, PAPER_ALPHA, speed);
-        return;
-    }
-    for (int k = 0; k < WALLS; k++)
-        disks_collide_one(d, outcome_at(d, point, count, k), counts[count], alpha_of(hardness[k], speed), speed);
+    const slong points = d->plan->points, k = DYNAMICS - 1 - i / points, point = i % points;
+    const double speed = d->plan->speed[point], hardness = dynamics[k].hardness;
+    const double alpha = hardness > 0 ? fmax(COR_DISK_COLLISION_MIN_ALPHA, hardness / speed) : PAPER_ALPHA;
+    const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0, 0};
+    struct cor_disk_collision *const out = &d->collision[k * points + point];
+    *out = (struct cor_disk_collision){NAN, NAN, NAN, NAN, NAN, 0, NAN};
+    cor_disk_collision(&d->modes, dynamics[k].modes, &options, speed, out);
 }
 
-static void disks_collide_all(struct plan *plan, struct disks *d)
+static double quantity_of(const struct disks *d, double eps, double contact_time, double max_compression)
 {
-    d->grid = xmalloc((size_t)plan->points * COUNTS * WALLS * sizeof *d->grid);
-    d->paper = xmalloc((size_t)plan->points * sizeof *d->paper);
-    parallel_for(disks_collide_row, d, plan->points * (COUNTS + 1), "collisions");
+    const double value[QUANTITIES] = {eps, contact_time, max_compression};
+    return value[d->request->quantity];
 }
 
-/* ---- the rigid wall ---- */
-
-static int collide_rigid(struct disks *d, struct outcome *out, double *uncertainty, double tolerance, double speed)
+/* `uncertainty`: of eps */
+static int collide_rigid(struct disks *d, double *value, double *uncertainty, double tolerance, double speed)
 {
     struct cor_disk_hard_wall h;
     const int status = hard_wall_collide(&h, &d->tables, tolerance, 0, speed);
-    *out = (struct outcome){{h.eps, h.contact_time, h.max_compression}, 0};
+    *value = quantity_of(d, h.eps, h.contact_time, h.max_compression);
     *uncertainty = h.error_estimate / (2 * h.eps);
     return status == COR_OK || status == COR_TOLERANCE_NOT_REACHED ? STATUS_OK : STATUS_FAILED;
 }
 
-static double truth_tolerance(const struct plan *plan, enum plan_quantity quantity)
+static bool is_relative(const struct disks *d)
 {
-    const double coarsest = quantity == PLAN_EPS ? COARSEST_TRUTH : COARSEST_TRUTH_OF_OTHERS;
-    return fmin(fmax(TRUTH_SHARE * plan->tolerance, FINEST_TRUTH), coarsest);
+    return d->request->quantity != PLAN_EPS;
 }
 
-static int find_truth(struct plan *plan, struct disks *d, slong i)
+static int find_truth(struct disks *d, slong i)
 {
-    const enum plan_quantity quantity = d->request->quantity;
-    struct outcome coarse;
-    double of_coarse;
-    int status = collide_rigid(d, &d->truth[i], &plan->uncertainty[i], truth_tolerance(plan, quantity), plan->speed[i]);
-    plan->truth[i] = d->truth[i].value[quantity];
-    if (status == STATUS_OK && quantity != PLAN_EPS) {
+    struct plan *const plan = d->plan;
+    const double coarsest = is_relative(d) ? COARSEST_TRUTH_OF_OTHERS : COARSEST_TRUTH;
+    const double tolerance = fmin(fmax(TRUTH_SHARE * plan->tolerance, FINEST_TRUTH), coarsest);
+    double coarse, of_coarse;
+    int status = collide_rigid(d, &plan->truth[i], &plan->uncertainty[i], tolerance, plan->speed[i]);
+    if (status == STATUS_OK && is_relative(d)) {
         status = collide_rigid(d, &coarse, &of_coarse, COARSE_TOLERANCE, plan->speed[i]);
-        plan->uncertainty[i] = 2 * fabs(coarse.value[quantity] / plan->truth[i] - 1);
+        plan->uncertainty[i] = 2 * fabs(coarse / plan->truth[i] - 1);
     }
     if (status != STATUS_OK || !isfinite(plan->truth[i]) || !isfinite(plan->uncertainty[i]))
         return fail("the collision at speed %.4g with a rigid wall is not known", plan->speed[i]);
@@ -169,27 +142,21 @@ static void model_is(struct plan_model *m, double cost, const char *leaves_out, 
     m->use = use;
 }
 
-static bool is_relative(const struct disks *d)
-{
-    return d->request->quantity != PLAN_EPS;
-}
-
-/* Adds a rigid wall: the error of eps is its promised bound, that of the other quantities the difference from the
+/* A rigid wall: the error of eps is its promised bound, that of the other quantities the difference from the
  * reference. */
-static int add_rigid(struct plan *plan, struct disks *d, int k)
+static int add_rigid(struct disks *d, int k)
 {
-    const enum plan_quantity quantity = d->request->quantity;
+    struct plan *const plan = d->plan;
     struct plan_model *m = plan_add(plan, "rigid wall: tolerance %g", rigid[k].tolerance);
     int status = STATUS_OK;
     for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
-        struct outcome out = d->truth[i];
         double uncertainty;
-        if (quantity != PLAN_EPS)
-            status = collide_rigid(d, &out, &uncertainty, rigid[k].tolerance, plan->speed[i]);
-        m->value[i] = out.value[quantity];
+        m->value[i] = plan->truth[i];
         m->error[i] = rigid[k].tolerance / (2 * plan->truth[i]);
+        if (is_relative(d))
+            status = collide_rigid(d, &m->value[i], &uncertainty, rigid[k].tolerance, plan->speed[i]);
     }
-    m->promised = quantity == PLAN_EPS;
+    m->promised = !is_relative(d);
     if (!m->promised)
         plan_compare(plan, m, true);
     model_is(m, rigid[k].cost, "nothing; estimated, not proved",
@@ -200,49 +167,35 @@ static int add_rigid(struct plan *plan, struct disks *d, int k)
     return status;
 }
 
-/* hard = 0 stands for the paper's wall */
-static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes, double hard, const char *leaves_out)
+static void add_dynamics(const struct disks *d, int k)
 {
-    int n = 0, k = 0;
-    while (n < COUNTS - 1 && counts[n] != modes)
-        n++;
-    while (k < WALLS - 1 && !(hardness[k] >= hard))
-        k++;
-    struct plan_model *m = hard > 0 ? plan_add(plan, "dynamics: %zu modes; alpha = %g/v", modes, hard)
-                                    : plan_add(plan, "dynamics: %zu modes; alpha = %g", modes, PAPER_ALPHA);
+    struct plan *const plan = d->plan;
+    const size_t modes = dynamics[k].modes;
+    const double hardness = dynamics[k].hardness;
+    const struct cor_disk_collision *const c = &d->collision[k * plan->points];
+    struct plan_model *m = hardness > 0 ? plan_add(plan, "dynamics: %zu modes; alpha = %g/v", modes, hardness)
+                                        : plan_add(plan, "dynamics: %zu modes; alpha = %g", modes, PAPER_ALPHA);
     double steps = 0;
     for (slong i = 0; i < plan->points; i++) {
-        const struct outcome *out = hard > 0 ? outcome_at(d, i, n, k) : &d->paper[i];
-        m->value[i] = out->value[d->request->quantity];
-        steps += out->steps / (double)plan->points;
+        m->value[i] = quantity_of(d, c[i].eps, c[i].contact_time, c[i].max_compression);
+        steps += (double)c[i].steps / (double)plan->points;
     }
     plan_compare(plan, m, is_relative(d));
-    char *table = modes_text(d, modes), alpha[64];
-    if (hard > 0)
-        snprintf(alpha, sizeof alpha, "fmax(%d, %g / v)", COR_DISK_COLLISION_MIN_ALPHA, hard);
-    else
-        snprintf(alpha, sizeof alpha, "%g", PAPER_ALPHA);
-    model_is(m, steps * (NS_STEP + NS_STEP_MODE * (double)modes), leaves_out,
+    char *table = modes_text(d, modes);
+    char *alpha =
+        hardness > 0 ? xprintf("fmax(%d, %g / v)", COR_DISK_COLLISION_MIN_ALPHA, hardness) : xprintf("%g", PAPER_ALPHA);
+    model_is(m, steps * (NS_STEP + NS_STEP_MODE * (double)modes), dynamics[k].leaves_out,
              xprintf("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
                      "struct cor_disk_collision out;\n"
                      "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
                      table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d)));
     free(table);
+    free(alpha);
 }
 
-static void add_all_dynamics(struct plan *plan, const struct disks *d)
+static void add_rayleigh(const struct disks *d)
 {
-    static const size_t soft[] = {300, 1800};
-    for (size_t i = 0; i < COUNTS; i++)
-        add_dynamics(plan, d, counts[i], hardness[WALLS - 1], "higher modes; some hardness of the wall");
-    for (size_t i = 0; i < sizeof soft / sizeof *soft; i++)
-        for (int k = 0; k < 2; k++)
-            add_dynamics(plan, d, soft[i], hardness[k], "higher modes; much hardness of the wall");
-    add_dynamics(plan, d, PAPER_MODES, 0, "higher modes; the wall is soft to slow disks");
-}
-
-static void add_rayleigh(struct plan *plan, const struct disks *d)
-{
+    struct plan *const plan = d->plan;
     static const size_t taken[] = {1, 10, 100, 1000};
     for (size_t k = 0; k < sizeof taken / sizeof *taken; k++) {
         struct plan_model *m = plan_add(plan, "Rayleigh: %zu mode%s and tail", taken[k], taken[k] > 1 ? "s" : "");
@@ -276,8 +229,9 @@ static void add_constant(struct plan *plan, const char *name, const char *eps, c
     model_is(m, 0, leaves_out, xprintf("double eps = %s;\n", eps));
 }
 
-static void add_models_of_eps(struct plan *plan, const struct disks *d)
+static void add_models_of_eps(const struct disks *d)
 {
+    struct plan *const plan = d->plan;
     double low = 1, high = 0;
     for (slong i = 0; i < plan->points; i++) {
         low = fmin(low, plan->truth[i]);
@@ -287,7 +241,7 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
     snprintf(middle, sizeof middle, "%.6f", (low + high) / 2);
     add_constant(plan, "eps = 1", "1", "vibrations");
     add_constant(plan, "constant eps", middle, "how eps goes with the speed");
-    add_rayleigh(plan, d);
+    add_rayleigh(d);
 
     /* the error is the promised uncertainty, for what the table is compared with comes from the same collisions */
     struct plan_model *const m = plan_add(plan, "table: cor_disk_eps");
@@ -307,8 +261,9 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
 
 typedef double law(double speed, double nu, enum cor_disk_datum datum);
 
-static void add_laws(struct plan *plan, const struct disks *d)
+static void add_laws(const struct disks *d)
 {
+    struct plan *const plan = d->plan;
     static const char *const name[] = {"centre of mass", "diameter", "as printed"};
     static const char *const datum[] = {"CENTRE_OF_MASS", "DIAMETER", "PRINTED"};
     const bool time = d->request->quantity == PLAN_CONTACT_TIME;
@@ -362,21 +317,22 @@ static char *disks_title(const struct plan *plan, const struct disks *d)
                    plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
 }
 
-static int disks_fill(struct plan *plan, struct disks *d)
+static int disks_fill(struct disks *d)
 {
     static const char *const quantity[] = {"eps", "contact time", "largest compression"};
-    d->truth = xmalloc((size_t)plan->points * sizeof *d->truth);
-    hard_wall_tables_set(&d->tables, d->modes.nu);
+    struct plan *const plan = d->plan;
     int status = STATUS_OK;
+    hard_wall_tables_set(&d->tables, d->modes.nu);
     for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
         plan->at[i] = plan->speed[i];
-        status = find_truth(plan, d, i);
+        status = find_truth(d, i);
         progress("rigid walls", (long)i + 1, (long)plan->points);
     }
     progress_end();
     if (status != STATUS_OK)
         return status;
-    disks_collide_all(plan, d);
+    d->collision = xmalloc(DYNAMICS * (size_t)plan->points * sizeof *d->collision);
+    parallel_for(collide_soft, d, DYNAMICS * plan->points, "collisions");
     plan->argument = "speed";
     plan->quantity = quantity[d->request->quantity];
     plan->unit = is_relative(d) ? "relative error" : "error";
@@ -389,13 +345,11 @@ static int disks_fill(struct plan *plan, struct disks *d)
         "accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
     plan->title = disks_title(plan, d);
-    if (d->request->quantity == PLAN_EPS)
-        add_models_of_eps(plan, d);
-    else
-        add_laws(plan, d);
-    add_all_dynamics(plan, d);
+    (is_relative(d) ? add_laws : add_models_of_eps)(d);
+    for (int k = 0; k < DYNAMICS; k++)
+        add_dynamics(d, k);
     for (int k = 0; k < RIGID && status == STATUS_OK; k++)
-        status = add_rigid(plan, d, k);
+        status = add_rigid(d, k);
     plan_choose(plan);
     return status;
 }
@@ -410,18 +364,15 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
     plan->tolerance = tolerance;
     struct disks d = {.plan = plan, .request = request};
-    hard_wall_tables_init(&d.tables);
     profile_step("modes");
-    status = disk_modes_rounded(&d.modes, request->poisson.value, (slong)counts[COUNTS - 1]);
+    status = disk_modes_rounded(&d.modes, request->poisson.value, MOST_MODES);
     profile_step("collisions");
     if (status == STATUS_OK) {
-        status = disks_fill(plan, &d);
+        status = disks_fill(&d);
         free((void *)d.modes.mode);
     }
     profile_step(NULL);
-    free(d.grid);
-    free(d.paper);
-    free(d.truth);
+    free(d.collision);
     hard_wall_tables_clear(&d.tables);
     return status;
 }

@@ -38,10 +38,12 @@ void plan_init(struct plan *plan, slong points, double speed_min, double speed_m
 
 void plan_clear(struct plan *plan)
 {
+    plan_spheres_clear(plan);
     for (int i = 0; i < plan->models; i++) {
         free(plan->model[i].value);
         free(plan->model[i].error);
         free(plan->model[i].use);
+        free(plan->model[i].coefficient);
     }
     free(plan->model);
     free(plan->speed);
@@ -146,19 +148,14 @@ static void print_lines(FILE *file, const char *indent, const char *text)
     }
 }
 
-static const char *argument_heading(const struct plan *plan)
-{
-    return strcmp(plan->argument, "beta") == 0 ? "at beta" : "at speed";
-}
-
 static void print_text(const struct plan *plan, FILE *file)
 {
     char error[32], cost[32], tolerance[DECIMAL_TEXT];
     fprintf(file, "%s", plan->title);
     fprintf(file, "Wanted: %s, %s at most %s.\n\n", plan->quantity, plan->unit,
             decimal_text(tolerance, plan->tolerance));
-    fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error", argument_heading(plan), "cost", "",
-            "leaves out");
+    fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error",
+            strcmp(plan->argument, "beta") == 0 ? "at beta" : "at speed", "cost", "", "leaves out");
     for (int i = 0; i < plan->models; i++) {
         const struct plan_model *m = &plan->model[i];
         print_error(error, sizeof error, m->worst);

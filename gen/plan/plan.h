@@ -74,7 +74,7 @@ struct plan_model {
     enum plan_verdict verdict;
     enum plan_formula formula; /* spheres */
     double number[4];
-    const double *coefficient; /* coefficients of a quotient of degrees m and n in beta or its square root */
+    double *coefficient; /* of a quotient of degrees m and n in beta or its square root; malloc'ed */
     slong m, n, root;
     const struct embed_form *form;
 };
@@ -99,7 +99,7 @@ struct plan {
 
 /* Sets points from speed_min to speed_max, both included, at equal distances of their logarithms. */
 void plan_init(struct plan *plan, slong points, double speed_min, double speed_max);
-void plan_clear(struct plan *plan); /* does not free *owned */
+void plan_clear(struct plan *plan);
 
 /* Adds a model with values NaN. The name is a format. The pointer is valid until the next call. */
 struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -115,10 +115,27 @@ void plan_choose(struct plan *plan);
 /* FORMAT_TEXT, FORMAT_CSV or FORMAT_JSON */
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
-/* Each returns STATUS_OK, or another status after a message on stderr. The caller clears the plan in either case. */
+/* Each returns STATUS_OK, or another status after a message on stderr. The caller clears the plan in either case. The
+ * request must last as long as the plan is made. */
 int plan_spheres(struct plan *plan, const struct plan_spheres_request *request);
-void plan_spheres_clear(struct plan *plan);
-double plan_model_eps(const struct plan_model *model, double speed, double beta);
 int plan_disks(struct plan *plan, const struct plan_disks_request *request);
+void plan_spheres_clear(struct plan *plan); /* *owned alone, for plan_clear */
+double plan_model_eps(const struct plan_model *model, double speed, double beta);
+
+/* ---- remarks on effects beside the models: lines that end with \n, malloc'ed ---- */
+
+/* For a contact with force_n > 0: from which speed on gravity and adhesion may be left out. Sampled at 201 speeds of
+ * the range, from above. */
+char *plan_pressing_remark(const struct cor_scene_contact *contact, int end, double speed_min, double speed_max,
+                           double tolerance);
+
+/* 1 - eps^2 to first order at a speed in m/s, the energy that elastic waves alone take, as cor_contact_wave_loss
+ * computes it, from a sphere that hits a massive wall, a half-space with the density of the sphere. NaN for a scene
+ * without a wall or without materials. */
+double plan_wave_loss(const struct embed_request *request, double speed);
+
+/* A sentence about this loss at the scene's largest speed, where eps is the restitution from the scene's dissipation
+ * time. NULL if the loss is NaN. */
+char *plan_wave_remark(const struct embed_request *request, double speed, double eps);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "plan/remarks.h"
+#include "plan/plan.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,32 +10,25 @@
 
 enum { SCAN = 200, BISECTIONS = 30 };
 
-struct scan {
-    const struct cor_scene_contact *pressed;
-    struct cor_scene_contact free;
-    int end;
-    double tolerance;
-};
-
 /* Whether the force changes eps by less than the tolerance; a collision that cannot be solved counts as changed. */
-static bool may_go(const struct scan *s, double speed)
+static bool may_go(const struct cor_scene_contact *pressed, int end, double tolerance, double speed)
 {
+    struct cor_scene_contact without_force = *pressed;
     double with, without;
-    return cor_scene_eps(&with, s->pressed, speed, s->end) == COR_FAULT_NONE &&
-           cor_scene_eps(&without, &s->free, speed, s->end) == COR_FAULT_NONE &&
-           fabs(with / without - 1) <= s->tolerance;
+    without_force.force_n = 0;
+    return cor_scene_eps(&with, pressed, speed, end) == COR_FAULT_NONE &&
+           cor_scene_eps(&without, &without_force, speed, end) == COR_FAULT_NONE &&
+           fabs(with / without - 1) <= tolerance;
 }
 
 char *plan_pressing_remark(const struct cor_scene_contact *contact, int end, double speed_min, double speed_max,
                            double tolerance)
 {
-    struct scan s = {contact, *contact, end, tolerance};
     const double ratio = pow(speed_min / speed_max, 1.0 / (double)SCAN);
     const double sticking = cor_scene_sticking_speed(contact, end);
     char *where;
     int k = 0;
-    s.free.force_n = 0;
-    while (k <= SCAN && may_go(&s, speed_max * pow(ratio, k)))
+    while (k <= SCAN && may_go(contact, end, tolerance, speed_max * pow(ratio, k)))
         k++;
     if (k == 0) {
         where = xprintf("at no speed of this range up to its end");
@@ -45,7 +38,7 @@ char *plan_pressing_remark(const struct cor_scene_contact *contact, int end, dou
         double low = speed_max * pow(ratio, k), high = low / ratio;
         for (int i = 0; i < BISECTIONS; i++) {
             const double middle = sqrt(low * high);
-            *(may_go(&s, middle) ? &high : &low) = middle;
+            *(may_go(contact, end, tolerance, middle) ? &high : &low) = middle;
         }
         where = xprintf("from %.4g m/s up", high);
     }

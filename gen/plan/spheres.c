@@ -15,9 +15,9 @@
 #include "embed/choose.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
-#include "plan/remarks.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/formula.h"
 #include "support/local.h"
 #include "support/parallel.h"
 
@@ -27,7 +27,7 @@
 #define LEAST_TOLERANCE 1e-15
 #define TEXT_OF_(x) #x
 #define TEXT_OF(x) TEXT_OF_(x)
-enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
+enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, ROOT_REFINEMENT = 2, TEXT = 1024 };
 /* half ulps of beta where a caller writes factor * pow(speed, q) */
 #define ROUNDINGS_OF_BETA 2.0
 
@@ -38,13 +38,13 @@ static const double cost_published[USES] = {14.6, 14.6}, cost_mueller[USES] = {1
                     cost_crossley[USES] = {32, 19}, cost_function[USES] = {17, 17};
 
 struct spheres {
-    const struct embed_request *request; /* until the plan is made */
+    struct plan *plan;
+    const struct plan_spheres_request *request;
     struct embed_scene scene;
-    struct cor_scene_contact contact, pressed; /* without and with the constant force */
     struct embed_form form[FAMILIES];
-    double pade[16][PADE_COEFFICIENTS];
-    int pades;
+    arb_t h_star;  /* that of spheres */
     double *other; /* eps at the other end of contact, at every point */
+    atomic_bool failed;
 };
 
 /* ---- the collisions ---- */
@@ -54,66 +54,47 @@ static double ball_middle(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-/* Computes eps for both ends of contact. h_star is that of spheres. */
-static int collide_both_ends(double eps[2], const arb_t beta, const struct law *law, const arb_t h_star)
-{
-    if (arb_is_zero(beta)) {
-        eps[END_ZERO_OVERLAP] = eps[END_ZERO_FORCE] = 1;
-        return STATUS_OK;
-    }
-    LOCAL_INIT(collision, c, (&c));
-    int status;
-    if (ball_middle(beta) < OVERLAP_FAR || !law_is_sphere(law)) {
-        status = collision_solve(&c, beta, law, TRUTH_BITS);
-    } else {
-        status = collision_solve_force(&c, beta, &law_sphere, TRUTH_BITS);
-        arb_div(c.eps_zero_overlap, h_star, beta, EMBED_BITS);
-        arb_pow_ui(c.eps_zero_overlap, c.eps_zero_overlap, 5, EMBED_BITS);
-    }
-    eps[END_ZERO_OVERLAP] = ball_middle(c.eps_zero_overlap);
-    eps[END_ZERO_FORCE] = ball_middle(c.eps_zero_force);
-    return status ? STATUS_FAILED : STATUS_OK;
-}
-
-struct truth {
-    struct plan *plan;
-    struct spheres *spheres;
-    arb_t h_star;
-    atomic_bool failed;
-};
-
 static int other_end(const struct spheres *s)
 {
     return s->scene.end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
 }
 
-static void find_truth_at(void *context, slong i)
+/* eps at one point, for both ends of contact */
+static void collide_point(void *context, slong i)
 {
-    struct truth *const truth = context;
-    struct plan *const plan = truth->plan;
+    struct spheres *const s = context;
+    const struct law *const law = &s->scene.law;
     LOCAL(arb, beta);
-    arb_set_d(beta, plan->speed[i]);
-    embed_scene_beta(beta, &truth->spheres->scene, beta, false);
-    double eps[2];
-    if (collide_both_ends(eps, beta, &truth->spheres->scene.law, truth->h_star) != STATUS_OK)
-        atomic_store(&truth->failed, true);
-    plan->at[i] = ball_middle(beta);
-    plan->truth[i] = eps[truth->spheres->scene.end];
-    truth->spheres->other[i] = eps[other_end(truth->spheres)];
+    LOCAL_INIT(collision, c, (&c));
+    arb_set_d(beta, s->plan->speed[i]);
+    embed_scene_beta(beta, &s->scene, beta, false);
+    int status = 0;
+    if (arb_is_zero(beta)) {
+        arb_one(c.eps_zero_overlap);
+        arb_one(c.eps_zero_force);
+    } else if (ball_middle(beta) < OVERLAP_FAR || !law_is_sphere(law)) {
+        status = collision_solve(&c, beta, law, TRUTH_BITS);
+    } else {
+        status = collision_solve_force(&c, beta, law, TRUTH_BITS);
+        LET(c.eps_zero_overlap, EMBED_BITS, "(s->h_star/beta)^5", s->h_star, beta);
+    }
+    if (status != 0)
+        atomic_store(&s->failed, true);
+    const double eps[] = {ball_middle(c.eps_zero_overlap), ball_middle(c.eps_zero_force)};
+    s->plan->at[i] = ball_middle(beta);
+    s->plan->truth[i] = eps[s->scene.end];
+    s->other[i] = eps[other_end(s)];
 }
 
-static int find_truth(struct plan *plan, struct spheres *s)
+static int find_truth(struct spheres *s)
 {
-    struct truth truth = {.plan = plan, .spheres = s};
-    arb_init(truth.h_star);
-    s->other = xmalloc((size_t)plan->points * sizeof *s->other);
     int status = STATUS_OK;
+    s->other = xmalloc((size_t)s->plan->points * sizeof *s->other);
     if (s->scene.beta_max >= OVERLAP_FAR && law_is_sphere(&s->scene.law))
-        status = collision_h_star(truth.h_star, TRUTH_BITS);
+        status = collision_h_star(s->h_star, TRUTH_BITS);
     if (status == STATUS_OK)
-        parallel_for(find_truth_at, &truth, plan->points, "collisions at the points");
-    arb_clear(truth.h_star);
-    return status == STATUS_OK && !atomic_load(&truth.failed) ? STATUS_OK : STATUS_FAILED;
+        parallel_for(collide_point, s, s->plan->points, "collisions at the points");
+    return status == STATUS_OK && !atomic_load(&s->failed) ? STATUS_OK : STATUS_FAILED;
 }
 
 /* ---- models ---- */
@@ -151,16 +132,26 @@ double plan_model_eps(const struct plan_model *m, double speed, double beta)
     return (double)NAN;
 }
 
+/* Makes the model a quotient of polynomials of degrees m and n; returns the coefficients, to be filled. */
+static double *set_quotient(struct plan_model *model, slong m, slong n, slong root)
+{
+    model->m = m;
+    model->n = n;
+    model->root = root;
+    return model->coefficient = xmalloc((size_t)(m + n + 2) * sizeof *model->coefficient);
+}
+
 static double speed_exponent(const struct spheres *s)
 {
     return ratio_double(law_speed_exponent(&s->scene.law));
 }
 
 /* Sets all but the name of a model, of which values and errors are those of its formula, if it has one. */
-static void model_is(const struct plan *plan, const struct spheres *s, struct plan_model *m, const double *cost,
-                     const char *leaves_out, char *use, enum plan_formula formula)
+static void model_is(const struct spheres *s, struct plan_model *m, const double *cost, const char *leaves_out,
+                     char *use, enum plan_formula formula)
 {
-    m->cost = embed_cost(cost, s->request->purpose);
+    const struct plan *const plan = s->plan;
+    m->cost = embed_cost(cost, s->request->scene.purpose);
     m->leaves_out = leaves_out;
     m->use = use;
     m->formula = formula;
@@ -189,8 +180,9 @@ static double ten_digits(double x)
     return strtod(text, NULL);
 }
 
-static void add_constants(struct plan *plan, const struct spheres *s)
+static void add_constants(const struct spheres *s)
 {
+    struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
     for (int measured = 0; measured < (s->scene.constant ? 1 : 2); measured++) {
         const double first = plan->truth[0], end = plan->truth[last];
@@ -199,7 +191,7 @@ static void add_constants(struct plan *plan, const struct spheres *s)
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         m->number[0] =
             s->scene.constant ? first : ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
-        model_is(plan, s, m, cost_constant,
+        model_is(s, m, cost_constant,
                  s->scene.constant       ? "nothing; eps is the same at every speed"
                  : speed_exponent(s) < 0 ? "that eps rises with the speed"
                                          : "that eps falls with the speed",
@@ -210,8 +202,9 @@ static void add_constants(struct plan *plan, const struct spheres *s)
 
 /* eps = a g^-b, where b is the slope of ln eps between the ends. It is the best slope, because ln eps is a concave
  * function of ln g. With eps g^b from e^low to e^high, their harmonic mean as a has the smallest relative error. */
-static void add_power_law(struct plan *plan, const struct spheres *s)
+static void add_power_law(const struct spheres *s)
 {
+    struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
     struct plan_model *m = plan_add(plan, "power law min(1; a speed^-b)");
     const double b = log(plan->truth[0] / plan->truth[last]) / log(plan->speed[last] / plan->speed[0]);
@@ -223,7 +216,7 @@ static void add_power_law(struct plan *plan, const struct spheres *s)
     }
     m->number[0] = ten_digits(2 / (exp(-low) + exp(-high)));
     m->number[1] = ten_digits(b);
-    model_is(plan, s, m, cost_power, speed_exponent(s) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest",
+    model_is(s, m, cost_power, speed_exponent(s) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest",
              xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]),
              PLAN_POWER_LAW);
 }
@@ -231,14 +224,14 @@ static void add_power_law(struct plan *plan, const struct spheres *s)
 /* C statements that define `contact` */
 static char *contact_text(const struct spheres *s)
 {
-    const struct embed_request *const scene = s->request;
+    const struct embed_request *const scene = &s->request->scene;
     static const char init[] = "struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n";
     char g_star[DECIMAL_TEXT];
     if (scene->number[COR_SCENE_G_STAR].text)
         return xprintf(init, scene->number[COR_SCENE_G_STAR].text);
     if (!embed_given(scene, COR_SCENE_YOUNG) || !embed_given(scene, COR_SCENE_DISSIPATION_TIME) ||
         scene->law == COR_LAW_PLATE)
-        return xprintf(init, decimal_text(g_star, cor_scene_damping(&s->contact, COR_SCENE_G_STAR)));
+        return xprintf(init, decimal_text(g_star, cor_scene_damping(&s->request->contact, COR_SCENE_G_STAR)));
     char body[2][TEXT];
     for (int second = 0; second < 2; second++) {
         const char *text[COR_SCENE_BODY];
@@ -268,8 +261,9 @@ static char *call_of_beta(const struct spheres *s, const char *call, const char 
     return text;
 }
 
-static void add_published(struct plan *plan, const struct spheres *s)
+static void add_published(const struct spheres *s)
 {
+    struct plan *const plan = s->plan;
     static const struct {
         const char *name, *leaves_out, *call, *after;
         enum plan_formula formula;
@@ -284,32 +278,24 @@ static void add_published(struct plan *plan, const struct spheres *s)
                       "/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", PLAN_QUOTIENT, cost_mueller}};
     for (size_t i = 0; i < sizeof published / sizeof *published; i++) {
         struct plan_model *const m = plan_add(plan, "%s", published[i].name);
-        m->coefficient = mueller_poeschel;
-        m->m = 1;
-        m->n = 4;
-        m->root = 2;
-        model_is(plan, s, m, published[i].cost, published[i].leaves_out,
+        memcpy(set_quotient(m, 1, 4, 2), mueller_poeschel, sizeof mueller_poeschel);
+        model_is(s, m, published[i].cost, published[i].leaves_out,
                  call_of_beta(s, published[i].call, published[i].after), published[i].formula);
     }
 }
 
 /* Adds f in doubles, if its denominator is shown to keep its sign over the range. */
-static void add_pade(struct plan *plan, struct spheres *s, const struct pade *f, slong root, bool two_point)
+static void add_pade(const struct spheres *s, const struct pade *f, slong root, bool two_point)
 {
+    struct plan *const plan = s->plan;
     const slong m = f->numerator, n = f->denominator;
-    if (m + n + 2 > PADE_COEFFICIENTS || s->pades == (int)(sizeof s->pade / sizeof *s->pade))
-        return;
-    double *c = s->pade[s->pades++];
+    struct plan_model *model = plan_add(plan, "%s [%ld/%ld]", two_point ? "two-point Pade" : "Pade", (long)m, (long)n);
+    double *const c = set_quotient(model, m, n, root);
     LOCAL(arb, x);
     for (slong k = 0; k <= m + n + 1; k++) {
         arb_poly_get_coeff_arb(x, k <= m ? f->p : f->q, k <= m ? k : k - m - 1);
         c[k] = ball_middle(x);
     }
-    struct plan_model *model = plan_add(plan, "%s [%ld/%ld]", two_point ? "two-point Pade" : "Pade", (long)m, (long)n);
-    model->coefficient = c;
-    model->m = m;
-    model->n = n;
-    model->root = root;
     struct embed_form form = {.variable = root == 2 ? TENTH_ROOT_OF_SPEED : FIFTH_ROOT_OF_SPEED,
                               .numerator = m,
                               .denominator = n,
@@ -320,7 +306,7 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct pade *f,
         const double beta = low + (high - low) * k / (double)PADE_POINTS;
         model->outside = model->outside || !(eps_horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
     }
-    model_is(plan, s, model, form.cost,
+    model_is(s, model, form.cost,
              two_point ? "terms between series and limit"
                        : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it"),
              xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
@@ -331,18 +317,18 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct pade *f,
              PLAN_QUOTIENT);
 }
 
-static void add_pades(struct plan *plan, struct spheres *s, const arb_poly_t series, slong root)
+static void add_pades(const struct spheres *s, const arb_poly_t series, slong root)
 {
     static const slong ordinary[][2] = {{1, 4}, {2, 3}, {3, 5}, {4, 6}, {6, 9}, {8, 12}, {10, 15}};
     static const slong two_point[] = {2, 4, 8};
     LOCAL_INIT(pade, f, (&f));
     for (size_t i = 0; i < sizeof ordinary / sizeof *ordinary; i++)
         if (pade_of_series(&f, series, ordinary[i][0], ordinary[i][1], PADE_BITS))
-            add_pade(plan, s, &f, root, false);
+            add_pade(s, &f, root, false);
     if (s->scene.end == END_ZERO_OVERLAP)
         for (size_t i = 0; i < sizeof two_point / sizeof *two_point; i++)
             if (pade_two_point_of_series(&f, series, s->scene.h_star_5, two_point[i], PADE_BITS))
-                add_pade(plan, s, &f, root, true);
+                add_pade(s, &f, root, true);
 }
 
 /* The command line with the options of the scene and a tolerance */
@@ -362,38 +348,40 @@ static char *embed_command(const struct embed_request *scene, const char *tolera
                    embed_purpose_names[scene->purpose]);
 }
 
-static void add_header(struct plan *plan, struct spheres *s, const char *tolerance)
+static void add_header(const struct spheres *s, const char *tolerance)
 {
-    const enum embed_family chosen = embed_choose(s->form, s->request->purpose);
+    const enum embed_family chosen = embed_choose(s->form, s->request->scene.purpose);
     if (chosen == FAMILIES)
         return; /* the library remains */
     const struct embed_form *f = &s->form[chosen];
     char size[PLAN_NAME];
     embed_form_size(size, sizeof size, f);
-    struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen, &s->scene), size);
+    struct plan_model *m = plan_add(s->plan, "header: %s %s", embed_family_name(chosen, &s->scene), size);
     for (char *c = m->name; *c; c++)
         *c = (char)(*c == ',' ? ';' : *c);
     m->form = f;
     m->elsewhere = f->error;
-    model_is(plan, s, m, f->cost, "speeds outside the range", embed_command(s->request, tolerance), PLAN_HEADER);
+    model_is(s, m, f->cost, "speeds outside the range", embed_command(&s->request->scene, tolerance), PLAN_HEADER);
 }
 
 /* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */
-static void add_library(struct plan *plan, const struct spheres *s)
+static void add_library(const struct spheres *s)
 {
+    struct plan *const plan = s->plan;
     struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", contact_end_names[s->scene.end]);
     const double promise =
         COR_CONTACT_EPS_MAX_ERROR(s->scene.slope) + s->scene.slope * COR_CONTACT_MAX_ULP * DBL_EPSILON;
     char call[TEXT];
     snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", contact_end_names[s->scene.end]);
     model_promise(plan, m, promise);
-    model_is(plan, s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""), PLAN_NO_FORMULA);
+    model_is(s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""), PLAN_NO_FORMULA);
 }
 
 /* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
  * cor_hertz_dashpot_eps_* and cor_hunt_crossley_eps, for other laws the header of corgen law. */
-static void add_function_of_beta(struct plan *plan, const struct spheres *s)
+static void add_function_of_beta(const struct spheres *s)
 {
+    struct plan *const plan = s->plan;
     const struct law *law = &s->scene.law;
     const bool dashpot = law->a.num == 3 && law->a.den == 2 && law->b.num == 0, crossley = law_is_hunt_crossley(law);
     const double q = speed_exponent(s), per_beta = s->scene.slope / (5 * fabs(q));
@@ -413,32 +401,33 @@ static void add_function_of_beta(struct plan *plan, const struct spheres *s)
     else
         source = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n#include \"law.h\"",
                          ratio_text(law->a).text, ratio_text(law->b).text);
-    model_is(plan, s, m, crossley ? cost_crossley : cost_function, "nothing; good at every speed",
+    model_is(s, m, crossley ? cost_crossley : cost_function, "nothing; good at every speed",
              xprintf("%s\ndouble eps = %s(%s * pow(speed, %.17g));\n", source, call, beta, q), PLAN_NO_FORMULA);
     free(source);
     flint_free(beta);
 }
 
-static void add_other_end(struct plan *plan, const struct spheres *s)
+static void add_other_end(const struct spheres *s)
 {
+    struct plan *const plan = s->plan;
     struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options[other_end(s)]);
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
     plan_compare(plan, m, true);
-    model_is(plan, s, m, cost_library, "which end the contact has", NULL, PLAN_NO_FORMULA);
+    model_is(s, m, cost_library, "which end the contact has", NULL, PLAN_NO_FORMULA);
     m->shown = true;
 }
 
 /* ---- the plan ---- */
 
-static char *spheres_title(const struct plan *plan, const struct spheres *s)
+static char *spheres_title(const struct spheres *s)
 {
+    const struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
-    const struct embed_request *const scene = s->request;
-    const struct law_text equation = law_equation(&s->scene.law);
+    const struct embed_request *const scene = &s->request->scene;
     return xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
                    scene->law == COR_LAW_PLATE    ? "A sphere and a plate"
                    : law_is_sphere(&s->scene.law) ? "Spheres"
-                                                  : equation.text,
+                                                  : law_equation(&s->scene.law).text,
                    scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text, cor_end_names[scene->end],
                    plan->at[0], plan->at[last], plan->truth[0], plan->truth[last]);
 }
@@ -452,34 +441,41 @@ static const char *const notes[] = {/* by purpose */
                                     NOTE("(call + 4 in a loop)/5 (--for balanced)"),
                                     NOTE("in calls one at a time (--for scalar)"), NOTE("in a loop (--for array)")};
 
+static char *spheres_remark(const struct spheres *s)
+{
+    const struct plan *const plan = s->plan;
+    const slong last = plan->points - 1;
+    char *waves = plan_wave_remark(&s->request->scene, plan->speed[last], plan->truth[last]);
+    if (!(s->request->pressed.force_n > 0))
+        return waves;
+    char *const pressing = plan_pressing_remark(&s->request->pressed, (int)s->scene.end, s->scene.speed_min,
+                                                s->scene.speed_max, plan->tolerance);
+    char *const both = xprintf("%s%s", waves ? waves : "", pressing);
+    free(waves);
+    free(pressing);
+    return both;
+}
+
 /* Adds all models after the reference and the series are known. `header` is the tolerance of the header. */
-static void add_models(struct plan *plan, struct spheres *s, const struct embed_series *series, const char *header)
+static void add_models(struct spheres *s, const struct embed_series *series, const char *header)
 {
     const bool sphere = law_is_sphere(&s->scene.law);
-    plan->title = spheres_title(plan, s);
-    plan->remark = plan_wave_remark(s->request, plan->speed[plan->points - 1], plan->truth[plan->points - 1]);
-    if (s->pressed.force_n > 0) {
-        char *const waves = plan->remark;
-        char *const pressing = plan_pressing_remark(&s->pressed, (int)s->scene.end, s->scene.speed_min,
-                                                    s->scene.speed_max, plan->tolerance);
-        plan->remark = xprintf("%s%s", waves ? waves : "", pressing);
-        free(pressing);
-        free(waves);
-    }
-    add_constants(plan, s);
+    s->plan->title = spheres_title(s);
+    s->plan->remark = spheres_remark(s);
+    add_constants(s);
     if (!s->scene.constant) {
-        add_power_law(plan, s);
+        add_power_law(s);
         if (sphere) {
-            add_published(plan, s);
-            add_pades(plan, s, series->eps, series->root);
+            add_published(s);
+            add_pades(s, series->eps, series->root);
         }
         embed_search(s->form, &s->scene, series);
-        add_header(plan, s, header);
-        (sphere ? add_library : add_function_of_beta)(plan, s);
+        add_header(s, header);
+        (sphere ? add_library : add_function_of_beta)(s);
     }
-    if (cor_scene_ends_differ(&s->contact))
-        add_other_end(plan, s);
-    plan_choose(plan);
+    if (cor_scene_ends_differ(&s->request->contact))
+        add_other_end(s);
+    plan_choose(s->plan);
 }
 
 /* Computes the plan of a checked scene. `embed` is the scene with the tolerance of a header. */
@@ -488,15 +484,15 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     const struct embed_request *const scene = &request->scene;
     struct spheres *s = xmalloc(sizeof *s);
     memset(s, 0, sizeof *s);
+    arb_init(s->h_star);
     struct embed_series series;
     struct law law;
     embed_request_law(&law, scene); /* has been checked */
     embed_series_begin(&series, &law, (enum contact_end)scene->end);
     profile_step("scene, series");
-    s->request = scene;
-    s->contact = request->contact;
-    s->pressed = request->pressed;
-    int status = embed_scene_init(&s->scene, embed, &s->contact);
+    s->plan = plan;
+    s->request = request;
+    int status = embed_scene_init(&s->scene, embed, &request->contact);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
@@ -508,12 +504,12 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     plan->note = notes[scene->purpose];
     profile_step("collisions");
     if (status == STATUS_OK)
-        status = find_truth(plan, s);
+        status = find_truth(s);
     const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
         status = series_status;
     if (status == STATUS_OK)
-        add_models(plan, s, &series, embed->number[EMBED_TOLERANCE].text);
+        add_models(s, &series, embed->number[EMBED_TOLERANCE].text);
     profile_step(NULL);
     embed_series_clear(&series);
     return status;
@@ -546,7 +542,7 @@ void plan_spheres_clear(struct plan *plan)
     for (int i = 0; i < FAMILIES; i++)
         embed_form_clear(&s->form[i]);
     embed_scene_clear(&s->scene);
+    arb_clear(s->h_star);
     free(s->other);
     free(s);
-    plan->owned = NULL;
 }

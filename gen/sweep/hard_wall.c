@@ -2,8 +2,8 @@
 #include "sweep/hard_wall.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "cor/status.h"
 #include "support/console.h"
@@ -11,24 +11,16 @@
 /* Number of levels of the ladder for which each table has the modes: Omega = 170, 339, 679, 960 */
 static const int levels[HARD_WALL_TABLES] = {8, 10, 12, COR_DISK_HARD_WALL_MAX_LEVELS};
 
-void hard_wall_tables_init(struct hard_wall_tables *tables)
-{
-    memset(tables, 0, sizeof *tables);
-    pthread_mutex_init(&tables->lock, NULL);
-}
-
 void hard_wall_tables_clear(struct hard_wall_tables *tables)
 {
-    hard_wall_tables_set(tables, (double)NAN);
-    pthread_mutex_destroy(&tables->lock);
+    for (int i = 0; i < HARD_WALL_TABLES; i++)
+        free((void *)tables->table[i].mode);
+    *tables = (struct hard_wall_tables){0};
 }
 
 void hard_wall_tables_set(struct hard_wall_tables *tables, double nu)
 {
-    for (int i = 0; i < HARD_WALL_TABLES; i++) {
-        free((void *)tables->table[i].mode);
-        tables->table[i] = (struct cor_disk_modes){0, 0, NULL};
-    }
+    hard_wall_tables_clear(tables);
     tables->nu = nu;
 }
 
@@ -46,10 +38,11 @@ static int make_table(struct cor_disk_modes *table, double nu, int level_count)
 
 static int find_table(struct cor_disk_modes *table, struct hard_wall_tables *tables, int i)
 {
-    pthread_mutex_lock(&tables->lock);
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    pthread_mutex_lock(&lock);
     const int status = tables->table[i].mode ? COR_OK : make_table(&tables->table[i], tables->nu, levels[i]);
     *table = tables->table[i];
-    pthread_mutex_unlock(&tables->lock);
+    pthread_mutex_unlock(&lock);
     return status;
 }
 
@@ -64,10 +57,7 @@ int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *t
         status = find_table(&table, tables, i);
         if (status != COR_OK)
             break;
-        const size_t needed = cor_disk_hard_wall_workspace(&table, table.count, &options, speed);
-        void *const workspace = xmalloc(needed);
-        status = cor_disk_hard_wall_in(workspace, needed, &table, table.count, &options, speed, out, NULL);
-        free(workspace);
+        status = cor_disk_hard_wall(&table, table.count, &options, speed, out);
         if (status == COR_TOLERANCE_NOT_REACHED && out->omega_levels < (size_t)levels[i])
             break; /* the budget has ended, not the modes */
     }

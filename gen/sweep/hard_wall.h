@@ -4,7 +4,6 @@
 #ifndef COR_GEN_SWEEP_HARD_WALL_H
 #define COR_GEN_SWEEP_HARD_WALL_H
 
-#include <pthread.h>
 #include <stddef.h>
 
 #include "cor/disk.h"
@@ -12,19 +11,17 @@
 /* Number of tables of one material, each for more levels of the ladder than the one before. Every collision tries the
  * tables in this order, so that its results do not depend on other collisions. */
 enum { HARD_WALL_TABLES = 4 };
-struct hard_wall_tables {
-    pthread_mutex_t lock;
+struct hard_wall_tables { /* begins as {0} */
     double nu;
     struct cor_disk_modes table[HARD_WALL_TABLES]; /* mode NULL: not computed yet */
 };
 
-void hard_wall_tables_init(struct hard_wall_tables *tables);
-void hard_wall_tables_clear(struct hard_wall_tables *tables);
 /* Changes the material. No thread may use the tables meanwhile. */
 void hard_wall_tables_set(struct hard_wall_tables *tables, double nu);
+void hard_wall_tables_clear(struct hard_wall_tables *tables);
 
-/* Calls cor_disk_hard_wall_in with the first table that suffices. Each call has the budget max_steps. Unknown numbers
- * in *out are NaN. */
+/* Calls cor_disk_hard_wall with the first table that suffices. Each call has the budget max_steps. Unknown numbers in
+ * *out are NaN. */
 int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance,
                       size_t max_steps, double speed);
 

@@ -36,15 +36,10 @@ int journal_add(struct journal *journal, const char *line)
 
 /* ---- opening ---- */
 
-/* Locks the file against other processes; not on a file system that has no locks. */
-static bool journal_lock(const struct journal *journal)
-{
-    struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    return fcntl(fileno(journal->stream), F_SETLK, &region) == 0 || (errno != EACCES && errno != EAGAIN);
-}
-
+/* Opens and locks the file; without a lock on a file system that has none. */
 static int journal_open_locked(struct journal *journal)
 {
+    struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     struct stat opened;
     /* a symbolic link could lead anywhere, so it is not followed */
     const int fd = open(journal->path, O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -53,9 +48,9 @@ static int journal_open_locked(struct journal *journal)
         return journal_failure("write", journal);
     if (!S_ISREG(opened.st_mode))
         return fail("cannot write %s: it is not a regular file", journal->path);
-    return journal_lock(journal)
-               ? STATUS_OK
-               : fail("%s is in use by another process; wait for it or choose another --output", journal->path);
+    if (fcntl(fd, F_SETLK, &region) != 0 && (errno == EACCES || errno == EAGAIN))
+        return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
+    return STATUS_OK;
 }
 
 static int journal_refuse_foreign(const struct journal *journal, const char *title)
@@ -85,56 +80,53 @@ static bool read_line(struct journal *journal, char **line)
     return end && end == *line + n - 1;
 }
 
-/* Finds the complete lines, and returns their size in bytes, or -1 after a message. */
-static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
+/* Finds the complete lines, and cuts off what follows them. */
+static int journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
-    off_t good = 0;
     char *line = NULL;
+    off_t good = 0;
+    int status = STATUS_OK;
     rewind(journal->stream);
-    if (!read_line(journal, &line)) {
-        /* a prefix of the title was cut off while it was written; any other first line is from another program */
-        const size_t n = strlen(line);
-        struct stat status;
-        const bool beginning =
-            fstat(fileno(journal->stream), &status) == 0 && status.st_size == (off_t)n && strncmp(line, title, n) == 0;
-        good = ferror(journal->stream) ? (journal_failure("read", journal), -1)
-               : beginning             ? 0
-                                       : (journal_refuse_foreign(journal, ""), -1);
-    } else if (strcmp(title, line) != 0) {
-        journal_refuse_foreign(journal, line);
-        good = -1;
-    } else {
-        good = ftello(journal->stream);
-        for (; journal->lines < most && read_line(journal, &line); journal->lines++) {
-            good = ftello(journal->stream);
+    const bool whole = read_line(journal, &line);
+    /* a prefix of the title was cut off while it was written; any other first line is from another program */
+    const bool ours = whole ? strcmp(line, title) == 0
+                            : ftello(journal->stream) == (off_t)strlen(line) && strncmp(line, title, strlen(line)) == 0;
+    if (!ours && !ferror(journal->stream))
+        status = journal_refuse_foreign(journal, whole ? line : "");
+    for (bool next = whole && ours; next; next = journal->lines < most && read_line(journal, &line)) {
+        if (good > 0) {
             free(journal->last);
             journal->last = xstrdup(line);
+            journal->lines++;
         }
-        if (ferror(journal->stream))
-            good = (journal_failure("read", journal), -1);
+        good = ftello(journal->stream);
     }
     free(line);
-    return good;
+    if (ferror(journal->stream))
+        return journal_failure("read", journal);
+    if (status == STATUS_OK && (fflush(journal->stream) != 0 || ftruncate(fileno(journal->stream), good) != 0 ||
+                                fseek(journal->stream, 0, SEEK_END) != 0))
+        status = journal_failure("write", journal);
+    if (status == STATUS_OK && good == 0) {
+        status = journal_add(journal, title);
+        journal->lines = 0;
+        return status == STATUS_OK ? journal_sync(journal) : status;
+    }
+    return status;
 }
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
     *journal = (struct journal){.path = xprintf("%s.part", file), .synced = clock_seconds()};
+    journal->interrupted =
+        xprintf("\ncorgen: interrupted; the same command continues after the last row of %s\n", journal->path);
     output_report_size_limit();
     int status = journal_open_locked(journal);
-    const off_t good = status == STATUS_OK ? journal_recover(journal, title, most) : -1;
-    if (good < 0)
-        status = STATUS_FAILED;
-    else if (fflush(journal->stream) != 0 || ftruncate(fileno(journal->stream), good) != 0 ||
-             fseek(journal->stream, 0, SEEK_END) != 0)
-        status = journal_failure("write", journal);
-    if (status == STATUS_OK && good == 0) {
-        status = journal_add(journal, title);
-        journal->lines = 0;
-        if (status == STATUS_OK)
-            status = journal_sync(journal);
-    }
-    if (status != STATUS_OK)
+    if (status == STATUS_OK)
+        status = journal_recover(journal, title, most);
+    if (status == STATUS_OK)
+        output_say_on_interrupt(journal->interrupted);
+    else
         journal_close(journal, false);
     return status;
 }
@@ -158,27 +150,13 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
 
 void journal_close(struct journal *journal, bool done)
 {
+    output_say_on_interrupt(NULL);
     if (done && unlink(journal->path) != 0)
         journal_failure("remove", journal);
     if (journal->stream)
         fclose(journal->stream);
     free(journal->path);
     free(journal->last);
-    *journal = (struct journal){0};
-}
-
-/* ---- interruptions ---- */
-
-void journal_say_on_interrupt(struct journal *journal)
-{
-    journal->interrupted =
-        xprintf("\ncorgen: interrupted; the same command continues after the last row of %s\n", journal->path);
-    output_say_on_interrupt(journal->interrupted);
-}
-
-void journal_silent_on_interrupt(struct journal *journal)
-{
-    output_say_on_interrupt(NULL);
     free(journal->interrupted);
-    journal->interrupted = NULL;
+    *journal = (struct journal){0};
 }

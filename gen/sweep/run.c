@@ -15,7 +15,6 @@
 #include "support/gnuplot.h"
 #include "support/parallel.h"
 #include "sweep/journal.h"
-#include "sweep/threads.h"
 
 /* Memory for each mode while the modes are found, measured. */
 enum { MODE_BYTES = 900 };
@@ -104,35 +103,22 @@ static int refuse_corners(const struct collide *run, const struct cor_disk_modes
     return STATUS_OK;
 }
 
-/* The same before the modes are found. One plausible mode stands for them, since no refusal depends on the modes. */
-static int refuse_early(const struct collide *run)
-{
-    static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
-    const struct cor_disk_modes modes = {run->sweep.poisson.nearest[0], 1, &mode};
-    return refuse_corners(run, &modes);
-}
-
 /* ---- rows ---- */
 
 static void collide_row(void *context, uint64_t number, void *result)
 {
     struct collide *run = context;
-    struct sweep_row row;
-    sweep_row(&row, &run->sweep, number);
-    sweep_collide(result, &run->sweep, &row, &run->modes, &run->tables);
+    sweep_collide(result, &run->sweep, number, &run->modes, &run->tables);
 }
 
 static int row_finished(void *context, uint64_t number, const void *bytes)
 {
     struct collide *run = context;
-    struct sweep_result result;
-    memcpy(&result, bytes, sizeof result);
-    struct sweep_row row;
-    sweep_row(&row, &run->sweep, number);
+    const struct sweep_result *const result = bytes;
     char line[SWEEP_LINE];
-    sweep_line(line, &run->sweep, &row, &result);
-    if (result.status == COR_ERROR_MEMORY || result.status == COR_ERROR_WORKSPACE)
-        return fail("row %" PRIu64 ": %s", number + 1, cor_status_text(result.status));
+    sweep_line(line, &run->sweep, result);
+    if (result->status == COR_ERROR_MEMORY)
+        return fail("row %" PRIu64 ": %s", number + 1, cor_status_text(result->status));
     if (run->again && number == run->again_row) {
         if (strcmp(line, run->again) != 0)
             return fail("%s was begun by another corgen or on another machine: its row %" PRIu64
@@ -169,7 +155,6 @@ static int collide_all(struct collide *run, uint64_t first)
 {
     const struct threads_work work = {run, sizeof(struct sweep_result), collide_row, row_finished, sweep_tick};
     const uint64_t each = sweep_rows_of_material(&run->sweep);
-    bool checked = false;
     run->finished = first;
     if (first > 0 && first < run->sweep.rows && run->journal.last) {
         run->again = run->journal.last;
@@ -180,11 +165,10 @@ static int collide_all(struct collide *run, uint64_t first)
         const size_t material = (size_t)(first / each);
         run->materials_left = run->sweep.poisson.count - material - 1;
         int status = find_modes(run, material);
-        if (status == STATUS_OK && !checked && is_soft(&run->sweep))
+        if (status == STATUS_OK && is_soft(&run->sweep))
             status = refuse_corners(run, &run->modes);
         if (status != STATUS_OK)
             return status;
-        checked = true;
         profile_step("collisions");
         run->rows_started = clock_seconds();
         status = threads_run(&work, run->threads, first, (first / each + 1) * each);
@@ -217,18 +201,6 @@ static void print_line(void *context, const char *line)
     sweep_print(context, line);
 }
 
-/* Writes the file from the finished journal. */
-static int publish_journal(struct collide *run, const struct sweep_request *request)
-{
-    struct output out;
-    if (output_open(&out, request->output) != STATUS_OK)
-        return STATUS_FAILED;
-    sweep_print_start(&run->printer, &run->sweep, request->format, out.file);
-    int status = journal_read(&run->journal, print_line, &run->printer);
-    sweep_print_end(&run->printer);
-    return output_finish(&out, status);
-}
-
 /* The line that identifies a sweep by its command, malloc'ed */
 static char *title_of(const struct sweep *s)
 {
@@ -245,41 +217,32 @@ static char *title_of(const struct sweep *s)
                    s->poisson.text, s->alpha.text, s->modes.text, tolerance, s->phi_points);
 }
 
-static int collide_to_file(struct collide *run, const struct sweep_request *request)
+/* A file is written from its finished journal, all other outputs row by row. */
+static int collide_to_output(struct collide *run, const struct sweep_request *request)
 {
-    /* fail now rather than after hours if the file cannot be written */
-    struct output probe;
-    if (output_open(&probe, request->output) != STATUS_OK)
-        return STATUS_FAILED;
-    output_discard(&probe);
-    char *const title = title_of(&run->sweep);
-    int status = journal_open(&run->journal, request->output, title, run->sweep.rows);
-    free(title);
+    const bool kept = !output_is_direct(request->output);
+    struct output out;
+    int status = output_open(&out, request->output);
     if (status != STATUS_OK)
         return status;
-    journal_say_on_interrupt(&run->journal);
-    status = collide_all(run, run->journal.lines);
-    journal_silent_on_interrupt(&run->journal);
-    if (status == STATUS_OK)
-        status = publish_journal(run, request);
-    journal_close(&run->journal, status == STATUS_OK);
-    return status == STATUS_OK ? report_rows(&run->printer) : status;
-}
-
-static int collide_to_stream(struct collide *run, const struct sweep_request *request)
-{
-    struct output out;
-    if (output_open(&out, request->output) != STATUS_OK)
-        return STATUS_FAILED;
     sweep_print_start(&run->printer, &run->sweep, request->format, out.file);
-    int status = collide_all(run, 0);
+    if (kept) {
+        char *const title = title_of(&run->sweep);
+        status = journal_open(&run->journal, request->output, title, run->sweep.rows);
+        free(title);
+    }
+    if (status == STATUS_OK)
+        status = collide_all(run, run->journal.lines);
+    if (status == STATUS_OK && kept)
+        status = journal_read(&run->journal, print_line, &run->printer);
     if (status == STATUS_OK)
         sweep_print_end(&run->printer);
-    if (status != STATUS_OK && !ferror(out.file)) {
+    if (status == STATUS_OK || ferror(out.file))
+        status = output_commit(&out);
+    else
         output_discard(&out);
-        return status;
-    }
-    status = output_commit(&out);
+    if (kept)
+        journal_close(&run->journal, status == STATUS_OK);
     return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
@@ -324,13 +287,16 @@ static int draw(const struct sweep *sweep, const char *path)
 
 static int run_checked(struct collide *run, const struct sweep_request *request)
 {
+    /* one plausible mode stands for those that are not found yet, since no refusal depends on the modes */
+    static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
+    const struct cor_disk_modes modes = {run->sweep.poisson.nearest[0], 1, &mode};
     int status = run->sweep.hard_wall ? STATUS_OK : refuse_memory(&run->sweep);
     if (status == STATUS_OK && is_soft(&run->sweep))
-        status = refuse_early(run);
+        status = refuse_corners(run, &modes);
     if (status == STATUS_OK && request->plot)
         status = refuse_curves(run);
     if (status == STATUS_OK)
-        status = (output_is_direct(request->output) ? collide_to_stream : collide_to_file)(run, request);
+        status = collide_to_output(run, request);
     if (run->sweep.eps && run->printer.rows == run->sweep.rows) {
         const int drawn = draw(&run->sweep, request->plot);
         status = status == STATUS_OK ? drawn : status;
@@ -344,7 +310,6 @@ int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep};
     run.threads = request->threads > 0 ? request->threads : parallel_processors();
-    hard_wall_tables_init(&run.tables);
     int status = sweep_count(&run.sweep);
     if (status == STATUS_OK)
         status = run_checked(&run, request);

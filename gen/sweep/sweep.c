@@ -33,26 +33,51 @@ const struct values_rule sweep_modes = {
 
 /* ---- rows ---- */
 
-/* Sets the lists of a sweep; returns their number. */
-static size_t lists_of(const struct sweep *sweep, const struct values *list[SWEEP_LISTS])
+/* The kinds of columns */
+enum column_kind {
+    COLUMN_LIST = 'l',   /* a number of a list, unchanged */
+    COLUMN_COUNT = 'c',  /* number of modes, also from a list */
+    COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
+    COLUMN_DIGITS = 'd', /* a result taken during the contact: as many digits as eps has decimals */
+    COLUMN_WHOLE = 'w',  /* a result with all digits */
+    COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
+    COLUMN_STEPS = 'n',
+    COLUMN_ERROR = 'e', /* of eps or 1 - eps^2: SMALL_DIGITS, rounded up; the last but one */
+    COLUMN_STATUS = 't' /* the last one */
+};
+enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
+
+/* The columns of each kind of sweep, of which the first are those of its lists */
+static const struct layout {
+    const char *header, *kinds;
+    size_t lists;
+} soft_layout = {"speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,"
+                 "error_estimate,status",
+                 "lllcppddsnet", 4},
+  hard_layout = {"speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status", "llppddet", 2},
+  rayleigh_layout = {"speed,nu,modes,fraction,tail,eps,contact_time,error_estimate,status", "llcpppwet", 3};
+
+static const struct layout *layout_of(const struct sweep *sweep)
 {
-    const struct values *const all[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
-    memcpy(list, all, sizeof all);
-    if (sweep->rayleigh)
-        list[2] = &sweep->modes;
-    return sweep->hard_wall ? 2 : sweep->rayleigh ? 3 : SWEEP_LISTS;
+    return sweep->hard_wall ? &hard_layout : sweep->rayleigh ? &rayleigh_layout : &soft_layout;
+}
+
+/* The list of a column */
+static const struct values *list_of(const struct sweep *sweep, size_t column)
+{
+    const struct values *const list[] = {&sweep->speed, &sweep->poisson,
+                                         sweep->rayleigh ? &sweep->modes : &sweep->alpha, &sweep->modes};
+    return list[column];
 }
 
 int sweep_count(struct sweep *sweep)
 {
-    const struct values *list[SWEEP_LISTS];
-    const size_t lists = lists_of(sweep, list);
     double product = 1;
     sweep->rows = 1;
-    for (size_t i = 0; i < lists; i++) {
-        product *= (double)list[i]->count;
+    for (size_t i = 0; i < layout_of(sweep)->lists; i++) {
+        product *= (double)list_of(sweep, i)->count;
         if (product <= (double)SWEEP_MAX_ROWS)
-            sweep->rows *= list[i]->count;
+            sweep->rows *= list_of(sweep, i)->count;
     }
     if (product > (double)SWEEP_MAX_ROWS)
         return usage_error("the lists make %.4g rows; up to %" PRIu64
@@ -74,104 +99,59 @@ uint64_t sweep_rows_of_material(const struct sweep *sweep)
     return sweep->rows / sweep->poisson.count;
 }
 
-void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number)
+/* The number of a list that belongs to the row; the rest of its number counts the combinations of the other lists. */
+static double next_of(const struct values *list, uint64_t *number)
 {
-    row->speed = sweep->speed.nearest[number % sweep->speed.count];
-    number /= sweep->speed.count;
-    row->modes = 0;
-    row->alpha = INFINITY;
-    if (!sweep->hard_wall) {
-        row->modes = (size_t)sweep->modes.nearest[number % sweep->modes.count];
-        number /= sweep->modes.count;
-    }
-    if (sweep->alpha.count > 0) {
-        row->alpha = sweep->alpha.nearest[number % sweep->alpha.count];
-        number /= sweep->alpha.count;
-    }
-    row->material = (size_t)number;
-    row->nu = sweep->poisson.nearest[number];
+    const double value = list->nearest[*number % list->count];
+    *number /= list->count;
+    return value;
 }
 
-static const struct sweep_result no_result = {.collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN},
-                                              .hard_wall = {NAN, NAN, NAN, NAN, NAN, 0},
-                                              .rayleigh = {NAN, NAN, NAN, NAN}};
+void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number)
+{
+    row->speed = next_of(&sweep->speed, &number);
+    row->modes = sweep->hard_wall ? 0 : (size_t)next_of(&sweep->modes, &number);
+    row->alpha = sweep->alpha.count > 0 ? next_of(&sweep->alpha, &number) : INFINITY;
+    row->nu = next_of(&sweep->poisson, &number);
+}
 
-void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
+static void set_result(struct sweep_result *result, int status, const double value[SWEEP_COLUMNS])
+{
+    result->status = status;
+    memcpy(result->value, value, sizeof result->value);
+}
+
+void sweep_collide(struct sweep_result *result, const struct sweep *sweep, uint64_t number,
                    const struct cor_disk_modes *modes, struct hard_wall_tables *tables)
 {
-    *result = no_result;
+    struct sweep_row row;
+    sweep_row(&row, sweep, number);
     if (sweep->hard_wall) {
-        result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, 0, row->speed);
-        return;
+        struct cor_disk_hard_wall h;
+        const int status = hard_wall_collide(&h, tables, sweep->tolerance, 0, row.speed);
+        const double value[SWEEP_COLUMNS] = {
+            row.speed, row.nu, h.one_minus_eps2, h.eps, h.contact_time, h.max_compression, h.error_estimate};
+        set_result(result, status, value);
+    } else if (sweep->rayleigh) { /* the tail must not depend on the modes of other rows */
+        const struct cor_disk_modes cut = {modes->nu, row.modes, modes->mode};
+        struct cor_disk_rayleigh r = {NAN, NAN, NAN, NAN};
+        const int status = cor_disk_rayleigh(&cut, row.modes, COR_DISK_DATUM_CENTRE_OF_MASS, row.speed, &r, NULL);
+        const double left = r.fraction + r.tail, eps = left <= 1 ? sqrt(1 - left) : (double)NAN;
+        const double value[SWEEP_COLUMNS] = {row.speed, row.nu, (double)row.modes, r.fraction,
+                                             r.tail,    eps,    r.contact_time,    r.error_estimate};
+        set_result(result, status, value);
+    } else {
+        const struct cor_disk_collision_options options = {row.alpha, sweep->tolerance, sweep->phi_points, 0};
+        struct cor_disk_collision c = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
+        const int status = cor_disk_collision(modes, row.modes, &options, row.speed, &c);
+        const double value[SWEEP_COLUMNS] = {row.speed,      row.nu,           row.alpha,       (double)row.modes,
+                                             c.eps,          c.one_minus_eps2, c.contact_time,  c.max_compression,
+                                             c.energy_drift, (double)c.steps,  c.error_estimate};
+        set_result(result, status, value);
     }
-    if (sweep->rayleigh) { /* the tail must not depend on the modes of other rows */
-        const struct cor_disk_modes cut = {modes->nu, row->modes, modes->mode};
-        result->status =
-            cor_disk_rayleigh(&cut, row->modes, COR_DISK_DATUM_CENTRE_OF_MASS, row->speed, &result->rayleigh, NULL);
-        return;
-    }
-    /* sized for this row alone: the angles chosen must not depend on earlier rows */
-    const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points, 0};
-    const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
-    void *const workspace = xmalloc(needed);
-    result->status =
-        cor_disk_collision_in(workspace, needed, modes, row->modes, &options, row->speed, &result->collision, NULL);
-    free(workspace);
 }
 
 /* ---- lines ---- */
-
-/* The kinds of columns */
-enum column_kind {
-    COLUMN_LIST = 'l',   /* a number of a list, unchanged */
-    COLUMN_COUNT = 'c',  /* number of modes, also from a list */
-    COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
-    COLUMN_DIGITS = 'd', /* a result taken during the contact: as many digits as eps has decimals */
-    COLUMN_WHOLE = 'w',  /* a result with all digits */
-    COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
-    COLUMN_STEPS = 'n',
-    COLUMN_ERROR = 'e', /* SMALL_DIGITS, rounded up */
-    COLUMN_STATUS = 't' /* the last one */
-};
-enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
-
-static const struct layout {
-    const char *header, *kinds;
-} soft_layout = {"speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,"
-                 "error_estimate,status",
-                 "lllcppddsnet"},
-  hard_layout = {"speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status", "llppddet"},
-  rayleigh_layout = {"speed,nu,modes,fraction,tail,eps,contact_time,error_estimate,status", "llcpppwet"};
-
-static const struct layout *layout_of(const struct sweep *sweep)
-{
-    return sweep->hard_wall ? &hard_layout : sweep->rayleigh ? &rayleigh_layout : &soft_layout;
-}
-
-/* The numbers of a row in the order of its columns, and its error */
-static double row_values(double value[SWEEP_COLUMNS], const struct sweep *sweep, const struct sweep_row *row,
-                         const struct sweep_result *result)
-{
-    const struct cor_disk_collision *const c = &result->collision;
-    const struct cor_disk_hard_wall *const h = &result->hard_wall;
-    const struct cor_disk_rayleigh *const r = &result->rayleigh;
-    const double modes = (double)row->modes, left = r->fraction + r->tail;
-    const double soft[] = {row->speed,      row->nu,           row->alpha,       modes,
-                           c->eps,          c->one_minus_eps2, c->contact_time,  c->max_compression,
-                           c->energy_drift, (double)c->steps,  c->error_estimate};
-    const double hard[] = {row->speed,         row->nu,          h->one_minus_eps2, h->eps, h->contact_time,
-                           h->max_compression, h->error_estimate};
-    const double rayleigh[] = {row->speed,      row->nu,          modes,
-                               r->fraction,     r->tail,          left <= 1 ? sqrt(1 - left) : (double)NAN,
-                               r->contact_time, r->error_estimate};
-    if (sweep->hard_wall)
-        memcpy(value, hard, sizeof hard);
-    else if (sweep->rayleigh)
-        memcpy(value, rayleigh, sizeof rayleigh);
-    else
-        memcpy(value, soft, sizeof soft);
-    return sweep->hard_wall ? h->error_estimate : sweep->rayleigh ? r->error_estimate : c->error_estimate;
-}
 
 static const char *status_word(char text[DECIMAL_TEXT], int status)
 {
@@ -233,18 +213,17 @@ static const char *cell_text(char text[DECIMAL_TEXT], char kind, int decimals, d
     }
 }
 
-void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
-                const struct sweep_result *result)
+void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_result *result)
 {
-    double value[SWEEP_COLUMNS];
     char text[DECIMAL_TEXT];
-    const double error = row_values(value, sweep, row, result);
+    const char *const kinds = layout_of(sweep)->kinds;
+    const double error = result->value[strlen(kinds) - 2];
     /* decimals up to the second digit of the error; all where it is not known */
     const int decimals = error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), DECIMAL_TEXT / 2) : DECIMAL_TEXT / 2;
-    const char *const kinds = layout_of(sweep)->kinds;
     size_t at = 0;
     for (int j = 0; kinds[j] != COLUMN_STATUS; j++)
-        at += (size_t)snprintf(line + at, SWEEP_LINE - at, "%s,", cell_text(text, kinds[j], decimals, value[j]));
+        at +=
+            (size_t)snprintf(line + at, SWEEP_LINE - at, "%s,", cell_text(text, kinds[j], decimals, result->value[j]));
     snprintf(line + at, SWEEP_LINE - at, "%s", status_word(text, result->status));
 }
 
@@ -282,8 +261,6 @@ static void print_text(const struct sweep_printer *p, int j, const char *text)
 void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum output_format format, FILE *file)
 {
     *p = (struct sweep_printer){.file = file, .format = format, .sweep = sweep};
-    const struct values *list[SWEEP_LISTS];
-    lists_of(sweep, list);
     p->digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
     table_init(&p->table, layout_of(sweep)->header, layout_of(sweep)->kinds);
     for (int j = 0; j < p->table.columns; j++) {
@@ -292,7 +269,7 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
         const int number = (int)(sizeof "-0.e-100" - 1) + (small ? SMALL_DIGITS : p->digits);
         const int named = (int)strlen(name);
         if (kind == COLUMN_LIST || kind == COLUMN_COUNT)
-            p->width[j] = column_width(name, list[j]);
+            p->width[j] = column_width(name, list_of(sweep, (size_t)j));
         else if (kind == COLUMN_STEPS)
             p->width[j] = (int)sizeof TEXT_OF(COR_DISK_COLLISION_MAX_STEPS) - 1;
         else

@@ -17,7 +17,7 @@
 
 #define SWEEP_MAX_ROWS UINT64_C(1000000000)
 
-enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
+enum { SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 
 /* Rows are numbered in the order of the lists: speed varies fastest, then modes, alpha and poisson. */
 struct sweep {
@@ -30,14 +30,14 @@ struct sweep {
 };
 
 struct sweep_row {
-    double speed, nu, alpha;
-    size_t modes, material; /* material: index into the list of Poisson's ratios */
+    double speed, nu, alpha; /* alpha: infinite if there is no list */
+    size_t modes;
 };
 
+/* The numbers of a row in the order of its columns, all but the status; NaN and 0 where it says that there is no
+ * result */
 struct sweep_result {
-    struct cor_disk_collision collision; /* soft walls; NaN and 0 if the status says that there is no result */
-    struct cor_disk_hard_wall hard_wall; /* the rigid wall; likewise */
-    struct cor_disk_rayleigh rayleigh;   /* likewise */
+    double value[SWEEP_COLUMNS];
     int status;
 };
 
@@ -50,13 +50,12 @@ void sweep_clear(struct sweep *sweep);
 void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number);
 uint64_t sweep_rows_of_material(const struct sweep *sweep);
 
-/* modes: for soft walls; tables: for the rigid wall */
-void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
+/* Collides a row. modes: for soft walls; tables: for the rigid wall */
+void sweep_collide(struct sweep_result *result, const struct sweep *sweep, uint64_t number,
                    const struct cor_disk_modes *modes, struct hard_wall_tables *tables);
 
 /* Formats a row as a line of csv, without its line end: results up to the second digit of their error. */
-void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
-                const struct sweep_result *result);
+void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_result *result);
 
 /* Prints lines of csv one by one as a table in any format. */
 struct sweep_printer {

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "sweep/threads.h"
-
 #include <pthread.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "support/console.h"
 #include "support/parallel.h"
+#include "sweep/run.h"
 
 struct run {
     const struct threads_work *work;

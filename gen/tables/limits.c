@@ -173,7 +173,6 @@ static void scene_collide(void *context, slong i)
 static int collide_all(struct scene *scene, long count, const char *name)
 {
     struct collisions run = {.scene = scene};
-    hard_wall_tables_init(&run.tables);
     progress_enter(name, count);
     for (long end; run.first < count && !run.failed; run.first = end) {
         for (end = run.first; end < count && scene[end].nu == scene[run.first].nu;)

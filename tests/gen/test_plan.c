@@ -10,7 +10,6 @@
 #include "embed/form.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
-#include "plan/remarks.h"
 #include "request.h"
 
 #define G_STAR 400.0
@@ -227,7 +226,6 @@ TEST(test_spheres)
     assert_true(plan.model[plan.chosen].cost == 0);
     check_chosen(&plan, &r);
     check_choice(&plan, &r);
-    plan_spheres_clear(&plan);
     plan_clear(&plan);
 }
 
@@ -242,7 +240,6 @@ TEST(test_strong_damping)
     assert_true(plan.at[0] < 7 && plan.at[1] > 7);
     for (slong i = 0; i < plan.points; i++)
         assert_true(fabs(cor_contact_eps_zero_overlap(&contact, plan.speed[i]) / plan.truth[i] - 1) < 1e-14);
-    plan_spheres_clear(&plan);
     plan_clear(&plan);
 }
 

@@ -1,28 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: lists, rows, the threads that compute them, and the journal that survives
- * whatever ends it. */
+/* Sweeps: lists, rows, the threads that compute them, and the journal that survives whatever ends it. */
 #define _DEFAULT_SOURCE /* mkdtemp, truncate */
-#include <fcntl.h>
-#include <inttypes.h>
-#include <pthread.h>
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "support/console.h" /* before cmocka, which has a macro fail */
 
 #include "check.h"
 
-#include "cor/disk.h"
 #include "cor/status.h"
-#include "sweep/hard_wall.h"
 #include "sweep/journal.h"
-#include "sweep/sweep.h"
-#include "sweep/threads.h"
+#include "sweep/run.h"
 
 /* ---- lists ---- */
 
@@ -31,16 +21,14 @@ static const struct values_rule any = {
 static const struct values_rule whole = {
     "whole", {"1", "1000", true, true, true, "a whole number from 1 to 1000"}, true};
 
-/* What the list is, in texts. */
 static void assert_list(const struct values_rule *rule, const char *list, const char *expected)
 {
     struct values values;
     check(values_parse(&values, rule, list) == STATUS_OK, "%s", list);
     char seen[1000] = "", text[DECIMAL_TEXT];
-    for (size_t i = 0; i < values.count; i++) {
+    for (size_t i = 0; i < values.count; i++)
         snprintf(seen + strlen(seen), sizeof seen - strlen(seen), "%s%s", i ? " " : "",
                  decimal_text(text, values.nearest[i]));
-    }
     assert_string_equal(seen, expected);
     values_clear(&values);
 }
@@ -97,44 +85,43 @@ TEST(test_longest_list)
     assert_int_equal(values_parse(&values, &many, text), STATUS_USAGE);
 }
 
-TEST(test_wrong_lists)
+static void assert_wrong(const struct values_rule *rule, const char *const *list)
 {
-    static const char *const wrong[] = {
-        "",           ",",           "1,",           ",1",        "1,,2",       "1001",
-        "-1000.1",    "x",           "1 ",           "+1",        "1:2",        "1:2:3",
-        "1:2:+0",     "1:2:-1",      "2:1:+1",       "1:2:+-1",   "1:2:lin:1",  "1:2:lin:",
-        "1:2:lin:x",  "1:2:lin:1.5", "1:2:log:-3",   "0:1:log:3", "-1:1:log:3", "1:2:geo:3",
-        "1:2:lin:3:", ":::",         "1:1001:lin:3", "1e1000",    "1/0",        "1:2:lin:9999999",
-        "2:1:+-1",    "2:1:--1"};
     struct values values;
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        check(values_parse(&values, &any, wrong[i]) == STATUS_USAGE, "%s", wrong[i]);
+    for (; *list; list++) {
+        check(values_parse(&values, rule, *list) == STATUS_USAGE, "%s", *list);
         assert_int_equal(values.count, 0);
     }
-    static const char *const not_whole[] = {"0", "1.5", "1/3", "1001", "1:10:+0.5"};
-    for (size_t i = 0; i < sizeof not_whole / sizeof *not_whole; i++)
-        check(values_parse(&values, &whole, not_whole[i]) == STATUS_USAGE, "%s", not_whole[i]);
+}
+#define WRONG(rule, ...) assert_wrong(rule, (const char *const[]){__VA_ARGS__, NULL})
+
+TEST(test_wrong_lists)
+{
+    WRONG(&any, "", ",", "1,", ",1", "1,,2", "1001", "-1000.1", "x", "1 ", "+1", "1:2", "1:2:3", "1:2:+0", "1:2:-1",
+          "2:1:+1", "1:2:+-1", "1:2:lin:1", "1:2:lin:", "1:2:lin:x", "1:2:lin:1.5", "1:2:log:-3", "0:1:log:3",
+          "-1:1:log:3", "1:2:geo:3", "1:2:lin:3:", ":::", "1:1001:lin:3", "1e1000", "1/0", "1:2:lin:9999999", "2:1:+-1",
+          "2:1:--1");
+    WRONG(&whole, "0", "1.5", "1/3", "1001", "1:10:+0.5");
     /* doubles that are not inside though the numbers are */
-    check(values_parse(&values, &sweep_poisson, "0.99999999999999999") == STATUS_USAGE, "rounds to 1");
-    check(values_parse(&values, &sweep_speed, "1e-400") == STATUS_USAGE, "rounds to 0");
+    WRONG(&sweep_poisson, "0.99999999999999999");
+    WRONG(&sweep_speed, "1e-400");
 }
 
 /* ---- rows ---- */
 
-static void make_sweep(struct sweep *sweep, const char *speed, const char *poisson, const char *alpha,
-                       const char *modes)
+static struct sweep sweep_of(const char *speed, const char *poisson, const char *alpha, const char *modes)
 {
-    *sweep = (struct sweep){.tolerance = 1e-8};
-    assert_int_equal(values_parse(&sweep->speed, &sweep_speed, speed), STATUS_OK);
-    assert_int_equal(values_parse(&sweep->poisson, &sweep_poisson, poisson), STATUS_OK);
-    assert_int_equal(values_parse(&sweep->alpha, &sweep_alpha, alpha), STATUS_OK);
-    assert_int_equal(values_parse(&sweep->modes, &sweep_modes, modes), STATUS_OK);
+    struct sweep sweep = {.tolerance = 1e-8};
+    assert_int_equal(values_parse(&sweep.speed, &sweep_speed, speed), STATUS_OK);
+    assert_int_equal(values_parse(&sweep.poisson, &sweep_poisson, poisson), STATUS_OK);
+    assert_int_equal(values_parse(&sweep.alpha, &sweep_alpha, alpha), STATUS_OK);
+    assert_int_equal(values_parse(&sweep.modes, &sweep_modes, modes), STATUS_OK);
+    return sweep;
 }
 
 TEST(test_product)
 {
-    struct sweep sweep;
-    make_sweep(&sweep, "0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1");
+    struct sweep sweep = sweep_of("0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1");
     assert_int_equal(sweep_count(&sweep), STATUS_OK);
     assert_int_equal(sweep.rows, 48);
     assert_int_equal(sweep_rows_of_material(&sweep), 24);
@@ -147,8 +134,8 @@ TEST(test_product)
                 for (size_t s = 0; s < 3; s++, number++) {
                     struct sweep_row row;
                     sweep_row(&row, &sweep, number);
-                    assert_true(row.speed == speed[s] && row.nu == nu[p] && row.alpha == alpha[a]);
-                    assert_true(row.modes == modes[m] && row.material == p);
+                    assert_true(row.speed == speed[s] && row.nu == nu[p] && row.alpha == alpha[a] &&
+                                row.modes == modes[m]);
                 }
 
     /* as many digits as the tolerance justifies */
@@ -170,37 +157,43 @@ TEST(test_product)
         assert_int_equal(sweep_count(&sweep), more ? STATUS_USAGE : STATUS_OK);
     }
 
-    make_sweep(&sweep, "0.1:0.2:lin:100000", "0.1:0.2:lin:10", "50:60:lin:500", "1:3:+1");
+    sweep = sweep_of("0.1:0.2:lin:100000", "0.1:0.2:lin:10", "50:60:lin:500", "1:3:+1");
     assert_int_equal(sweep_count(&sweep), STATUS_USAGE); /* 1.5e9 */
     sweep_clear(&sweep);
+}
+
+static void assert_line(const struct sweep *sweep, const struct sweep_result *result, const char *expected)
+{
+    char line[SWEEP_LINE];
+    sweep_line(line, sweep, result);
+    assert_string_equal(line, expected);
 }
 
 /* Digits end with the second one of the error, and the error is rounded up. */
 TEST(test_digits)
 {
-    struct sweep sweep = {.hard_wall = false};
-    const struct sweep_row row = {0.2, 0.33, 4000, 100, 0};
+    enum { EPS = 4, ERROR = 10 };
+    const struct sweep soft = {.hard_wall = false}, hard = {.hard_wall = true}, rayleigh = {.rayleigh = true};
     struct sweep_result result = {
-        .collision = {0.88708388558330694, 0.2130821795, 5.5432109, 0.27474726, -1.2345e-3, 99, 0.0601},
-        .status = COR_TOLERANCE_NOT_REACHED};
-    char line[SWEEP_LINE];
-    sweep_line(line, &sweep, &row, &result);
-    assert_string_equal(line, "0.2,0.33,4000,100,0.887,0.213,5.54,0.275,-0.0012,99,0.061,tolerance_not_reached");
-    result.collision.error_estimate = 1;
-    sweep_line(line, &sweep, &row, &result);
-    assert_string_equal(line, "0.2,0.33,4000,100,0.9,0.2,6,0.3,-0.0012,99,1,tolerance_not_reached");
-    sweep.hard_wall = true;
-    result.hard_wall = (struct cor_disk_hard_wall){0.2130821795, 0.8870838855, 5.5432109, 0.27474726, 9.91e-6, 0};
-    sweep_line(line, &sweep, &row, &result);
-    assert_string_equal(line, "0.2,0.33,0.2130822,0.8870839,5.543211,0.2747473,1e-05,tolerance_not_reached");
+        {0.2, 0.33, 4000, 100, 0.88708388558330694, 0.2130821795, 5.5432109, 0.27474726, -1.2345e-3, 99, 0.0601},
+        COR_TOLERANCE_NOT_REACHED};
+    assert_line(&soft, &result, "0.2,0.33,4000,100,0.887,0.213,5.54,0.275,-0.0012,99,0.061,tolerance_not_reached");
+    result.value[ERROR] = 1;
+    assert_line(&soft, &result, "0.2,0.33,4000,100,0.9,0.2,6,0.3,-0.0012,99,1,tolerance_not_reached");
+    assert_line(&hard,
+                &(struct sweep_result){{0.2, 0.33, 0.2130821795, 0.8870838855, 5.5432109, 0.27474726, 9.91e-6},
+                                       COR_TOLERANCE_NOT_REACHED},
+                "0.2,0.33,0.2130822,0.8870839,5.543211,0.2747473,1e-05,tolerance_not_reached");
+    assert_line(&rayleigh, &(struct sweep_result){{1e-3, 0.33, 100, 0.36, 0.0036, 0.79774683, 7.25, 2e-6}, COR_OK},
+                "0.001,0.33,100,0.36,0.0036,0.7977468,7.25,2e-06,ok");
 
-    sweep.hard_wall = false;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(10000); i++) {
         const double eps = random_uniform(&random, 0, 1), error = random_log(&random, 1e-17, 1);
-        result.collision.eps = eps;
-        result.collision.error_estimate = error;
-        sweep_line(line, &sweep, &row, &result);
+        char line[SWEEP_LINE];
+        result.value[EPS] = eps;
+        result.value[ERROR] = error;
+        sweep_line(line, &soft, &result);
         double printed, printed_error;
         assert_int_equal(sscanf(line, "%*[^,],%*[^,],%*[^,],%*[^,],%lf,%*[^,],%*[^,],%*[^,],%*[^,],%*[^,],%lf",
                                 &printed, &printed_error),
@@ -324,12 +317,6 @@ static int start(struct journal *journal)
     return journal_open(journal, file, title, LINES);
 }
 
-static void add_lines(struct journal *journal, uint64_t first)
-{
-    for (uint64_t i = first; i < LINES; i++)
-        assert_int_equal(journal_add(journal, line[i]), STATUS_OK);
-}
-
 /* Goes on from whatever is there to the end, and gives the number of lines found, or -1 if it was refused. */
 static int go_on(void)
 {
@@ -340,7 +327,8 @@ static int go_on(void)
     assert_true(found <= LINES);
     if (found > 0)
         assert_string_equal(journal.last, line[found - 1]);
-    add_lines(&journal, found);
+    for (uint64_t i = found; i < LINES; i++)
+        assert_int_equal(journal_add(&journal, line[i]), STATUS_OK);
     size_t n = 0;
     assert_int_equal(journal_read(&journal, count_line, &n), STATUS_OK);
     assert_int_equal(n, LINES);
@@ -465,8 +453,7 @@ TEST(test_journal_shared)
 /* A collision that needs more levels than the first table has, and one that does not */
 TEST(test_hard_wall)
 {
-    struct hard_wall_tables tables;
-    hard_wall_tables_init(&tables);
+    struct hard_wall_tables tables = {0};
     hard_wall_tables_set(&tables, 0.33);
     for (int i = 0; i < 2; i++) {
         const double tolerance = i == 0 ? 1e-3 : 1e-5, speed = i == 0 ? 0.1 : 0.02;
@@ -485,27 +472,24 @@ TEST(test_hard_wall)
 /* A row has the numbers of the library's table cut to its modes, whatever table the sweep has. */
 TEST(test_rayleigh)
 {
-    const struct sweep sweep = {.rayleigh = true};
-    const struct cor_disk_modes *const whole = &cor_disk_modes_nu033;
-    for (int i = 0; i < 3; i++) {
-        const double speed = i == 0 ? 1e-3 : i == 1 ? 0.05 : 0.4;
-        const struct sweep_row row = {speed, 0.33, (double)INFINITY, 100, 0};
-        const struct cor_disk_modes cut = {0.33, 100, whole->mode};
-        struct cor_disk_rayleigh expected = {NAN, NAN, NAN, NAN};
+    struct sweep sweep = sweep_of("1e-3,0.05,0.4", "0.33", "100", "100");
+    const struct cor_disk_modes cut = {0.33, 100, cor_disk_modes_nu033.mode};
+    static const int status[] = {COR_OK, COR_BEYOND_THEORY, COR_ERROR_SPEED};
+    sweep.rayleigh = true;
+    for (uint64_t i = 0; i < 3; i++) {
+        struct cor_disk_rayleigh r = {NAN, NAN, NAN, NAN};
         struct sweep_result of_whole, of_cut;
-        const int status = cor_disk_rayleigh(&cut, 100, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &expected, NULL);
-        assert_int_equal(status, i == 0 ? COR_OK : i == 1 ? COR_BEYOND_THEORY : COR_ERROR_SPEED);
-        sweep_collide(&of_whole, &sweep, &row, whole, NULL);
-        sweep_collide(&of_cut, &sweep, &row, &cut, NULL);
-        assert_int_equal(of_whole.status, status);
-        assert_memory_equal(&of_whole.rayleigh, &expected, sizeof expected);
-        assert_memory_equal(&of_cut.rayleigh, &expected, sizeof expected);
+        cor_disk_rayleigh(&cut, 100, COR_DISK_DATUM_CENTRE_OF_MASS, sweep.speed.nearest[i], &r, NULL);
+        sweep_collide(&of_whole, &sweep, i, &cor_disk_modes_nu033, NULL);
+        sweep_collide(&of_cut, &sweep, i, &cut, NULL);
+        assert_true(of_whole.status == status[i] && of_cut.status == status[i]);
+        assert_memory_equal(of_whole.value, of_cut.value, sizeof of_cut.value);
+        const double expected[] = {sweep.speed.nearest[i], 0.33, 100, r.fraction, r.tail};
+        const double after[] = {r.contact_time, r.error_estimate};
+        assert_memory_equal(of_cut.value, expected, sizeof expected);
+        assert_memory_equal(of_cut.value + 6, after, sizeof after);
     }
-    const struct sweep_row row = {1e-3, 0.33, (double)INFINITY, 100, 0};
-    const struct sweep_result result = {.rayleigh = {0.36, 0.0036, 2e-6, 7.25}, .status = COR_OK};
-    char line[SWEEP_LINE];
-    sweep_line(line, &sweep, &row, &result);
-    assert_string_equal(line, "0.001,0.33,100,0.36,0.0036,0.7977468,7.25,2e-06,ok");
+    sweep_clear(&sweep);
 }
 
 RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_threads, test_journal_damaged,
