@@ -115,17 +115,16 @@ bool fit_is_accepted(const struct fit_estimate *estimate)
 
 /* ---- outliers ---- */
 
-/* The item of the largest distance in size, or the one of that line if line is not 0 */
-static size_t farthest(double *distance, const struct fit_data *data, const struct fit_estimate *e, long line)
+/* The largest distance in size, or that of the line if it is not 0 */
+static struct fit_distance farthest(const struct fit_data *data, const struct fit_estimate *e, long line)
 {
-    const size_t items = fit_items(data);
-    double *const at = xmalloc(items * sizeof *at);
-    size_t found = 0;
+    struct fit_distance *const at = xmalloc(fit_lines(data) * sizeof *at), found;
+    size_t most = 0;
     fit_distances(at, e, data);
-    for (size_t item = 1; item < items; item++)
-        if (line ? fit_is_item(data, item) && fit_item_line(data, item) == line : fabs(at[item]) > fabs(at[found]))
-            found = item;
-    *distance = at[found];
+    for (size_t i = 1; i < fit_lines(data); i++)
+        if (line ? at[i].line == line : fabs(at[i].distance) > fabs(at[most].distance))
+            most = i;
+    found = at[most];
     free(at);
     return found;
 }
@@ -135,10 +134,9 @@ static void copy_without(struct fit_data *copy, const struct fit_data *data, con
 {
     bool *const left_out = xmalloc(data->points * sizeof *left_out);
     memset(left_out, 0, data->points * sizeof *left_out);
-    for (size_t item = 0; item < fit_items(data); item++)
-        for (int i = 0; i < o->count; i++)
-            if (i != except && fit_is_item(data, item) && fit_item_line(data, item) == o->outlier[i].line)
-                fit_leave_out(left_out, data, item);
+    for (int i = 0; i < o->count; i++)
+        if (i != except)
+            fit_leave_out(left_out, data, o->outlier[i].line);
     fit_data_copy(copy, data, left_out);
     free(left_out);
 }
@@ -152,20 +150,18 @@ static void set_rest(struct fit_outliers *o, const struct fit_data *data)
 /* Collects suspicious lines; `rest` holds the others. */
 static void collect_suspicious(struct fit_outliers *o, const struct fit_data *data)
 {
-    const size_t enough = 3 * data->points / 4;
     set_rest(o, data);
     while (o->count < FIT_MAX_OUTLIERS) {
         struct fit_estimate e;
-        double distance;
         fit_estimate_curve(&e, o->curve, &o->rest, true);
         if (!e.fitted)
             break;
-        const size_t item = farthest(&distance, &o->rest, &e, 0);
-        if ((double)o->rest.points * erfc(fabs(distance) / sqrt(2)) > 0.05)
+        const struct fit_distance far = farthest(&o->rest, &e, 0);
+        if ((double)o->rest.points * erfc(fabs(far.distance) / sqrt(2)) > 0.05)
             break;
-        o->outlier[o->count++].line = fit_item_line(&o->rest, item);
+        o->outlier[o->count++] = far;
         set_rest(o, data);
-        if (o->rest.points < enough) { /* too many: the last one stays */
+        if (o->rest.points < 3 * data->points / 4) { /* too many: the last one stays */
             o->count--;
             set_rest(o, data);
             break;
@@ -179,33 +175,30 @@ static double squares(const struct fit_estimate *e, size_t points)
     return isnan(e->scale) ? e->chi2 : e->scale * e->scale * (double)(points - (size_t)e->parameters);
 }
 
-/* How far line i lies from the least squares e of the rest, and whether that is significant */
+/* How far line i lies from the least squares e of the rest, and whether that is significant among so many lines */
 static bool is_significant(struct fit_outliers *o, int i, const struct fit_estimate *e, const struct fit_data *data)
 {
     const size_t freedom = o->rest.points - (size_t)e->parameters;
     const double spread = data->has_sigma ? fmax(sqrt(e->chi2 / (double)freedom), 1) : 1;
-    double *const distance = &o->outlier[i].distance, times = 0;
+    struct fit_distance *const line = &o->outlier[i];
     struct fit_data with;
     struct fit_estimate f;
     copy_without(&with, data, o, i);
     fit_estimate_curve(&f, o->curve, &with, false);
-    farthest(distance, &with, e, o->outlier[i].line);
+    *line = farthest(&with, e, line->line);
     if (data->bounce) { /* without the bounces of this time another lambda may look right by chance */
-        double again;
         const double f_freedom = (double)(with.points - (size_t)f.parameters);
-        farthest(&again, &with, &f, o->outlier[i].line);
-        again *= sqrt((f_freedom - 1) / fmax(f_freedom - again * again, 1e-9));
-        *distance = fabs(again) < fabs(*distance) ? again : *distance;
+        double other = farthest(&with, &f, line->line).distance;
+        other *= sqrt((f_freedom - 1) / fmax(f_freedom - other * other, 1e-9));
+        line->distance = fabs(other) < fabs(line->distance) ? other : line->distance;
     } else {
         const double change = squares(&f, with.points) - squares(e, o->rest.points);
-        *distance = copysign(sqrt(fmax(change, 0)), *distance) / (data->has_sigma ? 1 : e->scale);
+        line->distance = copysign(sqrt(fmax(change, 0)), line->distance) / (data->has_sigma ? 1 : e->scale);
     }
     fit_data_clear(&with);
-    for (size_t item = 0; item < fit_items(data); item++)
-        times += fit_is_item(data, item);
-    const double t = *distance / spread;
+    const double t = line->distance / spread;
     const double tail = data->has_sigma && !(spread > 1) ? erfc(fabs(t) / sqrt(2)) : fisher_tail(t * t, 1, freedom);
-    return times * tail < FIT_SIGNIFICANCE;
+    return (double)fit_lines(data) * tail < FIT_SIGNIFICANCE;
 }
 
 /* Puts lines back, the nearest first, until each that is left out is too far from the rest. */
@@ -228,7 +221,7 @@ static void keep_significant(struct fit_outliers *o, const struct fit_data *data
 
 static int compare_lines(const void *a, const void *b)
 {
-    const long x = ((const struct fit_outlier *)a)->line, y = ((const struct fit_outlier *)b)->line;
+    const long x = ((const struct fit_distance *)a)->line, y = ((const struct fit_distance *)b)->line;
     return x < y ? -1 : x > y;
 }
 

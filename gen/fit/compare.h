@@ -35,10 +35,8 @@ void fit_compare(struct fit_comparison *comparison, const struct fit_data *data,
  * scaled to chi^2 = n - k first. */
 struct fit_outliers {
     int count;
-    struct fit_outlier {
-        long line;
-        double distance; /* in sigma of the errors, without the outliers; above 0: eps is too large, or a time late */
-    } outlier[FIT_MAX_OUTLIERS];
+    struct fit_distance outlier[FIT_MAX_OUTLIERS]; /* in sigma of the errors, without the outliers; above 0: eps is too
+                                                    * large, or a time late */
     enum fit_curve curve;
     struct fit_data rest; /* the points without them, if there are any; to be cleared by fit_data_clear */
 };

@@ -6,12 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fit/least_squares.h"
+#include <cminpack.h>
+
 #include "support/console.h"
 #include "support/local.h"
 
-enum { SCAN_STEPS = 400, SCAN_POINTS = 1000, STARTS = 3, SCALE_ROUNDS = 40, ROOT_STEPS = 60 };
 enum {
+    SCAN_STEPS = 400,
+    SCAN_POINTS = 1000,
+    STARTS = 3,
+    SCALE_ROUNDS = 40,
+    ROOT_STEPS = 60,
     RATIO_STEPS = 42,
     ROBUST_RATIO_STEPS = 14,
     RATIO_GOLDEN = 24,
@@ -105,6 +110,7 @@ static double huber_root(double z)
     return size <= FIT_HUBER ? z : copysign(sqrt(FIT_HUBER * (2 * size - FIT_HUBER)), z);
 }
 
+/* All coordinates from those that are not held */
 static void whole_theta(double whole[FIT_MAX_PARAMETERS], const struct problem *p, const double *free_theta)
 {
     for (int j = 0, next = 0; j < p->parameters; j++)
@@ -118,9 +124,8 @@ static void plain_residuals(const struct problem *p, const double *theta, double
         residual[i] = p->point[i].eps - residual[i];
 }
 
-static void residuals(const void *context, const double *theta, double *residual)
+static void residuals(const struct problem *p, const double *theta, double *residual)
 {
-    const struct problem *const p = context;
     double whole[FIT_MAX_PARAMETERS];
     whole_theta(whole, p, theta);
     plain_residuals(p, whole, residual);
@@ -145,22 +150,44 @@ static double objective(const struct problem *p, const double *theta)
 
 /* ---- the minimum ---- */
 
-static void keep_better(double *best, double *best_theta, const struct problem *p, const double *start)
+static int call_residuals(void *p, int m, int n, const double *theta, double *residual, int flag)
+{
+    (void)n;
+    (void)flag;
+    residuals(p, theta, residual);
+    for (int i = 0; i < m; i++)
+        if (!isfinite(residual[i]))
+            return -1; /* stop */
+    return 0;
+}
+
+/* The Levenberg-Marquardt method of MINPACK, from theta on, which becomes the minimiser; returns Q there. It stops where
+ * the relative change of Q or of theta is below 1e-14. */
+static double least_squares(struct problem *p, double *theta)
+{
+    const int m = (int)p->points, n = p->parameters - (p->held >= 0), length = m * n + 5 * n + m;
+    int pivot[FIT_MAX_PARAMETERS];
+    if (n > 0) {
+        double *const work = xmalloc((size_t)(length + m) * sizeof *work);
+        lmdif1(call_residuals, p, m, n, theta, work + length, 1e-14, pivot, work, length);
+        free(work);
+    }
+    const double q = objective(p, theta);
+    return isfinite(q) ? q : INFINITY;
+}
+
+static void keep_better(double *best, double *best_theta, struct problem *p, const double *start)
 {
     double theta[FIT_MAX_PARAMETERS];
     memcpy(theta, start, sizeof theta);
-    least_squares_minimise(residuals, p, p->points, p->parameters, theta);
+    least_squares(p, theta);
     for (int j = 0; j < p->parameters; j++)
         theta[j] = fmin(fmax(theta[j], p->low[j]), p->high[j]);
-    const double at_start = objective(p, start);
-    double sum = objective(p, theta);
-    if (!(sum <= at_start)) {
-        memcpy(theta, start, sizeof theta);
-        sum = at_start;
-    }
-    if (sum < *best) {
-        *best = sum;
-        memcpy(best_theta, theta, sizeof theta);
+    const double at_start = objective(p, start), at_end = objective(p, theta);
+    const bool moved = at_end <= at_start;
+    if ((moved ? at_end : at_start) < *best) {
+        *best = moved ? at_end : at_start;
+        memcpy(best_theta, moved ? theta : start, sizeof theta);
     }
 }
 
@@ -189,7 +216,7 @@ static void thin_problem(struct thin *thin, const struct problem *p, size_t most
 
 /* Scans the range of the only coordinate on a thinned set of points, and starts from the lowest local minima: eps of
  * the Hertzian dashpot has a kink where the contact ends to separate. */
-static double minimise_by_scan(double *theta, const struct problem *p)
+static double minimise_by_scan(double *theta, struct problem *p)
 {
     struct thin thin;
     double value[SCAN_STEPS + 1], best = INFINITY;
@@ -214,7 +241,7 @@ static double minimise_by_scan(double *theta, const struct problem *p)
     return best;
 }
 
-static double minimise(double *theta, const struct problem *p);
+static double minimise(double *theta, struct problem *p);
 
 /* The problem of the dry curve of a curve with a loss */
 static struct problem dry_problem(const struct problem *p)
@@ -227,10 +254,10 @@ static struct problem dry_problem(const struct problem *p)
 
 /* The least of a grid of both coordinates in each third of the second, which ranges from no loss to all of it. Beside a
  * loss the damping is weaker than without: of a logarithm a range below that of the dry curve is enough. */
-static double minimise_on_grid(double *theta, const struct problem *p)
+static double minimise_on_grid(double *theta, struct problem *p)
 {
     enum { FIRST = 60, SECOND = 75, PARTS = 3, POINTS = 250 };
-    const struct problem dry = dry_problem(p);
+    struct problem dry = dry_problem(p);
     double dry_theta[FIT_MAX_PARAMETERS] = {0, p->low[1]}, low = p->low[0], high = p->high[0];
     minimise(dry_theta, &dry);
     dry_theta[1] = p->low[1];
@@ -260,7 +287,7 @@ static double minimise_on_grid(double *theta, const struct problem *p)
 }
 
 /* The straight line of ln eps over ln g, each point weighted by eps^2 as in least squares of eps, and the mean */
-static double minimise_power_law(double *theta, const struct problem *p)
+static double minimise_power_law(double *theta, struct problem *p)
 {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, best = INFINITY;
     for (size_t i = 0; i < p->points; i++) {
@@ -283,7 +310,7 @@ static double minimise_power_law(double *theta, const struct problem *p)
     return best;
 }
 
-static double minimise_constant(double *theta, const struct problem *p)
+static double minimise_constant(double *theta, struct problem *p)
 {
     double w = 0, sum = 0, best = INFINITY;
     for (size_t i = 0; i < p->points; i++) {
@@ -296,7 +323,7 @@ static double minimise_constant(double *theta, const struct problem *p)
     return best;
 }
 
-static double minimise(double *theta, const struct problem *p)
+static double minimise(double *theta, struct problem *p)
 {
     if (p->curve == FIT_CONSTANT)
         return minimise_constant(theta, p);
@@ -448,8 +475,7 @@ static double profile(struct problem *p, int j, double x, double *rest)
     do {
         before = q;
         p->held = j;
-        q = p->parameters == 1 ? objective(p, NULL)
-                               : least_squares_minimise(residuals, p, p->points, p->parameters - 1, rest);
+        q = least_squares(p, rest);
         if (p->bounce && !p->robust) {
             double whole[FIT_MAX_PARAMETERS];
             whole_theta(whole, p, rest);
@@ -684,45 +710,34 @@ double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data,
 
 /* ---- distances ---- */
 
-size_t fit_items(const struct fit_data *data)
+size_t fit_lines(const struct fit_data *data)
 {
-    return (data->bounce ? 3 : 1) * data->points;
+    size_t lines = data->points;
+    for (size_t k = 0; data->bounce && k < data->points; k++)
+        lines += data->bounce[k].begins ? 2 : 0;
+    return lines;
 }
 
-bool fit_is_item(const struct fit_data *data, size_t item)
+void fit_leave_out(bool *left_out, const struct fit_data *data, long line)
 {
-    return !data->bounce || item % 3 == 2 || data->bounce[item / 3].begins;
-}
-
-long fit_item_line(const struct fit_data *data, size_t item)
-{
-    return data->bounce ? data->bounce[item / 3].line[item % 3] : data->point[item].line;
-}
-
-void fit_leave_out(bool *left_out, const struct fit_data *data, size_t item)
-{
-    if (!data->bounce) {
-        left_out[item] = true;
-        return;
-    }
-    const size_t first = item / 3;
-    for (size_t k = first; k <= first + item % 3 && k < data->points; k++) {
-        if (k > first && data->bounce[k].begins)
-            break;
-        left_out[data->bounce[k].point] = true;
+    for (size_t i = 0; i < data->points; i++) {
+        const struct fit_bounce *const b = data->bounce ? &data->bounce[i] : NULL;
+        if (!b)
+            left_out[i] = left_out[i] || data->point[i].line == line;
+        else if (b->line[0] == line || b->line[1] == line || b->line[2] == line)
+            left_out[b->point] = true;
     }
 }
 
-/* Generalised least squares of the error e of one time from z = w e + noise */
-static double time_distance(const struct problem *p, size_t item)
+/* Generalised least squares of the error e of time w of bounce `first` from z = w e + noise */
+static double time_distance(const struct problem *p, size_t first, size_t time)
 {
     const struct whitening *const whitening = &p->w;
-    const size_t first = item / 3;
     double w[REACH + 2] = {0}, product = 0, squares = 0; /* two zeros before the first */
     for (size_t k = first; k < p->points && k < first + REACH && (k == first || !p->bounce[k].begins); k++) {
-        const size_t place = k - first + 2, before = item % 3 + first - k; /* times from t_k to this one */
+        const size_t place = k - first + 2, before = time + first - k; /* times from t_k to this one */
         const double a = whitening->slope[k], *const row = whitening->factor[k];
-        const double direct = k > first + item % 3 ? 0 : before == 2 ? 1 : before == 1 ? -(1 + a) : a;
+        const double direct = k > first + time ? 0 : before == 2 ? 1 : before == 1 ? -(1 + a) : a;
         w[place] = (direct - row[1] * w[place - 1] - row[0] * w[place - 2]) / row[2];
         product += w[place] * whitening->y[k];
         squares += w[place] * w[place];
@@ -730,16 +745,18 @@ static double time_distance(const struct problem *p, size_t item)
     return product / sqrt(squares);
 }
 
-void fit_distances(double *distance, const struct fit_estimate *estimate, const struct fit_data *data)
+void fit_distances(struct fit_distance *out, const struct fit_estimate *estimate, const struct fit_data *data)
 {
     LOCAL_INIT(problem, p, (&p, estimate->curve, data, false));
     plain_residuals(&p, estimate->theta, p.buffer);
+    for (size_t i = 0; !p.bounce && i < p.points; i++)
+        *out++ =
+            (struct fit_distance){p.point[i].line, p.buffer[i] / (p.has_sigma ? p.point[i].sigma : estimate->scale)};
     if (p.bounce) {
         set_slopes(&p, estimate->theta);
         whiten(&p, estimate->ratio, p.buffer);
     }
-    for (size_t item = 0; item < fit_items(data); item++)
-        distance[item] = !fit_is_item(data, item) ? 0
-                         : p.bounce               ? time_distance(&p, item) / estimate->time_sigma_s
-                                    : p.buffer[item] / (p.has_sigma ? p.point[item].sigma : estimate->scale);
+    for (size_t k = 0; p.bounce && k < p.points; k++)
+        for (size_t time = p.bounce[k].begins ? 0 : 2; time < 3; time++)
+            *out++ = (struct fit_distance){p.bounce[k].line[time], time_distance(&p, k, time) / estimate->time_sigma_s};
 }

@@ -59,18 +59,18 @@ struct fit_estimate {
     double time_sigma_s; /* of bounces: s */
 };
 
-/* Distances from the curve in standard deviations. Items are the points or, of bounces, their times: time w of bounce k
- * is item 3 k + w, and has another item if k is not the first bounce of a drop. */
-size_t fit_items(const struct fit_data *data);
-bool fit_is_item(const struct fit_data *data, size_t item);
-long fit_item_line(const struct fit_data *data, size_t item);
+/* The distances of all points from the curve in standard deviations, (eps_i - eps(g_i))/s_i; of bounces those of their
+ * times: the error of a time over its standard deviation, as the bounces of its drop from that time on determine it.
+ */
+struct fit_distance {
+    long line;
+    double distance;
+};
+size_t fit_lines(const struct fit_data *data); /* their number */
+void fit_distances(struct fit_distance *distance, const struct fit_estimate *estimate, const struct fit_data *data);
 
-/* The distance of each item: (eps_i - eps(g_i))/s_i, or the error of a time over its standard deviation, as the bounces
- * of its drop from that time on determine it; 0 for no item */
-void fit_distances(double *distance, const struct fit_estimate *estimate, const struct fit_data *data);
-
-/* Marks the points that the item enters: itself, or the bounces with that time. */
-void fit_leave_out(bool *left_out, const struct fit_data *data, size_t item);
+/* Marks the point of that line, or the bounces with the time of that line. */
+void fit_leave_out(bool *left_out, const struct fit_data *data, long line);
 
 /* Fits one curve; everything but `aic`, which depends on the other curves. */
 void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, const struct fit_data *data, bool robust);
