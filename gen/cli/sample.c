@@ -5,7 +5,7 @@
 #include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "contact/contact.h"
-#include "contact/sample_table.h"
+#include "contact/sample.h"
 #include "support/console.h"
 
 static int check_request(const struct sample_arguments *o, const struct sample_request *request)

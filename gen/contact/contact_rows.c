@@ -9,7 +9,7 @@
 
 #include "support/console.h"
 
-enum { NAME = 64, HEADER = 512 };
+enum { HEADER = 512 };
 
 /* ---- the contact ---- */
 
@@ -18,36 +18,36 @@ static bool is_jkr(const struct contacts *contacts)
     return contacts->contact[0].adhesion_j_m2 > 0;
 }
 
-/* The name of a quantity or column. Where it ends like an end of contact, that of the contact takes its place. */
-static const char *name_of_end(char text[NAME], const struct contacts *contacts, const char *name)
+/* The two ends, as names of columns have them */
+static const char *const *ends_of(const struct contacts *contacts)
 {
-    static const char *const ends[] = {"zero_overlap", "zero_force"}, *const jkr[] = {"tail", "largest_pull"};
-    snprintf(text, NAME, "%s", name);
-    for (int i = 0; i < 2 && is_jkr(contacts); i++) {
-        char *const end = strstr(text, ends[i]);
-        if (end)
-            snprintf(end, NAME - (size_t)(end - text), "%s", jkr[i]);
-    }
-    return text;
+    static const char *const ends[2][COR_SCENE_ENDS] = {{"zero_overlap", "zero_force"}, {"tail", "largest_pull"}};
+    return ends[is_jkr(contacts)];
 }
 
 void contact_summary(struct table *table, const struct contacts *contacts, int digits)
 {
-    char name[NAME];
+    const char *const *const end = ends_of(contacts);
+    char text[HEADER];
+    snprintf(text, sizeof text, "quantity,value_%s,value_%s,unit", end[0], end[1]);
     if (contacts->count == 1)
         table_init(table, "quantity,value,unit", "tnt");
     else
-        table_init(table,
-                   is_jkr(contacts) ? "quantity,value_tail,value_largest_pull,unit"
-                                    : "quantity,value_zero_overlap,value_zero_force,unit",
-                   "tnnt");
+        table_init(table, text, "tnnt");
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
-        if (isnan(cor_scene_quantity(&contacts->contact[0], cor_scene_quantities[i].number)))
+        const struct cor_scene_quantity *const q = &cor_scene_quantities[i];
+        if (isnan(cor_scene_quantity(&contacts->contact[0], q->number)))
             continue;
-        table_add_text(table, name_of_end(name, contacts, cor_scene_quantities[i].name));
+        snprintf(text, sizeof text, "%s", q->name);
+        for (int k = 0; k < COR_SCENE_ENDS; k++) {
+            char *const at = strstr(text, k == END_ZERO_FORCE ? "zero_force" : "zero_overlap");
+            if (at)
+                snprintf(at, sizeof text - (size_t)(at - text), "%s", end[k]);
+        }
+        table_add_text(table, text);
         for (int k = 0; k < contacts->count; k++)
-            table_add_number(table, cor_scene_quantity(&contacts->contact[k], cor_scene_quantities[i].number), digits);
-        table_add_text(table, cor_scene_quantities[i].unit);
+            table_add_number(table, cor_scene_quantity(&contacts->contact[k], q->number), digits);
+        table_add_text(table, q->unit);
     }
 }
 
@@ -196,52 +196,28 @@ static int add_step(struct table *table, const struct timed *t, size_t row, cons
     return STATUS_OK;
 }
 
-/* Adds names to those of columns. */
-static void put_name(char header[HEADER], const char *name)
-{
-    const size_t length = strlen(header);
-    snprintf(header + length, HEADER - length, length ? ",%s" : "%s", name);
-}
-
 int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,
                  const struct contact_step *step, int digits)
 {
-    static const char *const base[] = {"speed_m_s",
-                                       "beta",
-                                       "eps_zero_overlap",
-                                       "eps_zero_force",
-                                       "duration_s_zero_overlap",
-                                       "duration_s_zero_force",
-                                       "max_overlap_m",
-                                       "max_force_n",
-                                       "time_step_s"};
     const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* by Hertz */
-    char header[HEADER] = "", name[NAME], kinds[] = "nnnnnnnnnnnnnnnnnn";
-    int columns = sizeof base / sizeof *base;
     struct timed t = {.speed_m_s = speed_m_s, .rows = (size_t)contacts->count * speeds, .speeds = speeds};
     t.impact = xmalloc(t.rows * sizeof *t.impact);
     int status = timed_fill(&t, contacts, step);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
-    for (int k = 0; k < columns; k++)
-        put_name(header, name_of_end(name, contacts, base[k]));
-    if (step->errors) {
-        const bool both = t.end[0] == COR_BOTH_ENDS;
-        put_name(header, both ? "step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_zero_force,"
-                                "step_scatter_zero_force"
-                              : "step_bias,step_scatter");
-        columns += both ? 4 : 2;
-    }
-    if (step->corrected) {
-        snprintf(name, sizeof name, "damping_correction,corrected_%s", quantity->name);
-        put_name(header, name);
-        columns += 2;
-    }
-    if (contacts->count > 1) {
-        put_name(header, "measured_end");
-        kinds[columns] = 't';
-    }
-    if (spheres)
-        put_name(header, "contact_radius_m,max_pressure_pa");
+    const char *const *const end = ends_of(contacts);
+    const bool both = t.end[0] == COR_BOTH_ENDS;
+    char header[HEADER], kinds[] = "nnnnnnnnnnnnnnnnnn";
+    if (contacts->count > 1)
+        kinds[9 + (step->errors ? (both ? 4 : 2) : 0) + (step->corrected ? 2 : 0)] = 't';
+    snprintf(header, sizeof header,
+             "speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s"
+             "%s%s%s%s%s",
+             end[0], end[1], end[0], end[1],
+             !step->errors ? ""
+             : both ? ",step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_zero_force,step_scatter_zero_force"
+                    : ",step_bias,step_scatter",
+             step->corrected ? ",damping_correction,corrected_" : "", step->corrected ? quantity->name : "",
+             contacts->count > 1 ? ",measured_end" : "", spheres ? ",contact_radius_m,max_pressure_pa" : "");
     table_init(table, header, kinds);
     for (size_t i = 0; i < t.rows && status == STATUS_OK; i++) {
         const double known = t.known ? 1 : (double)NAN;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "contact/contact_simulator.h"
+#include "contact/contact_rows.h"
 
 #include <stdlib.h>
 #include <string.h>

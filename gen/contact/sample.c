@@ -26,13 +26,12 @@ struct piece {
     int status;
 };
 
-struct function {
-    const struct cor_scene_contact *contact;
-    enum contact_end end;
-    bool log;
-    int quantities; /* 1: eps; 2: eps and duration */
-    struct piece *piece;
+struct sampler {
+    const struct sample_request *request;
+    int quantities;      /* 1: eps; 2: eps and duration */
+    struct piece *piece; /* NULL: a collision is quick */
     size_t pieces;
+    double low, high; /* of x */
 };
 
 static double duration_scale(const struct cor_scene_contact *contact, double speed_m_s)
@@ -41,14 +40,14 @@ static double duration_scale(const struct cor_scene_contact *contact, double spe
     return pow(speed_m_s, (1 - a) / (1 + a));
 }
 
-static int value_direct(double value[SAMPLE_QUANTITIES], const struct function *f, double speed_m_s)
+static int value_direct(double value[SAMPLE_QUANTITIES], const struct sampler *c, double speed_m_s)
 {
     struct cor_scene_impact impact;
-    if (f->quantities == 1)
-        return contact_status(cor_scene_eps(&value[0], f->contact, speed_m_s, (int)f->end));
-    const int status = cor_scene_impact(&impact, f->contact, speed_m_s);
-    value[0] = impact.eps[f->end];
-    value[1] = impact.duration_s[f->end];
+    if (c->quantities == 1)
+        return contact_status(cor_scene_eps(&value[0], c->request->contact, speed_m_s, (int)c->request->end));
+    const int status = cor_scene_impact(&impact, c->request->contact, speed_m_s);
+    value[0] = impact.eps[c->request->end];
+    value[1] = impact.duration_s[c->request->end];
     return contact_status(status);
 }
 
@@ -77,29 +76,29 @@ static double piece_value(const struct piece *piece, int quantity, double u)
 /* Point i of the piece after the last. Durations are divided by their scale, so that they vary slowly. */
 static void fill_point(void *context, slong i)
 {
-    const struct function *const f = context;
-    struct piece *const piece = &f->piece[f->pieces];
+    const struct sampler *const c = context;
+    struct piece *const piece = &c->piece[c->pieces];
     const double speed_m_s = exp(piece_point(piece, (int)i));
     double value[SAMPLE_QUANTITIES];
-    if (value_direct(value, f, speed_m_s) != STATUS_OK)
+    if (value_direct(value, c, speed_m_s) != STATUS_OK)
         piece->status = STATUS_FAILED;
     piece->value[0][i] = value[0];
-    if (f->quantities > 1)
-        piece->value[1][i] = value[1] / duration_scale(f->contact, speed_m_s);
+    if (c->quantities > 1)
+        piece->value[1][i] = value[1] / duration_scale(c->request->contact, speed_m_s);
 }
 
 /* The largest error relative to the value, between the points next to both ends and in the middle */
-static int piece_error(double *error, const struct function *f, const struct piece *piece)
+static int piece_error(double *error, const struct sampler *c, const struct piece *piece)
 {
     static const double place[] = {0.004, 0.31, 0.52, 0.995};
     *error = 0;
     for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
         const double u = piece->low + (piece->high - piece->low) * place[i];
         double value[SAMPLE_QUANTITIES];
-        if (value_direct(value, f, exp(u)) != STATUS_OK)
+        if (value_direct(value, c, exp(u)) != STATUS_OK)
             return STATUS_FAILED;
-        for (int q = 0; q < f->quantities; q++) {
-            const double exact = q == 1 ? value[q] / duration_scale(f->contact, exp(u)) : value[q];
+        for (int q = 0; q < c->quantities; q++) {
+            const double exact = q == 1 ? value[q] / duration_scale(c->request->contact, exp(u)) : value[q];
             *error = fmax(*error, fabs(piece_value(piece, q, u) / exact - 1));
         }
     }
@@ -107,19 +106,19 @@ static int piece_error(double *error, const struct function *f, const struct pie
 }
 
 /* Divides [low, high] of ln(speed) until every piece is accurate. */
-static int fill_pieces(struct function *f, double low, double high)
+static int fill_pieces(struct sampler *c, double low, double high)
 {
-    f->piece = xmalloc(PIECES_MOST * sizeof *f->piece);
+    c->piece = xmalloc(PIECES_MOST * sizeof *c->piece);
     double width = high - low, error;
     while (low < high) {
-        if (f->pieces == PIECES_MOST)
+        if (c->pieces == PIECES_MOST)
             return fail("eps changes too fast in this range of speeds to be sampled");
-        struct piece *const piece = &f->piece[f->pieces];
+        struct piece *const piece = &c->piece[c->pieces];
         piece->low = low;
         piece->high = low + width < high * (1 - 1e-12) - 1e-12 ? low + width : high;
         piece->status = STATUS_OK;
-        parallel_for(fill_point, f, PIECE_POINTS, "collisions");
-        if (piece->status != STATUS_OK || piece_error(&error, f, piece) != STATUS_OK)
+        parallel_for(fill_point, c, PIECE_POINTS, "collisions");
+        if (piece->status != STATUS_OK || piece_error(&error, c, piece) != STATUS_OK)
             return STATUS_FAILED;
         if (error > PIECE_ERROR) {
             width = (piece->high - piece->low) / 2;
@@ -127,82 +126,74 @@ static int fill_pieces(struct function *f, double low, double high)
                 return fail("eps changes too fast near %g m/s to be sampled", exp(low));
             continue;
         }
-        f->pieces++;
+        c->pieces++;
         low = piece->high;
     }
     return STATUS_OK;
 }
 
-/* The function without the interpolation: slow for some laws, and NaN where a collision fails */
-static void function_direct(struct function *f, const struct sample_request *request)
+/* Returns STATUS_OK, or STATUS_FAILED after a message. In both cases c->piece is to be freed. */
+static int find_pieces(struct sampler *c)
 {
-    *f = (struct function){
-        .contact = request->contact, .end = request->end, .log = request->log, .quantities = request->duration ? 2 : 1};
-}
-
-/* Returns STATUS_OK, or STATUS_FAILED after a message. In both cases f->piece is to be freed. */
-static int function_init(struct function *f, const struct sample_request *request)
-{
-    function_direct(f, request);
-    if (!cor_scene_needs_solver(request->contact))
+    if (!cor_scene_needs_solver(c->request->contact))
         return STATUS_OK;
     const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
-    return fill_pieces(f, log(request->speed_min) - margin, log(request->speed_max) + margin);
+    return fill_pieces(c, log(c->request->speed_min) - margin, log(c->request->speed_max) + margin);
 }
 
-static double function_place(const struct function *f, double speed_m_s)
+static double function_place(const struct sampler *c, double speed_m_s)
 {
-    return f->log ? log(speed_m_s) : speed_m_s;
+    return c->request->log ? log(speed_m_s) : speed_m_s;
 }
 
-static double function_speed(const struct function *f, double x)
+static double function_speed(const struct sampler *c, double x)
 {
-    return f->log ? exp(x) : x;
+    return c->request->log ? exp(x) : x;
 }
 
-static double function_at_speed(const struct function *f, int quantity, double speed_m_s)
+static double function_at_speed(const struct sampler *c, int quantity, double speed_m_s)
 {
     double value[SAMPLE_QUANTITIES] = {(double)NAN, (double)NAN};
-    if (!f->piece) {
-        value_direct(value, f, speed_m_s); /* the laws of the library never fail */
+    if (!c->piece) {
+        value_direct(value, c, speed_m_s); /* the laws of the library never fail */
         return value[quantity];
     }
     const double u = log(speed_m_s);
     size_t i = 0;
-    while (i + 1 < f->pieces && u > f->piece[i].high)
+    while (i + 1 < c->pieces && u > c->piece[i].high)
         i++;
-    const double y = piece_value(&f->piece[i], quantity, u);
-    return quantity == 1 ? y * duration_scale(f->contact, speed_m_s) : y;
+    const double y = piece_value(&c->piece[i], quantity, u);
+    return quantity == 1 ? y * duration_scale(c->request->contact, speed_m_s) : y;
 }
 
-static double function_value(const struct function *f, int quantity, double x)
+static double function_value(const struct sampler *c, int quantity, double x)
 {
-    return function_at_speed(f, quantity, function_speed(f, x));
+    return function_at_speed(c, quantity, function_speed(c, x));
 }
 
 /* The step in ln(speed) of a difference that does not reach beyond the onset of yield, where the second derivative
  * jumps; next to it the slope is off by SLOPE_LEAST times that jump. */
-static double slope_step(const struct function *f, double speed_m_s)
+static double slope_step(const struct sampler *c, double speed_m_s)
 {
-    const struct cor_scene_contact *const c = f->contact;
-    if (!c->plastic)
+    const struct cor_scene_contact *const contact = c->request->contact;
+    if (!contact->plastic)
         return SLOPE_STEP;
-    const double away = fabs(log(speed_m_s / (c->yield_speed_m_s + c->liquid_speed_m_s)));
+    const double away = fabs(log(speed_m_s / (contact->yield_speed_m_s + contact->liquid_speed_m_s)));
     return fmin(SLOPE_STEP, fmax(SLOPE_LEAST, away / (1.01 * SLOPE_REACH)));
 }
 
 /* d value/dx at a speed, by a central difference of order 6 in ln(speed); relative error below 1e-12 */
-static double function_slope(const struct function *f, int quantity, double speed_m_s)
+static double function_slope(const struct sampler *c, int quantity, double speed_m_s)
 {
     static const double weight[SLOPE_REACH] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
-    const double step = slope_step(f, speed_m_s);
+    const double step = slope_step(c, speed_m_s);
     double sum = 0;
     for (int k = 1; k <= SLOPE_REACH; k++) {
         const double factor = exp(k * step);
-        sum += weight[k - 1] * (function_at_speed(f, quantity, speed_m_s * factor) -
-                                function_at_speed(f, quantity, speed_m_s / factor));
+        sum += weight[k - 1] * (function_at_speed(c, quantity, speed_m_s * factor) -
+                                function_at_speed(c, quantity, speed_m_s / factor));
     }
-    return sum / step / (f->log ? 1 : speed_m_s);
+    return sum / step / (c->request->log ? 1 : speed_m_s);
 }
 
 /* ---- segments ---- */
@@ -214,40 +205,33 @@ struct segment {
     double x[2], value[2], slope[2];
 };
 
-struct chooser {
-    struct function f;
-    bool cubic;
-    double low, high; /* of x */
-};
-
-static struct segment segment_of(const struct chooser *c, int quantity, double left, double right)
+static struct segment segment_of(const struct sampler *c, int quantity, double left, double right)
 {
-    struct segment s = {
-        {left, right}, {function_value(&c->f, quantity, left), function_value(&c->f, quantity, right)}, {0, 0}};
-    for (int i = 0; c->cubic && i < 2; i++)
-        s.slope[i] = function_slope(&c->f, quantity, function_speed(&c->f, s.x[i]));
+    struct segment s = {{left, right}, {function_value(c, quantity, left), function_value(c, quantity, right)}, {0, 0}};
+    for (int i = 0; c->request->cubic && i < 2; i++)
+        s.slope[i] = function_slope(c, quantity, function_speed(c, s.x[i]));
     return s;
 }
 
 /* The interpolant between the ends of the segment, at the fraction t of its length */
-static double segment_value(const struct chooser *c, const struct segment *s, double t)
+static double segment_value(const struct sampler *c, const struct segment *s, double t)
 {
-    if (!c->cubic)
+    if (!c->request->cubic)
         return s->value[0] + t * (s->value[1] - s->value[0]);
     const double width = s->x[1] - s->x[0], rest = 1 - t;
     return rest * rest * ((1 + 2 * t) * s->value[0] + t * width * s->slope[0]) +
            t * t * ((3 - 2 * t) * s->value[1] - rest * width * s->slope[1]);
 }
 
-static double error_at(const struct chooser *c, const struct segment *s, int quantity, double t)
+static double error_at(const struct sampler *c, const struct segment *s, int quantity, double t)
 {
-    const double exact = function_value(&c->f, quantity, s->x[0] + t * (s->x[1] - s->x[0]));
+    const double exact = function_value(c, quantity, s->x[0] + t * (s->x[1] - s->x[0]));
     return fabs(segment_value(c, s, t) / exact - 1);
 }
 
 /* The largest error of one quantity in a segment: the largest of evenly spaced places, and the vertex of the parabola
  * through it and its neighbours */
-static double quantity_error(const struct chooser *c, int quantity, double left, double right, int places)
+static double quantity_error(const struct sampler *c, int quantity, double left, double right, int places)
 {
     const struct segment s = segment_of(c, quantity, left, right);
     double error[CHECK_PLACES + 1] = {0};
@@ -264,10 +248,10 @@ static double quantity_error(const struct chooser *c, int quantity, double left,
     return fmax(error[at], error_at(c, &s, quantity, vertex / places));
 }
 
-static double segment_error(const struct chooser *c, double left, double right, int places)
+static double segment_error(const struct sampler *c, double left, double right, int places)
 {
     double most = 0;
-    for (int quantity = 0; quantity < c->f.quantities; quantity++)
+    for (int quantity = 0; quantity < c->quantities; quantity++)
         most = fmax(most, quantity_error(c, quantity, left, right, places));
     return most;
 }
@@ -276,9 +260,9 @@ static double segment_error(const struct chooser *c, double left, double right, 
 
 /* The place in (good, bad) where the error of the segment from `left` becomes `error`: the error grows like the second
  * power of the length, or the fourth. */
-static double refine_reach(const struct chooser *c, double left, double good, double bad, double error)
+static double refine_reach(const struct sampler *c, double left, double good, double bad, double error)
 {
-    const double power = c->cubic ? 4 : 2;
+    const double power = c->request->cubic ? 4 : 2;
     double guess = (good + bad) / 2;
     for (int k = 0; k < 60 && bad - good > 1e-10 * (bad - left); k++) {
         const double got = segment_error(c, left, guess, SEARCH_PLACES);
@@ -297,7 +281,7 @@ static double refine_reach(const struct chooser *c, double left, double good, do
 }
 
 /* The farthest place to which a segment from `left` has at most this error. `length` is a first guess of its length. */
-static double reach(const struct chooser *c, double left, double error, double length)
+static double reach(const struct sampler *c, double left, double error, double length)
 {
     if (segment_error(c, left, c->high, SEARCH_PLACES) <= error)
         return c->high;
@@ -326,7 +310,7 @@ static double reach(const struct chooser *c, double left, double error, double l
 
 /* Places points with at most this error until the end of the range or `most` segments are reached, which `x` can hold.
  * Returns the number of segments, and in *last_error the error of the last one if it has to reach the end. */
-static size_t place_points(const struct chooser *c, double *x, size_t most, double error, double *last_error)
+static size_t place_points(const struct sampler *c, double *x, size_t most, double error, double *last_error)
 {
     double length = (c->high - c->low) / 2;
     size_t n = 0;
@@ -350,7 +334,7 @@ static size_t place_points(const struct chooser *c, double *x, size_t most, doub
 
 /* Moves the points of `segments` segments until all have the same error; returns it. The error of the last segment
  * falls while that of the others rises, so that both meet once. */
-static double equalise(const struct chooser *c, double *x, size_t segments, double upper)
+static double equalise(const struct sampler *c, double *x, size_t segments, double upper)
 {
     double low = 0, high = upper, last;
     if (segments == 1)
@@ -373,18 +357,6 @@ static double equalise(const struct chooser *c, double *x, size_t segments, doub
 
 /* ---- tables ---- */
 
-/* All numbers of the points in one block, which begins with the speeds */
-static void points_alloc(struct sample_points *p, const struct chooser *c, size_t count)
-{
-    double *next = xmalloc((1 + 2 * SAMPLE_QUANTITIES) * count * sizeof(double));
-    p->count = count;
-    p->speed_m_s = next;
-    for (int q = 0; q < c->f.quantities; q++) {
-        p->value[q] = next += count;
-        p->slope[q] = c->cubic ? next += count : NULL;
-    }
-}
-
 /* Speeds inside the range are rounded to 12 digits, as they are printed; their values are those of the rounded speeds.
  */
 static double printed_speed(double speed_m_s)
@@ -394,79 +366,81 @@ static double printed_speed(double speed_m_s)
     return strtod(text, NULL);
 }
 
-static void points_fill(struct sample_points *p, const struct chooser *c, const struct sample_request *request,
-                        const double *x)
+/* All numbers of the points are in one block, which begins with the speeds. */
+static void points_fill(struct sample_points *p, const struct sampler *c, const double *x, size_t count)
 {
-    for (size_t i = 0; i < p->count; i++) {
-        p->speed_m_s[i] = i == 0              ? request->speed_min
-                          : i + 1 == p->count ? request->speed_max
-                                              : printed_speed(function_speed(&c->f, x[i]));
-        for (int q = 0; q < c->f.quantities; q++) {
-            p->value[q][i] = function_at_speed(&c->f, q, p->speed_m_s[i]);
-            if (c->cubic)
-                p->slope[q][i] = function_slope(&c->f, q, p->speed_m_s[i]);
+    double *next = xrealloc(p->speed_m_s, (1 + 2 * SAMPLE_QUANTITIES) * count * sizeof(double));
+    *p = (struct sample_points){.count = count, .speed_m_s = next};
+    for (size_t i = 0; i < count; i++)
+        p->speed_m_s[i] = i == 0           ? c->request->speed_min
+                          : i + 1 == count ? c->request->speed_max
+                                           : printed_speed(function_speed(c, x[i]));
+    for (int q = 0; q < c->quantities; q++) {
+        p->value[q] = next += count;
+        p->slope[q] = c->request->cubic ? next += count : NULL;
+        for (size_t i = 0; i < count; i++) {
+            p->value[q][i] = function_at_speed(c, q, p->speed_m_s[i]);
+            if (p->slope[q])
+                p->slope[q][i] = function_slope(c, q, p->speed_m_s[i]);
         }
     }
-    p->error = 0;
-    for (size_t i = 0; i + 1 < p->count; i++)
-        p->error = fmax(p->error, segment_error(c, function_place(&c->f, p->speed_m_s[i]),
-                                                function_place(&c->f, p->speed_m_s[i + 1]), CHECK_PLACES));
+    for (size_t i = 0; i + 1 < count; i++)
+        p->error = fmax(p->error, segment_error(c, function_place(c, p->speed_m_s[i]),
+                                                function_place(c, p->speed_m_s[i + 1]), CHECK_PLACES));
 }
 
-static int choose_points(struct sample *sample, const struct chooser *c, const struct sample_request *request,
-                         double *x)
+static int choose_points(struct sample *sample, const struct sampler *c, double *x)
 {
+    const double tolerance = c->request->tolerance;
     double last;
     /* rounded speeds and measured errors must not exceed the tolerance */
-    const double allowed = request->tolerance * (1 - 1e-6);
+    const double allowed = tolerance * (1 - 1e-6);
     const size_t segments = place_points(c, x, SAMPLE_MOST_POINTS, allowed, &last);
     if (segments >= SAMPLE_MOST_POINTS)
         return usage_error("--tolerance %g needs more than %d points: use --cubic, or corgen embed for a formula",
-                           request->tolerance, SAMPLE_MOST_POINTS);
+                           tolerance, SAMPLE_MOST_POINTS);
     sample->error_of_fewer =
         segments == 1 || segments > MANY_SEGMENTS ? INFINITY : equalise(c, x, segments - 1, 16 * allowed);
     equalise(c, x, segments, allowed);
-    points_alloc(&sample->best, c, segments + 1);
-    points_fill(&sample->best, c, request, x);
+    points_fill(&sample->best, c, x, segments + 1);
     for (size_t i = 0; i <= segments; i++)
         x[i] = c->low + (c->high - c->low) * (double)i / (double)segments;
-    points_alloc(&sample->even, c, segments + 1);
-    points_fill(&sample->even, c, request, x);
+    points_fill(&sample->even, c, x, segments + 1);
     /* a few long segments over an inflection point may do better where they lie evenly */
     if (sample->even.error < sample->best.error)
-        points_fill(&sample->best, c, request, x);
+        points_fill(&sample->best, c, x, segments + 1);
     return STATUS_OK;
 }
 
 /* eps and duration are monotonic, so that their values at both ends of the range bound them. */
-static int check_values(const struct chooser *c, const struct sample_request *request)
+static int check_values(const struct sampler *c)
 {
-    for (int q = 0; q < c->f.quantities; q++) {
-        const double low = function_value(&c->f, q, c->low), high = function_value(&c->f, q, c->high);
+    const struct sample_request *const r = c->request;
+    for (int q = 0; q < c->quantities; q++) {
+        const double low = function_value(c, q, c->low), high = function_value(c, q, c->high);
         if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
             return usage_error("%s is %g at %g m/s and %g at %g m/s: a relative tolerance needs a number above 0; give "
                                "a narrower range of speeds, or --end zero-force",
-                               q == 0 ? "eps" : "the duration", low, request->speed_min, high, request->speed_max);
+                               q == 0 ? "eps" : "the duration", low, r->speed_min, high, r->speed_max);
     }
     return STATUS_OK;
 }
 
 int sample_choose(struct sample *sample, const struct sample_request *request)
 {
-    struct chooser c = {.cubic = request->cubic};
+    struct sampler c = {.request = request, .quantities = request->duration ? 2 : 1};
     *sample = (struct sample){.error_of_fewer = INFINITY};
-    function_direct(&c.f, request);
-    c.low = function_place(&c.f, request->speed_min);
-    c.high = function_place(&c.f, request->speed_max);
-    int status = check_values(&c, request);
+    c.low = function_place(&c, request->speed_min);
+    c.high = function_place(&c, request->speed_max);
+    int status = check_values(&c);
     if (status == STATUS_OK)
-        status = function_init(&c.f, request);
+        status = find_pieces(&c);
     if (status == STATUS_OK) {
         double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x);
-        status = choose_points(sample, &c, request, x);
+        status = choose_points(sample, &c, x);
         free(x);
     }
-    free(c.f.piece);
+    free(c.piece);
     progress_end();
     return status;
 }

@@ -12,6 +12,8 @@
 #ifndef COR_GEN_CONTACT_SAMPLE_H
 #define COR_GEN_CONTACT_SAMPLE_H
 
+#include <stdio.h>
+
 #include "contact/contact.h"
 
 #define SAMPLE_FINEST 1e-10
@@ -52,5 +54,22 @@ struct sample {
  * range; STATUS_FAILED. In every case sample_clear frees the memory. */
 int sample_choose(struct sample *sample, const struct sample_request *request);
 void sample_clear(struct sample *sample);
+
+/* ---- sample_table.c: text, csv, json, arrays of C, lists of Python, and tables that simulators read ---- */
+
+/* The first three are those of enum output_format. */
+enum sample_format {
+    SAMPLE_TEXT,
+    SAMPLE_CSV,
+    SAMPLE_JSON,
+    SAMPLE_C,
+    SAMPLE_PYTHON,
+    SAMPLE_MODELICA, /* CombiTable1Ds, CombiTable1Dv: linear interpolation alone */
+    SAMPLE_OPENFOAM  /* Function1 of type table: linear interpolation alone */
+};
+extern const char *const sample_format_names[]; /* ends with NULL */
+
+void sample_print(FILE *file, const struct sample *sample, const struct sample_request *request,
+                  enum sample_format format);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "contact/sample_table.h"
+#include "contact/sample.h"
 
 #include <math.h>
 #include <string.h>

@@ -161,8 +161,8 @@ static int call_residuals(void *p, int m, int n, const double *theta, double *re
     return 0;
 }
 
-/* The Levenberg-Marquardt method of MINPACK, from theta on, which becomes the minimiser; returns Q there. It stops where
- * the relative change of Q or of theta is below 1e-14. */
+/* The Levenberg-Marquardt method of MINPACK, from theta on, which becomes the minimiser; returns Q there. It stops
+ * where the relative change of Q or of theta is below 1e-14. */
 static double least_squares(struct problem *p, double *theta)
 {
     const int m = (int)p->points, n = p->parameters - (p->held >= 0), length = m * n + 5 * n + m;

@@ -6,7 +6,6 @@
 
 #include "contact/contact.h"
 #include "contact/contact_rows.h"
-#include "contact/contact_simulator.h"
 #include "cor/hertz_dashpot.h"
 #include "cor/law.h"
 #include "cor/sphere.h"
