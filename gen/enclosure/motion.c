@@ -95,11 +95,9 @@ static bool find_turning_point(struct motion *m)
 {
     struct taylor *y = &m->y;
     LOCAL(arb, value, root);
-    taylor_value(value, y, TAYLOR_V, y->step);
     arb_zero(m->begin);
-    bool decided = arb_is_positive(value);
-    if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_V, m->begin, y->step)) {
-        decided = true;
+    const enum taylor_crossing crossing = taylor_crosses(root, y, TAYLOR_V, m->begin, y->step);
+    if (crossing == TAYLOR_CROSSED) {
         m->turned = true;
         arb_get_ubound_arf(arb_midref(m->begin), root, y->prec);
         taylor_value(value, y, TAYLOR_W, root);
@@ -108,23 +106,19 @@ static bool find_turning_point(struct motion *m)
         taylor_value(value, y, TAYLOR_T, root);
         arb_mul(m->c->t_max, value, m->s.length, y->prec);
     }
-    return decided;
+    return crossing != TAYLOR_UNDECIDED;
 }
 
 /* Sets `end` to the place where the overlap vanishes, or to the end of the step. */
 static bool find_zero_overlap(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
-    LOCAL(arb, value);
     arb_set(end, y->step);
-    taylor_value(value, y, TAYLOR_W, y->step);
-    bool decided = arb_is_positive(value);
-    if (arb_is_negative(value) && taylor_root(end, y, TAYLOR_W, m->begin, y->step)) {
-        decided = true;
-        m->parted = true;
+    const enum taylor_crossing crossing = taylor_crosses(end, y, TAYLOR_W, m->begin, y->step);
+    m->parted = crossing == TAYLOR_CROSSED;
+    if (m->parted)
         motion_record(m->c->eps_zero_overlap, m->c->t_zero_overlap, m, end);
-    }
-    return decided;
+    return crossing != TAYLOR_UNDECIDED;
 }
 
 /* Under a constant force, within one approach to x = 0, the contact force can vanish and grow again; the first at
@@ -156,19 +150,15 @@ static bool cut_at_release(struct motion *m, arb_t end)
 /* Searches before `end`. If the overlap vanishes in the same step, the two events may be too close to be separated. */
 static bool find_zero_force(struct motion *m, arb_t end)
 {
-    struct taylor *y = &m->y;
-    LOCAL(arb, value, root);
+    LOCAL(arb, root);
     const bool passed = m->pressing.cut;
     if (m->pressing.any && !cut_at_release(m, end) && passed)
         return false; /* at release, and the energy has not decided */
-    taylor_value(value, y, TAYLOR_FORCE, end);
-    bool decided = arb_is_positive(value) || m->parted;
-    if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_FORCE, m->begin, end)) {
-        decided = true;
-        m->released = true;
+    const enum taylor_crossing crossing = taylor_crosses(root, &m->y, TAYLOR_FORCE, m->begin, end);
+    m->released = crossing == TAYLOR_CROSSED;
+    if (m->released)
         motion_record(m->c->eps_zero_force, m->c->t_zero_force, m, root);
-    }
-    return decided;
+    return crossing != TAYLOR_UNDECIDED || m->parted;
 }
 
 /* The zero-force end if it is too close to zero overlap to be separated by signs. While the force is attractive the
@@ -368,23 +358,16 @@ enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const st
                                  slong prec)
 {
     LOCAL_INIT(motion, m, (&m, c, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
-    const enum motion_outcome outcome = motion_follow(&m, goal, NULL, 0);
-    return outcome;
+    return motion_follow(&m, goal, NULL, 0);
 }
 
 enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
                                          const struct law *law, enum motion_goal goal, slong prec)
 {
-    struct law even = *law;
-    if (law->d == 1) { /* w = v = 0 is a place of rest only if d > 1 */
-        even.d = 2;
-        even.ad *= 2;
-        even.bd *= 2;
-    }
+    const struct law even = law_even(law); /* w = v = 0 is a place of rest only if d > 1 */
     LOCAL_INIT(motion, m, (&m, c, beta, &even, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
     press(&m, force);
-    const enum motion_outcome outcome = motion_follow(&m, goal, NULL, 0);
-    return outcome;
+    return motion_follow(&m, goal, NULL, 0);
 }
 
 /* In units of the slow manifold, x = beta^(-2/n) z: a speed is beta^(-1/q), a time beta^((a-1)/n). */

@@ -49,14 +49,9 @@ enum backward { FOUND, IMPRECISE, ESCAPED };
 /* V of B */
 static enum backward impact_speed(arb_t speed, const arb_t damping, const struct law *law, int end, slong prec)
 {
-    struct law even = *law;
-    if (law->d == 1) {
-        even.d = 2;
-        even.ad *= 2;
-        even.bd *= 2;
-    }
+    const struct law even = law_even(law);
     LOCAL_INIT(taylor, y, (&y, &even, taylor_degree(prec), prec));
-    LOCAL(arb, value, root, begin);
+    LOCAL(arb, root, begin);
     bool turned = false;
     arb_neg(y.c1, damping);
     arb_one(y.c2);
@@ -68,24 +63,18 @@ static enum backward impact_speed(arb_t speed, const arb_t damping, const struct
         if (!taylor_choose_step(&y))
             return IMPRECISE;
         arb_zero(begin);
-        if (!turned) {
-            taylor_value(value, &y, TAYLOR_V, y.step);
-            if (arb_is_negative(value) && taylor_root(root, &y, TAYLOR_V, begin, y.step)) {
-                arb_get_ubound_arf(arb_midref(begin), root, prec);
-                turned = true;
-            } else if (!arb_is_positive(value)) {
+        for (bool again = true; again;) { /* the turning point, then X = 0, which may follow in the same step */
+            const enum taylor_crossing crossing = taylor_crosses(root, &y, turned ? TAYLOR_W : TAYLOR_V, begin, y.step);
+            if (crossing == TAYLOR_UNDECIDED)
                 return IMPRECISE;
-            }
-        }
-        if (turned) {
-            taylor_value(value, &y, TAYLOR_W, y.step);
-            if (arb_is_negative(value) && taylor_root(root, &y, TAYLOR_W, begin, y.step)) {
+            again = crossing == TAYLOR_CROSSED;
+            if (again && turned) {
                 taylor_value(speed, &y, TAYLOR_V, root);
                 arb_neg(speed, speed);
                 return FOUND;
             }
-            if (!arb_is_positive(value))
-                return IMPRECISE;
+            turned = turned || again;
+            arb_get_ubound_arf(arb_midref(begin), root, prec);
         }
         taylor_advance(&y, y.step);
         if (arf_cmpabs_2exp_si(arb_midref(y.w), FAR_BITS) > 0)

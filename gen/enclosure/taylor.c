@@ -22,10 +22,10 @@ enum {
     ONLINE_FROM = 96
 };
 
-struct taylor_power {
+/* f g, and its exponent if it is a power of w, else 0 */
+struct taylor_product {
     slong exponent;
-    int left, right; /* nodes of the two factors */
-    arb_ptr c;       /* degree + 1 */
+    arb_ptr out, f, g; /* degree + 1 coefficients each */
 };
 
 static arb_ptr block_new(const struct taylor *y)
@@ -33,29 +33,23 @@ static arb_ptr block_new(const struct taylor *y)
     return _arb_vec_init(y->degree + 1);
 }
 
-/* The node of w^exponent, exponent > 0. The function creates the node and its factors if they do not exist yet. */
-static int power_node(struct taylor *y, slong exponent)
+static arb_ptr product_new(struct taylor *y, slong exponent, arb_ptr f, arb_ptr g)
 {
-    if (exponent == 1)
-        return TAYLOR_NODE_W;
-    for (int i = 0; i < y->powers; i++)
-        if (y->power[i].exponent == exponent)
-            return i;
-    const int left = power_node(y, exponent / 2), right = power_node(y, exponent - exponent / 2);
-    y->power = flint_realloc(y->power, (size_t)(y->powers + 1) * sizeof *y->power);
-    y->power[y->powers] = (struct taylor_power){exponent, left, right, block_new(y)};
-    return y->powers++;
+    y->product = flint_realloc(y->product, (size_t)(y->products + 1) * sizeof *y->product);
+    y->product[y->products] = (struct taylor_product){exponent, block_new(y), f, g};
+    return y->product[y->products++].out;
 }
 
-static int node_of(struct taylor *y, slong exponent)
+/* w^exponent; the function adds it and its factors to the products if they are not there yet. */
+static arb_ptr power_of_w(struct taylor *y, slong exponent)
 {
-    return exponent == 0 ? TAYLOR_NODE_ONE : power_node(y, exponent);
-}
-
-/* The coefficients of any node except TAYLOR_NODE_ONE */
-static arb_ptr node_block(const struct taylor *y, int node)
-{
-    return node == TAYLOR_NODE_W ? y->w : y->power[node].c;
+    if (exponent < 2)
+        return exponent == 1 ? y->w : y->one;
+    for (int i = 0; i < y->products; i++)
+        if (y->product[i].exponent == exponent)
+            return y->product[i].out;
+    const arb_ptr f = power_of_w(y, exponent / 2), g = power_of_w(y, exponent - exponent / 2);
+    return product_new(y, exponent, f, g);
 }
 
 void taylor_init(struct taylor *y, const struct law *law, slong degree, slong prec)
@@ -64,30 +58,31 @@ void taylor_init(struct taylor *y, const struct law *law, slong degree, slong pr
     y->law = *law;
     y->degree = degree;
     y->prec = prec;
-    y->power = NULL;
-    y->powers = 0;
+    y->product = NULL;
+    y->products = 0;
+    y->one = block_new(y);
     y->w = block_new(y);
     y->v = block_new(y);
     y->t = block_new(y);
     y->force = block_new(y);
-    y->product = block_new(y);
-    y->damped = block_new(y);
-    y->node_t = node_of(y, law->d - 1);
-    y->node_outer = node_of(y, law->d - 1 + m);
-    y->node_damping = node_of(y, law->bd - m);
-    y->node_elastic = node_of(y, law->ad - m);
+    arb_one(y->one);
+    y->time_slope = power_of_w(y, law->d - 1);
+    y->elastic = power_of_w(y, law->ad - m);
+    const arb_ptr outer = power_of_w(y, law->d - 1 + m), damping = power_of_w(y, law->bd - m);
+    y->damped = product_new(y, 0, damping, y->v);
+    y->whole_force = product_new(y, 0, outer, y->force); /* the last product */
     FOR_ALL(mag, init, y->error_w, y->error_v, y->error_t);
     FOR_ALL(arb, init, y->c1, y->c2, y->c3, y->step);
 }
 
 void taylor_clear(struct taylor *y)
 {
-    const arb_ptr block[] = {y->w, y->v, y->t, y->force, y->product, y->damped};
+    const arb_ptr block[] = {y->one, y->w, y->v, y->t, y->force};
     for (size_t i = 0; i < sizeof block / sizeof *block; i++)
         _arb_vec_clear(block[i], y->degree + 1);
-    for (int i = 0; i < y->powers; i++)
-        _arb_vec_clear(y->power[i].c, y->degree + 1);
-    flint_free(y->power);
+    for (int i = 0; i < y->products; i++)
+        _arb_vec_clear(y->product[i].out, y->degree + 1);
+    flint_free(y->product);
     FOR_ALL(mag, clear, y->error_w, y->error_v, y->error_t);
     FOR_ALL(arb, clear, y->c1, y->c2, y->c3, y->step);
 }
@@ -99,9 +94,10 @@ static slong coefficient_bits(const struct taylor *y, slong n)
 }
 
 /* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g: the sum over i + j = n. If
- * `first` > 0, add_known_products has added the terms with i < first and j < first before. */
-static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong first, const struct taylor *y)
+ * `first` > 0, add_known_terms has added the terms with i < first and j < first before. */
+static void convolve(const struct taylor_product *product, slong n, slong first, const struct taylor *y)
 {
+    const arb_ptr out = product->out, f = product->f, g = product->g;
     const slong terms = n - first + 1, prec = coefficient_bits(y, n);
     LOCAL(arb, sum, own);
     if (f == g) {
@@ -122,46 +118,24 @@ static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong fir
         arb_swap(out + n, sum);
 }
 
-/* Coefficient n of the force; `first` as for convolve. */
-static void force_coefficient(struct taylor *y, slong n, slong first)
-{
-    const slong prec = coefficient_bits(y, n);
-    arb_ptr force = y->force + n;
-    arb_srcptr damped = y->v;
-    if (y->node_damping != TAYLOR_NODE_ONE) {
-        convolve(y->damped, node_block(y, y->node_damping), y->v, n, first, y);
-        damped = y->damped;
-    }
-    arb_zero(force);
-    arb_addmul(force, y->c1, damped + n, prec);
-    if (y->node_elastic != TAYLOR_NODE_ONE)
-        arb_addmul(force, y->c2, node_block(y, y->node_elastic) + n, prec);
-    else if (n == 0)
-        arb_add(force, force, y->c2, prec);
-}
-
 /* Coefficients first to end - 1 of all products, then first + 1 to end of w, v and t */
 static void expand_block(struct taylor *y, slong first, slong end)
 {
-    LOCAL(arb, pressing);
+    LOCAL(arb, x);
     for (slong n = first; n < end; n++) {
         const slong prec = coefficient_bits(y, n);
-        for (int i = 0; i < y->powers; i++)
-            convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, first, y);
-        force_coefficient(y, n, first);
-        if (y->node_outer != TAYLOR_NODE_ONE)
-            convolve(y->product, node_block(y, y->node_outer), y->force, n, first, y);
-        arb_div_si(y->w + n + 1, y->v + n, y->law.d * (n + 1), prec);
-        arb_div_si(y->v + n + 1, (y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product) + n, -(n + 1), prec);
-        if (!arb_is_zero(y->c3)) {
-            arb_mul(pressing, y->c3, node_block(y, y->node_t) + n, prec);
-            arb_div_si(pressing, pressing, n + 1, prec);
-            arb_add(y->v + n + 1, y->v + n + 1, pressing, prec);
+        for (int i = 0; i < y->products; i++) {
+            if (i == y->products - 1) {
+                arb_mul(y->force + n, y->c1, y->damped + n, prec);
+                arb_addmul(y->force + n, y->c2, y->elastic + n, prec);
+            }
+            convolve(&y->product[i], n, first, y);
         }
-        if (y->node_t == TAYLOR_NODE_ONE)
-            arb_set_si(y->t + n + 1, n == 0);
-        else
-            arb_div_si(y->t + n + 1, node_block(y, y->node_t) + n, n + 1, prec);
+        arb_div_si(y->w + n + 1, y->v + n, y->law.d * (n + 1), prec);
+        arb_mul(x, y->c3, y->time_slope + n, prec);
+        arb_sub(x, x, y->whole_force + n, prec);
+        arb_div_si(y->v + n + 1, x, n + 1, prec);
+        arb_div_si(y->t + n + 1, y->time_slope + n, n + 1, prec);
     }
 }
 
@@ -170,9 +144,10 @@ static void expand_block(struct taylor *y, slong first, slong end)
 /* The terms of the product that a block of known coefficients first to middle - 1 contributes to its coefficients
  * middle to end - 1. If first = 0, both factors are in the block; otherwise one is, and the other is among coefficients
  * 0 to end - first - 1, which are known. */
-static void add_known_terms(arb_ptr out, arb_srcptr f, arb_srcptr g, slong first, slong middle, slong end,
+static void add_known_terms(const struct taylor_product *product_of, slong first, slong middle, slong end,
                             const struct taylor *y)
 {
+    const arb_ptr out = product_of->out, f = product_of->f, g = product_of->g;
     const slong length = end - first, known = middle - first, others = first == 0 ? known : length;
     const slong prec = coefficient_bits(y, middle);
     arb_ptr product = _arb_vec_init(length), left = _arb_vec_init(length), right = _arb_vec_init(known);
@@ -189,17 +164,6 @@ static void add_known_terms(arb_ptr out, arb_srcptr f, arb_srcptr g, slong first
     _arb_vec_clear(right, known);
 }
 
-static void add_known_products(struct taylor *y, slong first, slong middle, slong end)
-{
-    for (int i = 0; i < y->powers; i++)
-        add_known_terms(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), first, middle,
-                        end, y);
-    if (y->node_damping != TAYLOR_NODE_ONE)
-        add_known_terms(y->damped, node_block(y, y->node_damping), y->v, first, middle, end, y);
-    if (y->node_outer != TAYLOR_NODE_ONE)
-        add_known_terms(y->product, node_block(y, y->node_outer), y->force, first, middle, end, y);
-}
-
 /* Each product needs coefficients that it determines itself. Once the first half of a range is known, its contribution
  * to the second half is a product of polynomials, which FLINT multiplies fast (Fischer and Stockmeyer's online
  * multiplication). */
@@ -211,17 +175,15 @@ static void expand_range(struct taylor *y, slong first, slong end)
     }
     const slong middle = first + (end - first + 1) / 2;
     expand_range(y, first, middle);
-    add_known_products(y, first, middle, end);
+    for (int i = 0; i < y->products; i++)
+        add_known_terms(&y->product[i], first, middle, end, y);
     expand_range(y, middle, end);
 }
 
 void taylor_expand(struct taylor *y)
 {
-    const slong size = y->degree + 1;
-    for (int i = 0; i < y->powers; i++)
-        _arb_vec_zero(y->power[i].c, size);
-    _arb_vec_zero(y->damped, size);
-    _arb_vec_zero(y->product, size);
+    for (int i = 0; i < y->products; i++)
+        _arb_vec_zero(y->product[i].out, y->degree + 1);
     expand_range(y, 0, y->degree);
 }
 
@@ -237,18 +199,6 @@ static void component_norm(arb_t norm, arb_srcptr f, slong first, const struct t
         mag_add(sum, sum, term);
     }
     arb_set_upper(norm, sum);
-}
-
-/* k c M^e, zero if k is. */
-static void monomial(arb_t y, slong k, const arb_t c, const arb_t M, slong e)
-{
-    if (k == 0) {
-        arb_zero(y);
-        return;
-    }
-    arb_pow_ui(y, M, (ulong)e, NORM_BITS);
-    arb_mul(y, y, c, NORM_BITS);
-    arb_mul_si(y, y, k, NORM_BITS);
 }
 
 /* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
@@ -270,15 +220,14 @@ struct step_proof {
 
 static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
 {
-    const arb_srcptr from[] = {h, y->c1, y->c2, y->c3};
-    const arb_ptr to[] = {p->h, p->c1, p->c2, p->c3};
     p->y = y;
     mag_init(p->h_mag);
     STEP_PROOF_NUMBERS(init, p);
-    for (int i = 3; i >= 0; i--) {
-        arb_get_mag(p->h_mag, from[i]);
-        arb_set_upper(to[i], p->h_mag);
-    }
+    arb_get_mag(p->h_mag, h);
+    arb_set_upper(p->h, p->h_mag);
+    LET(p->c1, NORM_BITS, "abs(y->c1)", y->c1);
+    LET(p->c2, NORM_BITS, "abs(y->c2)", y->c2);
+    LET(p->c3, NORM_BITS, "abs(y->c3)", y->c3);
 }
 
 static void step_proof_clear(struct step_proof *p)
@@ -290,25 +239,16 @@ static void step_proof_clear(struct step_proof *p)
 /* (6.2) at one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
 static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_proof *p, double ratio)
 {
-    const struct law *law = &p->y->law;
+    const slong d = p->y->law.d, ad = p->y->law.ad, bd = p->y->law.bd, N = p->y->degree;
     LOCAL(mag, R);
-    LOCAL(arb, w, v, shrink, one, term);
+    LOCAL(arb, w, v);
     mag_set_d(R, ratio);
     mag_mul(R, R, p->h_mag); /* above ratio h */
     component_norm(w, p->y->w, 0, p->y, R);
     component_norm(v, p->y->v, 0, p->y, R);
-    arb_set_d(shrink, ratio);
-    arb_pow_ui(shrink, shrink, (ulong)p->y->degree, NORM_BITS);
-    arb_one(one);
-
-    monomial(residual_t, 1, one, w, law->d - 1);
-    arb_div(residual_t, residual_t, shrink, NORM_BITS);
-    monomial(residual_v, 1, p->c1, w, law->d - 1 + law->bd);
-    arb_mul(residual_v, residual_v, v, NORM_BITS);
-    monomial(term, 1, p->c2, w, law->d - 1 + law->ad);
-    arb_add(residual_v, residual_v, term, NORM_BITS);
-    arb_div(residual_v, residual_v, shrink, NORM_BITS);
-    arb_addmul(residual_v, p->c3, residual_t, NORM_BITS);
+    LET(residual_t, NORM_BITS, "w^(d - 1)/ratio^N", w, d, ratio, N);
+    LET(residual_v, NORM_BITS, "(p->c1*w^bd*v + p->c2*w^ad + p->c3)*residual_t", p->c1, w, bd, v, p->c2, ad, p->c3,
+        residual_t);
 }
 
 /* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
@@ -344,18 +284,12 @@ static void tube(struct step_proof *p)
  * valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
 static void lipschitz(struct step_proof *p)
 {
-    const struct law *law = &p->y->law;
-    const slong d = law->d, ad = law->ad, bd = law->bd;
-    LOCAL(arb, by_w, by_v, term);
-
-    monomial(by_w, d - 1 + bd, p->c1, p->w_max, d - 2 + bd);
-    arb_mul(by_w, by_w, p->v_max, NORM_BITS);
-    monomial(term, d - 1 + ad, p->c2, p->w_max, d - 2 + ad);
-    arb_add(by_w, by_w, term, NORM_BITS);
-    monomial(term, d - 1, p->c3, p->w_max, d - 2);
-    arb_add(by_w, by_w, term, NORM_BITS);
-    monomial(by_v, 1, p->c1, p->w_max, d - 1 + bd);
-
+    const slong d = p->y->law.d, ad = p->y->law.ad, bd = p->y->law.bd;
+    const arb_srcptr w = p->w_max, v = p->v_max;
+    LOCAL(arb, by_w, by_v);
+    LET(by_v, NORM_BITS, "p->c1*w^(d - 1 + bd)", p->c1, w, d, bd);
+    LET(by_w, NORM_BITS, "(d - 1 + ad)*p->c2*w^ad + (d - 1)*p->c3", d, ad, p->c2, w, p->c3);
+    LET(by_w, NORM_BITS, "w^(d - 2)*((d - 1 + bd)*p->c1*w^bd*v + by_w)", w, d, bd, p->c1, v, by_w);
     LET(p->kappa, NORM_BITS, "sqrt(by_w*d)", by_w, d);
     arb_get_mid_arb(p->kappa, p->kappa);
     if (!arb_is_positive(p->kappa))
@@ -368,14 +302,13 @@ static void lipschitz(struct step_proof *p)
 static bool gronwall(struct step_proof *p)
 {
     const slong d = p->y->law.d;
-    LOCAL(arb, term);
     LET(p->error_v, NORM_BITS, "max(p->residual_w*p->kappa, p->residual_v)*p->h*exp(p->lipschitz*p->h)", p->residual_w,
         p->kappa, p->residual_v, p->h, p->lipschitz);
     arb_div(p->error_w, p->error_v, p->kappa, NORM_BITS);
 
     /* t' = w^(d-1), which involves no t */
-    monomial(term, d - 1, p->error_w, p->w_max, d - 2);
-    LET(p->error_t, NORM_BITS, "(p->residual_t + term)*p->h", p->residual_t, term, p->h);
+    LET(p->error_t, NORM_BITS, "(p->residual_t + (d - 1)*p->w_max^(d - 2)*p->error_w)*p->h", p->residual_t, d, p->w_max,
+        p->error_w, p->h);
 
     /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w_max on each side, which is more than half of 2^-TUBE_BITS. */
     return HOLDS(NORM_BITS, "p->error_w < p->w_max/2^(TUBE_BITS + 1)", p->error_w, p->w_max, TUBE_BITS) &&
@@ -446,43 +379,24 @@ bool taylor_choose_step(struct taylor *y)
     return proved;
 }
 
-/* y += k c w^e v; v may be NULL */
-static void add_term(arb_t y, slong k, const arb_t c, const arb_t w, slong e, const arb_t v, slong prec)
-{
-    LOCAL(arb, x);
-    if (k == 0)
-        return;
-    arb_pow_ui(x, w, (ulong)e, prec);
-    arb_mul(x, x, c, prec);
-    if (v)
-        arb_mul(x, x, v, prec);
-    arb_addmul_si(y, x, k, prec);
-}
-
-/* Components that are formulas of the enclosed w and v */
+/* Components that are formulas of the enclosed w and v. Powers whose factor vanishes count as 1. */
 static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s)
 {
-    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, prec = y->prec;
-    LOCAL(arb, w, v, x);
+    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, prec = y->prec, m = FLINT_MIN(ad, bd);
+    const arb_srcptr c1 = y->c1, c2 = y->c2;
+    LOCAL(arb, w, v, force);
     taylor_value(w, y, TAYLOR_W, s);
     taylor_value(v, y, TAYLOR_V, s);
-    arb_zero(value);
     if (component == TAYLOR_FORCE) {
-        const slong m = FLINT_MIN(ad, bd);
-        add_term(value, 1, y->c1, w, bd - m, v, prec);
-        add_term(value, 1, y->c2, w, ad - m, NULL, prec);
+        LET(value, prec, "c1*w^(bd - m)*v + c2*w^(ad - m)", c1, w, bd, m, v, c2, ad);
     } else if (component == TAYLOR_DAMPING_EXCESS) {
-        add_term(value, ad - d, y->c1, w, 0, v, prec);
-        add_term(value, -ad, y->c2, w, ad, NULL, prec);
+        LET(value, prec, "(ad - d)*c1*v - ad*c2*w^ad", ad, d, c1, v, c2, w);
     } else {
         /* F' = (c2 a w^(ad-1) v + c1 b w^(bd-1) v^2) - c1 w^(bd+d-1) F, with d w' = v and v' = -w^(d-1) F */
-        const slong m = FLINT_MIN(ad > 0 ? ad - 1 : WORD_MAX, bd > 0 ? bd - 1 : d - 1);
-        add_term(x, 1, y->c1, w, bd, v, prec);
-        add_term(x, 1, y->c2, w, ad, NULL, prec);
-        add_term(value, -d, y->c1, w, bd + d - 1 - m, x, prec);
-        add_term(value, ad, y->c2, w, ad - 1 - m, v, prec);
-        arb_sqr(v, v, prec);
-        add_term(value, bd, y->c1, w, bd - 1 - m, v, prec);
+        const slong least = FLINT_MIN(ad > 0 ? ad - 1 : WORD_MAX, bd > 0 ? bd - 1 : d - 1), rest = bd + d - 1 - least;
+        const slong by_a = FLINT_MAX(ad - 1 - least, 0), by_b = FLINT_MAX(bd - 1 - least, 0);
+        LET(force, prec, "d*c1*w^rest*(c1*w^bd*v + c2*w^ad)", d, c1, w, rest, bd, v, c2, ad);
+        LET(value, prec, "(ad*c2*w^by_a + bd*c1*w^by_b*v)*v - force", ad, c2, w, by_a, bd, c1, by_b, v, force);
     }
 }
 
@@ -544,10 +458,11 @@ void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f)
     b->side = above ? 1 : -1;
 }
 
-bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
-                 const arb_t end)
+/* Encloses the zero of a component in [begin, end], where it falls from positive to negative and is known to have only
+ * one: the Illinois method on midpoints finds it, and signs on both sides prove it. */
+static bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
+                        const arb_t end)
 {
-    /* The Illinois method on midpoints finds the zero; signs on both sides prove it. */
     enum { STEPS = 200 };
     LOCAL(bracket, b);
     LOCAL(arb, x, f, width);
@@ -586,17 +501,27 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
     return proved;
 }
 
+enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum taylor_component component,
+                                    const arb_t begin, const arb_t end)
+{
+    LOCAL(arb, value);
+    taylor_value(value, y, component, end);
+    if (arb_is_positive(value))
+        return TAYLOR_NOT_YET;
+    return arb_is_negative(value) && taylor_root(root, y, component, begin, end) ? TAYLOR_CROSSED : TAYLOR_UNDECIDED;
+}
+
 bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component, const char *what)
 {
-    LOCAL(arb, value, begin);
+    LOCAL(arb, begin);
     for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
         progress(what, step, 0);
         taylor_expand(y);
         if (!taylor_choose_step(y))
             return false;
-        taylor_value(value, y, component, y->step);
-        if (!arb_is_positive(value))
-            return arb_is_negative(value) && taylor_root(root, y, component, begin, y->step);
+        const enum taylor_crossing crossing = taylor_crosses(root, y, component, begin, y->step);
+        if (crossing != TAYLOR_NOT_YET)
+            return crossing == TAYLOR_CROSSED;
         taylor_advance(y, y->step);
     }
     return false;

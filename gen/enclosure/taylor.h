@@ -11,21 +11,15 @@
 
 #include "series/law.h"
 
-struct taylor_power; /* one product of the chain that computes the powers of w */
-
-/* The factors of the equations are nodes: index of a power, w itself, or the number 1. */
-enum { TAYLOR_NODE_W = -1, TAYLOR_NODE_ONE = -2 };
-
 struct taylor {
     struct law law;
     slong degree, prec;
     arb_t c1, c2, c3;
-    arb_ptr w, v, t;        /* degree + 1 Taylor coefficients each */
-    arb_ptr force, product; /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
-    struct taylor_power *power;
-    int powers;
-    int node_t, node_outer, node_damping, node_elastic;
-    arb_ptr damped;                  /* w^(bd-m) v if bd > m */
+    arb_ptr one, w, v, t;                /* degree + 1 Taylor coefficients each */
+    arb_ptr force, whole_force;          /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
+    arb_ptr time_slope, elastic, damped; /* w^(d-1), w^(ad-m), w^(bd-m) v */
+    struct taylor_product *product;      /* in the order in which they are computed */
+    int products;
     mag_t error_w, error_v, error_t; /* remainders on [0, step] */
     arb_t step;                      /* longest step for which they are proved */
 };
@@ -50,10 +44,11 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
 /* Replaces the state by the one at s. */
 void taylor_advance(struct taylor *y, const arb_t s);
 
-/* Encloses the zero of a component in [begin, end], end <= step, where the component falls from positive to
- * negative and is known to have only one zero. */
-bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
-                 const arb_t end);
+/* Whether a component, positive at begin, is negative at end <= step; if so, encloses its zero, which is known to be the
+ * only one. */
+enum taylor_crossing { TAYLOR_NOT_YET, TAYLOR_CROSSED, TAYLOR_UNDECIDED };
+enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum taylor_component component,
+                                    const arb_t begin, const arb_t end);
 
 /* Makes steps until a component falls to zero: encloses that place in the last step. Returns false if intervals do not
  * decide. `what` names the progress. */

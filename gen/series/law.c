@@ -109,6 +109,12 @@ const char *law_parse(struct law *law, const char *elastic, const char *damping)
     return NULL;
 }
 
+struct law law_even(const struct law *law)
+{
+    const slong times = law->d == 1 ? 2 : 1;
+    return (struct law){law->a, law->b, times * law->d, times * law->ad, times * law->bd};
+}
+
 bool law_equal(const struct law *law, const struct law *other)
 {
     return law->d == other->d && law->ad == other->ad && law->bd == other->bd;

@@ -27,6 +27,9 @@ extern const struct law law_sphere;
 /* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence that describes the error. */
 const char *law_parse(struct law *law, const char *elastic, const char *damping);
 
+/* The same law with d > 1 */
+struct law law_even(const struct law *law);
+
 bool law_is_sphere(const struct law *law);
 bool law_equal(const struct law *law, const struct law *other);
 
