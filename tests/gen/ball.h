@@ -49,19 +49,6 @@ static inline void assert_overlap(const arb_t x, const arb_t y, const char *what
         assert_overlap(x, formula_, what, index);                                                                      \
     } while (0)
 
-/* The decimal text is x cut after its last digit. */
-static inline void assert_truncates_to(const arb_t x, const char *text, int decimals)
-{
-    LOCAL(arb, low);
-    arb_set_str(low, text, 300);
-    arb_sub(low, x, low, 300);
-    arb_add_error_2exp_si(low, -200);
-    if (arb_is_negative(low) || !HOLDS(300, "low < 10^-decimals", low, decimals)) {
-        arb_fprintn(stderr, x, 40, 0);
-        fail_msg(" does not truncate to %s", text);
-    }
-}
-
 /* x and the decimal text differ by one unit of the text's last digit at most; all of x is meant. */
 static inline void assert_digits(const arb_t x, const char *text)
 {

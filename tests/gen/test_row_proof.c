@@ -351,76 +351,44 @@ TEST(test_creep_series)
     creep_series_clear(&s);
 }
 
-/* ln and 1/p of p = 2 + 0.3 t + 0.1 t^2, at random t and within 2^-90; none for a function with a zero. */
+/* Functions of p = 1 + w t, at random t and at both ends, where the terms left out are larger than all roundings: ln and
+ * 1/p need w < 1/2. None of a function with a zero, or of a negative one */
 TEST(test_enclosed_functions)
 {
-    LOCAL(arb_poly, p, log_p, inverse);
-    LOCAL(arb, t, x, y);
-    for (slong k = 0; k < 3; k++) {
-        static const double c[] = {2, 0.3, 0.1};
-        arb_set_d(x, c[k]);
-        arb_poly_set_coeff_arb(p, k, x);
-    }
-    assert_true(enclosed_logarithm(log_p, p) && enclosed_inverse(inverse, p));
-    for (int i = 0; i < 20; i++) {
-        arb_set_d(t, i == 0 ? 1 : random_uniform(&random_state, -1, 1));
-        arb_poly_evaluate(x, p, t, ENCLOSED_BITS);
-        arb_log(y, x, ENCLOSED_BITS);
-        arb_inv(x, x, ENCLOSED_BITS);
-        arb_poly_evaluate(t, i % 2 ? log_p : inverse, t, ENCLOSED_BITS);
-        assert_true(arb_contains(t, i % 2 ? y : x) || arb_overlaps(t, i % 2 ? y : x));
-        assert_true(arb_rel_accuracy_bits(t) > 40);
-    }
-    arb_set_d(x, 1.9);
-    arb_poly_set_coeff_arb(p, 1, x);
-    assert_false(enclosed_logarithm(log_p, p) || enclosed_inverse(inverse, p));
-    arb_poly_neg(p, p);
-    arb_set_d(x, 0);
-    arb_poly_set_coeff_arb(p, 1, x);
-    assert_false(enclosed_logarithm(log_p, p) || enclosed_inverse(inverse, p));
-}
-
-/* exp(1 + w t) at t = 1, where the terms left out are larger than all roundings */
-TEST(test_enclosed_remainder)
-{
-    static const double w[] = {0.35, 0.5, 0.9};
-    LOCAL(arb_poly, p, exponential);
-    LOCAL(arb, x, y);
-    enclosed_add_double(p, 1);
-    for (size_t i = 0; i < sizeof w / sizeof *w; i++) {
-        arb_set_d(x, w[i]);
-        arb_poly_set_coeff_arb(p, 1, x);
-        enclosed_exp(exponential, p);
-        arb_one(x);
-        arb_poly_evaluate(y, p, x, 2 * ENCLOSED_BITS);
-        arb_exp(y, y, 2 * ENCLOSED_BITS);
-        arb_poly_evaluate(x, exponential, x, 2 * ENCLOSED_BITS);
-        assert_true(arb_contains(x, y));
-        assert_true(arb_rel_accuracy_bits(x) > 100);
-    }
-}
-
-/* The same of ln, 1/p and the square root, of which ln and 1/p need a rest of less than half */
-TEST(test_enclosed_remainders)
-{
-    static const double w[] = {0.3, 0.45, 0.49};
+    static const struct {
+        bool (*enclosed)(arb_poly_t y, const arb_poly_t p);
+        void (*exact)(arb_t y, const arb_t x, slong prec);
+        double w[3];
+        bool refuses;
+    } functions[] = {{enclosed_exp, arb_exp, {0.35, 0.5, 0.9}, false},
+                     {enclosed_logarithm, arb_log, {0.2, 0.45, 0.49}, true},
+                     {enclosed_inverse, arb_inv, {0.2, 0.45, 0.49}, true},
+                     {enclosed_square_root, arb_sqrt, {0.3, 0.45, 0.49}, false}};
     LOCAL(arb_poly, p, y);
-    LOCAL(arb, x, argument, expected);
-    enclosed_add_double(p, 1);
-    for (size_t i = 0; i < 3 * sizeof w / sizeof *w; i++) {
-        arb_set_d(x, w[i / 3]);
-        arb_poly_set_coeff_arb(p, 1, x);
-        arb_set_si(x, -1);
-        arb_poly_evaluate(argument, p, x, 2 * ENCLOSED_BITS);
-        if (i % 3 == 0)
-            arb_log(expected, argument, 2 * ENCLOSED_BITS);
-        else if (i % 3 == 1)
-            arb_inv(expected, argument, 2 * ENCLOSED_BITS);
-        else
-            arb_sqrt(expected, argument, 2 * ENCLOSED_BITS);
-        assert_true((i % 3 == 0 ? enclosed_logarithm : i % 3 == 1 ? enclosed_inverse : enclosed_square_root)(y, p));
-        arb_poly_evaluate(x, y, x, 2 * ENCLOSED_BITS);
-        check(arb_contains(x, expected), "function %zu at w = %g", i % 3, w[i / 3]);
+    LOCAL(arb, x, t, exact);
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
+        for (int k = 0; k < 20; k++) {
+            const double w = functions[i].w[k % 3];
+            arb_poly_zero(p);
+            enclosed_add_double(p, 1);
+            arb_set_d(x, w);
+            arb_poly_set_coeff_arb(p, 1, x);
+            arb_set_d(t, k < 6 ? 1 - 2 * (k / 3) : random_uniform(&random_state, -1, 1));
+            arb_poly_evaluate(x, p, t, 2 * ENCLOSED_BITS);
+            functions[i].exact(exact, x, 2 * ENCLOSED_BITS);
+            assert_true(functions[i].enclosed(y, p));
+            arb_poly_evaluate(x, y, t, 2 * ENCLOSED_BITS);
+            check(arb_contains(x, exact) && arb_rel_accuracy_bits(x) > (i == 0    ? 100
+                                                                        : w < 0.4 ? 40
+                                                                                  : 10),
+                  "function %zu at w = %g", i, w);
+        }
+        for (int sign = -1; sign <= 1 && functions[i].refuses; sign += 2) { /* -1, and 1 + 0.95 t */
+            arb_poly_set_si(p, sign);
+            arb_set_d(x, sign > 0 ? 0.95 : 0);
+            arb_poly_set_coeff_arb(p, 1, x);
+            assert_false(functions[i].enclosed(y, p));
+        }
     }
 }
 
@@ -468,5 +436,4 @@ TEST(test_creep_rows)
 }
 
 RUN_GROUP(make_proof, clear_proof, test_real_axis, test_complex_plane, test_singular, test_rows, test_samples,
-          test_unknown, test_creep_series, test_enclosed_functions, test_enclosed_remainder, test_enclosed_remainders,
-          test_creep_rows)
+          test_unknown, test_creep_series, test_enclosed_functions, test_creep_rows)
