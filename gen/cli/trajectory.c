@@ -25,12 +25,9 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     const slong order = problem->given->order, terms = problem->given->terms;
     profile_step("exact rationals");
     table_init(table, "k,j,numerator,denominator", "nndd");
-    fmpq_poly_struct *row = xmalloc((size_t)(order + 1) * sizeof *row);
-    for (slong k = 0; k <= order; k++)
-        fmpq_poly_init(&row[k]);
-    trajectory_exact(row, order, terms, &problem->law);
+    fmpq_poly_struct *const row = trajectory_exact(order, terms, &problem->law);
     LOCAL(fmpq, c);
-    for (slong k = 0; k <= order; k++) {
+    for (slong k = 0; k <= order; k++)
         for (slong j = 0; j <= terms; j++) {
             fmpq_poly_get_coeff_fmpq(c, &row[k], j);
             table_add_integer(table, k);
@@ -38,9 +35,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
             table_add(table, fmpz_get_str(NULL, 10, fmpq_numref(c)));
             table_add(table, fmpz_get_str(NULL, 10, fmpq_denref(c)));
         }
-        fmpq_poly_clear(&row[k]);
-    }
-    free(row);
+    trajectory_exact_free(row, order + 1);
     return STATUS_OK;
 }
 

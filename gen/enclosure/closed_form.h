@@ -4,7 +4,7 @@
 #ifndef COR_GEN_ENCLOSURE_CLOSED_FORM_H
 #define COR_GEN_ENCLOSURE_CLOSED_FORM_H
 
-#include "enclosure/events.h"
+#include "enclosure/motion.h"
 
 /* A(zeta) = acos(zeta)/sqrt(1 - zeta^2), analytic through zeta = 1 to acosh(zeta)/sqrt(zeta^2 - 1); zeta > -1. */
 void closed_form_angle(arb_t angle, const arb_t zeta, slong prec);

@@ -200,7 +200,7 @@ int collision_force_max(arb_t force, const arb_t beta, const struct law *law, sl
     if (arb_is_zero(beta)) {
         LOCAL(arb, time);
         turning_point_elastic(force, time, law, prec);
-        arb_pow_ratio(force, force, law->a, prec);
+        LET(force, prec, "force^law->a", force, law->a);
         return STATUS_OK;
     }
     for (int i = 0; i < ATTEMPTS; i++) {

@@ -3,7 +3,7 @@
 #ifndef COR_GEN_ENCLOSURE_COLLISION_H
 #define COR_GEN_ENCLOSURE_COLLISION_H
 
-#include "enclosure/events.h"
+#include "enclosure/motion.h"
 
 /* Encloses every field to at least `bits` relative bits for an exact or inexact beta >= 0 (a wide interval of beta
  * limits the accuracy). For an overdamped collision whose bodies never part, eps_zero_overlap is exactly 0 and

@@ -10,12 +10,19 @@
  * minutes. */
 enum { LEAST_BITS = 8, PRESSED_STEPS = 2000 };
 
-/* The scales in which the equation of motion is integrated: x = length X, t = length s,
- * X'' + c1 X^b X' + c2 X^a = 0. Weak scales are 1, beta, 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2
- * = mu, which is regular for any large beta. */
-struct scales {
-    arb_t length, c1, c2;
-};
+#define COLLISION(action, c)                                                                                           \
+    FOR_ALL(arb, action, (c)->x_max, (c)->t_max, (c)->eps_zero_overlap, (c)->t_zero_overlap, (c)->eps_zero_force,      \
+            (c)->t_zero_force)
+
+void collision_init(struct collision *c)
+{
+    COLLISION(init, c);
+}
+
+void collision_clear(struct collision *c)
+{
+    COLLISION(clear, c);
+}
 
 /* What a constant force adds */
 struct pressing {
@@ -27,30 +34,9 @@ struct pressing {
     arb_t least;      /* below this energy the contact force never vanishes */
 };
 
-static void scales_init(struct scales *s, const arb_t beta, const struct law *law, bool strong, slong prec)
-{
-    FOR_ALL(arb, init, s->length, s->c1, s->c2);
-    if (strong) {
-        LOCAL(arb, inverse);
-        arb_inv(inverse, beta, prec);
-        LET(s->c2, prec, "inverse^((law->a + 1)/(law->b + 1))", inverse, law->a, law->b);
-        LET(s->length, prec, "inverse^(1/(law->b + 1))", inverse, law->b);
-        arb_one(s->c1);
-    } else {
-        arb_one(s->length);
-        arb_set(s->c1, beta);
-        arb_one(s->c2);
-    }
-}
-
-static void scales_clear(struct scales *s)
-{
-    FOR_ALL(arb, clear, s->length, s->c1, s->c2);
-}
-
 struct motion {
     struct collision *c;
-    struct scales s;
+    arb_t length; /* x = length X, t = length s, X'' + c1 X^b X' + c2 X^a = 0 */
     struct taylor y;
     bool force_ends; /* whether the force vanishes before the overlap; never without damping or for a <= b */
     bool turned, released, parted;
@@ -58,26 +44,29 @@ struct motion {
     arb_t begin; /* begin of the part of the current step after the turning point */
 };
 
+/* Weak scales have length = 1, c1 = beta and c2 = 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2 = mu,
+ * which is regular for any large beta. */
 static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct law *law, bool strong,
                         slong prec)
 {
-    m->c = c;
-    scales_init(&m->s, beta, law, strong, prec);
+    LOCAL(arb, scale);
+    *m = (struct motion){.c = c};
+    FOR_ALL(arb, init, m->length, m->begin, m->pressing.release, m->pressing.least);
     taylor_init(&m->y, law, taylor_degree(prec), prec);
-    arb_set(m->y.c1, m->s.c1);
-    arb_set(m->y.c2, m->s.c2);
+    arb_one(scale);
+    if (strong)
+        arb_inv(scale, beta, prec);
+    LET(m->length, prec, "scale^(1/(law->b + 1))", scale, law->b);
+    LET(m->y.c2, prec, "scale^((law->a + 1)/(law->b + 1))", scale, law->a, law->b);
     arb_one(m->y.v);
+    arb_set(m->y.c1, strong ? m->y.v : beta);
     m->force_ends = law_force_ends(law) && !arb_is_zero(beta);
-    m->turned = m->released = m->parted = false;
-    m->pressing = (struct pressing){.any = false};
-    FOR_ALL(arb, init, m->begin, m->pressing.release, m->pressing.least);
 }
 
 static void motion_clear(struct motion *m)
 {
     taylor_clear(&m->y);
-    scales_clear(&m->s);
-    FOR_ALL(arb, clear, m->begin, m->pressing.release, m->pressing.least);
+    FOR_ALL(arb, clear, m->length, m->begin, m->pressing.release, m->pressing.least);
 }
 
 static void motion_record(arb_t eps, arb_t time, const struct motion *m, const arb_t root)
@@ -85,7 +74,7 @@ static void motion_record(arb_t eps, arb_t time, const struct motion *m, const a
     taylor_value(eps, &m->y, TAYLOR_V, root);
     arb_neg(eps, eps);
     taylor_value(time, &m->y, TAYLOR_T, root);
-    arb_mul(time, time, m->s.length, m->y.prec);
+    arb_mul(time, time, m->length, m->y.prec);
 }
 
 /* The three events. Each function searches the current step for an event and records it. It returns false if the
@@ -102,9 +91,9 @@ static bool find_turning_point(struct motion *m)
         arb_get_ubound_arf(arb_midref(m->begin), root, y->prec);
         taylor_value(value, y, TAYLOR_W, root);
         const slong d = y->law.d;
-        LET(m->c->x_max, y->prec, "value^d*m->s.length", value, d, m->s.length);
+        LET(m->c->x_max, y->prec, "value^d*m->length", value, d, m->length);
         taylor_value(value, y, TAYLOR_T, root);
-        arb_mul(m->c->t_max, value, m->s.length, y->prec);
+        arb_mul(m->c->t_max, value, m->length, y->prec);
     }
     return crossing != TAYLOR_UNDECIDED;
 }
@@ -170,7 +159,7 @@ static void release_at_end(struct motion *m)
     struct collision *c = m->c;
     const struct ratio a = m->y.law.a, b = m->y.law.b;
     const slong prec = m->y.prec;
-    const arb_srcptr c1 = m->s.c1, length = m->s.length, eps = c->eps_zero_overlap, time = c->t_zero_overlap;
+    const arb_srcptr c1 = m->y.c1, length = m->length, eps = c->eps_zero_overlap, time = c->t_zero_overlap;
     LOCAL(arb, x, y);
     arb_set(c->eps_zero_force, eps);
     arb_set(c->t_zero_force, time);
@@ -214,7 +203,7 @@ static void press(struct motion *m, const arb_t force)
     const slong d = y->law.d, n = y->law.ad - y->law.bd, power = 2 * n - d;
     LOCAL(arb, ratio, v);
     p->any = true;
-    arb_mul(y->c3, force, m->s.length, y->prec);
+    arb_mul(y->c3, force, m->length, y->prec);
     if (!m->force_ends)
         return;
     p->has_release = power > 0;
@@ -255,7 +244,7 @@ static bool stays(struct motion *m, enum motion_goal goal)
     struct pressing *const p = &m->pressing;
     LOCAL(arb, level);
     if (!m->turned && creeps_up(level, &m->y)) {
-        arb_mul(c->x_max, level, m->s.length, m->y.prec);
+        arb_mul(c->x_max, level, m->length, m->y.prec);
         arb_pos_inf(c->t_max);
         m->turned = true;
     }
@@ -380,8 +369,8 @@ static bool add_fall(struct collision *c, const struct motion *m, const struct s
     manifold_state(place, slope, &m->y);
     const bool reached = slow_manifold_time(time, manifold, place, slope, bits);
     if (reached) {
-        LET(c->t_zero_overlap, m->y.prec, "m->y.t*m->s.length + (time + manifold->t_fall)*beta^((a - 1)/n)", m->y.t,
-            m->s.length, time, manifold->t_fall, beta, a, n);
+        LET(c->t_zero_overlap, m->y.prec, "m->y.t*m->length + (time + manifold->t_fall)*beta^((a - 1)/n)", m->y.t,
+            m->length, time, manifold->t_fall, beta, a, n);
         LET(c->eps_zero_overlap, m->y.prec, "manifold->final_speed*beta^(-1/q)", manifold->final_speed, beta, q);
         if (!m->released) { /* the two ends coincide */
             arb_set(c->eps_zero_force, c->eps_zero_overlap);
@@ -434,6 +423,6 @@ enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct
     taylor_value(value, y, TAYLOR_FORCE, root);
     taylor_value(root, y, TAYLOR_W, root);
     const slong power = FLINT_MIN(law->ad, law->bd);
-    LET(force, prec, "max(force, value*root^power/m.s.length)", force, value, root, power, m.s.length);
+    LET(force, prec, "max(force, value*root^power/m.length)", force, value, root, power, m.length);
     return MOTION_DONE;
 }

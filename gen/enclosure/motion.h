@@ -3,7 +3,18 @@
 #ifndef COR_GEN_ENCLOSURE_MOTION_H
 #define COR_GEN_ENCLOSURE_MOTION_H
 
-#include "enclosure/events.h"
+#include "series/law.h"
+
+/* The events of one collision, which the equation of motion determines */
+struct collision {
+    arb_t x_max, t_max;
+    arb_t eps_zero_overlap, t_zero_overlap;
+    arb_t eps_zero_force, t_zero_force;
+};
+
+void collision_init(struct collision *c);
+void collision_clear(struct collision *c);
+LOCAL_STRUCT(collision)
 
 /* The event at which the motion ends. Earlier events are recorded, too. */
 enum motion_goal { MOTION_TURNING_POINT, MOTION_ZERO_FORCE, MOTION_ZERO_OVERLAP };

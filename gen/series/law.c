@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "series/law.h"
 
+#include "support/decimal.h"
 #include "support/local.h"
 
 #include <math.h>
@@ -10,25 +11,10 @@
 
 const struct law law_sphere = {{3, 2}, {1, 2}, 2, 3, 1};
 
-static slong gcd(slong x, slong y)
-{
-    while (y != 0) {
-        slong r = x % y;
-        x = y;
-        y = r;
-    }
-    return x < 0 ? -x : x;
-}
-
 struct ratio ratio_make(slong num, slong den)
 {
-    slong g = gcd(num, den);
-    struct ratio r = {num / g, den / g};
-    if (r.den < 0) {
-        r.num = -r.num;
-        r.den = -r.den;
-    }
-    return r;
+    const slong g = (slong)n_gcd((ulong)FLINT_ABS(num), (ulong)FLINT_ABS(den)) * (den < 0 ? -1 : 1);
+    return (struct ratio){num / g, den / g};
 }
 
 struct ratio ratio_add(struct ratio x, struct ratio y)
@@ -51,44 +37,17 @@ struct ratio ratio_div(struct ratio x, struct ratio y)
     return ratio_make(x.num * y.den, x.den * y.num);
 }
 
-/* Reads digits without a sign into a value of at most max. Returns the end of the number, or NULL. */
-static const char *parse_whole(const char *text, slong max, slong *value)
+static bool parse_exponent(struct ratio *r, const char *text)
 {
-    slong v = 0;
-    const char *p = text;
-    for (; *p >= '0' && *p <= '9'; p++) {
-        v = 10 * v + (*p - '0');
-        if (v > max)
-            return NULL;
-    }
-    *value = v;
-    return p == text ? NULL : p;
-}
-
-static bool parse_ratio(struct ratio *r, const char *text)
-{
-    /* before it is reduced, a decimal such as 1.0625 has a numerator beyond the bound */
-    const slong largest = 100000000;
-    slong num, den = 1;
-    const char *p = parse_whole(text, largest, &num);
-    if (p == NULL)
-        return false;
-    if (*p == '/') {
-        p = parse_whole(p + 1, largest, &den);
-        if (p == NULL || den == 0)
-            return false;
-    } else if (*p == '.') {
-        for (p++; *p >= '0' && *p <= '9'; p++) {
-            if (num > largest || den > largest)
-                return false;
-            num = 10 * num + (*p - '0');
-            den *= 10;
-        }
-    }
-    if (*p != '\0')
-        return false;
-    *r = ratio_make(num, den);
-    return r->num <= LAW_MAX_EXPONENT * r->den && r->num <= LAW_MAX_NUMERATOR && r->den <= LAW_MAX_DENOMINATOR;
+    struct decimal x = {0};
+    const bool good = decimal_parse(&x, text, 0) && !(x.forms & DECIMAL_SIGN) &&
+                      fmpz_cmp_si(fmpq_numref(x.value), LAW_MAX_NUMERATOR) <= 0 &&
+                      fmpz_cmp_si(fmpq_denref(x.value), LAW_MAX_DENOMINATOR) <= 0 &&
+                      fmpq_cmp_si(x.value, LAW_MAX_EXPONENT) <= 0;
+    if (good)
+        *r = (struct ratio){fmpz_get_si(fmpq_numref(x.value)), fmpz_get_si(fmpq_denref(x.value))};
+    decimal_clear(&x);
+    return good;
 }
 
 #define STRING_(x) #x
@@ -99,11 +58,11 @@ static bool parse_ratio(struct ratio *r, const char *text)
 
 const char *law_parse(struct law *law, const char *elastic, const char *damping)
 {
-    if (!parse_ratio(&law->a, elastic))
+    if (!parse_exponent(&law->a, elastic))
         return "the elastic exponent" EXPONENT_RULE;
-    if (!parse_ratio(&law->b, damping))
+    if (!parse_exponent(&law->b, damping))
         return "the damping exponent" EXPONENT_RULE;
-    law->d = law->a.den / gcd(law->a.den, law->b.den) * law->b.den;
+    law->d = law->a.den / (slong)n_gcd((ulong)law->a.den, (ulong)law->b.den) * law->b.den;
     law->ad = law->a.num * (law->d / law->a.den);
     law->bd = law->b.num * (law->d / law->b.den);
     return NULL;
@@ -185,12 +144,6 @@ double ratio_double(struct ratio x)
     return (double)x.num / (double)x.den;
 }
 
-void arb_set_ratio(arb_t y, struct ratio x, slong prec)
-{
-    arb_set_si(y, x.num);
-    arb_div_si(y, y, x.den, prec);
-}
-
 void arb_set_upper(arb_t y, const mag_t m)
 {
     arf_set_mag(arb_midref(y), m);
@@ -205,18 +158,6 @@ void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec
     arb_add(high, x, width, prec);
     arb_get_mid_arb(low, low);
     arb_get_mid_arb(high, high);
-}
-
-void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec)
-{
-    LOCAL(fmpq, q);
-    fmpq_set_ratio(q, e);
-    arb_pow_fmpq(y, x, q, prec);
-}
-
-void fmpq_set_ratio(fmpq_t y, struct ratio x)
-{
-    fmpq_set_si(y, x.num, (ulong)x.den);
 }
 
 struct ratio_text ratio_text(struct ratio x)

@@ -85,11 +85,8 @@ struct law_text {
 struct law_text law_equation(const struct law *law);
 
 double ratio_double(struct ratio x);
-void arb_set_ratio(arb_t y, struct ratio x, slong prec);
-void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */
-void arb_set_upper(arb_t y, const mag_t m);                             /* the number m itself */
+void arb_set_upper(arb_t y, const mag_t m); /* the number m itself */
 /* low, high = x (1 -+ 2^exponent), exact numbers */
 void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec);
-void fmpq_set_ratio(fmpq_t y, struct ratio x);
 
 #endif

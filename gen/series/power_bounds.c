@@ -220,7 +220,7 @@ static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struc
 {
     LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sum of |P^(j)|, and of j |P^(j)|, j > J - i */
     LOCAL(arb, ratio);
-    arb_set_ratio(ratio, p, NORM_BITS);
+    LET(ratio, NORM_BITS, "p", p);
     arb_get_mag(exponent, ratio);
     for (slong i = 1; i <= J; i++) {
         const slong j = J + 1 - i;

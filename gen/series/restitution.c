@@ -9,7 +9,7 @@
 static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n, slong prec)
 {
     LOCAL(arb, exponent);
-    arb_set_ratio(exponent, e, prec);
+    LET(exponent, prec, "e", e);
     arb_poly_pow_arb_series(z, x, exponent, n, prec);
 }
 
@@ -47,7 +47,7 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
     LOCAL(arb_poly, z, v, value, slope, step, y_prime);
     LOCAL(arb, scale);
     arb_poly_derivative(y_prime, y, prec);
-    arb_set_ratio(scale, p, prec);
+    LET(scale, prec, "p", p);
 
     arb_poly_one(z);
     for (slong known = 1; known < n;) {
@@ -121,13 +121,9 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
     if (m.num <= 0)
         return;
 
-    fmpq_poly_struct *row = flint_malloc((size_t)n * sizeof *row);
+    fmpq_poly_struct *const row = trajectory_exact(order, order, law);
     LOCAL(fmpq_poly, x, next);
     LOCAL(fmpq, e);
-    for (slong k = 0; k < n; k++)
-        fmpq_poly_init(row + k);
-    trajectory_exact(row, order, order, law);
-
     fmpq_poly_one(T);
     for (slong known = 1; known <= n; known++) {
         progress("zero force, exact", known, n);
@@ -142,9 +138,7 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
     }
     backward_sum(G, row, true, T, n, law);
 
-    for (slong k = 0; k < n; k++)
-        fmpq_poly_clear(row + k);
-    flint_free(row);
+    trajectory_exact_free(row, n);
 }
 
 /* The exponent (a+1)/(a-b) of h in w. */

@@ -42,20 +42,32 @@ static void exact_add_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly
     fmpq_add(sum, sum, dot);
 }
 
-void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const struct law *law)
+static fmpq_poly_struct *exact_rows(slong rows)
+{
+    fmpq_poly_struct *row = flint_malloc((size_t)rows * sizeof *row);
+    for (slong k = 0; k < rows; k++)
+        fmpq_poly_init(row + k);
+    return row;
+}
+
+void trajectory_exact_free(fmpq_poly_struct *row, slong rows)
+{
+    for (slong k = 0; k < rows; k++)
+        fmpq_poly_clear(row + k);
+    flint_free(row);
+}
+
+fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct law *law)
 {
     /* e = n/d; slope: the rows of d D X; power: those of X^p */
     const slong d = law->d, du = law->bd + d, ds = law->ad + d;
     struct ratio p[2];
     const int powers = powers_of(p, law), sets = powers + 1;
-    fmpq_poly_struct *const slope = flint_malloc((size_t)(sets * (order + 1)) * sizeof *slope);
+    fmpq_poly_struct *const row = exact_rows(order + 1), *const slope = exact_rows(sets * (order + 1));
     fmpq_poly_struct *const power[2] = {slope + order + 1, slope + powers * (order + 1)};
     LOCAL(fmpq, c, x, y);
-    for (slong k = 0; k < sets * (order + 1); k++)
-        fmpq_poly_init(slope + k);
     for (slong k = 0; k <= order; k++) {
         progress("trajectory rows", k, order);
-        fmpq_poly_zero(row + k);
         for (slong j = 0; j <= terms; j++) {
             const slong n = k * du + j * ds;
             fmpq_zero(x);
@@ -85,9 +97,8 @@ void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const str
             }
         }
     }
-    for (slong k = 0; k < sets * (order + 1); k++)
-        fmpq_poly_clear(slope + k);
-    flint_free(slope);
+    trajectory_exact_free(slope, sets * (order + 1));
+    return row;
 }
 
 /* ---- in balls; the elastic constant is 2^shift ---- */

@@ -5,8 +5,9 @@
 
 #include "series/law.h"
 
-/* row[k], k = 0..order, initialised by the caller, becomes sum_j c[k][j] s^j, j = 0..terms. */
-void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const struct law *law);
+/* Rows k = 0..order, sum_j c[k][j] s^j, j = 0..terms */
+fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct law *law);
+void trajectory_exact_free(fmpq_poly_struct *row, slong rows);
 
 /* The same rows in interval (ball) arithmetic, with the rows of two powers of X, which the recurrence computes too.
  *

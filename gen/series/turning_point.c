@@ -21,15 +21,13 @@ static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *
                     const arb_t t0, slong prec)
 {
     const slong d = t->law.d, du = t->law.bd + d, ds = t->law.ad + d;
-    const struct ratio one = {1, 1};
-    const struct ratio a1 = ratio_add(t->law.a, one), b1 = ratio_add(t->law.b, one);
+    const slong shift = t->shift;
     LOCAL_VECTOR(term, t->terms + 1);
     LOCAL(arb, s0, u0, power, sum, scale, inverse);
     LOCAL(mag, missing);
     slong truncated = 0, rounded = 0;
-    arb_pow_ratio(s0, t0, a1, prec);
-    arb_mul_2exp_si(s0, s0, -t->shift);
-    arb_pow_ratio(u0, t0, b1, prec);
+    LET(s0, prec, "t0^(t->law.a + 1)/2^shift", t0, t->law.a, shift);
+    LET(u0, prec, "t0^(t->law.b + 1)", t0, t->law.b);
     arb_inv(inverse, t0, prec);
 
     for (slong k = 0; k <= t->order; k++) {

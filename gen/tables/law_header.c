@@ -82,7 +82,7 @@ static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enu
         emit_lines(e, "    x.beyond = cor_inline_infinity();\n");
     if (law_is_linear(law) && status == STATUS_OK) {
         LOCAL(arb, critical);
-        arb_set_ratio(critical, ratio_mul((struct ratio){2, 1}, a1), 128);
+        LET(critical, 128, "2*a1", a1);
         status = emit_pair_field(e, "critical", critical);
         emit_lines(e, "    x.linear = 1;\n");
         emit_power_field(e, "fading", ratio_div(ratio_sub(law->a, one), a1));

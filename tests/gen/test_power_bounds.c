@@ -34,7 +34,7 @@ static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slo
         }
         LET(binomial, PREC, "binomial*(p - m)/(m + 1)", binomial, p, m);
     }
-    arb_set_ratio(exponent, p, PREC);
+    LET(exponent, PREC, "p", p);
     arb_poly_pow_arb_series(first, f, exponent, n, PREC);
     for (slong k = 0; k <= order; k++)
         arb_poly_mullow(sum + k, sum + k, first, n, PREC);

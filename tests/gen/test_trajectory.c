@@ -6,22 +6,6 @@
 #include "series/turning_point.h"
 #include "support/local.h"
 
-static fmpq_poly_struct *exact_rows(slong order, slong terms, const struct law *law)
-{
-    fmpq_poly_struct *row = flint_malloc((size_t)(order + 1) * sizeof *row);
-    for (slong k = 0; k <= order; k++)
-        fmpq_poly_init(row + k);
-    trajectory_exact(row, order, terms, law);
-    return row;
-}
-
-static void free_rows(fmpq_poly_struct *row, slong order)
-{
-    for (slong k = 0; k <= order; k++)
-        fmpq_poly_clear(row + k);
-    flint_free(row);
-}
-
 /* Every rational of (49), and of (47); the t^10 of x_1 with the digits that the print lost. */
 TEST(test_equation_49)
 {
@@ -35,14 +19,14 @@ TEST(test_equation_49)
         {2, 0, "1/15"},       {2, 1, "-937/75075"},     {2, 2, "871/808500"},
         {3, 0, "-38/2475"},   {3, 1, "43943/13513500"}, {3, 2, "-1184627/3594591000"},
     };
-    fmpq_poly_struct *row = exact_rows(3, 4, &law_sphere);
+    fmpq_poly_struct *row = trajectory_exact(3, 4, &law_sphere);
     LOCAL(fmpq, want, got);
     for (size_t i = 0; i < sizeof printed / sizeof *printed; i++) {
         assert_int_equal(fmpq_set_str(want, printed[i].value, 10), 0);
         fmpq_poly_get_coeff_fmpq(got, row + printed[i].k, printed[i].j);
         check(fmpq_equal(want, got), "c[%ld][%ld] is not %s", (long)printed[i].k, (long)printed[i].j, printed[i].value);
     }
-    free_rows(row, 3);
+    trajectory_exact_free(row, 3 + 1);
 }
 
 /* Number of coefficients of the equation of motion up to tau^(n-1), tau = t^(1/d), that do not vanish at one beta:
@@ -103,7 +87,7 @@ TEST(test_equation_of_motion)
     for (int i = 0; i < LAWS; i++) {
         const struct law law = law_of(laws[i][0], laws[i][1]);
         const slong terms = (ORDER + 1) * (law.bd + law.d) / (law.ad + law.d);
-        fmpq_poly_struct *row = exact_rows(ORDER, terms, &law);
+        fmpq_poly_struct *row = trajectory_exact(ORDER, terms, &law);
         check(residual(row, ORDER, terms, &law) == 0, "law %s, %s", laws[i][0], laws[i][1]);
         /* One coefficient off by 10^-30 is seen. */
         LOCAL(fmpq, c);
@@ -111,7 +95,7 @@ TEST(test_equation_of_motion)
         EXACT(c, "c + 1/10^30", c);
         fmpq_poly_set_coeff_fmpq(row + ORDER, 0, c);
         assert_true(residual(row, ORDER, terms, &law) > 0);
-        free_rows(row, ORDER);
+        trajectory_exact_free(row, ORDER + 1);
     }
 }
 
@@ -123,7 +107,7 @@ TEST(test_balls_contain_rationals)
         struct trajectory t;
         LOCAL(fmpq, c);
         LOCAL(arb, x);
-        fmpq_poly_struct *row = exact_rows(ORDER, TERMS, &law);
+        fmpq_poly_struct *row = trajectory_exact(ORDER, TERMS, &law);
         trajectory_init(&t, ORDER, TERMS, &law, PREC);
         for (slong k = 0; k <= ORDER; k++)
             for (slong j = 0; j <= TERMS; j++) {
@@ -133,7 +117,7 @@ TEST(test_balls_contain_rationals)
                 assert_true(arb_contains_fmpq(x, c));
             }
         trajectory_clear(&t);
-        free_rows(row, ORDER);
+        trajectory_exact_free(row, ORDER + 1);
     }
 }
 
