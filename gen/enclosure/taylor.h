@@ -44,8 +44,8 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
 /* Replaces the state by the one at s. */
 void taylor_advance(struct taylor *y, const arb_t s);
 
-/* Whether a component, positive at begin, is negative at end <= step; if so, encloses its zero, which is known to be the
- * only one. */
+/* Whether a component, positive at begin, is negative at end <= step; if so, encloses its zero, known to be the only
+ * one. */
 enum taylor_crossing { TAYLOR_NOT_YET, TAYLOR_CROSSED, TAYLOR_UNDECIDED };
 enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum taylor_component component,
                                     const arb_t begin, const arb_t end);

@@ -351,8 +351,8 @@ TEST(test_creep_series)
     creep_series_clear(&s);
 }
 
-/* Functions of p = 1 + w t, at random t and at both ends, where the terms left out are larger than all roundings: ln and
- * 1/p need w < 1/2. None of a function with a zero, or of a negative one */
+/* Functions of p = 1 + w t, at random t and at both ends, where the terms left out are larger than all roundings; ln
+ * and 1/p need w < 1/2. None of a function with a zero, or of a negative one */
 TEST(test_enclosed_functions)
 {
     static const struct {

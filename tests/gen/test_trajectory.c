@@ -30,7 +30,7 @@ TEST(test_equation_49)
 }
 
 /* Number of coefficients of the equation of motion up to tau^(n-1), tau = t^(1/d), that do not vanish at one beta:
- * x = t X turns t times the equation into D (D + 1) X + beta t^(b+1) X^b (D + 1) X + t^(a+1) X^a, D = t d/dt. Powers are
+ * x = t X makes t times the equation D (D + 1) X + beta t^(b+1) X^b (D + 1) X + t^(a+1) X^a, D = t d/dt. Powers are
  * those of a power series in tau, by exp and ln. */
 static slong residual(const fmpq_poly_struct *row, slong order, slong terms, const struct law *law)
 {
