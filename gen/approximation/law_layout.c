@@ -62,13 +62,12 @@ struct interval_list {
     int count;
 };
 
-static void add_interval(struct interval_list *list, enum interval_variable variable, double lo, double hi,
-                         slong points, slong bits, enum interval_form form, unsigned set)
+static void add_interval(struct interval_list *list, struct interval interval)
 {
-    if (set == 0 || !(lo < hi))
+    if (interval.set == 0 || !(interval.lo < interval.hi))
         return;
     list->interval = xrealloc(list->interval, (size_t)(list->count + 1) * sizeof *list->interval);
-    list->interval[list->count++] = (struct interval){variable, lo, hi, points, bits, form, set};
+    list->interval[list->count++] = interval;
 }
 
 /* Equal intervals of ln(beta) no longer than ln(2) */
@@ -77,15 +76,15 @@ static void add_middle(struct interval_list *list, double beta_lo, double beta_h
     const double lo = log(beta_lo), hi = log(beta_hi);
     const int count = (int)ceil((hi - lo) / log(2) - 1e-9);
     for (int i = 0; i < count; i++)
-        add_interval(list, INTERVAL_LOG, lo + (hi - lo) * i / count, lo + (hi - lo) * (i + 1) / count, points,
-                     MIDDLE_BITS, FORM_LOG, set);
+        add_interval(list, (struct interval){INTERVAL_LOG, lo + (hi - lo) * i / count, lo + (hi - lo) * (i + 1) / count,
+                                             points, MIDDLE_BITS, FORM_LOG, set});
 }
 
 static void add_tail(struct interval_list *list, double end, unsigned set)
 {
     for (double lo = LAW_TAIL_FIRST, hi; lo < end; lo = hi) {
         hi = fmin(lo + exp2(floor(log2(lo)) - 1), end);
-        add_interval(list, INTERVAL_LOG, lo, hi, TAIL_POINTS, TAIL_BITS, FORM_POWER, set);
+        add_interval(list, (struct interval){INTERVAL_LOG, lo, hi, TAIL_POINTS, TAIL_BITS, FORM_POWER, set});
     }
 }
 
@@ -97,8 +96,8 @@ static void add_below(struct interval_list *list, const struct law_layout *layou
     while (lo < end) {
         const int octaves = lo < BELOW_WIDEST_TO * log(2) ? 10 : lo < BELOW_WIDE_TO * log(2) ? 5 : 2;
         const double hi = fmin(lo + octaves * log(2), end);
-        add_interval(list, INTERVAL_BELOW, lo, hi, hi < end ? BELOW_POINTS : BELOW_LAST_POINTS, MIDDLE_BITS,
-                     linear ? FORM_POWER : FORM_LOG, set);
+        add_interval(list, (struct interval){INTERVAL_BELOW, lo, hi, hi < end ? BELOW_POINTS : BELOW_LAST_POINTS,
+                                             MIDDLE_BITS, linear ? FORM_POWER : FORM_LOG, set});
         lo = hi;
     }
 }
@@ -110,8 +109,8 @@ static void make_intervals(struct law_layout *layout)
     const unsigned force = law_force_ends(law) ? SET_ZERO_FORCE : 0;
     struct interval_list list = {NULL, 0};
     /* near beta = 0, zero force follows from zero overlap */
-    add_interval(&list, INTERVAL_ROOT, 0, layout->near_end, NEAR_POINTS, NEAR_BITS, FORM_QUOTIENT,
-                 SET_LENGTHS | SET_ZERO_OVERLAP);
+    add_interval(&list, (struct interval){INTERVAL_ROOT, 0, layout->near_end, NEAR_POINTS, NEAR_BITS, FORM_QUOTIENT,
+                                          SET_LENGTHS | SET_ZERO_OVERLAP});
     if (fall > 0) {
         add_middle(&list, layout->near_end, LAW_MIDDLE_END * 1.01, MIDDLE_POINTS,
                    SET_LENGTHS | SET_ZERO_OVERLAP | force);
@@ -374,7 +373,7 @@ void law_layout_init_given(struct law_layout *layout, const struct interpolant_l
 {
     struct interval_list list = {NULL, 0};
     for (const struct interval *i = interpolant->interval; i < interpolant->interval + interpolant->intervals; i++)
-        add_interval(&list, i->variable, i->lo, i->hi, i->count, i->bits, i->form, i->set);
+        add_interval(&list, *i);
     *layout = (struct law_layout){.interpolant = *interpolant, .threshold = HUGE_VAL, .tables = tables};
     layout->interpolant.interval = list.interval;
     layout->table = xmalloc((size_t)tables * sizeof *table);
@@ -395,11 +394,14 @@ void law_layout_restrict(struct law_layout *layout, enum quantity eps, double be
     const struct interval *const old = layout->interpolant.interval;
     struct interval_list list = {NULL, 0};
     /* the first, next to beta = 0, serves both ends */
-    add_interval(&list, old->variable, old->lo, old->hi, old->count, old->bits, old->form, old->set);
+    add_interval(&list, *old);
     if (force && beta_min < layout->near_end)
         add_middle(&list, fmax(beta_min, LEAST_BETA_OF_FORCE) / 2, layout->near_end, MIDDLE_POINTS_BELOW, set);
-    for (const struct interval *i = old + 1; i < old + layout->interpolant.intervals; i++)
-        add_interval(&list, i->variable, i->lo, i->hi, i->count, i->bits, i->form, i->set & set);
+    for (const struct interval *i = old + 1; i < old + layout->interpolant.intervals; i++) {
+        struct interval kept = *i;
+        kept.set &= set;
+        add_interval(&list, kept);
+    }
     free((struct interval *)layout->interpolant.interval);
     layout->interpolant.interval = list.interval;
     layout->interpolant.intervals = list.count;

@@ -209,24 +209,22 @@ static void find_pairs(struct pade_analysis *a)
 {
     const slong prec = 2 * ROOT_BITS;
     LOCAL(acb, ratio);
-    LOCAL(arb, distance, slope);
+    LOCAL(arb, distance);
     a->pair = xmalloc((size_t)(a->poles * a->zeros + 1) * sizeof *a->pair);
     for (slong i = 0; i < a->poles; i++)
         for (slong j = 0; j < a->zeros; j++) {
-            acb_div(ratio, a->zero + j, a->pole + i, prec);
-            acb_sub_ui(ratio, ratio, 1, prec);
+            const acb_srcptr pole = a->pole + i, zero = a->zero + j;
+            const arb_srcptr re = acb_realref(pole), im = acb_imagref(pole);
+            LET_COMPLEX(ratio, false, prec, "zero/pole - 1", zero, pole);
             acb_abs(distance, ratio, prec);
-            arb_mul_si(slope, distance, PADE_PAIR_DISTANCE, prec);
-            arb_sub_si(slope, slope, 1, prec);
-            if (arb_is_positive(slope))
+            if (HOLDS(prec, "distance*PADE_PAIR_DISTANCE > 1", distance, PADE_PAIR_DISTANCE))
                 continue;
             struct pade_pair *pair = a->pair + a->pairs++;
             *pair = (struct pade_pair){.pole = i, .zero = j};
             arb_init(pair->distance);
             arb_set(pair->distance, distance);
-            arb_abs(slope, acb_imagref(a->pole + i));
-            arb_mul_si(slope, slope, PADE_PAIR_SLOPE, prec);
-            pair->spurious = !arb_is_negative(acb_realref(a->pole + i)) && !arb_ge(slope, acb_realref(a->pole + i));
+            pair->spurious =
+                !arb_is_negative(re) && !HOLDS(prec, "abs(im)*PADE_PAIR_SLOPE > re", im, PADE_PAIR_SLOPE, re);
             a->spurious += pair->spurious;
         }
 }

@@ -462,55 +462,41 @@ void pieces_clear(struct pieces *p)
     p->value = p->bits = NULL;
 }
 
-/* The range of the table, for its title */
+/* The variable y of a table, and the range in its title: by octaves, 2^first and the end or, if `log`, log2 of it;
+ * otherwise one number */
+static const struct {
+    const char *y, *range;
+    bool log;
+} variables[] = {
+    [VARIABLE_BETA] = {"beta", NULL, false},
+    [VARIABLE_ROOT_BETA] = {"beta", NULL, false},
+    [VARIABLE_LOG_BETA] = {"ln(beta)", ", beta > exp(%g)", false},
+    [VARIABLE_LOSS] = {"1 - eps", ", 1 - eps < 1/%g", false},
+    [VARIABLE_ROOT_LOSS] = {"1 - eps", ", 1 - eps < 1/%g", false},
+    [VARIABLE_POWER_OCTAVES] = {"beta^5 2^-k", " by x = beta^5, 2^%g <= x < 2^%g", true},
+    [VARIABLE_EPS_OCTAVES] = {"eps 2^-k", " by eps, 2^%g <= eps < 2^%g", true},
+    [VARIABLE_BETA_OCTAVES] = {"beta 2^-k", ", 2^%g <= beta < %g", false},
+    [VARIABLE_LOG_OCTAVES] = {"ln(beta) 2^-k", ", 2^%g <= ln(beta) < %g", false},
+    [VARIABLE_BELOW_OCTAVES] = {"(beta_c - beta) 2^-k", ", 2^%g <= beta_c - beta < 2^%g", true},
+};
+
 static void domain_text(char text[64], const struct pieces *p)
 {
+    const char *const range = variables[p->variable].range;
     text[0] = 0;
     if (p->words)
         return;
-    switch (p->variable) {
-    case VARIABLE_POWER_OCTAVES:
-        snprintf(text, 64, " by x = beta^5, 2^%g <= x < 2^%g", p->first, log2(p->end));
-        break;
-    case VARIABLE_EPS_OCTAVES:
-        snprintf(text, 64, " by eps, 2^%g <= eps < 2^%g", p->first, log2(p->end));
-        break;
-    case VARIABLE_BETA_OCTAVES:
-        snprintf(text, 64, ", 2^%g <= beta < %g", p->first, p->end);
-        break;
-    case VARIABLE_LOG_OCTAVES:
-        snprintf(text, 64, ", 2^%g <= ln(beta) < %g", p->first, p->end);
-        break;
-    case VARIABLE_BELOW_OCTAVES:
-        snprintf(text, 64, ", 2^%g <= beta_c - beta < 2^%g", p->first, log2(p->end));
-        break;
-    case VARIABLE_LOSS:
-    case VARIABLE_ROOT_LOSS:
-        snprintf(text, 64, ", 1 - eps < 1/%g", 1 / p->end);
-        break;
-    case VARIABLE_LOG_BETA:
-        snprintf(text, 64, ", beta > exp(%g)", p->first - p->step / 2);
-        break;
-    default:
+    if (by_octaves(p))
+        snprintf(text, 64, range, p->first, variables[p->variable].log ? log2(p->end) : p->end);
+    else if (range)
+        snprintf(text, 64, range, p->variable == VARIABLE_LOG_BETA ? p->first - p->step / 2 : 1 / p->end);
+    else
         snprintf(text, 64, p->end < 1 ? ", beta < 1/%g" : ", beta < %g", p->end < 1 ? 1 / p->end : p->end);
-    }
 }
 
-/* The variable y of the table */
 static void variable_text(char text[64], const struct pieces *p)
 {
-    static const char *const names[] = {"beta",
-                                        "beta",
-                                        "ln(beta)",
-                                        "1 - eps",
-                                        "1 - eps",
-                                        NULL,
-                                        "beta^5 2^-k",
-                                        "eps 2^-k",
-                                        "beta 2^-k",
-                                        "ln(beta) 2^-k",
-                                        "(beta_c - beta) 2^-k"};
-    const char *const name = p->words ? p->words : names[p->variable];
+    const char *const name = p->words ? p->words : variables[p->variable].y;
     if (!by_root(p) || p->root == 1)
         snprintf(text, 64, "%s", name);
     else if (p->root == 2)

@@ -24,7 +24,6 @@ enum {
 
 struct interpolant_proof {
     const struct interpolant *f;
-    struct ellipse_bound *bound; /* of each interval */
     double (*error)[QUANTITIES]; /* infinite without a proof */
     struct creep_series creep;
     arb_t creep_constant; /* C of creep_series.h */
@@ -220,11 +219,11 @@ static int prove_interval(struct interpolant_proof *proof, int i, unsigned quant
     const unsigned set = ellipse_bound_set(interval) & quantities;
     if (!proof->f->samples[i].known)
         return STATUS_OK;
-    proof->bound[i] = ellipse_stated[i];
-    int status = source == ELLIPSES_PROVED ? prove_stated(&proof->bound[i], interval) : STATUS_OK;
+    struct ellipse_bound bound = ellipse_stated[i];
+    int status = source == ELLIPSES_PROVED ? prove_stated(&bound, interval) : STATUS_OK;
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (set & 1u << q)
-            status = interpolant_error(&proof->error[i][q], proof->f, i, (enum quantity)q, &proof->bound[i]);
+            status = interpolant_error(&proof->error[i][q], proof->f, i, (enum quantity)q, &bound);
     if (status == STATUS_OK && interval->variable == INTERVAL_LOG && quantities & 1u << DURATION_ZERO_OVERLAP)
         status = prove_creep(proof, i);
     return status;
@@ -251,9 +250,6 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
     proof->f = f;
     creep_series_init(&proof->creep, PREC);
     arb_init(proof->creep_constant);
-    proof->bound = xmalloc((size_t)intervals * sizeof *proof->bound);
-    for (int i = 0; i < intervals; i++)
-        proof->bound[i] = (struct ellipse_bound){0};
     proof->error = xmalloc((size_t)intervals * sizeof *proof->error);
     for (int i = 0; i < intervals; i++)
         for (int q = 0; q < QUANTITIES; q++)
@@ -277,18 +273,12 @@ void interpolant_proof_free(struct interpolant_proof *proof)
     creep_series_clear(&proof->creep);
     arb_clear(proof->creep_constant);
     free(proof->error);
-    free(proof->bound);
     free(proof);
 }
 
 double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity)
 {
     return proof->error[i][quantity];
-}
-
-const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_proof *proof, int i)
-{
-    return &proof->bound[i];
 }
 
 /* ---- a row on a piece of its cell ---- */
@@ -298,7 +288,6 @@ struct piece {
     const struct interpolant_proof *proof;
     const struct pieces *p;
     struct cell cell;
-    const double *c;
     int i;
     const struct interval *interval;
     arb_poly_t x, stored; /* the interval's variable; the number that it stores, its error included */
@@ -368,9 +357,12 @@ static void creep_duration(arb_poly_t y, const struct piece *w, double lo, doubl
     interpolant_proof_creep(y, w->proof, eps, time, w->x, mu); /* not finite without a proof */
 }
 
-static void piece_init(struct piece *w, double lo, double hi)
+static void piece_init(struct piece *w, const struct interpolant_proof *proof, const struct pieces *p, slong row, int i,
+                       double lo, double hi)
 {
-    const enum quantity stored = stored_quantity(w->p->quantity);
+    const enum quantity stored = stored_quantity(p->quantity);
+    *w = (struct piece){.proof = proof, .p = p, .i = i, .interval = &proof->f->layout->interval[i]};
+    w->cell = pieces_cell(p, row);
     FOR_ALL(arb_poly, init, w->x, w->stored, w->beta);
     enclosed_variable(w->x, lo, hi);
     if (is_creep(w->interval, stored))
@@ -403,13 +395,11 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
                            enum quantity quantity, double lo, double hi)
 {
     const struct pieces p = {.quantity = quantity};
-    struct piece w = {.proof = proof, .p = &p, .i = i, .interval = &proof->f->layout->interval[i]};
-    piece_init(&w, lo, hi);
+    LOCAL_INIT(piece, w, (&w, proof, &p, 0, i, lo, hi));
     loss_of(eps, &w);
     LET_FUNCTION(eps, "1 - eps", eps);
     arb_poly_set(beta, w.beta);
     arb_poly_set(x, w.x);
-    piece_clear(&w);
 }
 
 /* The variable y of the table */
@@ -452,9 +442,9 @@ static bool variable_of(arb_poly_t y, const struct piece *w)
 }
 
 /* The row, c_0 + (c_0' + s (c_1 + c_2 t + ...)) */
-static bool row_of(arb_poly_t row, const struct piece *w)
+static bool row_of(arb_poly_t row, const struct piece *w, const double *c)
 {
-    const double node = w->cell.node, *const c = w->c;
+    const double node = w->cell.node;
     LOCAL(arb_poly, t, s);
     const bool done = variable_of(t, w);
     LET_FUNCTION(s, w->cell.plain ? "t - node" : "t^2 - node^2", t, node);
@@ -469,10 +459,10 @@ static bool row_of(arb_poly_t row, const struct piece *w)
 }
 
 /* Makes difference/scale the relative error of the row. */
-static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct piece *w)
+static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct piece *w, const double *c)
 {
     const bool quotient = w->interval->form == FORM_QUOTIENT;
-    const bool done = row_of(difference, w);
+    const bool done = row_of(difference, w, c);
     switch (w->p->quantity) {
     case LOSS_QUOTIENT_ZERO_OVERLAP:
     case LOSS_QUOTIENT_ZERO_FORCE:
@@ -517,22 +507,14 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
 static double piece_error(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c,
                           int i, double lo, double hi)
 {
-    struct piece w = {.proof = proof,
-                      .p = p,
-                      .cell = pieces_cell(p, row),
-                      .c = c,
-                      .i = i,
-                      .interval = &proof->f->layout->interval[i]};
+    LOCAL_INIT(piece, w, (&w, proof, p, row, i, lo, hi));
     LOCAL(arb_poly, difference, scale);
-    piece_init(&w, lo, hi);
-    const bool done = relative_error(difference, scale, &w);
+    const bool done = relative_error(difference, scale, &w, c);
     enclosed_shorten(difference);
     double known = 0;
     for (int k = -POINTS; k <= POINTS && done; k++)
         known = fmax(known, enclosed_ratio_at(difference, scale, k / (double)POINTS));
-    const double error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
-    piece_clear(&w);
-    return error;
+    return done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
 }
 
 /* ---- cells ---- */
@@ -603,17 +585,13 @@ static bool cell_range(struct range *range, const struct interpolant_proof *proo
 static int side_of(const struct interpolant_proof *proof, const struct pieces *p, slong row, int i, double x,
                    double limit)
 {
-    struct piece w = {
-        .proof = proof, .p = p, .cell = pieces_cell(p, row), .i = i, .interval = &proof->f->layout->interval[i]};
+    LOCAL_INIT(piece, w, (&w, proof, p, row, i, x, x));
     LOCAL(arb_poly, y);
     LOCAL(arb, range);
-    piece_init(&w, x, x);
     const bool done = variable_of(y, &w);
     enclosed_add_double(y, -limit);
     enclosed_range(range, y);
-    const int side = !done ? 0 : arb_is_nonnegative(range) ? 1 : arb_is_nonpositive(range) ? -1 : 0;
-    piece_clear(&w);
-    return side;
+    return !done ? 0 : arb_is_nonnegative(range) ? 1 : arb_is_nonpositive(range) ? -1 : 0;
 }
 
 static bool is_inverse(const struct pieces *p)
@@ -716,18 +694,18 @@ double row_proof_bits(const struct interpolant_proof *proof, const struct pieces
 struct proving {
     struct pieces *p;
     const struct interpolant_proof *proof;
-    double *bits;
 };
 
 static void prove_row(void *context, slong row)
 {
     struct proving *const work = context;
-    work->bits[row] = row_proof_bits(work->proof, work->p, row, work->p->value + row * (work->p->degree + 2));
+    struct pieces *const p = work->p;
+    p->bits[row] = row_proof_bits(work->proof, p, row, p->value + row * (p->degree + 2));
 }
 
 int row_proof_table(struct pieces *p, const struct interpolant_proof *proof)
 {
-    struct proving work = {.p = p, .proof = proof, .bits = p->bits};
+    struct proving work = {.p = p, .proof = proof};
     parallel_for(prove_row, &work, p->rows, p->name);
     for (slong row = 0; row < p->rows; row++)
         if (!(p->bits[row] >= p->least_bits))

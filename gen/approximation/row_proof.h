@@ -32,9 +32,8 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
                                                 enum ellipse_source source);
 void interpolant_proof_free(struct interpolant_proof *proof);
 
-/* Proved bound of |polynomial - stored number| on interval i, and what it was proved with; infinite without a proof */
+/* Proved bound of |polynomial - stored number| on interval i; infinite without a proof */
 double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity);
-const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_proof *proof, int i);
 
 /* The interval's variable x, beta and eps of one end for lo <= x <= hi in interval i, as functions of t
  * (enclosed_function.h); eps where interpolant_proof_error is finite. The error of the interpolant is included. */

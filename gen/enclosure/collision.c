@@ -111,6 +111,10 @@ static void elastic_solve(struct collision *c, const struct law *law, slong prec
 static int ends_solve(struct collision *c, const arb_t beta, double below, const struct law *law, enum ends ends,
                       slong bits)
 {
+    const bool force = ends == ENDS_ZERO_FORCE;
+    if (!arb_is_finite(beta) || !(force ? arb_is_positive(beta) : arb_is_nonnegative(beta)))
+        return fail("the damping beta of a collision%s must be a number %s 0", force ? " that ends without force" : "",
+                    force ? ">" : ">=");
     if (arb_is_zero(beta)) {
         elastic_solve(c, law, bits + GUARD_BITS);
         return STATUS_OK;
@@ -140,15 +144,11 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
 
 int collision_solve(struct collision *c, const arb_t beta, const struct law *law, slong bits)
 {
-    if (!arb_is_finite(beta) || !arb_is_nonnegative(beta))
-        return fail("the damping beta of a collision must be a number >= 0");
     return ends_solve(c, beta, 1, law, ENDS_BOTH, bits);
 }
 
 int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct law *law, slong bits)
 {
-    if (!arb_is_finite(beta) || !arb_is_nonnegative(beta))
-        return fail("the damping beta of a collision must be a number >= 0");
     return ends_solve(c, beta, below, law, ENDS_ZERO_OVERLAP, bits);
 }
 
@@ -159,8 +159,6 @@ int collision_solve_overlap(struct collision *c, const arb_t beta, const struct 
 
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits)
 {
-    if (!arb_is_finite(beta) || !arb_is_positive(beta))
-        return fail("the damping beta of a collision that ends without force must be a number > 0");
     return ends_solve(c, beta, 1, law, ENDS_ZERO_FORCE, bits);
 }
 

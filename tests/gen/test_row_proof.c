@@ -273,7 +273,6 @@ TEST(test_samples)
 TEST(test_unknown)
 {
     assert_true(interpolant_proof_error(proof, 0, EPS_ZERO_OVERLAP) < 1e-20);
-    assert_true(interpolant_proof_bound(proof, 1)->rho > 3);
     assert_false(interpolant_proof_error(proof, 5, EPS_ZERO_OVERLAP) < HUGE_VAL);
     struct pieces p = tables[0];
     const double c[12] = {0.5};
