@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "cor/status.h"
+#include "runtime/disk/rim.h"
 #include "runtime/number/environment.h"
 
 /* Accuracy of a_n in bits, more than a double holds */
@@ -123,18 +124,6 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
     const double scale = sqrt(2 * w / (w * (c * c + s * s) - (c + n * s) * (c + n * s)));
     mode->c = copysign(scale, c) * c;
     mode->s = copysign(scale, c) * s;
-}
-
-long cor_mode_count(const struct cor_mode_material *material, long n, double omega)
-{
-    const struct cor_mode_loops *const loops = cor_mode_set(cor_widest_set());
-    struct cor_mode_point p;
-    for (int i = 0; i < LANES; i++)
-        point_at(&p, material, i, n, omega);
-    wave_climb(&p.a, loops, n, sqrt(p.a.z[0]));
-    wave_climb(&p.b, loops, n, sqrt(p.b.z[0]));
-    loops->equation(&p, material);
-    return (long)p.below[0];
 }
 
 /* ---- all n at one frequency ---- */
@@ -242,34 +231,28 @@ struct search {
     struct group *group;
 };
 
-static double *array_of(struct search *s, long i)
-{
-    return s->memory + i * s->room;
-}
-
 static int search_start(struct search *s, double omega)
 {
     const double e = s->material->e, unit[2] = {sqrt(s->material->s * e), sqrt(2 * e)};
     s->places = (long)ceil(unit[1] * omega / GRID_STEP);
-    s->room = s->places + LANES;
+    s->room = (s->places + 2 * LANES - 1) / LANES * LANES; /* so that arrays are whole vectors */
     s->memory = calloc((size_t)s->room * 13, sizeof *s->memory);
     s->group = malloc(sizeof *s->group);
     if (s->memory == NULL || s->group == NULL)
         return COR_ERROR_MEMORY;
-    s->place = array_of(s, 0);
-    s->below = array_of(s, 1);
-    s->guess = array_of(s, 2);
+    struct cor_store store = {(char *)s->memory, 0};
+    const size_t room = (size_t)s->room;
+    COR_STORE_TAKE_DOUBLES(&store, room, &s->place, &s->below, &s->guess);
     for (long i = 0; i < s->room; i++)
         s->place[i] = omega * ((double)(i + 1) / (double)s->places);
     for (int w = 0; w < 2; w++) {
-        const int k = 3 + 5 * w;
-        const struct ladders start = {
-            unit[w], array_of(s, k), array_of(s, k + 1), array_of(s, k + 2), array_of(s, k + 3), array_of(s, k + 4),
-            s->room, s->room};
-        s->wave[w] = start;
+        struct ladders *const a = &s->wave[w];
+        a->unit = unit[w];
+        a->active = a->ready = s->room;
+        COR_STORE_TAKE_DOUBLES(&store, room, &a->kappa, &a->two_over_kappa, &a->above, &a->here, &a->zeros);
         for (long i = 0; i < s->room; i++) {
-            start.kappa[i] = unit[w] * s->place[i];
-            start.two_over_kappa[i] = 2 / start.kappa[i];
+            a->kappa[i] = unit[w] * s->place[i];
+            a->two_over_kappa[i] = 2 / a->kappa[i];
         }
     }
     return COR_OK;

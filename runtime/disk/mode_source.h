@@ -59,9 +59,8 @@ COR_TABLES(struct cor_mode_loops, cor_mode, cor_mode_set)
  * (11.4). */
 long cor_mode_orders(double omega);
 
-/* Number of modes below omega, of one n and of all n. The number is wrong by one if omega is within rounding errors of
- * a root. The translation n = 1, omega = 0 is not counted. */
-long cor_mode_count(const struct cor_mode_material *material, long n, double omega);
+/* Number of modes below omega. The number is wrong by one if omega is within rounding errors of a root. The translation
+ * n = 1, omega = 0 is not counted. */
 double cor_mode_total(const struct cor_mode_material *material, double omega);
 
 /* A frequency with slightly more than `count` modes below it */

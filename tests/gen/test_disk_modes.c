@@ -41,23 +41,6 @@ static void assert_same_mode(const struct disk_mode *a, const struct disk_mode *
     assert_overlap(a->s, b->s, "S of n", a->n);
 }
 
-TEST(test_single_modes)
-{
-    static const char *const materials[] = {"33/100", "-7/10", "0"};
-    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
-        LOCAL(disk_modes, modes);
-        LOCAL(disk_mode, mode);
-        LOCAL(fmpq, nu);
-        set_nu(nu, materials[i]);
-        modes_solve(modes, materials[i], 100, 30);
-        for (slong k = 0; k < modes->count; k += 3) {
-            assert_int_equal(disk_mode_solve(mode, nu, modes->mode[k].n, modes->mode[k].l, 120), 0);
-            assert_bits(mode->omega, 110);
-            assert_same_mode(mode, &modes->mode[k]);
-        }
-    }
-}
-
 /* Two roots of n = 1 with a relative gap of 4.2e-4: both, and nothing between or beside them that is missing. */
 TEST(test_near_pair)
 {
@@ -167,8 +150,6 @@ TEST(test_ritz)
                 const slong ritz = ritz_count(nu, n, w, PAIRS), count = disk_count(&disk, n, w);
                 check(count + (n == 1) == ritz, "nu = %s, n = %ld, omega = %a: %ld, and %ld by Ritz", materials[i],
                       (long)n, omega, (long)count, (long)ritz);
-                const struct cor_mode_material material = {disk.e_double, disk.s_double};
-                assert_true(cor_mode_count(&material, n, omega) == count);
                 assert_true(ritz_count(nu, n, w, 3) <= ritz);
             }
         }
@@ -650,5 +631,5 @@ TEST(test_threads_and_digits)
     }
 }
 
-RUN_TESTS(test_single_modes, test_near_pair, test_ritz, test_printed_equation, test_amplitudes, every_mode,
-          none_is_missing, test_against_doubles, test_corners_of_nu, test_orders, test_threads_and_digits)
+RUN_TESTS(test_near_pair, test_ritz, test_printed_equation, test_amplitudes, every_mode, none_is_missing,
+          test_against_doubles, test_corners_of_nu, test_orders, test_threads_and_digits)

@@ -203,24 +203,6 @@ TEST(budget)
 
 /* ---- other walls ---- */
 
-/* A wall of potential exp(alpha x)/alpha on the same compliance tends to the rigid wall like 1/alpha. */
-TEST(hard_limit)
-{
-    leave_to_turn(1, 3);
-    const double speed = 0.1, omega = 14;
-    const struct cor_disk_modes modes = modes_of(0.33, omega);
-    const struct cor_hard_wall_settings settings = fine_settings(omega, speed);
-    struct reference_wall wall = reference_settings(&settings, speed, 140);
-    wall.offset = 0.5;
-    const double rigid = reference_limit(&modes, speed, wall);
-    double l[2];
-    for (int i = 0; i < 2; i++) {
-        wall.alpha = i == 0 ? 2240 : 4480;
-        l[i] = reference_limit(&modes, speed, wall);
-    }
-    check(fabs(2 * l[1] - l[0] - rigid) < 4e-5, "%.8f, not %.8f", 2 * l[1] - l[0], rigid);
-}
-
 /* All modes, at equal alpha: the compliance at once, Omega -> infinity, against cor_disk_collision with ever more modes
  * */
 TEST(soft_wall_of_all_modes)
@@ -424,5 +406,5 @@ TEST(refusals)
     level_of(&modes, 0.1, &settings, COR_ERROR_MODES);
 }
 
-RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, hard_limit, point_contact,
-          soft_wall_of_all_modes, refusals, coarse_angles, cosines, every_set, ladders, modes_of_every_set)
+RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, point_contact, soft_wall_of_all_modes, refusals,
+          coarse_angles, cosines, every_set, ladders, modes_of_every_set)
