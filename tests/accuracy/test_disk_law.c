@@ -196,18 +196,12 @@ static double ball_error(double computed, const arb_t exact)
     return radius < 1e-4 ? error + radius : -1;
 }
 
-enum quantity { COMPRESSION, LOAD, SPEED, ENERGY };
-
-/* The limits, as disk.h has them */
-static void ball_limit(arb_t x, enum quantity quantity, const arb_t b, slong prec)
+/* The limits of the first four kinds, as disk.h has them */
+static void ball_limit(arb_t x, enum disk_kind kind, const arb_t b, slong prec)
 {
-    LET(x, prec, "4*exp(b - 1)", b);
-    if (quantity == LOAD || quantity == ENERGY)
-        LET(x, prec, "pi*x", x);
-    if (quantity == SPEED)
-        LET(x, prec, "x/sqrt(2)", x);
-    if (quantity == ENERGY)
-        LET(x, prec, "x*exp(b - 1)", x, b);
+    static const char *const formula[] = {"4*exp(b - 1)",      "4*pi*exp(b - 1)",    "4*pi*exp(b - 1)",
+                                          "4*pi*exp(2*b - 2)", "sqrt(8)*exp(b - 1)", "sqrt(8)*exp(b - 1)"};
+    LET(x, prec, formula[kind], b);
 }
 
 /* ---- algebraic functions ---- */
@@ -278,32 +272,25 @@ static int search_laws(uint64_t points)
 /* Each limit is inside, the next double is not, and the functions agree. */
 static int search_limits(uint64_t points)
 {
-    static const enum disk_kind user[4] = {DISK_LOAD, DISK_COMPRESSION, DISK_MAX_LOAD, DISK_LOAD_OF_ENERGY};
     uint64_t wrong = 0;
     LOCAL(arb, b, exact, x);
     for (uint64_t i = 0; i < points; i++) {
         const double nu = random_nu();
-        const int datum = choice(3), quantity = choice(4);
-        const struct disk_function *f = &disk_functions[user[quantity]];
-        const double limit = f->limit(nu, (enum cor_disk_datum)datum), beyond = moved(limit, 1);
-        disk_constant(b, nu, (enum cor_disk_datum)datum, 256);
-        ball_limit(exact, (enum quantity)quantity, b, 256);
+        const enum cor_disk_datum datum = (enum cor_disk_datum)choice(3);
+        const enum disk_kind kind = (enum disk_kind)choice(DISK_KINDS);
+        const struct disk_function *f = &disk_functions[kind];
+        const double limit = f->limit(nu, datum), beyond = moved(limit, 1);
+        disk_constant(b, nu, datum, 256);
+        ball_limit(exact, kind, b, 256);
         arb_set_d(x, limit);
         int good = arb_le(x, exact);
         arb_set_d(x, beyond);
         good &= arb_gt(x, exact);
-        good &= !isnan(f->value(limit, nu, (enum cor_disk_datum)datum));
-        good &= isnan(f->value(beyond, nu, (enum cor_disk_datum)datum));
-        if (quantity == LOAD)
-            good &= !isnan(cor_disk_energy(limit, nu, (enum cor_disk_datum)datum)) &&
-                    isnan(cor_disk_energy(beyond, nu, (enum cor_disk_datum)datum));
-        if (quantity == SPEED)
-            good &= !isnan(cor_disk_contact_time(limit, nu, (enum cor_disk_datum)datum)) &&
-                    isnan(cor_disk_contact_time(beyond, nu, (enum cor_disk_datum)datum)) &&
-                    !isnan(cor_disk_max_compression(limit, nu, (enum cor_disk_datum)datum)) &&
-                    isnan(cor_disk_max_compression(beyond, nu, (enum cor_disk_datum)datum));
+        good &= !isnan(f->value(limit, nu, datum)) && isnan(f->value(beyond, nu, datum));
+        if (kind == DISK_MAX_LOAD)
+            good &= !isnan(cor_disk_contact_time(limit, nu, datum)) && isnan(cor_disk_contact_time(beyond, nu, datum));
         if (!good && wrong++ == 0)
-            printf("limit %d: %a at nu = %a, datum %d\n", quantity, limit, nu, datum);
+            printf("limit of %s: %a at nu = %a, datum %d\n", f->name, limit, nu, (int)datum);
     }
     printf("%-4s  limits: %llu of %llu wrong\n", wrong == 0 ? "ok" : "FAIL", (unsigned long long)wrong,
            (unsigned long long)points);
