@@ -210,60 +210,40 @@ static void bessel_set(struct bessel *b, slong n, slong prec)
     LET(b->d, prec, "b->z*b->j[1] - n*b->j[2]", b->z, b->j[1], n, b->j[2]);
 }
 
-struct material {
-    slong prec;
-    arb_t s, kappa_per_omega, kappa1_per_omega; /* s = 1 - nu */
-};
-
-static void material_init(struct material *m, const fmpq_t nu, slong prec)
-{
-    m->prec = prec;
-    FOR_ALL(arb, init, m->s, m->kappa_per_omega, m->kappa1_per_omega);
-    LET(m->s, prec, "1 - nu", nu);
-    LET(m->kappa_per_omega, prec, "sqrt(1 - nu^2)", nu); /* (18) */
-    LET(m->kappa1_per_omega, prec, "sqrt(2*(1 + nu))", nu);
-}
-
-static void material_clear(struct material *m)
-{
-    FOR_ALL(arb, clear, m->s, m->kappa_per_omega, m->kappa1_per_omega);
-}
-
 /* The left side of (25), of (20) for n = 0; fills k = kappa, k1 = kappa'. */
-static void equation(arb_t f, struct bessel *k, struct bessel *k1, const struct material *m, slong n, const arb_t omega)
+static void equation(arb_t f, struct bessel *k, struct bessel *k1, const fmpq_t nu, slong n, const arb_t omega,
+                     slong prec)
 {
-    const arb_srcptr s = m->s, J = k->j[2], J1 = k1->j[2];
-    LOCAL(arb, y, y1, kk);
-    LET(k->z, m->prec, "omega*m->kappa_per_omega", omega, m->kappa_per_omega);
-    LET(k1->z, m->prec, "omega*m->kappa1_per_omega", omega, m->kappa1_per_omega);
-    bessel_set(k, n, m->prec);
+    const arb_srcptr J = k->j[2], J1 = k1->j[2];
+    LOCAL(arb, s, y, y1, kk);
+    LET(s, prec, "1 - nu", nu);
+    LET(k->z, prec, "omega*sqrt(1 - nu^2)", omega, nu); /* (18) */
+    LET(k1->z, prec, "omega*sqrt(2*(1 + nu))", omega, nu);
+    bessel_set(k, n, prec);
     if (n == 0) { /* kappa J_1' + nu J_1 = kappa J_0 - (1 - nu) J_1 */
-        LET(f, m->prec, "k->z*J - s*k->j[3]", k->z, J, s, k->j[3]);
+        LET(f, prec, "k->z*J - s*k->j[3]", k->z, J, s, k->j[3]);
         return;
     }
-    bessel_set(k1, n, m->prec);
-    LET(kk, m->prec, "k->z^2", k->z);
-    LET(y, m->prec, "k->z*k->j[1]", k->z, k->j[1]);
-    LET(y1, m->prec, "k1->z*k1->j[1]", k1->z, k1->j[1]);
-    LET(f, m->prec, "s*(s*(1 - n^2)*y*y1 + (kk - s*(1 - n^2)*n)*(y*J1 + y1*J)) + kk*(kk - 2*s*(n^2 + n))*J*J1", s, n, y,
+    bessel_set(k1, n, prec);
+    LET(kk, prec, "k->z^2", k->z);
+    LET(y, prec, "k->z*k->j[1]", k->z, k->j[1]);
+    LET(y1, prec, "k1->z*k1->j[1]", k1->z, k1->j[1]);
+    LET(f, prec, "s*(s*(1 - n^2)*y*y1 + (kk - s*(1 - n^2)*n)*(y*J1 + y1*J)) + kk*(kk - 2*s*(n^2 + n))*J*J1", s, n, y,
         y1, kk, J, J1);
 }
 
 /* (25) vanishes at omega: it changes sign within the relative distance 2^-bits. */
 static void assert_root(const struct disk_mode *mode, const fmpq_t nu, slong bits, slong prec)
 {
-    struct material m;
     LOCAL(bessel, k, k1);
     LOCAL(arb, omega, below, above);
-    material_init(&m, nu, prec);
     for (int side = -1; side <= 1; side += 2) {
         LET(omega, prec, "mode->omega*(1 + side/2^bits)", mode->omega, side, bits);
         mag_zero(arb_radref(omega));
-        equation(side > 0 ? above : below, k, k1, &m, mode->n, omega);
+        equation(side > 0 ? above : below, k, k1, nu, mode->n, omega, prec);
     }
     check(!arb_contains_zero(below) && !arb_contains_zero(above) && arb_is_positive(below) != arb_is_positive(above),
           "n = %ld, l = %ld", (long)mode->n, (long)mode->l);
-    material_clear(&m);
 }
 
 TEST(test_printed_equation)
@@ -300,17 +280,18 @@ static void lommel(arb_t x, const struct bessel *a, const struct bessel *b, int 
 }
 
 /* A and B of (22) or (23), whichever determines them better. */
-static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct bessel *k1, const struct material *m,
-                       slong n)
+static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct bessel *k1, const fmpq_t nu, slong n,
+                       slong prec)
 {
-    const arb_srcptr s = m->s, J = k->j[2], J1 = k1->j[2];
-    LOCAL(arb, a2, b2);
+    const arb_srcptr J = k->j[2], J1 = k1->j[2];
+    LOCAL(arb, a2, b2, s);
+    LET(s, prec, "1 - nu", nu);
     /* (22): -A [s kappa J' + (kappa^2 - s n^2) J] + n B s [kappa' J' - J] = 0 */
-    LET(a, m->prec, "n*s*(k1->d - J1)", n, s, k1->d, J1);
-    LET(b, m->prec, "s*k->d + (k->z^2 - s*n^2)*J", s, k->d, k->z, n, J);
+    LET(a, prec, "n*s*(k1->d - J1)", n, s, k1->d, J1);
+    LET(b, prec, "s*k->d + (k->z^2 - s*n^2)*J", s, k->d, k->z, n, J);
     /* (23): -2 n A [kappa J' - J] + B [2 kappa' J' + (kappa'^2 - 2 n^2) J] = 0 */
-    LET(a2, m->prec, "2*k1->d + (k1->z^2 - 2*n^2)*J1", k1->d, k1->z, n, J1);
-    LET(b2, m->prec, "2*n*(k->d - J)", n, k->d, J);
+    LET(a2, prec, "2*k1->d + (k1->z^2 - 2*n^2)*J1", k1->d, k1->z, n, J1);
+    LET(b2, prec, "2*n*(k->d - J)", n, k->d, J);
     if (arb_rel_accuracy_bits(a2) + arb_rel_accuracy_bits(b2) > arb_rel_accuracy_bits(a) + arb_rel_accuracy_bits(b)) {
         arb_swap(a, a2);
         arb_swap(b, b2);
@@ -318,35 +299,35 @@ static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct be
 }
 
 /* C and S at a frequency, C > 0: the sign is a convention. Without B, of n = 0, k1 has none of its numbers but z. */
-static void rim_amplitudes(arb_t c, arb_t s, const struct material *m, slong n, const arb_t omega)
+static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb_t omega, slong prec)
 {
     LOCAL(bessel, k, k1);
     LOCAL(arb, a, b, norm, own, own1, mixed);
-    equation(norm, k, k1, m, n, omega);
+    equation(norm, k, k1, nu, n, omega, prec);
     arb_zero(norm);
     if (n > 0)
-        amplitudes(a, b, k, k1, m, n);
+        amplitudes(a, b, k, k1, nu, n, prec);
     else
         arb_one(a);
-    LET(c, m->prec, "a*k->d + n*b*k1->j[2]", a, k->d, n, b, k1->j[2]); /* (19) at r = 1 */
-    LET(s, m->prec, "-(b*k1->d + n*a*k->j[2])", b, k1->d, n, a, k->j[2]);
+    LET(c, prec, "a*k->d + n*b*k1->j[2]", a, k->d, n, b, k1->j[2]); /* (19) at r = 1 */
+    LET(s, prec, "-(b*k1->d + n*a*k->j[2])", b, k1->d, n, a, k->j[2]);
     /* u_r - u_phi = A kappa J_n-1(kappa r) + B kappa' J_n-1(kappa' r), and -A, B with J_n+1 for the sum: the integral
      * is half that of both squares */
-    LET(a, m->prec, "a*k->z", a, k->z);
-    LET(b, m->prec, "b*k1->z", b, k1->z);
+    LET(a, prec, "a*k->z", a, k->z);
+    LET(b, prec, "b*k1->z", b, k1->z);
     for (int o = 1; o <= 3; o += 2) {
         const int sign = 2 - o;
-        lommel(own, k, k, o, m->prec);
-        lommel(own1, k1, k1, o, m->prec);
-        lommel(mixed, k, k1, o, m->prec);
-        LET(norm, m->prec, "norm + a^2*own + b^2*own1 + 2*sign*a*b*mixed", norm, a, own, b, own1, sign, mixed);
+        lommel(own, k, k, o, prec);
+        lommel(own1, k1, k1, o, prec);
+        lommel(mixed, k, k1, o, prec);
+        LET(norm, prec, "norm + a^2*own + b^2*own1 + 2*sign*a*b*mixed", norm, a, own, b, own1, sign, mixed);
     }
     arb_mul_2exp_si(norm, norm, n > 0 ? -1 : 0); /* int = 1, and 1/2 for n = 0 */
-    arb_sqrt(norm, norm, m->prec);
+    arb_sqrt(norm, norm, prec);
     if (arb_is_negative(c))
         arb_neg(norm, norm);
-    arb_div(c, c, norm, m->prec);
-    arb_div(s, s, norm, m->prec);
+    arb_div(c, c, norm, prec);
+    arb_div(s, s, norm, prec);
 }
 
 TEST(test_amplitudes)
@@ -369,17 +350,14 @@ TEST(test_amplitudes)
         LOCAL(fmpq, nu);
         LOCAL(arb, c, s);
         LOCAL(disk_mode, mode);
-        struct material m;
         set_nu(nu, cases[i].nu);
-        material_init(&m, nu, 300);
         assert_int_equal(disk_mode_solve(mode, nu, cases[i].n, cases[i].l, 150), 0);
-        rim_amplitudes(c, s, &m, cases[i].n, mode->omega);
+        rim_amplitudes(c, s, nu, cases[i].n, mode->omega, 300);
         assert_bits(c, 80);
         assert_bits(mode->c, 80);
         assert_overlap(mode->c, c, "C of case", (slong)i);
         if (cases[i].n > 0)
             assert_overlap(mode->s, s, "S of case", (slong)i);
-        material_clear(&m);
     }
 }
 
@@ -401,7 +379,7 @@ static void half_way(arb_t y, double x, double towards)
 
 /* Proves that the double is the nearest to a root, and encloses that to 180 bits: by the chord's zero and its
  * neighbours, between which the sign changes. */
-static void find_root(arb_t omega, const struct material *m, const struct cor_disk_mode *mode)
+static void find_root(arb_t omega, const fmpq_t nu, const struct cor_disk_mode *mode)
 {
     static const slong root_bits[STEPS] = {76, 130, 180};
     LOCAL(bessel, k, k1);
@@ -409,20 +387,20 @@ static void find_root(arb_t omega, const struct material *m, const struct cor_di
     half_way(low, mode->omega, 0);
     half_way(high, mode->omega, HUGE_VAL);
     for (int step = 0; step <= STEPS; step++) {
-        equation(at_low, k, k1, m, mode->n, low);
-        equation(at_high, k, k1, m, mode->n, high);
+        equation(at_low, k, k1, nu, mode->n, low, PREC);
+        equation(at_high, k, k1, nu, mode->n, high, PREC);
         if (arb_contains_zero(at_low) || arb_contains_zero(at_high) ||
             arb_is_positive(at_low) == arb_is_positive(at_high))
             fail_msg("omega of (%d,%d) is not %s", mode->n, mode->l,
                      step ? "enclosed" : "the double nearest to a root");
         if (step == STEPS)
             break;
-        LET(omega, m->prec, "low + at_low/(at_high - at_low)*(low - high)", low, at_low, at_high, high);
+        LET(omega, PREC, "low + at_low/(at_high - at_low)*(low - high)", low, at_low, at_high, high);
         mag_zero(arb_radref(omega));
-        LET(low, m->prec, "omega*(1 - 1/2^root_bits[step])", omega, root_bits[step]);
-        LET(high, m->prec, "omega*(1 + 1/2^root_bits[step])", omega, root_bits[step]);
+        LET(low, PREC, "omega*(1 - 1/2^root_bits[step])", omega, root_bits[step]);
+        LET(high, PREC, "omega*(1 + 1/2^root_bits[step])", omega, root_bits[step]);
     }
-    arb_union(omega, low, high, m->prec);
+    arb_union(omega, low, high, PREC);
 }
 
 static void assert_nearest(double x, const arb_t exact, const char *what, const struct cor_disk_mode *mode)
@@ -436,11 +414,11 @@ static void assert_nearest(double x, const arb_t exact, const char *what, const 
     }
 }
 
-static void check_mode(const struct material *m, const struct cor_disk_mode *mode)
+static void check_mode(const fmpq_t nu, const struct cor_disk_mode *mode)
 {
     LOCAL(arb, omega, c, s);
-    find_root(omega, m, mode);
-    rim_amplitudes(c, s, m, mode->n, omega);
+    find_root(omega, nu, mode);
+    rim_amplitudes(c, s, nu, mode->n, omega, PREC);
     assert_nearest(mode->c, c, "C", mode);
     if (mode->n > 0)
         assert_nearest(mode->s, s, "S", mode);
@@ -451,14 +429,11 @@ static void check_mode(const struct material *m, const struct cor_disk_mode *mod
 TEST(every_mode)
 {
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        struct material m;
         LOCAL(fmpq, nu);
         set_nu(nu, table[i].nu);
-        material_init(&m, nu, PREC);
         for (size_t k = 0; k < table[i].modes.count; k++)
             if (in_turn(k, 3))
-                check_mode(&m, &table[i].modes.mode[k]);
-        material_clear(&m);
+                check_mode(nu, &table[i].modes.mode[k]);
     }
 }
 
