@@ -218,34 +218,32 @@ static int course_has_maximum(const double f[MOMENTS])
     return f[2] >= f[1] && f[2] > f[3];
 }
 
+/* Bisects the interval in which a polynomial passes `level`. */
+static void course_bisect(const double c[MOMENTS], double level, int rises, double *low, double *high)
+{
+    for (int i = 0; i < 50; i++) {
+        const double t = 0.5 * (*low + *high);
+        const int below = c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4]))) < level;
+        *(below == rises ? low : high) = t;
+    }
+}
+
 /* The maximum of the polynomial, which is near the middle value */
 static double course_maximum(const double f[MOMENTS])
 {
-    double c[MOMENTS], low = -1, high = 1;
+    double c[MOMENTS], t = -1, high = 1;
     course_interpolate(f, c);
-    for (int i = 0; i < 50; i++) {
-        const double t = 0.5 * (low + high);
-        if (c[1] + t * (2 * c[2] + t * (3 * c[3] + t * 4 * c[4])) > 0)
-            low = t;
-        else
-            high = t;
-    }
-    return c[0] + low * (c[1] + low * (c[2] + low * (c[3] + low * c[4])));
+    const double falls[MOMENTS] = {-c[1], -2 * c[2], -3 * c[3], -4 * c[4], 0};
+    course_bisect(falls, 0, 1, &t, &high);
+    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
 }
 
 /* The point between the middle value, 0, and the next one, 1, at which the polynomial passes `level` */
 static double course_crossing(const double f[MOMENTS], double level)
 {
     double c[MOMENTS], low = 0, high = 1;
-    const int rises = f[3] > f[2];
     course_interpolate(f, c);
-    for (int i = 0; i < 50; i++) {
-        const double t = 0.5 * (low + high);
-        if ((c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4]))) < level) == rises)
-            low = t;
-        else
-            high = t;
-    }
+    course_bisect(c, level, f[3] > f[2], &low, &high);
     return 0.5 * (low + high);
 }
 

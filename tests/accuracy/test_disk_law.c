@@ -65,16 +65,8 @@ static const struct disk_function {
     [DISK_MAX_COMPRESSION] = {"max_compression", cor_disk_max_compression, cor_disk_speed_limit},
 };
 
-/* b of (57) */
-static void disk_constant(arb_t b, double nu, enum cor_disk_datum datum, slong prec)
-{
-    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS)
-        LET(b, prec, "-2*log(2) - (1 + nu)/4", nu);
-    else if (datum == COR_DISK_DATUM_DIAMETER)
-        arb_set_si(b, -1);
-    else
-        LET(b, prec, "-1 - nu", nu);
-}
+/* b of (57) for each datum */
+static const char *const constant_b[] = {"-2*log(2) - (1 + nu)/4", "-1", "-1 - nu"};
 
 /* -W_-1(-z) */
 static void disk_minus_w(arb_t w, const arb_t z, slong prec)
@@ -107,7 +99,7 @@ static bool disk_value(arb_t y, enum disk_kind kind, double argument, double nu,
 {
     const bool of_speed = kind == DISK_MAX_LOAD || kind == DISK_MAX_COMPRESSION;
     LOCAL(arb, b, x, back);
-    disk_constant(b, nu, datum, prec);
+    LET(b, prec, constant_b[datum], nu);
     arb_set_d(x, argument);
     if (kind == DISK_COMPRESSION || kind == DISK_ENERGY) {
         disk_law(y, x, b, kind == DISK_ENERGY, prec);
@@ -161,7 +153,7 @@ static void disk_contact_time(arb_t tau, arb_t halved, double v, double nu, enum
 {
     const slong last = (slong)ldexp(3.25, level);
     LOCAL(arb, b, z, y, rate);
-    disk_constant(b, nu, datum, prec);
+    LET(b, prec, constant_b[datum], nu);
     LET(z, prec, "v^2/8*exp(1 - 2*b)", v, b);
     arb_zero(tau);
     arb_zero(halved);
@@ -280,7 +272,7 @@ static int search_limits(uint64_t points)
         const enum disk_kind kind = (enum disk_kind)choice(DISK_KINDS);
         const struct disk_function *f = &disk_functions[kind];
         const double limit = f->limit(nu, datum), beyond = moved(limit, 1);
-        disk_constant(b, nu, datum, 256);
+        LET(b, 256, constant_b[datum], nu);
         ball_limit(exact, kind, b, 256);
         arb_set_d(x, limit);
         int good = arb_le(x, exact);

@@ -20,15 +20,8 @@ static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR
                                               COR_DISK_DATUM_PRINTED};
 static struct random_state state;
 
-static void constant_b(arb_t b, double nu, enum cor_disk_datum datum)
-{
-    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS)
-        LET(b, BITS, "-2*log(2) - (1 + nu)/4", nu);
-    else if (datum == COR_DISK_DATUM_DIAMETER)
-        arb_set_si(b, -1);
-    else
-        LET(b, BITS, "-1 - nu", nu);
-}
+/* b of (57) for each datum */
+static const char *const constant_b[] = {"-2*log(2) - (1 + nu)/4", "-1", "-1 - nu"};
 
 static double middle(const arb_t x)
 {
@@ -44,7 +37,7 @@ static void reference(double *response, double *contact_time, const double *omeg
     LOCAL(arb, b, z, edge, h, minus_h, s, x, y);
     LOCAL(arb_poly, theta, sine, rate, path, wave);
     LOCAL_VECTOR(sum, FREQUENCIES);
-    constant_b(b, nu, datum);
+    LET(b, BITS, constant_b[datum], nu);
     LET(z, BITS, "v^2/8*exp(1 - 2*b)", v, b);
     LET(x, BITS, "-1 - log(z)", z);
     const double q0 = fmax(middle(x), 0), branch = acosh(exp(0.5 * q0));

@@ -7,9 +7,6 @@
 #include "cor/status.h"
 #include "generated/disk_limits.h"
 
-#define WANTED 2e-5 /* of the uncertainty up to COR_DISK_EPS_CALM_SPEED, and beyond */
-#define WANTED_FAST 1e-4
-
 enum {
     PIECES = sizeof cor_disk_limit_piece / sizeof *cor_disk_limit_piece,
     PER_ROOT = COR_DISK_LIMIT_PER_ROOT,
@@ -240,7 +237,7 @@ TEST(test_borders)
 /* ---- against collisions ---- */
 
 struct tally {
-    size_t places, wanted;
+    size_t places;
     double worst, largest; /* of the uncertainty, and absolute */
 };
 
@@ -256,15 +253,12 @@ static void compare(struct tally *tally, double v, double nu, double uncertainty
     tally->places++;
     tally->worst = fmax(tally->worst, off / uncertainty);
     tally->largest = fmax(tally->largest, off);
-    tally->wanted += uncertainty <= (v <= COR_DISK_EPS_CALM_SPEED ? WANTED : WANTED_FAST);
 }
 
 static void tally_print(const struct tally *tally, const char *which)
 {
-    print_message("%zu places %s: off by %.1e at most, by %.2f of the uncertainty at most; %zu of them certain to %g, "
-                  "or %g beyond v = %g\n",
-                  tally->places, which, tally->largest, tally->worst, tally->wanted, WANTED, WANTED_FAST,
-                  COR_DISK_EPS_CALM_SPEED);
+    print_message("%zu places %s: off by %.1e at most, by %.2f of the uncertainty at most\n", tally->places, which,
+                  tally->largest, tally->worst);
 }
 
 /* At places off the grid, collisions: none farther off than the uncertainty. COR_TEST_MULTIPLIER=250: 1000 places. */
