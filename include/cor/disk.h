@@ -64,8 +64,7 @@ extern "C" {
 #define COR_DISK_RAYLEIGH_MAX_SPEED 0.03
 
 /* No function uses more bytes of stack, whatever the number of modes and speeds. Measured in an optimised build, libm
- * included: cor_disk_rayleigh and its variants use 60 kB, cor_disk_hard_wall and its variants 23 kB, the others 5 kB.
- */
+ * included: cor_disk_rayleigh and its variants use 60 kB, the others less than half of it. */
 #define COR_DISK_MAX_STACK 65536
 
 /* ---- free modes ---- */
@@ -109,8 +108,7 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
                                 struct cor_disk_modes *modes, size_t *line);
 
 /* Computes the `count` lowest modes of a disk in double arithmetic into mode[0..count-1], for any nu, and sets *modes,
- * whose mode is then that array. 100,000 modes take 0.03 s; the time grows like their number. The function allocates
- * as much memory as the modes take, and frees it.
+ * whose mode is then that array. 100,000 modes take 0.03 s; time and memory grow like their number.
  * Domain: -1 < nu < 1 and 1 <= count <= COR_DISK_MODES_MAX_COUNT.
  * Accuracy, sampled against proved tables: the relative error of omega is at most COR_DISK_MODES_OMEGA_MAX_ERROR, the
  * error of c and s at most COR_DISK_MODES_AMPLITUDE_MAX_ERROR times the length of (c, s). The function does not prove
@@ -228,7 +226,7 @@ COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes
  * powers of 4, the function interpolates the terms that vary slowly with v. Its results differ from those of
  * cor_disk_rayleigh by less than the bounds, and between lists of speeds by less than 1e-12. status is NULL, or
  * receives the status of each speed. out[i] is NaN where the speed is out of range. If n is 0, speed and out may be
- * NULL. The function allocates its workspace once and frees it; callers may divide the speeds among threads.
+ * NULL. Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY */
 COR_API int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
@@ -248,8 +246,7 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
  * mode excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of
  * the rim in the wall at the angle phi, (40), and x_0 is the position of the centre of mass. The wall pushes with the
  * force exp(alpha x) per unit length of the rim. At time 0 the rim of a disk that kept its shape and speed would be at
- * x = 0.
- */
+ * x = 0. */
 
 /* Above this speed the disk is far outside linear elasticity. */
 #define COR_DISK_COLLISION_MAX_SPEED 0.5
@@ -267,17 +264,14 @@ struct cor_disk_collision_options {
     double alpha;      /* hardness of the wall, in 1/R, COR_DISK_COLLISION_MIN_ALPHA to _MAX_ALPHA */
     double tolerance;  /* absolute error allowed in eps, from COR_DISK_COLLISION_MIN_TOLERANCE to below 1 */
     size_t phi_points; /* angles between 0 and pi/2 for the wall's force; 0: as many as the tolerance needs */
-    size_t
-        max_steps; /* of all runs together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5 to
-                    * 10 s */
+    /* of all runs together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5 to 10 s */
+    size_t max_steps;
 };
 
 struct cor_disk_collision {
     double eps;             /* speed after over speed before */
-    double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2; accurate even where eps is nearly
-                             * 1 */
-    double contact_time;    /* between the first and the last moment at which the load is a thousandth of its largest
-                             * value */
+    double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2; accurate near eps = 1, too */
+    double contact_time;    /* from the first to the last moment at which the load is 1/1000 of its largest value */
     double max_compression; /* largest x_0 + 1 */
     double energy_drift;    /* energy after minus energy before, relative to (pi/2) v^2 */
     size_t steps;           /* of the run that these numbers come from */
@@ -285,8 +279,7 @@ struct cor_disk_collision {
 };
 
 /* Computes one collision. Domain: 0 < v <= COR_DISK_COLLISION_MAX_SPEED, 1 <= n_modes <= modes->count. The function
- * extrapolates several runs with smaller and smaller steps (docs/theory-disks.md, 15). It allocates its workspace once
- * and frees it.
+ * extrapolates several runs with smaller and smaller steps (docs/theory-disks.md, 15).
  *
  * error_estimate is the sum of four parts: the remainder of the extrapolation and, times the amplification of errors by
  * the collision, the quadrature over the rim, round-off, and the wall's force before and after the contact. The
@@ -322,8 +315,8 @@ COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_mode
 /* The same at n speeds with one table, wall and tolerance: out[i] has the bits of cor_disk_collision at speed[i]. The
  * speeds share the workspace, what depends on the modes alone, and the tables of equal numbers of angles. status is
  * NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps is 0, where the speed is too
- * high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. The function allocates its
- * workspace once and frees it; callers may divide the speeds among threads.
+ * high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. Callers may divide the
+ * speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
  *     COR_ERROR_PHI_POINTS as above, COR_ERROR_MEMORY */
@@ -343,8 +336,7 @@ struct cor_disk_moment {
 /* Optional results. Every pointer may be NULL. Arrays have n_modes elements in the order of the table. */
 struct cor_disk_collision_detail {
     double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
-    double *energy_average; /* its mean over the contact time, in the same unit; NaN if the budget ended before three
-                             * runs */
+    double *energy_average; /* its mean over the contact time; NaN if the budget ended before three runs */
     /* The function repeats its last run and calls observe at every step, from before the contact until after it. q and
      * q_dot then hold the amplitudes Q and dQ/dt. */
     void (*observe)(void *context, const struct cor_disk_moment *moment);
@@ -380,8 +372,7 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 
 struct cor_disk_hard_wall_options {
     double tolerance; /* allowed absolute error of 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
-    size_t max_steps; /* of all levels together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5
-                       * to 10 s, those for modes included */
+    size_t max_steps; /* of all levels together; 0: a fixed number of operations, as above, those for modes included */
 };
 
 struct cor_disk_hard_wall {
@@ -396,8 +387,8 @@ struct cor_disk_hard_wall {
 /* Computes levels until error_estimate is below the tolerance, or the lowest n_modes modes or the budget do not suffice
  * for another. A level needs all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the
  * minimum. 1800 modes suffice for five levels (Omega = 60), with an error of about 1e-4.
- * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. The function allocates its workspace once and
- * frees it. The same arguments give the same bits on every instruction set.
+ * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. The same arguments give the same bits on every
+ * instruction set.
  * Returns COR_OK, or, with the best numbers,
  *     COR_TOLERANCE_NOT_REACHED  the modes or the budget end before error_estimate is below the tolerance
  * or, with NaN for unknown results,
@@ -435,8 +426,7 @@ struct cor_disk_hard_wall_detail {
     double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
     double *energy_average; /* its mean over the contact time, in the same unit */
     /* The function calls observe at every step, from the first touch until after the last. q and q_dot then hold the
-     * amplitudes Q and dQ/dt.
-     */
+     * amplitudes Q and dQ/dt. */
     void (*observe)(void *context, const struct cor_disk_hard_wall_moment *moment);
     void *context;
     double *q, *q_dot;
