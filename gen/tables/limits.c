@@ -208,12 +208,6 @@ static void sort_scenes(struct scenes *scenes)
         qsort(scenes->scene, (size_t)scenes->count, sizeof *scenes->scene, by_place);
 }
 
-static const struct scene *known_scene(const struct scenes *scenes, int32_t x, int32_t nu)
-{
-    const struct scene key = {x, nu, 0, 0};
-    return scenes->count ? bsearch(&key, scenes->scene, (size_t)scenes->count, sizeof key, by_place) : NULL;
-}
-
 /* ---- cells ---- */
 
 static int32_t sixth_of(const struct cell *cell)
@@ -221,23 +215,30 @@ static int32_t sixth_of(const struct cell *cell)
     return (ROOT_SIDE / SIXTHS) >> cell->depth;
 }
 
-/* The points of a cell: i and j both even for its 16 values, or both odd for 9 points that test the polynomial */
-static void need_places(const struct cell *cell, const struct scenes *scenes, struct scenes *needed)
+/* Point k of a cell, in sixths of its side: both even for its 16 values, or both odd for 9 that test the polynomial */
+enum { PLACES = POINTS + 9 };
+static struct scene point_of(const struct cell *cell, int k, int *i, int *j)
 {
-    for (int j = 0; j <= SIXTHS; j++)
-        for (int i = j % 2; i <= SIXTHS; i += 2) {
-            const struct scene scene = {cell->x + i * sixth_of(cell), cell->nu + j * sixth_of(cell), 0, 0};
-            if (!known_scene(scenes, scene.x, scene.nu))
-                add_scene(needed, scene);
-        }
+    *j = k / 7 * 2 + k % 7 / SIDE;
+    *i = 2 * (k % 7 % SIDE) + *j % 2;
+    return (struct scene){cell->x + *i * sixth_of(cell), cell->nu + *j * sixth_of(cell), 0, 0};
+}
+
+/* The scene at a place, if it is known */
+static const struct scene *known_scene(const struct scenes *scenes, struct scene key)
+{
+    return scenes->count ? bsearch(&key, scenes->scene, (size_t)scenes->count, sizeof key, by_place) : NULL;
 }
 
 static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells)
 {
     struct scenes needed = {0};
     long count = 0;
-    for (int i = 0; i < cells; i++)
-        need_places(&cell[i], scenes, &needed);
+    for (int k = 0, i, j; k < cells * PLACES; k++) {
+        const struct scene scene = point_of(&cell[k / PLACES], k % PLACES, &i, &j);
+        if (!known_scene(scenes, scene))
+            add_scene(&needed, scene);
+    }
     sort_scenes(&needed);
     for (long i = 0; i < needed.count; i++) /* each once */
         if (count == 0 || by_place(&needed.scene[count - 1], &needed.scene[i]) != 0)
@@ -274,23 +275,21 @@ static double cell_value(const struct cell *cell, const double x_weight[SIDE], c
 /* Sets the cell's values and the uncertainty of its polynomial. */
 static void fill_cell(struct cell *cell, const struct scenes *scenes)
 {
-    const int32_t sixth = sixth_of(cell);
     int32_t estimate = 0;
     double missed = 0;
-    for (int j = 0; j < SIDE; j++)
-        for (int i = 0; i < SIDE; i++) {
-            const struct scene *const s = known_scene(scenes, cell->x + 2 * i * sixth, cell->nu + 2 * j * sixth);
-            cell->value[SIDE * j + i] = s->value;
-            estimate = s->estimate > estimate ? s->estimate : estimate;
-        }
-    for (int j = 1; j < SIXTHS; j += 2)
-        for (int i = 1; i < SIXTHS; i += 2) {
-            const struct scene *const s = known_scene(scenes, cell->x + i * sixth, cell->nu + j * sixth);
+    for (int odd = 0; odd < 2; odd++) /* the values first */
+        for (int k = 0, i, j; k < PLACES; k++) {
+            const struct scene *const s = known_scene(scenes, point_of(cell, k, &i, &j));
             double x_weight[SIDE], nu_weight[SIDE];
+            if (j % 2 != odd)
+                continue;
+            estimate = s->estimate > estimate ? s->estimate : estimate;
+            if (!odd)
+                cell->value[SIDE * j / 2 + i / 2] = s->value;
             weights(i / 2.0, x_weight);
             weights(j / 2.0, nu_weight);
-            missed = fmax(missed, fabs(cell_value(cell, x_weight, nu_weight) - s->value));
-            estimate = s->estimate > estimate ? s->estimate : estimate;
+            if (odd)
+                missed = fmax(missed, fabs(cell_value(cell, x_weight, nu_weight) - s->value));
         }
     /* the two parts are independent, and each is several times the actual error */
     cell->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
@@ -506,39 +505,27 @@ int disk_limits_collide(void)
 
 /* ---- the file ---- */
 
-/* The largest uncertainty of cells below, and at and above, calm_end(), and the median of all */
-struct summary {
-    int32_t calm, fast, median;
-    int depth[FINEST + 1], deepest;
-};
-
 static int by_size(const void *a, const void *b)
 {
     const int32_t *x = a, *y = b;
     return (*x > *y) - (*x < *y);
 }
 
-static struct summary summary_now(void)
-{
-    struct summary summary = {0};
-    int32_t *const uncertainty = xmalloc((size_t)table->cells * sizeof *uncertainty);
-    for (int i = 0; i < table->cells; i++) {
-        const struct cell *const c = &table->cell[i];
-        int32_t *const most = is_calm(c->x + 1) ? &summary.calm : &summary.fast;
-        uncertainty[i] = c->uncertainty;
-        *most = c->uncertainty > *most ? c->uncertainty : *most;
-        summary.depth[c->depth]++;
-        summary.deepest = c->depth > summary.deepest ? c->depth : summary.deepest;
-    }
-    qsort(uncertainty, (size_t)table->cells, sizeof *uncertainty, by_size);
-    summary.median = uncertainty[table->cells / 2];
-    free(uncertainty);
-    return summary;
-}
-
 static void write_banner(FILE *file)
 {
-    const struct summary summary = summary_now();
+    int32_t calm = 0, fast = 0, *const uncertainty = xmalloc((size_t)table->cells * sizeof *uncertainty);
+    int of_depth[MOST_CUTS + 1] = {0}, deepest = 0;
+    for (int i = 0; i < table->cells; i++) {
+        const struct cell *const c = &table->cell[i];
+        int32_t *const most = is_calm(c->x + 1) ? &calm : &fast;
+        uncertainty[i] = c->uncertainty;
+        *most = c->uncertainty > *most ? c->uncertainty : *most;
+        of_depth[c->depth]++;
+        deepest = c->depth > deepest ? c->depth : deepest;
+    }
+    qsort(uncertainty, (size_t)table->cells, sizeof *uncertainty, by_size);
+    const int32_t median = uncertainty[table->cells / 2];
+    free(uncertainty);
     fprintf(
         file,
         "/* SPDX-License-Identifier: MIT */\n"
@@ -550,9 +537,9 @@ static void write_banner(FILE *file)
         "cor_disk_hard_wall).\n"
         " * The plane of x = v^(1/8) and nu is cut into %d cells, of depths 0 to %d: ",
         FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, table->scenes, CALM_TOLERANCE, calm_end(), FAST_TOLERANCE,
-        table->cells, summary.deepest);
-    for (int k = 0; k <= summary.deepest; k++)
-        fprintf(file, "%s%d", k ? ", " : "", summary.depth[k]);
+        table->cells, deepest);
+    for (int k = 0; k <= deepest; k++)
+        fprintf(file, "%s%d", k ? ", " : "", of_depth[k]);
     fprintf(
         file,
         ". A polynomial\n"
@@ -567,8 +554,8 @@ static void write_banner(FILE *file)
         " * Written by:  corgen tables --all, in %ld seconds of processor time\n"
         " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"
         " *              --check --all */\n",
-        table->pieces, SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, calm_end(), summary.fast * COR_DISK_LIMIT_UNIT,
-        summary.median * COR_DISK_LIMIT_UNIT, table->seconds);
+        table->pieces, SAFETY, calm * COR_DISK_LIMIT_UNIT, calm_end(), fast * COR_DISK_LIMIT_UNIT,
+        median * COR_DISK_LIMIT_UNIT, table->seconds);
 }
 
 static void write_numbers(FILE *file, const char *name, const uint16_t *number, int count)
@@ -743,13 +730,10 @@ int disk_limits_check_all(void)
     struct scenes scenes = {0};
     struct check check = {0};
     const int status = find_scenes(&scenes, table->cell, table->cells);
-    for (int i = 0; i < table->cells && status == STATUS_OK; i++)
-        for (int j = 0; j <= SIXTHS; j++)
-            for (int k = j % 2; k <= SIXTHS; k += 2)
-                check_scene(&check,
-                            known_scene(&scenes, table->cell[i].x + k * sixth_of(&table->cell[i]),
-                                        table->cell[i].nu + j * sixth_of(&table->cell[i])),
-                            &table->cell[i]);
+    for (int k = 0, i, j; k < table->cells * PLACES && status == STATUS_OK; k++) {
+        const struct cell *const cell = &table->cell[k / PLACES];
+        check_scene(&check, known_scene(&scenes, point_of(cell, k % PLACES, &i, &j)), cell);
+    }
     free(scenes.scene);
     return status == STATUS_OK ? check_verdict(&check, "all") : status;
 }
