@@ -16,8 +16,8 @@ static void print_words(const char *const *words, FILE *file)
 
 static void print_subcommands(const struct subcommand *const *table, FILE *file)
 {
-    for (; *table; table++)
-        fprintf(file, "%s ", (*table)->name);
+    while (*table)
+        fprintf(file, "%s ", (*table++)->name);
 }
 
 static bool takes_file(const struct subcommand *cmd)

@@ -58,47 +58,43 @@ static int check_options(const struct contact_arguments *o, const struct contact
 
 /* ---- the tables ---- */
 
-/* friction: NULL if not given */
-static void print_summary(FILE *file, const struct contacts *contacts, const double *friction,
-                          enum output_format format)
+static void print_summary(FILE *file, const struct contact_arguments *o, const struct contacts *contacts)
 {
     struct table table;
     char text[CONTACT_LAW_TEXT];
-    const int digits = format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS;
+    const bool in_text = o->common.format == FORMAT_TEXT;
+    const int digits = in_text ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS;
     contact_summary(&table, contacts, digits);
-    if (friction)
-        contact_oblique(&table, contacts, *friction, digits);
-    if (format == FORMAT_TEXT)
+    if (o->friction.text)
+        contact_oblique(&table, contacts, decimal_value(&o->friction), digits);
+    if (in_text)
         fprintf(file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0], &contacts->law),
                 contacts->scene.plate ? ", a plate" : "");
-    table_print(&table, format, file);
+    table_print(&table, (enum output_format)o->common.format, file);
     table_clear(&table);
 }
 
 static int print_tables(const struct contact_arguments *o, const struct contacts *contacts)
 {
-    const enum output_format format = (enum output_format)o->common.format;
+    const bool in_text = o->common.format == FORMAT_TEXT;
     const struct contact_step step = step_of(o);
-    const double friction = o->friction.text ? decimal_value(&o->friction) : 0;
-    struct table rows;
+    struct table rows = {0};
     struct output out;
     int status = o->speed.count == 0 ? STATUS_OK
                                      : contact_rows(&rows, contacts, o->speed.nearest, o->speed.count, &step,
-                                                    format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
+                                                    in_text ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
-        if (o->speed.count == 0 || format == FORMAT_TEXT)
-            print_summary(out.file, contacts, o->friction.text ? &friction : NULL, format);
-        if (o->speed.count > 0) {
-            if (format == FORMAT_TEXT)
-                fputs("\n", out.file);
-            table_print(&rows, format, out.file);
-        }
+        if (o->speed.count == 0 || in_text)
+            print_summary(out.file, o, contacts);
+        if (o->speed.count > 0 && in_text)
+            fputs("\n", out.file);
+        if (o->speed.count > 0)
+            table_print(&rows, (enum output_format)o->common.format, out.file);
         status = output_commit(&out);
     }
-    if (o->speed.count > 0)
-        table_clear(&rows);
+    table_clear(&rows);
     return status;
 }
 
