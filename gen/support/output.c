@@ -3,6 +3,7 @@
 
 #include "support/output.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -397,35 +398,15 @@ void table_clear(struct table *t)
     *t = (struct table){0};
 }
 
-static size_t span_digits(const char *text)
+/* Whether a cell is a number, not nan, inf or nothing: corgen begins all numbers with a digit. */
+static bool is_number(const char *text)
 {
-    return strspn(text, "0123456789");
-}
-
-static bool is_json_number(const char *text)
-{
-    text += *text == '-';
-    size_t n = span_digits(text);
-    if (n > 1 && *text == '0')
-        return false;
-    text += n;
-    if (n > 0 && *text == '.') {
-        n = span_digits(++text);
-        text += n;
-    }
-    if (n > 0 && (*text == 'e' || *text == 'E')) {
-        text++;
-        text += *text == '+' || *text == '-';
-        n = span_digits(text);
-        text += n;
-    }
-    return n > 0 && *text == '\0';
+    return isdigit((unsigned char)text[*text == '-']);
 }
 
 static bool is_integer(const char *text)
 {
-    text += *text == '-';
-    return *text && text[span_digits(text)] == '\0';
+    return is_number(text) && text[strspn(text, "-0123456789")] == '\0';
 }
 
 /* Prints once in a thousand cells, and only on a terminal. */
@@ -433,11 +414,6 @@ static void print_progress(const struct table *t, long cell)
 {
     if (cell > 0 && cell % 1024 == 0)
         progress("printing rows", cell / t->columns, t->cells / t->columns);
-}
-
-static char kind_of(const struct table *t, long cell)
-{
-    return t->kinds[cell % t->columns];
 }
 
 /* A text, with `before` in front of each character of `escaped` */
@@ -463,7 +439,7 @@ static void print_csv_cell(char kind, const char *cell, FILE *file)
 /* A cell that is no number of JSON, as nan and inf, is null, and so is an empty text. */
 static void print_json_cell(const struct table *t, char kind, const char *cell, FILE *file)
 {
-    if (kind == TABLE_TEXT ? !*cell : !is_json_number(cell))
+    if (kind == TABLE_TEXT ? !*cell : !is_number(cell))
         fputs("null", file);
     else if (kind == TABLE_TEXT || (kind == TABLE_DIGITS && t->json_strings))
         print_escaped(cell, "\"\\", '\\', file);
@@ -486,11 +462,11 @@ void table_print_rows(const struct table *t, enum output_format format, bool fir
         const bool last = j + 1 == t->columns;
         print_progress(t, i);
         if (format == FORMAT_CSV) {
-            print_csv_cell(kind_of(t, i), t->cell[i], file);
+            print_csv_cell(t->kinds[j], t->cell[i], file);
             fputc(last ? '\n' : ',', file);
         } else {
             fprintf(file, "%s\"%s\": ", j ? ", " : i || !first ? ",\n  {" : "\n  {", t->column[j]);
-            print_json_cell(t, kind_of(t, i), t->cell[i], file);
+            print_json_cell(t, t->kinds[j], t->cell[i], file);
             fputs(last ? "}" : "", file);
         }
     }

@@ -361,11 +361,8 @@ TEST(test_json_cells)
                  {"", "t", false, "null"},
                  {"", "n", false, "null"},
                  {"inf", "n", false, "null"},
-                 {"nan", "d", true, "null"},
-                 {".5", "n", false, "null"},
-                 {"01", "n", false, "null"},
-                 {"1.", "n", false, "null"},
-                 {"1e", "n", false, "null"}};
+                 {"-inf", "n", false, "null"},
+                 {"nan", "d", true, "null"}};
     for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
         struct table table;
         char *text = NULL, expected[64];
