@@ -61,8 +61,6 @@ int refuse_word(const char *word, const char *const *words, const char *dashes, 
     char *text = NULL;
     size_t size;
     FILE *const file = open_memstream(&text, &size);
-    if (!file)
-        return usage_error("'%s' is not known", word);
     const char *const meant = nearest_word(word, words);
     va_list arguments;
     va_start(arguments, format);

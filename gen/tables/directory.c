@@ -18,8 +18,6 @@
 #include "tables/files.h"
 #include "tables/limits.h"
 
-enum { PATH_MAX_LENGTH = 4096 };
-
 #define DEFAULT_DIRECTORY "generated"
 #define DEFAULT_DIRECTORY_OF_MATERIAL "."
 #define MANIFEST "MANIFEST.txt"
@@ -69,34 +67,26 @@ static int disk_write(FILE *file, const char *poisson)
 static FILE *content_open(struct content *c, const char *name)
 {
     c->name = name;
-    FILE *const file = open_memstream(&c->text, &c->size);
-    if (!file)
-        fail("no memory for %s", name);
     profile_step(name);
-    return file;
+    return open_memstream(&c->text, &c->size);
 }
 
 static int content_close(const struct content *c, FILE *file, int status)
 {
     profile_step(NULL);
-    if (fclose(file) && status == STATUS_OK)
-        status = fail("no memory for %s", c->name);
-    return status;
+    return fclose(file) == 0 || status != STATUS_OK ? status : fail("no memory for %s", c->name);
 }
 
 /* A file of generated/, in memory */
 static int generated_make(struct content *c, const struct generated *row)
 {
     FILE *const file = content_open(c, row->name);
-    return file ? content_close(c, file, row->poisson ? disk_write(file, row->poisson) : row->write(file))
-                : STATUS_FAILED;
+    return content_close(c, file, row->poisson ? disk_write(file, row->poisson) : row->write(file));
 }
 
 static int manifest_make(struct content *manifest, const struct content *c, int files_made)
 {
     FILE *const file = content_open(manifest, MANIFEST);
-    if (!file)
-        return STATUS_FAILED;
     fprintf(file, "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
                   "byte.\nLines that start with " MANIFEST_VERSION_WORD
                   " tell which libraries made them, and are not compared.\n\n");
@@ -116,12 +106,6 @@ static int manifest_make(struct content *manifest, const struct content *c, int 
     return content_close(manifest, file, STATUS_OK);
 }
 
-static int set_path(char path[PATH_MAX_LENGTH], const char *directory, const char *name)
-{
-    const int n = snprintf(path, PATH_MAX_LENGTH, "%s/%s", directory, name);
-    return n < PATH_MAX_LENGTH ? STATUS_OK : fail("the path %.60s... is too long", directory);
-}
-
 /* Checks, before minutes of computing, that the directory can be written. The check leaves no files. */
 static int probe_directory(const char *directory)
 {
@@ -136,23 +120,26 @@ static int probe_directory(const char *directory)
 
 static int write_all(const struct content *c, int n, const char *directory)
 {
-    char path[CONTENTS][PATH_MAX_LENGTH];
+    char *path[CONTENTS] = {NULL};
     struct output out[CONTENTS];
+    int status = STATUS_OK, opened = 0;
     if (mkdir(directory, 0777) && errno != EEXIST)
         return fail("cannot make %s: %s", directory, strerror(errno));
-    for (int i = 0; i < n; i++) {
-        int status = set_path(path[i], directory, c[i].name);
+    for (int i = 0; i < n && status == STATUS_OK; i++) {
+        path[i] = xprintf("%s/%s", directory, c[i].name);
+        status = output_open(&out[i], path[i]);
+        opened += status == STATUS_OK;
         if (status == STATUS_OK)
-            status = output_open(&out[i], path[i]);
-        if (status == STATUS_OK) {
             fwrite(c[i].text, 1, c[i].size, out[i].file); /* the commit reports a failure */
-            continue;
-        }
-        while (i-- > 0)
-            output_discard(&out[i]);
-        return status;
     }
-    return output_commit_all(out, n);
+    if (status == STATUS_OK)
+        status = output_commit_all(out, n);
+    for (int i = 0; i < n; i++) {
+        if (opened < n && i < opened)
+            output_discard(&out[i]);
+        free(path[i]);
+    }
+    return status;
 }
 
 /* The text behind lines that are not compared */
@@ -184,17 +171,15 @@ static int check_all(const struct content *c, int n, const char *directory)
 {
     int status = STATUS_OK;
     for (int i = 0; i < n; i++) {
-        char path[PATH_MAX_LENGTH];
         size_t size = 0;
-        if (set_path(path, directory, c[i].name))
-            return STATUS_FAILED;
-        char *text = read_file(path, SIZE_MAX, &size);
+        char *const path = xprintf("%s/%s", directory, c[i].name), *const text = read_file(path, SIZE_MAX, &size);
         const long line = text ? first_difference(&c[i], text, size) : 0;
         if (!text)
             status = fail("cannot read %s: %s", path, strerror(errno));
         else if (line)
             status = fail("%s is not what corgen writes: it differs in line %ld", path, line);
         free(text);
+        free(path);
     }
     return status;
 }
@@ -203,17 +188,17 @@ static int check_all(const struct content *c, int n, const char *directory)
 static int limits_make(struct content *c, const struct tables_request *request, const char *directory)
 {
     const struct generated row = {DISK_LIMITS_FILE, disk_limits_write, NULL};
-    char path[PATH_MAX_LENGTH];
     profile_step(DISK_LIMITS_FILE);
     if (request->all && !request->check && disk_limits_collide() != STATUS_OK)
         return STATUS_FAILED;
     if (disk_limits_known(NULL))
         return generated_make(c, &row);
     c->name = DISK_LIMITS_FILE;
-    if (set_path(path, directory, DISK_LIMITS_FILE))
-        return STATUS_FAILED;
+    char *const path = xprintf("%s/%s", directory, DISK_LIMITS_FILE);
     c->text = read_file(path, SIZE_MAX, &c->size);
-    return c->text ? STATUS_OK : fail("cannot read %s: %s; --all makes it", path, strerror(errno));
+    const int status = c->text ? STATUS_OK : fail("cannot read %s: %s; --all makes it", path, strerror(errno));
+    free(path);
+    return status;
 }
 
 /* Writes the files of generated/ and their manifest to memory. */
@@ -245,7 +230,7 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     int status = disk_table_solve(&disk);
     for (*n = 0; *n < FORMS && status == STATUS_OK; ++*n) {
         FILE *const file = content_open(&c[*n], disk_table_name(name[*n], &disk, form[*n].extension));
-        status = file ? content_close(&c[*n], file, form[*n].write(file, &disk)) : STATUS_FAILED;
+        status = content_close(&c[*n], file, form[*n].write(file, &disk));
     }
     disk_modes_clear(&disk.modes);
     return status;

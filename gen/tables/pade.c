@@ -57,8 +57,6 @@ static char *pade_comment(const struct pade_header *h, const struct pade *f, con
     char *text;
     size_t size;
     FILE *file = open_memstream(&text, &size);
-    if (!file)
-        return NULL;
     fprintf(file, "%s, [%ld/%ld].\n", h->title, (long)f->numerator, (long)f->denominator);
     pade_print_analysis(file, a, "");
     if (approximation) {
@@ -97,7 +95,7 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
     if (h->references)
         pade_approximation_error(&approximation, &r, h->end, h->references);
     char *text = pade_comment(h, f, a, h->references ? &approximation : NULL, eps, loss);
-    emit_comment(e, "%s", text ? text : h->title);
+    emit_comment(e, "%s", text);
     free(text);
     emit_lines(e, "enum {\n    $S_P = $d,\n    $S_Q = $d,\n    $S_L = $d\n};\n", h->name, (int)arb_poly_length(r.p),
                h->name, (int)arb_poly_length(r.q), h->name, (int)arb_poly_length(r.l));
