@@ -19,25 +19,19 @@ static size_t least(size_t x, size_t y)
 
 size_t slips_between(const char *a, const char *b)
 {
-    enum { ROWS = 3, WIDTH = WORD_MOST + 1 };
-    size_t row[ROWS][WIDTH];
+    size_t slips[WORD_MOST + 1][WORD_MOST + 1]; /* between the first letters of both */
     const size_t m = strlen(a), n = strlen(b);
-    for (size_t i = 0; i <= m; i++) {
-        size_t *const here = row[i % ROWS];
-        const size_t *const above = row[(i + 2) % ROWS], *const above_that = row[(i + 1) % ROWS];
-        here[0] = i;
-        for (size_t j = 1; j <= n; j++) {
-            if (i == 0) {
-                here[j] = j;
+    for (size_t i = 0; i <= m; i++)
+        for (size_t j = 0; j <= n; j++) {
+            slips[i][j] = i > 0 ? i : j;
+            if (i == 0 || j == 0)
                 continue;
-            }
             const int x = tolower((unsigned char)a[i - 1]), y = tolower((unsigned char)b[j - 1]);
-            here[j] = least(above[j - 1] + (x != y), 1 + least(above[j], here[j - 1]));
+            slips[i][j] = least(slips[i - 1][j - 1] + (x != y), 1 + least(slips[i - 1][j], slips[i][j - 1]));
             if (i > 1 && j > 1 && x == tolower((unsigned char)b[j - 2]) && y == tolower((unsigned char)a[i - 2]))
-                here[j] = least(here[j], above_that[j - 2] + 1);
+                slips[i][j] = least(slips[i][j], slips[i - 2][j - 2] + 1);
         }
-    }
-    return row[m % ROWS][n];
+    return slips[m][n];
 }
 
 /* NULL: none is near */
