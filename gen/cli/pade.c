@@ -77,12 +77,12 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
     const struct law *const law = &r->law;
     const long A = (long)law->a.num, a_den = (long)law->a.den, B = (long)law->b.num, b_den = (long)law->b.den;
     const bool sphere = law_is_sphere(law), two_point = r->kind == PADE_TWO_POINT,
-               published = r->kind == PADE_AS_PUBLISHED;
+               printed = r->kind == PADE_AS_PUBLISHED;
     const slong beta_max = two_point ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;
     char exponents[TEXT_MAX] = "sphere", options[TEXT_MAX] = "", z[32] = "";
     struct references references;
     /* Table I has another variable and other numbers, so that no comparison is possible. */
-    const bool assessed = sphere && !published;
+    const bool assessed = sphere && !printed;
     if (assessed && references_init(&references, law, beta_max, HEADER_EVEN, HEADER_SMALL))
         return STATUS_FAILED;
     if (!sphere) {
@@ -92,9 +92,9 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
     if (f->root > 1)
         snprintf(z, sizeof z, "^(1/%ld)", (long)f->root);
     char *const name = xprintf("cor_%s_pade%s_%s_%ld_%ld", exponents,
-                               two_point   ? "_two_point"
-                               : published ? "_as_published"
-                                           : "",
+                               two_point ? "_two_point"
+                               : printed ? "_as_published"
+                                         : "",
                                contact_end_names[r->end], (long)r->numerator, (long)r->denominator);
     char *const guard = xprintf("%s_h", name);
     emit_capitals(guard);
@@ -108,9 +108,9 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
                 "\n"
                 "Each double is the one nearest to the exact coefficient, which stands beside it: "
                 "proved.\n",
-                B, b_den, A, a_den, f->variable, f->variable, z, published ? " = (g/g*)^(1/5)" : "", (long)r->numerator,
+                B, b_den, A, a_den, f->variable, f->variable, z, printed ? " = (g/g*)^(1/5)" : "", (long)r->numerator,
                 (long)r->denominator, contact_end_options[r->end], options, two_point ? " --two-point" : "",
-                published ? " --as-published" : "", o->force ? " --force" : "");
+                printed ? " --as-published" : "", o->force ? " --force" : "");
     struct output out;
     int status = output_open(&out, o->header);
     if (status == STATUS_OK) {

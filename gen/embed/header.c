@@ -164,12 +164,11 @@ static void append_proof(FILE *t, const struct embed_scene *s, const struct embe
 static void append_choice(FILE *t, const struct embed_request *request, const struct embed_scene *s,
                           const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof)
 {
-    static const char *const rule[] = {
-        [PURPOSE_BALANCED] =
-            "the least time, a call of its own counting\nas much as four numbers of a loop that becomes "
-            "vectors, scalar + 4 vector",
-        [PURPOSE_SCALAR] = "the least time for calls of their own, column scalar",
-        [PURPOSE_ARRAY] = "the least time in loops that become vectors, column vector"};
+    static const char balanced[] = "the least time, a call of its own counting\nas much as four numbers of a loop that "
+                                   "becomes vectors, scalar + 4 vector";
+    static const char *const rule[] = {[PURPOSE_BALANCED] = balanced,
+                                       [PURPOSE_SCALAR] = "the least time for calls of their own, column scalar",
+                                       [PURPOSE_ARRAY] = "the least time in loops that become vectors, column vector"};
     const struct embed_form *f = &form[chosen];
     char size[64];
     embed_form_size(size, sizeof size, f);
