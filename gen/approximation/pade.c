@@ -14,7 +14,6 @@
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/local.h"
-#include "support/precision.h"
 
 enum {
     TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/theory.md, 4 */

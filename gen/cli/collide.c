@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/proved_table.h"
+#include "cli/subcommand.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"

@@ -9,7 +9,6 @@
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/local.h"
-#include "support/precision.h"
 #include "tables/pade.h"
 
 enum {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/proved_table.h"
+#include "cli/subcommand.h"
 
 #include "support/console.h"
-#include "support/precision.h"
+#include "support/digits.h"
 
 static int fill_until_decided(struct table *table, const struct proved_table *proved)
 {

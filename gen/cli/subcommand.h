@@ -44,4 +44,21 @@ void overview_print(const struct subcommand *const *table, FILE *file);
  * options. Returns false for another shell. */
 bool completion_print(const char *shell, const struct subcommand *const *table, FILE *file);
 
+/* A table of proved digits, filled with more and more bits until every digit is decided, and then printed. A table of
+ * exact numbers is filled once. */
+enum { PROVED_TABLE_NAME = 64 };
+
+struct proved_table {
+    slong digits;
+    const void *arguments; /* for `fill` */
+    /* Initialises a table and fills it, computing with `bits` bits. Returns STATUS_OK or STATUS_FAILED. `undecided`
+     * stays empty, or becomes the name of the first number whose digits are undecided. */
+    int (*fill)(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits);
+    /* prints FORMAT_TEXT and FORMAT_LATEX; NULL: the common text format */
+    void (*print_text)(FILE *file, const struct table *table, const void *arguments);
+};
+
+/* Returns the exit status. */
+int proved_table_write(const struct proved_table *proved, const struct option_common *common);
+
 #endif

@@ -5,8 +5,7 @@
 #include "cli/commands.h"
 #include "disk/modes.h"
 #include "support/console.h"
-#include "tables/disk.h"
-#include "tables/limits.h"
+#include "tables/files.h"
 
 static int check_request(const struct tables_request *o)
 {

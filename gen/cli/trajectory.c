@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/proved_table.h"
+#include "cli/subcommand.h"
 #include "series/trajectory.h"
 #include "support/console.h"
 #include "support/local.h"

@@ -14,7 +14,6 @@
 #include "support/digits.h"
 #include "support/local.h"
 #include "support/parallel.h"
-#include "support/precision.h"
 
 /* Bits of omega that C and S, and the ladders, usually lose. A mode that loses more is computed again. */
 enum {

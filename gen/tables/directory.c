@@ -14,9 +14,7 @@
 #include "support/console.h"
 #include "support/emit_c.h"
 #include "support/output.h"
-#include "tables/disk.h"
 #include "tables/files.h"
-#include "tables/limits.h"
 
 #define DEFAULT_DIRECTORY "generated"
 #define DEFAULT_DIRECTORY_OF_MATERIAL "."

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/disk.h"
+#include "tables/files.h"
 
 #include <ctype.h>
 #include <inttypes.h>

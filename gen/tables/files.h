@@ -4,9 +4,13 @@
 #ifndef COR_GEN_TABLES_FILES_H
 #define COR_GEN_TABLES_FILES_H
 
+#include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
+#include "disk/modes.h"
 #include "series/law.h"
+#include "support/decimal.h"
 
 /* sphere_tables.h, the tables of the runtime; cor_sphere.h, the same tables and the same evaluator as one header to
  * embed; sphere_float_tables.h, those of float arithmetic. They share data that are computed once, until
@@ -38,5 +42,53 @@ int wave_tables_write(FILE *file);
 #define WAVE_TAU_END 1.75
 #define WAVE_ELLIPSE 1.5
 #define WAVE_ELLIPSE_BOUND 40.0
+
+/* ---- the modes of one material, the doubles nearest to the exact values, as a C header and as a file to load ---- */
+
+enum { DISK_TABLE_MODES = 1800, DISK_TABLE_POISSON = 60 /* characters */, DISK_TABLE_NAME = 160 };
+
+struct disk_table {
+    struct decimal poisson; /* not owned; file names and comments contain its text unchanged */
+    slong count;
+    bool embed; /* also for C++, with decimal doubles */
+    struct disk_modes modes;
+};
+
+/* The table's name in C and in file names, as in disk_modes_nu033.h */
+const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table *table, const char *extension);
+
+/* Finds the modes, which begin as {0}, and writes them. Each returns STATUS_OK, or STATUS_FAILED after reporting the
+ * reason. Call disk_modes_clear(&table->modes) in either case. */
+int disk_table_solve(struct disk_table *table);
+int disk_header_write(FILE *file, const struct disk_table *table);
+int disk_file_write(FILE *file, const struct disk_table *table);
+
+/* ---- disk_limits.h, the table behind cor_disk_eps ----
+ *
+ * Collisions of disks of all modes with a rigid wall, over cells of speed and Poisson's ratio that are refined until
+ * their polynomials are accurate enough. The collisions take a quarter of an hour of CPU time and are kept: corgen is
+ * built with them. */
+
+#define DISK_LIMITS_FILE "disk_limits.h"
+
+struct cor_disk_limit_piece;
+
+/* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. The table stays in memory until
+ * disk_limits_clear. */
+int disk_limits_collide(void); /* computes all collisions */
+/* Whether a table is in memory: that of disk_limits_collide, or that with which corgen was built, with other pieces
+ * unless `piece` is NULL. A corgen of COR_BOOTSTRAP is built with none. */
+bool disk_limits_known(const struct cor_disk_limit_piece *piece);
+void disk_limits_clear(void);
+
+/* Writes the table in memory. */
+int disk_limits_write(FILE *file);
+
+/* Recomputes collisions at points of a cell that the seed chooses, or at all points of all cells, and prints the
+ * difference of 1 - eps^2 on standard output. Returns STATUS_FAILED also if the difference exceeds DISK_LIMITS_AGREE,
+ * or if the error of a cell's polynomial between its points exceeds its uncertainty. */
+#define DISK_LIMITS_AGREE 2.5e-7
+int disk_limits_check_sample(uint64_t seed);
+int disk_limits_check_all(void);
 
 #endif

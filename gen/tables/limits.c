@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/limits.h"
+#include "tables/files.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -8,9 +8,9 @@
 
 #include "runtime/number/lambert_w.h"
 #include "search.h"
+#include "support/digits.h"
 #include "support/formula.h"
 #include "support/local.h"
-#include "support/precision.h"
 #include "ulp.h"
 
 #include <stdio.h>

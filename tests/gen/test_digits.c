@@ -4,7 +4,6 @@
 
 #include "support/digits.h"
 #include "support/local.h"
-#include "support/precision.h"
 
 /* The ball of prec bits around the number `text` to so many digits. */
 static char *spelled(const char *text, slong prec, slong digits)
