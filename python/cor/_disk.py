@@ -118,10 +118,6 @@ modes_nu033 = _constant(lib.cor_disk_modes_nu033)
 modes_nu090 = _constant(lib.cor_disk_modes_nu090)
 
 
-def _check(status: int) -> None:
-    judge(np.asarray(status))
-
-
 @_documented("cor_disk_modes_read")
 def modes_read(path: Union[str, "os.PathLike[str]"]) -> DiskModes:
     """The modes of a file. CorError names the line of the file that is wrong, if one is, by its attribute line."""
@@ -147,7 +143,7 @@ def modes_compute(nu: float, count: int) -> DiskModes:
         raise CorError(lib.COR_ERROR_MODES)
     mode = np.zeros(count, _MODE)
     c = ffi.new("struct cor_disk_modes *")
-    _check(lib.cor_disk_modes_compute(nu, count, _modes_address(mode), c))
+    judge(np.asarray(lib.cor_disk_modes_compute(nu, count, _modes_address(mode), c)))
     return DiskModes._of(mode, c)
 
 
@@ -289,59 +285,39 @@ class HardWallDetail(_Detail):
     _moment = "cor_disk_hard_wall_moment"
 
 
-@ffi.def_extern()  # type: ignore[misc]
-def cor_python_observe_disk_collision_detail(context: Any, moment: Any) -> None:
+def _seen(context: Any, moment: Any) -> None:
     ffi.from_handle(context)._seen(moment)
 
 
-@ffi.def_extern()  # type: ignore[misc]
-def cor_python_observe_disk_hard_wall_detail(context: Any, moment: Any) -> None:
-    ffi.from_handle(context)._seen(moment)
+for _name in ("disk_collision_detail", "disk_hard_wall_detail"):
+    ffi.def_extern(name=f"cor_python_observe_{_name}")(_seen)
 
 
-def _in(what: str, workspace: Any, modes: DiskModes, n_modes: int, options: Any, speed: float, detail: Any) -> Any:
+def _in(what: str) -> Callable[..., Any]:
     """cor_disk_<what>_in"""
-    out = np.zeros((), record_dtype(f"cor_disk_{what}"))
-    memory = ffi.from_buffer("char[]", workspace, True)
-    if detail is not None and detail.energy_after.size < n_modes <= modes.count:
-        raise ValueError(f"the detail has room for {detail.energy_after.size} modes, not for {n_modes}")
-    out["status"] = getattr(lib, f"cor_disk_{what}_in")(
-        memory,
-        len(memory),
-        _table(modes),
-        n_modes,
-        pointer(options, f"cor_disk_{what}_options"),
-        speed,
-        ffi.cast(f"struct cor_disk_{what} *", ffi.from_buffer("char[]", out, True)),
-        ffi.NULL if detail is None else pointer(detail, f"cor_disk_{what}_detail"),
-    )
-    if detail is not None:
-        detail._raise()
-    judge(np.asarray(out["status"]))
-    return out.view(np.recarray)[()]
+    struct = f"cor_disk_{what}"
+    function = getattr(lib, f"{struct}_in")
+
+    def call(
+        workspace: Any, modes: DiskModes, n_modes: int, options: Any, speed: float, detail: Optional[_Detail] = None
+    ) -> Any:
+        """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
+        out = np.zeros((), record_dtype(struct))
+        memory = ffi.from_buffer("char[]", workspace, True)
+        if detail is not None and detail.energy_after.size < n_modes <= modes.count:
+            raise ValueError(f"the detail has room for {detail.energy_after.size} modes, not for {n_modes}")
+        of_detail = ffi.NULL if detail is None else pointer(detail, f"{struct}_detail")
+        c_out = ffi.cast(f"struct {struct} *", ffi.from_buffer("char[]", out, True))
+        c_options = pointer(options, f"{struct}_options")
+        out["status"] = function(memory, len(memory), _table(modes), n_modes, c_options, speed, c_out, of_detail)
+        if detail is not None:
+            detail._raise()
+        judge(np.asarray(out["status"]))
+        return out.view(np.recarray)[()]
+
+    call.__name__ = call.__qualname__ = f"{what}_in"
+    return _documented(f"{struct}_in")(call)
 
 
-@_documented("cor_disk_collision_in")
-def collision_in(
-    workspace: Any,
-    modes: DiskModes,
-    n_modes: int,
-    options: Any,
-    speed: float,
-    detail: Optional[CollisionDetail] = None,
-) -> Any:
-    """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
-    return _in("collision", workspace, modes, n_modes, options, speed, detail)
-
-
-@_documented("cor_disk_hard_wall_in")
-def hard_wall_in(
-    workspace: Any,
-    modes: DiskModes,
-    n_modes: int,
-    options: Any,
-    speed: float,
-    detail: Optional[HardWallDetail] = None,
-) -> Any:
-    """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
-    return _in("hard_wall", workspace, modes, n_modes, options, speed, detail)
+collision_in = _in("collision")
+hard_wall_in = _in("hard_wall")

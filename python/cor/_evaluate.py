@@ -52,8 +52,8 @@ class CorWarning(UserWarning):
 
 
 def string(text: Any) -> str:
-    """A string of C."""
-    return str(ffi.string(text).decode())
+    """A string of C; "" for NULL."""
+    return "" if text == ffi.NULL else str(ffi.string(text).decode(errors="replace"))
 
 
 def judge(status: Array) -> None:
@@ -225,15 +225,14 @@ class Elementwise(_Loop):
         final = _FLOAT32 if narrow and self._result is _FLOAT64 else self._result
         result = np.empty(shape, dtype) if not fits(out, arrays, shape, dtype) else out
         assert result is not None and loop is not None
-        arguments = self._arguments(arrays, shape, result.size)
         if out is not None:
             check_out(out, shape, final)
-        loop(*structs, *arguments, address(result, True), result.size)
-        if out is not None:
-            if result is not out:
-                np.copyto(out, result, casting="same_kind")
-            return out
-        return result.astype(final, copy=False)[()] if shape == () else result.astype(final, copy=False)
+        loop(*structs, *self._arguments(arrays, shape, result.size), address(result, True), result.size)
+        if out is None:
+            return result.astype(final, copy=False)[() if shape == () else ...]
+        if result is not out:
+            np.copyto(out, result, casting="same_kind")
+        return out
 
 
 def fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> bool:
@@ -258,25 +257,24 @@ def check_out(out: Any, shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> None:
         raise ValueError("out is read-only")
 
 
-def record_dtype(struct: str) -> "np.dtype[Any]":
-    """The fields of a struct of results, and behind them the status."""
-    c_type = ffi.typeof(f"struct {struct}")
-    kinds = {"double": np.float64, "int": np.intc, "size_t": np.uintp, "unsigned long": np.uintp}
-    fields = [(name, kinds[field.type.cname], field.offset) for name, field in c_type.fields]
-    size = ffi.sizeof(c_type)
-    fields.append(("status", np.intc, size))
-    names, formats, offsets = zip(*fields)
-    plain = np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": size + 8})
-    return np.dtype((np.record, plain))
-
-
 def plain_dtype(struct: str) -> "np.dtype[Any]":
     """The fields of a struct."""
-    with_status = record_dtype(struct)
-    fields = [(n, *with_status.fields[n]) for n in with_status.names if n != "status"]  # type: ignore
-    names, formats, offsets = zip(*fields)
-    size = ffi.sizeof(f"struct {struct}")
-    return np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": size})
+    kinds = {"double": np.float64, "int": np.intc, "size_t": np.uintp, "unsigned long": np.uintp}
+    c_type = ffi.typeof(f"struct {struct}")
+    names, fields = zip(*c_type.fields)
+    formats = [kinds[field.type.cname] for field in fields]
+    offsets = [field.offset for field in fields]
+    return np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": ffi.sizeof(c_type)})
+
+
+def record_dtype(struct: str) -> "np.dtype[Any]":
+    """The fields of a struct of results, and behind them the status."""
+    plain = plain_dtype(struct)
+    names, size = plain.names or (), plain.itemsize
+    formats = [plain[name] for name in names] + [np.dtype(np.intc)]
+    offsets = [plain.fields[name][1] for name in names] + [size]  # type: ignore[index]
+    with_status = {"names": [*names, "status"], "formats": formats, "offsets": offsets, "itemsize": size + 8}
+    return np.dtype((np.record, np.dtype(with_status)))  # type: ignore[call-overload]
 
 
 class _Records(_Loop):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The functions of sphere.h in float arithmetic, which have no form in double."""
+"""The functions of sphere.h in float arithmetic, which have no form in double: ..._fastf and ..._fast_arrayf, each made
+when it is imported."""
 
 from typing import Any, Callable, Optional
 
@@ -21,25 +22,13 @@ def _float32(x: ArrayLike) -> Array:
     return prepared_array(given, _FLOAT32)
 
 
-def _documented(function: Callable[..., Any], name: str) -> Callable[..., Any]:
-    function.__name__ = function.__qualname__ = name
-    function.__doc__ = f"Takes and returns float32.\n\n{DOCS[f'cor_sphere_{name}']}\n\nC: cor_sphere_{name}"
-    return function
-
-
-def _fast(name: str) -> Callable[..., Any]:
+def __getattr__(name: str) -> Callable[..., Any]:
     function = getattr(lib, f"cor_sphere_{name}")
 
-    def fast(x: ArrayLike, /) -> Any:
+    def of_number(x: ArrayLike, /) -> Any:
         return np.float32(function(x if type(x) in _NUMBERS else _float32(x).item()))
 
-    return _documented(fast, name)
-
-
-def _fast_array(name: str) -> Callable[..., Any]:
-    function = getattr(lib, f"cor_sphere_{name}")
-
-    def fast(x: ArrayLike, /, *, out: Optional[Array] = None) -> Any:
+    def of_array(x: ArrayLike, /, *, out: Optional[Array] = None) -> Any:
         numbers = _float32(x)
         if out is not None:
             check_out(out, numbers.shape, _FLOAT32)
@@ -50,22 +39,7 @@ def _fast_array(name: str) -> Callable[..., Any]:
             np.copyto(out, result, casting="same_kind")
         return result[()] if out is None else out
 
-    return _documented(fast, name)
-
-
-eps_zero_overlap_fastf = _fast("eps_zero_overlap_fastf")
-eps_zero_force_fastf = _fast("eps_zero_force_fastf")
-loss_zero_overlap_fastf = _fast("loss_zero_overlap_fastf")
-loss_zero_force_fastf = _fast("loss_zero_force_fastf")
-duration_zero_overlap_fastf = _fast("duration_zero_overlap_fastf")
-duration_zero_force_fastf = _fast("duration_zero_force_fastf")
-max_overlap_fastf = _fast("max_overlap_fastf")
-time_of_max_overlap_fastf = _fast("time_of_max_overlap_fastf")
-eps_zero_overlap_fast_arrayf = _fast_array("eps_zero_overlap_fast_arrayf")
-eps_zero_force_fast_arrayf = _fast_array("eps_zero_force_fast_arrayf")
-loss_zero_overlap_fast_arrayf = _fast_array("loss_zero_overlap_fast_arrayf")
-loss_zero_force_fast_arrayf = _fast_array("loss_zero_force_fast_arrayf")
-duration_zero_overlap_fast_arrayf = _fast_array("duration_zero_overlap_fast_arrayf")
-duration_zero_force_fast_arrayf = _fast_array("duration_zero_force_fast_arrayf")
-max_overlap_fast_arrayf = _fast_array("max_overlap_fast_arrayf")
-time_of_max_overlap_fast_arrayf = _fast_array("time_of_max_overlap_fast_arrayf")
+    made: Callable[..., Any] = of_array if name.endswith("_arrayf") else of_number
+    made.__name__ = made.__qualname__ = name
+    made.__doc__ = f"Takes and returns float32.\n\n{DOCS[f'cor_sphere_{name}']}\n\nC: cor_sphere_{name}"
+    return made

@@ -200,15 +200,13 @@ def lines(
     request.step_tolerance, request.step_corrected = step_tolerance or 0, step_corrected
     request.step_errors = time_step is not None or steps is not None
     request.integrator = lib.COR_NO_INTEGRATOR
-    size = lib.COR_SIMULATOR_REASON
-    while True:
-        text = ffi.new("char[]", size)
-        length = lib.cor_simulator_lines(text, size, request)
-        if length < 0:
-            _raise(text)
-        if length < size:
-            return string(text)
-        size = length + 1
+    text = ffi.new("char[]", lib.COR_SIMULATOR_REASON)
+    length = lib.cor_simulator_lines(text, len(text), request)
+    if length < 0:
+        _raise(text)
+    text = ffi.new("char[]", length + 1)
+    lib.cor_simulator_lines(text, len(text), request)
+    return string(text)
 
 
 _STEP_ERROR = [name for name, _ in ffi.typeof("struct cor_step_error").fields]
@@ -231,10 +229,9 @@ def step_error(
     made = _Scene(contact, law, end, False, numbers)
     method = _one_of("integrator", integrator, _INTEGRATORS)
     at, count = np.broadcast_arrays(np.asarray(speed, np.float64), np.asarray(steps, np.float64))
-    if not (np.all(at > 0) and np.all(np.isfinite(at))):
-        raise ValueError("speed: not above 0 and finite")
-    if not (np.all(count > 0) and np.all(np.isfinite(count))):
-        raise ValueError("steps: not above 0 and finite")
+    for argument, given in (("speed", at), ("steps", count)):
+        if not (np.all(given > 0) and np.all(np.isfinite(given))):
+            raise ValueError(f"{argument}: not above 0 and finite")
     one = ffi.new("struct cor_step_error *")
     rows = []
     for g, n in zip(at.ravel(), count.ravel()):
@@ -273,22 +270,18 @@ class _Audit:
         self.error: Optional[BaseException] = None
 
 
-def _text(value: Any) -> str:
-    return "" if value == ffi.NULL else str(ffi.string(value).decode(errors="replace"))
-
-
 @ffi.def_extern(error=1)  # type: ignore[misc]
 def cor_python_audit_open(context: Any, included: Any, name: Any, of: Any) -> int:
     audit_of = ffi.from_handle(context)
     try:
-        text = audit_of.include(_text(name), _text(of))
+        text = audit_of.include(string(name), string(of))
         coded = None if text is None else text.encode()
     except BaseException as error:  # C cannot be left by an exception
         audit_of.error = audit_of.error or error
         return 1
     if coded is None:
         return 1
-    audit_of.texts += [ffi.new("char[]", coded), ffi.new("char[]", _text(name).encode())]
+    audit_of.texts += [ffi.new("char[]", coded), ffi.new("char[]", string(name).encode())]
     included.text, included.name = audit_of.texts[-2:]
     included.size = len(coded)
     return 0
@@ -297,7 +290,7 @@ def cor_python_audit_open(context: Any, included: Any, name: Any, of: Any) -> in
 @ffi.def_extern()  # type: ignore[misc]
 def cor_python_audit_report(context: Any, f: Any) -> None:
     fields = {name: getattr(f, name) for name in Finding._fields}
-    fields = {name: value if isinstance(value, (int, float)) else _text(value) for name, value in fields.items()}
+    fields = {name: value if isinstance(value, (int, float)) else string(value) for name, value in fields.items()}
     fields["end"] = "" if f.end < 0 else string(lib.cor_end_names[f.end])
     fields["as_asked"] = None if f.as_asked < 0 else bool(f.as_asked)
     ffi.from_handle(context).found.append(Finding(**fields))
@@ -328,20 +321,19 @@ def audit(
     coded = text.encode(errors="surrogateescape")
     state = _Audit(include)
     handle = ffi.new_handle(state)
-    known = [string(lib.cor_audit_simulators[i]) for i in _places(lib.cor_audit_simulators)]
+    known: List[str] = []
+    while lib.cor_audit_simulators[len(known)] != ffi.NULL:
+        known.append(string(lib.cor_audit_simulators[len(known)]))
     if simulator is not None:
         _one_of("simulator", simulator, known)
     kept = [ffi.new("char[]", part) for part in (coded, os.fsencode(name), (simulator or "").lower().encode())]
     array, number = _speeds(speeds)
-    options = ffi.new("struct cor_audit_options *")
+    options = ffi.new("struct cor_audit_options *", {"speed_m_s": number, "speeds": array.size, "tolerance": tolerance})
     options.simulator = kept[2] if simulator else ffi.NULL
     _version(version)
     options.version = 0 if version is None else lib.cor_simulator_version(version.encode())
-    options.speed_m_s, options.speeds = number, array.size
-    options.radius_m = math.nan if radius is None else radius
-    options.density_kg_m3 = math.nan if density is None else density
-    options.time_step_s = math.nan if time_step is None else time_step
-    options.tolerance = tolerance
+    for name, value in {"radius_m": radius, "density_kg_m3": density, "time_step_s": time_step}.items():
+        setattr(options, name, math.nan if value is None else value)
     options.open = lib.cor_python_audit_open if include is not None else ffi.NULL
     options.report, options.context = lib.cor_python_audit_report, handle
     whole = ffi.new("struct cor_audit_text *", {"name": kept[1], "text": kept[0], "size": len(coded)})
@@ -356,13 +348,6 @@ def audit(
         why = "; ".join(f"line {f.line}: {f.advice}" for f in state.found)
         raise ValueError(f"text: no contact could be made out{'; ' if why else ''}{why}")
     return state.found
-
-
-def _places(array: Any) -> Any:
-    i = 0
-    while array[i] != ffi.NULL:
-        yield i
-        i += 1
 
 
 __all__ = ["Finding", "audit", "lines", "models", "names", "realised", "step_error"]
