@@ -111,11 +111,34 @@ WEB_EXPORT(web_summary) const char *web_summary(int digits)
 
 enum { BETA, EPS, DURATION = EPS + COR_SCENE_ENDS, OVERLAP = DURATION + COR_SCENE_ENDS, FORCE, TIME_STEP, COLUMNS };
 
+/* The contact, in units of its own where mass and stiffness are not known */
+static struct cor_scene_contact timed(int contact)
+{
+    struct cor_scene_contact c = web_now.contact[contact];
+    if (isnan(c.mass_kg))
+        c.mass_kg = c.stiffness = 1;
+    return c;
+}
+
+/* The time step in these units: the shortest duration over the steps */
+static double step_of(const double *speed_m_s, size_t n)
+{
+    double least = INFINITY;
+    for (int k = 0; k < web_now.count; k++)
+        for (size_t i = 0; i < n; i++) {
+            const struct cor_scene_contact c = timed(k);
+            struct cor_scene_impact impact;
+            cor_scene_impact(&impact, &c, speed_m_s[i]);
+            least = fmin(least, fmin(impact.duration_s[0], impact.duration_s[1]));
+        }
+    return least / web_now.steps;
+}
+
 /* Fills `y` with columns of n numbers: beta, eps at both ends, durations, largest overlap and force, time step; for the
  * second contact, if there is one, again. The time step is the shortest of all durations over the steps. */
 WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, size_t n)
 {
-    double least = INFINITY;
+    const double step = isnan(web_now.contact[0].mass_kg) ? (double)NAN : step_of(speed_m_s, n);
     for (int k = 0; k < web_now.count; k++) {
         double *const column = y + (size_t)(k * COLUMNS) * n;
         for (size_t i = 0; i < n; i++) {
@@ -124,16 +147,13 @@ WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, siz
             column[BETA * n + i] = impact.beta;
             column[OVERLAP * n + i] = impact.max_overlap_m;
             column[FORCE * n + i] = cor_scene_force_max_n(&web_now.contact[k], speed_m_s[i]);
+            column[TIME_STEP * n + i] = isinf(step) ? (double)NAN : step;
             for (size_t end = 0; end < COR_SCENE_ENDS; end++) {
                 column[(EPS + end) * n + i] = impact.eps[end];
                 column[(DURATION + end) * n + i] = impact.duration_s[end];
-                least = fmin(least, impact.duration_s[end]);
             }
         }
     }
-    for (int k = 0; k < web_now.count; k++)
-        for (size_t i = 0; i < n; i++)
-            y[((size_t)(k * COLUMNS) + TIME_STEP) * n + i] = isinf(least) ? (double)NAN : least / web_now.steps;
 }
 
 /* Whether the error of the time step is that of an end: of the one that is given or measured, otherwise of both */
@@ -160,29 +180,6 @@ static int integrator(void)
 WEB_EXPORT(web_integrator) const char *web_integrator(void)
 {
     return integrator() == COR_NO_INTEGRATOR ? "" : cor_integrator_names[integrator()];
-}
-
-/* The contact, in units of its own where mass and stiffness are not known */
-static struct cor_scene_contact timed(int contact)
-{
-    struct cor_scene_contact c = web_now.contact[contact];
-    if (isnan(c.mass_kg))
-        c.mass_kg = c.stiffness = 1;
-    return c;
-}
-
-/* The time step in these units: the shortest duration over the steps */
-static double step_of(const double *speed_m_s, size_t n)
-{
-    double least = INFINITY;
-    for (int k = 0; k < web_now.count; k++)
-        for (size_t i = 0; i < n; i++) {
-            const struct cor_scene_contact c = timed(k);
-            struct cor_scene_impact impact;
-            cor_scene_impact(&impact, &c, speed_m_s[i]);
-            least = fmin(least, fmin(impact.duration_s[0], impact.duration_s[1]));
-        }
-    return least / web_now.steps;
 }
 
 #define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */

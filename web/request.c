@@ -106,13 +106,11 @@ static int read_law(struct web_request *r, struct web_wrong *wrong, const char *
 {
     char why[300] = "";
     for (int law = 0; law <= COR_LAW_PLATE; law++) {
-        if (strcmp(text, cor_law_names[law]) == 0) {
-            r->law = (enum cor_law)law;
+        r->law = (enum cor_law)law;
+        if (strcmp(text, cor_law_names[law]) == 0)
             return 1;
-        }
-    }
-    for (int law = 0; law <= COR_LAW_PLATE; law++)
         snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "", cor_law_names[law]);
+    }
     return refuse(wrong, "law", "--law: '%s' is not a law; allowed: %s", text, why);
 }
 

@@ -126,6 +126,8 @@ _FUNCTION = re.compile(r"COR_API\s+(?!extern)(.*?)(cor_\w+)\(([^()]*)\);", re.S)
 _OBJECT = re.compile(r"COR_API\s+extern\s+(.*?)(cor_\w+);", re.S)
 _STRUCT = re.compile(r"struct\s+(cor_\w+)\s*\{(.*?)\n?\};", re.S)
 _ENUM = re.compile(r"enum\s+(cor_\w+)\s*\{(.*?)\};", re.S)
+_DIRECTIVE = re.compile(r"#(?:\\\n|/\*.*?\*/|[^\n])*", re.S)
+_CONDITIONAL = re.compile(r"#ifdef __cplusplus\n([^#]|#if.*?#endif|#(?!endif))*#endif\n", re.S)
 _DEFINE = re.compile(r"#\s*define\s+(\w+)(\([^)]*\))?[ \t]*(.*)", re.S)
 
 
@@ -186,46 +188,20 @@ class _Reader:
         self.at = end
 
     def _directive(self) -> None:
-        line, comment = self._directive_text()
+        found = _DIRECTIVE.match(self.text, self.at)
+        assert found
+        comments = _COMMENT.findall(found[0])
+        line = re.sub(r"/\*.*?\*/|\\\n", "", found[0], flags=re.S).strip()
         include = re.fullmatch(r'#\s*include\s*"([^"]+)"', line)
         define = _DEFINE.fullmatch(line)
+        conditional = _CONDITIONAL.match(self.text, self.at)
+        self.at = (conditional or found).end()
         if include:
             self.into.include(include[1], self.header)
         elif define:
-            self._define(define[1], define[2], squeeze(define[3]), comment)
-        elif re.match(r"#\s*ifdef\s+__cplusplus", line):
-            self._skip_conditional()
-        elif not re.match(r"#\s*(ifndef\s+COR_\w+_H$|endif$|undef\s|include\s*<)", line):
+            self._define(define[1], define[2], squeeze(define[3]), comment_text(comments[-1]) if comments else "")
+        elif not conditional and not re.match(r"#\s*(ifndef\s+COR_\w+_H$|endif$|undef\s|include\s*<)", line):
             raise SyntaxError(f"{self.header}: {line}")
-
-    def _directive_text(self) -> Tuple[str, str]:
-        """A directive without its comment and continued lines, and the comment."""
-        end = self.at
-        comment = ""
-        line = ""
-        while end < len(self.text) and self.text[end] != "\n":
-            if self.text.startswith("\\\n", end):
-                end += 2
-            elif self.text.startswith("/*", end):
-                found = _COMMENT.match(self.text, end)
-                assert found
-                comment = comment_text(found[0])
-                end = found.end()
-            else:
-                line += self.text[end]
-                end += 1
-        self.at = end
-        return line.strip(), comment
-
-    def _skip_conditional(self) -> None:
-        depth = 1
-        while depth:
-            found = re.compile(r"^[ \t]*#[ \t]*(if|endif)", re.M).search(self.text, self.at)
-            if not found:
-                raise SyntaxError(f"{self.header}: #ifdef without #endif")
-            depth += 1 if found[1] == "if" else -1
-            self.at = found.end()
-        self.at = self.text.index("\n", self.at)
 
     def _define(self, name: str, parameters: Optional[str], value: str, comment: str) -> None:
         names = [word.strip() for word in parameters[1:-1].split(",")] if parameters else []
@@ -308,27 +284,9 @@ def _declare(field: Parameter) -> str:
 
 def _with_comments(body: str, separator: str) -> Iterator[Tuple[str, str]]:
     """The parts of a body of a struct or an enum, each with the comment behind it on its line, or else before it."""
-    before = ""
-    at = 0
-    depth = 0
-    text = ""
-    while at < len(body):
-        comment = _COMMENT.match(body, at)
-        if comment:
-            before = comment_text(comment[0])
-            at = comment.end()
-            continue
-        char = body[at]
-        at += 1
-        depth += {"(": 1, ")": -1}.get(char, 0)
-        if char == separator and depth == 0:
-            behind = re.compile(r"[ \t]*(/\*.*?\*/)", re.S).match(body, at)
-            if behind:
-                before = comment_text(behind[1])
-                at = behind.end()
-            yield squeeze(text), before
-            text = before = ""
-        else:
-            text += char
-    if text.strip():
-        yield squeeze(text), before
+    part = rf"((?:/\*.*?\*/|\([^()]*\)|[^{separator}])*)(?:{separator}|$)(?:[ \t]*(/\*.*?\*/))?"
+    for found in re.finditer(part, body, re.S):
+        comments = _COMMENT.findall(found[1] + (found[2] or ""))
+        text = squeeze(_COMMENT.sub("", found[1]))
+        if text:
+            yield text, comment_text(comments[-1]) if comments else ""

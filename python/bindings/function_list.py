@@ -58,12 +58,8 @@ def _array(function: Function, names: List[str]) -> str:
     suffix = "f" if real == "float" else ""
     given, element = [], []
     for p, name in list(zip(function.parameters, names))[:-2]:
-        if _pointer(p):
-            given.append(f"a->{name}{suffix}")
-            element.append(f"a->{name}{suffix}[i]")
-        else:
-            given.append(_argument(p, name, "0"))
-            element.append(_argument(p, name, "0"))
+        given.append(f"a->{name}{suffix}" if _pointer(p) else _argument(p, name, "0"))
+        element.append(given[-1] + ("[i]" if _pointer(p) else ""))
     scalar = function.name.replace("_arrayf", "f").replace("_array", "")
     return f"ARRAY({function.name}, {real}, ({', '.join(given)}, y, n), {scalar}({', '.join(element)}))"
 

@@ -11,6 +11,8 @@ static int power_of(struct motion *m, int exponent)
     for (int i = 0; i < m->powers; i++)
         if (m->power[i].exponent == exponent)
             return i;
+    if (m->powers == MOTION_POWERS) /* cor_motion_init refuses the motion */
+        return 0;
     const int left = power_of(m, exponent / 2), right = power_of(m, exponent - exponent / 2);
     if (m->powers == MOTION_POWERS)
         return 0;

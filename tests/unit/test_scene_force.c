@@ -58,6 +58,10 @@ TEST(forces)
              1e-14);
     assert_true(isnan(cor_law_force_max(&tsuji, -1)) && isnan(cor_law_force_max(&sphere, NAN)) &&
                 isnan(cor_law_force_max(&crossley, INFINITY)));
+    /* exponents of too many powers are refused, and soon */
+    const struct cor_exponents many = {900000007, 700000001, 999999989};
+    const double begin = processor_seconds();
+    assert_true(isnan(cor_law_force_max(&many, 0.5)) && processor_seconds() - begin < 0.1);
     /* a sphere of strong damping: loading forgets the spring, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X) X' = 0,
      * V = 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
     close_to("strong", cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);

@@ -188,4 +188,23 @@ TEST(round_trip)
         }
 }
 
-RUN_TESTS(elastic, damped, little_adhesion, round_trip)
+/* The damper has a contact radius where b is 0, 1/4, 1/2 or 3/2 of Hertz's force. */
+TEST(laws)
+{
+    static const struct cor_exponents has[] = {{3, 0, 2}, {6, 1, 4}, {3, 1, 2}, {3, 3, 2}},
+                                      lacks[] = {{6, 3, 4}, {3, 2, 2}, {6, 5, 4}, {6, 7, 4}, {12, 1, 8}, {1, 0, 1}};
+    for (int k = 0; k < 10; k++) {
+        struct cor_scene scene = {.law = k < 4 ? has[k] : lacks[k - 4], .adhesion_model = COR_ADHESION_JKR};
+        struct cor_scene_contact contacts[COR_SCENE_ENDS];
+        struct cor_scene_fault fault;
+        int count;
+        for (int i = 0; i < COR_SCENE_NUMBERS; i++)
+            scene.number[i] = NAN;
+        scene.number[COR_SCENE_STIFFNESS] = scene.number[COR_SCENE_EFFECTIVE_MASS] = 1;
+        scene.number[COR_SCENE_ADHESION] = 0.1;
+        assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &scene),
+                         k < 4 ? COR_FAULT_NO_BODIES : COR_FAULT_ADHESION_MODEL);
+    }
+}
+
+RUN_TESTS(elastic, damped, little_adhesion, round_trip, laws)
