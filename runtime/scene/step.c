@@ -14,23 +14,15 @@ const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step
 
 int cor_simulator_integrator(const char *simulator)
 {
-    static const struct {
-        const char *simulator;
-        enum cor_integrator integrator;
-    } known[] = {{"lammps", COR_VERLET_HALF_STEP},
-                 {"liggghts", COR_VERLET_HALF_STEP},
-                 {"mercurydpm", COR_VERLET_HALF_STEP},
-                 {"openfoam", COR_VERLET_HALF_STEP},
-                 {"yade", COR_LEAPFROG},
-                 {"chrono", COR_SYMPLECTIC_EULER},
-                 {"mfix", COR_SYMPLECTIC_EULER},
-                 {"kratos", COR_SYMPLECTIC_EULER},
-                 {"mujoco", COR_SYMPLECTIC_EULER},
-                 {"newton", COR_SYMPLECTIC_EULER},
-                 {"esys-particle", COR_SYMPLECTIC_EULER}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (strcmp(known[i].simulator, simulator) == 0)
-            return (int)known[i].integrator;
+    enum { MOST = 7 };
+    static const char *const of[COR_INTEGRATORS][MOST] = {
+        [COR_VERLET_HALF_STEP] = {"lammps", "liggghts", "mercurydpm", "openfoam"},
+        [COR_LEAPFROG] = {"yade"},
+        [COR_SYMPLECTIC_EULER] = {"chrono", "mfix", "kratos", "mujoco", "newton", "esys-particle"}};
+    for (int i = 0; i < COR_INTEGRATORS; i++)
+        for (int k = 0; of[i][k]; k++)
+            if (strcmp(of[i][k], simulator) == 0)
+                return i;
     return COR_NO_INTEGRATOR;
 }
 
