@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "support/flint.h"
+#include "support/local.h"
 
 #include "runtime/disk/quasistatic.c"
 #include "runtime/number/lambert_w.c"
@@ -21,87 +22,72 @@
 
 /* ---- intervals ---- */
 
-class ball
-{
-  public:
-    ball()
-    {
-        arb_init(x);
-    }
-    ball(double value)
+static const slong bits = 192;
+
+struct ball {
+    arb_t x;
+    ball(double value = 0)
     {
         arb_init(x);
         arb_set_d(x, value);
     }
-    ball(const ball &other)
+    ball(const ball &other) : ball()
     {
-        arb_init(x);
         arb_set(x, other.x);
-    }
-    ~ball()
-    {
-        arb_clear(x);
     }
     ball &operator=(const ball &other)
     {
         arb_set(x, other.x);
         return *this;
     }
+    ~ball()
+    {
+        arb_clear(x);
+    }
+    double end(void (*get)(arf_t, const arb_t, slong), arf_rnd_t rounding) const
+    {
+        LOCAL(arf, y);
+        get(y, x, 128);
+        return arf_get_d(y, rounding);
+    }
     double above() const
     {
-        return bound(arb_get_ubound_arf, ARF_RND_CEIL);
+        return end(arb_get_ubound_arf, ARF_RND_CEIL);
     }
     double below() const
     {
-        return bound(arb_get_lbound_arf, ARF_RND_FLOOR);
-    }
-    arb_t x;
-
-  private:
-    double bound(void (*get)(arf_t, const arb_t, slong), arf_rnd_t rounding) const
-    {
-        arf_t end;
-        arf_init(end);
-        get(end, x, 128);
-        const double value = arf_get_d(end, rounding);
-        arf_clear(end);
-        return value;
+        return end(arb_get_lbound_arf, ARF_RND_FLOOR);
     }
 };
 
-static const slong bits = 192;
-
-#define BALL_OPERATOR(symbol, function)                                                                                \
-    static ball operator symbol(const ball &a, const ball &b)                                                          \
+#define BALL_OF(name, parameters, call)                                                                                \
+    static ball name parameters                                                                                        \
     {                                                                                                                  \
         ball c;                                                                                                        \
-        function(c.x, a.x, b.x, bits);                                                                                 \
+        call;                                                                                                          \
         return c;                                                                                                      \
     }
+#define BALL_OPERATOR(sign, f) BALL_OF(operator sign, (const ball &a, const ball &b), f(c.x, a.x, b.x, bits))
+#define BALL_FUNCTION(name, f) BALL_OF(name, (const ball &a), f(c.x, a.x, bits))
 BALL_OPERATOR(+, arb_add)
 BALL_OPERATOR(-, arb_sub)
 BALL_OPERATOR(*, arb_mul)
 BALL_OPERATOR(/, arb_div)
+BALL_FUNCTION(log, arb_log)
+BALL_FUNCTION(log1p, arb_log1p)
+BALL_FUNCTION(exp, arb_exp)
+BALL_FUNCTION(expm1, arb_expm1)
+BALL_FUNCTION(sqrt, arb_sqrt)
+BALL_OF(size, (const ball &a), arb_abs(c.x, a.x))
+BALL_OF(from_to, (const ball &a, const ball &b), arb_union(c.x, a.x, b.x, bits))
+BALL_OF(pi_ball, (), arb_const_pi(c.x, bits))
 
-static ball function_of(void (*f)(arb_t, const arb_t, slong), const ball &a)
+/* t(q), by W_-1 of a number that is not too near its branch point */
+static ball lambert_t(const ball &q)
 {
-    ball c;
-    f(c.x, a.x, bits);
-    return c;
-}
-
-static ball size(const ball &a)
-{
-    ball c;
-    arb_abs(c.x, a.x);
-    return c;
-}
-
-static ball from_to(const ball &a, const ball &b)
-{
-    ball c;
-    arb_union(c.x, a.x, b.x, bits);
-    return c;
+    ball w, z = ball(0) - exp(ball(-1) - q);
+    arb_lambertw(w.x, z.x, 1, bits);
+    return ball(-1) - w;
 }
 
 /* The interval from -a to a */
@@ -114,7 +100,7 @@ static ball around_0(double a)
 static ball q_of(const ball &t)
 {
     const ball low(t.below()), high(t.above());
-    return from_to(low - function_of(arb_log1p, low), high - function_of(arb_log1p, high));
+    return from_to(low - log1p(low), high - log1p(high));
 }
 
 /* The unit in the last place of a positive number */
@@ -164,15 +150,15 @@ static double series_error(double high)
     static double factor, slope;
     if (factor == 0)
         series_factors(&factor, &slope);
-    const ball q = q_of(ball(high)), p = function_of(arb_sqrt, ball(2) * q) * ball(1 + 1e-15);
+    const ball q = q_of(ball(high)), p = sqrt(2 * q) * ball(1 + 1e-15);
     const double delta = 3.02 * u;
     require(p.below() <= COR_PROOF_SERIES_MAX_P, "the end of the series");
-    const ball rest = ball(factor) * p * p, moved = p * ball(delta / 2 * (1 + 1e-9));
+    const ball rest = factor * p * p, moved = p * ball(delta / 2 * (1 + 1e-9));
     require((rest + moved).above() * (1 + 1e-9) < COR_PROOF_SERIES_MAX_LOW, "t.lo of the series");
-    const ball correction = ball(COR_PROOF_ROOT) * p + p * ball(delta * delta);
-    const ball cut = ball(COR_PROOF_SERIES_DEFECT) * p * p * (ball(1) + p) * ball(1 + 1e-9);
-    const ball error = correction + ball(slope) * p * moved + ball(COR_PROOF_SERIES) * rest +
-                       ball(u) * (rest + moved) * ball(1 + 1e-9) + cut;
+    const ball correction = COR_PROOF_ROOT * p + p * ball(delta * delta);
+    const ball cut = COR_PROOF_SERIES_DEFECT * p * p * (ball(1) + p) * ball(1 + 1e-9);
+    const ball error =
+        correction + slope * p * moved + COR_PROOF_SERIES * rest + ball(u) * (rest + moved) * ball(1 + 1e-9) + cut;
     return error.above();
 }
 
@@ -193,7 +179,7 @@ static double step_error(double low, double high, const library &n)
             /* for q >= 3 every operation of start_of is monotone */
             start = from_to(ball(start_of(std::max(q.below(), 3.0), 0)), ball(start_of(q.above(), 0)));
         } else {
-            const ball p = function_of(arb_sqrt, ball(2) * q) * (ball(1) + around_0(u));
+            const ball p = sqrt(2 * q) * (ball(1) + around_0(u));
             start = ball(1) + p * (ball(1) + p * (ball(1.0 / 3) + p * (ball(1.0 / 36) - p * ball(1.0 / 270))));
             start = start * (ball(1) + around_0(COR_PROOF_START));
         }
@@ -205,15 +191,14 @@ static double step_error(double low, double high, const library &n)
         }
         const ball W = ball(0.5) - e / ball(3) + around_0(most * most / 3.9);
         const ball V = ball(1) / ball(18) + around_0(0.68 * most);
-        const ball r = v * e + e2 * W, b = ball(2) * v * v + ball(4) / ball(3) * v * r;
-        const ball divisor = v * (b + ball(2) * r);
-        const ball missed = e2 * e2 * (v * v * V + W * W * (ball(1) + ball(4) * v / ball(3))) / divisor;
+        const ball r = v * e + e2 * W, b = 2 * v * v + ball(4) / 3 * v * r;
+        const ball divisor = v * (b + 2 * r);
+        const ball missed = e2 * e2 * (v * v * V + W * W * (ball(1) + 4 * v / ball(3))) / divisor;
         /* the error of r: q.lo, log, two roundings; and the derivative of the step */
-        const ball residual =
-            ball(u) * (ball(1.1) * q + ball(2 * n.log) * function_of(arb_log, start) + q + v + ball(1));
-        const ball N = r * (b + r), dN = ball(4) * v * v + (ball(16) / ball(3) * v + ball(2)) * r - ball(2) * v * v -
-                                         (ball(8) / ball(3) * v) * r;
-        const ball dD = v * (ball(4) / ball(3) * v + ball(2));
+        const ball residual = ball(u) * (1.1 * q + (2 * n.log) * log(start) + q + v + ball(1));
+        const ball N = r * (b + r),
+                   dN = 4 * v * v + (ball(16) / 3 * v + ball(2)) * r - 2 * v * v - (ball(8) / 3 * v) * r;
+        const ball dD = v * (ball(4) / 3 * v + ball(2));
         const ball derivative = (dN * divisor - N * dD) / (divisor * divisor);
         require(size(r).above() + residual.above() <= COR_PROOF_FIRST_RESIDUAL * start.below() * (1 - 1e-3),
                 "the first residual");
@@ -234,12 +219,12 @@ static double newton_error(double low, double high, const library &n)
         e = std::max(e, step_error(a, b, n));
     }
     const ball y = ball(1) + from_to(ball(low), ball(high)), t = y - ball(1);
-    const double log_error = n.log * ulp(function_of(arb_log, y).above() * (1 + 1e-8));
+    const double log_error = n.log * ulp(log(y).above() * (1 + 1e-8));
     /* a cell of the goals ends at 1.5 times its lower end at most */
     require(e * 1.5 + log_error + 0x1p-48 < COR_PROOF_SECOND_RESIDUAL, "the second residual");
-    require((function_of(arb_log, y) - ball(e) * y).below() > 0.3, "1 + t - y and q in one order");
-    const ball cut = ball(e * e) * y / t * ball(0.51);
-    const ball total = ball(COR_PROOF_NEWTON) * y + y / t * ball(log_error * (1 + 1e-8)) + cut;
+    require((log(y) - e * y).below() > 0.3, "1 + t - y and q in one order");
+    const ball cut = (e * e) * y / t * ball(0.51);
+    const ball total = COR_PROOF_NEWTON * y + y / t * ball(log_error * (1 + 1e-8)) + cut;
     return total.above();
 }
 
@@ -267,7 +252,7 @@ static double depth_error(double low, double high, const library &n, double limi
     if (high > border * (1 - 1e-12)) /* |ln(m)| < 0.3466 has units of 2^-54 and less */
         error = n.log * 0x1p-54 + COR_PROOF_FAR + 0x1p-99;
     if (low < border * (1 + 1e-12)) {
-        const ball q = std::min(high, 0.51), d = ball(1) - function_of(arb_exp, ball(0) - q);
+        const ball q = std::min(high, 0.51), d = ball(1) - exp(ball(0) - q);
         const double last = n.log1p * ulp(q.above());
         const double near = last + (d * ball(u * (1 + 1e-9)) + q * ball(4 * COR_PROOF_NEAR + 0x1p-90)).above() + limit;
         error = std::max(error, near);
@@ -286,7 +271,7 @@ static double off(const pair &x, const ball &exact)
 /* cor_pair_plus(x, y) has two roundings, of sums of low parts below u |x|, u |y| and u |x + y|. */
 static ball plus_error(const ball &x, const ball &y, const ball &sum)
 {
-    return ball(1.001 * u * u) * (ball(2) * size(x) + ball(2) * size(y) + size(sum));
+    return ball(1.001 * u * u) * (2 * size(x) + 2 * size(y) + size(sum));
 }
 
 /* The relative error of pair_exp(x) for x between low and high, |x| < 2: of s = exp(x/512) - 1 by Horner's rule in
@@ -304,13 +289,13 @@ static double exp_error(double low, double high)
     }
     e = e + ball(0x1p-105); /* the terms from r^11/11! on, r < 2^-8 */
     for (int i = 0; i < 9; i++) {
-        const ball value = function_of(arb_expm1, x / ball(ldexp(512, -i)));
+        const ball value = expm1(x / ball(ldexp(512, -i)));
         const ball whole = size(ball(2) + value);
         e = (e * size(ball(2) + ball(2) * value) * ball(1 + 1e-9) + size(value) * ball(COR_PROOF_PAIR_TIMES) +
              plus_error(ball(2), value, whole)) /
             whole;
     }
-    const ball value = function_of(arb_expm1, x), whole = ball(1) + value;
+    const ball value = expm1(x), whole = ball(1) + value;
     return ((size(value) * e + plus_error(ball(1), value, whole)) / whole).above();
 }
 
@@ -318,29 +303,23 @@ static double exp_error(double low, double high)
  * exp(2 b - 2), with b - 1 = -2 + slope nu, or -1 - 2 ln 2 - 1/4 + slope nu. Returns the relative error of a limit. */
 static double limit_error(void)
 {
-    ball circle;
-    arb_const_pi(circle.x, bits);
-    const ball root = function_of(arb_sqrt, ball(2));
-    const double constants = std::max(
-        {off(pi, circle), off(half_pi, circle / ball(2)), off(four_pi, ball(4) * circle),
-         off(one_over_pi, ball(1) / circle), off(one_over_two_pi, ball(1) / (ball(2) * circle)), off(root_2, root),
-         off(root_2_pi, root * circle), off(four.number, ball(4)), off(four.log, function_of(arb_log, ball(4))),
-         off(log_four_pi.number, ball(4) * circle), off(log_four_pi.log, function_of(arb_log, ball(4) * circle))});
+    const ball circle = pi_ball(), root = sqrt(ball(2));
+    const double constants =
+        std::max({off(pi, circle), off(half_pi, circle / ball(2)), off(four_pi, 4 * circle),
+                  off(one_over_pi, 1 / circle), off(one_over_two_pi, ball(1) / (2 * circle)), off(root_2, root),
+                  off(root_2_pi, root * circle), off(four.number, ball(4)), off(four.log, log(ball(4))),
+                  off(log_four_pi.number, 4 * circle), off(log_four_pi.log, log(4 * circle))});
     require(constants < 0x1p-104, "the constants of the law");
     double numbers = 0;
     for (int quantity = 0; quantity < 4; quantity++)
         for (int datum = 0; datum < 3; datum++) {
             struct limit limit;
             find_limit((enum quantity)quantity, 0, (enum cor_disk_datum)datum, &limit);
-            const ball exponent = datum == COR_DISK_DATUM_CENTRE_OF_MASS
-                                      ? ball(-1.25) - ball(2) * function_of(arb_log, ball(2))
-                                      : ball(-2);
-            const ball factor = quantity == COMPRESSION ? ball(4)
-                                : quantity == SPEED     ? ball(2) * root
-                                                        : ball(4) * circle;
-            const ball number = factor * function_of(arb_exp, ball(quantity == ENERGY ? 2 : 1) * exponent);
+            const ball exponent = datum == COR_DISK_DATUM_CENTRE_OF_MASS ? ball(-1.25) - 2 * log(ball(2)) : ball(-2);
+            const ball factor = quantity == COMPRESSION ? ball(4) : quantity == SPEED ? 2 * root : 4 * circle;
+            const ball number = factor * exp(ball(quantity == ENERGY ? 2 : 1) * exponent);
             numbers = std::max({numbers, off(limit.at_zero.number, number)});
-            require(off(limit.at_zero.log, function_of(arb_log, number)) < 0x1p-102, "the logarithm of a limit");
+            require(off(limit.at_zero.log, log(number)) < 0x1p-102, "the logarithm of a limit");
         }
     require(numbers < 0x1p-104, "a limit at nu = 0");
     require(four.number.hi == 4 && four.number.lo == 0, "4");
@@ -478,34 +457,27 @@ static void sum_over_t(double limit)
 /* R = y - 1 - ln(y) - q of y = pi/(c_0 + c_0' + c_1 t + ...) in powers of t - at, where q = 2^octave (node + t) */
 static void residual_series(arb_poly_t r, const double *c, double node, int octave, const ball &at, slong terms)
 {
-    arb_poly_t y, log;
-    arb_poly_init(y);
-    arb_poly_init(log);
+    LOCAL(arb_poly, y, log);
     for (slong k = 1; k < COR_INLINE_COLUMNS; k++)
         arb_poly_set_coeff_arb(r, k - 1, ball(c[k]).x);
     arb_poly_set_coeff_arb(r, 0, (ball(c[0]) + ball(c[1])).x);
     arb_poly_taylor_shift(r, r, at.x, bits);
     arb_poly_inv_series(y, r, terms, bits);
-    ball circle, q = (ball(node) + at) * ball(ldexp(1, octave)) + ball(1);
-    arb_const_pi(circle.x, bits);
-    arb_poly_scalar_mul(y, y, circle.x, bits);
+    const ball q = (ball(node) + at) * ball(ldexp(1, octave)) + ball(1);
+    arb_poly_scalar_mul(y, y, pi_ball().x, bits);
     arb_poly_log_series(log, y, terms, bits);
     arb_poly_sub(r, y, log, bits);
     arb_poly_zero(y);
     arb_poly_set_coeff_arb(y, 0, q.x);
     arb_poly_set_coeff_arb(y, 1, ball(ldexp(1, octave)).x);
     arb_poly_sub(r, r, y, bits);
-    arb_poly_clear(y);
-    arb_poly_clear(log);
 }
 
 /* The relative error of a row of the load in its cell |t| <= half: |R|/t_least, by Taylor's theorem */
 static double row_defect(const double *c, double node, int octave, double half, double t_least)
 {
     enum { TERMS = 16 };
-    arb_poly_t at_node, in_cell;
-    arb_poly_init(at_node);
-    arb_poly_init(in_cell);
+    LOCAL(arb_poly, at_node, in_cell);
     residual_series(at_node, c, node, octave, ball(0), TERMS);
     residual_series(in_cell, c, node, octave, around_0(half), TERMS + 1);
     ball sum(0), power(1), term;
@@ -513,8 +485,6 @@ static double row_defect(const double *c, double node, int octave, double half, 
         arb_poly_get_coeff_arb(term.x, k < TERMS ? at_node : in_cell, k);
         sum = sum + size(term) * power;
     }
-    arb_poly_clear(at_node);
-    arb_poly_clear(in_cell);
     return sum.above() / t_least * (1 + 1e-9);
 }
 
@@ -528,9 +498,7 @@ static void sum_over_rows(void)
         const int octave = COR_ROWS_DISK_LOAD_FACTOR_FIRST_OCTAVE + i / cells;
         const double *const c = cor_rows_disk_load_factor(i);
         const double half = 0.5 / cells, node = 1 + (i % cells + 0.5) / cells;
-        ball w, z = ball(0) - function_of(arb_exp, ball(-1) - ball(ldexp(node - half, octave)));
-        arb_lambertw(w.x, z.x, 1, bits);
-        const double t_least = (ball(-1) - w).below();
+        const double t_least = lambert_t(ldexp(node - half, octave)).below();
         double share = 0, power = 1;
         for (int k = 1; k < COR_INLINE_COLUMNS; k++, power *= half)
             share += fabs(c[k]) * power / c[0] * (1 + 1e-9);
@@ -600,10 +568,7 @@ static void check_borders(void)
         for (int i = 0; i < STEPS; i++)
             x = nextafter(x, 0);
         for (int i = 0; i < 2 * STEPS; i++, x = nextafter(x, 1)) {
-            const ball z = ball(0) - function_of(arb_exp, ball(0) - ball(1) - ball(x));
-            ball w;
-            arb_lambertw(w.x, z.x, 1, bits);
-            const ball value = ball(0) - w - ball(1);
+            const ball value = lambert_t(x);
             worst = std::max(worst, size((ball(cor_lambert_t(x)) - value) / ball(ulp(value.below()))).above());
         }
     }
