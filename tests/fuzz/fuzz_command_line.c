@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The whole of corgen, from its command line to its output: the input's lines are the arguments. Each subcommand is run
- * by a function below, which first checks what the parser let through, and goes on where the subcommand is cheap.
+ * by a function below, which first checks what the parser let through, by the rules of the options, and goes on where
+ * the subcommand is cheap.
  *
  * It runs in a directory of its own, two deep, and arguments have no slash but between digits: nothing outside can be
  * written. stdout and stderr are streams in memory meanwhile; what the sanitizers and libFuzzer say goes to the
@@ -28,34 +29,58 @@ int LLVMFuzzerInitialize(int *argc, char ***argv);
 
 enum { ARGUMENTS_MAX = 24, SIZE_MAX_INPUT = 600, PATH_LENGTH = 4096 };
 
-/* Whether the subcommand was too large to be run */
-static bool skipped;
+/* Whether the subcommand was too large to be run, and whether plan runs, which goes on to where its modes begin */
+static bool skipped, planning;
 
-static void require_whole(slong value, slong low, slong high)
+/* What an option has is in its range, or its default. */
+static void require_option(const char *field, const char *by_default, const struct option_rule *rule)
 {
-    REQUIRE(value >= low && value <= high, "%ld", (long)value);
-}
-
-static void require_number(const struct decimal *number)
-{
-    if (!number->text)
-        return;
+    const bool is_long = rule->kind == OPTION_WHOLE, is_int = rule->kind == OPTION_WORD;
+    const slong whole = is_long ? *(const slong *)(const void *)field : is_int ? *(const int *)(const void *)field : 0;
+    const struct decimal *const number = (const void *)field;
+    const struct values *const list = (const void *)field;
+    const char *const *const text = (const void *)field;
     char *end;
-    strtod(number->text, &end);
-    REQUIRE(*number->text && (*end == '\0' || *end == '/'), "number '%s'", number->text);
+    slong words = 0;
+    if ((is_long || is_int) && memcmp(field, by_default, is_long ? sizeof(slong) : sizeof(int)) == 0)
+        return;
+    switch (rule->kind) {
+    case OPTION_WHOLE:
+        REQUIRE(whole >= rule->range.whole.low && whole <= rule->range.whole.high, "--%s %ld", rule->name, (long)whole);
+        break;
+    case OPTION_WORD:
+        while (rule->range.words[words] != NULL)
+            words++;
+        REQUIRE(whole >= 0 && whole < words, "--%s %ld", rule->name, (long)whole);
+        break;
+    case OPTION_REAL:
+        if (number->text != NULL) {
+            strtod(number->text, &end);
+            REQUIRE(*number->text && (*end == '\0' || *end == '/'), "--%s '%s'", rule->name, number->text);
+        }
+        break;
+    case OPTION_LIST:
+        REQUIRE(!list->text || (list->count >= 1 && list->count <= VALUES_MAX), "--%s '%s'", rule->name, list->text);
+        break;
+    case OPTION_C_NAME:
+        REQUIRE(!*text || (strlen(*text) <= OPTIONS_MAX_NAME && !isdigit((unsigned char)**text)), "name '%s'", *text);
+        break;
+    case OPTION_TEXT:
+    case OPTION_FILE:
+        REQUIRE(!*text || **text, "--%s, an empty text", rule->name);
+        break;
+    default:
+        break;
+    }
 }
 
-static void require_name(const char *name)
+static int run_if(bool cheap, const struct subcommand *command, const void *arguments)
 {
-    REQUIRE(!name || *name, "an empty name");
-}
-
-static int run_if(bool cheap, const struct subcommand *command, const struct option_common *o)
-{
-    require_whole(o->format, FORMAT_TEXT, FORMAT_LATEX);
-    require_name(o->output);
+    for (const struct option_rule *rule = command->options; rule->name != NULL; rule++)
+        require_option((const char *)arguments + rule->offset, (const char *)command->defaults + rule->offset, rule);
     skipped = !cheap;
-    return cheap ? command->run(o) : STATUS_OK;
+    planning = command == &command_plan;
+    return cheap ? command->run(arguments) : STATUS_OK;
 }
 
 static bool short_number(const struct decimal *number)
@@ -82,56 +107,12 @@ static bool no_law(const struct option_law *text)
     return options_law(&law, text) != STATUS_OK;
 }
 
-/* The function of a subcommand: what the parser must have seen to, and whether its work is cheap */
-#define FUZZED(name, cheap, ...)                                                                                       \
-    static int fuzz_##name(const void *arguments)                                                                      \
-    {                                                                                                                  \
-        const struct name##_arguments *const o = arguments;                                                            \
-        __VA_ARGS__;                                                                                                   \
-        return run_if(cheap, &command_##name, &o->common);                                                             \
-    }
-
-FUZZED(trajectory, no_law(&o->law) || (o->order <= 8 && o->terms <= 8), require_whole(o->order, 0, 100000),
-       require_whole(o->terms, 0, 100000))
-FUZZED(series, no_law(&o->law) || (o->order <= 6 && o->digits <= 40 && simple_law(&o->law)),
-       require_whole(o->order, 0, 100000), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
-FUZZED(pade,
-       no_law(&o->law) || (o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point &&
-                           simple_law(&o->law)),
-       require_whole(o->numerator, OPTIONS_NOT_GIVEN, 2000), require_whole(o->denominator, OPTIONS_NOT_GIVEN, 2000),
-       require_whole(o->digits, 1, OPTIONS_MAX_DIGITS), require_name(o->header))
-FUZZED(collide,
-       no_law(&o->law) || (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) && !o->stiffness.text &&
-                           decimal_value(&o->beta) < 3),
-       require_number(&o->beta), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
-FUZZED(disk_modes, o->count <= 6 && o->digits <= 40 && short_number(&o->poisson), require_number(&o->poisson),
-       require_whole(o->count, 1, DISK_MODES_MAX), require_whole(o->digits, 1, OPTIONS_MAX_DIGITS))
-FUZZED(tables,
-       o->request.modes != 0 && o->request.modes <= 6 && o->request.poisson.text != NULL &&
-           short_number(&o->request.poisson),
-       require_number(&o->request.poisson))
-
 /* Whether a list is short and its values are in a range, or the list is not given */
 static bool few(const struct values *values, size_t most, double least, double largest)
 {
-    if (values->count == 0)
-        return !values->text;
-    REQUIRE(values->count >= 1 && values->count <= VALUES_MAX, "list '%s' has %zu values", values->text, values->count);
-    return values->count <= most && values_least(values) >= least && values_largest(values) <= largest;
-}
-
-FUZZED(disk_collide,
-       few(&o->request.sweep.speed, 4, 0.01, 0.5) && few(&o->request.sweep.poisson, 1, -0.95, 0.95) &&
-           few(&o->request.sweep.alpha, 2, 0, 200) && few(&o->request.sweep.modes, 2, 1, 6) &&
-           (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) && o->phi_points <= 100 && o->threads <= 3,
-       require_number(&o->tolerance))
-
-static void require_scene(const struct embed_request *scene)
-{
-    for (int i = 0; i < EMBED_NUMBERS; i++)
-        require_number(&scene->number[i]);
-    REQUIRE(!scene->name || (strlen(scene->name) <= OPTIONS_MAX_NAME && !isdigit((unsigned char)*scene->name)),
-            "name '%s'", scene->name);
+    return values->count == 0
+               ? !values->text
+               : values->count <= most && values_least(values) >= least && values_largest(values) <= largest;
 }
 
 /* Whether the damping of a scene takes no collision */
@@ -140,31 +121,30 @@ static bool solves_nothing(const struct embed_request *scene)
     return !scene->number[COR_SCENE_RESTITUTION].text && !scene->number[COR_SCENE_ZETA].text;
 }
 
-FUZZED(embed, solves_nothing(&o->scene), require_scene(&o->scene))
+/* The function of a subcommand, and whether its work is cheap */
+#define FUZZED(name, cheap)                                                                                            \
+    static int fuzz_##name(const void *arguments)                                                                      \
+    {                                                                                                                  \
+        const struct name##_arguments *const o = arguments;                                                            \
+        return run_if(cheap, &command_##name, arguments);                                                              \
+    }
 
-/* Neither standard input nor gnuplot */
-static int fuzz_fit(const void *arguments)
-{
-    const struct fit_arguments *const o = arguments;
-    require_number(&o->gravity);
-    for (int i = 0; i < EMBED_NUMBERS; i++)
-        require_number(&o->scene.number[i]);
-    require_name(o->data);
-    return run_if(strcmp(o->data, "-") != 0 && !o->plot, &command_fit, &o->common);
-}
-
-/* plan goes on to where its modes or collisions begin, */
-static bool planning;
-
-static int fuzz_plan(const void *arguments)
-{
-    const struct plan_arguments *const o = arguments;
-    require_scene(&o->scene);
-    planning = true;
-    const int status = run_if(solves_nothing(&o->scene), &command_plan, &o->common);
-    planning = false;
-    return status;
-}
+FUZZED(trajectory, no_law(&o->law) || (o->order <= 8 && o->terms <= 8))
+FUZZED(series, no_law(&o->law) || (o->order <= 6 && o->digits <= 40 && simple_law(&o->law)))
+FUZZED(pade, no_law(&o->law) || (o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point &&
+                                 simple_law(&o->law)))
+FUZZED(collide, no_law(&o->law) || (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) &&
+                                    !o->stiffness.text && decimal_value(&o->beta) < 3))
+FUZZED(disk_modes, o->count <= 6 && o->digits <= 40 && short_number(&o->poisson))
+FUZZED(tables, o->request.modes != 0 && o->request.modes <= 6 && o->request.poisson.text != NULL &&
+                   short_number(&o->request.poisson))
+FUZZED(disk_collide, few(&o->request.sweep.speed, 4, 0.01, 0.5) && few(&o->request.sweep.poisson, 1, -0.95, 0.95) &&
+                         few(&o->request.sweep.alpha, 2, 0, 200) && few(&o->request.sweep.modes, 2, 1, 6) &&
+                         (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) && o->phi_points <= 100 &&
+                         o->threads <= 3)
+FUZZED(embed, solves_nothing(&o->scene))
+FUZZED(fit, strcmp(o->data, "-") != 0 && !o->plot) /* neither standard input nor gnuplot */
+FUZZED(plan, solves_nothing(&o->scene))
 
 /* corgen's subcommands with the functions above in the place of theirs. */
 static int corgen_main(int argc, char **argv)
@@ -172,16 +152,10 @@ static int corgen_main(int argc, char **argv)
     static const struct {
         const struct subcommand *command;
         int (*run)(const void *arguments);
-    } row[] = {{&command_trajectory, fuzz_trajectory},
-               {&command_series, fuzz_series},
-               {&command_pade, fuzz_pade},
-               {&command_collide, fuzz_collide},
-               {&command_disk_modes, fuzz_disk_modes},
-               {&command_disk_collide, fuzz_disk_collide},
-               {&command_embed, fuzz_embed},
-               {&command_fit, fuzz_fit},
-               {&command_plan, fuzz_plan},
-               {&command_tables, fuzz_tables}};
+    } row[] = {
+#define ROW(name) {&command_##name, fuzz_##name}
+        ROW(trajectory),   ROW(series), ROW(pade), ROW(collide), ROW(disk_modes),
+        ROW(disk_collide), ROW(embed),  ROW(fit),  ROW(plan),    ROW(tables)};
     enum { ROWS = sizeof row / sizeof *row };
     struct subcommand copy[ROWS];
     const struct subcommand *table[ROWS + 1] = {NULL};
@@ -193,17 +167,19 @@ static int corgen_main(int argc, char **argv)
     return subcommand_run(table, "fuzzed", argc, argv);
 }
 
-int __real_disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);
-int __wrap_disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);
-int __wrap_disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count)
+/* Functions in the place of others (CMakeLists.txt, LINKER:--wrap) */
+#define WRAPPED(type, name, ...)                                                                                       \
+    type __real_##name(__VA_ARGS__);                                                                                   \
+    type __wrap_##name(__VA_ARGS__);                                                                                   \
+    type __wrap_##name(__VA_ARGS__)
+
+WRAPPED(int, disk_modes_rounded, struct cor_disk_modes *modes, const fmpq_t nu, slong count)
 {
     return planning ? fail("the fuzzer finds no modes here") : __real_disk_modes_rounded(modes, nu, count);
 }
 
 /* A constant that takes a second is computed once. */
-int __real_collision_h_star(arb_t h, slong bits);
-int __wrap_collision_h_star(arb_t h, slong bits);
-int __wrap_collision_h_star(arb_t h, slong bits)
+WRAPPED(int, collision_h_star, arb_t h, slong bits)
 {
     static arb_t known;
     static slong known_bits;
@@ -216,9 +192,9 @@ int __wrap_collision_h_star(arb_t h, slong bits)
     return STATUS_OK;
 }
 
-/* and embed goes on to where its do. */
-struct interpolant *__wrap_interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);
-struct interpolant *__wrap_interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max)
+/* embed and plan go on to where their collisions begin. */
+WRAPPED(struct interpolant *, interpolant_new, const struct interpolant_layout *layout, double beta_min,
+        double beta_max)
 {
     (void)layout;
     REQUIRE(beta_min > 0 && beta_min < beta_max && beta_max < 1e70, "beta from %a to %a", beta_min, beta_max);
@@ -227,16 +203,14 @@ struct interpolant *__wrap_interpolant_new(const struct interpolant_layout *layo
 }
 
 /* No thread computes the series. */
-void __wrap_embed_series_begin(struct embed_series *series, const struct law *law, enum contact_end end);
-void __wrap_embed_series_begin(struct embed_series *series, const struct law *law, enum contact_end end)
+WRAPPED(void, embed_series_begin, struct embed_series *series, const struct law *law, enum contact_end end)
 {
     (void)law;
     (void)end;
     arb_poly_init(series->eps);
 }
 
-int __wrap_embed_series_end(struct embed_series *series);
-int __wrap_embed_series_end(struct embed_series *series)
+WRAPPED(int, embed_series_end, struct embed_series *series)
 {
     (void)series;
     return fail("the fuzzer computes no series");

@@ -69,30 +69,22 @@ static void run(const uint8_t *input, size_t size)
     free(copy);
 }
 
-static int hex_digit(char c)
+/* \n, \\ and \x with two digits stand for bytes. */
+static size_t unpack(const char *line, uint8_t *input)
 {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-}
-
-/* \n, \\ and \x with two digits; false for anything else behind a backslash */
-static int unpack(const char *line, uint8_t *input, size_t *size)
-{
-    for (*size = 0; *line && *line != '\n'; ++*size) {
-        if (*size == INPUT_MAX)
-            return 0;
-        if (*line != '\\') {
-            input[*size] = (uint8_t)*line++;
-        } else if (line[1] == 'n' || line[1] == '\\') {
-            input[*size] = line[1] == 'n' ? '\n' : '\\';
-            line += 2;
-        } else if (line[1] == 'x' && hex_digit(line[2]) >= 0 && hex_digit(line[3]) >= 0) {
-            input[*size] = (uint8_t)(hex_digit(line[2]) << 4 | hex_digit(line[3]));
-            line += 4;
-        } else {
-            return 0;
+    size_t size = 0;
+    for (; *line && *line != '\n' && size < INPUT_MAX; size++) {
+        unsigned byte = (uint8_t)*line++;
+        if (byte == '\\') {
+            if (sscanf(line, "x%2x", &byte) == 1)
+                line += 2;
+            else
+                byte = *line == 'n' ? '\n' : '\\';
+            line++;
         }
+        input[size] = (uint8_t)byte;
     }
-    return 1;
+    return size;
 }
 
 int main(int argc, char **argv)
@@ -114,13 +106,10 @@ int main(int argc, char **argv)
         LLVMFuzzerInitialize(&argc, &argv);
     static char line[LINE_MAX_LENGTH];
     static uint8_t input[INPUT_MAX], changed[INPUT_MAX];
-    size_t inputs = 0, size;
+    size_t inputs = 0;
     fgets(line, sizeof line, corpus); /* the licence */
     for (; fgets(line, sizeof line, corpus); inputs++) {
-        if (!unpack(line, input, &size)) {
-            fprintf(stderr, "%s: input %zu is no input\n", argv[1], inputs + 1);
-            return 2;
-        }
+        const size_t size = unpack(line, input);
         run(input, size);
         for (unsigned long i = 0; i < copies; i++) {
             memcpy(changed, input, size);
