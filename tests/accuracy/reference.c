@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference.h"
 
+#include "ball_value.h"
 #include "series/restitution.h"
 #include "series/series.h"
 #include "support/formula.h"
@@ -239,16 +240,6 @@ static bool fall_joined(void)
 
 /* ---- tables ---- */
 
-static long double rounded(const arb_t x)
-{
-    mpfr_t y;
-    mpfr_init2(y, BITS);
-    arf_get_mpfr(y, arb_midref(x), MPFR_RNDN);
-    const long double value = mpfr_get_ld(y, MPFR_RNDN);
-    mpfr_clear(y);
-    return value;
-}
-
 /* The first coefficient of a polynomial, in two parts */
 static void first_split(long double *c, long double *low, const arb_t x)
 {
@@ -256,7 +247,7 @@ static void first_split(long double *c, long double *low, const arb_t x)
     LOCAL(arb, less);
     LET(less, BITS, "x - high", x, high);
     *c = high;
-    *low = rounded(less);
+    *low = ball_value(less);
 }
 
 /* From a power series in beta (stride 1) or sqrt(beta) (stride 2) without its first terms, of which `power` are even */
@@ -267,12 +258,12 @@ static void small_set(enum quantity quantity, const arb_poly_t g, int stride, in
     small->power = power;
     for (slong k = 0; k < TERMS; k++) {
         arb_poly_get_coeff_arb(c, g, stride * (k + power));
-        small->even[k] = rounded(c);
+        small->even[k] = ball_value(c);
         if (k == 0)
             first_split(&small->even[0], &small->low, c);
         if (stride == 2) {
             arb_poly_get_coeff_arb(c, g, 2 * (k + power) + 1);
-            small->odd[k] = rounded(c);
+            small->odd[k] = ball_value(c);
         }
     }
 }
@@ -417,7 +408,7 @@ static void build_cell(struct place place, arb_srcptr x)
         arb_poly_interpolate_barycentric(g, x, values + q * POINTS, POINTS, 2 * BITS);
         for (slong k = 0; k < POINTS; k++) {
             arb_poly_get_coeff_arb(c, g, k);
-            cell->c[k] = rounded(c);
+            cell->c[k] = ball_value(c);
             if (k == 0)
                 first_split(&cell->c[0], &cell->low, c);
         }
@@ -439,7 +430,7 @@ int reference_build(void)
     if (build_series() != 0)
         return 1;
     fall_build(c);
-    h_star_5 = rounded(c);
+    h_star_5 = ball_value(c);
     for (slong j = 0; j < POINTS; j++) {
         const slong odd = 2 * j + 1, points = POINTS;
         LET(c, 2 * BITS, "odd/(2*points)", odd, points);
@@ -452,7 +443,7 @@ int reference_build(void)
         beta = place.middle + place.half;
     }
     arb_const_log2(c, BITS);
-    ln2 = rounded(c);
+    ln2 = ball_value(c);
     FOR_ALL(arb, clear, m.mu, m.step, fall_constant);
     return 0;
 }

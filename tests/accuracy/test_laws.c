@@ -8,8 +8,7 @@
 
 #include <stdio.h>
 
-#include <mpfr.h>
-
+#include "ball_value.h"
 #include "enclosure/collision.h"
 #include "reference_law.h"
 #include "search.h"
@@ -23,16 +22,6 @@ enum { BALL_BITS = 256 };
 
 /* exp(x), -exp(x) expm1 and so on of a long double keep what the double needs up to this L. */
 static const long double far_exponent = 16;
-
-static long double nearest_long_double(const arb_t x)
-{
-    mpfr_t y;
-    mpfr_init2(y, 64);
-    arf_get_mpfr(y, arb_midref(x), MPFR_RNDN);
-    const long double value = mpfr_get_ld(y, MPFR_RNDN);
-    mpfr_clear(y);
-    return value;
-}
 
 /* exp(-share L), L by acos, acosh and logarithms, in balls; with limited damping for zeta > 1 */
 static long double eps_far(enum law_end end, double zeta, struct ratio share)
@@ -50,7 +39,7 @@ static long double eps_far(enum law_end end, double zeta, struct ratio share)
     if (end == LAW_LIMITED)
         LET(phase, BALL_BITS, "2*phase - log(1 + 2*zeta^2 + 2*zeta*om) + log1p(8*zeta^2)/2", phase, zeta, om);
     LET(l, BALL_BITS, "exp(-share*zeta*phase/om)", share, zeta, phase, om);
-    return nearest_long_double(l);
+    return ball_value(l);
 }
 
 /* eps or 1 - eps */
@@ -333,7 +322,7 @@ static long double no_slip_exact(double kappa, double a)
     arb_cos_pi(d, d, NO_SLIP_BITS);
     arb_cos_pi(e, e, NO_SLIP_BITS);
     LET(d, NO_SLIP_BITS, "d/e", d, e);
-    return nearest_long_double(d);
+    return ball_value(d);
 }
 
 /* kappa of every size, and the doubles next to the zeros of the cosine: what is computed exactly 0 must be a zero. */

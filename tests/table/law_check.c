@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "law_check.h"
 
+#include "../accuracy/ball_value.h"
 #include "../unit/check.h"
 #include "enclosure/collision.h"
 #include "support/formula.h"
@@ -13,15 +14,13 @@ enum { CHECK_EPS, CHECK_LOSS, CHECK_BETA, CHECK_BETA_OF_LOSS, CHECK_DURATION, CH
 static const char *const check_name[CHECKS] = {"eps",      "loss",        "beta",           "beta of loss",
                                                "duration", "max overlap", "time of largest"};
 
-struct law_worst {
-    double ulp[2][CHECKS], at[2][CHECKS];
-};
-
 struct law_case {
     const struct law_functions *f;
     struct law law;
     double threshold; /* of zero overlap, or infinity */
-    struct law_worst worst;
+    struct {
+        double ulp[2][CHECKS], at[2][CHECKS];
+    } worst;
 };
 
 static void case_init(struct law_case *c, const struct law_functions *f)
@@ -37,31 +36,9 @@ static void case_init(struct law_case *c, const struct law_functions *f)
     }
 }
 
-double law_error_in_ulp(double computed, const arb_t exact)
-{
-    if (!arb_is_finite(exact))
-        return isinf(computed) ? 0 : HUGE_VAL;
-    if (arb_is_zero(exact))
-        return computed == 0 ? 0 : HUGE_VAL;
-    LOCAL(arb, difference);
-    const double size = arf_get_d(arb_midref(exact), ARF_RND_DOWN);
-    if (isinf(arf_get_d(arb_midref(exact), ARF_RND_NEAR))) /* a duration next to a threshold */
-        return isinf(computed) ? 0 : HUGE_VAL;
-    int exponent;
-    frexp(size, &exponent);
-    exponent = size == 0 || exponent < DBL_MIN_EXP ? DBL_MIN_EXP : exponent;
-    if (!isfinite(computed))
-        return HUGE_VAL;
-    arb_set_d(difference, computed);
-    arb_sub(difference, difference, exact, PREC);
-    arb_mul_2exp_si(difference, difference, DBL_MANT_DIG - exponent);
-    const double error = fabs(arf_get_d(arb_midref(difference), ARF_RND_UP));
-    return error;
-}
-
 static void note(struct law_case *c, int end, int what, double computed, const arb_t exact, double at)
 {
-    const double error = law_error_in_ulp(computed, exact);
+    const double error = arb_is_zero(exact) && computed != 0 ? HUGE_VAL : ulp_error(computed, ball_value(exact));
     const bool first = what == CHECK_EPS || what == CHECK_LOSS || what == CHECK_MAX_OVERLAP;
     if (!(error <= c->worst.ulp[end][what])) {
         c->worst.ulp[end][what] = error;
@@ -117,12 +94,11 @@ static void check_inverse(struct law_case *c, int end, double beta, const arb_t 
     const double room = fmin(beta, c->threshold - beta), step = ldexp(room, -STEP_BITS);
     if (arb_is_zero(eps) || !(step > 0) || beta - step == beta)
         return;
-    struct collision s;
+    LOCAL(collision, s);
     LOCAL(arb, x, slope, wanted, exact);
-    collision_init(&s);
     arb_set_d(x, beta - step);
-    assert_int_equal(case_solve(&s, c, x), 0);
-    arb_srcptr before = end ? s.eps_zero_force : s.eps_zero_overlap;
+    assert_int_equal(case_solve(s, c, x), 0);
+    arb_srcptr before = end ? s->eps_zero_force : s->eps_zero_overlap;
     LET(slope, PREC, "(eps - before)/(beta - x)", eps, before, beta, x);
     for (int of_loss = 0; of_loss < 2; of_loss++) {
         const int sign = of_loss ? -1 : 1;
@@ -135,46 +111,40 @@ static void check_inverse(struct law_case *c, int end, double beta, const arb_t 
             note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA,
                  (of_loss ? c->f->beta_of_loss : c->f->beta)[end](given), exact, given);
     }
-    collision_clear(&s);
 }
 
 static void check_beta(struct law_case *c, double beta, bool inverse)
 {
     const struct law_functions *f = c->f;
-    struct collision s;
+    LOCAL(collision, s);
     LOCAL(arb, x, loss);
     if (beta < 1e-100) {
         check_first_order(c, beta);
         return;
     }
-    collision_init(&s);
     arb_set_d(x, beta);
-    if (case_solve(&s, c, x))
-        fail_msg("%s: no collision at beta = %.17g", f->name, beta);
+    check(case_solve(s, c, x) == 0, "%s: no collision at beta = %.17g", f->name, beta);
     for (int end = 0; end < 2; end++) {
-        arb_srcptr eps = end ? s.eps_zero_force : s.eps_zero_overlap;
+        arb_srcptr eps = end ? s->eps_zero_force : s->eps_zero_overlap;
         note(c, end, CHECK_EPS, f->eps[end](beta), eps, beta);
         LET(loss, PREC, "1 - eps", eps);
         note(c, end, CHECK_LOSS, f->loss[end](beta), loss, beta);
-        note(c, end, CHECK_DURATION, f->duration[end](beta), end ? s.t_zero_force : s.t_zero_overlap, beta);
+        note(c, end, CHECK_DURATION, f->duration[end](beta), end ? s->t_zero_force : s->t_zero_overlap, beta);
         if (inverse)
             check_inverse(c, end, beta, eps);
     }
-    note(c, 0, CHECK_MAX_OVERLAP, f->max_overlap(beta), s.x_max, beta);
-    note(c, 0, CHECK_TIME, f->time_of_max_overlap(beta), s.t_max, beta);
-    collision_clear(&s);
+    note(c, 0, CHECK_MAX_OVERLAP, f->max_overlap(beta), s->x_max, beta);
+    note(c, 0, CHECK_TIME, f->time_of_max_overlap(beta), s->t_max, beta);
 }
 
 static void print_worst(const struct law_case *c, const char *what)
 {
+    static const char *const of_end[] = {" overlap", " force", ""};
     print_message("%s, %s, ulp (where):", c->f->name, what);
     for (int end = 0; end < 2; end++)
         for (int k = 0; k < CHECKS; k++)
             if (c->worst.ulp[end][k] > 0)
-                print_message(" %s%s %.3f (%.6g);", check_name[k],
-                              k >= CHECK_MAX_OVERLAP ? ""
-                              : end                  ? " force"
-                                                     : " overlap",
+                print_message(" %s%s %.3f (%.6g);", check_name[k], of_end[k >= CHECK_MAX_OVERLAP ? 2 : end],
                               c->worst.ulp[end][k], c->worst.at[end][k]);
     print_message("\n");
 }

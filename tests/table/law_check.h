@@ -35,9 +35,6 @@ void law_check_random(const struct law_functions *f, size_t points);
 void law_check_borders(const struct law_functions *f, size_t points); /* as many borders as that, chosen at random */
 void law_check_special(const struct law_functions *f);
 
-/* |computed - exact| in units of the last place of the exact value */
-double law_error_in_ulp(double computed, const arb_t exact);
-
 /* e -> beta -> e over all sizes of e, and of 1 - e */
 void law_check_round_trip(const struct law_functions *f, size_t points);
 

@@ -2,6 +2,7 @@
 /* hertz_dashpot.h against enclosed collisions. */
 #include "law_check.h"
 
+#include "../accuracy/ball_value.h"
 #include "../unit/check.h"
 #include "cor/hertz_dashpot.h"
 #include "enclosure/collision.h"
@@ -34,25 +35,10 @@ TEST(test_borders)
     law_check_borders(&functions, points(4));
 }
 
-/* eps, 1 - eps and the duration with damping while approaching only, by an enclosed largest overlap */
-struct approach {
-    arb_t eps, loss, duration;
-};
-
-static void approach_init(struct approach *a)
-{
-    FOR_ALL(arb, init, a->eps, a->loss, a->duration);
-}
-
-static void approach_clear(struct approach *a)
-{
-    FOR_ALL(arb, clear, a->eps, a->loss, a->duration);
-}
-LOCAL_STRUCT(approach)
-
 enum { APPROACH_BITS = 160 };
 
-static void approach_set(struct approach *a, double beta)
+/* eps and the duration with damping while approaching only, by an enclosed largest overlap */
+static void approach(arb_t eps, arb_t duration, double beta)
 {
     struct law law;
     LOCAL(collision, c, elastic);
@@ -62,9 +48,8 @@ static void approach_set(struct approach *a, double beta)
     assert_int_equal(collision_solve_force(c, x, &law, APPROACH_BITS), 0);
     arb_zero(x);
     assert_int_equal(collision_solve(elastic, x, &law, APPROACH_BITS), 0);
-    LET(a->eps, APPROACH_BITS, "sqrt(4/5)*c->x_max^(5/4)", c->x_max);
-    LET(a->loss, APPROACH_BITS, "1 - a->eps", a->eps);
-    LET(a->duration, APPROACH_BITS, "c->t_max + elastic->t_max*a->eps^(-1/5)", c->t_max, elastic->t_max, a->eps);
+    LET(eps, APPROACH_BITS, "sqrt(4/5)*c->x_max^(5/4)", c->x_max);
+    LET(duration, APPROACH_BITS, "c->t_max + elastic->t_max*eps^(-1/5)", c->t_max, elastic->t_max, eps);
 }
 
 static double moved(double x, int ulp)
@@ -79,21 +64,21 @@ static double moved(double x, int ulp)
 /* The beta of this eps lies within the bound of `beta`, for eps falls: eps as an exact number. */
 static void check_approach_inverse(double beta, const arb_t eps, const char *what)
 {
-    LOCAL(approach, at);
-    approach_set(at, moved(beta, -(int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
-    check(arb_ge(at->eps, eps), "%s: %.17g is too large", what, beta);
-    approach_set(at, moved(beta, (int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
-    check(arb_le(at->eps, eps), "%s: %.17g is too small", what, beta);
+    LOCAL(arb, at, duration);
+    approach(at, duration, moved(beta, -(int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
+    check(arb_ge(at, eps), "%s: %.17g is too large", what, beta);
+    approach(at, duration, moved(beta, (int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
+    check(arb_le(at, eps), "%s: %.17g is too small", what, beta);
 }
 
 static void check_approach(double worst[3], double beta, bool inverse)
 {
-    LOCAL(approach, a);
-    LOCAL(arb, x);
-    approach_set(a, beta);
+    LOCAL(arb, exact, exact_loss, duration, x);
+    approach(exact, duration, beta);
+    LET(exact_loss, APPROACH_BITS, "1 - exact", exact);
     const double eps = cor_hertz_dashpot_eps_approach_only(beta), loss = cor_hertz_dashpot_loss_approach_only(beta);
-    const double error[] = {law_error_in_ulp(eps, a->eps), law_error_in_ulp(loss, a->loss),
-                            law_error_in_ulp(cor_hertz_dashpot_duration_approach_only(beta), a->duration)};
+    const double error[] = {ulp_error(eps, ball_value(exact)), ulp_error(loss, ball_value(exact_loss)),
+                            ulp_error(cor_hertz_dashpot_duration_approach_only(beta), ball_value(duration))};
     for (int k = 0; k < 3; k++) {
         check(error[k] <= COR_HERTZ_DASHPOT_APPROACH_MAX_ULP, "quantity %d at %.17g: %.3f ulp", k, beta, error[k]);
         worst[k] = fmax(worst[k], error[k]);
