@@ -459,11 +459,12 @@ struct gappa {
         cut(name, interval);
     }
 
-    /* A double in an interval; exact and rounded version are the same. */
-    void variable_in(term id, interval x)
+    /* A double in an interval; or a real number there, whose rounded version is the double next to it */
+    void variable_in(term id, interval x, bool real = false)
     {
-        give(id, "= rnd(v" + std::to_string(id) + ")", "same");
-        assume(rounded(id) + " in " + within(x.low, x.high));
+        const std::string v = "v" + std::to_string(id);
+        give(id, "= rnd(" + v + ")", real ? v : "same");
+        assume((real ? v : rounded(id)) + " in " + within(x.low, x.high));
     }
 
     void define(term id)
@@ -587,16 +588,6 @@ static row row_for(const evaluator &f, number x)
     die(std::string(f.name) + ": no row for " + hex(x));
 }
 
-/* The nodes that the result depends on */
-static void mark_operands(int id, std::vector<bool> &needed)
-{
-    if (id < 0 || needed[(std::size_t)id])
-        return;
-    needed[(std::size_t)id] = true;
-    mark_operands(of(id).a, needed);
-    mark_operands(of(id).b, needed);
-}
-
 static bool is_constant(term id, number value)
 {
     return id >= 0 && of(id).what == CONSTANT && of(id).value == value;
@@ -610,8 +601,12 @@ struct landmarks {
 /* place: t of row 0, y - 0 - 0 step or y - 0 */
 static landmarks landmarks_of(int result)
 {
-    std::vector<bool> needed(nodes.size(), false);
-    mark_operands(result, needed);
+    std::vector<bool> needed(nodes.size(), false); /* what the result depends on */
+    needed[(std::size_t)result] = true;
+    for (int i = result; i >= 0; i--)
+        for (const int operand : {of(i).a, of(i).b})
+            if (needed[(std::size_t)i] && operand >= 0)
+                needed[(std::size_t)operand] = true;
     const auto find_node = [&](const std::function<bool(const node &)> &wanted) {
         for (std::size_t i = 0; i < nodes.size(); i++)
             if (needed[i] && wanted(nodes[i]))
@@ -672,14 +667,7 @@ static void write_row_piece(const evaluator &f, const interval &p, int index)
         const int m = l.loss >= 0 ? l.loss : l.x;
         g.variable_in(m, known[m] = {1, 2});
         known[l.place] = {0, r.high};
-        const std::string place = "v" + std::to_string(l.place); /* a real number, and the double next to it */
-        if (l.root >= 0) {
-            g.text += g.exact(l.place) + " = " + place + ";\n";
-            g.give(l.place, "= rnd(" + place + ")");
-            g.assume(place + " in " + within(0, r.high));
-        } else {
-            g.variable_in(l.place, known[l.place]);
-        }
+        g.variable_in(l.place, known[l.place], l.root >= 0);
     } else if (l.loss >= 0) {
         g.variable_in(l.loss, known[l.loss] = {1 - p.high, 1 - p.low});
     } else {

@@ -232,8 +232,28 @@ struct Bits {
     }
 };
 
+/* The result of an operation that has no meaning here, or of two constants */
+inline Bits mixed(word value, Bits x, Bits y)
+{
+    const Bits &one = x.what == Bits::NOTHING ? y : x;
+    return one.what == Bits::NOTHING ? Bits(value) : Bits(value, Bits::OTHER, one.of);
+}
+#define BITS_OPERATOR(sign)                                                                                            \
+    inline Bits operator sign(Bits x, Bits y)                                                                          \
+    {                                                                                                                  \
+        return mixed(x.value sign y.value, x, y);                                                                      \
+    }
+BITS_OPERATOR(+)
+BITS_OPERATOR(-)
+BITS_OPERATOR(*)
+BITS_OPERATOR(<<)
+BITS_OPERATOR(>>)
+
 inline Bits operator&(Bits x, Bits y)
 {
+    static const std::map<word, Bits::meaning> masks = {{UINT64_C(0xfffffffff8000000), Bits::TOP_26},
+                                                        {UINT64_C(0xfffffffffffff), Bits::FRACTION},
+                                                        {~UINT64_C(0x8000000000000000), Bits::OTHER}};
     const word value = x.value & y.value;
     if (y.what != Bits::NOTHING)
         return y & x;
@@ -241,58 +261,26 @@ inline Bits operator&(Bits x, Bits y)
         return Bits(value);
     if (y.value == ~(word)0)
         return x;
-    if (x.what == Bits::ALL && y.value == UINT64_C(0xfffffffff8000000))
-        return Bits(value, Bits::TOP_26, x.of);
-    if (x.what == Bits::ALL && y.value == UINT64_C(0xfffffffffffff))
-        return Bits(value, Bits::FRACTION, x.of);
-    if (x.what == Bits::ALL && y.value == ~UINT64_C(0x8000000000000000))
-        return Bits(value, Bits::OTHER, x.of);
+    if (x.what == Bits::ALL && masks.count(y.value))
+        return Bits(value, masks.at(y.value), x.of);
     decide(value); /* the cell of an octave */
     return Bits(value);
 }
 
 inline Bits operator|(Bits x, Bits y)
 {
-    const word value = x.value | y.value;
-    if (x.what == Bits::NOTHING && y.what == Bits::NOTHING)
-        return Bits(value);
     if (y.what != Bits::NOTHING && x.what == Bits::NOTHING)
         return y | x;
-    if (y.what == Bits::NOTHING && y.value == 0)
+    if (x.what != Bits::NOTHING && y.what == Bits::NOTHING && y.value == 0)
         return x;
     if (x.what == Bits::FRACTION && y.value == UINT64_C(0x3ff0000000000000))
-        return Bits(value, Bits::ONE_TO_TWO, x.of);
-    return Bits(value, Bits::OTHER, x.of);
+        return Bits(x.value | y.value, Bits::ONE_TO_TWO, x.of);
+    return mixed(x.value | y.value, x, y);
 }
 
 inline Bits operator~(Bits x)
 {
     return Bits(~x.value);
-}
-inline Bits operator<<(Bits x, int n)
-{
-    return x.what == Bits::NOTHING ? Bits(x.value << n) : Bits(x.value << n, Bits::OTHER, x.of);
-}
-inline Bits operator>>(Bits x, int n)
-{
-    return x.what == Bits::NOTHING ? Bits(x.value >> n) : Bits(x.value >> n, Bits::OTHER, x.of);
-}
-/* An operation of which neither or one of the operands has a meaning */
-inline Bits mixed(word value, Bits x, Bits y)
-{
-    return Bits(value, x.what == Bits::NOTHING && y.what == Bits::NOTHING ? Bits::NOTHING : Bits::OTHER, x.of);
-}
-inline Bits operator+(Bits x, Bits y)
-{
-    return mixed(x.value + y.value, x, y);
-}
-inline Bits operator-(Bits x, Bits y)
-{
-    return mixed(x.value - y.value, x, y);
-}
-inline Bits operator*(Bits x, Bits y) /* of constants */
-{
-    return Bits(x.value * y.value);
 }
 COMPARISONS(Bits)
 
