@@ -70,7 +70,7 @@ static inline double dashpot_beta_beyond(double eps)
 static inline double dashpot_beta(double eps)
 {
     if (cor_inline_between(eps, 0.5, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
-        return dashpot_beta_of_loss(1 - eps);
+        return dashpot_beta_near(1 - eps);
     if (cor_inline_between(eps, COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY_FIRST, 0.5))
         return cor_inline_row_value(
             cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY), eps,

@@ -114,11 +114,16 @@ COR_INLINE double cor_hertz_product(struct cor_inline_place place, double x)
         return cor_in_environment(law##_duration_beyond, beta);                                                        \
     }                                                                                                                  \
     static inline double law##_beta(double eps);                                                                       \
+    /* 0 <= loss <= 1/2 */                                                                                             \
+    static inline double law##_beta_near(double loss)                                                                  \
+    {                                                                                                                  \
+        return cor_hertz_product(COR_HERTZ_ROW_(loss, rows##_near_beta_approach_only, ROWS##_NEAR_BETA_APPROACH_ONLY), \
+                                 loss);                                                                                \
+    }                                                                                                                  \
     static inline double law##_beta_of_loss(double loss)                                                               \
     {                                                                                                                  \
         if (cor_inline_below(loss, 0x1.0000000000001p-1)) /* 1/2, too */                                               \
-            return cor_hertz_product(                                                                                  \
-                COR_HERTZ_ROW_(loss, rows##_near_beta_approach_only, ROWS##_NEAR_BETA_APPROACH_ONLY), loss);           \
+            return law##_beta_near(loss);                                                                              \
         if (cor_inline_is_zero(loss))                                                                                  \
             return 0;                                                                                                  \
         return cor_inline_is_refused(loss) ? (double)NAN : law##_beta(1 - loss); /* exact from 1/2 to 1 */             \
