@@ -17,7 +17,6 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <regex>
 #include <sstream>
 
 #include "cor/contact.h"
@@ -385,13 +384,20 @@ struct gappa {
         return n.what == CONSTANT ? "(" + hex(n.value) + ")" : kind + std::to_string(id);
     }
 
-    std::string filled(const std::string &with_names) const
+    std::string filled(const std::string &text_with_names) const
     {
-        static const std::regex reference("([$@])([A-Za-z_]\\w*)(?:\\.([ab]+))?");
-        std::string full, rest = with_names;
-        for (std::smatch m; std::regex_search(rest, m, reference); rest = m.suffix())
-            full += m.prefix().str() + name_of(at(names.at(m[2]), m[3].str().c_str()), m[1] == "$" ? 'n' : 'e');
-        return full + rest;
+        std::string full;
+        const char *const letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+        for (const char *p = text_with_names.c_str(); *p;) {
+            const char kind = *p++;
+            const std::string name(p, kind == '$' || kind == '@' ? strspn(p, letters) : 0);
+            p += name.size();
+            const std::string operands(p + 1, !name.empty() && *p == '.' ? strspn(p + 1, "ab") : 0);
+            p += operands.empty() ? 0 : 1 + operands.size();
+            full += name.empty() ? std::string(1, kind)
+                                 : name_of(at(names.at(name), operands.c_str()), kind == '$' ? 'n' : 'e');
+        }
+        return full;
     }
 
     void say(const std::string &line)
