@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../unit/ulp.h"
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 /* libFuzzer keeps the input of a program that traps. */
@@ -53,12 +55,6 @@ static inline size_t take_up_to(struct input *in, size_t most)
     uint16_t x;
     input_take(in, &x, sizeof x);
     return x % (most + 1);
-}
-
-/* Equal to the last bit, or both no numbers */
-static inline int same(double a, double b)
-{
-    return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
 }
 
 /* Memory of exactly so many bytes, so that the sanitizers see a step beyond. None is one byte, never set: malloc may

@@ -44,7 +44,8 @@ static void check_same(const struct public_function *f, const struct results *x,
 {
     REQUIRE(x->count == y->count, "%s, %s", f->name, of);
     for (size_t i = 0; i < x->count; i++)
-        REQUIRE(same(x->value[i], y->value[i]), "%s, %s, %zu: %a, before %a", f->name, of, i, y->value[i], x->value[i]);
+        REQUIRE(same_number(x->value[i], y->value[i]), "%s, %s, %zu: %a, before %a", f->name, of, i, y->value[i],
+                x->value[i]);
 }
 
 static void check_function(const struct public_function *f, const struct arguments *a)

@@ -85,8 +85,8 @@ static void check_row(const char *text, const struct cor_disk_mode *mode)
     REQUIRE(strtol(text + 5, &at, 10) == mode->n && strtol(at, &at, 10) == mode->l, "row '%s': %d, %d", text, mode->n,
             mode->l);
     const double omega = strtod(at, &at), c = strtod(at, &at), s = strtod(at, &at);
-    REQUIRE(same(omega, mode->omega) && same(c, mode->c) && same(s, mode->s), "row '%s': %a %a %a", text, mode->omega,
-            mode->c, mode->s);
+    REQUIRE(same_number(omega, mode->omega) && same_number(c, mode->c) && same_number(s, mode->s), "row '%s': %a %a %a",
+            text, mode->omega, mode->c, mode->s);
     REQUIRE(strlen(at) == CHECK + 1 && *at == ' ', "row '%s'", text);
 }
 
@@ -111,7 +111,7 @@ static void check_by_another_route(const uint8_t *bytes, size_t size, const stru
         if (lines == 0)
             REQUIRE(strncmp(line, "cor-disk-modes 1 ", 17) == 0, "'%s'", line);
         if (lines == 2)
-            REQUIRE(strncmp(line, "poisson ", 8) == 0 && same(strtod(line + 8, NULL), modes->nu), "'%s'", line);
+            REQUIRE(strncmp(line, "poisson ", 8) == 0 && same_number(strtod(line + 8, NULL), modes->nu), "'%s'", line);
         if (lines == 3)
             REQUIRE(strncmp(line, "modes ", 6) == 0 && strtoull(line + 6, NULL, 10) == modes->count, "'%s'", line);
         if (lines >= 4 && rows < modes->count) {
