@@ -72,44 +72,46 @@ enum { SLOW_SHARE = 400 }; /* where the reference takes 0.1 ms */
         ROW(hunt_crossley_loss##suffix, LOSS, law, 0, NULL, COR_LAW_LOSS_MAX_ULP, 0),                                  \
         ROW(hunt_crossley_beta##suffix, INVERSE, law, 0, NULL, COR_LAW_INVERSE_MAX_ULP, 0),                            \
         ROW(hunt_crossley_beta_of_loss##suffix, INVERSE_OF_LOSS, law, 0, NULL, COR_LAW_INVERSE_MAX_ULP, 0)
-#define TIME_ROW(law, name) ROW(name, OTHER, law, 0, name##_exact, COR_LAW_TIME_MAX_ULP, 0)
-#define SLOW_ROW(law, name) ROW(name, OTHER, law, 0, name##_exact, COR_LAW_TIME_MAX_ULP, SLOW_SHARE)
-#define OVERLAP_ROW(law, name) ROW(name, OTHER, law, 0, name##_exact, COR_LAW_MAX_OVERLAP_MAX_ULP, 0)
+#define TIME COR_LAW_TIME_MAX_ULP
+#define OVERLAP COR_LAW_MAX_OVERLAP_MAX_ULP
 
-/* A function of zeta, with its values at 0 and infinity */
-#define OF_ZETA(name, at_0, at_infinity, elsewhere)                                                                    \
+/* The largest overlap and times as functions of zeta: name, bound, share of the points; value at 0, at infinity,
+ * elsewhere. Tsuji's damping: the largest overlap is (5/4 eps)^(2/5). By Gamma functions half of the elastic duration,
+ * and the duration of limited damping without bound: (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to
+ * 1. */
+#define PI acosl(-1)
+#define PHASE reference_ratio_exponent(LAW_APPROACH_ONLY, zeta)
+#define TSUJI_MOST expl(0.4L * logl(1.25L))
+#define HALF (TSUJI_MOST * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
+#define LAST (powl(0.625L, 0.4L) * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
+#define OF_ZETA(X)                                                                                                     \
+    X(linear_duration_zero_overlap, TIME, 0, PI, HUGE_VALL,                                                            \
+      zeta < 1 ? PI / sqrtl((1 - (long double)zeta) * (1 + (long double)zeta)) : HUGE_VALL)                            \
+    X(linear_duration_zero_force, TIME, 0, PI, 0, 2 * PHASE / zeta)                                                    \
+    X(linear_duration_limited, TIME, 0, PI, PI / sqrtl(8),                                                             \
+      atanl(sqrtl(8) * zeta) / sqrtl(2) + reference_ratio_exponent(LAW_LIMITED, zeta) / zeta)                          \
+    X(linear_duration_approach_only, TIME, 0, PI, PI / 2, PI / 2 + PHASE / zeta)                                       \
+    X(linear_max_overlap, OVERLAP, 0, 1, 0, ratio(LAW_APPROACH_ONLY, false, zeta))                                     \
+    X(linear_time_of_max_overlap, TIME, 0, PI / 2, 0, PHASE / zeta)                                                    \
+    X(tsuji_max_overlap, OVERLAP, 0, TSUJI_MOST, 0,                                                                    \
+      TSUJI_MOST *(2 * PHASE < far_exponent ? expl(-0.8L * PHASE) : eps_far(LAW_ZERO_FORCE, zeta, ratio_make(2, 5))))  \
+    X(tsuji_duration_zero_overlap, TIME, SLOW_SHARE, 2 * HALF, HUGE_VALL,                                              \
+      zeta < 1 ? reference_tsuji_time(LAW_ZERO_OVERLAP, zeta) : HUGE_VALL)                                             \
+    X(tsuji_duration_zero_force, TIME, SLOW_SHARE, 2 * HALF, 0, reference_tsuji_time(LAW_ZERO_FORCE, zeta))            \
+    X(tsuji_duration_limited, TIME, SLOW_SHARE, 2 * HALF, LAST,                                                        \
+      zeta < 1e-30  ? 2 * HALF                                                                                         \
+      : zeta < 1e18 ? reference_tsuji_time(LAW_LIMITED, zeta)                                                          \
+                    : LAST)                                                                                            \
+    X(tsuji_duration_approach_only, TIME, SLOW_SHARE, 2 * HALF, HUGE_VALL,                                             \
+      reference_tsuji_time(LAW_APPROACH_ONLY, zeta) + HALF * expl(PHASE / 5))                                          \
+    X(tsuji_time_of_max_overlap, TIME, SLOW_SHARE, HALF, 0, reference_tsuji_time(LAW_APPROACH_ONLY, zeta))
+#define OF_ZETA_EXACT(name, bound, share, at_0, at_infinity, elsewhere)                                                \
     static long double name##_exact(double zeta)                                                                       \
     {                                                                                                                  \
         return zeta == 0 ? (at_0) : isinf(zeta) ? (at_infinity) : (elsewhere);                                         \
     }
-#define PI acosl(-1)
-#define PHASE reference_ratio_exponent(LAW_APPROACH_ONLY, zeta)
-OF_ZETA(linear_time_of_max_overlap, PI / 2, 0, PHASE / zeta)
-OF_ZETA(linear_duration_zero_force, PI, 0, 2 * PHASE / zeta)
-OF_ZETA(linear_duration_zero_overlap, PI, HUGE_VALL,
-        zeta < 1 ? PI / sqrtl((1 - (long double)zeta) * (1 + (long double)zeta)) : HUGE_VALL)
-OF_ZETA(linear_duration_limited, PI, PI / sqrtl(8),
-        atanl(sqrtl(8) * zeta) / sqrtl(2) + reference_ratio_exponent(LAW_LIMITED, zeta) / zeta)
-OF_ZETA(linear_duration_approach_only, PI, PI / 2, PI / 2 + PHASE / zeta)
-OF_ZETA(linear_max_overlap, 1, 0, ratio(LAW_APPROACH_ONLY, false, zeta))
-
-/* Tsuji's damping: the largest overlap is (5/4 eps)^(2/5). By Gamma functions half of the elastic duration, and the
- * duration of limited damping without bound: (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1. */
-#define HALF (expl(0.4L * logl(1.25L)) * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
-#define LAST (powl(0.625L, 0.4L) * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
-OF_ZETA(tsuji_max_overlap, expl(0.4L * logl(1.25L)), 0,
-        expl(0.4L * logl(1.25L)) *
-            (2 * PHASE < far_exponent ? expl(-0.8L * PHASE) : eps_far(LAW_ZERO_FORCE, zeta, ratio_make(2, 5))))
-OF_ZETA(tsuji_time_of_max_overlap, HALF, 0, reference_tsuji_time(LAW_APPROACH_ONLY, zeta))
-OF_ZETA(tsuji_duration_zero_force, 2 * HALF, 0, reference_tsuji_time(LAW_ZERO_FORCE, zeta))
-OF_ZETA(tsuji_duration_limited, 2 * HALF, LAST,
-        zeta < 1e-30  ? 2 * HALF
-        : zeta < 1e18 ? reference_tsuji_time(LAW_LIMITED, zeta)
-                      : LAST)
-OF_ZETA(tsuji_duration_zero_overlap, 2 * HALF, HUGE_VALL,
-        zeta < 1 ? reference_tsuji_time(LAW_ZERO_OVERLAP, zeta) : HUGE_VALL)
-OF_ZETA(tsuji_duration_approach_only, 2 * HALF, HUGE_VALL,
-        reference_tsuji_time(LAW_APPROACH_ONLY, zeta) + HALF * expl(PHASE / 5))
+#define OF_ZETA_ROW(name, bound, share, ...) ROW(name, OTHER, RATIO, 0, name##_exact, bound, share),
+OF_ZETA(OF_ZETA_EXACT)
 
 /* Hunt and Crossley's times for a = 1 and 3/2, and the functions of one argument that the table wants */
 #define OF_BETA(name, at_0, at_infinity, elsewhere)                                                                    \
@@ -129,7 +131,18 @@ static long double crossley_overlap(double a, double beta)
     return powl(n / 2 * eps * eps, 1 / n);
 }
 
-#define CROSSLEY_TIME(function, reference, suffix, a)                                                                  \
+/* Name, reference, a, its name; law, bound and share of the points */
+#define OF_BETA_AND_A(X)                                                                                               \
+    X(hunt_crossley_duration, crossley_duration, 1, 1, CROSSLEY_TIMES, TIME, SLOW_SHARE)                               \
+    X(hunt_crossley_duration, crossley_duration, 1.5, 3_2, CROSSLEY_TIMES, TIME, SLOW_SHARE)                           \
+    X(hunt_crossley_time_of_max_overlap, crossley_max, 1, 1, CROSSLEY_TIMES, TIME, SLOW_SHARE)                         \
+    X(hunt_crossley_time_of_max_overlap, crossley_max, 1.5, 3_2, CROSSLEY_TIMES, TIME, SLOW_SHARE)                     \
+    X(hunt_crossley_duration_approach_only, crossley_approach, 1, 1, CROSSLEY_TIMES, TIME, SLOW_SHARE)                 \
+    X(hunt_crossley_duration_approach_only, crossley_approach, 1.5, 3_2, CROSSLEY_TIMES, TIME, SLOW_SHARE)             \
+    X(hunt_crossley_max_overlap, crossley_overlap, 1, 1, CROSSLEY_APPROACH, OVERLAP, 0)                                \
+    X(hunt_crossley_max_overlap, crossley_overlap, 1.25, 5_4, CROSSLEY_APPROACH, OVERLAP, 0)                           \
+    X(hunt_crossley_max_overlap, crossley_overlap, 1.5, 3_2, CROSSLEY_APPROACH, OVERLAP, 0)
+#define OF_BETA_AND_A_EXACT(function, reference, a, suffix, law, bound, share)                                         \
     static double cor_##function##_##suffix(double beta)                                                               \
     {                                                                                                                  \
         return cor_##function(beta, a);                                                                                \
@@ -138,43 +151,16 @@ static long double crossley_overlap(double a, double beta)
     {                                                                                                                  \
         return reference(a, beta);                                                                                     \
     }
-CROSSLEY_TIME(hunt_crossley_duration, crossley_duration, 1, 1)
-CROSSLEY_TIME(hunt_crossley_duration, crossley_duration, 3_2, 1.5)
-CROSSLEY_TIME(hunt_crossley_time_of_max_overlap, crossley_max, 1, 1)
-CROSSLEY_TIME(hunt_crossley_time_of_max_overlap, crossley_max, 3_2, 1.5)
-CROSSLEY_TIME(hunt_crossley_duration_approach_only, crossley_approach, 1, 1)
-CROSSLEY_TIME(hunt_crossley_duration_approach_only, crossley_approach, 3_2, 1.5)
-CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 1, 1)
-CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 5_4, 1.25)
-CROSSLEY_TIME(hunt_crossley_max_overlap, crossley_overlap, 3_2, 1.5)
+#define OF_BETA_AND_A_ROW(function, reference, a, suffix, law, bound, share)                                           \
+    ROW(function##_##suffix, OTHER, law, 0, function##_##suffix##_exact, bound, share),
+OF_BETA_AND_A(OF_BETA_AND_A_EXACT)
 
 static const struct search_function functions[] = {
     RATIO_ROWS(zero_overlap, LAW_ZERO_OVERLAP),
     RATIO_ROWS(zero_force, LAW_ZERO_FORCE),
     RATIO_ROWS(limited, LAW_LIMITED),
     RATIO_ROWS(approach_only, LAW_APPROACH_ONLY),
-    TIME_ROW(RATIO, linear_duration_zero_overlap),
-    TIME_ROW(RATIO, linear_duration_zero_force),
-    TIME_ROW(RATIO, linear_duration_limited),
-    TIME_ROW(RATIO, linear_duration_approach_only),
-    OVERLAP_ROW(RATIO, linear_max_overlap),
-    TIME_ROW(RATIO, linear_time_of_max_overlap),
-    OVERLAP_ROW(RATIO, tsuji_max_overlap),
-    SLOW_ROW(RATIO, tsuji_duration_zero_overlap),
-    SLOW_ROW(RATIO, tsuji_duration_zero_force),
-    SLOW_ROW(RATIO, tsuji_duration_limited),
-    SLOW_ROW(RATIO, tsuji_duration_approach_only),
-    SLOW_ROW(RATIO, tsuji_time_of_max_overlap),
-    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_1),
-    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_3_2),
-    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_time_of_max_overlap_1),
-    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_time_of_max_overlap_3_2),
-    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_approach_only_1),
-    SLOW_ROW(CROSSLEY_TIMES, hunt_crossley_duration_approach_only_3_2),
-    OVERLAP_ROW(CROSSLEY_APPROACH, hunt_crossley_max_overlap_1),
-    OVERLAP_ROW(CROSSLEY_APPROACH, hunt_crossley_max_overlap_5_4),
-    OVERLAP_ROW(CROSSLEY_APPROACH, hunt_crossley_max_overlap_3_2),
-    CROSSLEY_ROWS(CROSSLEY, ),
+    OF_ZETA(OF_ZETA_ROW) OF_BETA_AND_A(OF_BETA_AND_A_ROW) CROSSLEY_ROWS(CROSSLEY, ),
     CROSSLEY_ROWS(CROSSLEY_APPROACH, _approach_only),
 };
 
