@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The bits of every public function: bits FILE DRAWS calls each with DRAWS times 150 arguments, and writes a line "FUNCTION
- * BITS" for each result, in hexadecimal. */
+/* The bits of every public function: bits FILE DRAWS calls each with DRAWS times 150 arguments, and writes a line
+ * "FUNCTION BITS" for each result, in hexadecimal. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
