@@ -131,6 +131,9 @@ void interpolant_free(struct interpolant *f);
 void interpolant_through_samples(arb_poly_t p, const struct samples *s, const struct interval *interval,
                                  enum quantity quantity);
 
+/* beta at a place of an interval, as a double */
+double interpolant_beta_near(const struct interpolant *f, const struct interval *interval, double x);
+
 /* The power of beta in the force of a layout with one */
 struct ratio interpolant_press_power(const struct law *law);
 

@@ -160,23 +160,19 @@ void interpolant_through_samples(arb_poly_t p, const struct samples *s, const st
 
 /* ---- construction ---- */
 
-/* beta at a place of an interval, as a double */
-static double beta_near(const struct interpolant *f, const struct interval *interval, double x)
+double interpolant_beta_near(const struct interpolant *f, const struct interval *interval, double x)
 {
-    switch (interval->variable) {
-    case INTERVAL_ROOT:
-        return pow(x, (double)f->layout->root);
-    case INTERVAL_LOG:
-        return exp(x);
-    default:
-        return arf_get_d(arb_midref(f->threshold), ARF_RND_NEAR) - exp(x);
-    }
+    LOCAL(arb, beta, place);
+    arb_set_d(place, x);
+    interpolant_beta(beta, f, interval->variable, place, INTERPOLANT_BITS);
+    return arf_get_d(arb_midref(beta), ARF_RND_NEAR);
 }
 
 /* Whether [beta_min, beta_max] meets an interval. The far coefficients continue the last u. */
 static bool needed(const struct interpolant *f, const struct interval *interval, double beta_min, double beta_max)
 {
-    const double x = beta_near(f, interval, interval->lo), y = beta_near(f, interval, interval->hi);
+    const double x = interpolant_beta_near(f, interval, interval->lo);
+    const double y = interpolant_beta_near(f, interval, interval->hi);
     const bool last = interval == &f->layout->interval[f->layout->intervals - 1];
     return beta_max >= fmin(x, y) && (beta_min <= fmax(x, y) || (last && interval->variable == INTERVAL_LOG));
 }

@@ -30,21 +30,9 @@ struct law_proof {
 /* ln(beta) at the ends of an interval */
 static void log_range(double range[2], const struct interpolant *f, const struct interval *interval)
 {
-    const double threshold = arf_get_d(arb_midref(f->threshold), ARF_RND_NEAR);
-    switch (interval->variable) {
-    case INTERVAL_ROOT:
-        range[0] = log(interval->lo);
-        range[1] = log(interval->hi);
-        break;
-    case INTERVAL_LOG:
-        range[0] = interval->lo;
-        range[1] = interval->hi;
-        break;
-    case INTERVAL_BELOW:
-        range[0] = log(threshold - exp(interval->hi));
-        range[1] = log(threshold - exp(interval->lo));
-        break;
-    }
+    const bool falls = interval->variable == INTERVAL_BELOW;
+    range[falls] = log(interpolant_beta_near(f, interval, interval->lo));
+    range[!falls] = log(interpolant_beta_near(f, interval, interval->hi));
 }
 
 /* A radius that proves an error a little below `wanted`, if the modulus is as given */

@@ -229,19 +229,6 @@ static int prove_interval(struct interpolant_proof *proof, int i, unsigned quant
     return status;
 }
 
-/* Whether the law and the intervals are those for which the radii above were chosen */
-static bool is_sphere(const struct interpolant_layout *layout)
-{
-    bool same = layout->intervals == ELLIPSES && layout->intervals == interpolant_sphere_proof.intervals &&
-                layout->root == interpolant_sphere_proof.root && 2 * layout->law.a.num == 3 * layout->law.a.den &&
-                2 * layout->law.b.num == layout->law.b.den;
-    for (int i = 0; i < interpolant_sphere_proof.intervals && same; i++) {
-        const struct interval *const x = &layout->interval[i], *const y = &interpolant_sphere_proof.interval[i];
-        same = x->variable == y->variable && x->lo == y->lo && x->hi == y->hi && x->form == y->form && x->set == y->set;
-    }
-    return same;
-}
-
 struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, unsigned quantities,
                                                 enum ellipse_source source)
 {
@@ -255,7 +242,7 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
         for (int q = 0; q < QUANTITIES; q++)
             proof->error[i][q] = HUGE_VAL;
     int status = STATUS_OK;
-    if (!is_sphere(f->layout))
+    if (!law_is_sphere(&f->layout->law) || intervals != ELLIPSES)
         status = fail("only the interpolant of interpolant_sphere_proof can be proved");
     for (int i = 0; i < intervals && status == STATUS_OK; i++)
         if (ellipse_stated[i].rho > 0)

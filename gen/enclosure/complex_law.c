@@ -189,17 +189,15 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law,
     const struct complex_ball beta = ball_exp(log_beta);
     struct path p;
     struct path_state y;
-    bool done = turning_point(&p, &y, law, beta, pressing, path);
+    bool done =
+        turning_point(&p, &y, law, beta, pressing, path) && (path->strong || path_follow(&p, turning, zero, one, &y));
+    p.c1 = ball_sqr(beta);
+    p.c3 = ball_mul(pressing->force, p.c1);
     if (path->strong) {
-        p.c1 = ball_sqr(beta);
-        p.c3 = ball_mul(pressing->force, p.c1);
         done = done && path_follow(&p, force, zero, one, &y);
     } else {
-        done = done && path_follow(&p, turning, zero, one, &y);
         const struct ratio power = ratio_sub((struct ratio){1, 1}, ratio_sub(law->a, law->b)); /* k = beta x^power */
         const struct complex_ball q = ball_add(log_beta, ball_times(y.value, ratio_double(power)));
-        p.c1 = ball_sqr(beta);
-        p.c3 = ball_mul(pressing->force, p.c1);
         done = done && path_follow(&p, force_by_log, q, zero, &y);
     }
     *log_eps = ball_sub(ball_times(y.value, p.difference), log_beta);

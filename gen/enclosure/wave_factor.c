@@ -91,51 +91,40 @@ static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 
 /* ---- J along a path ---- */
 
-/* x a/R from `from` to `to` along a straight line; a = i sqrt(gamma^2 - x^2) or sqrt(x^2 - gamma^2), and b likewise.
- * Both forms are equal on the path. The first has no cut where x is small, the second none where x is large. */
+/* x a/R from `from` to `to` along a straight line; where x is large, sqrt(x^2 - gamma^2) and sqrt(x^2 - 1) are a and b,
+ * where it is small i sqrt(gamma^2 - x^2) and i sqrt(1 - x^2), which have no cut there. Both are equal on the path. */
 struct path_parameters {
     acb_t from, step, gamma2;
-    int far;
+    bool large;
 };
-
-static void path_root(acb_t a, const acb_t square, const acb_t x2, int far, int analytic, slong prec)
-{
-    if (far)
-        acb_sub(a, x2, square, prec);
-    else
-        acb_sub(a, square, x2, prec);
-    acb_sqrt_analytic(a, a, analytic, prec);
-    if (!far)
-        acb_mul_onei(a, a);
-}
 
 static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
 {
     const struct path_parameters *const p = parameters;
-    LOCAL(acb, x, x2, a, b, one);
-    acb_one(one);
+    const bool analytic = order > 0;
+    const int sign = p->large ? 1 : -1;
+    LOCAL(acb, x, a, b);
     LET_COMPLEX(x, false, prec, "u*p->step + p->from", u, p->step, p->from);
-    acb_mul(x2, x, x, prec);
-    path_root(a, p->gamma2, x2, p->far, order > 0, prec);
-    path_root(b, one, x2, p->far, order > 0, prec);
-    LET_COMPLEX(y, false, prec, "x*a/((2*x2 - 1)^2 - 4*a*b*x2)*p->step", x, a, x2, b, p->step);
+    LET_COMPLEX(a, analytic, prec, "sqrt(sign*(x^2 - p->gamma2))", sign, x, p->gamma2);
+    LET_COMPLEX(b, analytic, prec, "sqrt(sign*(x^2 - 1))", sign, x);
+    LET_COMPLEX(y, false, prec, "x*a/((2*x^2 - 1)^2 - 4*sign*a*b*x^2)*p->step", x, a, sign, b, p->step);
+    if (!p->large)
+        acb_mul_onei(y, y);
     return 0;
 }
 
 /* from 0 over 7/8 + 7/8 i to 2 */
 static void path_integral(acb_t y, const acb_t gamma2, slong prec)
 {
-    struct path_parameters p = {.far = 0};
-    LOCAL(acb, part, corner);
+    struct path_parameters p = {.large = false};
+    LOCAL(acb, part);
     FOR_ALL(acb, init, p.from, p.step, p.gamma2);
     acb_set(p.gamma2, gamma2);
-    acb_set_d_d(corner, 0.875, 0.875);
-    acb_set(p.step, corner);
+    acb_set_d_d(p.step, 0.875, 0.875);
     wave_integral(y, path_integrand, &p, prec);
-    p.far = 1;
-    acb_set(p.from, corner);
-    acb_sub_ui(p.step, corner, 2, prec);
-    acb_neg(p.step, p.step);
+    p.large = true;
+    acb_set(p.from, p.step);
+    LET_COMPLEX(p.step, false, prec, "2 - p.from", p.from);
     wave_integral(part, path_integrand, &p, prec);
     acb_add(y, y, part, prec);
     FOR_ALL(acb, clear, p.from, p.step, p.gamma2);
@@ -149,9 +138,8 @@ static void wave_factor_by_path(acb_t j, const acb_t gamma2, slong prec)
     path_integral(j, gamma2, prec);
     path_integral(other, other, prec);
     acb_conj(other, other);
-    acb_sub(j, j, other, prec);
+    LET_COMPLEX(j, false, prec, "(j - other)/2", j, other);
     acb_div_onei(j, j);
-    acb_mul_2exp_si(j, j, -1);
 }
 
 void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)

@@ -38,17 +38,6 @@ static void magnitudes_columns(mag_ptr column, const struct magnitudes *g, const
     }
 }
 
-/* sum_j j^theta column[j] */
-static void columns_sum(mag_t sum, mag_srcptr column, slong length, int theta)
-{
-    LOCAL(mag, term);
-    mag_zero(sum);
-    for (slong j = 0; j < length; j++) {
-        mag_mul_ui(term, column + j, theta ? (ulong)j : 1);
-        mag_add(sum, sum, term);
-    }
-}
-
 static void magnitudes_of_rows(struct magnitudes *g, const arb_poly_struct *row)
 {
     for (slong k = 0; k < g->rows; k++)
@@ -170,28 +159,23 @@ void power_evidence_clear(struct power_evidence *e)
 
 void power_bounds_init(struct power_bounds *b)
 {
-    arb_init(b->inverse);
-    for (int i = 0; i < 2; i++) {
-        FOR_ALL(arb, init, b->error[i], b->size[i]);
-    }
-    arb_init(b->last_column);
+    FOR_ALL(arb, init, b->inverse, b->error[0], b->error[1], b->size[0], b->size[1], b->last_column);
 }
 
 void power_bounds_clear(struct power_bounds *b)
 {
-    arb_clear(b->inverse);
-    for (int i = 0; i < 2; i++) {
-        FOR_ALL(arb, clear, b->error[i], b->size[i]);
-    }
-    arb_clear(b->last_column);
+    FOR_ALL(arb, clear, b->inverse, b->error[0], b->error[1], b->size[0], b->size[1], b->last_column);
 }
 
 /* |f|, or |th(f)| with theta = 1, from the norms of the columns of f */
 static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
 {
-    LOCAL(mag, norm);
-    columns_sum(norm, column, length, theta);
-    arb_set_upper(y, norm);
+    LOCAL(mag, sum, term);
+    for (slong j = 0; j < length; j++) {
+        mag_mul_ui(term, column + j, theta ? (ulong)j : 1);
+        mag_add(sum, sum, term);
+    }
+    arb_set_upper(y, sum);
 }
 
 static void magnitudes_norm(arb_t y, const struct magnitudes *f, const mag_t U, const mag_t rho)

@@ -27,92 +27,50 @@ enum {
     CIRCLES = 16
 };
 
-/* y = (1 - eta)^(-p) - 1, computed by expm1 so that a tiny eta does not cancel */
-static void power_growth(arb_t y, const arb_t eta, struct ratio p)
-{
-    LET(y, NORM_BITS, "expm1(-p*log1p(-eta))", p, eta);
-}
-
-/* The proof for one choice of the weights U and rho. All numbers are upper bounds. */
-struct tail_proof {
-    const struct power_evidence *e;
-    slong shift;
-    arb_srcptr U, rho;
-    struct power_bounds bounds;
-    arb_t first_exponent, last_divisor; /* e and e + 1 of the tail's first coefficient */
-    arb_t delta, image;                 /* radius of the ball, and of its image by G */
-};
-
-static void tail_proof_init(struct tail_proof *p, const struct power_evidence *e, const struct trajectory *t,
-                            const arb_t U, const arb_t rho)
-{
-    p->e = e;
-    p->shift = t->shift;
-    p->U = U;
-    p->rho = rho;
-    power_bounds_init(&p->bounds);
-    FOR_ALL(arb, init, p->first_exponent, p->last_divisor, p->delta, p->image);
-    LET(p->first_exponent, NORM_BITS, "(t->law.a + 1)*(e->J + 1)", t->law.a, e->J);
-    arb_add_si(p->last_divisor, p->first_exponent, 1, NORM_BITS);
-}
-
-static void tail_proof_clear(struct tail_proof *p)
-{
-    power_bounds_clear(&p->bounds);
-    FOR_ALL(arb, clear, p->first_exponent, p->last_divisor, p->delta, p->image);
-}
-
 /* (3.3): the radius of G's image of the ball |R| <= delta,
  *
  *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1),
  *
- * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1). Returns false if nu delta is not below 1. */
-static bool image_of_ball(struct tail_proof *p)
+ * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1), by expm1 so that a tiny nu delta does not cancel; e is that
+ * of the tail's first coefficient. Returns false if nu delta is not below 1. */
+static bool image_of_ball(arb_t image, const arb_t delta, const struct power_bounds *b, const struct power_evidence *e,
+                          const struct trajectory *t, const arb_t U, const arb_t rho)
 {
-    const struct power_bounds *b = &p->bounds;
-    const int damping = p->e->powers - 1;
-    const struct ratio b1 = p->e->exponent[1];
-    const arb_srcptr size = b->size[damping], error = b->error[damping];
-    const slong shift = p->shift;
-    LOCAL(arb, eta, by_b, by_a);
-    LET(eta, NORM_BITS, "b->inverse*p->delta", b->inverse, p->delta);
-    if (!HOLDS(NORM_BITS, "eta < 1", eta))
-        return false;
-    power_growth(by_b, eta, b1);
-    power_growth(by_a, eta, p->e->exponent[0]);
-    LET(by_b, NORM_BITS, "(by_b*size + error)*p->U/b1", by_b, size, error, p->U, b1);
-    LET(by_a, NORM_BITS, "(by_a*b->size[0] + b->last_column)*p->rho*2^shift/p->first_exponent", by_a, b->size[0],
-        b->last_column, p->rho, shift, p->first_exponent);
-    LET(p->image, NORM_BITS, "(by_b + by_a)/p->last_divisor", by_b, by_a, p->last_divisor);
-    return true;
+    const struct ratio a = e->exponent[0], b1 = e->exponent[1];
+    const arb_srcptr size = b->size[e->powers - 1], error = b->error[e->powers - 1];
+    const slong shift = t->shift;
+    LOCAL(arb, eta, by_b, by_a, first);
+    LET(first, NORM_BITS, "(a + 1)*(e->J + 1)", a, e->J);
+    LET(eta, NORM_BITS, "b->inverse*delta", b->inverse, delta);
+    LET(by_b, NORM_BITS, "(expm1(-b1*log1p(-eta))*size + error)*U/b1", b1, eta, size, error, U);
+    LET(by_a, NORM_BITS, "(expm1(-a*log1p(-eta))*b->size[0] + b->last_column)*rho*2^shift/first", a, eta, b->size[0],
+        b->last_column, rho, shift, first);
+    LET(image, NORM_BITS, "(by_b + by_a)/(first + 1)", by_b, by_a, first);
+    return HOLDS(NORM_BITS, "eta < 1", eta);
 }
 
 /* (3.4): finds a delta such that G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
- * delta. The first trial is twice that bound, and the second twice the image of the first ball. */
-static bool fixed_point(struct tail_proof *p)
-{
-    enum { BALLS = 3 };
-    LOCAL(mag, radius);
-    bool proved = false;
-    arb_zero(p->delta);
-    for (int ball = 0; ball < BALLS && !proved && image_of_ball(p); ball++) {
-        proved = arb_le(p->image, p->delta);
-        if (!proved) {
-            arb_get_mag(radius, p->image);
-            arb_set_upper(p->delta, radius);
-            arb_mul_2exp_si(p->delta, p->delta, 1);
-        }
-    }
-    return proved;
-}
-
-/* Sets delta. Returns false if the proof does not succeed with these weights. */
+ * delta. The first trial is twice that bound, and the second twice the image of the first ball. Returns false if the
+ * proof does not succeed with these weights. */
 static bool prove_at(arb_t delta, const struct power_evidence *e, const struct trajectory *t, const arb_t U,
                      const arb_t rho)
 {
-    LOCAL_INIT(tail_proof, p, (&p, e, t, U, rho));
-    const bool proved = power_bounds_prove(&p.bounds, e, U, rho) && fixed_point(&p);
-    arb_set(delta, p.delta);
+    enum { BALLS = 3 };
+    LOCAL(power_bounds, bounds);
+    LOCAL(arb, image);
+    LOCAL(mag, radius);
+    bool proved = false;
+    arb_zero(delta);
+    if (!power_bounds_prove(bounds, e, U, rho))
+        return false;
+    for (int ball = 0; ball < BALLS && !proved && image_of_ball(image, delta, bounds, e, t, U, rho); ball++) {
+        proved = arb_le(image, delta);
+        if (!proved) {
+            arb_get_mag(radius, image);
+            arb_set_upper(delta, radius);
+            arb_mul_2exp_si(delta, delta, 1);
+        }
+    }
     return proved;
 }
 
