@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include <stdatomic.h>
-
 #include "approximation/interpolant_parts.h"
 #include "support/console.h"
 #include "support/local.h"
-#include "support/parallel.h"
 
 enum {
     FAR_BITS = 112,
@@ -71,39 +68,19 @@ static bool has_far(const struct interpolant *f, enum quantity quantity)
     return false;
 }
 
-struct far_sampling {
-    const struct interpolant *f;
-    const struct interval *interval;
-    arb_mat_struct *value; /* a row for each place */
-    atomic_bool failed;
-};
-
-static void sample_far(void *context, slong k)
-{
-    struct far_sampling *const work = context;
-    LOCAL_VECTOR(value, QUANTITIES);
-    LOCAL(arb, beta, u);
-    interpolant_place(beta, u, work->f, work->interval, far_place(&work->f->layout->law, k));
-    if (interpolant_solve(value, work->f, work->interval, beta, FAR_BITS) != STATUS_OK)
-        atomic_store(&work->failed, true);
-    for (int q = 0; q < QUANTITIES; q++)
-        arb_set(arb_mat_entry(work->value, k, q), value + q);
-}
-
 /* Fits the coefficients of a quantity to its samples at as many places. */
-static bool fit_far(struct interpolant *f, enum quantity quantity, const struct far_sampling *work)
+static bool fit_far(struct interpolant *f, enum quantity quantity, const struct samples *s)
 {
     const struct law *const law = &f->layout->law;
     const bool falls = quantity == DURATION_ZERO_OVERLAP && falls_apart(law);
     const slong n = INTERPOLANT_FAR + falls;
-    LOCAL(arb, beta, u, excess);
+    LOCAL(arb, u, excess);
     LOCAL_MATRIX(n, n, a);
     LOCAL_MATRIX(n, 1, b);
     for (slong k = 0; k < n; k++) {
-        interpolant_place(beta, u, f, work->interval, far_place(law, k));
-        arb_log(u, beta, SOLVING_BITS);
+        arb_log(u, s->beta + k, SOLVING_BITS);
         far_basis(a, k, u, law, SOLVING_BITS);
-        arb_set(arb_mat_entry(b, k, 0), arb_mat_entry(work->value, k, quantity));
+        arb_set(arb_mat_entry(b, k, 0), s->value[quantity] + k);
         if (!falls)
             continue;
         interpolant_power(excess, u, far_excess(law, false), SOLVING_BITS);
@@ -124,16 +101,17 @@ int interpolant_make_far(struct interpolant *f)
     for (int q = 0; q < QUANTITIES; q++)
         if (has_far(f, (enum quantity)q))
             interval.set |= 1u << q;
-    const bool falls = falls_apart(&f->layout->law) && has_far(f, DURATION_ZERO_OVERLAP);
-    LOCAL_MATRIX(INTERPOLANT_FAR + falls, QUANTITIES, value);
-    struct far_sampling work = {.f = f, .interval = &interval, .value = value};
-    parallel_for(sample_far, &work, INTERPOLANT_FAR + falls, "collisions at large beta");
-    if (atomic_load(&work.failed))
-        return STATUS_FAILED;
-    for (int q = 0; q < QUANTITIES; q++)
-        if (holds(&interval, (enum quantity)q) && !fit_far(f, (enum quantity)q, &work))
-            return fail("the far coefficients could not be solved for");
-    return STATUS_OK;
+    interval.count = INTERPOLANT_FAR + (falls_apart(&f->layout->law) && has_far(f, DURATION_ZERO_OVERLAP));
+    struct samples s;
+    samples_init(&s, interval.count);
+    for (slong k = 0; k < interval.count; k++)
+        interpolant_place(s.beta + k, s.node + k, f, &interval, far_place(&f->layout->law, k));
+    int status = samples_collide(&s, 1, f, &interval, "collisions at large beta");
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+        if (holds(&interval, (enum quantity)q) && !fit_far(f, (enum quantity)q, &s))
+            status = fail("the far coefficients could not be solved for");
+    samples_clear(&s, interval.count);
+    return status;
 }
 
 void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)

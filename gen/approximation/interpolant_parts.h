@@ -21,9 +21,12 @@ static inline bool holds(const struct interval *interval, enum quantity quantity
  * would grow a thousandfold in a strongly damped collision. */
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
                        double x);
-/* All numbers that an interval stores for the collision at an exact beta, rounded to `bits` bits, as exact numbers */
-int interpolant_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
-                      slong bits);
+void samples_init(struct samples *s, slong count);
+void samples_clear(struct samples *s, slong count);
+/* Sets the values of all known samples to the numbers that their intervals store for the collisions at their beta,
+ * which are exact: rounded to the bits of the interval, as exact numbers. */
+int samples_collide(struct samples *s, int intervals, const struct interpolant *f, const struct interval *interval,
+                    const char *step);
 
 /* beta^power at beta = exp(u) */
 void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec);

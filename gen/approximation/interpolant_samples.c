@@ -122,8 +122,9 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     return status;
 }
 
-int interpolant_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
-                      slong bits)
+/* The same, rounded to `bits` bits, as exact numbers */
+static int interval_sample(arb_ptr value, const struct interpolant *f, const struct interval *interval,
+                           const arb_t beta, slong bits)
 {
     for (slong extra = 0; extra < 200; extra += 40) {
         bool decided = true;
@@ -212,9 +213,9 @@ static void make_backward(struct interpolant *f)
     arb_poly_set_fmpq_poly(f->backward_time, T, INTERPOLANT_BITS);
 }
 
-static void samples_init(struct samples *s, slong count)
+void samples_init(struct samples *s, slong count)
 {
-    s->known = false;
+    s->known = true;
     s->beta = _arb_vec_init(count);
     s->node = _arb_vec_init(count);
     for (int q = 0; q < QUANTITIES; q++) {
@@ -223,7 +224,7 @@ static void samples_init(struct samples *s, slong count)
     }
 }
 
-static void samples_clear(struct samples *s, slong count)
+void samples_clear(struct samples *s, slong count)
 {
     _arb_vec_clear(s->beta, count);
     _arb_vec_clear(s->node, count);
@@ -233,9 +234,11 @@ static void samples_clear(struct samples *s, slong count)
     }
 }
 
-/* The samples of all intervals that are needed, as tasks */
+/* The samples of several intervals as tasks */
 struct sampling {
-    struct interpolant *f;
+    struct samples *s;
+    const struct interpolant *f;
+    const struct interval *interval;
     struct {
         int interval;
         slong sample;
@@ -247,44 +250,51 @@ struct sampling {
 static void sample(void *context, slong i)
 {
     struct sampling *const work = context;
-    const struct interval *const interval = &work->f->layout->interval[work->task[i].interval];
-    struct samples *const s = &work->f->samples[work->task[i].interval];
+    const struct interval *const interval = &work->interval[work->task[i].interval];
+    struct samples *const s = &work->s[work->task[i].interval];
     const slong j = work->task[i].sample;
     if (atomic_load(&work->failed))
         return;
     LOCAL_VECTOR(value, QUANTITIES);
-    if (interpolant_solve(value, work->f, interval, s->beta + j, interval->bits) != STATUS_OK)
+    if (interval_sample(value, work->f, interval, s->beta + j, interval->bits) != STATUS_OK)
         atomic_store(&work->failed, true);
     for (int q = 0; q < QUANTITIES; q++)
         arb_set(s->value[q] + j, value + q);
 }
 
-static int make_samples(struct interpolant *f, double beta_min, double beta_max)
+int samples_collide(struct samples *s, int intervals, const struct interpolant *f, const struct interval *interval,
+                    const char *step)
 {
-    const struct interpolant_layout *const layout = f->layout;
-    struct sampling work = {.f = f};
+    struct sampling work = {.s = s, .f = f, .interval = interval};
     slong most = 0;
-    for (int i = 0; i < layout->intervals; i++)
-        most += layout->interval[i].count;
+    for (int i = 0; i < intervals; i++)
+        most += interval[i].count;
     work.task = xmalloc((size_t)most * sizeof *work.task);
-    for (int i = layout->intervals - 1; i >= 0; i--) { /* the longest collisions first */
-        f->samples[i].known = needed(f, &layout->interval[i], beta_min, beta_max);
-        if (!f->samples[i].known)
-            continue;
-        place_nodes(&f->samples[i], f, &layout->interval[i]);
-        for (slong j = layout->interval[i].count - 1; j >= 0; j--) {
+    for (int i = intervals - 1; i >= 0; i--) /* the longest collisions first */
+        for (slong j = interval[i].count - 1; j >= 0 && s[i].known; j--) {
             work.task[work.tasks].interval = i;
             work.task[work.tasks++].sample = j;
         }
-    }
-    parallel_for(sample, &work, work.tasks, "collisions");
+    parallel_for(sample, &work, work.tasks, step);
     free(work.task);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+}
+
+static int make_samples(struct interpolant *f, double beta_min, double beta_max)
+{
+    const struct interpolant_layout *const layout = f->layout;
+    for (int i = 0; i < layout->intervals; i++) {
+        f->samples[i].known = needed(f, &layout->interval[i], beta_min, beta_max);
+        if (f->samples[i].known)
+            place_nodes(&f->samples[i], f, &layout->interval[i]);
+    }
+    const int status = samples_collide(f->samples, layout->intervals, f, layout->interval, "collisions");
     for (int i = 0; i < layout->intervals; i++)
         for (int q = 0; q < QUANTITIES && f->samples[i].known; q++)
             if (holds(&layout->interval[i], (enum quantity)q))
                 interpolant_through_samples(&f->samples[i].polynomial[q], &f->samples[i], &layout->interval[i],
                                             (enum quantity)q);
-    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+    return status;
 }
 
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max)

@@ -208,7 +208,7 @@ struct step_proof {
     mag_t h_mag;
     arb_t h;
     arb_t c1, c2, c3;                         /* |c1|, |c2|, |c3| */
-    arb_t w_max, v_max;                       /* largest |w| and |v| in the tube */
+    arb_t w_max, v_max;                       /* largest |w| and |v| in the tube: norms times 1 + 2^-TUBE_BITS */
     arb_t residual_w, residual_v, residual_t; /* residuals of the three equations of motion */
     arb_t kappa, lipschitz;                   /* weight of e_w; L */
     arb_t error_w, error_v, error_t;          /* proved remainders */
@@ -228,6 +228,10 @@ static void step_proof_init(struct step_proof *p, const struct taylor *y, const 
     LET(p->c1, NORM_BITS, "abs(y->c1)", y->c1);
     LET(p->c2, NORM_BITS, "abs(y->c2)", y->c2);
     LET(p->c3, NORM_BITS, "abs(y->c3)", y->c3);
+    component_norm(p->w_max, y->w, 0, y, p->h_mag);
+    component_norm(p->v_max, y->v, 0, y, p->h_mag);
+    LET(p->w_max, NORM_BITS, "p->w_max*(1 + 2^-TUBE_BITS)", p->w_max, TUBE_BITS);
+    LET(p->v_max, NORM_BITS, "p->v_max*(1 + 2^-TUBE_BITS)", p->v_max, TUBE_BITS);
 }
 
 static void step_proof_clear(struct step_proof *p)
@@ -269,15 +273,6 @@ static void residuals(struct step_proof *p)
         arb_min(p->residual_v, p->residual_v, residual_v, NORM_BITS);
         arb_min(p->residual_t, p->residual_t, residual_t, NORM_BITS);
     }
-}
-
-/* The tube around the polynomials: their norms times 1 + 2^-TUBE_BITS. */
-static void tube(struct step_proof *p)
-{
-    component_norm(p->w_max, p->y->w, 0, p->y, p->h_mag);
-    component_norm(p->v_max, p->y->v, 0, p->y, p->h_mag);
-    LET(p->w_max, NORM_BITS, "p->w_max*(1 + 2^-TUBE_BITS)", p->w_max, TUBE_BITS);
-    LET(p->v_max, NORM_BITS, "p->v_max*(1 + 2^-TUBE_BITS)", p->v_max, TUBE_BITS);
 }
 
 /* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives a
@@ -330,7 +325,6 @@ static bool prove_step(struct taylor *y, const arb_t h)
 {
     LOCAL_INIT(step_proof, p, (&p, y, h));
     residuals(&p);
-    tube(&p);
     lipschitz(&p);
     const bool proved = gronwall(&p) && no_hidden_zero(&p);
     arb_get_mag(y->error_w, p.error_w);

@@ -25,36 +25,42 @@ static void assert_in(struct complex_ball ball, double complex exact, double sla
         fail_msg("%s: the centre %g %+g i is far from %g %+g i", what, ball.re, ball.im, creal(exact), cimag(exact));
 }
 
+enum { FIELDS = 6, WITHOUT_OVERLAP = 4 };
+static const char *const field_names[FIELDS] = {"largest overlap",     "its time",
+                                                "eps at zero force",   "time of zero force",
+                                                "eps at zero overlap", "time of zero overlap"};
+
+static struct complex_ball field_of(const struct complex_collision *c, int i)
+{
+    const struct complex_ball fields[FIELDS] = {
+        c->x_max, c->t_max, c->eps_zero_force, c->t_zero_force, c->eps_zero_overlap, c->t_zero_overlap};
+    return fields[i];
+}
+
 TEST(test_real_axis)
 {
     static const double places[] = {0.2, 0.6, 1.07, 1.3, 1.66, 1.68, 2.2, 2.8, 3.4, 4.1};
-    struct complex_collision c;
+    struct complex_collision c, by_log;
     LOCAL(collision, exact);
     LOCAL(arb, beta);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        const double z = places[i];
+        const double z = places[i], u = 2 * log(z);
         const bool overlap = z < 3;
         LET(beta, 200, "z^2", z);
         assert_true(complex_collision_root(&c, ball_of(z, 0), overlap));
+        assert_true(u < 0.5 || complex_collision_log(&by_log, ball_of(u, 0)));
         assert_int_equal(overlap ? collision_solve(exact, beta, &law_sphere, 50)
                                  : collision_solve_force(exact, beta, &law_sphere, 50),
                          0);
-        assert_in(c.x_max, middle(exact->x_max), 1e-12, "largest overlap");
-        assert_in(c.t_max, middle(exact->t_max), 1e-12, "its time");
-        assert_in(c.eps_zero_force, middle(exact->eps_zero_force), 1e-12, "eps at zero force");
-        assert_in(c.t_zero_force, middle(exact->t_zero_force), 1e-12, "time of zero force");
-        if (overlap) {
-            assert_in(c.eps_zero_overlap, middle(exact->eps_zero_overlap), 1e-12, "eps at zero overlap");
-            assert_in(c.t_zero_overlap, middle(exact->t_zero_overlap), 1e-12, "time of zero overlap");
+        const arb_srcptr known[FIELDS] = {
+            exact->x_max,         exact->t_max, exact->eps_zero_force, exact->t_zero_force, exact->eps_zero_overlap,
+            exact->t_zero_overlap};
+        for (int k = 0; k < (overlap ? FIELDS : WITHOUT_OVERLAP); k++) {
+            const double power = pow(z, k == 2 ? 10.0 / 3 : 4.0 / 3);
+            assert_in(field_of(&c, k), middle(known[k]), 1e-12, field_names[k]);
+            if (u >= 0.5 && k < WITHOUT_OVERLAP)
+                assert_in(field_of(&by_log, k), power * middle(known[k]), 1e-12, field_names[k]);
         }
-        const double u = 2 * log(z), power = pow(z, 4.0 / 3);
-        if (u < 0.5)
-            continue;
-        assert_true(complex_collision_log(&c, ball_of(u, 0)));
-        assert_in(c.x_max, power * middle(exact->x_max), 1e-12, "largest overlap by ln(beta)");
-        assert_in(c.t_max, power * middle(exact->t_max), 1e-12, "its time by ln(beta)");
-        assert_in(c.eps_zero_force, pow(z, 10.0 / 3) * middle(exact->eps_zero_force), 1e-12, "eps by ln(beta)");
-        assert_in(c.t_zero_force, power * middle(exact->t_zero_force), 1e-12, "time of zero force by ln(beta)");
     }
 }
 
@@ -109,15 +115,11 @@ TEST(test_complex_plane)
         double complex y[3];
         struct complex_collision c;
         assert_true(complex_collision_root(&c, ball_of(creal(z), cimag(z)), true));
-        motion_event(y, z * z, 0);
-        assert_in(c.x_max, y[0] * y[0], 1e-5, "largest overlap");
-        assert_in(c.t_max, y[2], 1e-5, "its time");
-        motion_event(y, z * z, 1);
-        assert_in(c.eps_zero_force, -y[1], 1e-5, "eps at zero force");
-        assert_in(c.t_zero_force, y[2], 1e-5, "time of zero force");
-        motion_event(y, z * z, 2);
-        assert_in(c.eps_zero_overlap, -y[1], 1e-5, "eps at zero overlap");
-        assert_in(c.t_zero_overlap, y[2], 1e-5, "time of zero overlap");
+        for (int event = 0; event < 3; event++) {
+            motion_event(y, z * z, event);
+            assert_in(field_of(&c, 2 * event), event == 0 ? y[0] * y[0] : -y[1], 1e-5, field_names[2 * event]);
+            assert_in(field_of(&c, 2 * event + 1), y[2], 1e-5, field_names[2 * event + 1]);
+        }
     }
 }
 
