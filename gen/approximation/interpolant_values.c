@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "approximation/chebyshev.h"
 #include "approximation/interpolant_parts.h"
 #include "support/local.h"
 

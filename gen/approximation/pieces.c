@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "approximation/chebyshev.h"
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/local.h"

@@ -5,7 +5,6 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-#include "approximation/chebyshev.h"
 #include "enclosure/creep_series.h"
 #include "support/console.h"
 #include "support/enclosed_function.h"

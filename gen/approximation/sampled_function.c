@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/chebyshev.h"
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "approximation/chebyshev.h"
+#include "approximation/interpolant.h"
 #include "support/console.h"
 #include "support/local.h"
 

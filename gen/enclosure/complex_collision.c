@@ -127,11 +127,13 @@ static struct complex_ball kappa_at(double zeta)
     return ball_inv(ball_sqr(ball_of(zeta, 0)));
 }
 
-/* From zero force, k = 1, at Y to zero overlap, with c1 = c2 = 1: the square of the end speed's root, and the time.
- * While it creeps, k and Y determine each other: down to LAST_Y the path is in 1/Y, where k hardly depends on the
- * beginning. Otherwise it is in k from the beginning, and at last in zeta = k^(-1/2). */
-static bool fall_to_end(struct complex_ball *speed, struct complex_ball *time, struct complex_ball Y, bool creeps)
+/* Zero overlap from zero force, k = 1 at Y = beta^2 y, with c1 = c2 = 1: eps is the square of the last g over beta^5, and
+ * times have the unit beta. While it creeps, k and Y determine each other: down to LAST_Y the path is in 1/Y, where k
+ * hardly depends on the beginning. Otherwise it is in k from the beginning, and at last in zeta = k^(-1/2). */
+static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball at_force,
+                            bool creeps)
 {
+    const struct complex_ball square = ball_sqr(beta), Y = ball_mul(square, at_force);
     struct path p = {.c1 = one, .c2 = one, .resolution = 1};
     struct path_state k = {one, zero}, y = {Y, zero};
     if (creeps) {
@@ -144,20 +146,8 @@ static bool fall_to_end(struct complex_ball *speed, struct complex_ball *time, s
     y.value = ball_mul(y.value, ball_inv(ball_of(LAST_ZETA, 0)));
     if (!path_follow(&p, unloading, ball_of(LAST_ZETA, 0), zero, &y))
         return false;
-    *speed = ball_sqr(y.value);
-    *time = y.time;
-    return true;
-}
-
-/* Zero overlap from zero force: Y = beta^2 y; eps = speed/beta^5, and times have the unit beta. */
-static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball y, bool creeps)
-{
-    const struct complex_ball square = ball_sqr(beta);
-    struct complex_ball speed, time;
-    if (!fall_to_end(&speed, &time, ball_mul(square, y), creeps))
-        return false;
-    c->eps_zero_overlap = ball_mul(speed, ball_inv(ball_mul(ball_sqr(square), beta)));
-    c->t_zero_overlap = ball_add(c->t_zero_force, ball_mul(time, beta));
+    c->eps_zero_overlap = ball_mul(ball_sqr(y.value), ball_inv(ball_mul(ball_sqr(square), beta)));
+    c->t_zero_overlap = ball_add(c->t_zero_force, ball_mul(y.time, beta));
     return true;
 }
 

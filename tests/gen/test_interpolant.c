@@ -2,7 +2,6 @@
 /* The interpolant of the collision against collisions at places of its own */
 #include "ball.h"
 
-#include "approximation/chebyshev.h"
 #include "approximation/interpolant.h"
 #include "enclosure/collision.h"
 #include "random.h"
