@@ -127,9 +127,9 @@ static struct complex_ball kappa_at(double zeta)
     return ball_inv(ball_sqr(ball_of(zeta, 0)));
 }
 
-/* Zero overlap from zero force, k = 1 at Y = beta^2 y, with c1 = c2 = 1: eps is the square of the last g over beta^5, and
- * times have the unit beta. While it creeps, k and Y determine each other: down to LAST_Y the path is in 1/Y, where k
- * hardly depends on the beginning. Otherwise it is in k from the beginning, and at last in zeta = k^(-1/2). */
+/* Zero overlap from zero force, k = 1 at Y = beta^2 y, with c1 = c2 = 1: eps is the square of the last g over beta^5,
+ * and times have the unit beta. While it creeps, k and Y determine each other: down to LAST_Y the path is in 1/Y, where
+ * k hardly depends on the beginning. Otherwise it is in k from the beginning, and at last in zeta = k^(-1/2). */
 static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball at_force,
                             bool creeps)
 {
