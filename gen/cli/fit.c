@@ -7,7 +7,6 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "fit/plot.h"
 #include "fit/report.h"
 #include "support/console.h"
 #include "support/gnuplot.h"

@@ -50,7 +50,6 @@ struct reader {
     enum fit_unit unit;
     char separator;
     bool decimal_comma;
-    size_t capacity;
 };
 
 /* ---- messages ---- */
@@ -241,15 +240,16 @@ static bool means_sigma(const char *plain)
         "error",        "errors", "uncertainty", "unc",    "\xcf\x83", "delta", "standarddeviation",
         "standarderror"};
     static const char *const eps[] = {"", "eps", "epsilon", "e", "cor", "restitution", "\xce\xb5"};
-    char name[2 * CELL_SHOWN];
+    char names[3][2 * CELL_SHOWN];
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        for (size_t j = 0; j < sizeof eps / sizeof *eps; j++)
-            for (int order = 0; order < 3; order++) {
-                const char *const first = order == 0 ? eps[j] : words[i], *const last = order == 0 ? words[i] : eps[j];
-                snprintf(name, sizeof name, "%s%s%s", first, order == 2 ? "of" : "", last);
-                if (strcmp(plain, name) == 0)
+        for (size_t j = 0; j < sizeof eps / sizeof *eps; j++) {
+            snprintf(names[0], sizeof *names, "%s%s", eps[j], words[i]);
+            snprintf(names[1], sizeof *names, "%s%s", words[i], eps[j]);
+            snprintf(names[2], sizeof *names, "%sof%s", words[i], eps[j]);
+            for (int k = 0; k < 3; k++)
+                if (strcmp(plain, names[k]) == 0)
                     return true;
-            }
+        }
     return false;
 }
 
@@ -363,15 +363,15 @@ static int read_header(struct fit_data *data, struct reader *r)
 /* ---- the points ---- */
 
 /* Adds a point. `bounce` describes it without its index, or is NULL. */
-static int add_point(struct fit_data *data, struct reader *r, struct fit_point point, const struct fit_bounce *bounce)
+static int add_point(struct fit_data *data, const struct reader *r, struct fit_point point,
+                     const struct fit_bounce *bounce)
 {
     if (data->points == FIT_MAX_POINTS)
         return refuse(r, COLUMNS, "more than %d points; allowed: at most that many, as every tenth", FIT_MAX_POINTS);
-    if (data->points == r->capacity) {
-        r->capacity = r->capacity ? 2 * r->capacity : 64;
-        data->point = xrealloc(data->point, r->capacity * sizeof *data->point);
-        if (bounce)
-            data->bounce = xrealloc(data->bounce, r->capacity * sizeof *data->bounce);
+    if ((data->points & (data->points - 1)) == 0) { /* no room behind a power of two */
+        const size_t room = data->points ? 2 * data->points : 1;
+        data->point = xrealloc(data->point, room * sizeof *data->point);
+        data->bounce = bounce ? xrealloc(data->bounce, room * sizeof *data->bounce) : NULL;
     }
     if (bounce)
         data->bounce[data->points] = *bounce;
@@ -381,7 +381,7 @@ static int add_point(struct fit_data *data, struct reader *r, struct fit_point p
     return STATUS_OK;
 }
 
-static int read_point(struct fit_data *data, struct reader *r)
+static int read_point(struct fit_data *data, const struct reader *r)
 {
     double speed, eps, sigma = 0;
     int status = read_number(&speed, r, SPEED, &speed_range);
@@ -418,7 +418,7 @@ static int end_drop(const struct reader *r, const struct drop *drop)
                         drop->bounces, drop->bounces == 1 ? "" : "s");
 }
 
-static int read_bounce(struct fit_data *data, struct reader *r, struct drop *drop, double gravity_m_s2)
+static int read_bounce(struct fit_data *data, const struct reader *r, struct drop *drop, double gravity_m_s2)
 {
     double time;
     int status = read_number(&time, r, TIME, &time_range);
@@ -481,20 +481,13 @@ static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s
 
 /* ---- the whole file ---- */
 
+/* By speed; equal speeds stay in the order of the file. */
 static int compare_points(const void *a, const void *b)
 {
     const struct fit_point *const p = a, *const q = b;
     if (p->speed_m_s != q->speed_m_s)
         return p->speed_m_s < q->speed_m_s ? -1 : 1;
     return p->row < q->row ? -1 : p->row > q->row;
-}
-
-/* Sorts by speed; equal speeds stay in the order of the file. */
-static void sort_points(struct fit_data *data)
-{
-    qsort(data->point, data->points, sizeof *data->point, compare_points);
-    for (size_t i = 0; data->bounce && i < data->points; i++)
-        data->bounce[data->point[i].row].point = i;
 }
 
 static int read_table(struct fit_data *data, struct reader *r, double gravity_m_s2)
@@ -531,11 +524,14 @@ int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, cons
     const int status = read_table(data, r, form->gravity_m_s2);
     free(r);
     progress_end();
-    if (status == STATUS_OK)
-        sort_points(data);
-    else
+    if (status != STATUS_OK) {
         fit_data_clear(data);
-    return status;
+        return status;
+    }
+    qsort(data->point, data->points, sizeof *data->point, compare_points);
+    for (size_t i = 0; data->bounce && i < data->points; i++)
+        data->bounce[data->point[i].row].point = i;
+    return STATUS_OK;
 }
 
 int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form)

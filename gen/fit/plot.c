@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L
-#include "fit/plot.h"
+#include "fit/report.h"
 
 #include <math.h>
 #include <string.h>

@@ -10,15 +10,6 @@
 
 enum { DIGITS = 6 };
 
-static void add_interval(struct table *table, const struct fit_model *model, int parameter,
-                         const struct fit_interval *interval, const struct fit_bodies *bodies)
-{
-    const double a = fit_parameter_value(model, parameter, interval->low, bodies);
-    const double b = fit_parameter_value(model, parameter, interval->high, bodies);
-    table_add_known(table, fmin(a, b), DIGITS);
-    table_add_known(table, fmax(a, b), DIGITS);
-}
-
 static void add_row(struct table *table, const struct fit_model *model, const struct fit_estimate *e, int parameter,
                     const struct fit_bodies *bodies)
 {
@@ -26,8 +17,13 @@ static void add_row(struct table *table, const struct fit_model *model, const st
     table_add_text(table, model->end);
     table_add_text(table, fit_parameter_name(model, parameter, bodies));
     table_add_known(table, fit_parameter_value(model, parameter, e->theta[parameter], bodies), DIGITS);
-    for (int level = 0; level < LEVELS; level++)
-        add_interval(table, model, parameter, &e->interval[parameter][level], bodies);
+    for (int level = 0; level < LEVELS; level++) {
+        const struct fit_interval *const interval = &e->interval[parameter][level];
+        const double a = fit_parameter_value(model, parameter, interval->low, bodies);
+        const double b = fit_parameter_value(model, parameter, interval->high, bodies);
+        table_add_known(table, fmin(a, b), DIGITS);
+        table_add_known(table, fmax(a, b), DIGITS);
+    }
     table_add_known(table, e->rms, DIGITS);
     table_add_known(table, e->chi2, DIGITS);
     table_add_known(table, e->aic, DIGITS);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables and sentences about the fits of corgen fit. */
+/* Tables, sentences and a picture of the fits of corgen fit */
 #ifndef COR_GEN_FIT_REPORT_H
 #define COR_GEN_FIT_REPORT_H
 
@@ -20,5 +20,10 @@ void fit_report_print(const struct fit_report *report, enum output_format format
 
 /* What the data are, which models fit and which do not. The lines are for a person; every line ends with LF. */
 void fit_report_remarks(const struct fit_report *report, FILE *file);
+
+/* Writes a picture of the data, their error bars, the fitted curves and the residuals, drawn by gnuplot in the format of
+ * `path` (gnuplot.h). The title is that of the data. Returns STATUS_OK, or STATUS_FAILED after a message. */
+int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *out,
+             const char *path);
 
 #endif

@@ -24,11 +24,11 @@ static const struct {
                 {3600, 56, SOME}, {300, 11, MUCH},  {300, 22, MUCH},
                 {1800, 11, MUCH}, {1800, 22, MUCH}, {940, 0, "higher modes; the wall is soft to slow disks"}};
 #define PAPER_ALPHA 500.0
-/* Tolerances of the rigid wall on 1 - eps^2, and nanoseconds of a collision with given modes: the median of 30 speeds
- * from 0.001 to 0.3, measured once (docs/plan.md). */
+/* Tolerances of the rigid wall on 1 - eps^2, and nanoseconds of a collision, modes included: the median of 60 scenes of
+ * bench/run, measured once (docs/speed). */
 static const struct {
     double tolerance, cost;
-} rigid[] = {{1e-3, 4e6}, {1e-4, 7e6}, {1e-5, 5e7}, {1e-6, 5e8}};
+} rigid[] = {{1e-3, 7.3e6}, {1e-4, 1e7}, {1e-5, 3.9e7}, {1e-6, 9.8e8}};
 enum {
     DYNAMICS = sizeof dynamics / sizeof *dynamics,
     RIGID = sizeof rigid / sizeof *rigid,

@@ -47,26 +47,6 @@ static void check_values(const struct plan *plan, const char *start, slong i, do
           expected);
 }
 
-/* The root of (27) between 0 and 1, by halves. */
-static double simple(double beta)
-{
-    double low = 0, high = 1;
-    for (int i = 0; i < 60; i++) {
-        const double eps = (low + high) / 2;
-        if (eps - COR_SPHERE_C1 * beta * pow(eps, 0.6) > 1)
-            high = eps;
-        else
-            low = eps;
-    }
-    return low;
-}
-
-static double printed_1999(double beta)
-{
-    const double x = -COR_SPHERE_C1 * beta;
-    return (1 + 2.5839 * x) / (1 + 3.5839 * x + 2.9839 * x * x + 1.1487 * pow(x, 3) + 0.3265 * pow(x, 4));
-}
-
 static double printed_2011(double beta)
 {
     const double v = sqrt(beta);
@@ -76,14 +56,9 @@ static double printed_2011(double beta)
 /* The [4/6] at zero force by corgen pade's own route. */
 static double pade_46(double beta)
 {
-    static struct pade f;
-    static bool known;
-    if (!known) {
-        const struct pade_request request = {PADE_ORDINARY, 4, 6, END_ZERO_FORCE, law_sphere};
-        pade_init(&f);
-        assert_int_equal(pade_compute(&f, NULL, &request, 64), 0);
-        known = true;
-    }
+    const struct pade_request request = {PADE_ORDINARY, 4, 6, END_ZERO_FORCE, law_sphere};
+    LOCAL_INIT(pade, f, (&f));
+    assert_int_equal(pade_compute(&f, NULL, &request, 64), 0);
     double p = 0, q = 0;
     for (slong k = 6; k >= 0; k--) {
         q = q * sqrt(beta) + middle(arb_poly_get_coeff_ptr(f.q, k));
@@ -162,8 +137,8 @@ TEST(test_spheres)
         eps_solve(&overlap, &force, beta);
         assert_true(fabs(plan.speed[i] / (0.01 * pow(100, (double)i / 8)) - 1) < 1e-14);
         assert_true(fabs(plan.at[i] / beta - 1) < 1e-14 && fabs(plan.truth[i] / force - 1) < 1e-14);
-        check_values(&plan, "simple theory (27)", i, simple(beta), 1e-14);
-        check_values(&plan, "Pade [1/4] as printed in 1999", i, printed_1999(beta), 1e-14);
+        check_values(&plan, "simple theory (27)", i, cor_sphere_eps_simple(beta), 1e-14);
+        check_values(&plan, "Pade [1/4] as printed in 1999", i, cor_sphere_eps_published_pade(beta), 1e-14);
         check_values(&plan, "Pade [1/4] as printed in 2011", i, printed_2011(beta), 1e-14);
         check_values(&plan, "Pade [4/6]", i, pade_46(beta), 1e-14);
         check_values(&plan, "the other end", i, overlap, 1e-14);

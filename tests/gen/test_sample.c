@@ -4,6 +4,7 @@
 #include "check.h"
 
 #include "contact/sample.h"
+#include "cor/law.h"
 
 /* a contact whose mass and stiffness are not known */
 static struct cor_scene_contact contact_of(struct cor_exponents law, int way, double damping)
@@ -31,10 +32,9 @@ static double place(const struct sample_request *r, double speed)
     return r->log ? log(speed) : speed;
 }
 
-/* d eps/d place by a difference of order 4 */
-static double slope_at(const struct sample_request *r, double speed)
+/* d eps/d place by a difference of order 4 with a step in ln(speed) */
+static double slope_at(const struct sample_request *r, double speed, double h)
 {
-    const double h = 1e-3;
     const double d = 8 * (eps_at(r, speed * exp(h)) - eps_at(r, speed * exp(-h))) -
                      (eps_at(r, speed * exp(2 * h)) - eps_at(r, speed * exp(-2 * h)));
     return d / (12 * h) / (r->log ? 1 : speed);
@@ -44,7 +44,7 @@ static double slope_at(const struct sample_request *r, double speed)
 static double error_between(const struct sample_request *r, double low, double high, int places)
 {
     const double x0 = place(r, low), x1 = place(r, high), y0 = eps_at(r, low), y1 = eps_at(r, high), w = x1 - x0;
-    const double s0 = r->cubic ? slope_at(r, low) : 0, s1 = r->cubic ? slope_at(r, high) : 0;
+    const double s0 = r->cubic ? slope_at(r, low, 1e-3) : 0, s1 = r->cubic ? slope_at(r, high, 1e-3) : 0;
     double most = 0;
     for (int i = 1; i < places; i++) {
         const double t = (double)i / places, x = x0 + t * w, u = 1 - t;
@@ -203,7 +203,7 @@ TEST(other_laws)
         .contact = &contact, .speed_min = 0.5, .speed_max = 0.501, .tolerance = 1e-3, .cubic = true};
     assert_int_equal(sample_choose(&s, &narrow), 0);
     for (size_t i = 0; i < s.best.count; i++)
-        check(fabs(s.best.slope[0][i] / slope_at(&narrow, s.best.speed_m_s[i]) - 1) < 1e-8, "slope at %g m/s",
+        check(fabs(s.best.slope[0][i] / slope_at(&narrow, s.best.speed_m_s[i], 1e-3) - 1) < 1e-8, "slope at %g m/s",
               s.best.speed_m_s[i]);
     sample_clear(&s);
 
@@ -214,4 +214,39 @@ TEST(other_laws)
     sample_clear(&s);
 }
 
-RUN_TESTS(tolerances_hold, no_smaller_table, other_laws)
+/* From a speed on that is nearly that of the onset of yield, where the second derivative of eps jumps: slopes do not
+ * reach over the onset. */
+TEST(yield_in_a_liquid)
+{
+    const double yield = 0.1, liquid = 0.01, beyond = 5e-4;
+    const struct cor_scene_contact contact = {.law = cor_law_exponents[COR_LAW_ELASTIC_PLASTIC],
+                                              .mass_kg = NAN,
+                                              .stiffness = NAN,
+                                              .radius_m = NAN,
+                                              .plastic = true,
+                                              .yield_speed_m_s = yield,
+                                              .liquid_speed_m_s = liquid};
+    for (int log = 0; log < 2; log++) {
+        const struct sample_request r = {.contact = &contact,
+                                         .end = END_ZERO_FORCE,
+                                         .speed_min = (yield + liquid) * (1 + beyond),
+                                         .speed_max = 5,
+                                         .tolerance = 1e-5,
+                                         .log = log,
+                                         .cubic = true};
+        struct sample s;
+        assert_int_equal(sample_choose(&s, &r), 0);
+        assert_true(s.best.error <= r.tolerance && s.best.count > 3);
+        for (size_t i = 0; i < s.best.count; i++) {
+            const double speed = s.best.speed_m_s[i], eps = cor_elastic_plastic_eps((speed - liquid) / yield);
+            const double wet = (eps * (speed - liquid) - liquid) / speed, slope = slope_at(&r, speed, beyond / 4);
+            check(fabs(s.best.value[0][i] / wet - 1) < 1e-14, "eps(%g) = %.17g, not %.17g", speed, s.best.value[0][i],
+                  wet);
+            check(fabs(s.best.slope[0][i] - slope) < 1e-9 * wet / speed, "slope at %g: %.12g, not %.12g", speed,
+                  s.best.slope[0][i], slope);
+        }
+        sample_clear(&s);
+    }
+}
+
+RUN_TESTS(tolerances_hold, no_smaller_table, other_laws, yield_in_a_liquid)
