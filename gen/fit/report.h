@@ -21,8 +21,8 @@ void fit_report_print(const struct fit_report *report, enum output_format format
 /* What the data are, which models fit and which do not. The lines are for a person; every line ends with LF. */
 void fit_report_remarks(const struct fit_report *report, FILE *file);
 
-/* Writes a picture of the data, their error bars, the fitted curves and the residuals, drawn by gnuplot in the format of
- * `path` (gnuplot.h). The title is that of the data. Returns STATUS_OK, or STATUS_FAILED after a message. */
+/* Writes a picture of the data, their error bars, the fitted curves and the residuals, drawn by gnuplot in the format
+ * of `path` (gnuplot.h). The title is that of the data. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *out,
              const char *path);
 

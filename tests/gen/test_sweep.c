@@ -482,7 +482,8 @@ TEST(test_rayleigh)
         assert_true(of_whole.status == status[i] && of_cut.status == status[i]);
         assert_memory_equal(of_whole.value, of_cut.value, sizeof of_cut.value);
         const double expected[] = {sweep.speed.nearest[i], 0.33, 100, r.fraction, r.tail};
-        const double after[] = {r.contact_time, r.error_estimate};
+        const double left = r.fraction + r.tail, eps = of_cut.value[5], after[] = {r.contact_time, r.error_estimate};
+        assert_true(left <= 1 ? fabs(eps * eps - (1 - left)) < 1e-15 : isnan(eps));
         assert_memory_equal(of_cut.value, expected, sizeof expected);
         assert_memory_equal(of_cut.value + 6, after, sizeof after);
     }
