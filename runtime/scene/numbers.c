@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The laws and numbers of a scene, and whether those of its bodies are complete. No function of libcor. */
+/* The laws and numbers of a scene, whether those of its bodies are complete, and what is wrong with a scene, in words:
+ * numbers have the names of corgen's options. No function of libcor but cor_status_text. */
 #include <math.h>
+#include <string.h>
 
 #include "cor/scene.h"
+#include "cor/status.h"
 
 const char *const cor_law_names[COR_LAWS] = {COR_LAW_NAMES, "plate", "elastic-plastic",
                                              "linear spring, dashpot x^(1/2)", "impulse"};
@@ -86,4 +89,137 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
         *fault = (struct cor_scene_fault){
             COR_FAULT_WALL, options & COR_SCENE_DENSE_WALL ? COR_SCENE_RADIUS_2 : COR_SCENE_DENSITY_2, 0, 0};
     return fault->fault;
+}
+
+/* ---- faults in words ---- */
+
+#define BODY_RULE                                                                                                      \
+    "a contact of bodies has --young, --poisson, --radius and --density or --mass, as --young 7e10 --poisson 0.17 "    \
+    "--radius 1e-3 --density 1600; -2 for the second body, or --wall"
+#define WAY_RULE                                                                                                       \
+    "The dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
+    "--restitution E --at SPEED (as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
+
+/* In braces: the fault's numbers by name, the law, the rule of bodies or the one of the caller, the status of libcor,
+ * and what more_of says. */
+static const char *const sentences[] = {
+    [COR_FAULT_SOLVER] = "the law {law} has no functions in cor; corgen contact solves it",
+    [COR_FAULT_NO_DAMPING] = "no damping found for which eps is the --restitution",
+    [COR_FAULT_MISSING] = "--{number} is missing: {bodies}",
+    [COR_FAULT_ONE_OF] = "--{number} and --{other}: give one of them; {bodies}",
+    [COR_FAULT_EXCLUDED] = "--{number} and --{other} exclude each other",
+    [COR_FAULT_WALL] = "--wall is flat and held fast: no --radius-2{more} or --mass-2",
+    [COR_FAULT_MATERIAL] = "these bodies make no contact: {status}",
+    [COR_FAULT_VISCOSITY] = "--{number} is not two numbers, 0 or more: ETA1,ETA2 in Pa s, as 1e3,2e3",
+    [COR_FAULT_PLATE_LAW] = "--plate-thickness needs --law plate",
+    [COR_FAULT_PLATE_END] =
+        "--end zero-force: a plate has the end zero-overlap alone; its contact force is never attractive",
+    [COR_FAULT_PLATE_BODIES] =
+        "--law plate needs a sphere and a plate: --young, --poisson, --radius, --density or --mass, --plate-thickness, "
+        "and -2 of the plate, as --young 7e10 --poisson 0.24 --radius 5e-3 --density 2500 --plate-thickness 3e-3",
+    [COR_FAULT_PLATE_NUMBERS] =
+        "--law plate is a sphere on a plate of --plate-thickness H, as 3e-3, and, where they differ from the sphere's, "
+        "--young-2, --poisson-2 and --density-2; no --radius-2, --mass-2 or --wall",
+    [COR_FAULT_PLATE_DENSITY] = "--density-2 is missing: the density of the plate in kg/m^3, as 2500",
+    [COR_FAULT_PLATE_DAMPING] = "the plate dissipates by its own motion: --law plate takes no --{number}, only the "
+                                "--dissipation-time or --viscosity of the sphere",
+    [COR_FAULT_TWO_CONTACTS] = "--stiffness with --effective-mass and bodies exclude each other; {bodies}",
+    [COR_FAULT_SPRING] =
+        "--{number} is missing: a spring has --stiffness K in N/m^a, or the --duration T of its contacts in s, and "
+        "--effective-mass m_1 m_2/(m_1 + m_2) in kg, as --stiffness 1e5 --effective-mass 1e-3",
+    [COR_FAULT_NOT_HERTZ] = "two bodies have Hertz's force, x^(3/2); the law {law} needs --stiffness K in N/m^a and "
+                            "--effective-mass M in kg, as --stiffness 1e5 --effective-mass 1e-3",
+    [COR_FAULT_NO_WAY] = "no dissipation is given. A drop measures it: from the height H to H' on the rebound is "
+                         "--restitution E --at G with E = sqrt(H'/H) and G = sqrt(2 g H), as --restitution 0.9 --at 1; "
+                         "--dissipation-time 0 is elastic. " WAY_RULE,
+    [COR_FAULT_TWO_WAYS] = "--{number} and --{other} exclude each other. " WAY_RULE,
+    [COR_FAULT_NOT_SPHERE] = "--{number} is that of viscoelastic spheres, not of the law {law}: give --restitution "
+                             "E{more} or --damping-coefficient C",
+    [COR_FAULT_CONSTANT] =
+        "--g-star: eps of the law {law} is the same at every speed; give --restitution E or --zeta Z, as --zeta 0.1",
+    [COR_FAULT_NOT_CONSTANT] = "--zeta is the damping ratio of the laws linear and tsuji; the law {law} takes "
+                               "--restitution E --at SPEED or --damping-coefficient C",
+    [COR_FAULT_NO_BODIES] = "--{number} needs bodies{more}: {bodies}",
+    [COR_FAULT_NO_SCALES] = "--{number} needs bodies, or --stiffness and --effective-mass: {bodies}",
+    [COR_FAULT_NO_SPEED] = "--{number} needs --at SPEED in m/s, as --at 1: {more}",
+    [COR_FAULT_SPEED_ALONE] = "--at is the speed of --restitution, --beta or --duration, and none is given",
+    [COR_FAULT_FIRST_MISSING] = "--{number} needs --{other}, that of the first body",
+    [COR_FAULT_NO_SECOND_BODY] = "--{number} needs a second body that is viscoelastic",
+    [COR_FAULT_RANGE] = "the damping of this contact is beyond a double: the numbers of its bodies or of its "
+                        "dissipation are too far apart",
+    [COR_FAULT_NO_STIFFNESS] = "no stiffness makes the contact last for the --duration: with this damping its bodies "
+                               "never part, or the stiffness is beyond a double",
+    [COR_FAULT_PRESSED] = "the damping of the law {law} is too strong to be integrated under gravity or adhesion",
+    [COR_FAULT_GRAVITY] = "--gravity presses a ball to a --wall or a plate; two free bodies fall together, and their "
+                          "contact knows nothing of it",
+    [COR_FAULT_ADHESION] =
+        "--adhesion W, in J/m^2, and --adhesion-model go together, as --adhesion 0.05 --adhesion-model dmt",
+    [COR_FAULT_ADHESION_MODEL] =
+        "--adhesion-model jkr is for spheres alone, without gravity and yield, and for the laws viscoelastic, tsuji, "
+        "hunt-crossley and hertz-dashpot; dmt is the constant force 2 pi W R",
+    [COR_FAULT_PRESSED_LAW] = "--gravity and --adhesion have no answer for {more}",
+    [COR_FAULT_NO_YIELD] = "--law elastic-plastic needs --yield-stress Y in Pa, as --yield-stress 1e9, or "
+                           "--restitution E --at SPEED, measured where the bodies yield",
+    [COR_FAULT_YIELD_DAMPING] =
+        "--{number}: the law elastic-plastic has no damping; it takes --yield-stress Y, or --restitution E --at SPEED",
+    [COR_FAULT_LIQUID] = "--{number} is missing: a liquid has --viscosity-liquid ETA in Pa s and --gap-outer and "
+                         "--gap-inner in m, as --viscosity-liquid 1e-3 --gap-outer 1e-4 --gap-inner 1e-6",
+    [COR_FAULT_GAPS] = "--{number} is not larger than --{other}",
+};
+
+static const char *more_of(const struct cor_scene_fault *fault)
+{
+    const int number = fault->number;
+    switch (fault->fault) {
+    case COR_FAULT_WALL:
+        return number == COR_SCENE_DENSITY_2 ? ", --density-2" : "";
+    case COR_FAULT_NOT_SPHERE:
+        return fault->other == COR_SCENE_AT ? " --at SPEED" : "";
+    case COR_FAULT_NO_BODIES:
+        return number == COR_SCENE_ADHESION    ? ", whose radii multiply it"
+               : number == COR_SCENE_VISCOSITY ? ", whose elasticity divides it"
+                                               : "";
+    case COR_FAULT_NO_SPEED:
+        return number == COR_SCENE_DURATION
+                   ? "durations of the law {law} depend on the speed (those of linear do not)"
+                   : "eps of the law {law} depends on the speed (that of linear and tsuji does not)";
+    default:
+        return number == COR_SCENE_YIELD_STRESS ? "--law elastic-plastic" : "a contact in a liquid";
+    }
+}
+
+long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law,
+                          const char *rule)
+{
+    const struct {
+        const char *word, *text;
+    } words[] = {{"{number}", cor_scene_number_names[fault->number]},
+                 {"{other}", cor_scene_number_names[fault->other]},
+                 {"{law}", law},
+                 {"{bodies}", rule ? rule : BODY_RULE},
+                 {"{status}", cor_status_text(fault->status)}};
+    const int known = fault->fault >= 0 && fault->fault < (int)(sizeof sentences / sizeof *sentences);
+    const char *at = known && sentences[fault->fault] ? sentences[fault->fault] : "", *after = "";
+    size_t length = 0;
+    while (*at || *after) {
+        if (!*at || strncmp(at, "{more}", 6) == 0) {
+            const char *const rest = *at ? at + 6 : "";
+            at = *at ? more_of(fault) : after;
+            after = rest;
+            continue;
+        }
+        const char one[] = {*at, '\0'}, *part = one;
+        size_t used = 1;
+        for (size_t i = 0; i < sizeof words / sizeof *words && *at == '{'; i++)
+            if (strncmp(at, words[i].word, strlen(words[i].word)) == 0) {
+                part = words[i].text;
+                used = strlen(words[i].word);
+            }
+        for (at += used; *part; part++, length++)
+            if (length + 1 < size)
+                text[length] = *part;
+    }
+    if (size > 0)
+        text[length < size ? length : size - 1] = '\0';
+    return (long)length;
 }

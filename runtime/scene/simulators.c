@@ -198,6 +198,9 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "?cor_material = FrictMat(young={young}, poisson={poisson}, frictionAngle=0)\n"                                    \
     "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, frictionAngle=0)\n"
 
+#define OPENFOAM_NUMBERS                                                                                               \
+    "    alpha {n};\n    b 1.5;\n    mu 0;\n    cohesionEnergyDensity 0;\n    collisionResolutionSteps 12;\n}\n"
+
 /* Where a model comes from: simulator, file, "run" or "source", version */
 #define OF(of_simulator, of_file, how, of_version)                                                                     \
     .simulator = of_simulator, .file = of_file, .known = how, .version = of_version
@@ -377,25 +380,13 @@ const struct cor_simulator_model cor_simulator_models[] = {
         BOTH("pairModel pairSpringSliderDashpot;\n"
              "pairSpringSliderDashpotCoeffs\n"
              "{\n"
-             "    useEquivalentSize no;\n"
-             "    alpha {n};\n"
-             "    b 1.5;\n"
-             "    mu 0;\n"
-             "    cohesionEnergyDensity 0;\n"
-             "    collisionResolutionSteps 12;\n"
-             "}\n",
+             "    useEquivalentSize no;\n" OPENFOAM_NUMBERS,
              "wallModel wallSpringSliderDashpot;\n"
              "wallSpringSliderDashpotCoeffs\n"
              "{\n"
              "    useEquivalentSize no;\n"
              "?    youngsModulus {young};\n"
-             "?    poissonsRatio {poisson};\n"
-             "    alpha {n};\n"
-             "    b 1.5;\n"
-             "    mu 0;\n"
-             "    cohesionEnergyDensity 0;\n"
-             "    collisionResolutionSteps 12;\n"
-             "}\n")),
+             "?    poissonsRatio {poisson};\n" OPENFOAM_NUMBERS)),
     ROW(OF_KRATOS("python_scripts"), "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_kratos, 0, 1), "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NO_LINES),
     ROW(OF_KRATOS("custom_constitutive"), "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI, ZERO_FORCE,
