@@ -361,58 +361,48 @@ void interpolant_free(struct interpolant *f)
     free(f);
 }
 
-/* The largest relative error of interval i at the place x */
-static int check_place(double *error, const struct interpolant *f, int i, double x)
+/* The relative error of the polynomial at sample k of interval i */
+static double error_at(const struct interpolant *f, int i, enum quantity quantity, const struct samples *s, slong k)
 {
-    const struct interval *interval = &f->layout->interval[i];
-    LOCAL_VECTOR(value, QUANTITIES);
-    LOCAL(arb, beta, variable, y);
-    interpolant_place(beta, variable, f, interval, x);
-    const int status = interval_solve(value, f, interval, beta, CHECK_BITS);
-    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
-        if (!holds(interval, (enum quantity)q))
-            continue;
-        const arb_srcptr known = value + q;
-        interpolant_polynomial_at(y, f, i, (enum quantity)q, variable, INTERPOLANT_BITS);
-        if (interval->form == FORM_LOG && is_eps((enum quantity)q))
-            LET(y, INTERPOLANT_BITS, "y - known", y, known); /* for a logarithm the absolute error counts */
-        else
-            LET(y, INTERPOLANT_BITS, "y/known - 1", y, known);
-        *error = fmax(*error, fabs(arf_get_d(arb_midref(y), ARF_RND_UP)));
-    }
-    return status;
+    const arb_srcptr known = s->value[quantity] + k;
+    LOCAL(arb, y);
+    interpolant_polynomial_at(y, f, i, quantity, s->node + k, INTERPOLANT_BITS);
+    if (f->layout->interval[i].form == FORM_LOG && is_eps(quantity))
+        LET(y, INTERPOLANT_BITS, "y - known", y, known); /* for a logarithm the absolute error counts */
+    else
+        LET(y, INTERPOLANT_BITS, "y/known - 1", y, known);
+    return fabs(arf_get_d(arb_midref(y), ARF_RND_UP));
 }
 
-struct checking {
-    const struct interpolant *f;
-    int points;
-    double *error; /* of each task */
-    atomic_bool failed;
-};
-
-/* Checks point i % points of interval i / points. The points include the ends, where interpolation is worst. */
-static void check_point(void *context, slong i)
-{
-    struct checking *const work = context;
-    const int index = (int)(i / work->points), k = (int)(i % work->points);
-    const struct interval *const interval = &work->f->layout->interval[index];
-    const double s = work->points > 1 ? k / (double)(work->points - 1) : 0;
-    const bool at_zero = k == 0 && interval->variable == INTERVAL_ROOT && interval->lo == 0;
-    work->error[i] = 0;
-    if (work->f->samples[index].known &&
-        check_place(&work->error[i], work->f, index,
-                    interval->lo + (interval->hi - interval->lo) * (at_zero ? 1e-6 : s)))
-        atomic_store(&work->failed, true);
-}
-
+/* The places include the ends, where interpolation is worst. */
 int interpolant_check(double *error, const struct interpolant *f, int points)
 {
-    const slong tasks = (slong)f->layout->intervals * points;
-    struct checking work = {.f = f, .points = points, .error = xmalloc((size_t)tasks * sizeof *work.error)};
-    parallel_for(check_point, &work, tasks, "collisions to check with");
+    const int intervals = f->layout->intervals;
+    struct samples *const s = xmalloc((size_t)intervals * sizeof *s);
+    struct interval *const checked = xmalloc((size_t)intervals * sizeof *checked);
+    for (int i = 0; i < intervals; i++) {
+        const struct interval *const interval = &f->layout->interval[i];
+        checked[i] = *interval;
+        checked[i].count = points;
+        checked[i].bits = CHECK_BITS;
+        samples_init(&s[i], points);
+        s[i].known = f->samples[i].known;
+        for (slong k = 0; k < points; k++) {
+            const bool at_zero = k == 0 && interval->variable == INTERVAL_ROOT && interval->lo == 0;
+            const double place = at_zero ? 1e-6 : points > 1 ? (double)k / (points - 1) : 0;
+            interpolant_place(s[i].beta + k, s[i].node + k, f, interval,
+                              interval->lo + (interval->hi - interval->lo) * place);
+        }
+    }
+    const int status = samples_collide(s, intervals, f, checked, "collisions to check with");
     *error = 0;
-    for (slong i = 0; i < tasks; i++)
-        *error = fmax(*error, work.error[i]);
-    free(work.error);
-    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+    for (int i = 0; i < intervals; i++) {
+        for (int q = 0; q < QUANTITIES && s[i].known; q++)
+            for (slong k = 0; k < points && holds(&checked[i], (enum quantity)q); k++)
+                *error = fmax(*error, error_at(f, i, (enum quantity)q, &s[i], k));
+        samples_clear(&s[i], points);
+    }
+    free(checked);
+    free(s);
+    return status;
 }

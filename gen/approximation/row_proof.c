@@ -157,13 +157,6 @@ static int prove_stated(struct ellipse_bound *bound, const struct interval *inte
 
 /* ---- the constant of the creep ---- */
 
-/* 2 ln(Y) and r = 1/Y at zero force, for exact u = ln(beta) and eps beta^(5/3) there: Y = beta^(5/3) sqrt(that) */
-static void creep_begin(arb_t log_square, arb_t r, const arb_t u, const arb_t scaled_eps)
-{
-    LET(log_square, PREC, "log(scaled_eps) + 10*u/3", scaled_eps, u);
-    LET(r, PREC, "exp(-log_square/2)", log_square);
-}
-
 /* C from collision j of an interval in ln(beta): the time from zero force to zero overlap, without the series. Returns
  * false if the fall begins where the series has no bound. */
 static bool creep_constant_of(arb_t constant, const struct interpolant_proof *proof, int i, slong j)
@@ -178,8 +171,9 @@ static bool creep_constant_of(arb_t constant, const struct interpolant_proof *pr
         arb_mul_2exp_si(x, exact[k], -bits);
         arb_add_error(exact[k], x);
     }
-    const arb_srcptr u = s->node + j; /* ln(beta) */
-    creep_begin(x, r, u, eps);
+    const arb_srcptr u = s->node + j;          /* ln(beta) */
+    LET(x, PREC, "log(eps) + 10*u/3", eps, u); /* 2 ln(Y) at zero force, Y = beta^(5/3) sqrt(eps beta^(5/3)) */
+    LET(r, PREC, "exp(-x/2)", x);
     LET(constant, PREC, "end - x - exp(-5*u/3)*time", end, x, u, time);
     arb_one(power);
     for (slong k = 1; k <= CREEP_SERIES_ORDER; k++) {
