@@ -70,8 +70,6 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats)
     return STATUS_OK;
 }
 
-/* ---- beyond the rows ---- */
-
 /* ---- damping during the approach only ---- */
 
 /* beta from 0 to 8, 1 - eps up to 1/2, and eps from there to 1/64 in 16 cells to an octave. c_0 of a row that is
@@ -122,6 +120,8 @@ int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const c
     }
     return status;
 }
+
+/* ---- beyond the rows ---- */
 
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity)
 {

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdatomic.h>
 #include <stdbool.h>
-#include <stdlib.h>
 
 #include "enclosure/collision.h"
 #include "support/console.h"
@@ -75,19 +74,13 @@ struct collecting {
 /* near (i + 1)/even, or near 2^(-SMALL_STEP j), or near (5/4)^j but at most beta_max */
 static void reference_place(fmpq_t beta, const struct collecting *work, slong i)
 {
-    const slong even = work->references->even, j = i - even + 1;
-    LOCAL(fmpq, factor);
-    fmpq_set_si(beta, work->near, 1);
-    if (i < even) {
-        fmpq_set_si(factor, i + 1, (ulong)even);
-    } else if (j <= work->small) {
-        fmpq_set_si(factor, 1, 1UL << SMALL_STEP);
-        fmpq_pow_si(factor, factor, j);
-    } else {
-        fmpq_set_si(factor, FAR_STEP, FAR_STEP - 1);
-        fmpq_pow_si(factor, factor, j - work->small);
-    }
-    fmpq_mul(beta, beta, factor);
+    const slong even = work->references->even, near = work->near, j = i - even + 1, above = j - work->small;
+    if (i < even)
+        EXACT(beta, "near*(i + 1)/even", near, i, even);
+    else if (above <= 0)
+        EXACT(beta, "near/2^(SMALL_STEP*j)", near, SMALL_STEP, j);
+    else
+        EXACT(beta, "near*(FAR_STEP/(FAR_STEP - 1))^above", near, FAR_STEP, above);
     if (fmpq_cmp_si(beta, work->beta_max) > 0)
         fmpq_set_si(beta, work->beta_max, 1);
 }
@@ -112,9 +105,7 @@ int references_init(struct references *s, const struct law *law, slong beta_max,
     s->even = even;
     s->far = (slong)ceil(log((double)beta_max / (double)near) / log((double)FAR_STEP / (FAR_STEP - 1)));
     s->count = even + small + s->far;
-    s->beta = xmalloc((size_t)s->count * sizeof *s->beta);
-    for (slong i = 0; i < s->count; i++)
-        fmpq_init(s->beta + i);
+    s->beta = _fmpq_vec_init(s->count);
     for (int end = 0; end < 2; end++)
         s->eps[end] = _arb_vec_init(s->count);
     struct collecting work = {.references = s, .law = law, .beta_max = beta_max, .near = near, .small = small};
@@ -127,9 +118,7 @@ int references_init(struct references *s, const struct law *law, slong beta_max,
 
 void references_clear(struct references *s)
 {
-    for (slong i = 0; i < s->count; i++)
-        fmpq_clear(s->beta + i);
-    free(s->beta);
+    _fmpq_vec_clear(s->beta, s->count);
     for (int end = 0; end < 2; end++)
         _arb_vec_clear(s->eps[end], s->count);
 }
@@ -164,11 +153,6 @@ static double relative(const arb_t approximate, const arb_t exact)
     return upper_bound(x);
 }
 
-static void set_z(arb_t z, const struct pade_rounded *r, const arb_t beta)
-{
-    arb_root_ui(z, beta, (ulong)r->root, BITS);
-}
-
 void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
                               const struct references *s)
 {
@@ -177,7 +161,7 @@ void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r
     for (slong i = 0; i < s->count; i++) {
         const arb_srcptr exact = s->eps[end] + i;
         arb_set_fmpq(beta, s->beta + i, BITS);
-        set_z(z, r, beta);
+        arb_root_ui(z, beta, (ulong)r->root, BITS);
         arb_poly_evaluate(p, r->p_double, z, BITS);
         arb_poly_evaluate(q, r->q_double, z, BITS);
         arb_poly_evaluate(l, r->l_double, z, BITS);
@@ -250,7 +234,7 @@ static bool may_overflow(arb_poly_t magnitude[3], const struct pade_rounded *r, 
     bool may = false;
     LOCAL(arb, z, sum);
     arb_set_si(z, beta_max);
-    set_z(z, r, z);
+    arb_root_ui(z, z, (ulong)r->root, BITS);
     for (int i = 0; i < 3; i++) {
         arb_poly_evaluate(sum, magnitude[i], z, BITS);
         may = may || !arb_is_finite(sum) || arf_cmpabs_2exp_si(arb_midref(sum), DBL_MAX_EXP - 2) > 0;

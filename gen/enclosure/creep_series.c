@@ -19,12 +19,6 @@ struct formal_time {
     fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], slope[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
 };
 
-static void scale_by_ratio(fmpq_poly_t y, const fmpq_poly_t x, slong num, slong den)
-{
-    fmpq_poly_scalar_mul_si(y, x, num);
-    fmpq_poly_scalar_div_si(y, y, den);
-}
-
 /* q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). The right side vanishes at k = 1, which gives q_j(1). */
 static void formal_time_init(struct formal_time *f)
 {
@@ -43,7 +37,8 @@ static void formal_time_init(struct formal_time *f)
         fmpq_poly_set_coeff_fmpq(&f->q[j], 0, constant);
 
         fmpq_poly_mul(sum, k, &f->slope[j]);
-        scale_by_ratio(term, &f->q[j], j, 2);
+        fmpq_poly_scalar_mul_si(term, &f->q[j], j);
+        fmpq_poly_scalar_div_si(term, term, 2);
         fmpq_poly_add(sum, sum, term);
         fmpq_poly_derivative(&f->source[j], sum);
         fmpq_poly_mul(sum, sum, k);

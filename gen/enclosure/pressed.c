@@ -167,26 +167,20 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
     LOCAL(arb, rest, force);
     double low = 0, high = 0;
     bool below = false, above = false;
-    double place = log2(fmin(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0.5)), stride = 1;
+    double place = log2(fmin(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0.5));
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_set_d(damping, exp2(place));
         if (!curve(rest, force, beta, damping, law, end, SEARCH_BITS))
             return fail("the damping is too strong for the threshold of the force to be enclosed");
-        const bool is_low = arf_sgn(arb_midref(rest)) > 0, finite = arb_is_finite(rest);
+        const bool is_low = arf_sgn(arb_midref(rest)) > 0;
         *(is_low ? &low : &high) = place;
         *(is_low ? &below : &above) = true;
         arb_get_mid_arb(is_low ? b->low : b->high, damping);
         arb_get_mid_arb(is_low ? b->f_low : b->f_high, rest);
-        if (below && above && finite && arb_is_finite(b->f_high))
+        const bool both = below && above;
+        if ((both && (arb_is_finite(b->f_high) || high - low < 1e-12)) || place > DOUBLINGS || place < -1000)
             break;
-        if (below && above && high - low < 1e-12)
-            break;
-        if (place > DOUBLINGS || place < -1000)
-            break;
-        if (below && above)
-            place = (low + high) / 2;
-        else
-            place += is_low ? stride : -stride;
+        place = both ? (low + high) / 2 : place + (is_low ? 1 : -1);
     }
     if (below && above && !arb_is_finite(b->f_high) && law_speed_exponent(law).num > 0) {
         arb_set(low_end, b->low);

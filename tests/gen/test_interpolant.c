@@ -64,6 +64,14 @@ TEST(test_small_beta)
         }
     }
     assert_true(worst < 1e-18);
+    for (int side = -1; side <= 1; side += 2) { /* the values of an interval of places contain those at its ends */
+        arb_set_d(z, 0.4);
+        arb_add_error_2exp_si(z, -20);
+        interpolant_value(exact, f, MAX_OVERLAP, z, PREC);
+        arb_set_d(z, 0.4 + side * 0x1p-20);
+        interpolant_value(y, f, MAX_OVERLAP, z, PREC);
+        assert_true(arb_contains(exact, y));
+    }
     assert_int_equal(interpolant_check(&error, f, 3), 0);
     assert_true(error < 1e-17);
     interpolant_free(f);
