@@ -5,11 +5,6 @@
 
 /* ---- sizes ---- */
 
-static size_t whole_panels(size_t n)
-{
-    return (n + COR_PANEL - 1) / COR_PANEL * COR_PANEL;
-}
-
 static double phi_needed(double alpha, double tolerance, double speed, size_t n_max)
 {
     const double fast = speed / 0.1, digits = fmax(-log10(tolerance), 3);
@@ -43,8 +38,8 @@ struct cor_motion_sizes cor_motion_sizes(const struct cor_disk_mode *mode, size_
     }
     size.blocks = size.n_max / COR_LANES + 1;
     size.cells = cor_mode_blocks(mode, modes, size.blocks, NULL);
-    size.terms = whole_panels(size.n_max + 2);
-    size.points = whole_panels(cor_motion_phi_limit(options, size.n_max));
+    size.terms = cor_whole(size.n_max + 2, COR_PANEL);
+    size.points = cor_whole(cor_motion_phi_limit(options, size.n_max), COR_PANEL);
     return size;
 }
 
@@ -95,7 +90,7 @@ void cor_motion_set_modes(struct cor_motion *m)
 
 void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 {
-    const size_t terms = m->size.terms, points = whole_panels(phi), half = 2 * phi;
+    const size_t terms = m->size.terms, points = cor_whole(phi, COR_PANEL), half = 2 * phi;
     m->phi = phi;
     for (size_t i = 0; i < half; i++) { /* half an interval between angles apart; each covers a quarter of a turn */
         m->table[i] = cos((double)i * (COR_PI / (4 * (double)phi)));

@@ -20,7 +20,7 @@ enum { PATIENCE = 10, MAX_ROUNDS = 10000 };
 
 static size_t padded(size_t n)
 {
-    return (n + COR_LANES - 1) / COR_LANES * COR_LANES;
+    return cor_whole(n, COR_LANES);
 }
 
 /* First element of row i; row r has padded(r) elements. */
@@ -147,19 +147,13 @@ static double reach_under(struct cor_hard_wall_contact *contact, size_t j, doubl
     return reach - contact->loops->dot(padded(m), contact->row, y);
 }
 
-static double sum_of(const double *y, size_t m)
-{
-    double sum = 0;
-    for (size_t j = 0; j < m; j++)
-        sum += y[j];
-    return sum;
-}
-
 /* Whether no angle from m on reaches into the wall. Most angles are too far away to feel the forces. */
 static int is_clear_beyond(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                            const double *y, size_t m)
 {
-    const double load = sum_of(y, m);
+    double load = 0;
+    for (size_t j = 0; j < m; j++)
+        load += y[j];
     for (size_t j = m; j < contact->points; j++)
         if (reach[j] + load * contact->far[j - (m > 0 ? m - 1 : 0)] > negligible &&
             reach_under(contact, j, reach[j], y, m) > negligible)

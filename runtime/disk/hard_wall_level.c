@@ -55,11 +55,6 @@ struct level {
 
 /* ---- workspace ---- */
 
-static size_t panels(size_t n)
-{
-    return (n + COR_HARD_WALL_PANEL - 1) / COR_HARD_WALL_PANEL * COR_HARD_WALL_PANEL;
-}
-
 static struct sizes sizes_of(const struct cor_disk_mode *mode, size_t modes,
                              const struct cor_hard_wall_settings *settings)
 {
@@ -68,13 +63,14 @@ static struct sizes sizes_of(const struct cor_disk_mode *mode, size_t modes,
         size.blocks = (size_t)mode[i].n / COR_LANES > size.blocks ? (size_t)mode[i].n / COR_LANES : size.blocks;
     size.lanes = ++size.blocks * COR_LANES;
     size.cells = cor_mode_blocks(mode, modes, size.blocks, NULL);
-    size.terms = panels(size.lanes + 2);
+    size.terms = cor_whole(size.lanes + 2, COR_HARD_WALL_PANEL);
     if (!settings->point) {
         const double least = (double)size.lanes + 2, half = 0.5 * COR_HARD_WALL_PANEL;
         const size_t bins = (size_t)ceil(fmax(COR_PI / settings->spacing, least) / half);
         size.nyquist = bins * COR_HARD_WALL_PANEL / 2;
         size.bins = 2 * bins < size.lanes ? bins : 0;
-        size.points = panels((size_t)(fmin(settings->range, COR_PI / 2) * (double)size.nyquist / COR_PI) + 1);
+        size.points = cor_whole((size_t)(fmin(settings->range, COR_PI / 2) * (double)size.nyquist / COR_PI) + 1,
+                                COR_HARD_WALL_PANEL);
     }
     return size;
 }

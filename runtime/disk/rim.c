@@ -62,12 +62,12 @@ void cor_mode_places(const struct cor_disk_mode *mode, size_t modes, size_t bloc
 void *cor_store_take(struct cor_store *store, size_t n, size_t bytes)
 {
     void *const here = store->base == NULL ? NULL : store->base + store->used;
-    store->used += (n * bytes + COR_ALIGNMENT - 1) / COR_ALIGNMENT * COR_ALIGNMENT;
+    store->used += cor_whole(n * bytes, COR_ALIGNMENT);
     return here;
 }
 
 void *cor_store_aligned(void *workspace)
 {
-    const size_t beyond = (size_t)((uintptr_t)workspace % COR_ALIGNMENT);
-    return (char *)workspace + (beyond > 0 ? COR_ALIGNMENT - beyond : 0);
+    const size_t address = (size_t)(uintptr_t)workspace;
+    return (char *)workspace + (cor_whole(address, COR_ALIGNMENT) - address);
 }

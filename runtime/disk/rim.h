@@ -22,6 +22,12 @@
 /* COR_OK, or the status of the first error in the lowest n_modes modes of a table */
 int cor_disk_table_check(const struct cor_disk_modes *modes, size_t n_modes);
 
+/* n, rounded up to a multiple */
+static inline size_t cor_whole(size_t n, size_t of)
+{
+    return (n + of - 1) / of * of;
+}
+
 /* ---- modes in blocks ---- */
 
 struct cor_mode_block {

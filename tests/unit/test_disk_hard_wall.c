@@ -287,7 +287,7 @@ TEST(joins)
 
 struct watched {
     struct cor_disk_hard_wall_moment last;
-    double highest, most_load, widest, impulse, energy_at_widest;
+    double highest, widest, impulse;
     size_t moments, n;
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
@@ -330,7 +330,6 @@ static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
     else
         w->impulse += moment->load * moment->time;
     w->highest = fmax(w->highest, moment->position + 1);
-    w->most_load = fmax(w->most_load, moment->load);
     w->widest = fmax(w->widest, moment->contact_angle);
     w->last = *moment;
     w->moments++;

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c): against the formulas written out,
  * which share no sum, no contact solver and no step with it; two fades, walls of potential exp(alpha x)/alpha, a point
- * contact, energy, contacts in pieces. And the instruction sets: levels and the ladders of modes
- * (runtime/disk/mode_source_kernel.c) have the same bits. */
-#define _XOPEN_SOURCE 600 /* j0, j1 */
+ * contact, energy, contacts in pieces. And the instruction sets: levels and modes have the same bits. */
 #include "check.h"
 
 #include <cor/status.h>
@@ -329,47 +327,6 @@ TEST(every_set)
     }
 }
 
-/* Quotients of Bessel functions and the number of their zeros, from J_0 and J_1 of the C library upwards */
-TEST(ladders)
-{
-    struct random_state random = random_start();
-    for (size_t draws = 0; draws < points(200); draws++) {
-        double kappa[COR_MODE_LANES], step[COR_MODE_LANES], first[COR_MODE_LANES];
-        double quotient[COR_INSTRUCTION_SETS][COR_MODE_LANES], zeros[COR_INSTRUCTION_SETS][COR_MODE_LANES];
-        const double size = random_log(&random, 0.5, 300);
-        const long end = (long)random_uniform(&random, 0, fmin(0.7 * size, 25)), start_at = (long)(1.2 * size) + 60;
-        for (int i = 0; i < COR_MODE_LANES; i++) {
-            kappa[i] = size * random_uniform(&random, 0.9, 1);
-            step[i] = 2 / kappa[i];
-            first[i] = 0.75 * kappa[i] / (double)(start_at + 1);
-        }
-        for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
-            if (!cor_mode_set(set))
-                continue;
-            cor_mode_set(set)->ladder(step, first, start_at, end, quotient[set], zeros[set]);
-            check(memcmp(quotient[set], quotient[0], sizeof *quotient) == 0 &&
-                      memcmp(zeros[set], zeros[0], sizeof *zeros) == 0,
-                  "set %d, draw %zu", set, draws);
-        }
-        for (int i = 0; i < COR_MODE_LANES; i++) {
-            /* upwards is stable below m = kappa */
-            double below = j0(kappa[i]), here = j1(kappa[i]);
-            for (long m = 1; m <= end; m++) {
-                const double above = 2 * (double)m / kappa[i] * here - below;
-                below = here;
-                here = above;
-            }
-            if (fabs(below) > 1e-3)
-                check(fabs(quotient[0][i] - here / below) < 1e-9 * (1 + fabs(here / below)),
-                      "J_%ld/J_%ld(%g) = %.12g, not %.12g", end + 1, end, kappa[i], quotient[0][i], here / below);
-            /* zeros of J_end below kappa, by its sign at the points between: z is near (k + end/2 - 1/4) pi */
-            if (end == 0)
-                check(fabs(zeros[0][i] - (kappa[i] / 3.14159265358979 + 0.25)) < 1.02, "%g zeros of J_0 below %g",
-                      zeros[0][i], kappa[i]);
-        }
-    }
-}
-
 TEST(modes_of_every_set)
 {
     struct random_state random = random_start();
@@ -407,4 +364,4 @@ TEST(refusals)
 }
 
 RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, point_contact, soft_wall_of_all_modes, refusals,
-          coarse_angles, cosines, every_set, ladders, modes_of_every_set)
+          coarse_angles, cosines, every_set, modes_of_every_set)
