@@ -17,8 +17,8 @@ enum {
 #define COR_TUNING_MAX_TURN 1.0
 /* Largest alpha v h, by which the pressure's exponent rises in a step at first contact. Chosen. */
 #define COR_TUNING_MAX_RISE 0.8
-/* Largest h^2 alpha a, where a is the rim's acceleration. Beyond it the run is repeated with a smaller step.
- * Derived: above 12 the softened pressure of (15.1) is negative. Chosen: a quarter of that. */
+/* Largest h^2 alpha a, where a is the rim's acceleration. Beyond it the run is repeated with a smaller step. Derived:
+ * above 12 the softened pressure of (15.1) is negative. Chosen: a quarter of that. */
 #define COR_TUNING_MAX_STIFFNESS 3.0
 /* Runs with a larger tolerance start with the largest allowed step, runs with a smaller one with a smaller step, so
  * that four or five runs suffice. Chosen. */
@@ -28,30 +28,30 @@ enum {
 
 /* Smallest number of angles of the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
-/* Angles for each digit of the tolerance, over alpha^(2/3): the pressure falls off over alpha^(-2/3) at the
- * contact's edge. Fitted so that the first choice mostly suffices, as are the offset and the powers of v/0.1 below
- * and above 1. */
+/* Angles for each digit of the tolerance, over alpha^(2/3): the pressure falls off over alpha^(-2/3) at the contact's
+ * edge. Fitted so that the first choice mostly suffices, as are the offset and the powers of v/0.1 below and above
+ * 1. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
 #define COR_TUNING_PHI_FAST 0.6
-/* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles, and the angles for
- * the pressure count as half of them; see cor_collision_angles_error. */
+/* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles, and the angles for the
+ * pressure count as half of them; see cor_collision_angles_error. */
 #define COR_TUNING_PHI_PER_N 0.25
 /* Largest number of angles over the first choice. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5
 
 /* Steps between two scans of all angles. Steps between scans evaluate the window only. Chosen. */
 #define COR_TUNING_SCAN_INTERVAL 8
-/* Between full scans, only angles whose pressure exceeds this times the peak are evaluated. Chosen: between two
- * scans no pressure grows by 10^12 relative to the peak during the contact. */
+/* Between full scans, only angles whose pressure exceeds this times the peak are evaluated. Chosen: between two scans
+ * no pressure grows by 10^12 relative to the peak during the contact. */
 #define COR_TUNING_WINDOW_EDGE 1e-26
-/* If a scan finds more than this part of the load at an angle outside the window, the run is repeated with full
- * scans. Derived: 100 such angles equal the round-off of a load. */
+/* If a scan finds more than this part of the load at an angle outside the window, the run is repeated with full scans.
+ * Derived: 100 such angles equal the round-off of a load. */
 #define COR_TUNING_WINDOW_MISSED 1e-14
 
-/* Energy of the wall at the first and the last moment, relative to that of the disk, over the smaller of the
- * tolerance and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
+/* Energy of the wall at the first and the last moment, relative to that of the disk, over the smaller of the tolerance
+ * and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
 #define COR_TUNING_WALL_LEFT 1e-6
 #define COR_TUNING_WALL_TOLERANCE 1e-4
 /* The wall's force is neglected below this part of the load at those moments. Chosen. */
@@ -72,14 +72,14 @@ enum {
 #define COR_TUNING_SCATTER 4.0
 /* Smallest alpha v of a hard wall, at which runs may agree by chance; docs/theory-disks.md, 15. Fitted. */
 #define COR_TUNING_HARD 24.0
-/* At a hard wall, lower bounds on the error: over the movement after two runs, over the last movement less
- * round-off, and over the movement before. Fitted. */
+/* At a hard wall, lower bounds on the error: over the movement after two runs, over the last movement less round-off,
+ * and over the movement before. Fitted. */
 #define COR_TUNING_HARD_TWO_RUNS 20.0
 #define COR_TUNING_HARD_MOVEMENT 1.5
 #define COR_TUNING_HARD_BEFORE 0.02
 
-/* Allowed error of the quadrature relative to the peak load, in units of the tolerance. Chosen: with larger errors
- * more collisions would have to be repeated with more angles. */
+/* Allowed error of the quadrature relative to the peak load, in units of the tolerance. Chosen: with larger errors more
+ * collisions would have to be repeated with more angles. */
 #define COR_TUNING_QUADRATURE_ALLOWED 1.0
 /* Error of eps over that of the quadrature: at least COR_TUNING_QUADRATURE_IN_EPS, at most the measured amplification
  * or COR_TUNING_BOUND_AMPLIFIES times the bound on it. Fitted: the bound is 10^2 to 10^4 times the amplification in
@@ -89,11 +89,11 @@ enum {
 /* Error of eps over the movement by angles that are shifted by half their distance. Derived: half, to first order.
  * Fitted: 1.7 was met where the movement is too large for first order. */
 #define COR_TUNING_ANGLES_IN_EPS 3.0
-/* If more than this part of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
- * 10 allows for errors of the estimate. */
+/* If more than this part of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen: 10
+ * allows for errors of the estimate. */
 #define COR_TUNING_ANGLES_SHARE 0.1
-/* If the measured part is larger than this, more angles are taken. Chosen: a third allows for a movement that is
- * small by chance. */
+/* If the measured part is larger than this, more angles are taken. Chosen: a third allows for a movement that is small
+ * by chance. */
 #define COR_TUNING_ANGLES_WANTED 0.3
 /* Growth of the number of angles if they are too few. Chosen. */
 #define COR_TUNING_LEAST_GROWTH 0.25
@@ -101,8 +101,8 @@ enum {
 /* Relative change of v that measures the amplification of errors. Derived: the change is 2^13 ulp, so round-off is
  * negligible beside it, and a collision that amplifies by 10^9 still responds linearly. */
 #define COR_TUNING_PERTURBATION 0x1p-40
-/* Lower bound on the difference of two runs over the amplification and the square of the first run's stiffness.
- * Fitted: 1e-3 in calm collisions, 1e-6 near chaos. */
+/* Lower bound on the difference of two runs over the amplification and the square of the first run's stiffness. Fitted:
+ * 1e-3 in calm collisions, 1e-6 near chaos. */
 #define COR_TUNING_LEAST_SENSITIVITY 1e-7
 /* Error of eps due to round-off, in 2^-53. COR_TUNING_RANDOM_WALK: over amplification and sqrt(steps).
  * COR_TUNING_STEADY_DRIFT: over amplification, amplitudes and steps, because a rounded rotation repeats the same error
@@ -118,8 +118,8 @@ enum {
 #define COR_TUNING_PATIENCE 9
 #define COR_TUNING_RUNS_BEFORE 4
 #define COR_TUNING_HOPELESS 0.25
-/* Largest number of multiplications of a call, counted by cor_motion_work, unless the options give a number of
- * steps. Chosen: at 0.05 to 0.06 ns each with AVX-512 and 0.1 ns without, the call takes 5 to 10 s. */
+/* Largest number of multiplications of a call, counted by cor_motion_work, unless the options give a number of steps.
+ * Chosen: at 0.05 to 0.06 ns each with AVX-512 and 0.1 ns without, the call takes 5 to 10 s. */
 #define COR_TUNING_WORK 1e11
 
 #endif

@@ -3,7 +3,7 @@
  * gcc 12 vectorises all of them, in the portable set too (-fopt-info-vec). No set may fuse a multiplication with an
  * addition, and sums have sixteen parts for every width of a vector. All sets therefore give the same bits. */
 #include "runtime/disk/rayleigh_path.h"
-#include "runtime/disk/rayleigh_spectrum.h"
+#include "runtime/disk/rayleigh.h"
 #include "runtime/number/kernel_vector.h"
 
 /* ---- one panel of a leg ---- */

@@ -2,7 +2,7 @@
 /* Every instruction set gives the same bits, at any depth and frequency. */
 #include "check.h"
 
-#include "runtime/disk/rayleigh_spectrum.h"
+#include "runtime/disk/rayleigh.h"
 
 static const double first = 1.07;
 
