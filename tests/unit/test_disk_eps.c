@@ -202,10 +202,10 @@ static int border_draw(struct random_state *random, long double x, long double y
     border->v = (double)powl(COR_DISK_LIMIT_X_FIRST + COR_DISK_LIMIT_X_STEP * x, 8);
     border->nu = (double)(COR_DISK_LIMIT_NU_FIRST + COR_DISK_LIMIT_NU_STEP * y);
     const double v_off = across ? 1e-13 * border->v : 0, nu_off = across ? 0 : 1e-13;
-    const double below[2] = {border->v - v_off, border->nu - nu_off},
-                 above[2] = {border->v + v_off, border->nu + nu_off};
-    memcpy(border->below, below, sizeof below);
-    memcpy(border->above, above, sizeof above);
+    border->below[0] = border->v - v_off;
+    border->below[1] = border->nu - nu_off;
+    border->above[0] = border->v + v_off;
+    border->above[1] = border->nu + nu_off;
     return 1;
 }
 

@@ -254,8 +254,6 @@ TEST(slower_and_slower)
             check(fabs(out.max_compression / cor_disk_max_compression(speed, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS) - 1) <
                       0.02,
                   "largest compression %g", out.max_compression);
-        }
-        if (*exponents <= -30) {
             check(fabs(out.one_minus_eps2 / theory - 1) < apart, "v = 1e%g is farther from Rayleigh", *exponents);
             apart = fabs(out.one_minus_eps2 / theory - 1);
         }
@@ -271,11 +269,11 @@ TEST(joins)
     const double speed = COR_DISK_HARD_WALL_POINT_SPEED;
     const struct cor_disk_hard_wall full = wall_collide(&modes, speed, 1e-5, COR_OK);
     const struct cor_disk_hard_wall point = wall_collide(&modes, nextafter(speed, 0), 1e-5, COR_OK);
-    check(fabs(full.one_minus_eps2 - point.one_minus_eps2) < 2e-6, "%.9f and %.9f", full.one_minus_eps2,
-          point.one_minus_eps2);
-    check(fabs(full.contact_time / point.contact_time - 1) < 1e-3, "%g and %g", full.contact_time, point.contact_time);
-    check(fabs(full.max_compression / point.max_compression - 1) < 1e-4, "%g and %g", full.max_compression,
-          point.max_compression);
+    check(fabs(full.one_minus_eps2 - point.one_minus_eps2) < 2e-6 &&
+              fabs(full.contact_time / point.contact_time - 1) < 1e-3 &&
+              fabs(full.max_compression / point.max_compression - 1) < 1e-4,
+          "%.9f, %g, %g and %.9f, %g, %g", full.one_minus_eps2, full.contact_time, full.max_compression,
+          point.one_minus_eps2, point.contact_time, point.max_compression);
     const struct cor_disk_hard_wall slow = wall_collide(&modes, DBL_MIN, 1e-5, COR_OK),
                                     slowest = wall_collide(&modes, ldexp(1, -1074), 1e-5, COR_OK);
     check(slow.one_minus_eps2 > 0 && slow.one_minus_eps2 < 1e-4 && fabs(slowest.one_minus_eps2) < 1e-4, "%g, %g",
@@ -354,11 +352,10 @@ TEST(details)
         assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
         assert_int_equal(cor_disk_hard_wall(modes, N, &options, speed, &silent), status);
         same_results(&out, &silent, "observed and not");
-        double left = 0, mean = 0;
+        double left = 0;
         for (size_t i = 0; i < N; i++) {
             assert_true(after[i] >= 0 && average[i] >= 0);
             left += after[i];
-            mean += average[i];
         }
         /* of the highest level, not extrapolated: within the estimate */
         check(fabs(left - out.one_minus_eps2) < 3e-3 * out.one_minus_eps2 + 3e-4, "%g left, 1 - eps^2 = %g", left,
