@@ -673,7 +673,7 @@ TEST(refusals)
     assert_int_equal(cor_disk_collision_in(NULL, sizeof workspace, modes, 5, &good, 0.1, &out, NULL), COR_ERROR_NULL);
 
     refused(modes, 0, &good, 0.1, COR_ERROR_MODES);
-    refused(modes, TABLE + 1, &good, 0.1, COR_ERROR_MODES);
+    refused(&(struct cor_disk_modes){0.33, 5, modes->mode}, 6, &good, 0.1, COR_ERROR_MODES);
     refused(modes, SIZE_MAX, &good, 0.1, COR_ERROR_MODES);
     const struct cor_disk_modes mine = {0.33, 5, some};
     memcpy(some, modes->mode, 4 * sizeof *some);
