@@ -82,7 +82,8 @@ static double read_double(FILE *output)
     return strtod(text, NULL);
 }
 
-/* Doubles of every kind: exact, irrational, huge, tiny, subnormal, negative. */
+/* Doubles of every kind: exact, irrational, huge, tiny, subnormal, negative; and the numbers of a grid, as macros under
+ * the table's name in capitals. */
 TEST(test_doubles)
 {
     enum { COUNT = 9 };
@@ -96,7 +97,16 @@ TEST(test_doubles)
         assert_true(digits_to_double(&expected[i], x + i));
     }
 
+    const double real[] = {0, 7, 1048576, -2, 0.0625, 0x1p-40, 1.0 / 3, 1e300};
+    enum { REALS = sizeof real / sizeof *real };
     struct emit e = header_of("A banner\n\nthat tries to end early: */ int oops;\n");
+    for (int i = 0; i < REALS; i++) {
+        char what[16];
+        snprintf(what, sizeof what, "REAL_%d", i);
+        emit_geometry_real(&e, "a_table1", what, real[i]);
+    }
+    emit_geometry_integer(&e, "a_table1", "ROWS", 65);
+    emit_geometry_integer(&e, "a_table1", "OCTAVE", -40);
     emit_comment(&e, "%d*/%d", 1, 2);
     assert_int_equal(emit_doubles(&e, "value", x, COUNT), 0);
     emit_lines(&e, "enum { ONE = $d, $S = $d };\n#define BOUND $s\n", 1, "length", COUNT, emit_bound(5.21e-11).text);
@@ -104,18 +114,22 @@ TEST(test_doubles)
     FILE *const file = create("main.c");
     fprintf(file, "#include <stdio.h>\n#include \"header.h\"\n#include \"header.h\"\n"
                   "int main(void)\n{\n"
-                  "    printf(\"%%d %%d %%.17g\\n\", (int)(sizeof value / sizeof *value), LENGTH, BOUND);\n"
-                  "    for (int i = 0; i < LENGTH; i++)\n        printf(\"%%a\\n\", value[i]);\n"
-                  "    return ONE - 1;\n}\n");
+                  "    printf(\"%%d %%d %%d %%d %%.17g\\n\", (int)(sizeof value / sizeof *value), LENGTH,\n"
+                  "           2 * A_TABLE1_ROWS, 3 -A_TABLE1_OCTAVE, BOUND);\n"
+                  "    for (int i = 0; i < LENGTH; i++)\n        printf(\"%%a\\n\", value[i]);\n");
+    for (int i = 0; i < REALS; i++)
+        fprintf(file, "    printf(\"%%a\\n\", 0.5 * A_TABLE1_REAL_%d);\n", i);
+    fprintf(file, "    return ONE - 1;\n}\n");
     FILE *output = compile_and_run(file);
-    int size, count;
+    int size, count, twice_rows, octaves;
     double bound;
-    assert_int_equal(fscanf(output, "%d %d %lf", &size, &count, &bound), 3);
-    assert_int_equal(size, COUNT);
-    assert_int_equal(count, COUNT);
+    assert_int_equal(fscanf(output, "%d %d %d %d %lf", &size, &count, &twice_rows, &octaves, &bound), 5);
+    assert_true(size == COUNT && count == COUNT && twice_rows == 130 && octaves == 43);
     assert_true(bound == 5.3e-11);
     for (int i = 0; i < COUNT; i++)
         assert_true(read_double(output) == expected[i]);
+    for (int i = 0; i < REALS; i++)
+        assert_true(read_double(output) == 0.5 * real[i]);
     assert_int_equal(pclose(output), 0);
     _arb_vec_clear(x, COUNT);
 }
@@ -197,36 +211,6 @@ TEST(test_rows)
     }
     assert_int_equal(fclose(e.file), 0);
     _arb_vec_clear(x, ROWS * COLUMNS);
-}
-
-/* The numbers of a grid, as macros under the table's name in capitals. */
-TEST(test_geometry)
-{
-    const double real[] = {0, 7, 1048576, -2, 0.0625, 0x1p-40, 1.0 / 3, 1e300};
-    enum { REALS = sizeof real / sizeof *real };
-    struct emit e = header_of("geometry");
-    for (int i = 0; i < REALS; i++) {
-        char what[16];
-        snprintf(what, sizeof what, "REAL_%d", i);
-        emit_geometry_real(&e, "a_table1", what, real[i]);
-    }
-    emit_geometry_integer(&e, "a_table1", "ROWS", 65);
-    emit_geometry_integer(&e, "a_table1", "OCTAVE", -40);
-    header_end(&e);
-    FILE *const file = create("main.c");
-    fprintf(file, "#include <stdio.h>\n#include \"header.h\"\nint main(void)\n{\n"
-                  "    printf(\"%%d %%d\\n\", 2 * A_TABLE1_ROWS, 3 -A_TABLE1_OCTAVE);\n");
-    for (int i = 0; i < REALS; i++)
-        fprintf(file, "    printf(\"%%a\\n\", 0.5 * A_TABLE1_REAL_%d);\n", i);
-    fprintf(file, "    return 0;\n}\n");
-    FILE *output = compile_and_run(file);
-    int twice_rows, octaves;
-    assert_int_equal(fscanf(output, "%d %d", &twice_rows, &octaves), 2);
-    assert_int_equal(twice_rows, 130);
-    assert_int_equal(octaves, 43);
-    for (int i = 0; i < REALS; i++)
-        assert_true(read_double(output) == 0.5 * real[i]);
-    assert_int_equal(pclose(output), 0);
 }
 
 /* What a text of emit_lines becomes in each type */
@@ -413,5 +397,5 @@ TEST(test_two_point_rounded)
     }
 }
 
-RUN_GROUP(make_directory, remove_directory, test_doubles, test_rows, test_geometry, test_types, test_too_wide,
-          test_bound, test_pade_header, test_two_point_rounded, test_json_cells)
+RUN_GROUP(make_directory, remove_directory, test_doubles, test_rows, test_types, test_too_wide, test_bound,
+          test_pade_header, test_two_point_rounded, test_json_cells)
