@@ -380,15 +380,13 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
                        .enough = f->error * NEAR_SAMPLED,
                        .from = f->speed_min};
     int status = STATUS_OK;
-    if (s->by_speed) {
-        status = STATUS_OK;
-    } else if (!law_is_sphere(&s->law) || s->pressed) {
+    if (!s->by_speed && (!law_is_sphere(&s->law) || s->pressed)) {
         double beta[2] = {s->beta_min, s->beta_max};
         if (s->pressed)
             w.from = first_proved(beta, s);
         w.law = law_proof_new(s->interpolant, w.quantity, beta[0], beta[1], LAW_PART_OF_ERROR * f->error);
         status = w.law ? STATUS_OK : STATUS_FAILED;
-    } else if (s->interpolant) {
+    } else if (!s->by_speed && s->interpolant) {
         w.interpolant = interpolant_proof_new(s->interpolant, 1u << w.quantity, ELLIPSES_STATED);
         status = w.interpolant ? STATUS_OK : STATUS_FAILED;
     }
