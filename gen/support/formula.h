@@ -8,8 +8,8 @@
  * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong,
  * int or double; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole
  * numbers, rational operands and what is made of these alone are exact, and are rounded only where they meet a ball or
- * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and min
- * of two numbers; the number pi. A text that is no formula ends the program.
+ * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and
+ * min of two numbers; the number pi. A text that is no formula ends the program.
  *
  * LET_COMPLEX computes with acb_t, too, of which it knows + - * / ^, exp, sinc, sinh and sqrt. Roots and powers that
  * are not whole are not finite on their cut if `analytic`. */
