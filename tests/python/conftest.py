@@ -10,7 +10,21 @@ from pathlib import Path
 
 import pytest
 
+import cor
+
 PREFIX = Path(os.environ["COR_TEST_PREFIX"])
+
+
+MODULES = (cor.contact, cor.disk, cor.law, cor.sphere, cor.status, cor.version)
+
+
+def module_of(c_name):
+    """The module that has a function of C, and its name there; found by names alone."""
+    for module in MODULES:
+        for prefix in (f"cor_{module.__name__.split('.')[1]}_", "cor_"):
+            if c_name.startswith(prefix) and c_name[len(prefix) :] in module.__all__:
+                return module, c_name[len(prefix) :]
+    raise AssertionError(f"{c_name} is not in the package")
 
 
 class Compiler:

@@ -8,22 +8,14 @@ import numpy as np
 import pytest
 
 import cor
+from conftest import module_of
 
 VALUES = [0.0, -0.0, 5e-324, 1e-300, 1e-9, 0.3, 0.5, 0.9, 1.0, 1.5, 7.0, 17.25, 1e30, np.inf, -0.5, np.nan]
 SECOND = [0.33, 1.5]
-# The second argument of these is no real number.
-MODULES = (cor.sphere, cor.contact, cor.law, cor.disk)
 
 
-def python_name(c_name):
-    """The function of the package that has the bits of a function of C; found by names alone."""
-    for module in MODULES:
-        prefix = "cor_" + module.__name__.split(".")[1] + "_"
-        for start in (prefix, "cor_"):
-            short = c_name[len(start) :]
-            if c_name.startswith(start) and short in module.__all__:
-                return getattr(module, short)
-    raise AssertionError(f"{c_name} is not in the package")
+def function_of(c_name):
+    return getattr(*module_of(c_name))
 
 
 @pytest.fixture(scope="session")
@@ -73,7 +65,7 @@ def same_bits(seen, wanted):
 
 def test_unary_functions_have_the_bits_of_c(prototypes, c_values):
     for name in prototypes[0]:
-        function = python_name(name)
+        function = function_of(name)
         same_bits(function(VALUES), np.array(c_values[name]))
         same_bits([function(v) for v in VALUES], np.array(c_values[name]))
 
@@ -83,18 +75,18 @@ def test_float_functions_have_the_bits_of_c(prototypes, c_values):
     for name in prototypes[2]:
         wanted = np.array(c_values[name + "f"])
         if name.endswith("_fast"):  # without a form in double
-            same_bits([python_name(name + "f")(v) for v in single], wanted)
-            seen = python_name(name + "_arrayf")(single)
+            same_bits([function_of(name + "f")(v) for v in single], wanted)
+            seen = function_of(name + "_arrayf")(single)
         else:
             with np.errstate(over="ignore"):
-                seen = python_name(name)(single)
+                seen = function_of(name)(single)
         assert seen.dtype == np.float32
         same_bits(seen, wanted)
 
 
 def test_binary_functions_have_the_bits_of_c(prototypes, c_values):
     for name in prototypes[1]:
-        function = python_name(name)
+        function = function_of(name)
         wanted = np.array(c_values[name]).reshape(len(VALUES), len(SECOND))
         same_bits(function(np.array(VALUES)[:, np.newaxis], SECOND), wanted)
         for k, second in enumerate(SECOND):

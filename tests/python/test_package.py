@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import cor
+from conftest import MODULES, module_of
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
@@ -21,7 +22,6 @@ from bindings.declarations import Declarations  # noqa: E402
 
 GLASS = cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3)
 MODES = cor.disk.modes_nu033
-MODULES = (cor.contact, cor.disk, cor.law, cor.sphere, cor.status, cor.version)
 
 
 # ---- whole ----
@@ -34,17 +34,9 @@ def test_every_public_function_is_reached(compiler):
     reached = form_of(Declarations(ROOT / "include" / "cor"))
     assert public == set(reached)
     for name in public:
-        module = reached_module(reached[name])
-        assert callable(module[0].__dict__[module[1]])
-        assert re.search(rf"\b{reached[name]}\b", inspect.getdoc(module[0].__dict__[module[1]]))
-
-
-def reached_module(name):
-    for module in MODULES:
-        for prefix in (f"cor_{module.__name__.split('.')[1]}_", "cor_"):
-            if name.startswith(prefix) and name[len(prefix) :] in module.__all__:
-                return module, name[len(prefix) :]
-    raise AssertionError(f"{name} is in no module")
+        function = getattr(*module_of(reached[name]))
+        assert callable(function)
+        assert re.search(rf"\b{reached[name]}\b", inspect.getdoc(function))
 
 
 def test_every_public_constant_is_reached():
