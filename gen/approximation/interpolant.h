@@ -110,7 +110,7 @@ enum { INTERPOLANT_FAR = 9 };
 struct interpolant {
     const struct interpolant_layout *layout;
     struct samples *samples; /* of each interval */
-    arb_struct far[QUANTITIES][INTERPOLANT_FAR];
+    arb_ptr far[QUANTITIES]; /* INTERPOLANT_FAR each */
     arb_t fall;
     arb_t threshold, final_speed;       /* beta_c for q < 0 and q = 0, v_f for q > 0; else infinite, 0 */
     arb_poly_t backward, backward_time; /* G and T, if an interval computes zero force from them */
@@ -169,7 +169,7 @@ void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quant
 int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec);
 
 /* The far coefficients of a quantity */
-void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity);
+arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity);
 
 /* Coefficients a; b_0, b_1, b_2; c_0, ..., c_4 of the inverse of eps at zero force beyond the last u, for spheres:
  *

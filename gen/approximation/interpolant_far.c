@@ -8,10 +8,9 @@ enum {
     SOLVING_BITS = 960 /* for the linear equations of the far coefficients, which may be ill-conditioned */
 };
 
-void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity)
+arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity)
 {
-    for (int k = 0; k < INTERPOLANT_FAR; k++)
-        arb_set(coefficient + k, &f->far[interpolant_end(f, quantity)][k]);
+    return f->far[interpolant_end(f, quantity)];
 }
 
 /* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
@@ -89,7 +88,7 @@ static bool fit_far(struct interpolant *f, enum quantity quantity, const struct 
     }
     const bool solved = arb_mat_solve(b, a, b, SOLVING_BITS);
     for (slong k = 0; k < INTERPOLANT_FAR; k++)
-        arb_set(&f->far[quantity][k], arb_mat_entry(b, k, 0));
+        arb_set(f->far[quantity] + k, arb_mat_entry(b, k, 0));
     if (falls)
         arb_set(f->fall, arb_mat_entry(b, INTERPOLANT_FAR, 0));
     return solved;
@@ -122,7 +121,7 @@ void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity q
     far_basis(basis, 0, u, law, INTERPOLANT_BITS);
     arb_zero(y);
     for (slong k = 0; k < INTERPOLANT_FAR; k++)
-        arb_addmul(y, arb_mat_entry(basis, 0, k), &f->far[quantity][k], prec);
+        arb_addmul(y, arb_mat_entry(basis, 0, k), f->far[quantity] + k, prec);
     if (quantity == DURATION_ZERO_OVERLAP && !arb_is_zero(f->fall)) {
         interpolant_power(power, u, far_excess(law, false), prec);
         interpolant_power(own, u, far_excess(law, true), prec);

@@ -328,8 +328,7 @@ struct interpolant *interpolant_new(const struct interpolant_layout *layout, dou
     for (int i = 0; i < layout->intervals; i++)
         samples_init(&f->samples[i], layout->interval[i].count);
     for (int q = 0; q < QUANTITIES; q++)
-        for (int k = 0; k < INTERPOLANT_FAR; k++)
-            arb_init(&f->far[q][k]);
+        f->far[q] = _arb_vec_init(INTERPOLANT_FAR);
     FOR_ALL(arb, init, f->fall, f->threshold, f->final_speed);
     FOR_ALL(arb_poly, init, f->backward, f->backward_time);
 
@@ -354,8 +353,7 @@ void interpolant_free(struct interpolant *f)
         samples_clear(&f->samples[i], f->layout->interval[i].count);
     free(f->samples);
     for (int q = 0; q < QUANTITIES; q++)
-        for (int k = 0; k < INTERPOLANT_FAR; k++)
-            arb_clear(&f->far[q][k]);
+        _arb_vec_clear(f->far[q], INTERPOLANT_FAR);
     FOR_ALL(arb, clear, f->fall, f->threshold, f->final_speed);
     FOR_ALL(arb_poly, clear, f->backward, f->backward_time);
     free(f);

@@ -161,9 +161,10 @@ int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, cons
 
 void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity)
 {
-    interpolant_far(row + 2, t->f, quantity);
-    arb_set(row, row + 2);
-    arb_set(row + 2, row + 3);
+    const arb_srcptr far = interpolant_far(t->f, quantity);
+    _arb_vec_set(row + 2, far, INTERPOLANT_FAR);
+    arb_set(row, far);
+    arb_set(row + 2, far + 1);
     split(row, row + 1);
     split(row + 2, row + 3);
 }

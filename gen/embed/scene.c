@@ -32,9 +32,8 @@ double embed_rounded(const struct embed_scene *s, double x)
 /* eps beta^(5/3) at zero force, ln(beta) > 10 */
 static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, const arb_t u)
 {
-    LOCAL_VECTOR(a, INTERPOLANT_FAR);
+    const arb_srcptr a = interpolant_far(s->interpolant, EPS_ZERO_FORCE);
     LOCAL(arb, mu, order);
-    interpolant_far(a, s->interpolant, EPS_ZERO_FORCE);
     LET(mu, EMBED_BITS, "beta^(-5/3)", beta);
     /* ((a_8 u + ...) mu + (a_4 u + ...)) mu + a_1 u + a_0 */
     static const int first[] = {0, 2, 5, INTERPOLANT_FAR};

@@ -138,44 +138,4 @@ TEST(test_bound_missed)
     }
 }
 
-/* What the tables' readers rely on: the comment has the grid, the bits of each row and the worst of them; macros have
- * the grid. */
-TEST(test_text)
-{
-    struct pieces p = table(0);
-    struct emit e;
-    memset(&e, 0, sizeof e);
-    char text[1 << 16] = "";
-    e.file = tmpfile();
-    assert_non_null(e.file);
-    assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 0);
-    assert_int_equal(pieces_emit(&e, &p), 0);
-    rewind(e.file);
-    const size_t size = fread(text, 1, sizeof text - 1, e.file);
-    fclose(e.file);
-    assert_in_range(size, 500, sizeof text - 2);
-    slong rows, degree;
-    double first, step;
-    const char *at = strstr(text, "title, beta < 1/4: ");
-    assert_non_null(at);
-    assert_int_equal(sscanf(at, "title, beta < 1/4: %ld rows of degree %ld in y = beta, nodes %lf + i %lf", &rows,
-                            &degree, &first, &step),
-                     4);
-    assert_true(rows == 3 && degree == 10 && first == 0 && step == 0.125);
-    assert_non_null(strstr(at, "\n#define ROWS_FIRST 0.0\n#define ROWS_STEP 0.125\n#define ROWS_PER_UNIT 8.0\n"
-                               "#define ROWS_ROWS 3\n#define ROWS_END 0.25\n"));
-    assert_non_null(strstr(text, "COR_ROWS(double, rows, 3, 12)"));
-    double bits[3], worst = INFINITY, stated;
-    at = strstr(text, "Bits of the rows:\n");
-    assert_non_null(at);
-    assert_int_equal(sscanf(at, "Bits of the rows:\n * %lf %lf %lf */", &bits[0], &bits[1], &bits[2]), 3);
-    for (slong r = 0; r < rows; r++) {
-        assert_true(bits[r] <= p.bits[r] && bits[r] > p.bits[r] - 0.11);
-        worst = fmin(worst, bits[r]);
-    }
-    assert_int_equal(sscanf(strstr(text, "approximation: 2^-"), "approximation: 2^-%lf", &stated), 1);
-    assert_true(stated == worst);
-    pieces_clear(&p);
-}
-
-RUN_GROUP(setup, teardown, test_rows_are_the_function, test_bound_missed, test_text)
+RUN_GROUP(setup, teardown, test_rows_are_the_function, test_bound_missed)
