@@ -26,6 +26,7 @@ static int read_bodies(struct fit_bodies *bodies, const struct embed_request *re
 {
     struct cor_scene scene;
     struct cor_scene_fault fault;
+    struct cor_sphere_contact contact;
     int status = embed_request_scene(&scene, request);
     if (status != STATUS_OK)
         return status;
@@ -37,7 +38,7 @@ static int read_bodies(struct fit_bodies *bodies, const struct embed_request *re
     bodies->density_2_kg_m3 = scene.wall && !cor_scene_mass_is_given(&scene, 2)
                                   ? cor_scene_of_body(&scene, COR_SCENE_DENSITY, 2)
                                   : (double)NAN;
-    const int wrong = fit_bodies_check(bodies);
+    const int wrong = cor_sphere_contact_init(&contact, &bodies->body_1, &bodies->body_2);
     return wrong == COR_OK ? STATUS_OK : usage_error("the bodies make no contact: %s", cor_status_text(wrong));
 }
 

@@ -59,8 +59,10 @@ int fit_request_models(struct fit_request *request, const char *names, const cha
 
 /* ---- fits ---- */
 
-static void fit_curves(struct fit_comparison *c, const struct fit_data *data, const struct fit_request *request)
+void fit_compare(struct fit_comparison *c, const struct fit_data *data, const struct fit_request *request)
 {
+    const struct fit_estimate *best = NULL; /* of the least scale */
+    *c = (struct fit_comparison){.models = 0};
     for (size_t i = 0; i < fit_model_count; i++) {
         const enum fit_curve curve = fit_models[i].curve;
         if (!request->wanted[i] || c->used[curve])
@@ -70,21 +72,12 @@ static void fit_curves(struct fit_comparison *c, const struct fit_data *data, co
         c->used[curve] = c->estimate[curve].fitted;
     }
     progress_end();
-}
-
-static void set_aic(struct fit_comparison *c, const struct fit_data *data, bool robust)
-{
-    const struct fit_estimate *best = NULL;
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve] && (!best || c->estimate[curve].scale < best->scale))
             best = &c->estimate[curve];
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve])
-            c->estimate[curve].aic = fit_aic(&c->estimate[curve], data, robust, best);
-}
-
-static void rank_models(struct fit_comparison *c, const struct fit_request *request)
-{
+            c->estimate[curve].aic = fit_aic(&c->estimate[curve], data, request->robust, best);
     for (int i = 0; i < (int)fit_model_count; i++) {
         const enum fit_curve curve = fit_models[i].curve;
         if (!request->wanted[i])
@@ -98,14 +91,6 @@ static void rank_models(struct fit_comparison *c, const struct fit_request *requ
             c->ranked[place] = c->ranked[place - 1];
         c->ranked[place] = i;
     }
-}
-
-void fit_compare(struct fit_comparison *comparison, const struct fit_data *data, const struct fit_request *request)
-{
-    *comparison = (struct fit_comparison){.models = 0};
-    fit_curves(comparison, data, request);
-    set_aic(comparison, data, request->robust);
-    rank_models(comparison, request);
 }
 
 bool fit_is_accepted(const struct fit_estimate *estimate)

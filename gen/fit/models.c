@@ -7,7 +7,6 @@
 #include <cor/law.h>
 #include <cor/scene.h>
 #include <cor/sphere.h>
-#include <cor/status.h>
 
 /* ---- curves ---- */
 
@@ -234,10 +233,4 @@ double fit_parameter_value(const struct fit_model *model, int parameter, double 
     if (parameter > 0)
         return fit_coordinate_is_logarithm(model->curve, parameter) ? exp(theta) : theta;
     return bodies_matter(model, bodies) ? model->value_with_bodies(theta, bodies) : model->value(theta);
-}
-
-int fit_bodies_check(const struct fit_bodies *bodies)
-{
-    struct cor_sphere_contact contact;
-    return cor_sphere_contact_init(&contact, &bodies->body_1, &bodies->body_2);
 }

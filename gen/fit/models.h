@@ -78,7 +78,4 @@ extern const size_t fit_model_count;
 const char *fit_parameter_name(const struct fit_model *model, int parameter, const struct fit_bodies *bodies);
 double fit_parameter_value(const struct fit_model *model, int parameter, double theta, const struct fit_bodies *bodies);
 
-/* Returns COR_OK, or the status of the first wrong number of the bodies. */
-int fit_bodies_check(const struct fit_bodies *bodies);
-
 #endif

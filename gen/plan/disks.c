@@ -52,7 +52,13 @@ enum {
 #define NS_EPS_TABLE 14.0
 #define NS_RAYLEIGH 80e3
 #define NS_RAYLEIGH_MODE 45.0
-static const double ns_law[QUANTITIES] = {0, 770, 130}, ns_leading_log[QUANTITIES] = {0, 40, 40};
+#define NS_LEADING_LOG 40.0
+/* The name of a quantity, its field of a collision, and nanoseconds of its quasistatic law */
+static const struct {
+    const char *name, *field;
+    double ns_law;
+} quantities[QUANTITIES] = {
+    {"eps", "eps", 0}, {"contact time", "contact_time", 770}, {"largest compression", "max_compression", 130}};
 
 struct disks {
     struct plan *plan;
@@ -131,8 +137,7 @@ static char *modes_text(const struct disks *d, size_t count)
 
 static const char *quantity_field(const struct disks *d)
 {
-    static const char *const fields[QUANTITIES] = {"eps", "contact_time", "max_compression"};
-    return fields[d->request->quantity];
+    return quantities[d->request->quantity].field;
 }
 
 static void model_is(struct plan_model *m, double cost, const char *leaves_out, char *use)
@@ -273,14 +278,14 @@ static void add_laws(const struct disks *d)
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = (time ? cor_disk_contact_time_leading_log : cor_disk_max_compression_leading_log)(plan->speed[i]);
     plan_compare(plan, m, true);
-    model_is(m, ns_leading_log[d->request->quantity], "all beside ln(4/v); vibrations",
+    model_is(m, NS_LEADING_LOG, "all beside ln(4/v); vibrations",
              xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d), called));
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
             m->value[i] = function(plan->speed[i], d->modes.nu, (enum cor_disk_datum)k);
         plan_compare(plan, m, true);
-        model_is(m, ns_law[d->request->quantity], "vibrations",
+        model_is(m, quantities[d->request->quantity].ns_law, "vibrations",
                  xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n", quantity_field(d),
                          called, d->request->poisson.text, datum[k]));
     }
@@ -319,7 +324,6 @@ static char *disks_title(const struct plan *plan, const struct disks *d)
 
 static int disks_fill(struct disks *d)
 {
-    static const char *const quantity[] = {"eps", "contact time", "largest compression"};
     struct plan *const plan = d->plan;
     int status = STATUS_OK;
     hard_wall_tables_set(&d->tables, d->modes.nu);
@@ -334,7 +338,7 @@ static int disks_fill(struct disks *d)
     d->collision = xmalloc(DYNAMICS * (size_t)plan->points * sizeof *d->collision);
     parallel_for(collide_soft, d, DYNAMICS * plan->points, "collisions");
     plan->argument = "speed";
-    plan->quantity = quantity[d->request->quantity];
+    plan->quantity = quantities[d->request->quantity].name;
     plan->unit = is_relative(d) ? "relative error" : "error";
     plan->note =
         "Error: the largest of the points, two digits, rounded up; taken where error and uncertainty of what it is\n"

@@ -26,19 +26,14 @@ static bool value_read_number(fmpq_t x, const char *text)
     return true;
 }
 
-static bool value_inside(const struct values_rule *rule, const fmpq_t x)
-{
-    return decimal_inside(&rule->range, x) && (!rule->whole || fmpz_is_one(fmpq_denref(x)));
-}
-
 static int values_add(struct values *values, const struct values_rule *rule, const fmpq_t x)
 {
     if (values->count == VALUES_MAX)
         return usage_error("--%s: more than %d values; split the sweep", rule->option, VALUES_MAX);
-    if (values->count == values->capacity) {
-        values->capacity = values->capacity ? 2 * values->capacity : 16;
-        values->exact = xrealloc(values->exact, values->capacity * sizeof *values->exact);
-        values->nearest = xrealloc(values->nearest, values->capacity * sizeof *values->nearest);
+    if ((values->count & (values->count - 1)) == 0) { /* no room behind a power of two */
+        const size_t room = values->count ? 2 * values->count : 1;
+        values->exact = xrealloc(values->exact, room * sizeof *values->exact);
+        values->nearest = xrealloc(values->nearest, room * sizeof *values->nearest);
     }
     fmpq_init(values->exact + values->count);
     fmpq_set(values->exact + values->count, x);
@@ -48,7 +43,8 @@ static int values_add(struct values *values, const struct values_rule *rule, con
 
 static int value_read(fmpq_t x, const struct values_rule *rule, const char *text)
 {
-    if (!value_read_number(x, text) || !value_inside(rule, x))
+    if (!value_read_number(x, text) || !decimal_inside(&rule->range, x) ||
+        (rule->whole && !fmpz_is_one(fmpq_denref(x))))
         return usage_error("--%s: '%s' is not %s, written as %s", rule->option, text, rule->range.allowed,
                            rule->whole ? "940" : "0.1, 1.5e-3 (exponent of at most 3 digits) or 1/3");
     return STATUS_OK;
@@ -82,21 +78,18 @@ static int values_add_stepped(struct values *values, const struct values_rule *r
                               const fmpq_t b, const char *step_text)
 {
     LOCAL(fmpq, step, x);
-    int status = STATUS_OK;
     if (step_text[1] == '-' || !value_read_number(step, step_text + 1) || fmpq_is_zero(step) ||
-        (rule->whole && !fmpz_is_one(fmpq_denref(step)))) {
-        status = usage_error("--%s: the step of '%s' is not + or - and a %snumber above 0; %s", rule->option, text,
-                             rule->whole ? "whole " : "", ranges_are);
-    } else {
-        if (*step_text == '-')
-            fmpq_neg(step, step);
-        fmpq_sub(x, b, a);
-        if (fmpq_sgn(x) * fmpq_sgn(step) < 0)
-            status = usage_error("--%s: the step of '%s' leads away from its last value; %s", rule->option, text,
-                                 ranges_are);
-        for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
-            status = values_add(values, rule, x);
-    }
+        (rule->whole && !fmpz_is_one(fmpq_denref(step))))
+        return usage_error("--%s: the step of '%s' is not + or - and a %snumber above 0; %s", rule->option, text,
+                           rule->whole ? "whole " : "", ranges_are);
+    if (*step_text == '-')
+        fmpq_neg(step, step);
+    fmpq_sub(x, b, a);
+    if (fmpq_sgn(x) * fmpq_sgn(step) < 0)
+        return usage_error("--%s: the step of '%s' leads away from its last value; %s", rule->option, text, ranges_are);
+    int status = STATUS_OK;
+    for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
+        status = values_add(values, rule, x);
     return status;
 }
 

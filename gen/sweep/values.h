@@ -25,7 +25,7 @@ struct values_rule {
 
 struct values {
     const char *text; /* as the user wrote the list; not copied */
-    size_t count, capacity;
+    size_t count;
     fmpq *exact;     /* inside a log range: the nearest double */
     double *nearest; /* the double nearest to each */
 };

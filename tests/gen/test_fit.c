@@ -889,25 +889,34 @@ TEST(outliers_are_named)
     fit_data_clear(&o.rest);
 }
 
+/* Huber's mean of the points that are not out, or, with the bend at infinity, their weighted mean; w: all weights */
+static double mean_of(double *w, const struct sample *s, const bool *out, double bend)
+{
+    double mean = 0.7;
+    for (int round = 0; round < (isinf(bend) ? 1 : 200); round++) {
+        double sum = *w = 0;
+        for (size_t i = 0; i < s->data.points; i++) {
+            const double z = fabs(s->point[i].eps - mean) / s->point[i].sigma;
+            const double part = out[i] ? 0 : fmin(1, bend / z) * weight(s, i);
+            *w += part;
+            sum += part * s->point[i].eps;
+        }
+        mean = sum / *w;
+    }
+    return mean;
+}
+
 /* The rule of compare.h for points of a constant with given sigma, in closed forms: Huber's mean, weighted means, and
  * the distance of a point from the mean of the others. Given sigmas may be too small for the other points. */
 static int name_outliers(bool *out, double *distance, const struct sample *s)
 {
     const size_t n = s->data.points;
     size_t rest = n;
+    double w;
     for (;;) { /* collect */
-        double mean = 0.7, farthest_z = 0;
+        const double mean = mean_of(&w, s, out, FIT_HUBER);
+        double farthest_z = 0;
         size_t farthest = 0;
-        for (int round = 0; round < 200; round++) {
-            double w = 0, sum = 0;
-            for (size_t i = 0; i < n; i++) {
-                const double z = fabs(s->point[i].eps - mean) / s->point[i].sigma;
-                const double part = out[i] ? 0 : fmin(1, FIT_HUBER / z) * weight(s, i);
-                w += part;
-                sum += part * s->point[i].eps;
-            }
-            mean = sum / w;
-        }
         for (size_t i = 0; i < n; i++) {
             const double z = fabs(s->point[i].eps - mean) / s->point[i].sigma;
             farthest = !out[i] && z > farthest_z ? i : farthest;
@@ -919,12 +928,8 @@ static int name_outliers(bool *out, double *distance, const struct sample *s)
         rest--;
     }
     for (size_t back = n; rest < n; rest++) { /* put back */
-        double w = 0, mean = 0, chi2 = 0;
-        for (size_t i = 0; i < n; i++) {
-            w += out[i] ? 0 : weight(s, i);
-            mean += out[i] ? 0 : weight(s, i) * s->point[i].eps;
-        }
-        mean /= w;
+        const double mean = mean_of(&w, s, out, INFINITY);
+        double chi2 = 0;
         for (size_t i = 0; i < n; i++)
             chi2 += out[i] ? 0 : weight(s, i) * (s->point[i].eps - mean) * (s->point[i].eps - mean);
         const double spread = fmax(chi2 / (double)(rest - 1), 1);
