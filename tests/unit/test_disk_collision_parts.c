@@ -7,7 +7,7 @@
 
 #include "runtime/disk/collision.h"
 
-/* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that is freed by motion_end */
+/* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that the caller frees */
 struct stage {
     struct cor_motion m;
     struct cor_collision_state now;
@@ -36,11 +36,6 @@ static void stage_begin(struct stage *stage, size_t n, double alpha, double spee
     cor_collision_approach(m, h, &stage->now);
 }
 
-static void stage_end(struct stage *stage)
-{
-    free(stage->memory);
-}
-
 /* ---- drift ---- */
 
 TEST(drift)
@@ -67,7 +62,7 @@ TEST(drift)
         check(fabsl(m->q[m->place[i]] - turned_q) < 4e-16L && fabsl(m->p[m->place[i]] - turned_p) < 4e-16L, "mode %zu",
               i);
     }
-    stage_end(&stage);
+    free(stage.memory);
 }
 
 /* ---- kick ---- */
@@ -140,7 +135,7 @@ TEST(kick)
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
         if (cor_collision_kick(m, p.h, COR_ALL_ANGLES, &stage.now) != COR_RUN_ENDED) {
-            stage_end(&stage);
+            free(stage.memory);
             continue; /* too stiff */
         }
         for (size_t i = 0; i <= p.modes; i++) {
@@ -162,7 +157,7 @@ TEST(kick)
         modified_potential(&p, y, &fastest);
         check(relative_error(stage.now.stiffness, p.h * p.h * p.alpha * fastest) < 1e-9, "stiffness %g, not %Lg",
               stage.now.stiffness, p.h * p.h * p.alpha * fastest);
-        stage_end(&stage);
+        free(stage.memory);
     }
 }
 
@@ -187,7 +182,7 @@ TEST(stiffness)
             check(fabs(stage.now.stiffness / step[i].stiffness - 1) < 1e-6, "%g, not %g", stage.now.stiffness,
                   step[i].stiffness);
         check(result == step[i].kick, "stiffness %g: %d", stage.now.stiffness, (int)result);
-        stage_end(&stage);
+        free(stage.memory);
     }
 }
 
@@ -223,7 +218,7 @@ TEST(window)
             check(stage.now.window == (last / COR_PANEL + 1) * COR_PANEL, "window %zu, last %zu", stage.now.window,
                   last);
         }
-        stage_end(&stage);
+        free(stage.memory);
     }
 }
 
@@ -395,7 +390,7 @@ TEST(other_errors)
     const struct cor_collision_error parts = {0.25, 0.125, 0.0625, 0.03125}, large = {0.75, 0, 0.5, 0};
     assert_true(cor_collision_lasting_error(&parts) == 0.09375 && cor_collision_total_error(&parts) == 0.46875);
     assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
-    stage_end(&stage);
+    free(stage.memory);
 }
 
 /* The collision amplifies the error of the angles: by a bound, of which calm collisions have a thousandth, by what was
@@ -432,7 +427,7 @@ TEST(angles_error)
     stage.m.size.n_max = 4 * stage.m.phi;
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(error.angles == 1);
-    stage_end(&stage);
+    free(stage.memory);
 }
 
 /* The mean of the moments with angles and with shifted ones is that with twice as many. */
@@ -453,7 +448,7 @@ TEST(shifted_angles)
     cor_collision_approach(m, 0.01, &stage.now);
     for (size_t k = 0; k < TERMS; k++)
         check(fabs(sum[k] - m->e[k]) <= 1e-14 * m->e[0], "moment %zu: %.17g, not %.17g", k, sum[k], m->e[k]);
-    stage_end(&stage);
+    free(stage.memory);
 }
 
 /* ---- the loops ---- */
@@ -477,7 +472,7 @@ TEST(every_set)
             check(end == COR_RUN_ENDED, "%zu modes, alpha = %g, v = %g: %d", n, alpha, speed, (int)end);
             check(memcmp(&run[set], &run[0], sizeof *run) == 0, "set %d, %zu modes: eps %a, not %a", set, n,
                   run[set].eps, run[0].eps);
-            stage_end(&stage);
+            free(stage.memory);
         }
     }
 }
@@ -533,7 +528,7 @@ TEST(work)
         assert_int_equal(cor_collision_run(m, &run, NULL, NULL, NULL), COR_RUN_TOO_LONG);
         assert_true(run.steps < steps && run.steps > steps / 4);
     }
-    stage_end(&stage);
+    free(stage.memory);
 }
 
 RUN_TESTS(drift, kick, stiffness, window, extrapolation, energies, step_error, hard_wall_step_error, other_errors,
