@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: MIT
 """What the scripts here share: the programs, verdicts and their counts, and pages whose marked part is renewed."""
+import csv
+import io
 import os
 import subprocess
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
 CORGEN = os.environ.get("CORGEN", os.path.join(ROOT, "build", "corgen"))
 LMP = os.environ.get("LMP", "lmp")
+LIGGGHTS = os.environ.get("LIGGGHTS", "liggghts")
+YADE = os.environ.get("YADE", "yade")
 counts = {"passed": 0, "failed": 0, "skipped": 0}
 
 
@@ -26,7 +31,27 @@ def summary():
 
 
 def run(command, **options):
-    return subprocess.run(command, capture_output=True, text=True, check=False, **options)
+    if "input" not in options:
+        options["stdin"] = subprocess.DEVNULL
+    return subprocess.run(command, capture_output=True, text=True, errors="replace", check=False, **options)
+
+
+def output_of(command, **options):
+    """What the program prints, and says where it fails"""
+    done = run(command, **options)
+    return done.stdout + (done.stderr if done.returncode else "")
+
+
+def first_row(*options):
+    """The first row of corgen's csv, by column"""
+    return next(csv.DictReader(io.StringIO(output_of([CORGEN, *options, "--format", "csv"]))))
+
+
+def extrapolated(power, values):
+    """To step 0 from the steps 4 h, 2 h and h. Simulators take the velocity of half a step ago, an error of h; damping
+    like x^b adds one of h^(1+b), the power."""
+    first = [2 * fine - coarse for coarse, fine in zip(values, values[1:])]
+    return (2**power * first[1] - first[0]) / (2**power - 1)
 
 
 def renew(page, name, program, text):

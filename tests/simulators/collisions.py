@@ -1,0 +1,289 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Collisions in simulators that others wrote against corgen: in LAMMPS, which can end contact either way, in YADE, which
+ends it at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md has the equations.
+
+    tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
+"""
+import glob
+import math
+import os
+import shutil
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+from common import (CORGEN, HERE, LIGGGHTS, LMP, YADE, extrapolated, first_row, output_of, run, skip,  # noqa: E402
+                    summary, verdict)
+
+# Largest |simulated/exact - 1| after extrapolation. Seen: 5e-8, and 6e-8 at 1e-6 m/s, where doubles of positions have
+# too few digits for the overlap. What must not pass for right has to be MARGIN tolerances away.
+TOLERANCE, MARGIN = 3e-7, 100
+# The spheres of lammps.in and yade.py
+A, REFF, MEFF = 1.25e-3, 0.004, 0.0016
+K = 1e6 * math.sqrt(REFF)
+SPEEDS = ["1e-6", "1e-3", "0.1", "5"]
+# The relative error of the interpolation in the table of eps that YADE reads, and the speeds at which it is tried
+TABLE_TOLERANCE, TABLE_SPEEDS = 1e-4, ["1e-3", "0.003", "0.03", "0.3", "0.9"]
+ENDS = ["zero_overlap", "zero_force"]
+SPHERES = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3".split()
+
+
+def beta_at(speed, factor=1):
+    """factor is one on A"""
+    return 1.5 * factor * A * (K / MEFF)**0.4 * float(speed)**0.2
+
+
+def exact(end, beta, *options):
+    return float(first_row("collide", "--beta", "%.17g" % beta, "--digits", "20", *options)["eps_" + end])
+
+
+def published(beta):
+    """(35), as the paper prints it"""
+    s = 1.1534488580953 * beta
+    return (1 + 2.5839 * s) / (1 + s * (3.5839 + s * (2.9839 + s * (1.1487 + s * 0.3265))))
+
+
+def yade_pade(beta):
+    """YADE's Pade approximant, [3/6] in v* = sqrt(beta), from its pkg/dem/HertzMindlin.cpp"""
+    v = math.sqrt(beta)
+    return (1 + v * (1.07232 + v * (0.574198 + v * 0.141552))) / (
+        1 + v * (1.07232 + v * (1.72765 + v * (1.37842 + v * (1.19449 + v * (0.467273 + v * 0.235585))))))
+
+
+def judge(name, eps, right, wrong, tolerance=TOLERANCE, margin=MARGIN):
+    """eps agrees with what is right, and with nothing wrong."""
+    nearest = min(abs(eps / value - 1) for value in wrong)
+    verdict(eps > 0 and abs(eps / right - 1) <= tolerance and nearest >= margin * tolerance,
+            "%s: %.12g, exact %.12g, off by %.1e, the nearest wrong answer by %.1e" %
+            (name, eps, right, eps / right - 1, nearest))
+
+
+def lines_of(command, word):
+    """The fields behind the word in each line that begins with it; all that the program says goes with a failure."""
+    text = output_of(command)
+    rows = [row.split()[1:] for row in text.splitlines() if row.startswith(word + " ")]
+    if not rows:
+        print(text[-2000:])
+        verdict(False, " ".join(command[:6]))
+    return rows
+
+
+def steps_of(rows, power, value, touching):
+    """eps of each three rows, extrapolated, by the fields before; 0 where the spheres still touch"""
+    values = {}
+    for row in rows:
+        values.setdefault(tuple(row[:value - 1]), []).append(0 if touching(row) else float(row[value]))
+    return {key: extrapolated(power, three) if min(three) > 0 and len(three) == 3 else 0
+            for key, three in values.items()}
+
+
+# ---- LAMMPS ----
+
+
+def lammps(script, *variables):
+    command = [LMP, "-log", "none", "-in", os.path.join(HERE, script)]
+    return lines_of(command + [word for pair in variables for word in ("-var", *pair)],
+                    "oblique" if script == "oblique.in" else "eps")
+
+
+def lammps_head_on():
+    rows = lammps("lammps.in", ("A", str(A)), ("speed", *SPEEDS))
+    for (end, speed), eps in steps_of(rows, 1.5, 3, lambda row: float(row[4]) <= 0).items():
+        beta, other = beta_at(speed), ENDS[end == ENDS[0]]
+        judge("LAMMPS, %s m/s, %s" % (speed, end.replace("_", " ")), eps, exact(end, beta),
+              [exact(other, beta), exact(end, beta_at(speed, 1.01)), published(beta)])
+
+
+def lammps_oblique():
+    """With mindlin_rescale the displacement s, and with mindlin_rescale/force the force f, shrinks with the contact
+    radius c while this shrinks: s' = u + s c'/c, f' = k u + f c'/c. Their values are those of the classical Runge-Kutta
+    method with 10^6 steps."""
+    integrated = {("mindlin_rescale", "0.3"): 0.623549276, ("mindlin_rescale", "0.45"): 0.352982377,
+                  ("mindlin_rescale/force", "0.3"): 0.518992445, ("mindlin_rescale/force", "0.45"): 0.278008915}
+
+    def no_slip(nu):
+        rows = output_of([CORGEN, "contact", "--young", "1e11", "--poisson", nu, "--radius", "0.01", "--density", "2500",
+                          "--dissipation-time", "0", "--friction", "1", "--format", "csv"]).splitlines()
+        return float(next(row for row in rows if row.startswith("no_slip,")).split(",")[1])
+
+    for model in "mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force":
+        for nu in "0.3", "0.45":
+            three = [float(row[3]) for row in lammps("oblique.in", ("model", model), ("nu", nu))]
+            judge("LAMMPS, %s, nu = %s" % (model, nu), extrapolated(1.5, three),
+                  integrated.get((model, nu)) or no_slip(nu), [no_slip("0.31")], tolerance=1e-6)
+
+
+def lammps_gravity():
+    """A ball that falls on a wall stays there at 0.01 m/s. The time step of gravity.in leaves an error of 3e-5 of
+    eps^2."""
+    rows = lammps("gravity.in")
+    for end, speed, value, time in rows:
+        row = first_row("contact", *"--stiffness 1e5 --effective-mass 4e-3 --damping-coefficient 30 --wall".split(),
+                        "--gravity", "9.81", "--speed", speed)
+        eps, duration = float(row["eps_" + end]), float(row["duration_s_" + end])
+        verdict(abs(float(value)**2 - eps**2) < 3e-5 and abs(float(time) - duration) < 2e-7 if eps > 0 else
+                duration == math.inf and float(time) > 0.0399,
+                "LAMMPS, gravity, %s, %s m/s: %s, exact %.12g" % (end, speed, value, eps))
+    verdict(len(rows) == 8, "LAMMPS, gravity: eight collisions")
+
+
+def lammps_jkr():
+    """Spheres that adhere. A speed at which they stick has eps 0 and surfaces that overlap. The force jumps when the
+    contact breaks, so that eps is known to a step: eps^2 to 1e-5."""
+    for time in "0", "5e-9":
+        spheres = ("--young 1e9 --poisson 0.25 --radius 1e-5 --density 2500 --adhesion 0.1 --adhesion-model jkr "
+                   "--dissipation-time " + time).split()
+        text = output_of([CORGEN, "contact", *spheres, "--format", "csv"])
+        of = {row.split(",")[0]: row.split(",")[1] for row in text.splitlines()}
+        eta = float(of["damping_coefficient"]) / (math.sqrt(float(of["effective_radius"])) * float(of["effective_mass"]))
+        for speed, value, gap in lammps("jkr.in", ("eta", "%.15g" % eta)):
+            eps = float(list(first_row("contact", *spheres, "--speed", speed).values())[3])
+            verdict(float(gap) > 0 and abs(float(value)**2 - eps**2) < 1e-5 if eps > 0 else float(gap) < 0,
+                    "LAMMPS, JKR, A = %s s, %s m/s: %s, exact %.12g" % (time, speed, value, eps))
+
+
+# ---- YADE, zero force ----
+
+
+def yade(script, *arguments):
+    return [YADE, "-x", "-n", "-j1", os.path.join(HERE, script), *arguments]
+
+
+def yade_eps(power, arguments):
+    """eps by (law, value, speed), of yade.py"""
+    rows = lines_of(yade("yade.py", *(word for three in arguments for word in three)), "eps")
+    found = steps_of(rows, power, 4, lambda row: float(row[5]) != 0)
+    return [found.get((law, value, speed), 0) for law, value, speed in arguments]
+
+
+def yade_constant():
+    """Its own law: betan constant is x^(1/4) damping with beta = sqrt(6) betan."""
+    law = ("--elastic", "3/2", "--damping", "1/4")
+    betans = ["0.05", "0.4", "1"]
+    for betan, eps in zip(betans, yade_eps(1.25, [("betan", "%.17g" % float(b), "0.1") for b in betans])):
+        beta = math.sqrt(6) * float(betan)
+        judge("YADE, betan = %s, zero force" % betan, eps, exact("zero_force", beta, *law),
+              [exact("zero_force", 1.01 * beta, *law), exact("zero_force", beta)])
+
+
+def wrong_of(speed):
+    return [exact("zero_overlap", beta_at(speed)), exact("zero_force", beta_at(speed, 1.01))]
+
+
+def yade_step_by_step():
+    for speed, eps in zip(SPEEDS, yade_eps(1.5, [("step", "%.17g" % A, "%s" % float(speed)) for speed in SPEEDS])):
+        judge("YADE, %s m/s, c_n = A k_n step by step, zero force" % speed, eps, exact("zero_force", beta_at(speed)),
+              wrong_of(speed))
+
+
+def yade_table(work):
+    """eps(v) read from a table of corgen sample: YADE interpolates it and realises it by a linear dashpot."""
+    table = os.path.join(work, "table.py")
+    output_of([CORGEN, "sample", "--stiffness", "%.17g" % K, "--effective-mass", str(MEFF), "--dissipation-time", str(A),
+               "--speed-min", "1e-3", "--speed-max", "1", "--tolerance", str(TABLE_TOLERANCE), "--log", "--end",
+               "zero-force", "--format", "python", "--output", table])
+    arguments = [("table", table, "%s" % float(speed)) for speed in TABLE_SPEEDS]
+    for speed, eps in zip(TABLE_SPEEDS, yade_eps(2, arguments)):
+        judge("YADE, %s m/s, table of corgen sample, zero force" % speed, eps, exact("zero_force", beta_at(speed)),
+              wrong_of(speed) + [exact("zero_force", beta_at(1))], TABLE_TOLERANCE, 10)
+
+
+def yade_vn():
+    """The spheres' law: from en at vn it finds A by its Pade approximant. With en = eps the result misses eps by the
+    error of that approximant, mirrored, and by nothing else."""
+    rights = [exact("zero_force", beta_at(speed)) for speed in SPEEDS]
+    pades = [yade_pade(beta_at(speed)) for speed in SPEEDS]
+    arguments = [("vn", "%.17g" % en, "%s" % float(speed)) for ens in (pades, rights) for en, speed in zip(ens, SPEEDS)]
+    found = yade_eps(1.5, arguments)
+    for speed, right, pade, of_pade, of_eps in zip(SPEEDS, rights, pades, found, found[len(SPEEDS):]):
+        judge("YADE, %s m/s, en = its Pade approximant, zero force" % speed, of_pade, right, wrong_of(speed))
+        off, mirrored = of_eps / right - 1, right / pade - 1
+        verdict(of_eps > 0 and abs(off - mirrored) <= TOLERANCE + 0.02 * abs(mirrored),
+                "YADE, %s m/s, en = eps at zero force: off by %.2e, its Pade approximant by %.2e" %
+                (speed, off, -mirrored))
+
+
+# ---- REBOUND's callback ----
+
+
+def rebound(work):
+    """The lines of corgen contact --for rebound, with the header that they ask for, in a program. If REBOUND names a
+    source tree of REBOUND, the program is linked to it."""
+    contact = [CORGEN, "contact", *SPHERES, "--restitution", "0.5", "--at", "1", "--end", "zero-force"]
+    callback = output_of(contact + ["--for", "rebound"])
+    with open(os.path.join(work, "callback.inc"), "w", encoding="utf-8") as file:
+        file.write(callback)
+    embed = next(row for row in callback.splitlines() if row.startswith("// cor_eps.h: corgen ")).split()[3:]
+    output_of([CORGEN] + embed, cwd=work)
+    tree, program = os.environ.get("REBOUND"), os.path.join(work, "rebound")
+    flags = ["-w", "-D_GNU_SOURCE", "-DCOR_REBOUND", "-I%s/src" % tree, "-pthread"] if tree else [
+        "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter"]
+    said = output_of(["cc", "-O1", "-I" + work, *flags, "-o", program, os.path.join(HERE, "rebound.c"),
+                      *glob.glob("%s/src/*.c" % tree), "-lm"])
+    speeds = ["0.01", "0.1", "1", "10"]
+    name = "REBOUND's callback, in " + ("REBOUND" if tree else "a struct of its signature")
+    if said.strip():
+        print(said[-2000:])
+        verdict(False, name)
+        return
+    off = [abs(float(eps) / float(first_row(*contact[1:], "--speed", speed)["eps_zero_force"]) - 1)
+           for speed, eps in lines_of([program] + speeds, "eps")]
+    # the header has the tolerance 1e-6
+    verdict(len(off) == len(speeds) and max(off) < 1e-6,
+            "%s: largest relative difference %.1e at %d speeds" % (name, max(off, default=math.nan), len(off)))
+
+
+# ---- spheres that yield: Luding's contact with the numbers that corgen contact --for prints as comments ----
+
+
+def luding(host, work):
+    contact = SPHERES + "--radius-2 2e-2 --mass-2 8e-3 --law elastic-plastic --yield-stress 3e5 --speed 1".split()
+    row = list(first_row("contact", *contact).values())
+    eps, duration = float(row[2]), "%.17g" % (4 * float(row[6]))
+    wanted = ("pair_style gran model luding", "fix cor_luding", "cor_material = Luding", "cor_contact")
+    lines = [line[2:] for line in output_of([CORGEN, "contact", *contact, "--for", host]).splitlines()
+             if line.startswith(tuple("# " + start for start in wanted)) and ("cor_contact" not in line or "Luding" in line)]
+    if host == "liggghts":
+        lines += ["pair_coeff * *", "fix cor_mu all property/global coefficientFriction peratomtypepair 1 0"]
+    paste = os.path.join(work, "luding")
+    with open(paste, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+    command = yade("restitution/yade.py", paste, "0", duration, "4000") if host == "yade" else [
+        LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "restitution", "liggghts.in"), "-var", "paste", paste, "-var",
+        "wall", "0", "-var", "types", "1", "-var", "duration", duration, "-var", "n", "4000"]
+    seen = [float(row[-2]) for row in lines_of(command, "eps")]
+    verdict(seen and abs(seen[0] / eps - 1) < 1e-5,
+            "%s, Luding's contact realises %.6f: %s" % (host.upper(), eps, " ".join("%.8g" % value for value in seen)))
+
+
+def main():
+    if not os.access(CORGEN, os.X_OK):
+        sys.exit("collisions.py: no program %s; build it, or name it by CORGEN" % CORGEN)
+    with tempfile.TemporaryDirectory() as work:
+        os.environ["HOME"] = work  # YADE and what it loads may write there
+        if not shutil.which(LMP):
+            skip("LAMMPS", "no program lmp; Debian calls its package lammps")
+        else:
+            for test in [lammps_head_on, lammps_oblique, lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
+                test()
+        if not shutil.which(YADE):
+            skip("YADE", "no program yade; Debian calls its package yade")
+        else:
+            yade_constant()
+            yade_step_by_step()
+            yade_table(work)
+            if "vn yes" in run(yade("yade.py", "version")).stdout:
+                yade_vn()
+            else:
+                skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
+            luding("yade", work)
+        rebound(work)
+        if shutil.which(LIGGGHTS):
+            luding("liggghts", work)
+        else:
+            skip("LIGGGHTS, Luding's contact", "no program liggghts; Debian calls its package liggghts")
+    return summary()
+
+
+sys.exit(main())
