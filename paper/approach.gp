@@ -27,5 +27,3 @@ set ylabel "all modes over Rayleigh" offset 1
 plot csv using 1:(1 + 1/sqrt($1*log(10))) skip 1 with lines lw 1.4 dt (6,4) lc rgb grey title "1 ± 1/√ln(1/v)", \
      csv using 1:(1 - 1/sqrt($1*log(10))) skip 1 with lines lw 1.4 dt (6,4) lc rgb grey notitle, \
      csv using 1:4 skip 1 with linespoints pt 7 ps 0.6 lw 1 lc rgb black notitle
-unset multiplot
-set output

@@ -42,5 +42,3 @@ plot csv using 1:($7/$1) skip 1 with lines lw 2.2 lc rgb green title "diameter",
      limit using 2:($7/$2) index 0 skip 1 with lines lw 1.6 lc rgb black title "all modes, rigid wall", \
      points using (chosen($1, $2, $3, $4) ? $4 : NaN):($8/$4) skip 1 \
          with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics"
-unset multiplot
-set output

@@ -109,8 +109,8 @@ def agree(old, new):
 
 
 def read_table(sample):
-    """The rows of collisions.csv, which have to be those planned; `sample` of them, which COR_SEED draws, or all if None, are
-    computed again. Returns whether they agree."""
+    """The rows of collisions.csv, which have to be those planned; `sample` of them, which COR_SEED draws, or all if
+    None, are computed again. Returns whether they agree."""
     head, *rows = COLLISIONS.read_text(encoding="ascii").splitlines()
     table.update(map(read_row, rows))
     if [head, *table] != [CSV_HEAD, *planned()] or rows != [row_of(*item) for item in table.items()]:

@@ -42,5 +42,3 @@ set key top right
 plot csv using ($2 == 0 ? $1 : NaN):3 skip 1 with points pt 7 ps 0.7 lc rgb blue title "l = 0, against n", \
      csv using ($1 == 0 ? $2 : NaN):3 skip 1 with points pt 6 ps 0.8 lw 1.6 lc rgb red title "n = 0, against l", \
      csv using ($1 == 1 ? $2 : NaN):3 skip 1 with points pt 4 ps 0.7 lw 1.2 lc rgb grey title "n = 1, against l"
-unset multiplot
-set output

@@ -8,8 +8,8 @@ import sys
 import textwrap
 from math import cos, nan, sin, sqrt
 
-from dynamics import (FEW, LARGE, OTHER_WALLS, PAPER_SPEEDS, RIGID_LINE_TOLERANCE, SIZES, SLOW_SPEEDS,
-                      TOLERANCE, WALLS, CSV_HEAD, find, hard_wall, key_of, limit_of, log_point, make_table, read_table, row_of,
+from dynamics import (CSV_HEAD, FEW, LARGE, OTHER_WALLS, PAPER_SPEEDS, RIGID_LINE_TOLERANCE, SIZES, SLOW_SPEEDS,
+                      TOLERANCE, WALLS, find, hard_wall, key_of, limit_of, log_point, make_table, read_table, row_of,
                       size_line, table, wall_line)
 from library import DATUM, MATERIALS, ROOT, RelaxedDisk, constant, cor, jn
 
@@ -58,8 +58,8 @@ def restitution():
         for v in PAPER_SPEEDS:
             loss, uncertainty = limit_of(nu, v)
             eps[nu, v] = sqrt(1 - loss)
-            rows.append("%g,%g" % (nu, v) + cells(eps[nu, v], sqrt(1 - loss - uncertainty), sqrt(1 - loss + uncertainty))
-                        + ",%.5f,%.5f" % (loss, uncertainty))
+            low, high = sqrt(1 - loss - uncertainty), sqrt(1 - loss + uncertainty)
+            rows.append("%g,%g" % (nu, v) + cells(eps[nu, v], low, high) + ",%.5f,%.5f" % (loss, uncertainty))
             worst = max(worst, uncertainty / (2 * eps[nu, v]))
             wall = hard_wall(nu, v)
             apart = max(apart, abs(loss - wall.one_minus_eps2) / (uncertainty + wall.error_estimate))
@@ -187,8 +187,8 @@ def spectrum():
     return rows, (
         f"Agrees with the text: even rows for small l, an irregular mixture for l >> n, more tangential modes than "
         f"radial ones. The lowest {DISK.count} modes at nu = {NU} reach omega = {DISK.omega[-1]:.3f} and n = "
-        f"{max(of_n)}. {DISK.count - len(others)} of them have n = 0; {sum(map(radial, others))} of the others move the "
-        f"rim more radially (|C| > |S|), {len(others) - sum(map(radial, others))} more tangentially. In "
+        f"{max(of_n)}. {DISK.count - len(others)} of them have n = 0; {sum(map(radial, others))} of the others move "
+        f"the rim more radially (|C| > |S|), {len(others) - sum(map(radial, others))} more tangentially. In "
         f"{sum(x > 10 or x < 0.1 for x in ratio)} of the {len(ratio)} with l >= 20 n the ratio exceeds 10. The closest "
         f"pair of one n is l = {mode.l}, {mode.l + 1} of n = {mode.n}, with a relative distance of {distance:.1e}. A "
         f"search for changes of sign may miss such a pair; a count of the roots cannot.")
@@ -239,8 +239,8 @@ def sequence():
     after = [breadth for frame, (breadth, _) in enumerate(extent) if frame > out.contact_time + 1]
     return rows, (
         f"Agrees: the oscillations after the collision are visible. v = {speed}, nu = 0.33, alpha = {alpha}, {modes} "
-        f"modes (the caption gives v alone), true to scale; a rigid disk would touch at t = 0. The disk is closest at t "
-        f"= {closest[1]:.2f}, with delta = {out.max_compression:.4f}; at t = 3 it is {extent[3][0]:.2f} wide and "
+        f"modes (the caption gives v alone), true to scale; a rigid disk would touch at t = 0. The disk is closest at "
+        f"t = {closest[1]:.2f}, with delta = {out.max_compression:.4f}; at t = 3 it is {extent[3][0]:.2f} wide and "
         f"{extent[3][1]:.2f} high. The contact lasts {out.contact_time:.2f}; in the pictures after it the width is "
         f"{min(after):.2f} to {max(after):.2f}.")
 
@@ -267,8 +267,8 @@ def energies():
         f"Agrees: the quadrupole dominates, with {100 * energy[2, 0]:.1f} % of (pi/2) v^2 at closest approach, t = "
         f"{closest[1]:.2f}. All modes hold {100 * sum(energy.values()):.1f} %, those with l = 0 "
         f"{100 * sum(e for (n, l), e in energy.items() if l == 0):.1f} %, those with n = 0 "
-        f"{100 * sum(e for (n, l), e in energy.items() if n == 0):.1f} %. The caption's (n = 0, l = 2) means n = 2, l = "
-        f"0: the mode that it names has {100 * energy[0, 2]:.2f} %. The caption gives neither v nor alpha nor the "
+        f"{100 * sum(e for (n, l), e in energy.items() if n == 0):.1f} %. The caption's (n = 0, l = 2) means n = 2, l "
+        f"= 0: the mode that it names has {100 * energy[0, 2]:.2f} %. The caption gives neither v nor alpha nor the "
         f"number of modes; those of Table 1 are used here.")
 
 
@@ -302,10 +302,10 @@ def ranking():
     n_0 = [100 * sum(mode.n == 0 for _, _, mode in entries[:of]) / of for of in (100, 300)]
     return ["printed_rank,n,l,printed_average,printed_after,rank,average,after"] + [
         "%d,%d,%d,%.7f,%.7f,%d,%.4f,%.5f" % row for row in here
-    ], (f"Agrees: the quadrupole leads, then (3, 0), and {sum(row[5] <= 10 for row in here)} of the ten modes are among "
-        f"the first ten here. The averages of those with n > 0 are {min(times):.2f} to {max(times):.2f} times the "
-        f"printed ones. Not reproduced: the rows with n = 0 except the first, whose modes hold a third of the printed "
-        f"energy. The energies after the collision differ, too: {min(times_after):.2f} to {max(times_after):.2f} times "
+    ], (f"Agrees: the quadrupole leads, then (3, 0), and {sum(row[5] <= 10 for row in here)} of the ten modes are "
+        f"among the first ten here. The averages of those with n > 0 are {min(times):.2f} to {max(times):.2f} times "
+        f"the printed ones. Not reproduced: the rows with n = 0 except the first, whose modes hold a third of the "
+        f"printed energy. The energies after the collision differ, too: {min(times_after):.2f} to {max(times_after):.2f} times "
         f"the printed ones, all ten together {sum(row[7] for row in here):.4f}, printed "
         f"{sum(row[4] for row in here):.4f}, of 1 - eps^2 = {out.one_minus_eps2:.4f} here. Nor do \"75 % of the most "
         f"significant modes have n = 0\": of the first 100 here {n_0[0]:.0f} %, of the first 300 {n_0[1]:.0f} %.\n\n" +
@@ -326,16 +326,17 @@ def wall_limit():
         for rate in WALLS + OTHER_WALLS:
             collision = find(NU, modes, rate, v)
             if collision is not None:
-                error = abs(collision.one_minus_eps2 - line.at_zero - line.slope / key_of(NU, modes, rate, v).alpha) / line.at_zero
+                on_line = line.at_zero + line.slope / key_of(NU, modes, rate, v).alpha
+                error = abs(collision.one_minus_eps2 - on_line) / line.at_zero
                 off["line" if rate in WALLS else "soft" if rate < WALLS[0] else "hard"].append(100 * error)
     return rows, (
         f"Agrees: 1 - eps^2 grows with alpha and is a straight line in 1/alpha, once alpha v is 25. From there to 100, "
-        f"where the lines are drawn through, no point is off by more than {max(off['line']):.2f} % of the limit. Softer "
-        f"walls, down to alpha v = 10, are off by up to {max(off['soft']):.1f} %. At alpha v = 200, still harder, points "
-        f"are off by up to {max(off['hard']):.1f} %: {modes} modes cannot follow such a wall. Its limit has to be taken "
-        f"before it. The walls are scaled with the speed, alpha v = 10 to 200, because the paper does not say which were "
-        f"taken. Dots are the limit of all modes at a rigid wall. The lines end between {min(ends):+.1f} % and "
-        f"{max(ends):+.1f} % from it.")
+        f"where the lines are drawn through, no point is off by more than {max(off['line']):.2f} % of the limit. "
+        f"Softer walls, down to alpha v = 10, are off by up to {max(off['soft']):.1f} %. At alpha v = 200, still "
+        f"harder, points are off by up to {max(off['hard']):.1f} %: {modes} modes cannot follow such a wall. Its limit "
+        f"has to be taken before it. The walls are scaled with the speed, alpha v = 10 to 200, because the paper does "
+        f"not say which were taken. Dots are the limit of all modes at a rigid wall. The lines end between "
+        f"{min(ends):+.1f} % and {max(ends):+.1f} % from it.")
 
 
 @figure("Fig. 8", "extrapolation to all modes")
@@ -357,11 +358,11 @@ def mode_limit():
     slowest = [wall_line(NU, n, PAPER_SPEEDS[0]).at_zero for n in (300, 600, 1800)]
     return rows, (
         f"Agrees: from v = 0.02 on more modes leave eps closer to one. {sum(steps)} of the {len(steps)} steps from one "
-        f"N to the next go the other way. 1 - eps^2 is about a straight line in 1/sqrt(N), and a faster collision needs "
-        f"more modes to reach the line. The slope of N = 300 to 940 is {slopes[0.02]:.2f} of that of N = 940 to 1800 at "
-        f"v = 0.02, {slopes[0.3]:.2f} at 0.3. Hence the limits of the paper's four N and of N = 940 to 1800 differ by up "
-        f"to {apart:.4f}. From the computed limit of all modes (dots) they differ by up to {few_off:.4f} and "
-        f"{many_off:.4f}. Does not agree at the smallest speed: at v = 0.005 N = 300 leaves {slowest[0]:.4f}, 600 "
+        f"N to the next go the other way. 1 - eps^2 is about a straight line in 1/sqrt(N), and a faster collision "
+        f"needs more modes to reach the line. The slope of N = 300 to 940 is {slopes[0.02]:.2f} of that of N = 940 to "
+        f"1800 at v = 0.02, {slopes[0.3]:.2f} at 0.3. Hence the limits of the paper's four N and of N = 940 to 1800 "
+        f"differ by up to {apart:.4f}. From the computed limit of all modes (dots) they differ by up to {few_off:.4f} "
+        f"and {many_off:.4f}. Does not agree at the smallest speed: at v = 0.005 N = 300 leaves {slowest[0]:.4f}, 600 "
         f"{slowest[1]:.4f} and 1800 {slowest[2]:.4f}. Few modes make a disk that is stiff where the contact is small.")
 
 
@@ -396,14 +397,14 @@ def load():
     at_small, at_large, (limit, diameter, printed) = relaxed(small), relaxed(large), law(small)
     return rows, (
         f"Agrees: the relaxed disk (alpha = 500, 1300 modes: P = {relaxed(0.05)[0]:.6f} at delta = 0.05, "
-        f"{at_large[0]:.6f} at 0.2) and the contact law differ at large delta. At small delta the relaxed disk does not "
-        f"follow the printed law: x_0 in (41) is the centre of mass. P tends to the law with that datum as the wall "
-        f"hardens. At delta = {small} the ratio of both is {at_small[0] / limit:.4f} for alpha = 500 (1300 modes), "
-        f"{at_small[2] / limit:.4f} for 2000 and {at_small[3] / limit:.4f} for 20000 (all modes). A soft wall pushes "
-        f"before it is touched. There the printed law, (57), is {100 * (1 - printed / limit):.1f} % below that limit, the "
-        f"law of the diameter {100 * (1 - diameter / limit):.1f} %. At delta = {large} the hardest wall carries "
-        f"{at_large[3] / law(large)[0]:.3f} of the law, which assumes a small contact. Halving the number of points "
-        f"changes no load by more than the fraction {coarse_error:.0e}.")
+        f"{at_large[0]:.6f} at 0.2) and the contact law differ at large delta. At small delta the relaxed disk does "
+        f"not follow the printed law: x_0 in (41) is the centre of mass. P tends to the law with that datum as the "
+        f"wall hardens. At delta = {small} the ratio of both is {at_small[0] / limit:.4f} for alpha = 500 (1300 "
+        f"modes), {at_small[2] / limit:.4f} for 2000 and {at_small[3] / limit:.4f} for 20000 (all modes). A soft wall "
+        f"pushes before it is touched. There the printed law, (57), is {100 * (1 - printed / limit):.1f} % below that "
+        f"limit, the law of the diameter {100 * (1 - diameter / limit):.1f} %. At delta = {large} the hardest wall "
+        f"carries {at_large[3] / law(large)[0]:.3f} of the law, which assumes a small contact. Halving the number of "
+        f"points changes no load by more than the fraction {coarse_error:.0e}.")
 
 
 @figure("Fig. 10", "load against compression in a collision")
@@ -426,8 +427,8 @@ def load_dynamic():
                     (way_in, relaxed.load(half), speed, half, way_in / relaxed.load(half)))
         way_out.append("%.4f" % out_again)
     return rows, (
-        f"In a collision (below; alpha = {alpha}, {modes} modes) the loads are higher, as in the paper, and closer to the "
-        f"relaxed disk at the smaller speed. Compare at half the largest delta, on the way in. The load is "
+        f"In a collision (below; alpha = {alpha}, {modes} modes) the loads are higher, as in the paper, and closer to "
+        f"the relaxed disk at the smaller speed. Compare at half the largest delta, on the way in. The load is "
         f"{said[0] % ' of the relaxed disk'}. It is {said[1] % ''}. On the way out it is {' and '.join(way_out)}. At "
         f"larger delta the load of v = 0.1 falls below that of the relaxed disk and oscillates with the fast modes.")
 
@@ -456,21 +457,21 @@ def contact():
     delta_off = [100 * (cor.disk_max_compression_leading_log(v) / delta(v) - 1) for v in (1e-4, 0.1)]
     centre, dynamic = "centre_of_mass", {v: find(NU, SIZES[-1], WALLS[-1], v) for v in (0.01, 0.1, 0.3)}
     return rows, (
-        f"Agrees: the contact time grows like the root of a logarithm as v falls. tau v/(pi delta_max) tends to 1 slowly "
-        f"({ratio(1e-2):.4f} at v = 1e-2, {ratio(1e-4):.4f} at 1e-4, {ratio(1e-8):.4f} at 1e-8). (61) is good, because "
-        f"the terms that it leaves out, b and half the logarithm of its logarithm, nearly cancel at the speeds drawn. "
-        f"Against the law as printed its tau is off by {tau_off[0]:+.1f} % at v = 0.0001 and by {tau_off[1]:+.1f} % at "
-        f"0.1, its delta_max by {delta_off[0]:+.1f} % and {delta_off[1]:+.1f} %. With the centre of mass as datum "
-        f"tau(0.0001) = {tau(1e-4, centre):.4f} instead of the printed law's {tau(1e-4):.4f}; with the diameter it is "
-        f"{tau(1e-4, 'diameter'):.4f}. The law ends at v = {ends[centre]:.4f}, {ends['printed']:.4f} and "
-        f"{ends['diameter']:.4f}. The full dynamics has {SIZES[-1]} modes and alpha = {WALLS[-1]}/v; its contact lasts "
-        f"while the load is above a thousandth of its largest. It agrees with the law for the centre of mass: tau(0.01) "
-        f"= {dynamic[0.01].contact_time:.2f}, law {tau(0.01, centre):.2f}, and delta_max "
-        f"{100 * (1 - dynamic[0.01].max_compression / delta(0.01, centre)):.1f} % below the law's. It departs from the "
-        f"law where that ends: tau(0.1) = {dynamic[0.1].contact_time:.2f}, law {tau(0.1, centre):.2f}, and goes on to "
-        f"{dynamic[0.3].contact_time:.2f} at v = 0.3. The black line is all modes at a rigid wall: tau(0.01) = "
-        f"{hard_wall(NU, 0.01).contact_time:.4f}, tau(0.1) = {hard_wall(NU, 0.1).contact_time:.4f}, delta_max(0.1) = "
-        f"{hard_wall(NU, 0.1).max_compression:.5f}.")
+        f"Agrees: the contact time grows like the root of a logarithm as v falls. tau v/(pi delta_max) tends to 1 "
+        f"slowly ({ratio(1e-2):.4f} at v = 1e-2, {ratio(1e-4):.4f} at 1e-4, {ratio(1e-8):.4f} at 1e-8). (61) is good, "
+        f"because the terms that it leaves out, b and half the logarithm of its logarithm, nearly cancel at the speeds "
+        f"drawn. Against the law as printed its tau is off by {tau_off[0]:+.1f} % at v = 0.0001 and by "
+        f"{tau_off[1]:+.1f} % at 0.1, its delta_max by {delta_off[0]:+.1f} % and {delta_off[1]:+.1f} %. With the "
+        f"centre of mass as datum tau(0.0001) = {tau(1e-4, centre):.4f} instead of the printed law's {tau(1e-4):.4f}; "
+        f"with the diameter it is {tau(1e-4, 'diameter'):.4f}. The law ends at v = {ends[centre]:.4f}, "
+        f"{ends['printed']:.4f} and {ends['diameter']:.4f}. The full dynamics has {SIZES[-1]} modes and alpha = "
+        f"{WALLS[-1]}/v; its contact lasts while the load is above a thousandth of its largest. It agrees with the law "
+        f"for the centre of mass: tau(0.01) = {dynamic[0.01].contact_time:.2f}, law {tau(0.01, centre):.2f}, and "
+        f"delta_max {100 * (1 - dynamic[0.01].max_compression / delta(0.01, centre)):.1f} % below the law's. It "
+        f"departs from the law where that ends: tau(0.1) = {dynamic[0.1].contact_time:.2f}, law "
+        f"{tau(0.1, centre):.2f}, and goes on to {dynamic[0.3].contact_time:.2f} at v = 0.3. The black line is all "
+        f"modes at a rigid wall: tau(0.01) = {hard_wall(NU, 0.01).contact_time:.4f}, tau(0.1) = "
+        f"{hard_wall(NU, 0.1).contact_time:.4f}, delta_max(0.1) = {hard_wall(NU, 0.1).max_compression:.5f}.")
 
 
 # ---- energy in the modes ----
@@ -511,15 +512,15 @@ def rayleigh():
     return [",".join(["speed"] + head)] + rows, (
         f"Agrees in size, and in the quadrupole as the mode that takes most: "
         f"{100 * quadrupole[series[0]][top] / whole[series[0]][top]:.0f} % at the maximum, though nothing in the dips. "
-        f"Does not agree in the place of the maximum, near v = 1e-2 in print. The quadrupole's share follows cos^2(omega "
-        f"tau/2), so the fraction oscillates as tau grows with -ln v. For the centre of mass, the diameter and the "
-        f"printed datum its largest values at nu = 0.33 are {maxima[NU]}. At nu = 0.9 they are {maxima[0.9]}. The "
-        f"constant b only shifts the curve along ln v. After the maximum come a dip and then a rise, not a fall. Beyond "
-        f"v = {ends}, shaded, perturbation theory has ended, and gives up to {beyond:.2f} times the energy there is. The "
-        f"modes above the lowest 1800 add {largest_tail:.2g} of the fraction at most, too little to be seen. The full "
-        f"dynamics, all modes at a rigid wall, agrees in size with the print, but its dip is shallow and its rise less "
-        f"steep. At nu = 0.33 it gives {wall[NU][0]:.4f} at v = 0.01 where Rayleigh, with the centre of mass, has "
-        f"{theory[NU][0]:.4f}, and {wall[NU][1]:.4f} at 0.1 for {theory[NU][1]:.2f}. At nu = 0.9 it gives "
+        f"Does not agree in the place of the maximum, near v = 1e-2 in print. The quadrupole's share follows "
+        f"cos^2(omega tau/2), so the fraction oscillates as tau grows with -ln v. For the centre of mass, the diameter "
+        f"and the printed datum its largest values at nu = 0.33 are {maxima[NU]}. At nu = 0.9 they are {maxima[0.9]}. "
+        f"The constant b only shifts the curve along ln v. After the maximum come a dip and then a rise, not a fall. "
+        f"Beyond v = {ends}, shaded, perturbation theory has ended, and gives up to {beyond:.2f} times the energy "
+        f"there is. The modes above the lowest 1800 add {largest_tail:.2g} of the fraction at most, too little to be "
+        f"seen. The full dynamics, all modes at a rigid wall, agrees in size with the print, but its dip is shallow "
+        f"and its rise less steep. At nu = 0.33 it gives {wall[NU][0]:.4f} at v = 0.01 where Rayleigh, with the centre "
+        f"of mass, has {theory[NU][0]:.4f}, and {wall[NU][1]:.4f} at 0.1 for {theory[NU][1]:.2f}. At nu = 0.9 it gives "
         f"{wall[0.9][0]:.4f} for {theory[0.9][0]:.4f}, and {wall[0.9][1]:.4f} for {theory[0.9][1]:.2f}.")
 
 
@@ -557,8 +558,8 @@ def oscillation():
         "Rayleigh's curve, with the centre of mass, falls from %.4f at v = %.2g by %.0f %% to v = %.2g. It is as high, "
         "but at half the speed, and much deeper. From v = %.2g on extrapolations know the limit to %.0f %%, and are "
         "drawn. At smaller speeds the contact is too narrow for 1800 modes, and N = 940, 1300 and 1800, drawn for all, "
-        "do not yet form a line. The black line is the limit itself, all modes at a rigid wall: %.5f at v = 0.0023, %.5f "
-        "at 0.015." % (SIZES[-1], *fall(dynamic), *fall(theory), SLOW_SPEEDS[first], 100 * max(uncertain[first:]),
+        "do not yet form a line. The black line is the limit itself, all modes at a rigid wall: %.5f at v = 0.0023, "
+        "%.5f at 0.015." % (SIZES[-1], *fall(dynamic), *fall(theory), SLOW_SPEEDS[first], 100 * max(uncertain[first:]),
                        hard_wall(NU, 0.0023).one_minus_eps2, hard_wall(NU, 0.015).one_minus_eps2))
 
 
@@ -590,8 +591,8 @@ def rigid_wall():
         "speeds. At nu = 0.33 the extrapolation from the paper's N = 300 to 940 ends up to %+.1e from it, at v = %g "
         "(%+.1f %%). That from N = 940 to 1800 ends up to %+.1e from it, at v = %g (%+.1f %%); %d of its %d points are "
         "farther off than both uncertainties together. At nu = 0.9 the latter ends up to %+.1e off, at v = %g (%+.1f "
-        "%%), %d of %d beyond these uncertainties. At the small speeds of the last figure it ends up to %+.1e off, at v "
-        "= %.2g (%+.0f %%)." % (estimate, *few[:3], *miss(NU, PAPER_SPEEDS), *miss(0.9, PAPER_SPEEDS),
+        "%%), %d of %d beyond these uncertainties. At the small speeds of the last figure it ends up to %+.1e off, at "
+        "v = %.2g (%+.0f %%)." % (estimate, *few[:3], *miss(NU, PAPER_SPEEDS), *miss(0.9, PAPER_SPEEDS),
                                 *miss(NU, SLOW_SPEEDS)[:3]))
 
 
@@ -614,8 +615,8 @@ def approach():
     return rows, (
         f"Rayleigh's theory, in which vibrations do not act back on the load, is approached slowly, about like "
         f"1/sqrt(ln(1/v)). Its energy and that of all modes at a rigid wall (nu = 0.33, centre of mass) differ by "
-        f"{part[0]:.0f} %, root mean square, from v = 1e-3 to 1e-10. Down to 1e-30 they differ by {part[1]:.0f} %, down "
-        f"to 1e-100 by {part[2]:.0f} %, and down to 1e-300 by {part[3]:.0f} %.")
+        f"{part[0]:.0f} %, root mean square, from v = 1e-3 to 1e-10. Down to 1e-30 they differ by {part[1]:.0f} %, "
+        f"down to 1e-100 by {part[2]:.0f} %, and down to 1e-300 by {part[3]:.0f} %.")
 
 
 def main(check, every):

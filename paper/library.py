@@ -39,7 +39,7 @@ def _of_header(function):
     return _function(function.name, _kind(function.result), *(_kind(p.type) for p in function.parameters))
 
 
-# Functions and structs by their names without cor_, as cor.disk_load; struct disk_collision is cor.struct.disk_collision
+# Functions and structs by their names without cor_: cor.disk_load, cor.struct.disk_collision
 cor = types.SimpleNamespace(**{name[4:]: _of_header(function) for name, function in _declared.functions.items()
                                if name.startswith(("cor_disk_", "cor_status_"))})
 cor.struct = types.SimpleNamespace(**{name[4:]: _struct(name) for name in _declared.structs

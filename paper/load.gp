@@ -45,5 +45,3 @@ plot 1 with lines lw 2.2 lc rgb blue, \
      csv using 1:($7/$2) skip 1 with lines lw 1.2 lc rgb grey, \
      csv using 1:($8/$2) skip 1 with lines lw 2 lc rgb grey, \
      csv using 1:($9/$2) skip 1 with lines lw 2 dt (3,3) lc rgb black
-unset multiplot
-set output

@@ -50,5 +50,3 @@ do for [k = 0:1] {
          static using 1:6 skip 1 with lines lw 2 dt (10,4,2,4) lc rgb black title "relaxed disk", \
          csv using 3:4 index k skip (k == 0) with lines lw 1.5 lc rgb red title "collision"
 }
-unset multiplot
-set output

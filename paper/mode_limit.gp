@@ -31,4 +31,3 @@ plot for [k = 1:4] [0:0.06] (few[shown[k]] + few_slope[shown[k]]*x)/many[shown[k
      for [k = 1:4] for [j = 1:6] csv using (int($0) == shown[k] - 1 ? 1/sqrt(modes[j]) : NaN):(column(j + 1)/$10) \
          skip 1 with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title (j == 1 ? sprintf("v = %g √(E/ρ)", v[shown[k]]) : ""), \
      for [k = 1:4] csv using (int($0) == shown[k] - 1 ? 0 : NaN):($13/$10) skip 1 with points pt 7 ps 0.8 lc rgb colour[k] notitle
-set output

@@ -26,4 +26,3 @@ plot curve using 1:3 skip 1 with lines lw 2.2 lc rgb blue title "Rayleigh, centr
      csv using 1:5 skip 1 with points pt 8 ps 0.7 lw 1 lc rgb grey title "full dynamics, N = 940", \
      csv using 1:6 skip 1 with points pt 4 ps 0.6 lw 1 lc rgb grey title "N = 1300", \
      csv using 1:7 skip 1 with points pt 6 ps 0.7 lw 1.2 lc rgb black title "N = 1800"
-set output

@@ -42,5 +42,3 @@ plot csv using 1:11 skip 1 with lines lw 2.4 lc rgb blue, \
      csv using 1:16 skip 1 with lines lw 1.2 dt (4,3) lc rgb green, \
      limit using 2:3 index 1 with lines lw 1.8 lc rgb black, \
      full using 2:6 index 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black
-unset multiplot
-set output

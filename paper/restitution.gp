@@ -34,5 +34,3 @@ plot limit using 2:3 index 0 skip 1 with lines lw 2.2 lc rgb blue, \
      limit using 2:3 index 1 with lines lw 2.2 lc rgb red, \
      csv using 2:6:7 index 0 skip 1 with yerrorbars lw 1.2 pt 7 ps 0.6 lc rgb blue, \
      csv using 2:6:7 index 1 with yerrorbars lw 1.2 pt 7 ps 0.6 lc rgb red
-unset multiplot
-set output

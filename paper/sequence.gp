@@ -19,5 +19,3 @@ do for [i = 0:9] {
     plot csv using 3:(strcol(2) eq "rim" ? NaN : $4) index i skip (i == 0) with lines lw 0.9 lc rgb blue, \
          csv using 3:(strcol(2) eq "rim" ? $4 : NaN) index i skip (i == 0) with lines lw 2.4 lc rgb blue
 }
-unset multiplot
-set output

@@ -27,5 +27,3 @@ do for [i = 0:2] {
     plot csv using 5:(strcol(4) eq "rim" ? NaN : $6) index i skip (i == 0) with lines lw 1 lc rgb blue, \
          csv using 5:(strcol(4) eq "rim" ? $6 : NaN) index i skip (i == 0) with lines lw 3 lc rgb blue
 }
-unset multiplot
-set output

@@ -20,4 +20,3 @@ plot csv using 1:(strcol(6) eq "radial" ? $3 : NaN) skip 1 \
          with points pt 7 ps 0.5 lc rgb blue title radial, \
      csv using 1:(strcol(6) eq "tangential" ? $3 : NaN) skip 1 \
          with points pt 7 ps 0.5 lc rgb red title tangential
-set output

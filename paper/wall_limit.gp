@@ -31,4 +31,3 @@ plot for [k = 1:4] [0:0.045] 1 + slope[shown[k]]*v[shown[k]]/limit[shown[k]]*x \
          with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title sprintf("v = %g √(E/ρ)", v[shown[k]]), \
      for [k = 1:4] csv using (int($0) == shown[k] - 1 ? 0 : NaN):($5/$3) skip 1 with points pt 7 ps 0.8 \
          lc rgb colour[k] notitle
-set output

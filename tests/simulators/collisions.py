@@ -1,20 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Collisions in simulators that others wrote against corgen: in LAMMPS, which can end contact either way, in YADE, which
-ends it at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md has the equations.
+"""Collisions in simulators that others wrote against corgen: in LAMMPS, which can end contact either way, in YADE,
+which ends it at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md has the equations.
 
     tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
 """
 import glob
 import math
 import os
+import re
 import shutil
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from common import (CORGEN, HERE, LIGGGHTS, LMP, YADE, extrapolated, first_row, output_of, run, skip,  # noqa: E402
-                    summary, verdict)
+from common import (CORGEN, HERE, LIGGGHTS, LMP, ROOT, YADE, extrapolated, first_row, numbers_of,  # noqa: E402
+                    output_of, run, skip, summary, verdict)
 
 # Largest |simulated/exact - 1| after extrapolation. Seen: 5e-8, and 6e-8 at 1e-6 m/s, where doubles of positions have
 # too few digits for the overlap. What must not pass for right has to be MARGIN tolerances away.
@@ -103,9 +104,8 @@ def lammps_oblique():
                   ("mindlin_rescale/force", "0.3"): 0.518992445, ("mindlin_rescale/force", "0.45"): 0.278008915}
 
     def no_slip(nu):
-        rows = output_of([CORGEN, "contact", "--young", "1e11", "--poisson", nu, "--radius", "0.01", "--density", "2500",
-                          "--dissipation-time", "0", "--friction", "1", "--format", "csv"]).splitlines()
-        return float(next(row for row in rows if row.startswith("no_slip,")).split(",")[1])
+        return numbers_of("--young", "1e11", "--poisson", nu, "--radius", "0.01", "--density", "2500",
+                          "--dissipation-time", "0", "--friction", "1")["no_slip"]
 
     for model in "mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force":
         for nu in "0.3", "0.45":
@@ -134,9 +134,8 @@ def lammps_jkr():
     for time in "0", "5e-9":
         spheres = ("--young 1e9 --poisson 0.25 --radius 1e-5 --density 2500 --adhesion 0.1 --adhesion-model jkr "
                    "--dissipation-time " + time).split()
-        text = output_of([CORGEN, "contact", *spheres, "--format", "csv"])
-        of = {row.split(",")[0]: row.split(",")[1] for row in text.splitlines()}
-        eta = float(of["damping_coefficient"]) / (math.sqrt(float(of["effective_radius"])) * float(of["effective_mass"]))
+        of = numbers_of(*spheres)
+        eta = of["damping_coefficient"] / (math.sqrt(of["effective_radius"]) * of["effective_mass"])
         for speed, value, gap in lammps("jkr.in", ("eta", "%.15g" % eta)):
             eps = float(list(first_row("contact", *spheres, "--speed", speed).values())[3])
             verdict(float(gap) > 0 and abs(float(value)**2 - eps**2) < 1e-5 if eps > 0 else float(gap) < 0,
@@ -180,9 +179,9 @@ def yade_step_by_step():
 def yade_table(work):
     """eps(v) read from a table of corgen sample: YADE interpolates it and realises it by a linear dashpot."""
     table = os.path.join(work, "table.py")
-    output_of([CORGEN, "sample", "--stiffness", "%.17g" % K, "--effective-mass", str(MEFF), "--dissipation-time", str(A),
-               "--speed-min", "1e-3", "--speed-max", "1", "--tolerance", str(TABLE_TOLERANCE), "--log", "--end",
-               "zero-force", "--format", "python", "--output", table])
+    output_of([CORGEN, "sample", "--stiffness", "%.17g" % K, "--effective-mass", str(MEFF),
+               "--dissipation-time", str(A), "--tolerance", str(TABLE_TOLERANCE), "--output", table]
+              + "--speed-min 1e-3 --speed-max 1 --log --end zero-force --format python".split())
     arguments = [("table", table, "%s" % float(speed)) for speed in TABLE_SPEEDS]
     for speed, eps in zip(TABLE_SPEEDS, yade_eps(2, arguments)):
         judge("YADE, %s m/s, table of corgen sample, zero force" % speed, eps, exact("zero_force", beta_at(speed)),
@@ -218,7 +217,7 @@ def rebound(work):
     output_of([CORGEN] + embed, cwd=work)
     tree, program = os.environ.get("REBOUND"), os.path.join(work, "rebound")
     flags = ["-w", "-D_GNU_SOURCE", "-DCOR_REBOUND", "-I%s/src" % tree, "-pthread"] if tree else [
-        "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter"]
+        "-Wall", "-Wextra", "-Wno-unused-parameter", *output_of([os.path.join(ROOT, "cmake", "werror"), "cc"]).split()]
     said = output_of(["cc", "-O1", "-I" + work, *flags, "-o", program, os.path.join(HERE, "rebound.c"),
                       *glob.glob("%s/src/*.c" % tree), "-lm"])
     speeds = ["0.01", "0.1", "1", "10"]
@@ -241,17 +240,16 @@ def luding(host, work):
     contact = SPHERES + "--radius-2 2e-2 --mass-2 8e-3 --law elastic-plastic --yield-stress 3e5 --speed 1".split()
     row = list(first_row("contact", *contact).values())
     eps, duration = float(row[2]), "%.17g" % (4 * float(row[6]))
-    wanted = ("pair_style gran model luding", "fix cor_luding", "cor_material = Luding", "cor_contact")
-    lines = [line[2:] for line in output_of([CORGEN, "contact", *contact, "--for", host]).splitlines()
-             if line.startswith(tuple("# " + start for start in wanted)) and ("cor_contact" not in line or "Luding" in line)]
+    wanted = r"# ((pair_style gran model luding|fix cor_luding|cor_material = Luding|cor_contact.*Luding).*)"
+    lines = [found[1] for found in re.finditer(wanted, output_of([CORGEN, "contact", *contact, "--for", host]))]
     if host == "liggghts":
         lines += ["pair_coeff * *", "fix cor_mu all property/global coefficientFriction peratomtypepair 1 0"]
     paste = os.path.join(work, "luding")
     with open(paste, "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
     command = yade("restitution/yade.py", paste, "0", duration, "4000") if host == "yade" else [
-        LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "restitution", "liggghts.in"), "-var", "paste", paste, "-var",
-        "wall", "0", "-var", "types", "1", "-var", "duration", duration, "-var", "n", "4000"]
+        LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "restitution", "liggghts.in"), "-var", "paste", paste,
+        "-var", "wall", "0", "-var", "types", "1", "-var", "duration", duration, "-var", "n", "4000"]
     seen = [float(row[-2]) for row in lines_of(command, "eps")]
     verdict(seen and abs(seen[0] / eps - 1) < 1e-5,
             "%s, Luding's contact realises %.6f: %s" % (host.upper(), eps, " ".join("%.8g" % value for value in seen)))

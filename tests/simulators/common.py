@@ -47,6 +47,12 @@ def first_row(*options):
     return next(csv.DictReader(io.StringIO(output_of([CORGEN, *options, "--format", "csv"]))))
 
 
+def numbers_of(*options):
+    """{quantity: value} of corgen contact without a speed"""
+    rows = csv.DictReader(io.StringIO(output_of([CORGEN, "contact", *options, "--format", "csv"])))
+    return {row["quantity"]: float(row["value"]) for row in rows if row["value"]}
+
+
 def extrapolated(power, values):
     """To step 0 from the steps 4 h, 2 h and h. Simulators take the velocity of half a step ago, an error of h; damping
     like x^b adds one of h^(1+b), the power."""

@@ -13,20 +13,19 @@ Without it they are 12, and the damping is corrected for them.
 """
 import argparse
 import collections
-import csv
-import io
+import itertools
 import math
 import os
 import re
 import shutil
-import subprocess
+import statistics
 import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.dirname(HERE))
 sys.dont_write_bytecode = True
-from common import CORGEN, LMP, ROOT, renew, run, skip, summary, verdict  # noqa: E402
+from common import CORGEN, LMP, ROOT, first_row, numbers_of, renew, run, skip, summary, verdict  # noqa: E402
 
 PAGE = os.path.join(ROOT, "docs", "gas.md")
 PICTURES = os.path.join(ROOT, "docs", "gas")
@@ -50,6 +49,7 @@ ENDS_APART = 100000  # spheres that tell the two ends of contact apart
 STEP_ALLOWED, UNCORRECTED_ALLOWED = 2e-4, 4e-3
 
 State = collections.namedtuple("State", "time steps temperature kurtosis shear density")
+Cost = collections.namedtuple("Cost", "ranks processor_ns")
 Theory = collections.namedtuple("Theory", "time temperature a2 collisions slope contact")
 
 def output_of(command, **options):
@@ -67,18 +67,16 @@ def count_of(lattice):
 
 
 def contact(*options):
-    return output_of([CORGEN, "contact"] + SPHERES + list(options), stdin=subprocess.DEVNULL)
+    return output_of([CORGEN, "contact"] + SPHERES + list(options))
 
 
 def dissipation_time(*restitution):
-    rows = csv.DictReader(io.StringIO(contact(*restitution, "--format", "csv")))
-    return next(row["value"] for row in rows if row["quantity"] == "dissipation_time")
+    return "%.17g" % numbers_of(*SPHERES, *restitution)["dissipation_time"]
 
 
 def contact_at(time, speed, *options):
     """{column: value} at an impact speed, m/s"""
-    text = contact("--dissipation-time", time, "--speed", speed, "--format", "csv", *options)
-    return next(csv.DictReader(io.StringIO(text)))
+    return first_row("contact", *SPHERES, "--dissipation-time", time, "--speed", speed, *options)
 
 
 def lammps_lines(time):
@@ -118,7 +116,7 @@ class Gas:
         # Open MPI asks for the first two where the user is root; a rank that waits lets other programs run
         mpi = dict.fromkeys(
             ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_mpi_yield_when_idle"), "1")
-        return output_of(command, stdin=subprocess.DEVNULL, cwd=self.folder, env=dict(os.environ, **mpi))
+        return output_of(command, cwd=self.folder, env=dict(os.environ, **mpi))
 
     def step(self, temperature, steps):
         """The time step at this T/m"""
@@ -175,17 +173,13 @@ class Gas:
         return states[:stages + 1]
 
 
-class Cost:
+def cost_of(text):
     """The ranks of a text of LAMMPS, and the time of all steps in nanoseconds of a processor per sphere and step"""
-
-    def __init__(self, text):
-        loop = r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms\s+([\d.]+)% CPU use"
-        found = re.findall(loop, text)
-        loops = [(float(s), int(r), int(n), int(a), float(share) / 100) for s, r, n, a, share in found if int(n) > 0]
-        self.ranks, spheres = loops[0][1], loops[0][3]
-        steps = sum(loop[2] for loop in loops)
-        processor_s = self.ranks * sum(s * share for s, _, _, _, share in loops)
-        self.processor_ns = 1e9 * processor_s / (steps * spheres)
+    loop = r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms\s+([\d.]+)% CPU use"
+    loops = [[float(x) for x in row] for row in re.findall(loop, text) if int(row[2]) > 0]
+    _, ranks, _, spheres, _ = loops[0]
+    processor_s = ranks * sum(seconds * share / 100 for seconds, _, _, _, share in loops)
+    return Cost(ranks, 1e9 * processor_s / (spheres * sum(row[2] for row in loops)))
 
 
 # ---- theory ----
@@ -224,10 +218,8 @@ def root_mean_square(values):
 def slope(states, unit, temperatures):
     """d ln T/d ln(t + unit) over the last half of the stages, by least squares"""
     half = len(states) // 2
-    x = [math.log(s.time + unit) for s in states[half:]]
-    y = [math.log(value) for value in temperatures[half:]]
-    x0, y0 = sum(x) / len(x), sum(y) / len(y)
-    return sum((a - x0) * (b - y0) for a, b in zip(x, y)) / sum((a - x0)**2 for a in x)
+    return statistics.linear_regression([math.log(s.time + unit) for s in states[half:]],
+                                        [math.log(value) for value in temperatures[half:]]).slope
 
 
 # ---- judging ----
@@ -284,11 +276,7 @@ Result = collections.namedtuple(
 
 def scatter_of(rows):
     """Root mean square over the columns of the standard deviation within each"""
-    deviation = []
-    for column in zip(*rows):
-        mean = sum(column) / len(column)
-        deviation.append(math.sqrt(sum((x - mean)**2 for x in column) / (len(column) - 1)))
-    return root_mean_square(deviation)
+    return root_mean_square([statistics.stdev(column) for column in zip(*rows)])
 
 
 def slope_difference(states, predictor):
@@ -335,25 +323,12 @@ def large_gas(folder, work, lattice, stages, steps, ranks):
     slope_error = scatter_of([[x] for x in off]) * math.sqrt(small / spheres)
     verdict(abs(slopes[0] - slopes[1]) <= ALLOWED * slope_error,
             "d ln T/d ln(t + t_0) of the last half: %.4f, theory %.4f, standard error %.4f" % (*slopes, slope_error))
-    return Result(lattice, steps, spheres, states, predictor(states), wrong["zero_force"], wrong["rigid"], error, slopes, slope_error,
-                  len(gases), step_errors, stepped)
+    return Result(lattice, steps, spheres, states, predictor(states), wrong["zero_force"], wrong["rigid"], error,
+                  slopes, slope_error, len(gases), step_errors, stepped)
 
 
 def processor_min(result, log, stage):
     return log.processor_ns * result.spheres * result.states[stage].steps / 6e10
-
-
-def compare(coarse, fine, logs):
-    """The same gas with two time steps, at the ends of the stages that both have"""
-    differences = [a - b for a, b in zip(deviations(coarse.states, coarse.theory), deviations(fine.states, fine.theory))]
-    error, stages = math.sqrt(2) * coarse.error, len(differences)
-    minutes = [processor_min(result, log, stages) for result, log in zip((coarse, fine), logs)]
-    verdict(largest(differences) <= ALLOWED * error,
-            "%d steps in a contact, corrected, against %d: ln T differs by at most %.2f %% in %d stages, %.1f standard "
-            "errors; root mean square %.2f %%; %.1f and %.1f minutes of a processor, a factor of %.2f" %
-            (coarse.steps, fine.steps, 100 * largest(differences), stages, largest(differences) / error,
-             100 * root_mean_square(differences), *minutes, minutes[1] / minutes[0]))
-    return differences, error, minutes
 
 
 # ---- docs/ ----
@@ -421,19 +396,22 @@ def numbers(results, logs):
 
 
 def comparisons(results, logs):
-    """A sentence for each lattice with two time steps"""
+    """A sentence for each lattice with two time steps: the same gas at the ends of the stages that both have"""
     text = ""
-    for fine, fine_log in zip(results, logs):
-        for coarse, log in zip(results, logs):
-            if coarse.lattice != fine.lattice or coarse.steps >= fine.steps:
-                continue
-            differences, error, minutes = compare(coarse, fine, (log, fine_log))
-            text += ("\n%d spheres with %d corrected steps against %d: ln T differs by %.2f %% at most in %d stages, %.1f "
-                     "standard errors of a\ndifference, root mean square %.2f %%. The stages took %.1f and %.1f minutes of a "
-                     "processor, a factor of **%.2f**.\n" %
-                     (fine.spheres, coarse.steps, fine.steps, 100 * largest(differences), len(differences),
-                      largest(differences) / error, 100 * root_mean_square(differences), *minutes,
-                      minutes[1] / minutes[0]))
+    for (fine, fine_log), (coarse, log) in itertools.permutations(zip(results, logs), 2):
+        if coarse.lattice != fine.lattice or coarse.steps >= fine.steps:
+            continue
+        differences = [a - b for a, b in zip(deviations(coarse.states, coarse.theory),
+                                             deviations(fine.states, fine.theory))]
+        error, stages = math.sqrt(2) * coarse.error, len(differences)
+        minutes = processor_min(coarse, log, stages), processor_min(fine, fine_log, stages)
+        said = ("%d spheres with %d corrected steps against %d: ln T differs by %.2f %% at most in %d stages, %.1f "
+                "standard errors of a\ndifference, root mean square %.2f %%. The stages took %.1f and %.1f minutes of "
+                "a processor, a factor of **%.2f**.\n" %
+                (fine.spheres, coarse.steps, fine.steps, 100 * largest(differences), stages,
+                 largest(differences) / error, 100 * root_mean_square(differences), *minutes, minutes[1] / minutes[0]))
+        verdict(largest(differences) <= ALLOWED * error, " ".join(said.split()))
+        text += "\n" + said
     return text
 
 
@@ -461,10 +439,11 @@ def main():
     parser.add_argument("--results", help="folder that keeps each gas")
     parser.add_argument("--write", action="store_true", help="renew docs/gas.md; needs --lattice")
     options = parser.parse_args()
-    gases = [re.fullmatch(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+)(?::(\d+))?)?", lattice) for lattice in options.lattice]
+    wanted = re.compile(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+)(?::(\d+))?)?")
+    gases = [wanted.fullmatch(lattice) for lattice in options.lattice]
     if not all(gases) or any(int(gas[2] or STAGES) < 4 or int(gas[3] or COARSE) < 8 for gas in gases):
-        parser.error("--lattice takes three numbers, as 50x50x40, at least 4 stages, as 50x50x40:20, and at least 8 time "
-                     "steps, as 50x50x40:12:50")
+        parser.error("--lattice takes three numbers, as 50x50x40, at least 4 stages, as 50x50x40:20, and at least 8 "
+                     "time steps, as 50x50x40:12:50")
     if options.ranks < 1:
         parser.error("--ranks takes a number from 1")
     if options.write and not gases:
@@ -483,8 +462,9 @@ def main():
                    for gas in gases]
         logs = []
         for result in results:
-            with open(os.path.join(folder, "gas.%s.1.%d.log" % (result.lattice, result.steps)), encoding="utf-8") as log:
-                logs.append(Cost(log.read()))
+            name = "gas.%s.1.%d.log" % (result.lattice, result.steps)
+            with open(os.path.join(folder, name), encoding="utf-8") as log:
+                logs.append(cost_of(log.read()))
         sentences = comparisons(results, logs)
         if options.write:
             write(results, logs, sentences)

@@ -9,10 +9,9 @@ corgen contact --for HOST, which the simulators read as they are. Two bodies mee
 
 A simulator that is not installed is skipped by name. tests/simulators/run runs this and adds its counts.
 """
+import collections
 import copy
-import csv
 import datetime
-import io
 import math
 import os
 import re
@@ -24,11 +23,10 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.dirname(HERE))
 sys.dont_write_bytecode = True
-from common import CORGEN, LMP, ROOT, counts, renew, run, skip, summary, verdict  # noqa: E402
+from common import (CORGEN, LIGGGHTS, LMP, ROOT, YADE, counts, extrapolated, first_row, output_of,  # noqa: E402
+                    renew, skip, summary, verdict)
 
 PAGE = os.path.join(ROOT, "docs", "simulators.md")
-LIGGGHTS = os.environ.get("LIGGGHTS", "liggghts")
-YADE = os.environ.get("YADE", "yade")
 
 RESTITUTIONS = ["0.1", "0.3", "0.5", "0.7", "0.9", "0.99"]
 # Those that are also wished with --end, at a wall, and in the short run
@@ -50,11 +48,6 @@ CALLBACK_SPEEDS = [0.01, 0.1, 1, 10]
 # FEW restitutions, and nothing that is not pasted
 SHORT = "--short" in sys.argv[1:]
 
-def output_of(command, **options):
-    done = run(command, stdin=subprocess.DEVNULL, errors="replace", **options)
-    return done.stdout + (done.stderr if done.returncode else "")
-
-
 # ---- corgen ----
 
 if SHORT:
@@ -67,18 +60,15 @@ def contact_of(law, e, wall=False):
         bodies = SPRING + (["2e-3", "--wall"] if wall else ["1.6e-3"])
     else:
         bodies = BODY + (["--wall"] if wall else SECOND)
-    return ["contact", "--law", law, "--restitution", e] + bodies + ([] if law in ("linear", "tsuji") else ["--at", "1"])
-
-
-def row_of(options):
-    return next(csv.DictReader(io.StringIO(output_of([CORGEN] + options + ["--format", "csv"]))))
+    at = [] if law in ("linear", "tsuji") else ["--at", "1"]
+    return ["contact", "--law", law, "--restitution", e] + bodies + at
 
 
 def duration_s(law, e, end, wall=False):
     if end not in ("zero overlap", "zero force"):
         return math.nan
     options = contact_of(law, e, wall) + ["--end", end.replace(" ", "-"), "--speed", "1"]
-    return float(row_of(options)["duration_s_" + end.replace(" ", "_")])
+    return float(first_row(*options)["duration_s_" + end.replace(" ", "_")])
 
 
 class Case:
@@ -148,7 +138,7 @@ def ends_of(law, e, end, wall):
     """eps at both ends of a contact that has e at `end`"""
     if not end:
         return []
-    row = row_of(contact_of(law, e, wall) + ["--end", end, "--speed", "1"])
+    row = first_row(*contact_of(law, e, wall), *["--end", end, "--speed", "1"])
     return [float(row["eps_zero_overlap"]), float(row["eps_zero_force"])]
 
 
@@ -193,29 +183,7 @@ def cases_of(host, laws=LAWS, wanted=lambda block: True, walls=(False, True)):
     return cases
 
 
-# ---- extrapolation ----
-
-
-def extrapolated(law, values):
-    """To step 0 from the steps 4 h, 2 h and h"""
-    first = [2 * fine - coarse for coarse, fine in zip(values, values[1:])]
-    weight = 2**(1 + DAMPING_EXPONENT[law])
-    return (weight * first[1] - first[0]) / (weight - 1)
-
-
-def read_steps(case, text, name):
-    rows = [row.split() for row in text.split("\n") if row.startswith("eps " + name)]
-    start = 1 + bool(name)
-    values = {int(row[start]): (float(row[start + 1]), float(row[start + 2])) for row in rows}
-    if sorted(values) != COUNTS:
-        case.eps = case.eps_most = math.nan
-        case.log = text
-        return
-    case.eps = case.eps_most = extrapolated(case.law, [values[n][0] for n in COUNTS])
-    case.change = max(abs(values[n][1]) for n in COUNTS)
-
-
-# ---- one function for each simulator: runs the cases; False where it is not installed ----
+# ---- the simulators run the cases ----
 
 
 def file_of(case, work, number):
@@ -225,40 +193,48 @@ def file_of(case, work, number):
     return path
 
 
-def run_lammps(cases, work):
-    for number, case in enumerate(cases):
-        command = [LMP, "-log", "none", "-in", os.path.join(HERE, "lammps.in"), "-var", "paste",
-                   file_of(case, work, number), "-var", "wall", "%d" % case.wall, "-var", "duration",
-                   "%.17g" % case.duration, "-var", "n"]
-        read_steps(case, output_of(command + [str(n) for n in COUNTS]), "")
+def read_steps(case, text):
+    rows = [row.split()[-3:] for row in text.split("\n") if row.startswith("eps ")]
+    values = {int(n): (float(value), float(change)) for n, value, change in rows}
+    if sorted(values) != COUNTS:
+        case.eps = case.eps_most = math.nan
+        case.log = text
+        return
+    case.eps = case.eps_most = extrapolated(1 + DAMPING_EXPONENT[case.law], [values[n][0] for n in COUNTS])
+    case.change = max(abs(values[n][1]) for n in COUNTS)
 
 
-def run_liggghts(cases, work):
-    for number, case in enumerate(cases):
-        text = ""
-        types = "2" if any("peratomtypepair 2" in line for line in case.lines) else "1"
-        for n in COUNTS:
-            text += output_of([LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "liggghts.in"), "-var", "paste",
-                               file_of(case, work, number), "-var", "wall", "%d" % case.wall, "-var", "types", types,
-                               "-var", "duration", "%.17g" % case.duration, "-var", "n", str(n)])
-        read_steps(case, text, "")
+def script_of(script, program, paste, case, numbers):
+    return [program, "-log", "none", "-in", os.path.join(HERE, script), "-var", "paste", paste, "-var", "wall",
+            "%d" % case.wall, "-var", "duration", "%.17g" % case.duration, "-var", "n", *map(str, numbers)]
 
 
-def run_yade(cases, work):
-    arguments = []
-    names = [file_of(case, work, number) for number, case in enumerate(cases)]
-    for name, case in zip(names, cases):
-        arguments += [name, "%d" % case.wall, "%.17g" % case.duration, ",".join(str(n) for n in COUNTS)]
-    text = output_of([YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py")] + arguments)
-    for name, case in zip(names, cases):
-        read_steps(case, text, name + " ")
+def lammps_commands(paste, case, work):
+    yield script_of("lammps.in", LMP, paste, case, COUNTS)
 
 
-def run_mujoco(cases, work):
-    for number, case in enumerate(cases):
-        command = [os.path.join(work, "mujoco"), file_of(case, work, number), "2e-3" if case.wall else "1.6e-3",
-                   "%.17g" % case.duration]
-        read_steps(case, output_of(command + [str(n) for n in COUNTS]), "")
+def liggghts_commands(paste, case, work):
+    types = "2" if any("peratomtypepair 2" in line for line in case.lines) else "1"
+    for n in COUNTS:
+        yield script_of("liggghts.in", LIGGGHTS, paste, case, [n]) + ["-var", "types", types]
+
+
+def yade_commands(paste, case, work):
+    yield [YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py"), paste, "%d" % case.wall, "%.17g" % case.duration,
+           ",".join(map(str, COUNTS))]
+
+
+def mujoco_commands(paste, case, work):
+    yield [os.path.join(work, "mujoco"), paste, "2e-3" if case.wall else "1.6e-3", "%.17g" % case.duration,
+           *map(str, COUNTS)]
+
+
+def stepped(commands_of):
+    def run_cases(cases, work):
+        for number, case in enumerate(cases):
+            read_steps(case, "".join(map(output_of, commands_of(file_of(case, work, number), case, work))))
+
+    return run_cases
 
 
 def read_pairs(case, text, name):
@@ -281,28 +257,9 @@ def compiled(source, work, options):
     return output_of(compiler + ["-I" + work, os.path.join(HERE, source), "-o", program] + options)
 
 
-def write_cases(work, host, functions, rows):
-    with open(os.path.join(work, host + "_cases.inc"), "w", encoding="ascii") as file:
-        file.write("\n".join(functions))
-        file.write("\nstatic const %s_case %s_cases[] = {%s};\n" % (host, host, ", ".join(rows)))
-
-
 SIMBODY_FLAGS = ["-I/usr/include/simbody", "-lSimTKsimbody", "-lSimTKmath", "-lSimTKcommon"]
 BULLET_FLAGS = ["-DBT_USE_DOUBLE_PRECISION", "-I/usr/include/bullet", "-lBulletDynamics-float64",
                 "-lBulletCollision-float64", "-lLinearMath-float64"]
-
-
-def run_simbody(cases, work):
-    functions, rows = [], []
-    for number, case in enumerate(cases):
-        functions.append("static void set_%d(HuntCrossleyForce &force, ContactSurfaceIndex surface)\n"
-                         "{\n%s\n}" % (number, "\n".join(case.lines)))
-        rows.append('{"%d", set_%d}' % (number, number))
-    write_cases(work, "simbody", functions, rows)
-    said = compiled("simbody.cpp", work, SIMBODY_FLAGS)
-    text = said or output_of([os.path.join(work, "simbody")])
-    for number, case in enumerate(cases):
-        read_pairs(case, text, str(number))
 
 
 def callback_lines(lines, work):
@@ -314,23 +271,35 @@ def callback_lines(lines, work):
     return lines, [line for line in calls if line.endswith(";")]
 
 
-def run_bullet(cases, work):
+def run_compiled(host, flags, signature, lines_of, cases, work):
+    """A driver with a function of the lines of each case"""
     functions, rows = [], []
     for number, case in enumerate(cases):
-        lines = case.lines
-        if "callback" in case.model:
-            scope, lines = callback_lines(lines, work)
-            functions += scope if number == [c.model for c in cases].index(case.model) else []
-        else:
-            lines = ["gContactAddedCallback = nullptr;"] + lines
-        functions.append("static void set_%d(btRigidBody *body, btDiscreteDynamicsWorld *world)\n"
-                         "{\n(void)world;\n%s\n}" % (number, "\n".join(lines)))
-        rows.append('{"%d", set_%d, %.17g}' % (number, number, case.speed))
-    write_cases(work, "bullet", functions, rows)
-    said = compiled("bullet.cpp", work, BULLET_FLAGS)
-    text = said or output_of([os.path.join(work, "bullet")])
+        scope, lines = lines_of(case, number == [c.model for c in cases].index(case.model), work)
+        functions += [scope, "static void set_%d(%s)\n{\n%s\n}" % (number, signature, "\n".join(lines))]
+        rows.append('{"%d", set_%d%s}' % (number, number, ", %.17g" % case.speed if hasattr(case, "speed") else ""))
+    with open(os.path.join(work, host + "_cases.inc"), "w", encoding="ascii") as file:
+        file.write("\n".join(functions))
+        file.write("\nstatic const %s_case %s_cases[] = {%s};\n" % (host, host, ", ".join(rows)))
+    text = compiled(host + ".cpp", work, flags) or output_of([os.path.join(work, host)])
     for number, case in enumerate(cases):
         read_pairs(case, text, str(number))
+
+
+def run_simbody(cases, work):
+    run_compiled("simbody", SIMBODY_FLAGS, "HuntCrossleyForce &force, ContactSurfaceIndex surface",
+                 lambda case, first, work: ("", case.lines), cases, work)
+
+
+def bullet_lines(case, first, work):
+    if "callback" not in case.model:
+        return "", ["(void)world;", "gContactAddedCallback = nullptr;"] + case.lines
+    scope, lines = callback_lines(case.lines, work)
+    return "\n".join(scope) if first else "", ["(void)world;"] + lines
+
+
+def run_bullet(cases, work):
+    run_compiled("bullet", BULLET_FLAGS, "btRigidBody *body, btDiscreteDynamicsWorld *world", bullet_lines, cases, work)
 
 
 # ---- the simulators ----
@@ -374,7 +343,7 @@ def simbody_cases():
         block.model = "HuntCrossleyForce, c = (1 - e)/v as its documentation says"
         block.lines = [re.sub(r"dissipation = \S+;", "dissipation = %.17g;" % (1 - float(e)), line)
                        for line in block.lines]
-        cases.append(Case(block, "hunt-crossley", e, math.nan, float(row_of(options)["eps_zero_force"]), own=True))
+        cases.append(Case(block, "hunt-crossley", e, math.nan, float(first_row(*options)["eps_zero_force"]), own=True))
     return cases
 
 
@@ -391,7 +360,7 @@ def bullet_cases():
     text = text_for("bullet", "viscoelastic", "0.5", "--end", "zero-force")
     block = next(block for block in blocks_of(text) if "callback" in block.model)
     for speed in CALLBACK_SPEEDS:
-        eps = row_of(contact_of("viscoelastic", "0.5") + ["--end", "zero-force", "--speed", str(speed)])
+        eps = first_row(*contact_of("viscoelastic", "0.5"), *["--end", "zero-force", "--speed", str(speed)])
         expected = float(eps["eps_zero_force"])
         cases.append(Case(block, "viscoelastic", "eps(%g m/s)" % speed, math.nan, expected))
         cases[-1].speed = speed
@@ -412,25 +381,21 @@ def version_of(command, pattern):
     return found[1] if found else "unknown version"
 
 
-class Host:
-    """A simulator: `present` says whether it is installed, `build` compiles its driver"""
-
-    def __init__(self, name, package, present, cases, run, version, build=None):
-        self.name, self.package, self.present, self.cases, self.run = name, package, present, cases, run
-        self.version, self.build = version, build
+# present says whether it is installed, build compiles its driver
+Host = collections.namedtuple("Host", "name package present cases run version build", defaults=(None, ))
 
 
 def hosts_of(work):
     mujoco = os.path.join(work, "mujoco")
     return [
-        Host("lammps", "lammps", lambda: installed(LMP), lambda: cases_of("lammps", LAWS, lammps_has), run_lammps,
-             lambda: version_of([LMP, "-h"], r" - (\d+ \w+ \d+)")),
-        Host("liggghts", "liggghts", lambda: installed(LIGGGHTS), liggghts_cases, run_liggghts,
+        Host("lammps", "lammps", lambda: installed(LMP), lambda: cases_of("lammps", LAWS, lammps_has),
+             stepped(lammps_commands), lambda: version_of([LMP, "-h"], r" - (\d+ \w+ \d+)")),
+        Host("liggghts", "liggghts", lambda: installed(LIGGGHTS), liggghts_cases, stepped(liggghts_commands),
              lambda: version_of([LIGGGHTS, "-log", "none", "-in", os.devnull], r"LIGGGHTS-\w+ ([\d.]+\d)")),
-        Host("yade", "yade", lambda: installed(YADE), lambda: cases_of("yade", LAWS, yade_has), run_yade,
+        Host("yade", "yade", lambda: installed(YADE), lambda: cases_of("yade", LAWS, yade_has), stepped(yade_commands),
              lambda: version_of([YADE, "-x", "-n", os.devnull], r"Welcome to Yade (\S+)")),
         Host("mujoco", "libmujoco-dev", lambda: has_header("mujoco/mujoco.h", [], "c"), lambda: cases_of("mujoco"),
-             run_mujoco, lambda: output_of([mujoco, "version"]).strip(),
+             stepped(mujoco_commands), lambda: output_of([mujoco, "version"]).strip(),
              lambda: compiled("mujoco.c", work, ["-lmujoco"])),
         Host("simbody", "libsimbody-dev", lambda: has_header("SimTKcommon.h", SIMBODY_FLAGS[:1], "c++"), simbody_cases,
              run_simbody, lambda: output_of([os.path.join(work, "simbody"), "version"]).strip()),
@@ -483,7 +448,7 @@ def asked_rows(host, cases):
         cells = ["refused" if e not in own else number(own[e].eps) if own[e].eps_most - own[e].eps < 1e-6 else
                  "%s to %s" % (number(own[e].eps), number(own[e].eps_most)) for e in RESTITUTIONS]
         if any(e in own for e in RESTITUTIONS):
-            yield "| %s %s | %s | %s |" % (host.name, host.text_version, model, " | ".join(cells))
+            yield "| %s %s | %s | %s |" % (host.name, host.version(), model, " | ".join(cells))
 
 
 def cured_rows(host, cases, errors):
@@ -491,7 +456,7 @@ def cured_rows(host, cases, errors):
         group = [case for case in cases if case.model == model and not case.own]
         laws = ", ".join(dict.fromkeys(case.law for case in group))
         missing = [e for e in RESTITUTIONS if e not in [case.e for case in group]] if group[0].e in RESTITUTIONS else []
-        yield "| %s %s | %s | %s | %s | %s | %.0e |" % (host.name, host.text_version, model, laws, group[0].end,
+        yield "| %s %s | %s | %s | %s | %s | %.0e |" % (host.name, host.version(), model, laws, group[0].end,
                                                        ", ".join(missing), errors[model, False])
 
 
@@ -526,8 +491,6 @@ def main():
                 continue
             cases = host.cases()
             host.run(cases, work)
-            if not any(hasattr(case, "log") for case in cases):
-                host.text_version = host.version()
             results.append((host, cases, judge(host, cases)))
     if "--write" in sys.argv[1:]:
         if counts["skipped"] or only:
