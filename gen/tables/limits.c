@@ -429,10 +429,10 @@ static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS]
     struct cor_disk_limit_piece *const piece = &table->piece[table->pieces++];
     *piece = (struct cor_disk_limit_piece){.x = (double)part->first[0] / PER_ROOT,
                                            .nu = (double)part->first[1] / PER_ROOT,
-                                           .per_x = (double)PER_ROOT / part->side[0],
-                                           .per_nu = (double)PER_ROOT / part->side[1],
-                                           .uncertainty = part->cell->uncertainty,
-                                           .depth = part->cell->depth};
+                                           .per_x = (float)(PER_ROOT / part->side[0]),
+                                           .per_nu = (float)(PER_ROOT / part->side[1]),
+                                           .uncertainty = (uint16_t)part->cell->uncertainty,
+                                           .depth = (uint16_t)part->cell->depth};
     for (int k = 0; k < POINTS; k++)
         piece->coefficient[k] = value_in_part(part, k % SIDE, k / SIDE);
     for (int k = 0; k < SIDE; k++)
@@ -569,8 +569,8 @@ static void write_numbers(FILE *file, const char *name, const uint16_t *number, 
 
 static void write_piece(FILE *file, const struct cor_disk_limit_piece *piece)
 {
-    fprintf(file, "    {%.17g, %.17g, %.17g, %.17g, %.17g, %d, {", piece->x, piece->nu, piece->per_x, piece->per_nu,
-            piece->uncertainty, piece->depth);
+    fprintf(file, "    {%.17g, %.17g, %g, %g, %d, %d, {", piece->x, piece->nu, (double)piece->per_x,
+            (double)piece->per_nu, piece->uncertainty, piece->depth);
     for (int k = 0; k < POINTS; k++)
         fprintf(file, "%s%.17g", k ? ", " : "", piece->coefficient[k]);
     fputs("}},\n", file);
@@ -616,7 +616,7 @@ static void read_cells(void)
         struct cell cell = {.x = (int32_t)(piece->x * ROOT_SIDE) / side * side,
                             .nu = (int32_t)(piece->nu * ROOT_SIDE) / side * side,
                             .depth = piece->depth,
-                            .uncertainty = (int32_t)piece->uncertainty};
+                            .uncertainty = piece->uncertainty};
         if (table->cell_at[cell.nu / SMALLEST][cell.x / SMALLEST] != UINT16_MAX)
             continue;
         for (int k = 0; k < POINTS; k++) {

@@ -24,8 +24,9 @@ enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_L
 #define COR_DISK_LIMIT_UNIT 1e-7
 enum { COR_DISK_LIMIT_SIDE = 4, COR_DISK_LIMIT_POINTS = 16 };
 struct cor_disk_limit_piece {
-    double x, nu, per_x, per_nu, uncertainty;
-    int depth;
+    double x, nu;
+    float per_x, per_nu;
+    uint16_t uncertainty, depth;
     double coefficient[COR_DISK_LIMIT_POINTS];
 };
 
@@ -68,7 +69,7 @@ static inline const struct cor_disk_limit_piece *cor_disk_limit_find(const struc
 /* The polynomial of a piece */
 static inline double cor_disk_limit_value(const struct cor_disk_limit_piece *piece, double x, double nu)
 {
-    const double s = (x - piece->x) * piece->per_x, t = (nu - piece->nu) * piece->per_nu;
+    const double s = (x - piece->x) * (double)piece->per_x, t = (nu - piece->nu) * (double)piece->per_nu;
     const double *const c = piece->coefficient;
     double of_s[COR_DISK_LIMIT_SIDE];
     for (int i = 0; i < COR_DISK_LIMIT_SIDE; i++)

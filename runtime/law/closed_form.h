@@ -29,8 +29,15 @@ COR_INLINE double cor_closed_form_product(struct cor_inline_place place, double 
     return cor_inline_row_product(place, x);
 }
 
+/* One copy in a source: the public function jumps to it, and calls it in another environment. */
+#ifdef __GNUC__
+#define COR_ONCE static __attribute__((noinline, unused))
+#else
+#define COR_ONCE static inline
+#endif
+
 #define COR_CLOSED_FORM_FUNCTIONS_(law, public, damping, end, LAW, DAMPING, END)                                       \
-    COR_INLINE double cor_##law##_eps##end(double x)                                                                   \
+    COR_ONCE double cor_##law##_eps##end(double x)                                                                     \
     {                                                                                                                  \
         if (cor_inline_between(x, COR_ROWS_##LAW##_EPS##END##_FIRST, COR_ROWS_##LAW##_EPS##END##_END))                 \
             return cor_inline_row_value(cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_##LAW##_EPS##END), x,     \
@@ -41,7 +48,7 @@ COR_INLINE double cor_closed_form_product(struct cor_inline_place place, double 
                                               x);                                                                      \
         return cor_##law##_eps_beyond##end(x);                                                                         \
     }                                                                                                                  \
-    COR_INLINE double cor_##law##_loss##end(double x)                                                                  \
+    COR_ONCE double cor_##law##_loss##end(double x)                                                                    \
     {                                                                                                                  \
         if (cor_inline_below(x, COR_ROWS_##LAW##_LOSS##END##_END))                                                     \
             return cor_closed_form_product(                                                                            \
@@ -60,7 +67,7 @@ COR_INLINE double cor_closed_form_product(struct cor_inline_place place, double 
                                                              loss, cor_rows_##law##_near_##damping##end),              \
                                        loss);                                                                          \
     }                                                                                                                  \
-    COR_INLINE double cor_##law##_##damping##end(double eps)                                                           \
+    COR_ONCE double cor_##law##_##damping##end(double eps)                                                             \
     {                                                                                                                  \
         if (eps >= 0.5 && eps <= 1)                                                                                    \
             return cor_##law##_near_##damping##end(1 - eps);                                                           \
@@ -69,7 +76,7 @@ COR_INLINE double cor_closed_form_product(struct cor_inline_place place, double 
                                                                  eps, cor_rows_##law##_##damping##end));               \
         return cor_##law##_##damping##_beyond##end(eps);                                                               \
     }                                                                                                                  \
-    COR_INLINE double cor_##law##_##damping##_of_loss##end(double loss)                                                \
+    COR_ONCE double cor_##law##_##damping##_of_loss##end(double loss)                                                  \
     {                                                                                                                  \
         if (cor_inline_below(loss, 0.5))                                                                               \
             return cor_##law##_near_##damping##end(loss);                                                              \

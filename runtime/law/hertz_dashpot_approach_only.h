@@ -18,7 +18,7 @@ static inline struct cor_inline_pair dashpot_overlap(double beta, int *fourth)
 }
 
 COR_HERTZ_APPROACH_ONLY(dashpot, cor_rows_hertz_dashpot, COR_ROWS_HERTZ_DASHPOT,
-                        cor_inline_hertz_dashpot_time_of_max_overlap)
+                        cor_hertz_dashpot_time_of_max_overlap)
 
 /* ln(eps(beta)/eps) to first order where it is small */
 static inline double dashpot_excess(double beta, double eps)

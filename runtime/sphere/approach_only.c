@@ -16,7 +16,7 @@ static inline struct cor_inline_pair sphere_overlap(double beta, int *fourth)
     return cor_pair_scaled(value, cor_kernel_power_of_two(exponent));
 }
 
-COR_HERTZ_APPROACH_ONLY(sphere, cor_rows, COR_ROWS, cor_inline_time_of_max_overlap)
+COR_HERTZ_APPROACH_ONLY(sphere, cor_rows, COR_ROWS, cor_sphere_time_of_max_overlap)
 
 /* beta from an eps below the rows by Newton's method: eps beta^(5/6) changes little there. The residual is computed
  * with pairs. */
