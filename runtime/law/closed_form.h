@@ -9,7 +9,7 @@
 #include "generated/closed_form_tables.h"
 #include "runtime/law/damping_ratio.h"
 #include "runtime/law/hunt_crossley.h"
-#include "runtime/table/row.h"
+#include "runtime/table/law.h"
 
 /* FORM(law, public, x, end, LAW, X, END): the functions cor_<law>_eps<end>, ... below, whose public names are
  * cor_<public>_eps<end>, .... Tsuji's damping has those of the linear dashpot. */
@@ -21,12 +21,13 @@
     FORM(crossley, hunt_crossley, beta, , CROSSLEY, BETA, )                                                            \
     FORM(crossley, hunt_crossley, beta, _approach_only, CROSSLEY, BETA, _APPROACH_ONLY)
 
-/* x times a row; a tiny x is scaled, because the halves of the products would be subnormal */
-COR_INLINE double cor_closed_form_product(struct cor_inline_place place, double x)
+/* The value of a table on a grid at y = head + tail, as a pair */
+COR_INLINE struct cor_inline_pair cor_grid_value(struct cor_inline_grid grid, const double *(*rows)(int),
+                                                 struct cor_inline_pair y)
 {
-    if (cor_inline_below(x, COR_INLINE_2_M900))
-        return cor_inline_row_product(place, x * COR_INLINE_2_200) * COR_INLINE_2_M200;
-    return cor_inline_row_product(place, x);
+    struct cor_inline_place place = cor_inline_grid_place(grid, y.hi, rows);
+    place.t += y.lo;
+    return cor_inline_sum(place.row[0], cor_inline_row(place));
 }
 
 /* One copy in a source: the public function jumps to it, and calls it in another environment. */
@@ -51,7 +52,7 @@ COR_INLINE double cor_closed_form_product(struct cor_inline_place place, double 
     COR_ONCE double cor_##law##_loss##end(double x)                                                                    \
     {                                                                                                                  \
         if (cor_inline_below(x, COR_ROWS_##LAW##_LOSS##END##_END))                                                     \
-            return cor_closed_form_product(                                                                            \
+            return cor_inline_law_product(                                                                             \
                 cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_##LAW##_LOSS##END), x, cor_rows_##law##_loss##end), x); \
         if (cor_inline_between(x, COR_ROWS_##LAW##_EPS##END##_FIRST, COR_ROWS_##LAW##_EPS##END##_END)) {               \
             const struct cor_inline_place place =                                                                      \
@@ -63,9 +64,9 @@ COR_INLINE double cor_closed_form_product(struct cor_inline_place place, double 
     }                                                                                                                  \
     COR_INLINE double cor_##law##_near_##damping##end(double loss)                                                     \
     {                                                                                                                  \
-        return cor_closed_form_product(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_##LAW##_NEAR_##DAMPING##END),    \
-                                                             loss, cor_rows_##law##_near_##damping##end),              \
-                                       loss);                                                                          \
+        return cor_inline_law_product(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_##LAW##_NEAR_##DAMPING##END),     \
+                                                            loss, cor_rows_##law##_near_##damping##end),               \
+                                      loss);                                                                           \
     }                                                                                                                  \
     COR_ONCE double cor_##law##_##damping##end(double eps)                                                             \
     {                                                                                                                  \

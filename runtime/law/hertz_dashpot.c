@@ -85,34 +85,16 @@ static struct cor_row_table dashpot_table(enum cor_dashpot_number function)
 
 /* ---- the functions of hertz_dashpot.h ---- */
 
-#define SCALARS(quantity, inline_function)                                                                             \
+#define SCALARS(quantity)                                                                                              \
     double cor_hertz_dashpot_##quantity(double x)                                                                      \
     {                                                                                                                  \
-        return inline_function(x);                                                                                     \
+        return cor_inline_hertz_dashpot_##quantity(x);                                                                 \
     }                                                                                                                  \
     float cor_hertz_dashpot_##quantity##f(float x)                                                                     \
     {                                                                                                                  \
         return (float)cor_hertz_dashpot_##quantity((double)x);                                                         \
     }
-#define OF_BOTH_ENDS(quantity) SCALARS(quantity, cor_inline_hertz_dashpot_##quantity)
-#define APPROACH_ONLY(quantity) SCALARS(quantity##_approach_only, dashpot_##quantity)
-OF_BOTH_ENDS(eps_zero_overlap)
-OF_BOTH_ENDS(eps_zero_force)
-OF_BOTH_ENDS(loss_zero_overlap)
-OF_BOTH_ENDS(loss_zero_force)
-OF_BOTH_ENDS(duration_zero_overlap)
-OF_BOTH_ENDS(duration_zero_force)
-OF_BOTH_ENDS(max_overlap)
-OF_BOTH_ENDS(time_of_max_overlap)
-OF_BOTH_ENDS(beta_zero_overlap)
-OF_BOTH_ENDS(beta_zero_force)
-OF_BOTH_ENDS(beta_of_loss_zero_overlap)
-OF_BOTH_ENDS(beta_of_loss_zero_force)
-APPROACH_ONLY(eps)
-APPROACH_ONLY(loss)
-APPROACH_ONLY(beta)
-APPROACH_ONLY(beta_of_loss)
-APPROACH_ONLY(duration)
+COR_DASHPOT_LOOPS(SCALARS, SCALARS)
 
 /* ---- arrays ---- */
 
@@ -154,6 +136,7 @@ COR_DASHPOT_LOOPS(ARRAYS, ARRAYS)
 
 /* Arrays of these are computed one number after the other. */
 #define ONE_BY_ONE(quantity)                                                                                           \
+    SCALARS(quantity)                                                                                                  \
     COR_ARRAY_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_array, cor_hertz_dashpot_##quantity)               \
     COR_ARRAY_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_arrayf, cor_hertz_dashpot_##quantity##f)
 ONE_BY_ONE(beta_of_loss_zero_overlap)

@@ -8,7 +8,7 @@
 #include "runtime/table/hertz_approach_only.h"
 
 /* Y = pair 2^(4 *fourth), beta finite and beyond the rows */
-static inline struct cor_inline_pair dashpot_overlap(double beta, int *fourth)
+static inline struct cor_inline_pair cor_inline_hertz_dashpot_overlap(double beta, int *fourth)
 {
     int exponent;
     const struct cor_inline_pair value = cor_inline_law_tail(cor_law_hertz_dashpot_max_overlap(), beta, &exponent);
@@ -17,14 +17,14 @@ static inline struct cor_inline_pair dashpot_overlap(double beta, int *fourth)
     return cor_pair_scaled(value, cor_kernel_power_of_two(more));
 }
 
-COR_HERTZ_APPROACH_ONLY(dashpot, cor_rows_hertz_dashpot, COR_ROWS_HERTZ_DASHPOT,
+COR_HERTZ_APPROACH_ONLY(cor_inline_hertz_dashpot, cor_rows_hertz_dashpot, COR_ROWS_HERTZ_DASHPOT,
                         cor_hertz_dashpot_time_of_max_overlap)
 
 /* ln(eps(beta)/eps) to first order where it is small */
 static inline double dashpot_excess(double beta, double eps)
 {
     int fourth;
-    const struct cor_inline_pair at = cor_hertz_eps_approach_only(dashpot_overlap(beta, &fourth));
+    const struct cor_inline_pair at = cor_hertz_eps_approach_only(cor_inline_hertz_dashpot_overlap(beta, &fourth));
     const double hi = ldexp(eps, -5 * fourth), ratio = at.hi / hi, x = ((at.hi - hi) + at.lo) / hi;
     return fabs(x) < 0x1p-10 ? x * (1 - x * (0.5 - x / 3)) : ratio < 0.5 || ratio > 2 ? log(ratio) : log1p(x);
 }
@@ -67,10 +67,10 @@ static inline double dashpot_beta_beyond(double eps)
     return eps == 0 ? INFINITY : dashpot_beta_of_eps(eps);
 }
 
-static inline double dashpot_beta(double eps)
+static inline double cor_inline_hertz_dashpot_beta_approach_only(double eps)
 {
     if (cor_inline_between(eps, 0.5, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
-        return dashpot_beta_near(1 - eps);
+        return cor_inline_hertz_dashpot_beta_near(1 - eps);
     if (cor_inline_between(eps, COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY_FIRST, 0.5))
         return cor_inline_row_value(
             cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY), eps,

@@ -39,16 +39,6 @@ static struct crossley_tables crossley_tables_of(double a)
     return t;
 }
 
-/* The value of a row at s = head + tail, as a pair */
-static struct cor_inline_pair crossley_row(struct cor_inline_grid grid, const double *(*rows)(int),
-                                           struct cor_inline_pair s)
-{
-    const int i = (int)((s.hi - grid.first) * grid.per_unit + 0.5);
-    const double *c = rows(i);
-    const double t = cor_inline_grid_t(grid, s.hi, i) + s.lo;
-    return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, t)));
-}
-
 /* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53, where (1 + beta)^k is beta^k (1 +
  * k/beta). The two powers combine to beta^(k - 1) (1 - k)^k. */
 static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta, struct cor_inline_pair k)
@@ -64,7 +54,7 @@ static struct cor_inline_pair crossley_max(const struct crossley_tables *tables,
 {
     const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
     if (s.hi < COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_END)
-        return crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1), tables->max_rows, s);
+        return cor_grid_value(COR_INLINE_GRID(COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1), tables->max_rows, s);
     const double *c = tables->far_max(0), inverse = 1 / beta, v = s.hi;
     /* (1 + beta)^-k is beta^-k (1 - k/beta), so that ln(beta) suffices */
     const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair(beta, 0)), u = cor_pair(-minus.hi, -minus.lo);
@@ -102,11 +92,8 @@ static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables 
 static double crossley_table_duration(const struct crossley_tables *tables, double beta)
 {
     const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
-    if (s.hi < COR_ROWS_CROSSLEY_DURATION_1_END) {
-        const struct cor_inline_pair t =
-            crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_DURATION_1), tables->duration_rows, s);
-        return t.hi;
-    }
+    if (s.hi < COR_ROWS_CROSSLEY_DURATION_1_END)
+        return cor_grid_value(COR_INLINE_GRID(COR_ROWS_CROSSLEY_DURATION_1), tables->duration_rows, s).hi;
     return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
 }
 

@@ -16,13 +16,9 @@
  * zeta^(4/5). */
 #define TSUJI_LEAST COR_INLINE_2_M200
 
-/* The value of a row at y = head + tail */
 static double tsuji_row(struct cor_inline_grid grid, const double *(*rows)(int), struct cor_inline_pair y)
 {
-    const int i = (int)((y.hi - grid.first) * grid.per_unit + 0.5);
-    const double *c = rows(i);
-    const double t = cor_inline_grid_t(grid, y.hi, i) + y.lo;
-    return c[0] + cor_inline_row(cor_inline_place_of(c, t));
+    return cor_grid_value(grid, rows, y).hi;
 }
 
 /* zeta^(-4/5) (c_0 + c_1 u + mu (...)), u = ln(zeta), mu = 1/zeta^2, for TSUJI_FAR <= zeta */

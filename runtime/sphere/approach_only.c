@@ -47,7 +47,7 @@ static double beta_beyond(double eps)
     return eps < SPHERE_LEAST_EPS ? INFINITY : beta_far(eps);
 }
 
-static inline double sphere_beta(double eps)
+static inline double sphere_beta_approach_only(double eps)
 {
     if (cor_inline_between(eps, COR_ROWS_BETA_APPROACH_ONLY_FIRST, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_APPROACH_ONLY), 0,
@@ -57,7 +57,7 @@ static inline double sphere_beta(double eps)
 }
 
 #define SPHERE_APPROACH_ONLY(quantity)                                                                                 \
-    COR_SPHERE_SCALARS(quantity##_approach_only, sphere_##quantity, cor_inline_narrow)
+    COR_SPHERE_SCALARS(quantity##_approach_only, sphere_##quantity##_approach_only, cor_inline_narrow)
 SPHERE_APPROACH_ONLY(eps)
 SPHERE_APPROACH_ONLY(loss)
 SPHERE_APPROACH_ONLY(beta)
@@ -65,5 +65,5 @@ SPHERE_APPROACH_ONLY(beta_of_loss)
 SPHERE_APPROACH_ONLY(duration)
 
 /* The other arrays are in array_kernel.c. */
-COR_ARRAY_IN_ENVIRONMENT(double, cor_sphere_beta_of_loss_approach_only_array, sphere_beta_of_loss)
+COR_ARRAY_IN_ENVIRONMENT(double, cor_sphere_beta_of_loss_approach_only_array, sphere_beta_of_loss_approach_only)
 COR_ARRAY_IN_ENVIRONMENT(float, cor_sphere_beta_of_loss_approach_only_arrayf, cor_sphere_beta_of_loss_approach_onlyf)

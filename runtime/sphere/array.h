@@ -8,23 +8,8 @@
 #include "runtime/sphere/float_exceptions.h"
 #include "runtime/table/row_loops.h"
 
-/* X(quantity) for every function of sphere.h, of sphere.h in float arithmetic, of contact.h that takes speeds, and of
+/* X(quantity) for every function of sphere.h in float arithmetic, of sphere.h, of contact.h that takes speeds, and of
  * contact.h that takes speeds and eps. */
-#define COR_SPHERE_QUANTITIES(X)                                                                                       \
-    X(eps_zero_overlap)                                                                                                \
-    X(eps_zero_force)                                                                                                  \
-    X(loss_zero_overlap)                                                                                               \
-    X(loss_zero_force)                                                                                                 \
-    X(beta_zero_overlap)                                                                                               \
-    X(beta_zero_force)                                                                                                 \
-    X(duration_zero_overlap)                                                                                           \
-    X(duration_zero_force)                                                                                             \
-    X(max_overlap)                                                                                                     \
-    X(time_of_max_overlap)                                                                                             \
-    X(eps_approach_only)                                                                                               \
-    X(loss_approach_only)                                                                                              \
-    X(beta_approach_only)                                                                                              \
-    X(duration_approach_only)
 #define COR_FLOAT_QUANTITIES(X)                                                                                        \
     X(eps_zero_overlap)                                                                                                \
     X(eps_zero_force)                                                                                                  \
@@ -34,6 +19,14 @@
     X(duration_zero_force)                                                                                             \
     X(max_overlap)                                                                                                     \
     X(time_of_max_overlap)
+#define COR_SPHERE_QUANTITIES(X)                                                                                       \
+    COR_FLOAT_QUANTITIES(X)                                                                                            \
+    X(beta_zero_overlap)                                                                                               \
+    X(beta_zero_force)                                                                                                 \
+    X(eps_approach_only)                                                                                               \
+    X(loss_approach_only)                                                                                              \
+    X(beta_approach_only)                                                                                              \
+    X(duration_approach_only)
 #define COR_CONTACT_QUANTITIES(X)                                                                                      \
     X(eps_zero_overlap)                                                                                                \
     X(eps_zero_force)                                                                                                  \

@@ -42,19 +42,11 @@ COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overla
     return cor_pair_plus(cor_pair_over(half, fourth_root), cor_pair(time_of_max_overlap, 0)).hi;
 }
 
-/* x times a row; a tiny x is scaled, because the halves of the products would be subnormal */
-COR_INLINE double cor_hertz_product(struct cor_inline_place place, double x)
-{
-    if (cor_inline_below(x, COR_INLINE_2_M900))
-        return cor_inline_row_product(place, x * COR_INLINE_2_200) * COR_INLINE_2_M200;
-    return cor_inline_row_product(place, x);
-}
-
 /* ---- functions by rows ----
  *
- * Defines law_eps, law_loss, law_duration and law_beta_of_loss of a law with rows of eps, loss, duration and
- * near_beta from 0 on. Beyond the rows of beta they follow from law_overlap(beta, &fourth), which returns Y times
- * 2^(-4 fourth) for finite beta; law_beta has every eps. */
+ * Defines law_<quantity>_approach_only of a law with rows of eps, loss, duration and near_beta from 0 on; the quantities
+ * are eps, loss, duration and beta_of_loss. Beyond the rows of beta they follow from law_overlap(beta, &fourth), which
+ * returns Y times 2^(-4 fourth) for finite beta; law_beta_approach_only has every eps. */
 #define COR_HERTZ_ROW_(x, rows, ROWS) cor_inline_grid_place(COR_INLINE_GRID(ROWS), x, rows)
 #define COR_HERTZ_APPROACH_ONLY(law, rows, ROWS, time_of_max_overlap)                                                  \
     static double law##_eps_beyond(double beta)                                                                        \
@@ -67,7 +59,7 @@ COR_INLINE double cor_hertz_product(struct cor_inline_place place, double x)
         const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law##_overlap(beta, &fourth));                  \
         return fourth ? cor_inline_pair_scaled(eps, 5 * fourth) : eps.hi;                                              \
     }                                                                                                                  \
-    static inline double law##_eps(double beta)                                                                        \
+    static inline double law##_eps_approach_only(double beta)                                                          \
     {                                                                                                                  \
         if (cor_inline_between(beta, COR_INLINE_2_M60, ROWS##_EPS_APPROACH_ONLY_END))                                  \
             return cor_inline_row_value(COR_HERTZ_ROW_(beta, rows##_eps_approach_only, ROWS##_EPS_APPROACH_ONLY));     \
@@ -87,11 +79,11 @@ COR_INLINE double cor_hertz_product(struct cor_inline_place place, double x)
             eps = cor_pair_scaled(eps, ldexp(1, 5 * fourth));                                                          \
         return (1 - eps.hi) - eps.lo;                                                                                  \
     }                                                                                                                  \
-    static inline double law##_loss(double beta)                                                                       \
+    static inline double law##_loss_approach_only(double beta)                                                         \
     {                                                                                                                  \
         if (cor_inline_below(beta, ROWS##_LOSS_APPROACH_ONLY_END))                                                     \
-            return cor_hertz_product(COR_HERTZ_ROW_(beta, rows##_loss_approach_only, ROWS##_LOSS_APPROACH_ONLY),       \
-                                     beta);                                                                            \
+            return cor_inline_law_product(COR_HERTZ_ROW_(beta, rows##_loss_approach_only, ROWS##_LOSS_APPROACH_ONLY),  \
+                                          beta);                                                                       \
         return cor_in_environment(law##_loss_beyond, beta);                                                            \
     }                                                                                                                  \
     static double law##_duration_beyond(double beta)                                                                   \
@@ -106,27 +98,28 @@ COR_INLINE double cor_hertz_product(struct cor_inline_place place, double x)
         return fourth ? ldexp(cor_hertz_duration_approach_only(overlap, ldexp(time, fourth)), -fourth)                 \
                       : cor_hertz_duration_approach_only(overlap, time);                                               \
     }                                                                                                                  \
-    static inline double law##_duration(double beta)                                                                   \
+    static inline double law##_duration_approach_only(double beta)                                                     \
     {                                                                                                                  \
         if (cor_inline_below(beta, ROWS##_DURATION_APPROACH_ONLY_END) || cor_inline_is_zero(beta))                     \
             return cor_inline_row_value(                                                                               \
                 COR_HERTZ_ROW_(beta, rows##_duration_approach_only, ROWS##_DURATION_APPROACH_ONLY));                   \
         return cor_in_environment(law##_duration_beyond, beta);                                                        \
     }                                                                                                                  \
-    static inline double law##_beta(double eps);                                                                       \
+    static inline double law##_beta_approach_only(double eps);                                                         \
     /* 0 <= loss <= 1/2 */                                                                                             \
     static inline double law##_beta_near(double loss)                                                                  \
     {                                                                                                                  \
-        return cor_hertz_product(COR_HERTZ_ROW_(loss, rows##_near_beta_approach_only, ROWS##_NEAR_BETA_APPROACH_ONLY), \
-                                 loss);                                                                                \
+        return cor_inline_law_product(                                                                                 \
+            COR_HERTZ_ROW_(loss, rows##_near_beta_approach_only, ROWS##_NEAR_BETA_APPROACH_ONLY), loss);               \
     }                                                                                                                  \
-    static inline double law##_beta_of_loss(double loss)                                                               \
+    static inline double law##_beta_of_loss_approach_only(double loss)                                                 \
     {                                                                                                                  \
         if (cor_inline_below(loss, 0x1.0000000000001p-1)) /* 1/2, too */                                               \
             return law##_beta_near(loss);                                                                              \
         if (cor_inline_is_zero(loss))                                                                                  \
             return 0;                                                                                                  \
-        return cor_inline_is_refused(loss) ? (double)NAN : law##_beta(1 - loss); /* exact from 1/2 to 1 */             \
+        return cor_inline_is_refused(loss) ? (double)NAN                                                               \
+                                           : law##_beta_approach_only(1 - loss); /* exact from 1/2 to 1 */             \
     }
 
 #endif

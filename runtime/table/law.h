@@ -220,6 +220,14 @@ COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, i
 
 /* ---- rows ---- */
 
+/* x times a row; a tiny x is scaled, because the halves of the products would be subnormal */
+COR_INLINE double cor_inline_law_product(struct cor_inline_place place, double x)
+{
+    if (cor_inline_below(x, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, x * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, x);
+}
+
 /* The place of x in a table by octaves */
 COR_INLINE_LAW struct cor_inline_place cor_inline_law_octave(struct cor_inline_law_table table, double x)
 {
@@ -359,13 +367,10 @@ COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, dou
 
 /* ---- eps and 1 - eps ---- */
 
-/* 1 - eps near beta = 0. A tiny beta is scaled, because the halves of the products would be subnormal. */
+/* 1 - eps near beta = 0 */
 COR_INLINE_LAW double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
 {
-    const struct cor_inline_place place = cor_inline_law_near(q.near, beta);
-    if (cor_inline_below(beta, COR_INLINE_2_M900))
-        return cor_inline_row_product(place, beta * COR_INLINE_2_200) * COR_INLINE_2_M200;
-    return cor_inline_row_product(place, beta);
+    return cor_inline_law_product(cor_inline_law_near(q.near, beta), beta);
 }
 
 /* eps between the near rows and infinity as a pair times 2^*exponent; hi = 0 if eps is 0 */
@@ -516,15 +521,12 @@ COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
     return y * (COR_INLINE_KEEP(COR_INLINE_KEEP(loss - back.hi) - back.lo) / (root * back.hi));
 }
 
-/* The same near eps = 1, from the loss 0 <= loss <= 1/2. A tiny loss is scaled, because the halves of the products
- * would be subnormal. */
+/* The same near eps = 1, from the loss 0 <= loss <= 1/2 */
 COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
 {
     struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
     place.t += cor_inline_law_root_rest(loss, inverse.near.root);
-    if (cor_inline_below(loss, COR_INLINE_2_M900))
-        return cor_inline_row_product(place, loss * COR_INLINE_2_200) * COR_INLINE_2_M200;
-    return cor_inline_row_product(place, loss);
+    return cor_inline_law_product(place, loss);
 }
 
 /* beta_c loss/pi for a loss that may be subnormal */

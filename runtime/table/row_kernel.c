@@ -398,25 +398,18 @@ static void loop_floats(const struct cor_row_table *table, float (*one)(float), 
     }
 }
 
-SHARED void loop_fast_sums(const struct float_table *table, float (*one)(float), const float *in, float *out, size_t n)
-{
-    struct float_table sums = *table;
-    sums.product = 0;
-    floats_from_beta(in, out, n, &sums, one);
-}
-
-SHARED void loop_fast_products(const struct float_table *table, float (*one)(float), const float *in, float *out,
-                               size_t n)
-{
-    struct float_table products = *table;
-    products.product = 1;
-    floats_from_beta(in, out, n, &products, one);
-}
-
+/* For each kind a loop of its own */
 static void loop_fast_floats(const struct float_table *table, float (*one)(float), const float *in, float *out,
                              size_t n)
 {
-    (table->product ? loop_fast_products : loop_fast_sums)(table, one, in, out, n);
+    struct float_table t = *table;
+    if (table->product) {
+        t.product = 1;
+        floats_from_beta(in, out, n, &t, one);
+    } else {
+        t.product = 0;
+        floats_from_beta(in, out, n, &t, one);
+    }
 }
 
 const struct cor_row_loops COR_OF_SET(cor_row_loops) = {COR_SET_NAME, loop_doubles, loop_floats, loop_fast_floats,

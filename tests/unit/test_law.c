@@ -387,16 +387,14 @@ static double random_crossley_exponent(struct random_state *random)
     }
 }
 
-struct crossley_time {
-    const char *name;
-    double (*time)(double beta, double a);
-    long double (*reference)(long double a, long double beta);
-};
-
 /* Quadrature at run time: any exponent, pumped collisions */
 TEST(crossley_times)
 {
-    static const struct crossley_time times[] = {
+    static const struct {
+        const char *name;
+        double (*time)(double beta, double a);
+        long double (*reference)(long double a, long double beta);
+    } times[] = {
         {"time of the largest overlap", cor_hunt_crossley_time_of_max_overlap, reference_crossley_time_of_max_overlap},
         {"duration", cor_hunt_crossley_duration, reference_crossley_duration},
         {"duration, approach only", cor_hunt_crossley_duration_approach_only,
