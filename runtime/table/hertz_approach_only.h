@@ -44,9 +44,9 @@ COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overla
 
 /* ---- functions by rows ----
  *
- * Defines law_<quantity>_approach_only of a law with rows of eps, loss, duration and near_beta from 0 on; the quantities
- * are eps, loss, duration and beta_of_loss. Beyond the rows of beta they follow from law_overlap(beta, &fourth), which
- * returns Y times 2^(-4 fourth) for finite beta; law_beta_approach_only has every eps. */
+ * Defines law_<quantity>_approach_only of a law with rows of eps, loss, duration and near_beta from 0 on, for the
+ * quantities eps, loss, duration and beta_of_loss. Beyond the rows of beta they follow from law_overlap(beta, &fourth),
+ * which returns Y times 2^(-4 fourth) for finite beta; law_beta_approach_only has every eps. */
 #define COR_HERTZ_ROW_(x, rows, ROWS) cor_inline_grid_place(COR_INLINE_GRID(ROWS), x, rows)
 #define COR_HERTZ_APPROACH_ONLY(law, rows, ROWS, time_of_max_overlap)                                                  \
     static double law##_eps_beyond(double beta)                                                                        \
