@@ -305,8 +305,8 @@ def ranking():
     ], (f"Agrees: the quadrupole leads, then (3, 0), and {sum(row[5] <= 10 for row in here)} of the ten modes are "
         f"among the first ten here. The averages of those with n > 0 are {min(times):.2f} to {max(times):.2f} times "
         f"the printed ones. Not reproduced: the rows with n = 0 except the first, whose modes hold a third of the "
-        f"printed energy. The energies after the collision differ, too: {min(times_after):.2f} to {max(times_after):.2f} times "
-        f"the printed ones, all ten together {sum(row[7] for row in here):.4f}, printed "
+        f"printed energy. The energies after the collision differ, too: {min(times_after):.2f} to "
+        f"{max(times_after):.2f} times the printed ones, all ten together {sum(row[7] for row in here):.4f}, printed "
         f"{sum(row[4] for row in here):.4f}, of 1 - eps^2 = {out.one_minus_eps2:.4f} here. Nor do \"75 % of the most "
         f"significant modes have n = 0\": of the first 100 here {n_0[0]:.0f} %, of the first 300 {n_0[1]:.0f} %.\n\n" +
         "\n".join("| %d, %d | %d | %.7f | %.7f | %d | %.4f | %.5f |" % (n, l, i, *rest) for i, n, l, *rest in here))

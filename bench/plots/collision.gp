@@ -37,5 +37,3 @@ plot csv using (ms($6)):(model(56)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 l
      csv using (ms($6)):(model(1800)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb blue title "1800 modes", \
      csv using (ms($6)):(other("cor_disk_eps")) skip 1 with points pt 5 ps 1 lc rgb blue title "cor\\_disk\\_eps (its uncertainty)", \
      csv using (ms($6)):(other("Rayleigh")) skip 1 with points pt 2 ps 1 lw 1.6 lc rgb black title "Rayleigh’s energy"
-unset multiplot
-set output

@@ -24,5 +24,3 @@ unset ylabel
 plot csv using 4:(is("series", "order 40", "digits")) skip 1 smooth unique with linespoints pt 5 ps 0.6 lw 1.8 dt (8,5) lc rgb blue title "series, order 40", \
      csv using 4:(is("collide", "beta 1", "digits")) skip 1 smooth unique with linespoints pt 7 ps 0.6 lw 1.8 lc rgb green title "collide, β = 1", \
      csv using 4:(is("disk-modes", "1800 modes", "digits")) skip 1 smooth unique with linespoints pt 7 ps 0.6 lw 1.8 lc rgb violet title "disk-modes, 1800 modes, ν = 0.33"
-unset multiplot
-set output

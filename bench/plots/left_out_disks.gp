@@ -43,5 +43,3 @@ do for [q in "contact-time compression"] {
          csv using 2:(of("dynamics: 940 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[3] notitle, \
          csv using 2:(of("dynamics: 1800 modes; alpha = 11/v")) skip 1 with lines lw 2 lc rgb red notitle
 }
-unset multiplot
-set output

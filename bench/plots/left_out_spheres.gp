@@ -34,5 +34,3 @@ do for [end in "overlap force"] {
          rows_of using 2:(of("two-point Pade [8/13]")) skip 1 with lines lw 2 lc rgb green \
              title (end eq "overlap" ? "two-point Padé [8/13]" : "")
 }
-unset multiplot
-set output

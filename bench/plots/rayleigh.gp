@@ -26,4 +26,3 @@ plot csv using (ms($6)):(y("energy", "truncation")) skip 1 with linespoints pt 5
      csv using (ms($6)):(y("energy", "cor")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb blue \
          title "cor, to a tolerance", \
      csv using (ms($6)):(is_named(0)):(strcol(5)) skip 1 with labels left boxed offset 0.8,0 tc rgb red font small notitle
-set output

@@ -36,4 +36,3 @@ plot csv using 7:(calls("published")) skip 1 with points pt 2 ps 1 lw 2 lc rgb b
      csv using 7:(calls("cor")) skip 1 with points pt 7 ps 1.2 lc rgb blue, \
      csv using 7:(loops("cor", "AVX-512")) skip 1 with points pt 12 ps 1.3 lw 1.6 lc rgb blue, \
      csv using 7:(calls("Verlet")) skip 1 with linespoints pt 7 ps 0.4 lw 1.5 dt (2,3) lc rgb grey
-set output

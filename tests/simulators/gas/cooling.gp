@@ -39,4 +39,3 @@ plot small every ::1 u (1+$1/t1):(-200*$6):(200*$6) w filledcurves lc rgb shade 
     0 w l lc rgb blue lw 1.5 notitle, \
     small every ::1 u (1+$1/t1):(100*log($4/$3)) w l lc rgb amber lw 1.5 t "theory, contact ends at zero force", \
     small every ::1 u (1+$1/t1):(100*log($5/$3)) w l lc rgb violet lw 1.5 t "theory without overlaps"
-unset multiplot
