@@ -55,12 +55,14 @@ static struct start start_of(slong order, const struct law *law, slong bits)
     return start;
 }
 
-/* Rows of X and of its powers, and bounds of their coefficients */
+/* Rows and integers of X and of its powers, and their transforms of 2^depth points (row_sums.c) */
 double series_bytes(slong order, const struct law *law, slong bits)
 {
     const struct start start = start_of(order, law, bits);
-    const double sets = law->ad == law->bd + law->d ? 2 : 3;
-    return sets * (double)(order + 1) * (double)(start.terms + 1) * ((double)start.prec / 8 + 125);
+    const double points = exp2(ceil(log2(2.0 * (double)start.terms + 1))), prec = (double)start.prec;
+    const double powers = law->ad == law->bd + law->d ? 1 : 2;
+    const double rows = (double)(order + 1), row = (double)(start.terms + 1);
+    return powers * rows * (row * (prec / 2 + 200) + points * prec * 2 / 3);
 }
 
 int series_compute(struct series *s, slong order, const struct law *law, slong bits)

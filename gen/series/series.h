@@ -24,7 +24,7 @@ LOCAL_STRUCT(series)
  * Returns 0, or 1 after reporting the failure on stderr. */
 int series_compute(struct series *s, slong order, const struct law *law, slong bits);
 
-/* Bytes of memory that series_compute takes: 0.65 to 1 times what it was measured to take at orders 40 to
+/* Bytes of memory that series_compute takes: 0.8 to 1 times what it was measured to take at orders 40 to
  * 200, 40 to 320 digits (tests/gen/test_series.c) */
 double series_bytes(slong order, const struct law *law, slong bits);
 

@@ -6,17 +6,18 @@
  *
  *   e (e+1) c[k][j] = -(e/(b+1)) [X^(b+1)][k-1][j] - [X^a][k][j-1].
  *
- * A power P = X^p obeys X D P = p P D X, from which each of its coefficients follows: in rationals as it stands. In
- * balls u d/du takes the place of D; with P_k, X_k the rows in s, for k >= 1
+ * A power P = X^p obeys X P_u = p P X_u; with P_k, X_k the rows in s, for k >= 1
  *
  *   P_k = p X_0^(p-1) X_k + Q_k,   k X_0 Q_k = sum_{0<i<k} ((p+1) i - k) X_i P_(k-i),
  *
- * and the coefficients of a row follow one by one. For spheres a = b+1 = 3/2 and the two powers are the same one. */
+ * so a new row costs k products of polynomials, and its coefficients follow one by one. In interval arithmetic,
+ * row_sums.c computes the products of many rows. For spheres a = b+1 = 3/2 and the two powers are the same one. */
 #include "series/trajectory.h"
 
 #include <math.h>
 
 #include "series/jet.h"
+#include "series/row_sums.h"
 #include "support/console.h"
 #include "support/local.h"
 
@@ -30,17 +31,11 @@ static int powers_of(struct ratio p[2], const struct law *law)
 
 /* ---- exact ---- */
 
-/* Adds sum_i p_i q_(n-i), computed with integers over the two common denominators. */
-static void exact_add_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_struct *q, slong n)
-{
-    LOCAL(fmpq, dot);
-    const slong first = FLINT_MAX(0, n - (q->length - 1)), last = FLINT_MIN(n, p->length - 1);
-    for (slong i = first; i <= last; i++)
-        fmpz_addmul(fmpq_numref(dot), p->coeffs + i, q->coeffs + n - i);
-    fmpz_mul(fmpq_denref(dot), p->den, q->den);
-    fmpq_canonicalise(dot);
-    fmpq_add(sum, sum, dot);
-}
+struct exact_power {
+    struct ratio p;
+    fmpq_poly_struct *row;   /* P_k */
+    fmpq_poly_t slope, rest; /* p X_0^(p-1), and Q_k of the current row */
+};
 
 static fmpq_poly_struct *exact_rows(slong rows)
 {
@@ -57,47 +52,114 @@ void trajectory_exact_free(fmpq_poly_struct *row, slong rows)
     flint_free(row);
 }
 
+/* y = x num/den */
+static void exact_scale(fmpq_t y, const fmpq_t x, slong num, slong den)
+{
+    LOCAL(fmpq, factor);
+    fmpq_set_si(factor, den < 0 ? -num : num, (ulong)FLINT_ABS(den));
+    fmpq_mul(y, x, factor);
+}
+
+/* sum_i p_i q_(n-i), computed with integers over the two common denominators */
+static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_struct *q, slong n)
+{
+    LOCAL(fmpz, num, den);
+    const slong first = FLINT_MAX(0, n - (q->length - 1)), last = FLINT_MIN(n, p->length - 1);
+    for (slong i = first; i <= last; i++)
+        fmpz_addmul(num, p->coeffs + i, q->coeffs + n - i);
+    fmpz_mul(den, p->den, q->den);
+    fmpq_set_fmpz_frac(sum, num, den);
+}
+
+/* Coefficient j >= 1 of X_0^p from lower ones: j P_j = sum_i ((p+1) i - j) x_i P_(j-i). */
+static void exact_first_row(struct exact_power *power, const fmpq_poly_t x0, slong j)
+{
+    LOCAL(fmpq, sum, x, y);
+    for (slong i = 1; i <= j; i++) {
+        fmpq_poly_get_coeff_fmpq(x, x0, i);
+        fmpq_poly_get_coeff_fmpq(y, power->row, j - i);
+        fmpq_mul(x, x, y);
+        exact_scale(x, x, row_sums_weight(power->p, i, j), j * power->p.den);
+        fmpq_add(sum, sum, x);
+    }
+    fmpq_poly_set_coeff_fmpq(power->row, j, sum);
+}
+
+static void exact_rest(struct exact_power *power, const fmpq_poly_struct *x, const fmpq_poly_t x0_inverse, slong k,
+                       slong length)
+{
+    LOCAL(fmpq_poly, product);
+    fmpq_poly_zero(power->rest);
+    for (slong i = 1; i < k; i++) {
+        fmpq_poly_mullow(product, x + i, power->row + k - i, length);
+        fmpq_poly_scalar_mul_si(product, product, row_sums_weight(power->p, i, k));
+        fmpq_poly_add(power->rest, power->rest, product);
+    }
+    fmpq_poly_mullow(power->rest, power->rest, x0_inverse, length);
+    fmpq_poly_scalar_div_si(power->rest, power->rest, k * power->p.den);
+}
+
 fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct law *law)
 {
-    /* e = n/d; slope: the rows of d D X; power: those of X^p */
-    const slong d = law->d, du = law->bd + d, ds = law->ad + d;
+    /* e = e_num/d with e_num = k (b+1) d + j (a+1) d */
+    const slong length = terms + 1, d = law->d, du = law->bd + d, ds = law->ad + d;
     struct ratio p[2];
-    const int powers = powers_of(p, law), sets = powers + 1;
-    fmpq_poly_struct *const row = exact_rows(order + 1), *const slope = exact_rows(sets * (order + 1));
-    fmpq_poly_struct *const power[2] = {slope + order + 1, slope + powers * (order + 1)};
-    LOCAL(fmpq, c, x, y);
-    for (slong k = 0; k <= order; k++) {
+    const int powers = powers_of(p, law);
+    struct exact_power power[2], *const elastic = power, *const damping = power + powers - 1;
+    LOCAL(fmpq_poly, x0_inverse);
+    fmpq_poly_struct *const row = exact_rows(order + 1);
+    LOCAL(fmpq, sum, x);
+    fmpq_poly_one(row);
+    for (int i = 0; i < powers; i++) {
+        power[i].p = p[i];
+        power[i].row = exact_rows(order + 1);
+        FOR_ALL(fmpq_poly, init, power[i].slope, power[i].rest);
+        fmpq_poly_one(power[i].row);
+    }
+
+    for (slong j = 1; j <= terms; j++) {
+        progress("elastic trajectory", j, terms);
+        fmpq_poly_get_coeff_fmpq(x, elastic->row, j - 1);
+        exact_scale(x, x, -d * d, j * ds * (j * ds + d));
+        fmpq_poly_set_coeff_fmpq(row, j, x);
+        for (int i = 0; i < powers; i++)
+            exact_first_row(&power[i], row, j);
+    }
+    fmpq_poly_inv_series(x0_inverse, row, length);
+    for (int i = 0; i < powers; i++) {
+        fmpq_poly_mullow(power[i].slope, power[i].row, x0_inverse, length);
+        fmpq_poly_scalar_mul_si(power[i].slope, power[i].slope, p[i].num);
+        fmpq_poly_scalar_div_si(power[i].slope, power[i].slope, p[i].den);
+    }
+
+    for (slong k = 1; k <= order; k++) {
         progress("trajectory rows", k, order);
+        for (int i = 0; i < powers; i++)
+            exact_rest(&power[i], row, x0_inverse, k, length);
         for (slong j = 0; j <= terms; j++) {
-            const slong n = k * du + j * ds;
-            fmpq_zero(x);
-            fmpq_zero(y);
-            if (j > 0)
-                fmpq_poly_get_coeff_fmpq(x, power[0] + k, j - 1);
-            if (k > 0)
-                fmpq_poly_get_coeff_fmpq(y, power[1] + k - 1, j);
-            if (n == 0)
-                fmpq_one(c);
-            else
-                EXACT(c, "-d/(n + d)*(d/n*x + d/du*y)", d, n, x, du, y);
-            fmpq_poly_set_coeff_fmpq(row + k, j, c);
-            EXACT(x, "n*c", n, c);
-            fmpq_poly_set_coeff_fmpq(slope + k, j, x);
-            for (int m = 0; m < powers; m++) { /* n P = sum (p+1) d D X P - n X P over all others */
-                const struct ratio exponent = p[m];
-                fmpq_zero(x);
-                fmpq_zero(y);
-                for (slong i = 0; i <= k; i++) {
-                    exact_add_dot(x, slope + i, power[m] + k - i, j);
-                    exact_add_dot(y, row + i, power[m] + k - i, j);
-                }
-                if (n > 0)
-                    EXACT(c, "(exponent + 1)/n*x - y", exponent, n, x, y);
-                fmpq_poly_set_coeff_fmpq(power[m] + k, j, c);
+            const slong e = k * du + j * ds;
+            fmpq_zero(sum);
+            if (j > 0) { /* [X^a][k][j-1] d/e */
+                exact_dot(sum, elastic->slope, row + k, j - 1);
+                fmpq_poly_get_coeff_fmpq(x, elastic->rest, j - 1);
+                fmpq_add(sum, sum, x);
+                exact_scale(sum, sum, d, e);
             }
+            fmpq_poly_get_coeff_fmpq(x, damping->row + k - 1, j);
+            exact_scale(x, x, d, du);
+            fmpq_add(sum, sum, x);
+            exact_scale(sum, sum, -d, e + d);
+            fmpq_poly_set_coeff_fmpq(row + k, j, sum);
+        }
+        for (int i = 0; i < powers; i++) {
+            fmpq_poly_mullow(power[i].row + k, power[i].slope, row + k, length);
+            fmpq_poly_add(power[i].row + k, power[i].row + k, power[i].rest);
         }
     }
-    trajectory_exact_free(slope, sets * (order + 1));
+    for (int i = 0; i < powers; i++) {
+        trajectory_exact_free(power[i].row, order + 1);
+        FOR_ALL(fmpq_poly, clear, power[i].slope, power[i].rest);
+    }
     return row;
 }
 
@@ -107,44 +169,48 @@ struct ball_power {
     struct ratio p;
     arb_poly_struct *row;   /* P_k */
     arb_poly_t slope, rest; /* p X_0^(p-1), and Q_k of the current row */
+    struct row_sums *sums;  /* NULL with few rows */
 };
 
-/* Coefficient j >= 1 of X_0^p from lower ones: j P_j = sum_i ((p+1) i - j) x_i P_(j-i). */
 static void ball_first_row(struct ball_power *power, const arb_poly_t x0, slong j, slong prec)
 {
-    LOCAL(arb, sum, x, y);
+    LOCAL(arb, sum, x);
     for (slong i = 1; i <= j; i++) {
         arb_poly_get_coeff_arb(x, x0, i);
-        arb_poly_get_coeff_arb(y, power->row, j - i);
-        arb_mul_si(x, x, power->p.num * i - power->p.den * (j - i), prec);
-        arb_addmul(sum, x, y, prec);
+        if (j - i < power->row->length)
+            arb_mul(x, x, power->row->coeffs + j - i, prec);
+        else
+            arb_zero(x);
+        arb_mul_si(x, x, row_sums_weight(power->p, i, j), prec);
+        arb_add(sum, sum, x, prec);
     }
     arb_div_si(sum, sum, j * power->p.den, prec);
     arb_poly_set_coeff_arb(power->row, j, sum);
 }
 
-/* p *= num/den */
-static void ball_scale(arb_poly_t p, slong num, slong den, slong prec)
+static void ball_divide(arb_poly_t p, slong n, slong prec)
 {
-    LOCAL(arb, factor);
-    arb_set_si(factor, num);
-    arb_poly_scalar_mul(p, p, factor, prec);
-    arb_set_si(factor, den);
-    arb_poly_scalar_div(p, p, factor, prec);
+    for (slong i = 0; i < p->length; i++)
+        arb_div_si(p->coeffs + i, p->coeffs + i, n, prec);
 }
 
 static void ball_rest(struct ball_power *power, const arb_poly_struct *x, const arb_poly_t x0_inverse, slong k,
                       slong length, slong prec)
 {
     LOCAL(arb_poly, product);
-    arb_poly_zero(power->rest);
-    for (slong i = 1; i < k; i++) {
+    LOCAL(arb, weight);
+    if (power->sums)
+        row_sums_next(power->rest, power->sums, x, power->row, k);
+    else
+        arb_poly_zero(power->rest);
+    for (slong i = 1; i < k && !power->sums; i++) {
+        arb_set_si(weight, row_sums_weight(power->p, i, k));
         arb_poly_mullow(product, x + i, power->row + k - i, length, prec);
-        ball_scale(product, power->p.num * i - power->p.den * (k - i), 1, prec);
+        arb_poly_scalar_mul(product, product, weight, prec);
         arb_poly_add(power->rest, power->rest, product, prec);
     }
     arb_poly_mullow(power->rest, power->rest, x0_inverse, length, prec);
-    ball_scale(power->rest, 1, k * power->p.den, prec);
+    ball_divide(power->rest, k * power->p.den, prec);
 }
 
 static void ball_dot(arb_t sum, const arb_poly_t p, const arb_poly_t q, slong n, slong prec)
@@ -169,6 +235,7 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     const double farthest = law_elastic_radius(law) * law_elastic_time(law);
     struct ratio p[2];
     const int powers = powers_of(p, law);
+    struct row_sums sums[2];
     struct ball_power power[2], *const elastic = power, *const damping = power + powers - 1;
     LOCAL(arb_poly, x0_inverse);
     LOCAL(arb, sum, x);
@@ -183,6 +250,9 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
         power[i].p = p[i];
         power[i].row = jet_new(order + 1);
         FOR_ALL(arb_poly, init, power[i].slope, power[i].rest);
+        power[i].sums = order + 1 < ROW_SUMS_MIN_ROWS ? NULL : &sums[i];
+        if (power[i].sums)
+            row_sums_init(power[i].sums, p[i], order + 1, length, prec);
         arb_poly_one(power[i].row);
     }
 
@@ -200,7 +270,9 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     arb_poly_inv_series(x0_inverse, t->x, length, prec);
     for (int i = 0; i < powers; i++) {
         arb_poly_mullow(power[i].slope, power[i].row, x0_inverse, length, prec);
-        ball_scale(power[i].slope, p[i].num, p[i].den, prec);
+        arb_set_si(x, p[i].num);
+        arb_poly_scalar_mul(power[i].slope, power[i].slope, x, prec);
+        ball_divide(power[i].slope, p[i].den, prec);
     }
 
     for (slong k = 1; k <= order; k++) {
@@ -236,8 +308,11 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     }
     t->x_to_a = elastic->row;
     t->x_to_b1 = damping->row;
-    for (int i = 0; i < powers; i++)
+    for (int i = 0; i < powers; i++) {
         FOR_ALL(arb_poly, clear, power[i].slope, power[i].rest);
+        if (power[i].sums)
+            row_sums_clear(power[i].sums);
+    }
 }
 
 void trajectory_clear(struct trajectory *t)
