@@ -47,19 +47,32 @@ static void add_compliance(struct relaxed_disk *disk, int n, double a, double b,
         p[i] = cos(n * phi) * cos(phi);
         q[i] = sin(n * phi) * sin(phi);
     }
-    for (size_t i = 0; i < points; i++)
+    for (size_t i = 0; i < points; i++) {
+        double *row = disk->kernel + i * points;
+        const double of_p = (a * p[i] - b * q[i]) / pi, of_q = (d * q[i] - b * p[i]) / pi;
         for (size_t j = 0; j < points; j++)
-            disk->kernel[i * points + j] += (a * p[i] * p[j] + d * q[i] * q[j] - b * (p[i] * q[j] + q[i] * p[j])) / pi;
+            row[j] += of_p * p[j] + of_q * q[j];
+    }
 }
 
 struct relaxed_disk *relaxed_disk_of_modes(const struct cor_disk_modes *modes, size_t n_modes, double alpha,
                                            size_t points)
 {
     struct relaxed_disk *disk = relaxed_disk_new(alpha, points);
-    for (size_t i = 0; disk != NULL && i < n_modes; i++) {
-        const struct cor_disk_mode *mode = &modes->mode[i];
-        const double radial = mode->c / mode->omega, tangential = mode->s / mode->omega;
-        add_compliance(disk, mode->n, radial * radial, radial * tangential, tangential * tangential);
+    int largest = 0;
+    for (size_t i = 0; i < n_modes; i++)
+        largest = modes->mode[i].n > largest ? modes->mode[i].n : largest;
+    for (int n = 0; disk != NULL && n <= largest; n++) {
+        double a = 0, b = 0, d = 0;
+        for (size_t i = 0; i < n_modes; i++)
+            if (modes->mode[i].n == n) {
+                const double radial = modes->mode[i].c / modes->mode[i].omega;
+                const double tangential = modes->mode[i].s / modes->mode[i].omega;
+                a += radial * radial;
+                b += radial * tangential;
+                d += tangential * tangential;
+            }
+        add_compliance(disk, n, a, b, d);
     }
     return disk;
 }

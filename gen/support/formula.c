@@ -175,7 +175,7 @@ static void read_sum(struct value *y, struct reader *r);
 
 static bool is_named(const char *name, const char *word, size_t length)
 {
-    return strncmp(name, word, length) == 0 && name[length] == '\0';
+    return *name == *word && strncmp(name, word, length) == 0 && name[length] == '\0';
 }
 
 /* A name consists of letters, digits, _ . -> and an index in brackets. */
