@@ -189,7 +189,9 @@ class _Module:
         parameters = [p for p in call.function.parameters if not output_struct(p)]
         pairs = list(zip(parameters, names))
         structs = "".join(
-            "self._c, " if n == "self" else f'pointer({n}, "{input_struct(p)}", "{n}"), ' for p, n in pairs if is_input(p)
+            "self._c, " if n == "self" else f'pointer({n}, "{input_struct(p)}", "{n}"), '
+            for p, n in pairs
+            if is_input(p)
         )
         values = "".join(f"{n}, " for p, n in pairs if is_value(p))
         return f"({structs.strip()}), ({values.strip()})"
