@@ -2,8 +2,8 @@
 """Builds the package cor: Python modules and a C module, both written from the headers of cor.
 
 The library is compiled into the package from ../runtime, with the flags of cmake/CorArraySets.cmake; a source
-distribution has what that needs in library/. With COR_PYTHON_LIBRARY=installed in the environment, the package is linked
-with the installed library that pkg-config finds, and written from its headers.
+distribution has what that needs in library/. With COR_PYTHON_LIBRARY=installed in the environment, the package is
+linked with the installed library that pkg-config finds, and written from its headers.
 """
 
 import os

@@ -2,7 +2,7 @@
 """The functions of sphere.h in float arithmetic, which have no form in double: ..._fastf and ..._fast_arrayf, each made
 when it is imported."""
 
-from typing import Any, Callable, Optional
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,7 +22,7 @@ def _float32(x: ArrayLike) -> Array:
     return prepared_array(given, _FLOAT32)
 
 
-def __getattr__(name: str) -> Callable[..., Any]:
+def __getattr__(name: str) -> Any:
     function = getattr(lib, f"cor_sphere_{name}")
 
     def of_number(x: ArrayLike, /) -> Any:
@@ -39,7 +39,7 @@ def __getattr__(name: str) -> Callable[..., Any]:
             np.copyto(out, result, casting="same_kind")
         return result[()] if out is None else out
 
-    made: Callable[..., Any] = of_array if name.endswith("_arrayf") else of_number
+    made: Any = of_array if name.endswith("_arrayf") else of_number
     made.__name__ = made.__qualname__ = name
     made.__doc__ = f"Takes and returns float32.\n\n{DOCS[f'cor_sphere_{name}']}\n\nC: cor_sphere_{name}"
     return made
