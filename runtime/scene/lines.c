@@ -402,8 +402,10 @@ static int fill_block(struct block *block, const struct task *task, const struct
                  "--restitution",
                  cor_end_names[model->end]);
     } else if (status == COR_SIMULATOR_NO_SCALES) {
-        snprintf(block->reason, SENTENCE, "it needs %s: give bodies, or --stiffness and --effective-mass",
-                 isnan(wish->contacts->mass_kg) ? "mass and stiffness" : "the effective radius");
+        snprintf(block->reason, SENTENCE, "it needs %s",
+                 isnan(wish->contacts->mass_kg)
+                     ? "mass and stiffness: give bodies, or --stiffness and --effective-mass"
+                     : "the effective radius of bodies, which --stiffness and --effective-mass do not have");
     } else if (isnan(number)) {
         cor_simulator_reach(model, &least, &most);
         snprintf(block->reason, SENTENCE, "no e realises %s, the e of this model reach %s to %s%s",
