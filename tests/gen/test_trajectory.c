@@ -2,6 +2,7 @@
 /* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of what is cut off. */
 #include "ball.h"
 
+#include "series/power_bounds.h"
 #include "series/trajectory.h"
 #include "series/turning_point.h"
 #include "support/local.h"
@@ -122,6 +123,31 @@ TEST(test_balls_contain_rationals)
 }
 
 /* The bound on what is cut off holds for the terms that come next, and is not absurdly wide. */
+/* (3.3) anew, with powers in place of expm1: G maps the ball |R| <= delta into itself, and delta is at least twice the
+ * image of 0, the first trial. */
+static void assert_fixed(const struct trajectory_tail *tail, const struct trajectory *t)
+{
+    enum { BITS = 1000 };
+    const slong shift = t->shift, terms = t->terms;
+    const struct ratio a = t->law.a, b1 = ratio_add(t->law.b, (struct ratio){1, 1});
+    struct power_evidence e;
+    LOCAL(power_bounds, b);
+    LOCAL(arb, e1, by_b, by_a, image);
+    power_evidence_init(&e, t, 16, 48); /* as trajectory_tail.c begins */
+    assert_true(power_bounds_prove(b, &e, tail->U, tail->rho));
+    const arb_srcptr size = b->size[e.powers - 1], error = b->error[e.powers - 1];
+    LET(e1, BITS, "(terms + 1)*(a + 1) + 1", terms, a);
+    for (int of_delta = 0; of_delta < 2; of_delta++) {
+        LET(image, BITS, "1 - b->inverse*tail->delta*of_delta", b->inverse, tail->delta, of_delta);
+        LET(by_b, BITS, "tail->U/b1*((image^(-b1) - 1)*size + error)", tail->U, b1, image, size, error);
+        LET(by_a, BITS, "2^shift*tail->rho/(e1 - 1)*((image^(-a) - 1)*b->size[0] + b->last_column)", shift, tail->rho,
+            e1, image, a, b->size[0], b->last_column);
+        LET(image, BITS, "(by_b + by_a)/e1*(2 - of_delta)", by_b, by_a, e1, of_delta);
+        assert_true(HOLDS(BITS, "image < tail->delta*(1 + 2^-20)", image, tail->delta));
+    }
+    power_evidence_clear(&e);
+}
+
 TEST(test_truncation_bound)
 {
     enum { ORDER = 10, TERMS = 60, MORE = 140, PREC = 500 };
@@ -135,6 +161,7 @@ TEST(test_truncation_bound)
         trajectory_init(&cut, ORDER, TERMS, &law, PREC);
         trajectory_init(&long_one, ORDER, MORE, &law, PREC);
         assert_true(trajectory_tail_prove(tail, &cut, t0));
+        assert_fixed(tail, &cut);
         for (slong k = 0; k <= ORDER; k++)
             for (slong m = 0; m <= 5; m += 5) {
                 trajectory_tail_jet(bound, tail, &cut, k, m, t0);
