@@ -30,6 +30,7 @@ TEST(test_known_values)
         {cor_hertz_dashpot_max_overlap, 0.5, 0.791261564952323956L},
         {cor_hertz_dashpot_eps_approach_only, 0.5, 0.667490488913183823L},
         {cor_hertz_dashpot_beta_approach_only, 0.667490488913183823, 0.5},
+        {cor_hertz_dashpot_beta_of_loss_zero_force, 0.463, 0.400583306380001424L}, /* of a rounded cube root */
         {cor_hertz_dashpot_eps_zero_overlap, 1, 0.041320343494337112L},
         {cor_hertz_dashpot_eps_zero_force, 1, 0.251843353467950750L},
         {cor_hertz_dashpot_eps_zero_force, 5, 0.015357698164110697L},

@@ -148,7 +148,7 @@ static void fill(struct random_state *r, const double seam[4], double *drawn)
         else if (kind < 0.7)
             drawn[i] = random_log(r, 1e-6, 20);
         else if (kind < 0.8)
-            drawn[i] = random_log(r, 1e-300, 1e300);
+            drawn[i] = random_log(r, 1e-320, 1e300);
         else if (kind < 0.85)
             drawn[i] = *at * (1 - random_log(r, 1e-16, 0.5));
         else if (kind < 0.93)

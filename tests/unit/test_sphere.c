@@ -443,6 +443,9 @@ TEST(damped_approach)
         check(relative_error(cor_sphere_beta_approach_only(eps), beta) < part * fmaxl(2, 1 / (1 - exact)),
               "beta of eps at %a", beta);
     }
+    const double least = cor_sphere_eps_approach_only(DBL_MAX);
+    check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
+    check(isinf(cor_sphere_beta_approach_only(least * (1 - 0x1p-48))), "beta is infinite beyond the largest double");
 }
 
 RUN_TESTS(known_answers, against_the_equation_of_motion, infinitely_strong_damping, special_values, float_exceptions,
