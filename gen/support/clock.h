@@ -8,7 +8,7 @@
 /* Seconds of a monotonic clock; only differences have a meaning. */
 double clock_seconds(void);
 
-/* The time `seconds` from now, for a condition of parallel_condition_init */
+/* The time `seconds` from now, for a condition that waits by CLOCK_MONOTONIC */
 struct timespec clock_deadline(double seconds);
 
 #endif

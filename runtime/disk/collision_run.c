@@ -30,7 +30,7 @@ static double rim_load(struct cor_motion *m, double depth, size_t points)
     return m->loops->press(points, m->alpha, m->weight, m->reach, m->pressure);
 }
 
-/* Number of angles, in whole panels, up to the last one whose pressure exceeds window_edge times the peak */
+/* Number of angles, in whole panels, up to the last one whose pressure exceeds COR_TUNING_WINDOW_EDGE times the peak */
 static size_t window_of(const struct cor_motion *m)
 {
     double peak = 0;

@@ -36,7 +36,7 @@ enum {
 #define COR_TUNING_PHI_SLOW 0.25
 #define COR_TUNING_PHI_FAST 0.6
 /* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles, and the angles for the
- * pressure count as half of them; see cor_collision_angles_error. */
+ * pressure count as half of them; see angles_error of collision_runs.c. */
 #define COR_TUNING_PHI_PER_N 0.25
 /* Largest number of angles over the first choice. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5

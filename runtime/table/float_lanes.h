@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Array functions in float arithmetic that evaluate a row of a table of cubics for each number
- * (gen/approximation/float_rows.h). A kernel that includes this file is compiled once for every instruction set. No set
+ * (gen/approximation/pieces.h). A kernel that includes this file is compiled once for every instruction set. No set
  * may fuse a multiplication with an addition, so all sets give the same bits.
  *
  * A row has 16 bytes: one load fetches it, and shuffles turn the rows of eight numbers into four vectors. The exponent
