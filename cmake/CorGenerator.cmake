@@ -50,8 +50,9 @@ if(FLINT_FOUND AND Cminpack_FOUND)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE Cminpack::Cminpack cor_defaults)
   # corgen's time is FLINT's: with -O2 its own code takes longer to compile and gains little
   target_compile_options(corgen_core PRIVATE $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
-  file(GLOB complex_paths CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c) # these compute in doubles
-  set_source_files_properties(${complex_paths} PROPERTIES
+  # but for paths, which are computed in doubles, and formulas, which are read at each node of an integral
+  file(GLOB of_corgen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c)
+  set_source_files_properties(${of_corgen} ${PROJECT_SOURCE_DIR}/gen/support/formula.c PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
   set_target_properties(corgen_core PROPERTIES C_STANDARD 11)
 
