@@ -887,6 +887,16 @@ TEST(outliers_are_named)
     for (int i = 0; i < 4; i++)
         assert_true((o.outlier[i].line - 2) % 12 == 3 && fabs(o.outlier[i].distance + 60) < 30);
     fit_data_clear(&o.rest);
+    /* Six points of unknown sigma: 5 sigma of the other five are no rare distance, 27 are one. */
+    for (int far = 0; far < 2; far++) {
+        static const double eps[] = {0.69, 0.71, 0.69, 0.71, 0.7};
+        for (size_t i = 0; i < 6; i++)
+            s.point[i].eps = i < 5 ? eps[i] : 0.7 - (far ? 27 : 5) * 0.01 * sqrt(1.2);
+        s.data.points = 6;
+        fit_find_outliers(&o, &s.data, &request);
+        assert_int_equal(o.count, far);
+        fit_data_clear(&o.rest);
+    }
 }
 
 /* Huber's mean of the points that are not out, or, with the bend at infinity, their weighted mean; w: all weights */
