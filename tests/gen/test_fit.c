@@ -897,6 +897,13 @@ TEST(outliers_are_named)
         assert_int_equal(o.count, far);
         fit_data_clear(&o.rest);
     }
+    /* Three of eight points are more than a fourth. */
+    s.data = (struct fit_data){.points = 8, .point = s.point, .has_sigma = true};
+    for (size_t i = 0; i < 8; i++)
+        s.point[i] = (struct fit_point){.speed_m_s = 1, .eps = i < 5 ? 0.7 : 0.4, .sigma = 0.01, .line = (long)(i + 2)};
+    fit_find_outliers(&o, &s.data, &request);
+    assert_true(o.count <= 2);
+    fit_data_clear(&o.rest);
 }
 
 /* Huber's mean of the points that are not out, or, with the bend at infinity, their weighted mean; w: all weights */
