@@ -290,8 +290,9 @@ struct watched {
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
     double largest_energy;
-    double reach;         /* how far the rim may still come into the wall, at least */
-    size_t not_to_return; /* moments since no part of the rim can come back to the wall */
+    double contact_time, contact_energy; /* integral of the modes' energy over the contact */
+    double reach;                        /* how far the rim may still come into the wall, at least */
+    size_t not_to_return;                /* moments since no part of the rim can come back to the wall */
 };
 
 /* How far the modes that move may carry the rim: the amplitude of each, and less by the fade of those near Omega */
@@ -315,6 +316,8 @@ static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
     double energy = 0;
     for (size_t i = 0; i < w->n; i++)
         energy += pi / 2 * (pow(w->mode[i].omega * w->q[i], 2) + w->q_dot[i] * w->q_dot[i]);
+    if (moment->time <= w->contact_time)
+        w->contact_energy += energy * (moment->time - w->last.time);
     w->largest_energy = fmax(w->largest_energy, energy + pi / 2 * moment->velocity * moment->velocity);
     double most, least;
     swing_of(w, &most, &least);
@@ -341,22 +344,25 @@ TEST(details)
         const double speed = *speeds, energy = pi / 2 * speed * speed;
         const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
         const struct cor_disk_hard_wall_options options = {1e-3, 0};
-        struct watched w = {.n = N, .mode = modes->mode, .q = q, .q_dot = q_dot};
-        const struct cor_disk_hard_wall_detail detail = {after, average, watch, &w, q, q_dot};
         struct cor_disk_hard_wall out, silent;
+        const int status = cor_disk_hard_wall(modes, N, &options, speed, &silent);
+        assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
+        struct watched w = {.n = N, .mode = modes->mode, .q = q, .q_dot = q_dot, .contact_time = silent.contact_time};
+        const struct cor_disk_hard_wall_detail detail = {after, average, watch, &w, q, q_dot};
         const size_t bytes = cor_disk_hard_wall_workspace(modes, N, &options, speed);
         assert_true(bytes > 0);
         char *const room = malloc(bytes + 1);
         assert_non_null(room);
-        const int status = cor_disk_hard_wall_in(room + 1, bytes, modes, N, &options, speed, &out, &detail);
-        assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
-        assert_int_equal(cor_disk_hard_wall(modes, N, &options, speed, &silent), status);
+        assert_int_equal(cor_disk_hard_wall_in(room + 1, bytes, modes, N, &options, speed, &out, &detail), status);
         same_results(&out, &silent, "observed and not");
-        double left = 0;
+        double left = 0, mean = 0;
         for (size_t i = 0; i < N; i++) {
             assert_true(after[i] >= 0 && average[i] >= 0);
             left += after[i];
+            mean += average[i];
         }
+        const double watched = w.contact_energy / w.contact_time / energy;
+        check(fabs(mean / watched - 1) < 1e-2, "mean energy %g, watched %g", mean, watched);
         /* of the highest level, not extrapolated: within the estimate */
         check(fabs(left - out.one_minus_eps2) < 3e-3 * out.one_minus_eps2 + 3e-4, "%g left, 1 - eps^2 = %g", left,
               out.one_minus_eps2);
