@@ -240,6 +240,11 @@ TEST(test_closed_forms)
                 assert_true(arf_is_pos_inf(arb_midref(motion->t_zero_overlap)));
             else if (law_is_linear(&law))
                 assert_overlap(motion->t_zero_overlap, closed->t_zero_overlap, "duration", index);
+            if (law.ad == 0) { /* a = b = 0, a constant force */
+                assert_is(motion->t_max, "t_max", index, "log1p(beta)/beta", beta);
+                assert_is(motion->t_zero_overlap, "duration", index,
+                          "(log1p(beta) - log1p(-beta*closed->eps_zero_overlap))/beta", beta, closed->eps_zero_overlap);
+            }
             if (i == 0) {
                 assert_overlap(motion->t_max, closed->t_max, "t_max", index);
                 assert_overlap(motion->t_zero_force, closed->t_zero_force, "duration to zero force", index);
@@ -423,6 +428,19 @@ TEST(test_strong_force)
     }
 }
 
+/* (1, 0), beta = 5/2, f = 9/20: the overlap rises beyond that of rest and turns once, at t = 2 ln(31)/3. */
+TEST(test_turns_beyond_rest)
+{
+    const struct law law = law_of("1", "0");
+    LOCAL(collision, c);
+    LOCAL(arb, beta, force);
+    set_number(beta, "5/2");
+    set_number(force, "9/20");
+    assert_int_equal(collision_solve_pressed(c, beta, force, &law, 0, 60), 0);
+    assert_is(c->x_max, "x_max", 0, "(9 + 31^(-1/3))/20");
+    assert_is(c->t_max, "t_max", 0, "2*log(31)/3");
+}
+
 /* The ends of an enclosure of the force from which on the bodies stay together: at the lower one they part, at the
  * upper one they do not. B of beta = 6 lies next to the damping from which on motions escape. */
 TEST(test_sticking_force)
@@ -570,5 +588,5 @@ TEST(test_edges)
 
 RUN_TESTS(test_force, test_final_speed, test_threshold, test_collisions, test_tsuji, test_backward_series,
           test_closed_forms, test_angle, test_slow_manifold, test_forgetting, test_missed_manifold,
-          test_below_threshold, test_strong_force, test_sticking_force, test_critical, test_one_end,
-          test_between_methods, test_edges)
+          test_below_threshold, test_strong_force, test_turns_beyond_rest, test_sticking_force, test_critical,
+          test_one_end, test_between_methods, test_edges)

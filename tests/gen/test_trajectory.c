@@ -122,7 +122,6 @@ TEST(test_balls_contain_rationals)
     }
 }
 
-/* The bound on what is cut off holds for the terms that come next, and is not absurdly wide. */
 /* (3.3) anew, with powers in place of expm1: G maps the ball |R| <= delta into itself, and delta is at least twice the
  * image of 0, the first trial. */
 static void assert_fixed(const struct trajectory_tail *tail, const struct trajectory *t)
@@ -148,6 +147,7 @@ static void assert_fixed(const struct trajectory_tail *tail, const struct trajec
     power_evidence_clear(&e);
 }
 
+/* The bound on what is cut off holds for the terms that come next, and is not absurdly wide. */
 TEST(test_truncation_bound)
 {
     enum { ORDER = 10, TERMS = 60, MORE = 140, PREC = 500 };
@@ -197,8 +197,9 @@ TEST(test_law_parse)
     assert_true(law_is_sphere(&law));
     assert_null(law_parse(&law, "1", "0"));
     assert_false(law_is_sphere(&law));
-    static const char *const wrong[] = {"",     "-1",  "x",   "1/0",     "1/17", "65",
-                                        "3/2 ", "1e3", "nan", "1.00001", "/2",   "99999999999999999999"};
+    assert_null(law_parse(&law, "24", "1/16"));
+    static const char *const wrong[] = {
+        "", "-1", "x", "1/0", "1/17", "65", "3/2 ", "1e3", "nan", "1.00001", "/2", "25", "99999999999999999999"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         assert_non_null(law_parse(&law, wrong[i], "1/2"));
         assert_non_null(law_parse(&law, "3/2", wrong[i]));
