@@ -23,11 +23,18 @@
  * -march=native change a result by 4 units at most (sampled).
  * Zero overlap ends the contact when x = 0 again, zero force when x'' = 0.
  *
+ * Rows of short polynomials around the nodes of uniform grids, and what follows at large beta. Each double
+ * is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of each. Errors of
+ * the rows stand above each table, those of the formulas for large beta above the formulas, proved for every
+ * argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through collisions enclosed
+ * to 76 bits or more (proved). Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.
+ *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check */
 #ifndef COR_SPHERE_EMBEDDED_H
 #define COR_SPHERE_EMBEDDED_H
 
+#ifndef COR_SPHERE_ROWS_ONLY /* of the library */
 /* The includes and the attribute with which C99, C++11, CUDA and HIP compile a function into its caller. */
 #ifndef COR_INLINE
 
@@ -494,6 +501,11 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
 }
 
 #endif
+#define COR_ROWS(type, name, rows, columns) \
+    COR_INLINE const type *name(int i) { static const type row[rows][columns]
+#define COR_ROWS_HERE
+#define COR_ROWS_FUNCTION(type, name) return row[i]; }
+#endif
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from
@@ -509,9 +521,9 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
 #define COR_ROWS_EPS_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_EPS_ZERO_OVERLAP_ROWS 57
 #define COR_ROWS_EPS_ZERO_OVERLAP_END 7.0
-COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
-{
-    static const double row[57][12] = {
+COR_ROWS(double, cor_rows_eps_zero_overlap, 57, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.0,0.0,-1.1534488580952889,0.7982665609447953,-0.5228825680883606,0.34874267524923586,-0.2330981308559544,
     0.15668208255922378,-0.10581622795185981,0.07170703548889854,-0.04804887169478757,0.027033512758574674},
     {0.8673491325801103,-1.0123923713822538e-17,-0.9759262161872851,0.6308404047023242,-0.379607932127903,
@@ -651,9 +663,10 @@ COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
     1.42567293126163e-09},{0.0003069186472462477,7.62435991295012e-21,-0.00021922760517589112,9.395468793252414e-05,
     -3.131822931083874e-05,8.948065517374256e-06,-2.3009311330285573e-06,5.478407459170416e-07,-1.229846500999605e-07,
     2.6353853653225465e-08,-5.4401664679098346e-09,1.0880134124130911e-09}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_eps_zero_overlap)
 
 /* eps at zero force, beta < 16: 65 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 4.03125.
  * Relative error of the approximation: 2^-57.5 at most, proved for the whole cell of each row. Bits of the rows:
@@ -666,9 +679,9 @@ COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
 #define COR_ROWS_EPS_ZERO_FORCE_ROWS 65
 #define COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS 4
 #define COR_ROWS_EPS_ZERO_FORCE_END 16.0
-COR_INLINE const double *cor_rows_eps_zero_force(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_eps_zero_force, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.0,0.0,6.2748068643082865e-22,-1.1534488580952889,4.2407939853265846e-15,0.7982665609430584,0.2666666670279754,
     -0.5228826112528756,-0.4613764040737955,0.3486013915793789,0.4561927788864351,-0.20421985920652796},
     {0.9955067424949093,6.413962996050045e-18,-0.14338437816577693,-1.1342167214885723,0.2072045761495125,
@@ -825,9 +838,10 @@ COR_INLINE const double *cor_rows_eps_zero_force(int i)
     -3.1392466372932197e-07,7.280488349998378e-08},{0.012078502545143928,-6.522184732761224e-19,-0.0011951625028250056,
     0.0007532444650822319,-0.00033953541038967414,0.00012931860598458658,-4.3967675682072604e-05,1.3689539482169131e-05,
     -3.954093177177085e-06,1.065303123971765e-06,-2.675246226296649e-07,6.207305231087198e-08}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_eps_zero_force)
 
 /* eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14: 432 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 13.
  * Relative error of the approximation: 2^-53.8 at most, proved for the whole cell of each row. Bits of the rows:
@@ -855,9 +869,9 @@ COR_INLINE const double *cor_rows_eps_zero_force(int i)
 #define COR_ROWS_POWER_EPS_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_POWER_EPS_ZERO_OVERLAP_ROWS 432
 #define COR_ROWS_POWER_EPS_ZERO_OVERLAP_END 16384.0
-COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
-{
-    static const double row[432][12] = {
+COR_ROWS(double, cor_rows_power_eps_zero_overlap, 432, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0.9954518244096027,-5.633994091654501e-18,-0.0008537901944951753,0.0003218656618206098,-0.00018184223693819707,
     0.00011983313793152665,-8.573121156725896e-05,6.45591854983203e-05,-5.0349883268844155e-05,4.028338644082823e-05,
     -3.308548407141533e-05,2.740854009984985e-05},{0.9953498014899099,-4.557295210061639e-17,-0.0007810054753692087,
@@ -1900,9 +1914,10 @@ COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
     -1.6505738544032941e-06,9.106614365356138e-07},{0.00032499884729509103,1.8581992564787363e-21,
     -0.00016774134053940161,8.657617576227093e-05,-4.4684477812777125e-05,2.306295629045898e-05,-1.190346132169701e-05,
     6.143721972465835e-06,-3.170945745618678e-06,1.636617158980421e-06,-8.469088271193354e-07,4.3711423327727007e-07}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_power_eps_zero_overlap)
 
 /* eps at zero force by x = beta^5, 2^-40 <= x < 2^20: 480 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 19.
  * Relative error of the approximation: 2^-57.4 at most, proved for the whole cell of each row. Bits of the rows:
@@ -1932,9 +1947,9 @@ COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
 #define COR_ROWS_POWER_EPS_ZERO_FORCE_OCTAVE_BITS 3
 #define COR_ROWS_POWER_EPS_ZERO_FORCE_ROWS 480
 #define COR_ROWS_POWER_EPS_ZERO_FORCE_END 1048576.0
-COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
-{
-    static const double row[480][12] = {
+COR_ROWS(double, cor_rows_power_eps_zero_force, 480, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0.9954520847633285,3.8845378114093214e-17,-0.0008536680100103792,0.0003218368024543328,-0.00018182864562944382,
     0.00011982513985185991,-8.572594086177211e-05,6.455546428463538e-05,-5.034713106921639e-05,4.028128156165609e-05,
     -3.308382246012955e-05,2.7407210444812672e-05},{0.9953500766905095,-9.402904528737165e-18,-0.0007808899252995293,
@@ -3090,9 +3105,10 @@ COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
     8.617896968384542e-06,-4.3884780113235085e-06,2.24796675119937e-06},{0.012200514174282773,7.086114433547179e-19,
     -0.0019930954235182464,0.0006706996370961342,-0.00026525837735865516,0.00011279193101157061,-4.998173848823716e-05,
     2.2747596029974556e-05,-1.0548110440504387e-05,4.95926095988513e-06,-2.3619025069972197e-06,1.131893241126418e-06}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_power_eps_zero_force)
 
 /* (1 - eps)/beta at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-58.2 at most, proved for the whole cell of each row. Bits of the rows:
@@ -3104,9 +3120,9 @@ COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
 #define COR_ROWS_LOSS_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_LOSS_ZERO_OVERLAP_ROWS 57
 #define COR_ROWS_LOSS_ZERO_OVERLAP_END 7.0
-COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
-{
-    static const double row[57][12] = {
+COR_ROWS(double, cor_rows_loss_zero_overlap, 57, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.1534488499164581,8.178830669247755e-09,-0.7982665609447954,0.5228825680884149,-0.34874267526034775,
     0.2330981320115887,-0.15668215158911236,0.10581873812962693,-0.07176352828084306,0.04881717366521926,
     -0.03281837465349686,0.0185115580634816},{1.0612069368362427,2.5228753230416938e-09,-0.6822457853746628,
@@ -3245,9 +3261,10 @@ COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
     -0.020370581390133112,0.002896660957457227,-0.000409334675449484,5.719808713315854e-05,-7.842450857161689e-06,
     1.0420871587492353e-06,-1.3130035819002146e-07,1.4992357790970858e-08,-1.3646538944619322e-09,
     3.952006886409446e-11}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_loss_zero_overlap)
 
 /* (1 - eps)/beta at zero force, beta < 16: 65 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 4.03125.
  * Relative error of the approximation: 2^-58.2 at most, proved for the whole cell of each row. Bits of the rows:
@@ -3260,9 +3277,9 @@ COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
 #define COR_ROWS_LOSS_ZERO_FORCE_ROWS 65
 #define COR_ROWS_LOSS_ZERO_FORCE_PLAIN_ROWS 4
 #define COR_ROWS_LOSS_ZERO_FORCE_END 16.0
-COR_INLINE const double *cor_rows_loss_zero_force(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_loss_zero_force, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.1534488499164581,8.178830669247755e-09,5.095884097463012e-22,-0.7982665609447954,-0.2666666666666632,
     0.5228825680869991,0.4613795435323541,-0.34874271036297394,-0.4523485037580892,0.14631719611892938,
     0.3708176297850917,-0.002677827174839716},{1.1502739191055298,2.1976786180220323e-09,-0.10236467126377537,
@@ -3419,9 +3436,10 @@ COR_INLINE const double *cor_rows_loss_zero_force(int i)
     4.6187047966124364e-08},{0.06174509320408106,3.8684744604454885e-10,-0.0037843706930064686,0.001845107567435595,
     -0.0006648096522555385,0.00020900319028900792,-6.0203012148408553e-05,1.6183210463503857e-05,-4.081786133734834e-06,
     9.62860972962547e-07,-2.096163150930209e-07,4.074356399240253e-08}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_loss_zero_force)
 
 /* duration at zero overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.2 at most, proved for the whole cell of each row. Bits of the rows:
@@ -3433,9 +3451,9 @@ COR_INLINE const double *cor_rows_loss_zero_force(int i)
 #define COR_ROWS_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_DURATION_ZERO_OVERLAP_ROWS 65
 #define COR_ROWS_DURATION_ZERO_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_duration_zero_overlap, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {3.218065459719043,7.568990114909211e-17,0.3711873929788821,0.20971797419914343,0.005800778358233057,
     0.027062321807883427,-0.007641375170811449,0.006407578914849307,-0.003539256687723842,0.0022744236128864007,
     -0.0014212086267387152,0.0007578532904085254},{3.267758453530398,2.3947196756642732e-17,0.42409198127721137,
@@ -3593,9 +3611,10 @@ COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
     2.1819388270974134e-15,8.585449913113663,0.21826917224978773,-0.00990215028613815,0.0007010264598605673,
     -6.211809310463697e-05,6.392213580778477e-06,-7.369533254275635e-07,9.314471791295503e-08,-1.2709574625948478e-08,
     1.8485642760687124e-09}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_duration_zero_overlap)
 
 /* duration at zero force, beta < 8: 46 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 2.84375.
  * Relative error of the approximation: 2^-60.3 at most, proved for the whole cell of each row. Bits of the rows:
@@ -3606,9 +3625,9 @@ COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
 #define COR_ROWS_DURATION_ZERO_FORCE_PER_UNIT 16.0
 #define COR_ROWS_DURATION_ZERO_FORCE_ROWS 46
 #define COR_ROWS_DURATION_ZERO_FORCE_END 8.0
-COR_INLINE const double *cor_rows_duration_zero_force(int i)
-{
-    static const double row[46][12] = {
+COR_ROWS(double, cor_rows_duration_zero_force, 46, 12)
+#ifdef COR_ROWS_HERE
+= {
     {3.218065459719043,7.568990114770008e-17,5.391434663781079e-23,-0.628812607021118,3.386523109346309e-16,
     0.20971797419900498,2.8742549294567634e-11,0.00580077493224243,-0.11428546595030235,0.02705120248506567,
     0.06621104940362217,-0.01206811593511054},{3.215612360442455,4.5680165036025014e-17,-0.07839678671661222,
@@ -3720,9 +3739,10 @@ COR_INLINE const double *cor_rows_duration_zero_force(int i)
     {1.7565618222350412,1.911543560616801e-17,-0.3843408516367248,0.07421100299139026,-0.01188562682576933,
     0.0010469811971657488,0.00028021024805685016,-0.00021944230162471018,9.463197969447758e-05,-3.3548664416030235e-05,
     1.0519278764674239e-05,-2.9363890108640313e-06}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_duration_zero_force)
 
 /* largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.1 at most, proved for the whole cell of each row. Bits of the rows:
@@ -3734,9 +3754,9 @@ COR_INLINE const double *cor_rows_duration_zero_force(int i)
 #define COR_ROWS_MAX_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_MAX_OVERLAP_ROWS 65
 #define COR_ROWS_MAX_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_max_overlap(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_max_overlap, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.0933620739432781,-5.578485644756532e-17,-0.5044548942698284,0.2840430189018544,-0.1702207784972518,
     0.10550070905146688,-0.06684871358424503,0.043039475594734894,-0.02805046788300845,0.018446817390623246,
     -0.012051515494730856,0.006651813786872523},{1.0344347906430595,-1.0891199505058068e-16,-0.4406734205482286,
@@ -3894,9 +3914,10 @@ COR_INLINE const double *cor_rows_max_overlap(int i)
     2.1784185055555117e-11},{0.3042608431620117,-1.617881048446762e-17,-0.022105481367024477,0.0019786541120851123,
     -0.00018752066365628793,1.8248008126087167e-05,-1.8031433017741233e-06,1.799756552213054e-07,
     -1.8093123614473803e-08,1.8288030917421495e-09,-1.856598496320483e-10,1.8911757154787447e-11}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_max_overlap)
 
 /* time of the largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-60.6 at most, proved for the whole cell of each row. Bits of the rows:
@@ -3908,9 +3929,9 @@ COR_INLINE const double *cor_rows_max_overlap(int i)
 #define COR_ROWS_TIME_OF_MAX_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_TIME_OF_MAX_OVERLAP_ROWS 65
 #define COR_ROWS_TIME_OF_MAX_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_time_of_max_overlap, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.6090327298595215,3.784495057524488e-17,-0.286747125067594,0.1048589870995717,-0.04868406782814066,
     0.02543116750978849,-0.014236583511432335,0.00833765728900391,-0.005039645724543733,0.003116052833257268,
     -0.0019351363116886981,0.0010285645119171277},{1.5747384787194234,-2.656959159290068e-19,-0.2626317385953883,
@@ -4069,9 +4090,10 @@ COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
     {0.8992179950536894,1.6328832267213522e-17,-0.034604134154773494,0.0022179911315862565,-0.00016686006338838632,
     1.3613202710756306e-05,-1.1672536115509924e-06,1.03533721034701e-07,-9.412584725871241e-09,8.719679203574802e-10,
     -8.199145866247112e-11,7.802039584208359e-12}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_time_of_max_overlap)
 
 /* eps beta^(5/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-59.6 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4082,9 +4104,9 @@ COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
 #define COR_ROWS_TAIL_EPS_ZERO_FORCE_PER_UNIT 4.0
 #define COR_ROWS_TAIL_EPS_ZERO_FORCE_ROWS 32
 #define COR_ROWS_TAIL_EPS_ZERO_FORCE_END 10.0
-COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_eps_zero_force, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.1327453204503086,5.52439973057448e-17,0.19574850424502319,-0.0870609615323064,0.013129595675897068,
     0.004643507608544806,-0.0027718558639489898,0.0003958726166812731,0.00013830914842282872,-7.668320854159275e-05,
     1.062389622524121e-05,3.381628499151873e-06},{1.1764618221230851,4.1689870495801715e-18,0.15491842415220328,
@@ -4163,9 +4185,10 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
     -5.738146929062469e-11},{1.3103681700720204,-7.583432924468092e-17,3.940192892742946e-06,-3.0572200986466707e-06,
     1.5727470472692376e-06,-6.029321058763657e-07,1.8351729357698457e-07,-4.612683145361247e-08,9.827696921550554e-09,
     -1.8068079000081612e-09,2.9018279890765355e-10,-4.1138546611411616e-11}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_eps_zero_force)
 
 /* duration/beta at zero overlap, beta > exp(2): 64 rows of degree 10 in y = ln(beta), nodes 2.0625 + i 0.125, 2 <= y <= 10.
  * Relative error of the approximation: 2^-57.6 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4177,9 +4200,9 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_ROWS 64
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_END 10.0
-COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
-{
-    static const double row[64][12] = {
+COR_ROWS(double, cor_rows_tail_duration_zero_overlap, 64, 12)
+#ifdef COR_ROWS_HERE
+= {
     {5.412970041720338,2.0767535940585467e-16,3.1132697328720558,0.19219644326552113,-0.11777451359507461,
     0.060015415448254956,-0.029507887414408303,0.015928949837646707,-0.010023029744951565,0.007249154913188448,
     -0.005869305981803235,0.0051140534659365935},{5.80491560747792,-2.335645337986837e-16,3.1562336873218344,
@@ -4334,9 +4357,10 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
     6.942466903377565e-09},{31.5338718539351,2.846533688750161e-16,3.333332913224459,3.500907534890428e-07,
     -1.9449490370913764e-07,8.104091718547596e-08,-2.699634392907728e-08,7.462076529093691e-09,-4.357778526248871e-09,
     -3.002172013259203e-08,-2.420507622987075e-07,-1.0738140188326988e-06}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_duration_zero_overlap)
 
 /* duration beta^(2/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-57.7 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4347,9 +4371,9 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
 #define COR_ROWS_TAIL_DURATION_ZERO_FORCE_PER_UNIT 4.0
 #define COR_ROWS_TAIL_DURATION_ZERO_FORCE_ROWS 32
 #define COR_ROWS_TAIL_DURATION_ZERO_FORCE_END 10.0
-COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_duration_zero_force, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {7.116392257195245,1.6416536329118285e-16,2.521835045630425,0.16012942065521507,-0.030840255875556038,
     0.000692079128391557,0.000831145382970818,-7.91668752784876e-05,-2.636527115567373e-05,2.944629939027579e-06,
     1.8071607009454084e-06,-3.7886930707424623e-07},{7.756380722609651,2.761464727116771e-17,2.596176188979999,
@@ -4427,9 +4451,10 @@ COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
     7.950237266141548e-09,-1.0861742128660827e-09,1.2415148824614316e-10},{29.28464335527212,1.2206186308803115e-15,
     2.9119118193593123,1.6804003653382857e-05,-8.077573305182259e-06,2.8764232793651957e-06,-8.073754049122752e-07,
     1.854423475614303e-07,-3.567900570329081e-08,5.828507128953525e-09,-8.121584192585847e-10,9.707477793821778e-11}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_duration_zero_force)
 
 /* largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-60.3 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4440,9 +4465,9 @@ COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
 #define COR_ROWS_TAIL_MAX_OVERLAP_PER_UNIT 4.0
 #define COR_ROWS_TAIL_MAX_OVERLAP_ROWS 32
 #define COR_ROWS_TAIL_MAX_OVERLAP_END 10.0
-COR_INLINE const double *cor_rows_tail_max_overlap(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_max_overlap, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {1.2216815339498734,-8.305414606231744e-17,0.09964647207822826,-0.04698481679807967,0.009569647503983519,
     0.0008079794779230748,-0.000961601945759969,0.00018259446158077586,2.7319103295113793e-05,-2.011174142644828e-05,
     2.8103846852772187e-06,7.805161159060359e-07},{1.2438083897179266,4.8858415856121845e-17,0.07798119718617828,
@@ -4521,9 +4546,10 @@ COR_INLINE const double *cor_rows_tail_max_overlap(int i)
     -2.8243709111046486e-11},{1.3103694402856243,-1.0960442639223035e-16,1.9589346361971536e-06,-1.5193093297558688e-06,
     7.812072748027908e-07,-2.993140830689867e-07,9.104171545545516e-08,-2.2864469572125588e-08,4.866567175366176e-09,
     -8.935921733218911e-10,1.4333946861269702e-10,-1.9969821169978242e-11}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_max_overlap)
 
 /* time of the largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-58.3 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4534,9 +4560,9 @@ COR_INLINE const double *cor_rows_tail_max_overlap(int i)
 #define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_PER_UNIT 4.0
 #define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_ROWS 32
 #define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_END 10.0
-COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_time_of_max_overlap, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {3.6558234040539763,2.949594506235043e-17,1.2973279442531338,0.07284687898149292,-0.017263389469386596,
     0.0013614285814057864,0.00038801828185802104,-0.00011889603617834146,4.652622438348417e-06,3.6999476884177017e-06,
     -8.11565245434787e-07,3.466728921571651e-08},{3.98444424790766,8.335638284177766e-17,1.3306064789781504,
@@ -4615,9 +4641,10 @@ COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
     1.4559607075735739,4.9540983894399e-06,-2.408075015936778e-06,8.686785525226843e-07,-2.475751186234991e-07,
     5.7917368534932236e-08,-1.1398355057326053e-08,1.916616396975934e-09,-2.7805905025820435e-10,
     3.3008021738607676e-11}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_time_of_max_overlap)
 
 /* beta/(1 - eps) at zero overlap, 1 - eps < 1/2: 9 rows of degree 10 in y = 1 - eps, nodes 0 + i 0.0625, 0 <= y <= 0.53125.
  * Relative error of the approximation: 2^-57.1 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4627,9 +4654,9 @@ COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
 #define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_PER_UNIT 16.0
 #define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_ROWS 9
 #define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_END 0.5
-COR_INLINE const double *cor_rows_near_beta_zero_overlap(int i)
-{
-    static const double row[9][12] = {
+COR_ROWS(double, cor_rows_near_beta_zero_overlap, 9, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0.866965189576149,-6.870677073425355e-09,0.5201791096232832,0.3288147282840862,0.2209318209422112,
     0.15768619027803757,0.11897069548578144,0.0941674207914657,0.07752577878322844,0.06586967485939052,
     0.05678017339219531,0.0586042444627083},{0.9008172750473022,-1.5477181223552097e-09,0.56403363586658,
@@ -4651,9 +4678,10 @@ COR_INLINE const double *cor_rows_near_beta_zero_overlap(int i)
     6.2438913860440906,9.909837925591797,15.87970496469264},{1.2529852390289307,-9.17516880767073e-09,
     1.1649519353330366,1.249237361391081,1.549848037682252,2.1718620723850175,3.326958480964333,5.415268847557768,
     9.181909723066205,16.01466359370826,28.73779317692113,51.94911452574154}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_near_beta_zero_overlap)
 
 /* beta/(1 - eps) at zero force, 1 - eps < 1/2: 24 rows of degree 10 in y = sqrt(1 - eps), nodes 0 + i 0.03125, 0 <= y <= 0.734375.
  * Relative error of the approximation: 2^-56.4 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4664,9 +4692,9 @@ COR_INLINE const double *cor_rows_near_beta_zero_overlap(int i)
 #define COR_ROWS_NEAR_BETA_ZERO_FORCE_PER_UNIT 32.0
 #define COR_ROWS_NEAR_BETA_ZERO_FORCE_ROWS 24
 #define COR_ROWS_NEAR_BETA_ZERO_FORCE_END 0.5
-COR_INLINE const double *cor_rows_near_beta_zero_force(int i)
-{
-    static const double row[24][12] = {
+COR_ROWS(double, cor_rows_near_beta_zero_force, 24, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0.866965189576149,-6.870677073425355e-09,1.4080665842949803e-24,0.5201791096232832,0.16179851461843053,
     0.3288147282840921,0.19415821753965673,0.2964214716757319,0.14335183767531245,0.3032001007021057,0.1206663216764997,
     0.2790303156005158},{0.8674784302711487,-2.806082357709039e-09,0.03302633178291313,0.5373379596571878,
@@ -4719,9 +4747,10 @@ COR_INLINE const double *cor_rows_near_beta_zero_force(int i)
     15175.784799467456,46687.57964241236},{1.4295547306537628,5.743541204728064e-09,2.9825916700933317,
     9.588179335688654,30.053536697527353,97.56182506744335,321.52573630184327,1072.1466686733374,3605.749101027536,
     12206.790931455622,41839.41522939825,142989.27514012152}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_near_beta_zero_force)
 
 /* beta at zero overlap by eps, 2^-12 <= eps < 2^-1: 88 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -12 ... -2.
  * Relative error of the approximation: 2^-57.5 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4734,9 +4763,9 @@ COR_INLINE const double *cor_rows_near_beta_zero_force(int i)
 #define COR_ROWS_BETA_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_BETA_ZERO_OVERLAP_ROWS 88
 #define COR_ROWS_BETA_ZERO_OVERLAP_END 0.5
-COR_INLINE const double *cor_rows_beta_zero_overlap(int i)
-{
-    static const double row[88][12] = {
+COR_ROWS(double, cor_rows_beta_zero_overlap, 88, 12)
+#ifdef COR_ROWS_HERE
+= {
     {7.2395054090751,1.1552296366069447e-16,-1.3627304299435485,0.7695418898504742,-0.5311347945607625,
     0.3999132570807003,-0.31616672172278953,0.2578928557136522,-0.21497898342211444,0.18209972017296408,
     -0.15731455595355892,0.1362304819227635},{7.080239702221091,-3.3420712421855393e-16,-1.1924614235319735,
@@ -4949,9 +4978,10 @@ COR_INLINE const double *cor_rows_beta_zero_overlap(int i)
     3.998905272810967e-17,-0.47322730398368107,0.11802913063733102,-0.03435536580120455,0.011558304235803661,
     -0.004351854641111404,0.001771719914683234,-0.0007597632560075434,0.00033737376527638796,-0.00015382879249476483,
     7.125018411584721e-05}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_beta_zero_overlap)
 
 /* beta at zero force by eps, 2^-23 <= eps < 2^-1: 176 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -23 ... -2.
  * Relative error of the approximation: 2^-55.1 at most, proved for the whole cell of each row. Bits of the rows:
@@ -4968,9 +4998,9 @@ COR_INLINE const double *cor_rows_beta_zero_overlap(int i)
 #define COR_ROWS_BETA_ZERO_FORCE_OCTAVE_BITS 3
 #define COR_ROWS_BETA_ZERO_FORCE_ROWS 176
 #define COR_ROWS_BETA_ZERO_FORCE_END 0.5
-COR_INLINE const double *cor_rows_beta_zero_force(int i)
-{
-    static const double row[176][12] = {
+COR_ROWS(double, cor_rows_beta_zero_force, 176, 12)
+#ifdef COR_ROWS_HERE
+= {
     {16175.30250469648,7.475772000442145e-13,-9134.310385977926,6877.59500939998,-5609.959119890192,4751.965084127906,
     -4114.642662527381,3614.431121341716,-3207.3567820196813,2867.7531477840143,-2599.9105856112183,2349.2263452913344},
     {15131.06616807252,-5.002233745252904e-14,-7645.190612015213,5150.441384039001,-3758.9180813550715,
@@ -5364,9 +5394,10 @@ COR_INLINE const double *cor_rows_beta_zero_force(int i)
     -0.0025385188470651698,0.0013424355831238687},{0.7360711774971495,-2.4388710754242217e-17,-0.6234306676251686,
     0.24578844750538903,-0.10928242444933477,0.05036432401133564,-0.023817621880310214,0.011430231383500068,
     -0.00554772245629873,0.0027137792144695336,-0.0013391509356673664,0.0006624427553424174}
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_beta_zero_force)
 
 /* h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7
  * on. Proved. */
@@ -5438,6 +5469,7 @@ COR_INLINE const double *cor_rows_far_beta_zero_force(int i)
     return row[i];
 }
 
+#ifndef COR_SPHERE_ROWS_ONLY
 /* The only evaluator of the sphere's tables. The scalar functions, the array functions and the header for embedding use
  * it.
  *
@@ -5773,6 +5805,10 @@ COR_INLINE double cor_inline_beta_zero_force(double eps)
     return cor_inline_below(eps, 1) ? cor_inline_beta_force_far(eps) : cor_inline_nan();
 }
 
+#endif
+#undef COR_ROWS
+#undef COR_ROWS_HERE
+#undef COR_ROWS_FUNCTION
 #endif
 
 #endif

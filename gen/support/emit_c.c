@@ -38,6 +38,7 @@ void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner
     e->guard = guard;
     e->decimal = false;
     e->single = false;
+    e->shared = false;
     fprintf(file, "/* SPDX-License-Identifier: MIT */\n");
     put_comment(file, banner);
     fprintf(file, "#ifndef %s\n#define %s\n", guard, guard);
@@ -122,7 +123,7 @@ void emit_digits(FILE *file)
 /* A number of a table by its row and column, with its digits, where these are wanted */
 static int put_digits(const struct emit *e, const arb_t x, slong column, double y)
 {
-    if (!digits_file || e->decimal)
+    if (!digits_file || (e->decimal && !e->shared))
         return STATUS_OK;
     char *text = number_text(x);
     if (!text)
@@ -172,7 +173,7 @@ void emit_rows_open(struct emit *e, const char *type, const char *name, slong ro
 {
     table_open(e, name);
     e->type = type;
-    e->local = e->decimal || rows == 1;
+    e->local = (e->decimal && !e->shared) || rows == 1;
     if (e->local)
         fprintf(e->file, "COR_INLINE const %s *%s(int i)\n{\n    static const %s row[%ld][%ld] = {\n", type, name, type,
                 (long)rows, (long)columns);

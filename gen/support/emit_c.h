@@ -14,6 +14,7 @@ struct emit {
     bool single;              /* emit_lines and those after it write float */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                    * hexadecimal */
+    bool shared;              /* rows in the form of runtime/table/rows.h although they are decimal */
     const char *table, *type; /* the rows or structs that are being written, how many of them are, and how long the last
                        * line is */
     slong row;
@@ -22,8 +23,8 @@ struct emit {
 };
 
 /* From now on each double of emit_row and emit_struct is also a line of a csv file, table,row,column,value,digits, with
- * 25 significant digits (a fraction of small integers where the number is one), except in headers with `decimal`, which
- * repeat the numbers of others. NULL ends that. */
+ * 25 significant digits (a fraction of small integers where the number is one), except in headers for one program alone:
+ * `decimal` and not `shared`. NULL ends that. */
 void emit_digits(FILE *file);
 
 /* Writes the licence line, the banner and the include guard. The banner is plain text. Its line breaks are kept, and no
@@ -40,7 +41,8 @@ void emit_comment(struct emit *e, const char *format, ...) __attribute__((format
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
 /* A function const TYPE *name(int i) that returns row i, TYPE double or float. The table is local to it if it has one
- * row or if `decimal`, so that the same text works on a GPU, and otherwise stands where runtime/table/rows.h says. Call
+ * row or if `decimal` and not `shared`, so that the same text works on a GPU, and otherwise stands where
+ * runtime/table/rows.h says. Call
  * open, emit_row or emit_float_row for each row, and close. Numbers fill the lines. emit_row returns 0, or 1 after
  * reporting the interval that is too wide. emit_one_row writes a table of one row. */
 void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns);

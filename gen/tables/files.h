@@ -12,11 +12,11 @@
 #include "series/law.h"
 #include "support/decimal.h"
 
-/* sphere_tables.h, the tables of the runtime; cor_sphere.h, the same tables and the same evaluator as one header to
- * embed; sphere_float_tables.h, those of float arithmetic. They share data that are computed once, until
- * sphere_tables_clear. */
-int sphere_tables_write(FILE *file);
+/* cor_sphere.h, the tables and the evaluator as one header to embed; sphere_tables.h, which takes these tables for the
+ * library and adds those of damped approach; sphere_float_tables.h, those of float arithmetic. They share data that are
+ * computed once, until sphere_tables_clear. */
 int sphere_header_write(FILE *file);
+int sphere_tables_write(FILE *file);
 int sphere_float_tables_write(FILE *file);
 void sphere_tables_clear(void);
 

@@ -223,35 +223,6 @@ static int emit_tables(struct emit *e)
     return law_tables_emit_far_inverse(e, &data.tables, "cor_rows_far_beta_zero_force");
 }
 
-static const char tables_banner[] =
-    "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for\n"
-    "every beta: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
-    "beta. Evaluated by runtime/sphere/eval.h. Source: docs/theory.md, 4 to 6 and 8; form:\n"
-    "docs/internals.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
-    "each. Errors of the rows stand above each table, those of the formulas for large beta above the\n"
-    "formulas, proved for every argument (docs/theory.md, 8). The rows interpolate\n"
-    "polynomials of high degree through collisions enclosed to 76 bits or more (proved). Errors of\n"
-    "evaluation: include/cor/sphere.h.\n";
-
-int sphere_tables_write(FILE *file)
-{
-    if (sphere_data_make())
-        return STATUS_FAILED;
-    struct emit e;
-    emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
-    fprintf(file, "\n#include \"runtime/table/rows.h\"\n");
-    int status = emit_tables(&e);
-    if (status == STATUS_OK)
-        status = law_tables_emit_approach(&e, &data.tables, "cor_rows");
-    emit_close(&e);
-    return status;
-}
-
 static const char header_banner[] =
     "cor_sphere.h: restitution coefficient, duration and largest overlap of colliding viscoelastic spheres,\n"
     "x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for every beta, as one header to embed.\n"
@@ -277,8 +248,21 @@ static const char header_banner[] =
     "-march=native change a result by 4 units at most (sampled).\n"
     "Zero overlap ends the contact when x = 0 again, zero force when x'' = 0.\n"
     "\n"
+    "Rows of short polynomials around the nodes of uniform grids, and what follows at large beta. Each double\n"
+    "is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of each. Errors of\n"
+    "the rows stand above each table, those of the formulas for large beta above the formulas, proved for every\n"
+    "argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through collisions enclosed\n"
+    "to 76 bits or more (proved). Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
+    "\n"
     "Written by:  corgen tables\n"
     "Checked by:  corgen tables --check\n";
+
+/* What runtime/table/rows.h is for the library: here each table is local to its function, for GPUs. */
+static const char rows_here[] = "#define COR_ROWS(type, name, rows, columns) \\\n"
+                                "    COR_INLINE const type *name(int i) { static const type row[rows][columns]\n"
+                                "#define COR_ROWS_HERE\n"
+                                "#define COR_ROWS_FUNCTION(type, name) return row[i]; }\n",
+                  rows_end[] = "#undef COR_ROWS\n#undef COR_ROWS_HERE\n#undef COR_ROWS_FUNCTION\n";
 
 int sphere_header_write(FILE *file)
 {
@@ -287,9 +271,34 @@ int sphere_header_write(FILE *file)
     struct emit e;
     emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
     e.decimal = true;
-    fprintf(file, "\n%s\n%s\n%s\n%s", evaluator_inline, evaluator_pair, evaluator_fifth_root, evaluator_row);
+    e.shared = true;
+    fprintf(file, "\n#ifndef COR_SPHERE_ROWS_ONLY /* libcor takes the rows alone */\n%s\n%s\n%s\n%s%s#endif\n", evaluator_inline,
+            evaluator_pair, evaluator_fifth_root, evaluator_row, rows_here);
     const int status = emit_tables(&e);
-    fprintf(file, "\n%s", evaluator_sphere);
+    fprintf(file, "\n#ifndef COR_SPHERE_ROWS_ONLY\n%s%s#endif\n", evaluator_sphere, rows_end);
+    emit_close(&e);
+    return status;
+}
+
+static const char tables_banner[] =
+    "The rows of cor_sphere.h for the library, and those of damped approach. Evaluated by runtime/sphere/eval.h and\n"
+    "approach_only.c. Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
+    "\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n"
+    "\n"
+    "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
+    "each. Errors of the rows stand above each table. Errors of evaluation: include/cor/sphere.h.\n";
+
+int sphere_tables_write(FILE *file)
+{
+    if (sphere_data_make())
+        return STATUS_FAILED;
+    struct emit e;
+    emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
+    fprintf(file, "\n#include \"runtime/table/rows.h\"\n"
+                  "#define COR_SPHERE_ROWS_ONLY\n#include \"generated/cor_sphere.h\"\n");
+    const int status = law_tables_emit_approach(&e, &data.tables, "cor_rows");
     emit_close(&e);
     return status;
 }
