@@ -14,7 +14,7 @@ struct emit {
     bool single;              /* emit_lines and those after it write float */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                    * hexadecimal */
-    bool shared;              /* rows in the form of runtime/table/rows.h although they are decimal */
+    bool shared;              /* rows as runtime/table/rows.h has them, decimal or not */
     const char *table, *type; /* the rows or structs that are being written, how many of them are, and how long the last
                        * line is */
     slong row;

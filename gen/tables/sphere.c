@@ -272,8 +272,8 @@ int sphere_header_write(FILE *file)
     emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
     e.decimal = true;
     e.shared = true;
-    fprintf(file, "\n#ifndef COR_SPHERE_ROWS_ONLY /* libcor takes the rows alone */\n%s\n%s\n%s\n%s%s#endif\n", evaluator_inline,
-            evaluator_pair, evaluator_fifth_root, evaluator_row, rows_here);
+    fprintf(file, "\n#ifndef COR_SPHERE_ROWS_ONLY /* libcor takes the rows alone */\n%s\n%s\n%s\n%s%s#endif\n",
+            evaluator_inline, evaluator_pair, evaluator_fifth_root, evaluator_row, rows_here);
     const int status = emit_tables(&e);
     fprintf(file, "\n#ifndef COR_SPHERE_ROWS_ONLY\n%s%s#endif\n", evaluator_sphere, rows_end);
     emit_close(&e);
