@@ -34,7 +34,7 @@
 #ifndef COR_SPHERE_EMBEDDED_H
 #define COR_SPHERE_EMBEDDED_H
 
-#ifndef COR_SPHERE_ROWS_ONLY /* of the library */
+#ifndef COR_SPHERE_ROWS_ONLY /* libcor takes the rows alone */
 /* The includes and the attribute with which C99, C++11, CUDA and HIP compile a function into its caller. */
 #ifndef COR_INLINE
 

@@ -23,8 +23,8 @@ struct emit {
 };
 
 /* From now on each double of emit_row and emit_struct is also a line of a csv file, table,row,column,value,digits, with
- * 25 significant digits (a fraction of small integers where the number is one), except in headers for one program alone:
- * `decimal` and not `shared`. NULL ends that. */
+ * 25 significant digits (a fraction of small integers where the number is one), except in headers with `decimal` that
+ * are not `shared`. NULL ends that. */
 void emit_digits(FILE *file);
 
 /* Writes the licence line, the banner and the include guard. The banner is plain text. Its line breaks are kept, and no
