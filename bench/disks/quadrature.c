@@ -1,41 +1,49 @@
 /* SPDX-License-Identifier: MIT */
-#include "quadrature.h"
-
+/* The cosine integral of cor/disk.h along the real axis, mode after mode,
+ *
+ *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
+ *     y = 1 + t,     t - ln(1 + t) = 2 ln(v_limit/(v sin(theta))),
+ *
+ * by Gauss and Legendre's rule in long double, in panels that shrink towards both ends, where the integrand has
+ * singularities: the truth, by another route than the library's, which leaves the real axis. */
 #include <tgmath.h>
 
+#include "disk.h"
+
 typedef long double real;
-#define NEAR 1e-11L /* a step so small, relative, was the last: its square is rounding */
+enum { POINTS = 28, HALVINGS = 40 }; /* of a panel; of the panels towards each end: rounding is what is left */
+#define PHASE 30                     /* a panel spans at most so much of omega s, at the highest frequency */
+#define NEAR 1e-11L                  /* a step so small, relative, was the last: its square is rounding */
 
 static const real pi = 3.14159265358979323846264338327950288L;
 
-/* ---- Gauss and Legendre's rule on [-1, 1], and its integrals from every point to 1 ---- */
+/* ---- the rule on [-1, 1], and its integrals from every point to 1 ---- */
 
 struct rule {
-    int n;
-    real x[DISK_GRID_POINTS], w[DISK_GRID_POINTS], from[DISK_GRID_POINTS][DISK_GRID_POINTS];
+    real x[POINTS], w[POINTS], from[POINTS][POINTS];
 };
 
-/* P_0 to P_(n+1) */
-static void legendre(real *p, int n, real x)
+/* P_0 to P_(POINTS + 1) */
+static void legendre(real *p, real x)
 {
     p[0] = 1;
     p[1] = x;
-    for (int k = 2; k <= n + 1; k++)
+    for (int k = 2; k <= POINTS + 1; k++)
         p[k] = ((2 * k - 1) * x * p[k - 1] - (k - 1) * p[k - 2]) / k;
 }
 
-static void rule_init(struct rule *rule, int n)
+static void rule_init(struct rule *rule)
 {
-    real p[DISK_GRID_POINTS][DISK_GRID_POINTS + 2];
-    rule->n = n;
+    const int n = POINTS;
+    real p[POINTS][POINTS + 2];
     for (int i = 0; i < n; i++) {
         real x = -cos(pi * (real)(i + 0.75) / (real)(n + 0.5)), slope = 1;
         for (int k = 0; k < 6; k++) {
-            legendre(p[i], n, x);
+            legendre(p[i], x);
             slope = n * (x * p[i][n] - p[i][n - 1]) / (x * x - 1);
             x -= p[i][n] / slope;
         }
-        legendre(p[i], n, x);
+        legendre(p[i], x);
         rule->x[i] = x;
         rule->w[i] = 2 / ((1 - x * x) * slope * slope);
     }
@@ -68,12 +76,6 @@ static real lambert(real q)
     return t;
 }
 
-struct nodes {
-    size_t n;
-    real half_time;
-    real w[DISK_GRID_NODES], s[DISK_GRID_NODES]; /* I = sum w cos(omega s) */
-};
-
 /* at_end: x is the distance from theta = pi/2, else from 0; q0 = 2 ln(v_limit/v) */
 static real rate(int at_end, real x, real q0)
 {
@@ -81,79 +83,48 @@ static real rate(int at_end, real x, real q0)
     return sqrt((1 + lambert(at_end ? q0 - log1p(-sine * sine) : q0 - 2 * log(sine))) / 2);
 }
 
-/* Of x from low to high, counted from one end. Towards theta = 0, where s grows. */
-static int add_panel(struct nodes *nodes, const struct rule *rule, int at_end, real low, real high, real q0)
+/* Adds the panel of x from low to high to I of each mode. Towards theta = 0, where s grows from *half_time on. */
+static void add_panel(real *integral, const struct cor_disk_mode *mode, size_t n, const struct rule *rule, int at_end,
+                      real low, real high, real q0, real *half_time)
 {
-    real slope[DISK_GRID_POINTS];
-    const real half = (high - low) / 2, middle = (high + low) / 2;
-    if (nodes->n + (size_t)rule->n > DISK_GRID_NODES)
-        return 0;
+    real slope[POINTS];
+    const real half = (high - low) / 2, middle = (high + low) / 2, start = *half_time;
     /* the rule's x grows with theta */
     const real sign = at_end ? -1 : 1;
-    for (int i = 0; i < rule->n; i++)
+    for (int i = 0; i < POINTS; i++) {
         slope[i] = half * rate(at_end, middle + sign * half * rule->x[i], q0);
-    for (int i = 0; i < rule->n; i++) {
-        const real x = middle + sign * half * rule->x[i];
-        real s = nodes->half_time;
-        for (int j = 0; j < rule->n; j++)
+        *half_time += rule->w[i] * slope[i];
+    }
+    for (int i = 0; i < POINTS; i++) {
+        const real x = middle + sign * half * rule->x[i], w = half * rule->w[i] * (at_end ? cos(x) : sin(x));
+        real s = start;
+        for (int j = 0; j < POINTS; j++)
             s += rule->from[i][j] * slope[j];
-        nodes->w[nodes->n] = half * rule->w[i] * (at_end ? cos(x) : sin(x));
-        nodes->s[nodes->n++] = s;
+        for (size_t k = 0; k < n; k++)
+            integral[k] += w * cos((real)mode[k].omega * s);
     }
-    for (int i = 0; i < rule->n; i++)
-        nodes->half_time += rule->w[i] * slope[i];
-    return 1;
 }
 
-static int add_split(struct nodes *nodes, const struct rule *rule, int at_end, real low, real high, real q0,
-                     real most_time)
-{
-    const real time = (high - low) * rate(at_end, at_end || low == 0 ? high : low, q0);
-    const int parts = 1 + (int)(time / most_time);
-    for (int i = 0; i < parts; i++) {
-        const int k = at_end ? i : parts - 1 - i;
-        const real from = low + (high - low) * k / parts,
-                   to = k == parts - 1 ? high : low + (high - low) * (k + 1) / parts;
-        if (!add_panel(nodes, rule, at_end, from, to, q0))
-            return 0;
-    }
-    return 1;
-}
-
-static int make_nodes(struct nodes *nodes, struct disk_grid grid, real q0, real omega)
+void disk_quadrature(const struct cor_disk_mode *mode, size_t n, long double b, double speed, long double *fraction)
 {
     struct rule rule;
-    if (grid.points < 2 || grid.points > DISK_GRID_POINTS)
-        return 0;
-    rule_init(&rule, grid.points);
-    nodes->n = 0;
-    nodes->half_time = 0;
-    const real most_time = (real)grid.phase / omega;
+    const real q0 = fmax(2 * ((real)1.5 * log((real)2) + (real)b - 1 - log((real)speed)), (real)0);
+    const real most_time = PHASE / (real)mode[n - 1].omega;
+    real half_time = 0;
+    rule_init(&rule);
+    for (size_t i = 0; i < n; i++)
+        fraction[i] = 0;
     for (int at_end = 1; at_end >= 0; at_end--)
-        for (int i = 0; i <= grid.halvings; i++) {
-            const int k = at_end ? grid.halvings - i : i;
-            const real high = ldexp(pi / 4, -k), low = k == grid.halvings ? 0 : high / 2;
-            if (!add_split(nodes, &rule, at_end, low, high, q0, most_time))
-                return 0;
+        for (int i = 0; i <= HALVINGS; i++) {
+            const int halved = at_end ? HALVINGS - i : i;
+            const real high = ldexp(pi / 4, -halved), low = halved == HALVINGS ? 0 : high / 2;
+            const int parts = 1 + (int)((high - low) * rate(at_end, at_end || low == 0 ? high : low, q0) / most_time);
+            for (int j = 0; j < parts; j++) {
+                const int k = at_end ? j : parts - 1 - j;
+                const real from = low + (high - low) * k / parts, to = low + (high - low) * (k + 1) / parts;
+                add_panel(fraction, mode, n, &rule, at_end, from, to, q0, &half_time);
+            }
         }
-    return 1;
-}
-
-size_t disk_quadrature(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b, double speed,
-                       long double *fraction)
-{
-    static struct nodes nodes;
-    const real log_limit = (real)1.5 * log((real)2) + (real)b - 1;
-    const real q0 = 2 * (log_limit - log((real)speed));
-    if (!make_nodes(&nodes, grid, q0 > 0 ? q0 : 0, n > 0 ? (real)mode[n - 1].omega : 1))
-        return 0;
-    for (size_t i = 0; i < n; i++) {
-        const real omega = (real)mode[i].omega;
-        real sum = 0;
-        for (size_t k = 0; k < nodes.n; k++)
-            sum += nodes.w[k] * cos(omega * nodes.s[k]);
-        const real amplitude = 2 * (real)mode[i].c * sum;
-        fraction[i] = amplitude * amplitude;
-    }
-    return nodes.n;
+    for (size_t i = 0; i < n; i++)
+        fraction[i] = pow(2 * (real)mode[i].c * fraction[i], 2);
 }

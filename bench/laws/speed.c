@@ -2,14 +2,15 @@
 /* Each function of law.h against what simulators and textbooks do in its place: time and error in one table.
  *     cor_bench_laws > speed.csv
  * Arguments are uniform in the interval of the row. Times are the least of many turns. The error of an eps or a loss is
- * relative. That of a damping is the relative change of eps that it causes, |eps(damping) - e|/e. Exact values are in
- * long double. */
+ * relative. That of a damping is the relative change of eps that it causes, |eps(damping) - e|/e. Exact values are the
+ * long doubles of the tests. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include <cor/cor.h>
 
+#include "reference_law.h"
 #include "runtime/scene/simulators.h"
 #include "support/timing.h"
 
@@ -20,70 +21,35 @@ enum { COUNT = 2048 };
 
 /* ---- exact values ---- */
 
-static long double phase_time(long double zeta)
-{
-    const long double square = (1 - zeta) * (1 + zeta);
-    return square == 0 ? 1 : square > 0 ? acosl(zeta) / sqrtl(square) : acoshl(zeta) / sqrtl(-square);
-}
-
 static long double exact_eps_overlap(long double zeta)
 {
-    return zeta < 1 ? expl(-acosl(-1) * zeta / sqrtl((1 - zeta) * (1 + zeta))) : 0;
+    return expl(-reference_ratio_exponent(LAW_ZERO_OVERLAP, zeta));
 }
 
 static long double exact_eps_force(long double zeta)
 {
-    return expl(-2 * zeta * phase_time(zeta));
+    return expl(-reference_ratio_exponent(LAW_ZERO_FORCE, zeta));
 }
 
 static long double exact_loss_force(long double zeta)
 {
-    return -expm1l(-2 * zeta * phase_time(zeta));
+    return -expm1l(-reference_ratio_exponent(LAW_ZERO_FORCE, zeta));
 }
 
 static long double exact_eps_approach(long double zeta)
 {
-    return expl(-zeta * phase_time(zeta));
+    return expl(-reference_ratio_exponent(LAW_APPROACH_ONLY, zeta));
 }
 
 static long double exact_eps_limited(long double zeta)
 {
-    const long double square = (1 - zeta) * (1 + zeta), om = sqrtl(fabsl(square)), below = 1 + 2 * zeta * zeta;
-    const long double part = square == 0  ? 2 / below
-                             : square > 0 ? atan2l(2 * zeta * om, below) / om
-                                          : atanhl(2 * zeta * om / below) / om;
-    return expl(-zeta * (2 * phase_time(zeta) - part));
+    return expl(-reference_ratio_exponent(LAW_LIMITED, zeta));
 }
 
-static long double energy(long double z)
-{
-    long double sum = 0;
-    if (fabsl(z) > 0.3L)
-        return z - log1pl(z);
-    for (int k = 60; k >= 2; k--)
-        sum = 1.0L / k - z * sum;
-    return z * z * sum;
-}
-
-static long double exact_crossley(long double beta)
-{
-    if (beta == 0)
-        return 1;
-    const long double wanted = energy(beta);
-    long double z = -beta / (1 + beta);
-    for (int k = 0; k < 100; k++) {
-        const long double next = z - (energy(z) - wanted) * (1 + z) / z;
-        if (fabsl(next - z) < 1e-19L)
-            break;
-        z = next > -1 ? next : (z - 1) / 2;
-    }
-    return -z / beta;
-}
-
-/* a = 3/2 */
+/* a = 3/2: the energy at the largest overlap is that of a rebound without damping */
 static long double exact_overlap(long double beta)
 {
-    return powl(2.5L * energy(beta) / (beta * beta), 0.4L);
+    return powl(1.25L * powl(reference_hunt_crossley_approach_eps(beta), 2), 0.4L);
 }
 
 static long double exact_sphere_force(long double beta)
@@ -264,12 +230,16 @@ static const struct method {
      0.1, 0.99},
     {"zeta of eps; limited damper", "cor", cor_linear_zeta_limited, COR_LAW_ratio_zeta_limited, exact_eps_limited, 1,
      0.1, 0.99},
-    {"eps of beta; Hunt-Crossley", "cor", cor_hunt_crossley_eps, COR_LAW_crossley_eps, exact_crossley, 0, 0.01, 5},
-    {"eps of beta; Hunt-Crossley", "Newton's method with log1p", formula_crossley, NO_LOOP, exact_crossley, 0, 0.01, 5},
-    {"beta of eps; Hunt-Crossley", "cor", cor_hunt_crossley_beta, COR_LAW_crossley_beta, exact_crossley, 1, 0.1, 0.99},
-    {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", cor_flores_beta, NO_LOOP, exact_crossley, 1, 0.1, 0.99},
-    {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", formula_lankarani, NO_LOOP, exact_crossley, 1,
+    {"eps of beta; Hunt-Crossley", "cor", cor_hunt_crossley_eps, COR_LAW_crossley_eps, reference_hunt_crossley_eps, 0,
+     0.01, 5},
+    {"eps of beta; Hunt-Crossley", "Newton's method with log1p", formula_crossley, NO_LOOP, reference_hunt_crossley_eps,
+     0, 0.01, 5},
+    {"beta of eps; Hunt-Crossley", "cor", cor_hunt_crossley_beta, COR_LAW_crossley_beta, reference_hunt_crossley_eps, 1,
      0.1, 0.99},
+    {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", cor_flores_beta, NO_LOOP, reference_hunt_crossley_eps, 1, 0.1,
+     0.99},
+    {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", formula_lankarani, NO_LOOP,
+     reference_hunt_crossley_eps, 1, 0.1, 0.99},
     {"largest overlap; Hunt-Crossley; a = 3/2", "cor", overlap, NO_LOOP, exact_overlap, 0, 0.01, 5},
     {"largest overlap; Hunt-Crossley; a = 3/2", "log1p and pow", formula_overlap, NO_LOOP, exact_overlap, 0, 0.01, 5},
     {"duration; Hunt-Crossley; a = 3/2", "cor", duration, NO_LOOP, NULL, 0, 0.01, 5},
