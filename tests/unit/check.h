@@ -29,6 +29,7 @@
     static void test##_run(void **state)                                                                               \
     {                                                                                                                  \
         (void)state;                                                                                                   \
+        draw_begin();                                                                                                  \
         test##_body();                                                                                                 \
     }                                                                                                                  \
     static const struct CMUnitTest test = {.name = #test, .test_func = test##_run};                                    \
@@ -48,6 +49,24 @@
             print_error("%s is false: ", #condition);                                                                  \
             fail_msg(__VA_ARGS__);                                                                                     \
         }                                                                                                              \
+    } while (0)
+
+/* Each of these doubles is a NaN. */
+#define check_nan(...)                                                                                                 \
+    EACH (nan_, __VA_ARGS__)                                                                                           \
+    check(isnan(*nan_), "%a among %s", *nan_, #__VA_ARGS__)
+
+/* Within so many units of the last place, or that part of the exact value, which has 18 digits or a double's */
+#define check_ulp(computed, exact, most)                                                                               \
+    do {                                                                                                               \
+        const double ulp_ = (computed);                                                                                \
+        check(ulp_error(ulp_, exact) <= (most), "%s is %a, %.17g, not %.19Lg", #computed, ulp_, ulp_,                  \
+              (long double)(exact));                                                                                   \
+    } while (0)
+#define check_near(computed, exact, part)                                                                              \
+    do {                                                                                                               \
+        const long double near_ = (computed), exact_ = (exact);                                                        \
+        check(fabsl(near_ - exact_) <= (part)*fabsl(exact_), "%s is %.17Lg, not %.17Lg", #computed, near_, exact_);    \
     } while (0)
 
 static inline long double relative_error(double computed, long double exact)
@@ -101,9 +120,15 @@ static inline int left_to_turn(size_t i, size_t n)
 
 static inline struct random_state random_start(void)
 {
-    const uint64_t seed = check_number("COR_SEED", 19990101);
-    print_message("seed: COR_SEED=%llu\n", (unsigned long long)seed);
-    return random_seeded(seed);
+    return random_seeded(check_number("COR_SEED", 19990101));
+}
+
+/* The random numbers of a test function, the same whatever ran before it */
+static struct random_state draw;
+
+static inline void draw_begin(void)
+{
+    draw = random_start();
 }
 
 #endif

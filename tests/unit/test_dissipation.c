@@ -15,10 +15,10 @@ struct material {
     double eta1, eta2, young, nu;
 };
 
-static struct material random_material(struct random_state *r)
+static struct material random_material(void)
 {
-    return (struct material){random_log(r, 1e-6, 1e9), random_log(r, 1e-6, 1e9), random_log(r, 1e3, 1e12),
-                             random_uniform(r, -0.99, 0.5)};
+    return (struct material){random_log(&draw, 1e-6, 1e9), random_log(&draw, 1e-6, 1e9), random_log(&draw, 1e3, 1e12),
+                             random_uniform(&draw, -0.99, 0.5)};
 }
 
 static double time_of(struct material m)
@@ -29,45 +29,38 @@ static double time_of(struct material m)
 /* A is d ln(E*)/ds at 0 with mu + s eta_1/2, k + s eta_2: six digits by a central difference */
 TEST(derivative_of_the_modulus)
 {
-    struct random_state random = random_start();
     for (size_t i = 0; i < points(20000); i++) {
-        const struct material m = random_material(&random);
+        const struct material m = random_material();
         const long double mu = m.young / (2 * (1 + (long double)m.nu)), k = m.young / (3 * (1 - 2 * (long double)m.nu));
         const long double s = 1e-6L * fminl(mu / m.eta1, k / m.eta2);
         const long double up = contact_modulus(mu + s * m.eta1 / 2, k + s * m.eta2);
         const long double down = contact_modulus(mu - s * m.eta1 / 2, k - s * m.eta2);
         const long double exact = (logl(up) - logl(down)) / (2 * s);
-        check(relative_error(time_of(m), exact) < 1e-7, "%g %g %g %g: %g, not %Lg", m.eta1, m.eta2, m.young, m.nu,
-              time_of(m), exact);
+        check_near(time_of(m), exact, 1e-7);
     }
 }
 
 /* The formula in long double */
 TEST(rounding)
 {
-    struct random_state random = random_start();
-    long double worst = 0;
     for (size_t i = 0; i < points(100000); i++) {
-        const struct material m = random_material(&random);
+        const struct material m = random_material();
         const long double nu = m.nu, volume = 1 - 2 * nu;
         const long double exact =
             (1 + nu) / ((1 - nu) * m.young) * (2 * (1 - nu + nu * nu) / 3 * m.eta1 + volume * volume * m.eta2);
-        worst = fmaxl(worst, ulp_error(time_of(m), exact));
+        check_ulp(time_of(m), exact, COR_CONTACT_MAX_ULP);
     }
-    print_message("worst: %.2Lf ulp\n", worst);
-    assert_true(worst <= COR_CONTACT_MAX_ULP);
 }
 
 /* Viscous constants proportional to the moduli: the stress is (1 + tau d/dt) times the elastic one, A is tau in both
  * formulas. */
 TEST(proportional_constants)
 {
-    struct random_state random = random_start();
     for (size_t i = 0; i < points(2000); i++) {
-        const double nu = random_uniform(&random, 0.05, 0.45), young = random_log(&random, 1e3, 1e12), tau = 1e-4;
+        const double nu = random_uniform(&draw, 0.05, 0.45), young = random_log(&draw, 1e3, 1e12), tau = 1e-4;
         const double eta1 = tau * young / (1 + nu), eta2 = tau * young / (3 * (1 - 2 * nu));
-        assert_true(relative_error(cor_dissipation_time_viscous_s(eta1, eta2, young, nu), tau) < 1e-14);
-        assert_true(relative_error(cor_dissipation_time_s(eta1, eta2, young, nu), tau) < 1e-11);
+        check_near(cor_dissipation_time_viscous_s(eta1, eta2, young, nu), tau, 1e-14);
+        check_near(cor_dissipation_time_s(eta1, eta2, young, nu), tau, 1e-11);
     }
 }
 
@@ -117,21 +110,18 @@ TEST(finite_rates)
 TEST(limits)
 {
     /* incompressible: shear viscosity over shear modulus, Y = 3 mu; (4) gives 0 */
-    assert_true(relative_error(cor_dissipation_time_viscous_s(2e3, 7, 3e6, 0.5), 1e3 / 1e6L) < 1e-15);
+    check_near(cor_dissipation_time_viscous_s(2e3, 7, 3e6, 0.5), 1e3 / 1e6L, 1e-15);
     assert_true(cor_dissipation_time_s(2e3, 7e3, 3e6, 0.5) == 0);
     /* nu = 0: (4) is singular */
-    assert_true(relative_error(cor_dissipation_time_viscous_s(3, 5, 7, 0), 1.0L) < 1e-15 &&
-                isnan(cor_dissipation_time_s(3, 5, 7, 0)));
+    check_near(cor_dissipation_time_viscous_s(3, 5, 7, 0), 1.0L, 1e-15);
     assert_true(cor_dissipation_time_viscous_s(0, 0, 1, 0.3) == 0);
-    assert_true(
-        isnan(cor_dissipation_time_viscous_s(-1, 0, 1, 0.3)) && isnan(cor_dissipation_time_viscous_s(1, NAN, 1, 0.3)) &&
-        isnan(cor_dissipation_time_viscous_s(1, 1, 0, 0.3)) &&
-        isnan(cor_dissipation_time_viscous_s(1, 1, INFINITY, 0.3)) &&
-        isnan(cor_dissipation_time_viscous_s(1, 1, 1, -1)) && isnan(cor_dissipation_time_viscous_s(1, 1, 1, 0.6)) &&
-        isnan(cor_dissipation_time_viscous_s(INFINITY, 1, 1, 0.3)));
+    check_nan(cor_dissipation_time_s(3, 5, 7, 0), cor_dissipation_time_viscous_s(-1, 0, 1, 0.3),
+              cor_dissipation_time_viscous_s(1, NAN, 1, 0.3), cor_dissipation_time_viscous_s(1, 1, 0, 0.3),
+              cor_dissipation_time_viscous_s(1, 1, INFINITY, 0.3), cor_dissipation_time_viscous_s(1, 1, 1, -1),
+              cor_dissipation_time_viscous_s(1, 1, 1, 0.6), cor_dissipation_time_viscous_s(INFINITY, 1, 1, 0.3));
     /* only the result may leave the doubles */
-    assert_true(relative_error(cor_dissipation_time_viscous_s(1e300, 1e300, 1e300, 0.25),
-                               cor_dissipation_time_viscous_s(1, 1, 1, 0.25)) < 1e-15);
+    check_near(cor_dissipation_time_viscous_s(1e300, 1e300, 1e300, 0.25), cor_dissipation_time_viscous_s(1, 1, 1, 0.25),
+               1e-15);
     assert_true(cor_dissipation_time_viscous_s(1e300, 1e300, 1e-300, 0.25) == INFINITY);
     assert_true(cor_dissipation_time_viscous_s(1e-300, 1e-300, 1e300, 0.25) == 0);
 }

@@ -26,8 +26,7 @@ struct loop {
     double (*value)(double);
     float (*valuef)(float);
     double seam[4]; /* where its rows change and end */
-    int (*run)(const struct loop *l, int set, const void *in, const void *of_eps, void *out,
-               size_t n); /* 0: no such set */
+    int (*run)(const struct loop *, int set, const void *in, const void *of_eps, void *out, size_t n); /* 0: no set */
 };
 
 /* ---- the loops of each kind ---- */
@@ -130,31 +129,32 @@ static const struct loop loops[] = {COR_SPHERE_QUANTITIES(SPHERE) COR_FLOAT_QUAN
 
 /* Of every kind, so that a vector has what lies inside the tables beside what does not; then, block by block, numbers
  * that every function has rows for, those near 0, and those whose products may be subnormal floats. */
-static void fill(struct random_state *r, const double seam[4], double *drawn)
+static void fill(const double seam[4], double *drawn)
 {
     static const double special[] = {0.0,     -0.0,  NAN,  INFINITY, -INFINITY, -1,      4.9406564584124654e-324,
                                      7,       16,    8,    0.25,     DBL_MAX,   DBL_MIN, -4.9406564584124654e-324,
                                      0x1p-40, 0x1p8, 1024, 1,        0.5,       16807,   1048576,
                                      1e300,   1e-310};
     for (size_t i = 0; i < many; i++) {
-        const double kind = random_uniform(r, 0, 1), *const at = &seam[random_below(r, 4)];
+        const double kind = random_uniform(&draw, 0, 1), *const at = &seam[random_below(&draw, 4)];
         const size_t block = i / (many / BLOCKS + 1) % 5;
         if (block >= 2)
-            drawn[i] = block == 2   ? random_uniform(r, 0.01, 0.99)
-                       : block == 3 ? random_uniform(r, 0, 0.1)
-                                    : random_log(r, i % 4 ? 1e-9 : 1e-45, 7.9);
+            drawn[i] = block == 2   ? random_uniform(&draw, 0.01, 0.99)
+                       : block == 3 ? random_uniform(&draw, 0, 0.1)
+                                    : random_log(&draw, i % 4 ? 1e-9 : 1e-45, 7.9);
         else if (kind < 0.5)
-            drawn[i] = random_uniform(r, 0, block == 0 ? 6 : 1.3);
+            drawn[i] = random_uniform(&draw, 0, block == 0 ? 6 : 1.3);
         else if (kind < 0.7)
-            drawn[i] = random_log(r, 1e-6, 20);
+            drawn[i] = random_log(&draw, 1e-6, 20);
         else if (kind < 0.8)
-            drawn[i] = random_log(r, 1e-320, 1e300);
+            drawn[i] = random_log(&draw, 1e-320, 1e300);
         else if (kind < 0.85)
-            drawn[i] = *at * (1 - random_log(r, 1e-16, 0.5));
+            drawn[i] = *at * (1 - random_log(&draw, 1e-16, 0.5));
         else if (kind < 0.93)
-            drawn[i] = nextafter(nextafter(*at, random_uniform(r, -1, 2) * *at), random_uniform(r, -1, 2) * *at);
+            drawn[i] =
+                nextafter(nextafter(*at, random_uniform(&draw, -1, 2) * *at), random_uniform(&draw, -1, 2) * *at);
         else
-            drawn[i] = special[random_below(r, COUNT_OF(special))];
+            drawn[i] = special[random_below(&draw, COUNT_OF(special))];
     }
 }
 
@@ -254,7 +254,6 @@ TEST(every_set)
 {
     static double drawn[MANY];
     struct cor_sphere_contact contact[CONTACTS];
-    struct random_state random = random_start();
     fill_contacts(contact);
     many = points(MANY) < MANY ? points(MANY) : MANY;
     assert_true(cor_processor_has(COR_PORTABLE) && !cor_row_loops(COR_INSTRUCTION_SETS) && !cor_row_loops(-1));
@@ -267,7 +266,7 @@ TEST(every_set)
         for (size_t k = 0; k < COUNT_OF(loops); k++) {
             struct loop l = loops[k];
             const int of_contact = l.run == run_contact;
-            fill(&random, l.seam, drawn);
+            fill(l.seam, drawn);
             if (l.run == run_sphere && l.floats) { /* the floats that one rounding does not serve */
                 const struct cor_float_exception *const e = &cor_sphere_rows[l.number].exception;
                 for (size_t i = 0; i < many; i += 531)
@@ -300,7 +299,6 @@ static double float_error(float computed, double exact)
 TEST(float_arithmetic)
 {
     static const float special[] = {0, -0.0F, INFINITY, NAN, -NAN, -INFINITY, -1, -FLT_MIN, -1e-45F};
-    struct random_state random = random_start();
     for (size_t k = 0; k < COUNT_OF(fast_functions); k++) {
         for (size_t i = 0; i < COUNT_OF(special); i++) {
             const float computed = fast_functions[k].fast(special[i]);
@@ -308,7 +306,7 @@ TEST(float_arithmetic)
                   loops[2 * COR_SPHERE_COUNT + k].name, (double)special[i], (double)computed);
         }
         for (size_t i = 0; i < 2 * many; i++) { /* within the tables, of products that are subnormal, and beyond */
-            const float at = (float)random_log(&random, i % 4 ? 1e-9 : 1e-45, i % 5 ? 7.99 : 3e38),
+            const float at = (float)random_log(&draw, i % 4 ? 1e-9 : 1e-45, i % 5 ? 7.99 : 3e38),
                         computed = fast_functions[k].fast(at);
             check(float_error(computed, fast_functions[k].value((double)at)) <= COR_SPHERE_FAST_FLOAT_MAX_ULP,
                   "%s(%a) = %a", loops[2 * COR_SPHERE_COUNT + k].name, (double)at, (double)computed);

@@ -20,22 +20,21 @@ struct table {
     double first, step;
 };
 
-#define GRID(name, NAME)                                                                                               \
+#define TABLE(name, NAME, roots, ...)                                                                                  \
     {                                                                                                                  \
-#name, cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_FIRST,               \
-            COR_ROWS_##NAME##_STEP                                                                                     \
+#name, cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_##roots, __VA_ARGS__                         \
     }
-#define ROOT_GRID(name, NAME)                                                                                          \
-    {                                                                                                                  \
-#name, cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_PLAIN_ROWS, COR_ROWS_##NAME##_FIRST,         \
-            COR_ROWS_##NAME##_STEP                                                                                     \
-    }
+#define AT(NAME) COR_ROWS_##NAME##_FIRST, COR_ROWS_##NAME##_STEP
+#define GRID(name, NAME) TABLE(name, NAME, ROWS, AT(NAME))
+#define ROOT_GRID(name, NAME) TABLE(name, NAME, PLAIN_ROWS, AT(NAME))
 /* a place in a cell does not depend on its octave */
-#define OCTAVES(name, NAME)                                                                                            \
-    {                                                                                                                  \
-#name, cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_ROWS, 0,                                     \
-            1.0 / (1 << COR_ROWS_##NAME##_OCTAVE_BITS)                                                                 \
-    }
+#define OCTAVES(name, NAME) TABLE(name, NAME, ROWS, 0, 1.0 / (1 << COR_ROWS_##NAME##_OCTAVE_BITS))
+/* of spheres, with a tail; of Hertz's dashpot, near 0 and farther */
+#define TAILED(name, NAME) GRID(name, NAME), GRID(tail_##name, TAIL_##NAME)
+#define NEAR(name, NAME) GRID(hertz_dashpot_near_##name, HERTZ_DASHPOT_NEAR_##NAME)
+#define FAR(name, NAME) OCTAVES(hertz_dashpot_##name, HERTZ_DASHPOT_##NAME)
+#define DASHPOT(name, NAME, last, LAST)                                                                                \
+    NEAR(name, NAME), FAR(middle_##name, MIDDLE_##NAME), FAR(last##_##name, LAST##_##NAME)
 
 #define CLOSED_FORM(law, public, x, end, LAW, X, END)                                                                  \
     GRID(law##_loss##end, LAW##_LOSS##END), OCTAVES(law##_eps##end, LAW##_EPS##END),                                   \
@@ -48,41 +47,29 @@ static const struct table tables[] = {
     OCTAVES(power_eps_zero_force, POWER_EPS_ZERO_FORCE),
     GRID(loss_zero_overlap, LOSS_ZERO_OVERLAP),
     ROOT_GRID(loss_zero_force, LOSS_ZERO_FORCE),
-    GRID(duration_zero_overlap, DURATION_ZERO_OVERLAP),
-    GRID(duration_zero_force, DURATION_ZERO_FORCE),
-    GRID(max_overlap, MAX_OVERLAP),
-    GRID(time_of_max_overlap, TIME_OF_MAX_OVERLAP),
     GRID(tail_eps_zero_force, TAIL_EPS_ZERO_FORCE),
-    GRID(tail_duration_zero_overlap, TAIL_DURATION_ZERO_OVERLAP),
-    GRID(tail_duration_zero_force, TAIL_DURATION_ZERO_FORCE),
-    GRID(tail_max_overlap, TAIL_MAX_OVERLAP),
-    GRID(tail_time_of_max_overlap, TAIL_TIME_OF_MAX_OVERLAP),
+    TAILED(duration_zero_overlap, DURATION_ZERO_OVERLAP),
+    TAILED(duration_zero_force, DURATION_ZERO_FORCE),
+    TAILED(max_overlap, MAX_OVERLAP),
+    TAILED(time_of_max_overlap, TIME_OF_MAX_OVERLAP),
     GRID(near_beta_zero_overlap, NEAR_BETA_ZERO_OVERLAP),
     GRID(near_beta_zero_force, NEAR_BETA_ZERO_FORCE),
     OCTAVES(beta_zero_overlap, BETA_ZERO_OVERLAP),
     OCTAVES(beta_zero_force, BETA_ZERO_FORCE),
-    GRID(hertz_dashpot_near_loss_zero_overlap, HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP),
-    OCTAVES(hertz_dashpot_middle_eps_zero_overlap, HERTZ_DASHPOT_MIDDLE_EPS_ZERO_OVERLAP),
-    OCTAVES(hertz_dashpot_below_eps_zero_overlap, HERTZ_DASHPOT_BELOW_EPS_ZERO_OVERLAP),
-    GRID(hertz_dashpot_near_beta_zero_overlap, HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP),
-    OCTAVES(hertz_dashpot_beta_zero_overlap, HERTZ_DASHPOT_BETA_ZERO_OVERLAP),
-    GRID(hertz_dashpot_near_loss_zero_force, HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE),
-    OCTAVES(hertz_dashpot_middle_eps_zero_force, HERTZ_DASHPOT_MIDDLE_EPS_ZERO_FORCE),
-    OCTAVES(hertz_dashpot_tail_eps_zero_force, HERTZ_DASHPOT_TAIL_EPS_ZERO_FORCE),
-    GRID(hertz_dashpot_near_beta_zero_force, HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE),
-    OCTAVES(hertz_dashpot_beta_zero_force, HERTZ_DASHPOT_BETA_ZERO_FORCE),
-    GRID(hertz_dashpot_near_duration_zero_overlap, HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP),
-    OCTAVES(hertz_dashpot_middle_duration_zero_overlap, HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_OVERLAP),
-    OCTAVES(hertz_dashpot_below_duration_zero_overlap, HERTZ_DASHPOT_BELOW_DURATION_ZERO_OVERLAP),
-    GRID(hertz_dashpot_near_duration_zero_force, HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE),
-    OCTAVES(hertz_dashpot_middle_duration_zero_force, HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_FORCE),
-    OCTAVES(hertz_dashpot_tail_duration_zero_force, HERTZ_DASHPOT_TAIL_DURATION_ZERO_FORCE),
-    GRID(hertz_dashpot_near_max_overlap, HERTZ_DASHPOT_NEAR_MAX_OVERLAP),
-    OCTAVES(hertz_dashpot_middle_max_overlap, HERTZ_DASHPOT_MIDDLE_MAX_OVERLAP),
-    OCTAVES(hertz_dashpot_tail_max_overlap, HERTZ_DASHPOT_TAIL_MAX_OVERLAP),
-    GRID(hertz_dashpot_near_time_of_max_overlap, HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP),
-    OCTAVES(hertz_dashpot_middle_time_of_max_overlap, HERTZ_DASHPOT_MIDDLE_TIME_OF_MAX_OVERLAP),
-    OCTAVES(hertz_dashpot_tail_time_of_max_overlap, HERTZ_DASHPOT_TAIL_TIME_OF_MAX_OVERLAP),
+    NEAR(loss_zero_overlap, LOSS_ZERO_OVERLAP),
+    FAR(middle_eps_zero_overlap, MIDDLE_EPS_ZERO_OVERLAP),
+    FAR(below_eps_zero_overlap, BELOW_EPS_ZERO_OVERLAP),
+    NEAR(beta_zero_overlap, BETA_ZERO_OVERLAP),
+    FAR(beta_zero_overlap, BETA_ZERO_OVERLAP),
+    NEAR(loss_zero_force, LOSS_ZERO_FORCE),
+    FAR(middle_eps_zero_force, MIDDLE_EPS_ZERO_FORCE),
+    FAR(tail_eps_zero_force, TAIL_EPS_ZERO_FORCE),
+    NEAR(beta_zero_force, BETA_ZERO_FORCE),
+    FAR(beta_zero_force, BETA_ZERO_FORCE),
+    DASHPOT(duration_zero_overlap, DURATION_ZERO_OVERLAP, below, BELOW),
+    DASHPOT(duration_zero_force, DURATION_ZERO_FORCE, tail, TAIL),
+    DASHPOT(max_overlap, MAX_OVERLAP, tail, TAIL),
+    DASHPOT(time_of_max_overlap, TIME_OF_MAX_OVERLAP, tail, TAIL),
     GRID(crossley_time_of_max_overlap_1, CROSSLEY_TIME_OF_MAX_OVERLAP_1),
     GRID(crossley_time_of_max_overlap_3_2, CROSSLEY_TIME_OF_MAX_OVERLAP_3_2),
     GRID(crossley_duration_1, CROSSLEY_DURATION_1),
@@ -112,16 +99,13 @@ static double end_of(const struct table *t, int i, double side)
 
 TEST(rows_join)
 {
-    for (size_t k = 0; k < sizeof tables / sizeof *tables; k++) {
+    for (size_t k = 0; k < COUNT_OF(tables); k++) {
         const struct table *const t = &tables[k];
-        double worst = 0;
         for (int i = 0; i + 1 < t->count; i++) {
             const double end = end_of(t, i, 1), next = end_of(t, i + 1, -1);
             check(fabs(next - end) <= MOST * DBL_EPSILON * fabs(end), "%s: rows %d and %d meet in %.17g and %.17g",
                   t->name, i, i + 1, end, next);
-            worst = fmax(worst, fabs(next / end - 1) / DBL_EPSILON);
         }
-        print_message("%s: %d rows, at most %g units apart\n", t->name, t->count, worst);
     }
 }
 

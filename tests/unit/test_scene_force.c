@@ -97,14 +97,13 @@ static double force_by_steps(double a, double beta)
 /* Any damping, up to the largest doubles: the integration and the limit without the spring meet */
 TEST(strong_damping)
 {
-    struct random_state random = random_start();
     const struct cor_exponents dashpot = cor_law_exponents[COR_LAW_HERTZ_DASHPOT];
-    const double weak = random_uniform(&random, 0.1, 1.2);
+    const double weak = random_uniform(&draw, 0.1, 1.2);
     close_to("two maxima", cor_law_force_max(&dashpot, weak), force_by_steps(1.5, weak), 1e-7);
     for (size_t i = 0; i < points(2000); i++) {
-        const size_t a4 = 1 + random_below(&random, 40), b4 = random_below(&random, 40);
-        const double a = (double)a4 / 4, b = (double)b4 / 4, mu = random_log(&random, 1e-22, 1e-8);
-        const double beta = pow(mu, -(b + 1) / (a + 1)), strongest = random_log(&random, 1, 1e308);
+        const size_t a4 = 1 + random_below(&draw, 40), b4 = random_below(&draw, 40);
+        const double a = (double)a4 / 4, b = (double)b4 / 4, mu = random_log(&draw, 1e-22, 1e-8);
+        const double beta = pow(mu, -(b + 1) / (a + 1)), strongest = random_log(&draw, 1, 1e308);
         const struct cor_exponents law = {(int)a4, (int)b4, 4};
         if (2 * b4 + 4 == a4 || a4 == b4 || !(beta < 1e300) || (b4 == 0 && a4 < 4))
             continue;

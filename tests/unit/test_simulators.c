@@ -338,7 +338,6 @@ static double integrated_eps(force_law *force, enum cor_end end, double n, const
 
 TEST(units)
 {
-    struct random_state random = random_start();
     size_t numbers = 0;
     for (size_t i = 0; i < cor_simulator_model_count; i++)
         numbers += cor_simulator_models[i].number_of_damping != NULL;
@@ -355,10 +354,10 @@ TEST(units)
         assert_true(isnan(closed) || fabs(closed - eps) < 2e-5);
         for (int turn = 0; turn < 2; turn++) {
             const bool per_mass = strstr(m->model, "-stiffness") != NULL;
-            const struct motion s = {per_mass ? 1 : random_log(&random, 1e-6, 10),
-                                     random_log(&random, 1e2, 1e7),
-                                     random_log(&random, 1e-4, 1),
-                                     random_log(&random, 1e-3, 10),
+            const struct motion s = {per_mass ? 1 : random_log(&draw, 1e-6, 10),
+                                     random_log(&draw, 1e2, 1e7),
+                                     random_log(&draw, 1e-4, 1),
+                                     random_log(&draw, 1e-3, 10),
                                      a,
                                      b};
             const struct cor_scene_contact contact = {

@@ -63,7 +63,7 @@ static long double c1_exact(void)
 
 /* ---- values ---- */
 
-/* corgen collide, by integration in balls; those of eps at 0.5, 1, 2 and 5 were known before. */
+/* corgen collide, by integration in balls; those of eps at 0.5, 1 and 5 were known before. */
 static const struct {
     double beta;
     struct reference value;
@@ -77,9 +77,6 @@ static const struct {
     {1,
      {0.331164810466640935280L, 0, 0.393930603229873193051L, 0, 3.82845463702221777715L, 2.75202657403904966334L,
       0.767480801539039307675L, 1.39487050579294985174L}},
-    {2,
-     {0.0953303653541515433825L, 0, 0.211646054603642811294L, 0, 5.24526646927704124816L, 2.47062794344226965574L,
-      0.607674407957908412818L, 1.26033721860044557033L}},
     {5,
      {0.00165068207177331763896L, 0, 0.0688996576792389357963L, 0, 20.2807977952198052266L, 2.00513027971186146983L,
       0.395552520104352316984L, 1.02898789566972979962L}},
@@ -89,15 +86,9 @@ static const struct {
     {8,
      {0.000157421316658559729505L, 0, 0.0351139186876506487182L, 0, 43.7261458104686248808L, 1.75045915494251159818L,
       0.304260843162011668714L, 0.899217995053689394766L}},
-    {16,
-     {4.91941614557999154703e-6L, 0, 0.0120785025451439272521L, 0, 123.036357041013527546L, 1.38725050703886380259L,
-      0.199879089727613039224L, 0.712185338042305923787L}},
     {20,
      {1.61199428258365163013e-6L, 0, 0.00846447203313316157000L, 0, 168.428754099493200798L, 1.27768349518799061738L,
       0.173615396785815276032L, 0.655560410111662145932L}},
-    {100,
-     {5.15838170426768521641e-10L, 0, 0.000604902725029499075875L, 0, 1376.12640808921545609L, 0.648108990982523729290L,
-      0.0606580268976429582543L, 0.330665672033958750342L}},
     {1e4,
      {5.15838170426768521641e-20L, 0, 2.82309278065484083843e-7L, 0, 291100.070220562687803L, 0.0589221160871746154673L,
       0.00282310047733060608298L, 0.0297768075227525677431L}},
@@ -120,20 +111,15 @@ TEST(known_answers)
             check(error <= f->max_ulp, "%s(%g): %Lg ulp", f->name, beta, error);
         }
     }
-    /* 0.1 is no double: d eps/d beta is 1 there, and the rounding of 0.1 a twentieth of a unit of eps */
-    check(ulp_error(cor_sphere_eps_zero_overlap(0.1), 0.892147587290229345L) <= COR_SPHERE_EPS_MAX_ULP, "eps(0.1)");
-    check(ulp_error(cor_sphere_eps_zero_force(10), 0.025095704431518394L) <= COR_SPHERE_EPS_MAX_ULP, "eps(10)");
 }
 
 /* By another route; tests/accuracy/test_accuracy.c has the many points, all sizes of beta, and the inverse */
 TEST(against_the_equation_of_motion)
 {
-    struct random_state random = random_start();
-    long double worst[FUNCTIONS] = {0};
     for (size_t i = 0; i < KNOWN + points(1500); i++) {
         const double beta = i < KNOWN ? known[i].beta
-                            : i % 2   ? random_uniform(&random, 0, 8)
-                                      : random_log(&random, 0.02, 3);
+                            : i % 2   ? random_uniform(&draw, 0, 8)
+                                      : random_log(&draw, 0.02, 3);
         if (beta > 8)
             continue;
         const struct reference r = reference_collision(beta);
@@ -147,12 +133,9 @@ TEST(against_the_equation_of_motion)
             if (exact <= 0.02L && functions[k].at_zero == 0)
                 continue;
             const long double error = ulp_error(functions[k].value(beta), exact);
-            worst[k] = fmaxl(worst[k], error);
             check(error <= functions[k].max_ulp + reference_ulp(), "%s(%a): %Lg ulp", functions[k].name, beta, error);
         }
     }
-    for (int k = 0; k < FUNCTIONS; k++)
-        print_message("%s: %.3Lf ulp\n", functions[k].name, worst[k]);
     assert_true(reference_collision(0).loss_zero_force == 0);
     assert_true(fabsl(reference_collision(0).duration_zero_overlap - 3.21806545971904308454L) < 1e-15L);
 }
@@ -163,10 +146,9 @@ TEST(against_the_equation_of_motion)
  * logarithm and ln(3/sqrt(X)). */
 TEST(infinitely_strong_damping)
 {
-    struct random_state random = random_start();
     const long double x = cbrtl(2.25L), constant = logl(3) / 2 - sqrtl(3) * acosl(-1) / 6;
     for (size_t i = 0; i < points(20000); i++) {
-        const double beta = i == 0 ? DBL_MAX : random_log(&random, 1e14, DBL_MAX);
+        const double beta = i == 0 ? DBL_MAX : random_log(&draw, 1e14, DBL_MAX);
         const long double u = logl(beta), root = cbrtl(beta), scale = 1 / (root * root), far = (long double)beta * beta;
         const long double exact[FUNCTIONS] = {5.158381704267685216414L / far / far / beta,
                                               x * scale / beta,
@@ -310,10 +292,9 @@ static double creep(double beta)
 /* The bounds of derivatives by ln(beta) in docs/theory.md, 4. A difference quotient is between the bounds, too. */
 TEST(derivatives)
 {
-    struct random_state random = random_start();
     const double slack = 1e-9; /* rounding errors of a quotient */
     for (size_t i = 0; i < points(2000); i++) {
-        const double beta = i % 2 ? random_log(&random, 0.01, 20) : random_log(&random, 20, 1e50);
+        const double beta = i % 2 ? random_log(&draw, 0.01, 20) : random_log(&draw, 20, 1e50);
         const double overlap = -slope(cor_sphere_eps_zero_overlap, beta),
                      force = -slope(cor_sphere_eps_zero_force, beta);
         const double time[2] = {slope(cor_sphere_duration_zero_overlap, beta),
@@ -337,10 +318,9 @@ TEST(derivatives)
 
 TEST(constants)
 {
-    const long double c1 = c1_exact();
-    const long double d = sqrtl(acosl(-1)) * tgammal(0.6L) / (5 * tgammal(2.1L));
-    check(ulp_error(COR_SPHERE_C1, c1) <= 0.5L + 1e-3L, "C_1 = %.20Lg", c1);
-    check(ulp_error(COR_SPHERE_SIMPLE_D, d) <= 0.5L + 1e-3L, "d = %.20Lg", d);
+    const long double c1 = c1_exact(), d = sqrtl(acosl(-1)) * tgammal(0.6L) / (5 * tgammal(2.1L));
+    check_ulp(COR_SPHERE_C1, c1, 0.5L + 1e-3L);
+    check_ulp(COR_SPHERE_SIMPLE_D, d, 0.5L + 1e-3L);
     /* 2 delta d = |C_1| beta with (14) */
     check(fabsl(2 * powl(1.25L, 0.6L) * d + c1) < 1e-17L, "2 (5/4)^(3/5) d = |C_1|");
 }
@@ -362,50 +342,38 @@ static long double simple_exact(long double c)
 TEST(simple_theory)
 {
     const long double c1 = -c1_exact();
-    struct random_state random = random_start();
-    long double worst[3] = {0};
     for (size_t i = 0; i < points(2000); i++) {
-        const double beta = i % 2 ? random_uniform(&random, 0, 20) : random_log(&random, 1e-20, 1e195);
+        const double beta = i % 2 ? random_uniform(&draw, 0, 20) : random_log(&draw, 1e-20, 1e195);
         const long double c = c1 * beta;
         const long double exact = simple_exact(c);
         /* bisection in the logarithm loses |ln eps| 1e-19: below a tenth of a unit */
-        worst[0] = fmaxl(worst[0], ulp_error(cor_sphere_eps_simple(beta), exact));
+        check_ulp(cor_sphere_eps_simple(beta), exact, COR_SPHERE_EPS_SIMPLE_MAX_ULP);
         const int depth = (int)(i % 7);
         long double t = 1;
         for (int k = 0; k < depth; k++)
             t = 1 + c * powl(t, 0.4L);
-        worst[1] = fmaxl(worst[1], ulp_error(cor_sphere_eps_simple_fraction(beta, depth), 1 / t));
+        check_ulp(cor_sphere_eps_simple_fraction(beta, depth), 1 / t, COR_SPHERE_EPS_SIMPLE_MAX_ULP);
         const long double s = c, published = (1 + 2.5839L * s) /
                                              (1 + s * (3.5839L + s * (2.9839L + s * (1.1487L + s * 0.3265L))));
-        worst[2] = fmaxl(worst[2], ulp_error(cor_sphere_eps_published_pade(beta), published));
+        check_ulp(cor_sphere_eps_published_pade(beta), published, COR_SPHERE_EPS_SIMPLE_MAX_ULP);
     }
-    print_message("simple %.2Lf, fraction %.2Lf, published %.2Lf ulp at the worst\n", worst[0], worst[1], worst[2]);
-    for (int k = 0; k < 3; k++)
-        check(worst[k] <= COR_SPHERE_EPS_SIMPLE_MAX_ULP, "%d: %Lg ulp", k, worst[k]);
 }
 
 TEST(simple_theory_special_values)
 {
-    EACH (bad, -1, -4.9406564584124654e-324, -INFINITY, NAN) {
-        assert_true(isnan(cor_sphere_eps_simple(*bad)));
-        assert_true(isnan(cor_sphere_eps_simple_fraction(*bad, 3)));
-        assert_true(isnan(cor_sphere_eps_published_pade(*bad)));
-    }
-    EACH (zero, 0.0, -0.0) {
-        assert_true(cor_sphere_eps_simple(*zero) == 1);
-        assert_true(cor_sphere_eps_simple_fraction(*zero, 5) == 1);
-        assert_true(cor_sphere_eps_published_pade(*zero) == 1);
-    }
-    EACH (large, INFINITY, DBL_MAX) {
-        assert_true(cor_sphere_eps_simple(*large) == 0);
-        assert_true(cor_sphere_eps_simple_fraction(*large, 0) == 1);
-        assert_true(cor_sphere_eps_simple_fraction(*large, 4) == 0);
-        assert_true(cor_sphere_eps_published_pade(*large) == 0);
-    }
+    EACH (bad, -1, -smallest, -INFINITY, NAN)
+        check_nan(cor_sphere_eps_simple(*bad), cor_sphere_eps_simple_fraction(*bad, 3),
+                  cor_sphere_eps_published_pade(*bad));
+    EACH (zero, 0.0, -0.0)
+        assert_true(cor_sphere_eps_simple(*zero) == 1 && cor_sphere_eps_simple_fraction(*zero, 5) == 1 &&
+                    cor_sphere_eps_published_pade(*zero) == 1);
+    EACH (large, INFINITY, DBL_MAX)
+        assert_true(cor_sphere_eps_simple(*large) == 0 && cor_sphere_eps_simple_fraction(*large, 0) == 1 &&
+                    cor_sphere_eps_simple_fraction(*large, 4) == 0 && cor_sphere_eps_published_pade(*large) == 0);
     assert_true(cor_sphere_eps_simple_fraction(1, 0) == 1);
-    assert_true(isnan(cor_sphere_eps_simple_fraction(1, -1)));
+    check_nan(cor_sphere_eps_simple_fraction(1, -1));
     /* the limit of (28) is the root of (27), from above */
-    assert_true(relative_error(cor_sphere_eps_simple_fraction(1, 200), cor_sphere_eps_simple(1)) < 8 * DBL_EPSILON);
+    check_near(cor_sphere_eps_simple_fraction(1, 200), cor_sphere_eps_simple(1), 8 * DBL_EPSILON);
     for (int depth = 0; depth < 20; depth++)
         assert_true(cor_sphere_eps_simple_fraction(1.5, depth) > cor_sphere_eps_simple_fraction(1.5, depth + 1));
     assert_true(cor_sphere_eps_simple_fraction(1, 2147483647) > 0.36);
@@ -414,15 +382,11 @@ TEST(simple_theory_special_values)
 /* How wrong the approximations of 1999 are is documented: sphere.h says these numbers. */
 TEST(documented_errors_of_1999)
 {
-    static const struct {
-        double beta, published, simple;
-    } claim[] = {{0.5, 1.006, 1.016}, {1, 1.05, 1.11}, {2, 1.51, 1.88}};
-    for (size_t i = 0; i < sizeof claim / sizeof *claim; i++) {
-        const double eps = cor_sphere_eps_zero_overlap(claim[i].beta);
-        const double published = cor_sphere_eps_published_pade(claim[i].beta) / eps;
-        const double simple = cor_sphere_eps_simple(claim[i].beta) / eps;
-        check(fabs(published - claim[i].published) < 0.005, "%g", published);
-        check(fabs(simple - claim[i].simple) < 0.005, "%g", simple);
+    static const double claim[][3] = {{0.5, 1.006, 1.016}, {1, 1.05, 1.11}, {2, 1.51, 1.88}};
+    for (size_t i = 0; i < COUNT_OF(claim); i++) {
+        const double eps = cor_sphere_eps_zero_overlap(claim[i][0]);
+        check(fabs(cor_sphere_eps_published_pade(claim[i][0]) / eps - claim[i][1]) < 0.005, "published, %zu", i);
+        check(fabs(cor_sphere_eps_simple(claim[i][0]) / eps - claim[i][2]) < 0.005, "simple, %zu", i);
     }
     check(fabs(cor_sphere_eps_published_pade(3) / cor_sphere_eps_zero_overlap(3) - 3.3) < 0.05, "beta = 3");
 }
@@ -435,13 +399,12 @@ TEST(damped_approach)
         const double eps = cor_sphere_eps_approach_only(beta);
         const long double exact = sqrtl(0.8L) * powl(cor_sphere_max_overlap(beta), 1.25L),
                           time = cor_sphere_time_of_max_overlap(beta) + half_time * powl(exact, -0.2L);
-        check(relative_error(eps, exact) < part, "eps at %a", beta);
+        check_near(eps, exact, part);
         check(fabsl(cor_sphere_loss_approach_only(beta) - (1 - exact)) < part * fmaxl(exact, 0.25L), "loss at %a",
               beta);
-        check(relative_error(cor_sphere_duration_approach_only(beta), time) < part, "duration at %a", beta);
+        check_near(cor_sphere_duration_approach_only(beta), time, part);
         /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
-        check(relative_error(cor_sphere_beta_approach_only(eps), beta) < part * fmaxl(2, 1 / (1 - exact)),
-              "beta of eps at %a", beta);
+        check_near(cor_sphere_beta_approach_only(eps), beta, part * fmaxl(2, 1 / (1 - exact)));
     }
     const double least = cor_sphere_eps_approach_only(DBL_MAX);
     check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
