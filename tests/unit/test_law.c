@@ -5,7 +5,7 @@
 
 #include <cor/cor.h>
 
-#include "dormand_prince.h"
+#include "motion.h"
 #include "reference_law.h"
 #include "runtime/number/elementary.h"
 
@@ -191,144 +191,65 @@ TEST(identities)
 
 /* ---- the equation of motion ---- */
 
-/* x'' = -max(elastic and damping by the end's rule): integrated in time until the contact ends. */
-struct motion {
-    double a, b, beta;
+/* x'' = -x^(a4/4), less beta x^(b4/4) x', damped by the rule of the end */
+struct law {
+    int a4, b4;
+    long double beta;
     enum law_end end;
-    int crossley; /* damping x^a x' d, with beta = d */
 };
 
-static double motion_force(const struct motion *m, double x, double v)
+static long double law_force(long double w, long double v, const void *of)
 {
-    if (x <= 0)
-        return 0;
-    const double elastic = pow(x, m->a), damping = m->beta * pow(x, m->b) * v;
-    if (m->end == LAW_APPROACH_ONLY)
-        return elastic + (v > 0 ? damping : 0);
-    if (m->end == LAW_LIMITED)
-        return elastic + (damping > elastic ? elastic : damping);
-    return elastic + damping;
+    const struct law *const law = of;
+    const long double elastic = motion_power(w, law->a4), damping = law->beta * motion_power(w, law->b4) * v;
+    if (law->end == LAW_APPROACH_ONLY && v < 0)
+        return elastic;
+    return elastic + (law->end == LAW_LIMITED ? fminl(damping, elastic) : damping);
 }
 
-struct motion_result {
-    double eps, duration, max_overlap, time_of_max_overlap;
-};
-
-/* The turning point inside a step from v to nv, by the cubic with the accelerations a and na at its ends */
-static void motion_turn(struct motion_result *r, double t, double x, double h, double v, double nv, double a, double na)
+static long double law_excess(const long double *y, const void *of)
 {
-    double low = 0, high = 1, speed = v, length = 0;
-    for (int k = 0; k < 50; k++) {
-        const double s = (low + high) / 2, s2 = s * s, s3 = s2 * s;
-        speed = v * (2 * s3 - 3 * s2 + 1) + h * a * (s3 - 2 * s2 + s) + nv * (3 * s2 - 2 * s3) + h * na * (s3 - s2);
-        length = v * (s3 * s / 2 - s3 + s) + h * a * (s3 * s / 4 - 2 * s3 / 3 + s2 / 2) + nv * (s3 - s3 * s / 2) +
-                 h * na * (s3 * s / 4 - s3 / 3);
-        *(speed > 0 ? &low : &high) = s;
+    const struct law *const law = ((const struct motion *)of)->of;
+    return law->beta * motion_power(y[0], law->b4) * y[1] - motion_power(y[0], law->a4);
+}
+
+static void check_law(const struct law *law, double eps, double duration, double max_overlap, double time)
+{
+    const int free = law->end == LAW_ZERO_FORCE || law->end == LAW_LIMITED;
+    const struct motion_course r = motion_course(&(struct motion){4, 0, law_force, law, free, law_excess}, 1.0L / 400);
+    check_near(eps, r.eps[free], 1e-8);
+    check_near(duration, r.duration[free], 1e-8);
+    if (law->end != LAW_LIMITED) { /* the functions are of a motion without a limit */
+        check_near(max_overlap, r.max_overlap, 1e-8);
+        check_near(time, r.time_of_max_overlap, 1e-8);
     }
-    r->time_of_max_overlap = t + low * h;
-    r->max_overlap = x + length * h;
-}
-
-/* By the method of Dormand and Prince, with adaptive steps that are halved at the end of contact. Accuracy about 1e-8.
- */
-static struct motion_result motion_integrate(const struct motion *m)
-{
-    double t = 0, x = 0, v = 1, h = 1e-9;
-    struct motion_result r = {0, 0, 0, 0};
-    for (long steps = 0; steps < 2000000; steps++) {
-        double kx[DORMAND_PRINCE_STAGES] = {0}, kv[DORMAND_PRINCE_STAGES] = {0}, error = 0, nx = x, nv = v;
-        for (int s = 0; s < DORMAND_PRINCE_STAGES; s++) {
-            nx = x;
-            nv = v;
-            for (int j = 0; j < s; j++) {
-                nx += h * dormand_prince[s][j] * kx[j];
-                nv += h * dormand_prince[s][j] * kv[j];
-            }
-            kx[s] = nv;
-            kv[s] = -motion_force(m, nx, nv);
-        }
-        for (int s = 0; s < DORMAND_PRINCE_STAGES; s++)
-            error += h * dormand_prince_difference[s] * (fabs(kv[s]) > fabs(kx[s]) ? kv[s] : kx[s]);
-        const double tolerance = 1e-12;
-        const int free_soon =
-            m->end != LAW_ZERO_OVERLAP && m->end != LAW_APPROACH_ONLY && nv < 0 && motion_force(m, nx, nv) <= 0;
-        if ((fabs(error) > tolerance || free_soon || nx <= 0) && h > 1e-13) {
-            if (!(fabs(error) > tolerance) && h < 1e-12) {
-                r.eps = -nv;
-                r.duration = t + h;
-                return r;
-            }
-            h /= 2;
-            continue;
-        }
-        if (v > 0 && nv <= 0)
-            motion_turn(&r, t, x, h, v, nv, kv[0], kv[DORMAND_PRINCE_STAGES - 1]);
-        t += h;
-        x = nx;
-        v = nv;
-        if (nx <= 0 || free_soon) {
-            r.eps = -v;
-            r.duration = t;
-            return r;
-        }
-        if (fabs(error) < tolerance / 64)
-            h *= 1.5;
-    }
-    r.eps = NAN;
-    return r;
-}
-
-static void compare(const char *what, double parameter, double computed, double integrated, double tolerance)
-{
-    check(fabs(computed - integrated) <= tolerance * (1 + fabs(integrated)), "%s at %g: %.12g, integrated %.12g", what,
-          parameter, computed, integrated);
 }
 
 TEST(against_the_equation_of_motion)
 {
-    static const double zetas[] = {0.05, 0.3, 0.8, 1, 1.6};
-    for (int law = 0; law < 2; law++) {
-        for (int end = 0; end < ENDS; end++) {
-            for (size_t i = 0; i < sizeof zetas / sizeof *zetas; i++) {
-                const double zeta = zetas[i];
-                if (end == LAW_ZERO_OVERLAP && zeta > 0.5)
-                    continue; /* creeps */
-                const struct motion m = {law ? 1.5 : 1, law ? 0.25 : 0, law ? sqrt(5) * zeta : 2 * zeta,
-                                         (enum law_end)end, 0};
-                const struct motion_result r = motion_integrate(&m);
-                compare(end_name[end], zeta, eps_of[law][end](zeta), r.eps, 1e-8);
-                compare("its duration", zeta, duration_of[law][end](zeta), r.duration, 1e-7);
-                if (end != LAW_LIMITED) {
-                    compare("largest overlap", zeta, law ? cor_tsuji_max_overlap(zeta) : cor_linear_max_overlap(zeta),
-                            r.max_overlap, 1e-6);
-                    compare("its time", zeta,
-                            law ? cor_tsuji_time_of_max_overlap(zeta) : cor_linear_time_of_max_overlap(zeta),
-                            r.time_of_max_overlap, 1e-5);
-                }
+    for (int law = 0; law < 2; law++)
+        for (int end = 0; end < ENDS; end++)
+            EACH (zeta, 0.05, 0.3, 0.8, 1, 1.6) {
+                const struct law m = {law ? 6 : 4, law, (law ? sqrtl(5) : 2) * *zeta, (enum law_end)end};
+                if (end != LAW_ZERO_OVERLAP || *zeta < 0.5) /* it creeps */
+                    check_law(&m, eps_of[law][end](*zeta), duration_of[law][end](*zeta),
+                              (law ? cor_tsuji_max_overlap : cor_linear_max_overlap)(*zeta),
+                              (law ? cor_tsuji_time_of_max_overlap : cor_linear_time_of_max_overlap)(*zeta));
             }
-        }
-    }
-    static const double exponents[] = {0.5, 1, 1.5, 2.25}, betas[] = {-0.6, 0.2, 1, 4};
-    for (size_t i = 0; i < sizeof exponents / sizeof *exponents; i++) {
-        for (size_t j = 0; j < sizeof betas / sizeof *betas; j++) {
-            const double a = exponents[i], beta = betas[j];
-            struct motion m = {a, a, beta, LAW_ZERO_OVERLAP, 1};
-            struct motion_result r = motion_integrate(&m);
-            compare("Hunt-Crossley", beta, cor_hunt_crossley_eps(beta), r.eps, 1e-7);
-            compare("duration", beta, cor_hunt_crossley_duration(beta, a), r.duration, 1e-6);
-            compare("largest overlap", beta, cor_hunt_crossley_max_overlap(beta, a), r.max_overlap, 1e-6);
-            compare("its time", beta, cor_hunt_crossley_time_of_max_overlap(beta, a), r.time_of_max_overlap, 1e-5);
+    EACH (a, 0.5, 1, 1.5, 2.25)
+        EACH (beta, -0.6, 0.2, 1, 4) {
+            struct law m = {(int)(4 * *a), (int)(4 * *a), *beta, LAW_ZERO_OVERLAP};
+            const double overlap = cor_hunt_crossley_max_overlap(*beta, *a),
+                         time = cor_hunt_crossley_time_of_max_overlap(*beta, *a);
+            check_law(&m, cor_hunt_crossley_eps(*beta), cor_hunt_crossley_duration(*beta, *a), overlap, time);
             m.end = LAW_APPROACH_ONLY;
-            r = motion_integrate(&m);
-            compare("approach only", beta, cor_hunt_crossley_eps_approach_only(beta), r.eps, 1e-7);
-            compare("duration", beta, cor_hunt_crossley_duration_approach_only(beta, a), r.duration, 1e-6);
+            check_law(&m, cor_hunt_crossley_eps_approach_only(*beta),
+                      cor_hunt_crossley_duration_approach_only(*beta, *a), overlap, time);
         }
-    }
-    for (int i = 1; i <= 3; i++) {
-        const struct motion m = {1.5, 0.5, i, LAW_APPROACH_ONLY, 0};
-        const struct motion_result r = motion_integrate(&m);
-        compare("sphere, approach only", i, cor_sphere_eps_approach_only(i), r.eps, 1e-7);
-        compare("duration", i, cor_sphere_duration_approach_only(i), r.duration, 1e-6);
+    EACH (beta, 1, 2, 3) {
+        const struct law m = {6, 2, *beta, LAW_APPROACH_ONLY};
+        check_law(&m, cor_sphere_eps_approach_only(*beta), cor_sphere_duration_approach_only(*beta),
+                  cor_sphere_max_overlap(*beta), cor_sphere_time_of_max_overlap(*beta));
     }
 }
 
@@ -454,42 +375,30 @@ TEST(crossley_rows)
 /* x'' = -x^a, and from the turning point on an even and an odd solution of two linear systems beside it: displacements
  * s'' = -kappa x^(a-1) s, and velocities u' = -f with forces f' = kappa x^(a-1) u. State: x, x', then s, s' twice, then
  * f, u twice, the even one first. */
-enum { OBLIQUE = 10 };
+enum { OBLIQUE = 10 }; /* behind these is r, -r^4 the time: x^(a-1) is smooth in r for exponents of quarters */
 
-static void oblique_slope(long double *dy, const long double *y, long double a, long double kappa)
+static void oblique_slopes(long double *dy, const long double *y, const void *of)
 {
-    const long double x = fmaxl(y[0], 0), k = kappa * powl(x, a - 1);
-    dy[0] = y[1];
-    dy[1] = -powl(x, a);
+    const long double *const a_kappa = of, x = fmaxl(y[0], 0), k = a_kappa[1] * powl(x, a_kappa[0] - 1);
+    const long double rate = -4 * y[OBLIQUE] * y[OBLIQUE] * y[OBLIQUE];
+    dy[0] = rate * y[1];
+    dy[1] = -rate * x * k / a_kappa[1];
     for (int i = 2; i < OBLIQUE; i += 2) {
-        dy[i] = (i < 6 ? 1 : k) * y[i + 1];
-        dy[i + 1] = -(i < 6 ? k : 1) * y[i];
+        dy[i] = rate * (i < 6 ? 1 : k) * y[i + 1];
+        dy[i + 1] = -rate * (i < 6 ? k : 1) * y[i];
     }
+    dy[OBLIQUE] = 1;
 }
 
-/* u'/u of both systems by the classical Runge-Kutta method in r, where r^4 is the time until the contact ends: x^(a-1)
- * is smooth in r for exponents of quarters. */
+/* u'/u of both systems */
 static void oblique_ratios(long double ratio[2], long double a, long double kappa)
 {
     enum { STEPS = 4000 };
-    const long double share = 1 / (a + 1), top = powl((a + 1) / 2, share);
-    const long double half = top * sqrtl(acosl(-1)) * tgammal(1 + share) / tgammal(0.5L + share);
-    const long double h = -powl(half, 0.25L) / STEPS;
+    const long double a_kappa[2] = {a, kappa}, first = powl(reference_crossley_elastic_half(a), 0.25L);
     /* even s = 1, odd s' = 1; even u = 1, where the force is odd, and f = 1 */
-    long double y[OBLIQUE] = {top, 0, 1, 0, 0, 1, 0, 1, 1, 0};
-    for (int i = 0; i < STEPS; i++) {
-        long double d[4][OBLIQUE], z[OBLIQUE];
-        for (int k = 0; k < 4; k++) {
-            const long double part = k == 0 ? 0 : k == 3 ? h : h / 2, r = (i - STEPS) * h + part;
-            for (int j = 0; j < OBLIQUE; j++)
-                z[j] = y[j] + (k == 0 ? 0 : part * d[k - 1][j]);
-            oblique_slope(d[k], z, a, kappa);
-            for (int j = 0; j < OBLIQUE; j++)
-                d[k][j] *= -4 * r * r * r;
-        }
-        for (int j = 0; j < OBLIQUE; j++)
-            y[j] += h * (d[0][j] + 2 * d[1][j] + 2 * d[2][j] + d[3][j]) / 6;
-    }
+    long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
+    for (int i = 0; i < STEPS; i++)
+        runge_kutta(oblique_slopes, a_kappa, y, OBLIQUE + 1, -first / STEPS);
     /* the combination that vanishes at the start, where the odd solution has minus its value at the end */
     ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
     ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
@@ -527,36 +436,32 @@ TEST(oblique_impacts)
         assert_true(isnan(cor_tangential_no_slip(wrong[i][0], wrong[i][1])));
 }
 
+static void slipping_slopes(long double *dy, const long double *y, const void *kappa)
+{
+    const long double root = sqrtl(fmaxl(y[0], 0));
+    dy[0] = y[1];
+    dy[1] = -root * root * root;
+    dy[2] = y[3];
+    dy[3] = -*(const double *)kappa * root * y[2];
+}
+
 /* u'/u of a displacement that friction limits, |kappa x^(1/2) s| <= kappa x^(3/2)/u for the limit L = 1 of u/v; *first
- * is the overlap at which it slips first, negative on the way back. The classical Runge-Kutta method in time. */
+ * is the overlap at which it slips first, negative on the way back. In steps of time. */
 static double slipping_ratio(double kappa, double u, double *first)
 {
-    enum { STEPS = 20000 };
-    const double h = 3.3 / STEPS;
-    double y[4] = {0, 1, 0, 1}; /* x, x', s, s' in units of its first value */
+    enum { STEPS = 10000 };
+    long double y[4] = {0, 1, 0, 1}, last; /* x, x', s, s' in units of its first value */
     *first = 0;
-    for (int i = 0; i < STEPS; i++) {
-        double d[4][4], z[4], last = y[3];
-        for (int k = 0; k < 4; k++) {
-            const double part = k == 0 ? 0 : k == 3 ? h : h / 2;
-            for (int j = 0; j < 4; j++)
-                z[j] = y[j] + (k == 0 ? 0 : part * d[k - 1][j]);
-            const double root = sqrt(fmax(z[0], 0));
-            d[k][0] = z[1];
-            d[k][1] = -root * root * root;
-            d[k][2] = z[3];
-            d[k][3] = -kappa * root * z[2];
-        }
-        for (int j = 0; j < 4; j++)
-            y[j] += h * (d[0][j] + 2 * d[1][j] + 2 * d[2][j] + d[3][j]) / 6;
+    for (;;) {
+        last = y[3];
+        runge_kutta(slipping_slopes, &kappa, y, 4, 3.3L / STEPS);
         if (y[0] <= 0)
-            return last;
-        if (fabs(y[2]) > y[0] / u * (1 + 1e-9)) {
-            *first = *first == 0 ? (y[1] < 0 ? -y[0] : y[0]) : *first;
-            y[2] = copysign(y[0] / u, y[2]);
+            return (double)last;
+        if (fabsl(y[2]) > y[0] / u * (1 + 1e-9)) {
+            *first = *first == 0 ? (double)(y[1] < 0 ? -y[0] : y[0]) : *first;
+            y[2] = copysignl(y[0] / u, y[2]);
         }
     }
-    return (double)NAN;
 }
 
 /* The table of docs/theory.md, 20, and the angle of sticking: just below it nothing slips while the spheres approach,

@@ -1,14 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The largest force of a collision: limits, and two routes that must meet.
  * tests/gen/test_contact.c integrates the force. */
-#include "check.h"
-
-#include "cor/scene.h"
-
-static void close_to(const char *what, double computed, double reference, double error)
-{
-    check(fabs(computed / reference - 1) <= error, "%s: %.15g, not %.15g", what, computed, reference);
-}
+#include "motion.h"
+#include "scene.h"
 
 /* Hunt and Crossley's force by its first integral, x^(a+1) = (a+1) (f(beta) - f(beta v))/beta^2, at many speeds v */
 static double crossley_force(double a, double beta)
@@ -29,17 +23,16 @@ TEST(forces)
                                crossley = cor_law_exponents[COR_LAW_HUNT_CROSSLEY],
                                sphere = cor_law_exponents[COR_LAW_VISCOELASTIC];
     /* zeta = 0: an elastic collision */
-    close_to("linear", cor_law_force_max(&linear, 0), 1, 1e-15);
-    close_to("Tsuji", cor_law_force_max(&tsuji, 0), pow(1.25, 0.6), 1e-15);
-    close_to("Hunt and Crossley", cor_law_force_max(&crossley, 0), pow(1.25, 0.6), 1e-15);
-    close_to("sphere", cor_law_force_max(&sphere, 0), pow(1.25, 0.6), 1e-12);
+    check_near(cor_law_force_max(&linear, 0), 1, 1e-15);
+    check_near(cor_law_force_max(&tsuji, 0), pow(1.25, 0.6), 1e-15);
+    check_near(cor_law_force_max(&crossley, 0), pow(1.25, 0.6), 1e-15);
+    check_near(cor_law_force_max(&sphere, 0), pow(1.25, 0.6), 1e-12);
     /* linear: exp(-zeta (3 phi - pi)/sin(phi)), phi = acos(zeta), up to zeta = 1/2, then the first moment's 2 zeta */
     for (double zeta = 0.01; zeta < 0.5; zeta += 0.01) {
         const double phi = acos(zeta);
-        close_to("linear", cor_law_force_max(&linear, zeta), exp(-zeta * (3 * phi - 3.14159265358979323846) / sin(phi)),
-                 1e-14);
+        check_near(cor_law_force_max(&linear, zeta), exp(-zeta * (3 * phi - 3.14159265358979323846) / sin(phi)), 1e-14);
     }
-    close_to("linear", cor_law_force_max(&linear, 0.7), 1.4, 1e-15);
+    check_near(cor_law_force_max(&linear, 0.7), 1.4, 1e-15);
     /* both branches of Tsuji's, and the limit between them */
     const double middle = cor_law_force_max(&tsuji, 1);
     for (double gap = 1e-3; gap > 1e-15; gap /= 10)
@@ -49,22 +42,20 @@ TEST(forces)
     assert_true(cor_law_force_max(&tsuji, 1e8) > 1e6 && isfinite(cor_law_force_max(&tsuji, 1e8)));
     /* the integration, next to a closed form: (1, 0) and (3/2, 3/2) are limits of other exponents */
     const struct cor_exponents near = {6, 6, 4};
-    close_to("the same law", cor_law_force_max(&near, 3), cor_law_force_max(&crossley, 3), 1e-15);
+    check_near(cor_law_force_max(&near, 3), cor_law_force_max(&crossley, 3), 1e-15);
     for (double beta = 0.05; beta < 100; beta *= 3)
-        close_to("first integral", cor_law_force_max(&crossley, beta), crossley_force(1.5, beta), 1e-6);
+        check_near(cor_law_force_max(&crossley, beta), crossley_force(1.5, beta), 1e-6);
     /* small and large damping of Hunt and Crossley's law: f(z) = z - ln(1 + z) for every size of z */
-    close_to("small", cor_law_force_max(&crossley, 1e-9), pow(1.25, 0.6), 1e-8);
-    close_to("both sides of 0.1", cor_law_force_max(&crossley, 0.1), cor_law_force_max(&crossley, nextafter(0.1, 1)),
-             1e-14);
-    assert_true(isnan(cor_law_force_max(&tsuji, -1)) && isnan(cor_law_force_max(&sphere, NAN)) &&
-                isnan(cor_law_force_max(&crossley, INFINITY)));
+    check_near(cor_law_force_max(&crossley, 1e-9), pow(1.25, 0.6), 1e-8);
+    check_near(cor_law_force_max(&crossley, 0.1), cor_law_force_max(&crossley, nextafter(0.1, 1)), 1e-14);
+    check_nan(cor_law_force_max(&tsuji, -1), cor_law_force_max(&sphere, NAN), cor_law_force_max(&crossley, INFINITY));
     /* exponents of too many powers are refused, and soon */
     const struct cor_exponents many = {900000007, 700000001, 999999989};
     const double begin = processor_seconds();
     assert_true(isnan(cor_law_force_max(&many, 0.5)) && processor_seconds() - begin < 0.1);
     /* a sphere of strong damping: loading forgets the spring, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X) X' = 0,
      * V = 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
-    close_to("strong", cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
+    check_near(cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
 }
 
 /* The largest force to the first order of mu, x = beta^(-1/(b+1)) X: docs/theory.md, 9. b > 0. */
@@ -80,18 +71,10 @@ static double strongly_damped(double a, double b, double mu)
     return (b + 1) / (2 * b + 1) * pow(top, b) + mu * (pow(top, a) - pow(top, b) * lost);
 }
 
-/* The largest x^a + beta v by small steps, b = 0: the force at the first moment is a maximum, and may be the lesser */
-static double force_by_steps(double a, double beta)
+/* Hertz's spring, x = w^2, and a dashpot */
+static long double dashpot_force(long double w, long double v, const void *beta)
 {
-    const double h = 1e-5;
-    double x = 0, v = 1, most = beta;
-    while (v > 0) {
-        const double middle = x + h / 2 * v, slowed = v - h / 2 * (pow(x, a) + beta * v);
-        x += h * slowed;
-        v -= h * (pow(middle, a) + beta * slowed);
-        most = fmax(most, pow(x, a) + beta * v);
-    }
-    return most;
+    return w * w * w + *(const double *)beta * v;
 }
 
 /* Any damping, up to the largest doubles: the integration and the limit without the spring meet */
@@ -99,7 +82,9 @@ TEST(strong_damping)
 {
     const struct cor_exponents dashpot = cor_law_exponents[COR_LAW_HERTZ_DASHPOT];
     const double weak = random_uniform(&draw, 0.1, 1.2);
-    close_to("two maxima", cor_law_force_max(&dashpot, weak), force_by_steps(1.5, weak), 1e-7);
+    /* b = 0: the force at the first moment is a maximum, and may be the lesser */
+    const struct motion motion = {2, 0, dashpot_force, &weak, 0, NULL};
+    check_near(cor_law_force_max(&dashpot, weak), motion_course(&motion, 1e-4L).force_max, 1e-7);
     for (size_t i = 0; i < points(2000); i++) {
         const size_t a4 = 1 + random_below(&draw, 40), b4 = random_below(&draw, 40);
         const double a = (double)a4 / 4, b = (double)b4 / 4, mu = random_log(&draw, 1e-22, 1e-8);
@@ -109,8 +94,7 @@ TEST(strong_damping)
             continue;
         check(cor_law_force_max(&law, strongest) > 0, "%g, %g: %g", a, b, strongest);
         const double scaled = cor_law_force_max(&law, beta) / pow(beta, 1 / (b + 1));
-        close_to("strong damping", scaled, b4 == 0 ? 1 : strongly_damped(a, b, mu),
-                 COR_LAW_FORCE_MAX_ERROR + 1e4 * mu * mu);
+        check_near(scaled, b4 == 0 ? 1 : strongly_damped(a, b, mu), COR_LAW_FORCE_MAX_ERROR + 1e4 * mu * mu);
     }
 }
 

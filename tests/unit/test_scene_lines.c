@@ -1,27 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* The lines for a simulator: which of them are active, and their numbers against the force laws of LAMMPS and LIGGGHTS
  * written down here; tests/simulators pastes them. */
-#include "check.h"
-
-#include "cor/hertz_dashpot.h"
-#include "cor/scene.h"
+#include "scene.h"
 
 #define PI 3.14159265358979323846
 
 static const double young = 1e7, poisson = 0.3, radius[] = {5e-3, 2e-2}, mass[] = {2e-3, 8e-3};
 
-static struct cor_scene empty_scene(enum cor_law law)
-{
-    struct cor_scene scene = {.law = cor_law_exponents[law], .end = COR_BOTH_ENDS};
-    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
-        scene.number[i] = NAN;
-    return scene;
-}
-
 /* Spheres of the material, the second one at the number `second` of the arrays; -1: a wall */
 static struct cor_scene bodies(enum cor_law law, int second)
 {
-    struct cor_scene scene = empty_scene(law);
+    struct cor_scene scene = scene_without_numbers(law);
     scene.number[COR_SCENE_YOUNG] = young;
     scene.number[COR_SCENE_POISSON] = poisson;
     scene.number[COR_SCENE_RADIUS] = radius[0];
@@ -103,7 +92,7 @@ TEST(stiffness_of_a_duration)
 {
     const double zeta = 0.1, mass_kg = 2e-3, duration_s = 5e-4;
     const double phase = 2 * acos(zeta) / sqrt(1 - zeta * zeta);
-    struct cor_scene scene = empty_scene(COR_LAW_LINEAR);
+    struct cor_scene scene = scene_without_numbers(COR_LAW_LINEAR);
     scene.end = COR_END_ZERO_FORCE;
     scene.number[COR_SCENE_EFFECTIVE_MASS] = mass_kg;
     scene.number[COR_SCENE_ZETA] = zeta;
@@ -132,7 +121,7 @@ TEST(walls)
           "on\n");
     found(text_for("chrono", NULL, &scene, 1), "no model of Chrono has lines for a wall");
     /* a spring at a wall */
-    scene = empty_scene(COR_LAW_LINEAR);
+    scene = scene_without_numbers(COR_LAW_LINEAR);
     scene.wall = 1;
     scene.number[COR_SCENE_STIFFNESS] = 1e5;
     scene.number[COR_SCENE_EFFECTIVE_MASS] = 2e-3;
@@ -149,7 +138,7 @@ TEST(walls)
 /* The active block ends as asked; if none does, it says what it realises, and what else would do. */
 TEST(ends)
 {
-    struct cor_scene scene = empty_scene(COR_LAW_LINEAR);
+    struct cor_scene scene = scene_without_numbers(COR_LAW_LINEAR);
     scene.number[COR_SCENE_STIFFNESS] = 1e5;
     scene.number[COR_SCENE_EFFECTIVE_MASS] = 2e-3;
     scene.number[COR_SCENE_RESTITUTION] = 0.5;
@@ -298,7 +287,7 @@ TEST(corrected_for_a_step)
                                                     "correction for the time step: its method is implicit");
     found(text_for("bullet", NULL, &scene, speed), "realises eps = 0.7 at 0.7 m/s\n");
     /* what is missing is said, not a step that is right */
-    scene = empty_scene(COR_LAW_TSUJI);
+    scene = scene_without_numbers(COR_LAW_TSUJI);
     scene.number[COR_SCENE_STIFFNESS] = 1e9;
     scene.number[COR_SCENE_EFFECTIVE_MASS] = 1e-3;
     scene.number[COR_SCENE_RESTITUTION] = 0.7;

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/* What the tests of cor/scene.h share: a scene of which nothing is given, and results without a status. */
+#ifndef COR_TESTS_SCENE_H
+#define COR_TESTS_SCENE_H
+
+#include "check.h"
+#include "cor/scene.h"
+#include "cor/status.h"
+
+static inline struct cor_scene scene_without_numbers(enum cor_law law)
+{
+    struct cor_scene scene = {.law = cor_law_exponents[law], .end = COR_BOTH_ENDS};
+    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
+        scene.number[i] = (double)NAN;
+    return scene;
+}
+
+static inline double scene_eps(const struct cor_scene_contact *contact, double speed_m_s, int end)
+{
+    double eps;
+    assert_int_equal(cor_scene_eps(&eps, contact, speed_m_s, end), COR_FAULT_NONE);
+    return eps;
+}
+
+static inline struct cor_scene_impact scene_impact(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    struct cor_scene_impact impact;
+    assert_int_equal(cor_scene_impact(&impact, contact, speed_m_s), COR_FAULT_NONE);
+    return impact;
+}
+
+#endif
