@@ -66,25 +66,17 @@ static double negligible_position(const struct disk *disk, const struct effort *
     return fmin(0, (log(effort->tolerance * disk->alpha * disk->speed * disk->speed) - MARGIN) / disk->alpha);
 }
 
-/* How fast the rim can move at most while nothing pushes, and how far it can reach, all amplitudes of one sign */
-static double greatest_speed(const struct disk *disk, const double *position)
+/* How far from the centre the modes can move the rim at most while nothing pushes, or how fast, all amplitudes of one
+ * sign */
+static double swing(const struct disk *disk, const double *position, int speed)
 {
-    double speed = fabs(position[1 + disk->n]);
+    double sum = 0;
     for (size_t i = 0; i < disk->n; i++) {
         const struct cor_disk_mode *const m = &disk->mode[i];
-        speed += (fabs(m->c) + fabs(m->s)) * hypot(m->omega * position[1 + i], position[2 + disk->n + i]);
+        const double q = position[1 + i], p = position[2 + disk->n + i];
+        sum += (fabs(m->c) + fabs(m->s)) * (speed ? hypot(m->omega * q, p) : hypot(q, p / m->omega));
     }
-    return speed;
-}
-
-static double farthest_reach(const struct disk *disk, const double *position)
-{
-    double reach = position[0];
-    for (size_t i = 0; i < disk->n; i++) {
-        const struct cor_disk_mode *const m = &disk->mode[i];
-        reach += (fabs(m->c) + fabs(m->s)) * hypot(position[1 + i], position[2 + disk->n + i] / m->omega);
-    }
-    return reach;
+    return sum;
 }
 
 /* The longest step that the coefficients of t^k allow: the last two may change a velocity by the tolerance, one that
@@ -110,42 +102,33 @@ static double step_allowed(const struct disk *disk, const struct effort *effort,
 
 /* ---- moments within a step, from its series ---- */
 
-/* sum c_k t^k, k < count, of coefficients so far apart */
-static double series_at(const double *c, size_t apart, int count, double t)
-{
-    double value = 0;
-    for (int k = count - 1; k >= 0; k--)
-        value = value * t + c[(size_t)k * apart];
-    return value;
-}
-
-static double slope_at(const double *c, size_t apart, int count, double t)
-{
-    double value = 0;
-    for (int k = count - 1; k > 0; k--)
-        value = value * t + k * c[(size_t)k * apart];
-    return value;
-}
-
+/* sum c_k t^k, k < count, of coefficients so far apart, or its slope */
 struct track {
     const double *c;
     size_t apart;
-    int count;
-    double (*at)(const double *c, size_t apart, int count, double t);
+    int count, slope;
 };
 
-/* Where it passes a level between low and high */
-static double crossing(const struct track *track, double level, double low, double high)
+static double track_at(const struct track *f, double t)
 {
-    const int rises = track->at(track->c, track->apart, track->count, high) > level;
+    double value = 0;
+    for (int k = f->count - 1; k >= f->slope; k--)
+        value = value * t + (f->slope ? k : 1) * f->c[(size_t)k * f->apart];
+    return value;
+}
+
+/* 1 or -1 if it rises or falls through a level between low and high, at *t; otherwise 0 */
+static int passes(const struct track *f, double level, double low, double high, double *t)
+{
+    const int rises = track_at(f, high) >= level;
+    if ((track_at(f, low) >= level) == rises)
+        return 0;
     for (int i = 0; i < 60; i++) {
-        const double t = 0.5 * (low + high);
-        if ((track->at(track->c, track->apart, track->count, t) < level) == rises)
-            low = t;
-        else
-            high = t;
+        *t = 0.5 * (low + high);
+        *((track_at(f, *t) < level) == rises ? &low : &high) = *t;
     }
-    return 0.5 * (low + high);
+    *t = 0.5 * (low + high);
+    return rises ? 1 : -1;
 }
 
 /* Adds the modes' energies, integrated over the step until t. */
@@ -158,8 +141,8 @@ static void integrate_energies(const struct disk *disk, int count, const double 
         double sum = 0;
         for (int j = 0; j < 8; j++) {
             const double at = t / 2 * (1 + (j % 2 ? node[j / 2] : -node[j / 2]));
-            const double q = disk->mode[i].omega * series_at(position + 1 + i, 1 + disk->n, count, at);
-            const double p = slope_at(position + 1 + i, 1 + disk->n, count, at);
+            const struct track f = {position + 1 + i, 1 + disk->n, count, 0}, slope = {f.c, f.apart, count, 1};
+            const double q = disk->mode[i].omega * track_at(&f, at), p = track_at(&slope, at);
             sum += weight[j / 2] * (p * p + q * q);
         }
         to[i] = from[i] + t / 2 * sum / (disk->speed * disk->speed);
@@ -174,38 +157,26 @@ static void follow(const struct disk *disk, const struct effort *effort, const s
                    struct course *course, double time, double h)
 {
     const int count = effort->order;
-    const struct track depth_slope = {s->position, 1 + disk->n, count + 2, slope_at};
-    const struct track load = {s->load, 1, disk->active > 0 ? count : 0, series_at};
-    const struct track load_slope = {s->load, 1, load.count, slope_at};
+    const struct track depth = {s->position, 1 + disk->n, count + 2, 0}, speed = {depth.c, depth.apart, count + 2, 1};
+    const struct track load = {s->load, 1, disk->active > 0 ? count : 0, 0}, change = {load.c, 1, load.count, 1};
     for (int j = 0; j < SAMPLES; j++) {
         const double low = h * j / (double)SAMPLES, high = h * (j + 1) / (double)SAMPLES;
-        const double x[2] = {low, high};
-        double v[2], f[2], df[2];
-        for (int i = 0; i < 2; i++) {
-            v[i] = slope_at(s->position, 1 + disk->n, count + 2, x[i]);
-            f[i] = series_at(s->load, 1, load.count, x[i]);
-            df[i] = slope_at(s->load, 1, load.count, x[i]);
-        }
-        if (v[0] > 0 && v[1] <= 0) {
-            const double t = crossing(&depth_slope, 0, low, high);
-            course->max_compression = fmax(course->max_compression, series_at(s->position, 1 + disk->n, count + 2, t));
-        }
-        if (df[0] > 0 && df[1] <= 0)
-            course->max_load =
-                fmax(course->max_load, series_at(s->load, 1, load.count, crossing(&load_slope, 0, low, high)));
-        if (course->level > 0 && (f[0] < course->level) != (f[1] < course->level)) {
-            const double t = crossing(&load, course->level, low, high);
-            if (f[0] >= course->level) {
-                course->end = time + t;
-                if (course->average != NULL)
-                    integrate_energies(disk, count + 2, s->position, t, course->integral, course->average);
-            } else if (isnan(course->start)) {
-                course->start = time + t;
-                if (course->average != NULL) /* so that the integral is 0 here */
-                    integrate_energies(disk, count + 2, s->position, t, course->integral, course->integral);
-                for (size_t i = 0; course->average != NULL && i < disk->n; i++)
-                    course->integral[i] = -course->integral[i];
-            }
+        double t;
+        if (passes(&speed, 0, low, high, &t) < 0)
+            course->max_compression = fmax(course->max_compression, track_at(&depth, t));
+        if (passes(&change, 0, low, high, &t) < 0)
+            course->max_load = fmax(course->max_load, track_at(&load, t));
+        const int level = course->level > 0 ? passes(&load, course->level, low, high, &t) : 0;
+        if (level < 0) {
+            course->end = time + t;
+            if (course->average != NULL)
+                integrate_energies(disk, count + 2, s->position, t, course->integral, course->average);
+        } else if (level > 0 && isnan(course->start)) {
+            course->start = time + t;
+            if (course->average != NULL) /* so that the integral is 0 here */
+                integrate_energies(disk, count + 2, s->position, t, course->integral, course->integral);
+            for (size_t i = 0; course->average != NULL && i < disk->n; i++)
+                course->integral[i] = -course->integral[i];
         }
     }
     if (course->average != NULL && !isnan(course->start))

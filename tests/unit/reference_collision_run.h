@@ -39,9 +39,7 @@ static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
 struct NAME(solver) {
     struct NAME(series) wide;
     struct double_series narrow;
-    REAL *by_point, *by_row, *shape, *weight; /* shape: cos(phi) - 1; weight: of both quadrants */
-    double *narrow_by_point, *narrow_by_row, *narrow_shape;
-    REAL *position, *velocity;
+    REAL *weight, *position, *velocity; /* weight: of each point, in both quadrants */
 };
 
 /* The rule's points and what each row moves the rim by there: cos(n phi) cos(phi), and -sin(n phi) sin(phi) */
@@ -56,9 +54,9 @@ static void NAME(place_points)(const struct disk *disk, struct NAME(solver) * s)
         REAL half_cos, half_sin, c[2], cos_phi, sin_phi;
         NAME(small_angle)(phi / 2, &half_cos, &half_sin);
         s->weight[j] = quarter * weight[at] / disk->panels;
-        s->shape[j] = -2 * half_sin * half_sin;
-        s->narrow_shape[j] = (double)s->shape[j];
-        cos_phi = 1 + s->shape[j];
+        s->wide.shape[j] = -2 * half_sin * half_sin;
+        s->narrow.shape[j] = (double)s->wide.shape[j];
+        cos_phi = 1 + s->wide.shape[j];
         sin_phi = 2 * half_sin * (1 + half_cos);
         c[0] = 1; /* cos(n phi) and sin(n phi) */
         c[1] = 0;
@@ -68,54 +66,14 @@ static void NAME(place_points)(const struct disk *disk, struct NAME(solver) * s)
                 const REAL value = i == 0 ? c[0] * cos_phi : -c[1] * sin_phi;
                 const size_t by_point = (panel * disk->rows + row + i) * GAUSS + at;
                 const size_t by_row = (row / GROUP * disk->points + j) * GROUP + (row + i) % GROUP;
-                s->by_point[by_point] = s->by_row[by_row] = value;
-                s->narrow_by_point[by_point] = s->narrow_by_row[by_row] = (double)value;
+                s->wide.by_point[by_point] = s->wide.by_row[by_row] = value;
+                s->narrow.by_point[by_point] = s->narrow.by_row[by_row] = (double)value;
             }
             const REAL next = c[0] * cos_phi - c[1] * sin_phi;
             c[1] = c[1] * cos_phi + c[0] * sin_phi;
             c[0] = next;
         }
     }
-}
-
-/* The solver's memory, in pieces of `pool` */
-static void NAME(prepare)(struct disk *disk, const struct effort *effort, struct pool *pool, struct NAME(solver) * s)
-{
-    const size_t k = (size_t)effort->order + 2, low = (size_t)effort->wide_orders + 2, points = disk->points,
-                 n = 1 + disk->n, table = points * disk->rows;
-    const struct {
-        REAL **to;
-        size_t count;
-    } wide[] = {{&s->by_point, table},
-                {&s->by_row, table},
-                {&s->shape, points},
-                {&s->weight, points},
-                {&s->position, n},
-                {&s->velocity, n},
-                {&s->wide.position, low * n},
-                {&s->wide.rise, low * points},
-                {&s->wide.pressure, low * points},
-                {&s->wide.load, low},
-                {&s->wide.sum, disk->rows},
-                {&s->wide.force, disk->rows}};
-    const struct {
-        double **to;
-        size_t count;
-    } narrow[] = {{&s->narrow_by_point, table}, {&s->narrow_by_row, table},    {&s->narrow_shape, points},
-                  {&s->narrow.position, k * n}, {&s->narrow.rise, k * points}, {&s->narrow.pressure, k * points},
-                  {&s->narrow.load, k},         {&s->narrow.sum, disk->rows},  {&s->narrow.force, disk->rows}};
-    for (size_t i = 0; i < sizeof wide / sizeof *wide; i++)
-        *wide[i].to = pool_take(pool, wide[i].count, sizeof(REAL));
-    for (size_t i = 0; i < sizeof narrow / sizeof *narrow; i++)
-        *narrow[i].to = pool_take(pool, narrow[i].count, sizeof(double));
-    disk->panel = pool_take(pool, disk->panels, sizeof *disk->panel);
-    s->wide.by_point = s->by_point;
-    s->wide.by_row = s->by_row;
-    s->narrow.by_point = s->narrow_by_point;
-    s->narrow.by_row = s->narrow_by_row;
-    s->wide.mass = NAME(pi)();
-    s->narrow.mass = (double)s->wide.mass;
-    NAME(place_points)(disk, s);
 }
 
 /* The panels whose pressure matters during a step: those above the negligible position and within `depth` of the
@@ -130,7 +88,7 @@ static double NAME(choose_panels)(struct disk *disk, const struct effort *effort
     for (int k = 0; k < 2; k++)
         double_rim(disk, &s->narrow, k);
     for (size_t j = 0; j < disk->points; j++) {
-        farthest = fmax(farthest, x[j] + disk->alpha * s->narrow_shape[j]);
+        farthest = fmax(farthest, x[j] + disk->alpha * s->narrow.shape[j]);
         fastest = fmax(fastest, fabs(speed[j]));
     }
     const double nothing = disk->alpha * negligible_position(disk, effort);
@@ -138,13 +96,12 @@ static double NAME(choose_panels)(struct disk *disk, const struct effort *effort
     for (size_t i = 0; i < disk->panels; i++) {
         double most = -HUGE_VAL;
         for (size_t j = i * GAUSS; j < (i + 1) * GAUSS; j++)
-            most = fmax(most, x[j] + disk->alpha * s->narrow_shape[j]);
+            most = fmax(most, x[j] + disk->alpha * s->narrow.shape[j]);
         if (most > fmax(nothing, farthest + log(effort->tolerance) - MARGIN))
             disk->panel[disk->active++] = i;
     }
-    return disk->active > 0
-               ? MARGIN / 4 / fastest
-               : (nothing - farthest + MARGIN / 4) / (disk->alpha * greatest_speed(disk, s->narrow.position));
+    const double most_speed = fabs(s->narrow.position[1 + disk->n]) + swing(disk, s->narrow.position, 1);
+    return disk->active > 0 ? MARGIN / 4 / fastest : (nothing - farthest + MARGIN / 4) / (disk->alpha * most_speed);
 }
 
 /* Taylor coefficients of a step from the state; returns its length. */
@@ -171,7 +128,8 @@ static double NAME(expand)(struct disk *disk, const struct effort *effort, const
                 for (size_t j = disk->panel[a] * GAUSS; j < (disk->panel[a] + 1) * GAUSS; j++) {
                     const size_t at = (size_t)k * disk->points + j;
                     if (k == 0)
-                        s->wide.pressure[j] = s->weight[j] * NAME(exp)(s->wide.rise[j] + disk->alpha * s->shape[j]);
+                        s->wide.pressure[j] =
+                            s->weight[j] * NAME(exp)(s->wide.rise[j] + disk->alpha * s->wide.shape[j]);
                     s->narrow.rise[at] = (double)s->wide.rise[at];
                     s->narrow.pressure[at] = (double)s->wide.pressure[at];
                 }
@@ -209,12 +167,20 @@ static int NAME(collide)(struct disk *disk, const struct effort *effort, struct 
     struct NAME(solver) s;
     const double reach = negligible_position(disk, effort);
     double time = reach / disk->speed;
-    NAME(prepare)(disk, effort, &pool, &s);
+    NAME(take)(disk, effort->wide_orders + 2, &pool, &s.wide);
+    double_take(disk, effort->order + 2, &pool, &s.narrow);
+    s.weight = pool_take(&pool, disk->points, sizeof(REAL));
+    s.position = pool_take(&pool, 1 + disk->n, sizeof(REAL));
+    s.velocity = pool_take(&pool, 1 + disk->n, sizeof(REAL));
+    disk->panel = pool_take(&pool, disk->panels, sizeof *disk->panel);
+    s.wide.mass = NAME(pi)();
+    s.narrow.mass = (double)s.wide.mass;
+    NAME(place_points)(disk, &s);
     s.position[0] = reach;
     s.velocity[0] = disk->speed;
     for (course->steps = 0; course->steps < MOST_STEPS; course->steps++) {
         const double h = NAME(expand)(disk, effort, &s);
-        if (s.velocity[0] < 0 && disk->active == 0 && farthest_reach(disk, s.narrow.position) < reach)
+        if (s.velocity[0] < 0 && disk->active == 0 && s.narrow.position[0] + swing(disk, s.narrow.position, 0) < reach)
             break;
         follow(disk, effort, &s.narrow, course, time, h);
         NAME(advance)(disk, effort, &s, h);

@@ -4,14 +4,26 @@
 
 /* Coefficients of t^k. `rise` is alpha k x_k, which the recurrence of the exponential needs. */
 struct NAME(series) {
-    const REAL *by_point;  /* [panel][row][GAUSS]: what the rows' sums move the rim by at each point */
-    const REAL *by_row;    /* [row / GROUP][point][GROUP]: the same */
+    REAL *by_point;        /* [panel][row][GAUSS]: what the rows' sums move the rim by at each point */
+    REAL *by_row;          /* [row / GROUP][point][GROUP]: the same */
+    REAL *shape;           /* [point]: cos(phi) - 1 */
     REAL *position;        /* [k][1 + n]: x_0 + 1 and Q */
     REAL *rise, *pressure; /* [k][point]: with the point's weight */
     REAL *load;            /* [k] */
     REAL *sum, *force;     /* [row] */
     REAL mass;
 };
+
+/* The memory of so many orders, in pieces of `pool` */
+static void NAME(take)(const struct disk *disk, int orders, struct pool *pool, struct NAME(series) * s)
+{
+    const size_t k = (size_t)orders, n = 1 + disk->n, points = disk->points, rows = disk->rows;
+    REAL **const to[] = {&s->by_point, &s->by_row, &s->shape, &s->position, &s->rise,
+                         &s->pressure, &s->load,   &s->sum,   &s->force};
+    const size_t count[] = {points * rows, points * rows, points, k * n, k * points, k * points, k, rows, rows};
+    for (size_t i = 0; i < sizeof to / sizeof *to; i++)
+        *to[i] = pool_take(pool, count[i], sizeof(REAL));
+}
 
 /* x_k at the points of the active panels, but for the shape of the disk */
 static void NAME(rim)(const struct disk *disk, const struct NAME(series) * s, int k)
@@ -45,10 +57,8 @@ static void NAME(press)(const struct disk *disk, const struct NAME(series) * s, 
         const size_t first = disk->panel[a] * GAUSS;
         REAL f[GAUSS] = {0};
         for (int i = 1; i <= k; i++) {
-            const REAL *const rise = s->rise + (size_t)i * disk->points + first, *const pressure =
-                                                                                     s->pressure +
-                                                                                     (size_t)(k - i) * disk->points +
-                                                                                     first;
+            const REAL *const rise = s->rise + (size_t)i * disk->points + first;
+            const REAL *const pressure = s->pressure + (size_t)(k - i) * disk->points + first;
             for (size_t j = 0; j < GAUSS; j++)
                 f[j] += rise[j] * pressure[j];
         }
