@@ -298,7 +298,6 @@ int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double 
         if (disk_collide(&disk, &efforts[i], &course) != 0)
             status = 2;
         out->error = i == 0 ? HUGE_VAL : 4 * (double)fabsl(course.eps - before);
-        out->bits = efforts[i].wide ? 113 : LDBL_MANT_DIG;
         if (out->error <= needed)
             status = 0;
         before = course.eps;

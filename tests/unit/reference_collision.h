@@ -12,7 +12,6 @@ struct reference_collision {
     double eps, one_minus_eps2, contact_time, max_compression; /* as in struct cor_disk_collision */
     double energy_drift;
     double error; /* four times the difference of the last two runs in eps; the first of them errs more */
-    int bits;     /* of the arithmetic: 64 for long double, 113 for quad precision */
 };
 
 /* The equations of motion with the signs that conserve energy, in the variables x_0 and Q themselves,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A disk at a rigid or an exponential wall by the formulas of derivation 17 as they stand: every sum written out, every
+/* A disk at a rigid wall by the formulas of derivation 17 as they stand: every sum written out, every
  * contact found from nothing, plain kicks whose error is h^2. Slow; what tests judge runtime/disk/hard_wall_*.c by. */
 #ifndef COR_TESTS_REFERENCE_HARD_WALL_H
 #define COR_TESTS_REFERENCE_HARD_WALL_H
@@ -10,10 +10,8 @@ struct reference_wall {
     double omega;  /* modes below it move */
     int fade_next; /* w = (1 - r^2)^2 (1 + fade_next r^2) */
     double h;
-    int nyquist;   /* angles are pi/nyquist apart; n goes up to nyquist */
-    int angles;    /* so many, from 0 on */
-    double offset; /* 0, or 0.5: angles at (j + offset) pi/nyquist */
-    double alpha;  /* 0: a rigid wall; otherwise potential exp(alpha x)/alpha */
+    int nyquist; /* angles are pi/nyquist apart; n goes up to nyquist */
+    int angles;  /* so many, from 0 on */
 };
 
 /* 1 - eps^2, or NaN if a contact is not found or reaches the last angle */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c): against the formulas written out,
- * which share no sum, no contact solver and no step with it; two fades, walls of potential exp(alpha x)/alpha, a point
- * contact, energy, contacts in pieces. And the instruction sets: levels and modes have the same bits. */
+ * which share no sum, no contact solver and no step with it; two fades, a point contact, energy, contacts in pieces.
+ * And the instruction sets: levels and modes have the same bits. */
 #include "check.h"
 
 #include <cor/status.h>
@@ -199,37 +199,7 @@ TEST(budget)
     }
 }
 
-/* ---- other walls ---- */
-
-/* All modes, at equal alpha: the compliance at once, Omega -> infinity, against cor_disk_collision with ever more modes
- * */
-TEST(soft_wall_of_all_modes)
-{
-    const double speed = 0.1, alpha = 280, nu = 0.33;
-    double l[2], w[2], at_once[2];
-    for (int i = 0; i < 2; i++) {
-        const size_t count = i == 0 ? 3600 : 7200;
-        struct cor_disk_modes modes;
-        struct cor_disk_collision out;
-        const struct cor_disk_collision_options options = {.alpha = alpha, .tolerance = 1e-7};
-        assert_int_equal(cor_disk_modes_compute(nu, count, mode, &modes), COR_OK);
-        assert_int_equal(cor_disk_collision(&modes, count, &options, speed, &out), COR_OK);
-        l[i] = out.one_minus_eps2;
-        w[i] = 1 / sqrt((double)count);
-    }
-    for (int i = 0; i < 2; i++) {
-        const double omega = i == 0 ? 20 : 20 * sqrt(2);
-        const struct cor_disk_modes modes = modes_of(nu, omega);
-        const struct cor_hard_wall_settings settings = fine_settings(omega, speed);
-        struct reference_wall wall = reference_settings(&settings, speed, (int)(6.3 * omega));
-        wall.offset = 0.5;
-        wall.h = 0.8 / omega;
-        wall.alpha = alpha;
-        at_once[i] = reference_limit(&modes, speed, wall);
-    }
-    const double by_modes = l[1] - (l[1] - l[0]) / (w[1] - w[0]) * w[1], by_omega = 2 * at_once[1] - at_once[0];
-    check(fabs(by_modes - by_omega) < 1e-4, "%.7f and %.7f", by_modes, by_omega);
-}
+/* ---- a point ---- */
 
 /* Where both hold, a point contact and the full method have one L at each Omega. */
 TEST(point_contact)
@@ -363,5 +333,5 @@ TEST(refusals)
     level_of(&modes, 0.1, &settings, COR_ERROR_MODES);
 }
 
-RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, point_contact, soft_wall_of_all_modes, refusals,
-          coarse_angles, cosines, every_set, modes_of_every_set)
+RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, point_contact, refusals, coarse_angles, cosines,
+          every_set, modes_of_every_set)
