@@ -2,7 +2,9 @@
 /* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of what is cut off. */
 #include "ball.h"
 
+#include "series/jet.h"
 #include "series/power_bounds.h"
+#include "series/row_sums.h"
 #include "series/trajectory.h"
 #include "series/turning_point.h"
 #include "support/local.h"
@@ -208,5 +210,82 @@ TEST(test_law_parse)
     assert_true(q.num == 1 && q.den == 5);
 }
 
-RUN_TESTS(test_equation_49, test_equation_of_motion, test_balls_contain_rationals, test_truncation_bound,
+/* Intervals of very different size, and one number in each interval */
+static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, slong length, struct random_state *random)
+{
+    LOCAL(arb, x, y);
+    for (slong j = 0; j < length; j++) {
+        const double head = random_uniform(random, -1, 1), rest = ldexp(random_uniform(random, -1, 1), -50);
+        LET(x, 200, "head + rest", head, rest);
+        arb_mul_2exp_si(x, x, -2 * k - j / 2 - (slong)random_below(random, 40));
+        if (random_below(random, 8) == 0)
+            arb_zero(x);
+        arb_set_d(y, random_uniform(random, 0, 1));
+        arb_mul_2exp_si(y, y, (slong)random_below(random, 3) * j / 2 - 60);
+        arb_add_error(x, y);
+        arb_poly_set_coeff_arb(row, j, x);
+        /* one end of the interval, or a point within */
+        arb_get_rad_arb(y, x);
+        arb_mul_si(y, y, (slong)random_below(random, 3) - 1, 200);
+        arb_get_mid_arb(x, x);
+        arb_add(x, x, y, 400);
+        arb_poly_set_coeff_arb(point, j, x);
+    }
+}
+
+/* The sums contain the sum over one number of each interval, product by product, and are hardly wider than the sums of
+ * intervals. */
+TEST(test_row_sums)
+{
+    enum { CUT = 100, EXACT = 4000 };
+    static const struct {
+        struct ratio p;
+        slong rows, length;
+    } sizes[] = {{{3, 2}, 14, 1}, {{3, 2}, 13, 70}, {{1, 1}, 6, 129}, {{31, 16}, 9, 65}};
+    struct random_state random = random_start();
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const struct ratio p = sizes[i].p;
+        const slong rows = sizes[i].rows, length = sizes[i].length;
+        arb_poly_struct *f[2] = {jet_new(rows), jet_new(rows)}, *point[2] = {jet_new(rows), jet_new(rows)};
+        struct row_sums sums;
+        LOCAL(arb_poly, sum, product, wide_sum, point_sum);
+        arb_poly_struct *const expected[2] = {wide_sum, point_sum};
+        LOCAL(arb, x, y);
+        LOCAL(mag, wide, cut);
+        row_sums_init(&sums, p, rows, length, CUT);
+        for (int n = 0; n < 2; n++)
+            for (slong k = 1; k < rows; k++)
+                random_row(f[n] + k, point[n] + k, k, length, &random);
+        for (slong k = 1; k < rows; k++) {
+            row_sums_next(sum, &sums, f[0], f[1], k);
+            for (int kind = 0; kind < 2; kind++) {
+                arb_poly_struct *const *factor = kind == 0 ? f : point;
+                arb_poly_zero(expected[kind]);
+                for (slong n = 1; n < k; n++) {
+                    arb_set_si(x, (p.num + p.den) * n - p.den * k);
+                    arb_poly_mullow(product, factor[0] + n, factor[1] + k - n, length, EXACT);
+                    arb_poly_scalar_mul(product, product, x, EXACT);
+                    arb_poly_add(expected[kind], expected[kind], product, EXACT);
+                }
+            }
+            for (slong j = 0; j < length; j++) {
+                arb_poly_get_coeff_arb(x, sum, j);
+                arb_poly_get_coeff_arb(y, expected[1], j);
+                check(arb_contains(x, y), "size %zu, row %ld, coefficient %ld", i, (long)k, (long)j);
+                arb_poly_get_coeff_arb(y, expected[0], j);
+                mag_mul_ui(wide, arb_radref(y), 2);
+                mag_set_ui_2exp_si(cut, 1, 20 - CUT - 2 * k);
+                mag_add(wide, wide, cut);
+                check(mag_cmp(arb_radref(x), wide) <= 0, "size %zu, row %ld, coefficient %ld", i, (long)k, (long)j);
+            }
+        }
+        row_sums_clear(&sums);
+        for (int n = 0; n < 2; n++) {
+            jet_free(f[n], rows);
+            jet_free(point[n], rows);
+        }
+    }
+}
+
+RUN_TESTS(test_equation_49, test_equation_of_motion, test_balls_contain_rationals, test_truncation_bound, test_row_sums,
           test_law_parse)
