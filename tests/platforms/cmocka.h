@@ -15,23 +15,16 @@
 struct CMUnitTest {
     const char *name;
     void (*test_func)(void **state);
-    int (*teardown)(void **state);
 };
 
 enum { CMOCKA_FAILED = 1, CMOCKA_SKIPPED };
 static jmp_buf cmocka_ended;
 
-#define cmocka_unit_test_teardown(function, teardown)                                                                  \
-    {                                                                                                                  \
-#function, function, teardown                                                                                  \
-    }
-#define cmocka_unit_test(function) cmocka_unit_test_teardown(function, NULL)
 #define skip() longjmp(cmocka_ended, CMOCKA_SKIPPED)
 #define print_message printf
 #define test_malloc malloc
 #define test_free free
 #define print_error printf
-#define fail() cmocka_fail(__FILE__, __LINE__, "fail()")
 #define fail_msg(...) (printf(__VA_ARGS__), cmocka_fail(__FILE__, __LINE__, ""))
 #define assert_that(holds, text) ((holds) ? (void)0 : cmocka_fail(__FILE__, __LINE__, text))
 #define assert_true(x) assert_that(x, #x)
@@ -64,10 +57,6 @@ static inline int cmocka_run(const struct CMUnitTest *test, size_t count, int (*
             break;
         default:
             printf("FAILED %s\n", test[i].name);
-            failed++;
-        }
-        if (test[i].teardown && test[i].teardown(&state)) {
-            printf("FAILED after %s\n", test[i].name);
             failed++;
         }
         fflush(stdout);

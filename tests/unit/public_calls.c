@@ -263,14 +263,6 @@ void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, in
         a->depth[i] = (int)below(source, 50) - 1;
         a->status[i] = (int)below(source, 60) - 10;
         disk_draw(a, source, i);
-        if (!subnormal) {
-            without_subnormals(&a->contact[i], sizeof a->contact[i]);
-            without_subnormals(&a->body_1[i], sizeof a->body_1[i]);
-            without_subnormals(&a->body_2[i], sizeof a->body_2[i]);
-            without_subnormals(&a->sphere[i], sizeof a->sphere[i]);
-            without_subnormals(&a->plate[i], sizeof a->plate[i]);
-            without_subnormals(&a->half_space[i], sizeof a->half_space[i]);
-        }
 #define NUMBER(name)                                                                                                   \
     if (!subnormal)                                                                                                    \
         without_subnormal(&a->name[i]);                                                                                \
@@ -279,6 +271,8 @@ void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, in
         a->name##f[i] = 0;
 #include "public_functions.inc"
     }
+    if (!subnormal) /* from contact to half_space all are structs of doubles */
+        without_subnormals(a->contact, offsetof(struct arguments, modes) - offsetof(struct arguments, contact));
 }
 
 /* ---- results ---- */

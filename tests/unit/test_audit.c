@@ -65,6 +65,11 @@ static int audit(const char *text, double speed)
     return audit_bytes(NULL, text, strlen(text), speed);
 }
 
+static void audits(int status, double speed, const char *text)
+{
+    assert_int_equal(audit(text, speed), status);
+}
+
 static void finds(int at, long line, double asked, double realised, const char *named)
 {
     const struct cor_audit_finding *const f = &seen.finding[at];
@@ -89,16 +94,14 @@ static void says(int at, int which, const char *part)
 /* eps of e by the table of the laws, and what it gets from the numbers of a line */
 TEST(lammps)
 {
-    assert_int_equal(audit(SPHERES
-                           "pair_style granular\n"
-                           "variable e equal 1/2\n"
-                           "pair_coeff 1 1 hertz/material 1e7 ${e} 0.3 damping tsuji &\n tangential "
-                           "linear_nohistory 0 0 # a comment\n"
-                           "pair_coeff 2 2 hertz 1e7 0.8 limit_damping damping tsuji\n"
-                           "pair_coeff 1 2 hooke 1e4 0.2 damping tsuji\r\n"
-                           "fix w all wall/gran granular hertz 1e7 0.7 damping coeff_restitution zplane 0 NULL\n",
-                           1),
-                     COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, 1,
+           SPHERES "pair_style granular\n"
+                   "variable e equal 1/2\n"
+                   "pair_coeff 1 1 hertz/material 1e7 ${e} 0.3 damping tsuji &\n tangential "
+                   "linear_nohistory 0 0 # a comment\n"
+                   "pair_coeff 2 2 hertz 1e7 0.8 limit_damping damping tsuji\n"
+                   "pair_coeff 1 2 hooke 1e4 0.2 damping tsuji\r\n"
+                   "fix w all wall/gran granular hertz 1e7 0.7 damping coeff_restitution zplane 0 NULL\n");
     assert_int_equal(seen.count, 5);
     finds(0, 11, 0.5, 0.616076, "granular hertz, damping tsuji, releases to July 2026, 1-1");
     says(0, 2, "pair_coeff 1 1 hertz/material 1e7 0.366651 0.3 damping tsuji tangential");
@@ -111,8 +114,7 @@ TEST(lammps)
 
     /* a linear dashpot of two equal spheres, in closed form; duration pi/sqrt(1 - zeta^2) sqrt(m/K) */
     const double pi = 3.14159265358979323846, mass = pi / 6 * 1e-6 * 2500 / 2, zeta = 0.05 / (2 * sqrt(1e3 * mass));
-    assert_int_equal(audit(SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\n", NAN),
-                     COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN, SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\n");
     finds(0, 10, NAN, exp(-pi * zeta / sqrt(1 - zeta * zeta)), "granular hooke, damping velocity, 1-1");
     check(fabs(seen.finding[0].duration_s / (pi / sqrt(1 - zeta * zeta) * sqrt(mass / 1e3)) - 1) < 1e-12,
           "duration %.15g", seen.finding[0].duration_s);
@@ -120,11 +122,10 @@ TEST(lammps)
 
     /* the older styles, cgs, a wall with the whole mass: zeta = (gamma/2) sqrt(m/K) */
     const double wall = pi / 6 * 1e-3 * 2.5, ratio = 1000 / 2.0 * sqrt(wall / 1e6);
-    assert_int_equal(audit("units cgs\natom_style sphere\ncreate_box 1 b\nset type 1 diameter 0.1 density 2.5\n"
-                           "pair_style gran/hertz/history 1e9 NULL 5e4 NULL 0.5 0\npair_coeff * *\n"
-                           "fix w all wall/gran hooke/history 1e6 NULL 1000 NULL 0.5 0 zplane 0 NULL\n",
-                           0.1),
-                     COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, 0.1,
+           "units cgs\natom_style sphere\ncreate_box 1 b\nset type 1 diameter 0.1 density 2.5\n"
+           "pair_style gran/hertz/history 1e9 NULL 5e4 NULL 0.5 0\npair_coeff * *\n"
+           "fix w all wall/gran hooke/history 1e6 NULL 1000 NULL 0.5 0 zplane 0 NULL\n");
     const double m = wall / 2, radius = 0.025, k = 1e9 * sqrt(radius);
     const double beta = 5e4 * sqrt(radius) * pow(m / k, 0.6) * pow(10, 0.2);
     finds(0, 5, NAN, cor_sphere_eps_zero_overlap(beta), "gran/hertz/history, 1-1");
@@ -162,7 +163,7 @@ TEST(liggghts)
     snprintf(text, sizeof text, "%s%s", script,
              "pair_style gran model hertz tangential history limitForce on\npair_coeff * *\n"
              "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n");
-    assert_int_equal(audit(text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN, text);
     assert_int_equal(seen.count, 2); /* no sphere has type 2 */
     finds(0, 6, 0.5, 0.55028, "coefficientRestitution, limitForce on, 1-1");
     says(0, 2, "peratomtypepair 2 0.436288 0.7 0.7 0.9");
@@ -173,7 +174,7 @@ TEST(liggghts)
     snprintf(text, sizeof text, "%s%s", script,
              "pair_style gran model hooke tangential off\nfix w all wall/gran model hooke/stiffness tangential off "
              "primitive type 2 zplane 0\n");
-    assert_int_equal(audit(text, NAN), COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN, text);
     assert_int_equal(seen.count, 2);
     finds(0, 6, 0.5, 0.5, "coefficientRestitution, 1-1");
     finds(1, 9, NAN, exp(-pi * zeta / sqrt(1 - zeta * zeta)), "hooke/stiffness, gamman, 1-wall");
@@ -213,7 +214,7 @@ TEST(steps)
     const double elastic = 3.218065459719043 * pow(mass / k, 0.4);
     snprintf(text, sizeof text, SPHERES "timestep %.17g\npair_style granular\npair_coeff 1 1 hertz 1e7 %.17g\n",
              elastic / 12, eta);
-    assert_int_equal(audit(text, 1), COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, 1, text);
     finds(0, 11, NAN, 0.5, "viscoelastic");
     check(fabs(seen.finding[0].step_bias + 5.6e-3) < 2e-4 && fabs(seen.finding[0].step_scatter - 5.6e-3) < 2e-4,
           "%g, %g", seen.finding[0].step_bias, seen.finding[0].step_scatter);
@@ -223,21 +224,21 @@ TEST(steps)
     static const char coarse[] = SPHERES "timestep %.17g\npair_style granular\n"
                                          "pair_coeff 1 1 hertz 1e7 0.5 damping coeff_restitution\n";
     snprintf(text, sizeof text, coarse, elastic / 6);
-    assert_int_equal(audit(text, 1), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, 1, text);
     finds(0, 11, 0.5, 0.5, "coeff_restitution");
     assert_true(seen.finding[0].step_scatter > 5e-3);
     snprintf(text, sizeof text, coarse, elastic / 200);
-    assert_int_equal(audit(text, 1), COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, 1, text);
     assert_true(fabs(seen.finding[0].step_bias) < 1e-3 && seen.finding[0].step_scatter > 0);
     snprintf(text, sizeof text, coarse, elastic);
-    assert_int_equal(audit(text, 1), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, 1, text);
     says(0, 1, "less than two time steps");
 
     static const char tsuji[] = "pair_style granular\npair_coeff * * hertz 1 0.5 damping tsuji\n";
-    assert_int_equal(audit(tsuji, NAN), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN, tsuji);
     says(0, 1, "source after July 2026 realises 0.4999");
     version = 20260901;
-    assert_int_equal(audit(tsuji, NAN), COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN, tsuji);
     finds(0, 2, 0.5, 0.499918, "source after July 2026");
     version = 20210929;
     audit(tsuji, NAN);
@@ -289,7 +290,7 @@ static const char mujoco_text[] = "<mujoco>\n<!-- <geom solref=\"1 1\"/>\n -->\n
 TEST(keywords)
 {
     const double pi = 3.14159265358979323846;
-    assert_int_equal(audit(yade_text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN, yade_text);
     assert_int_equal(seen.count, 3);
     finds(0, 10, 0.3, 0.397140, "ViscElMat, tc and en, grain-grain");
     says(0, 2, "ViscElMat(density=2500, tc=tc, en= 0.165219 , et=1, label='grain')");
@@ -306,22 +307,21 @@ TEST(keywords)
     finds(2, 16, 0.5, 0.550283, "before 2023");
     version = 0;
 
-    assert_int_equal(audit("e = 0.5\nIp2_FrictMat_FrictMat_MindlinPhys(frictAngle=MatchMaker(matches=((0, 0, 1),)),\n"
-                           " en=MatchMaker(matches=((1, 1, e), (0,1,0.99),)), es=1)\nO.engines=[]\n",
-                           NAN),
-                     COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN,
+           "e = 0.5\nIp2_FrictMat_FrictMat_MindlinPhys(frictAngle=MatchMaker(matches=((0, 0, 1),)),\n"
+           " en=MatchMaker(matches=((1, 1, e), (0,1,0.99),)), es=1)\nO.engines=[]\n");
     assert_int_equal(seen.count, 2);
     finds(0, 2, 0.5, 0.50001, "Mindlin, en (2023 and later), 1-1");
     finds(1, 2, 0.99, 0.97895, "0-1");
 
-    assert_int_equal(audit(kratos_text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN, kratos_text);
     assert_int_equal(seen.count, 4);
     says(0, 1, "DEM_D_JKR_Cohesive_Law");
     finds(1, 5, 0.99, 0.97895, "DEM Hertz, COEFFICIENT_OF_RESTITUTION, a, b-c");
     finds(2, 8, NAN, 0.506277, "DEM linear, DAMPING_GAMMA, c-c");
     finds(3, 9, NAN, NAN, "c-a, b");
 
-    assert_int_equal(audit(mfix_text, 1), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, 1, mfix_text);
     assert_int_equal(seen.count, 5);
     finds(0, 13, 0.9, 0.910079, "DEM, HERTZIAN, 1-1");
     says(0, 2, "des_en_input(1) = 0.88886");
@@ -332,13 +332,12 @@ TEST(keywords)
     finds(4, 15, 0.1, 0.141277, "2-wall");
     assert_true(seen.finding[1].duration_s > seen.finding[0].duration_s);
 
-    assert_int_equal(audit(" des_en_input(1) = 0.9\n kn = 1e4\n d_p0(1) = 0.005\n ro_s0(1) = 2000\n", NAN),
-                     COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN, " des_en_input(1) = 0.9\n kn = 1e4\n d_p0(1) = 0.005\n ro_s0(1) = 2000\n");
     check(fabs(seen.finding[0].duration_s / seen.finding[0].time_step_s - 50) < 1e-9, "%g steps",
           seen.finding[0].duration_s / seen.finding[0].time_step_s);
     assert_true(seen.finding[0].step_scatter > 1e-4 && seen.finding[0].step_scatter < 9e-3);
 
-    assert_int_equal(audit(mujoco_text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN, mujoco_text);
     assert_int_equal(seen.count, 4);
     finds(0, 8, NAN, 0.506277, "timeconst, dampratio), dmin = dmax, floor-floor");
     check(fabs(seen.finding[0].duration_s / (2 * acos(0.25) / sqrt(1 - 0.0625) * 0.0025) - 1) < 1e-9, "duration %g",
@@ -360,10 +359,10 @@ TEST(keywords)
     audit("<mujoco><option cone='elliptic'/><geom solimp='0.9 0.9' condim='6'/>", 1);
     finds(0, 1, NAN, exp(-2), "geom-geom");
     seen.included = "<geom solref='0.01 0.25' solimp='1 1'/>";
-    assert_int_equal(audit("<mujoco><include file='geoms.xml'/>", NAN), COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN, "<mujoco><include file='geoms.xml'/>");
     finds(0, 1, NAN, 0.506277, "geom-geom");
     seen.included = "<include file='again.xml'/>\n<include file='again.xml'/>";
-    assert_int_equal(audit("<mujoco><include file='geoms.xml'/>", NAN), COR_AUDIT_NO_CONTACT);
+    audits(COR_AUDIT_NO_CONTACT, NAN, "<mujoco><include file='geoms.xml'/>");
     says(0, 1, "does a file include itself");
 
     static const char *const broken[][3] = {
@@ -394,11 +393,11 @@ TEST(keywords)
 TEST(missing)
 {
     /* nothing says the radius; then the speed */
-    assert_int_equal(audit("units si\npair_style granular\npair_coeff * * hertz 1e7 5e4 damping viscoelastic\n", 1),
-                     COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, 1,
+           "units si\npair_style granular\npair_coeff * * hertz 1e7 5e4 damping viscoelastic\n");
     finds(0, 3, NAN, NAN, "*-*");
     says(0, 1, "give --radius");
-    assert_int_equal(audit(SPHERES "pair_style granular\npair_coeff * * hertz 1e7 5e4\n", NAN), COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN, SPHERES "pair_style granular\npair_coeff * * hertz 1e7 5e4\n");
     says(0, 1, "give --speed");
     says(0, 1, "takes viscoelastic");
     /* values that are not there, a division by zero, variables in a circle and in a tower */
@@ -422,7 +421,7 @@ TEST(missing)
         char text[512];
         snprintf(text, sizeof text, "pair_style granular\npair_coeff * * hertz 1e7 0.5 damping coeff_restitution\n%s",
                  broken[i][0]);
-        assert_int_equal(audit(text, NAN), COR_AUDIT_NOT_AS_ASKED);
+        audits(COR_AUDIT_NOT_AS_ASKED, NAN, text);
         says(0, 1, broken[i][1]);
         assert_true(seen.finding[0].line > 2 && !seen.finding[0].model);
     }
@@ -431,12 +430,11 @@ TEST(missing)
 TEST(control)
 {
     /* branches, an index variable of the command line's kind, quotes, a commentary in quotes */
-    assert_int_equal(audit("variable e index 0.4 0.5\nvariable e index 0.9\npair_style granular\n"
-                           "if \"${e} == 0.4 && 2^3 > 7\" then \"pair_coeff * * hertz 1e7 ${e} damping "
-                           "coeff_restitution\" else \"pair_coeff * * hertz 1e7 0.1 damping tsuji\"\n"
-                           "print \"${unknown} # 'quoted\"\n",
-                           NAN),
-                     COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN,
+           "variable e index 0.4 0.5\nvariable e index 0.9\npair_style granular\n"
+           "if \"${e} == 0.4 && 2^3 > 7\" then \"pair_coeff * * hertz 1e7 ${e} damping "
+           "coeff_restitution\" else \"pair_coeff * * hertz 1e7 0.1 damping tsuji\"\n"
+           "print \"${unknown} # 'quoted\"\n");
     finds(0, 4, 0.4, 0.4, "*-*");
     /* a cycle of includes ends */
     seen.included = "include again\ninclude again\n";
@@ -446,21 +444,20 @@ TEST(control)
     says(0, 1, "does a file include itself");
     assert_string_equal(seen.finding[0].file, "included");
     seen.included = "pair_coeff * * hertz 1 0.5 damping coeff_restitution";
-    assert_int_equal(audit("pair_style granular\ninclude first\n", NAN), COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN, "pair_style granular\ninclude first\n");
     finds(0, 1, 0.5, 0.5, "*-*");
     /* clear forgets the bodies */
-    assert_int_equal(audit(SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\nclear\n"
-                                   "units si\npair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\n",
-                           NAN),
-                     COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN,
+           SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\nclear\n"
+                   "units si\npair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\n");
     assert_true(!isnan(seen.finding[0].realised) && isnan(seen.finding[1].realised));
 }
 
 TEST(texts)
 {
     static char longest[1 << 20];
-    assert_int_equal(audit("", NAN), COR_AUDIT_UNKNOWN);
-    assert_int_equal(audit("hello\n", NAN), COR_AUDIT_UNKNOWN);
+    audits(COR_AUDIT_UNKNOWN, NAN, "");
+    audits(COR_AUDIT_UNKNOWN, NAN, "hello\n");
     assert_int_equal(audit_bytes("lammps", "hello", 5, NAN), COR_AUDIT_NO_CONTACT);
     assert_int_equal(audit_bytes("lammps", "pair_style\0granular", 19, NAN), COR_AUDIT_NOT_TEXT);
     /* a line without an end, then every prefix and many damages of a text */

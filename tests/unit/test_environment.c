@@ -29,11 +29,10 @@
 EMBEDDED_LIST(INLINE_FUNCTION)
 #define INLINE_ROW(name) {"cor_inline_" #name, inline_##name, NULL, PUBLIC_double},
 static const struct public_function inline_functions[] = {EMBEDDED_LIST(INLINE_ROW)};
-enum { INLINES = sizeof inline_functions / sizeof *inline_functions };
 
 static size_t function_count(void)
 {
-    return public_function_count + INLINES;
+    return public_function_count + COUNT_OF(inline_functions);
 }
 
 static const struct public_function *function_number(size_t k)
@@ -122,9 +121,9 @@ static void call_again(size_t k, size_t i, const char *mode, int flushes)
 }
 
 /* A flag raised before stays, and errno too. */
-static void no_exception_and_no_errno(void **state)
+TEST(no_exception_and_no_errno)
 {
-    (void)state;
+    fesetenv(FE_DFL_ENV);
     for (size_t k = 0; k < function_count(); k++)
         for (size_t i = 0; i < set_count; i++) {
             const int before = i % 3 == 0 ? FE_DIVBYZERO : 0, number = i % 3 == 0 ? ENOENT : 0;
@@ -151,10 +150,12 @@ static void trap(int signal)
 {
     siglongjmp(trapped, signal);
 }
+#endif
 
-static void traps(void **state)
+TEST(traps)
 {
-    (void)state;
+    fesetenv(FE_DFL_ENV);
+#ifdef __GLIBC__
     struct sigaction action, before;
     memset(&action, 0, sizeof action);
     action.sa_handler = trap;
@@ -165,45 +166,36 @@ static void traps(void **state)
             if (sigsetjmp(trapped, 1))
                 fail_msg("%s, set %zu: traps", function_number(k)->name, (size_t)i);
             feclearexcept(FE_ALL_EXCEPT);
-            if (feenableexcept(REFUSED) == -1) {
-                print_message("this machine has no traps\n");
-                return;
-            }
+            if (feenableexcept(REFUSED) == -1)
+                skip(); /* the machine has no traps */
             function_number(k)->call(&sets[i], &r);
             const int trapping = fedisableexcept(FE_ALL_EXCEPT);
             results_clear(&r);
             check(trapping == REFUSED, "%s, set %zu: the traps changed", function_number(k)->name, (size_t)i);
         }
     sigaction(SIGFPE, &before, NULL);
-}
 #else
-static void traps(void **state)
-{
-    (void)state;
-    print_message("no feenableexcept here\n");
-}
+    skip(); /* no feenableexcept */
 #endif
+}
 
-static void rounding_modes(void **state)
+TEST(rounding_modes)
 {
-    (void)state;
-    static const struct {
-        const char *name;
-        int mode;
-    } modes[] = {
-        {"to nearest", FE_TONEAREST}, {"upward", FE_UPWARD}, {"downward", FE_DOWNWARD}, {"toward zero", FE_TOWARDZERO}};
-    for (size_t m = 0; m < sizeof modes / sizeof *modes; m++) {
-        assert_int_equal(fesetround(modes[m].mode), 0);
+    fesetenv(FE_DFL_ENV);
+    static const char *const name[] = {"to nearest", "upward", "downward", "toward zero"};
+    static const int mode[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (size_t m = 0; m < COUNT_OF(mode); m++) {
+        assert_int_equal(fesetround(mode[m]), 0);
         for (size_t k = 0; k < function_count(); k++)
             for (size_t i = 0; i < set_count; i++)
-                call_again(k, i, modes[m].name, 0);
+                call_again(k, i, name[m], 0);
         assert_int_equal(fesetround(FE_TONEAREST), 0);
     }
 }
 
-static void flushing_to_zero(void **state)
+TEST(flushing_to_zero)
 {
-    (void)state;
+    fesetenv(FE_DFL_ENV);
 #ifdef __SSE2__
     const unsigned control = _mm_getcsr(), flush = 0x8040; /* FTZ and DAZ */
     for (size_t k = 0; k < function_count(); k++)
@@ -214,14 +206,14 @@ static void flushing_to_zero(void **state)
         }
     _mm_setcsr(control);
 #else
-    print_message("no flushing to zero here\n");
+    skip();
 #endif
 }
 
 /* An array function gives the bits of the function that it is an array of, whatever the length. */
-static void arrays(void **state)
+TEST(arrays)
 {
-    (void)state;
+    fesetenv(FE_DFL_ENV);
     for (size_t k = 0; k < public_function_count; k++)
         for (size_t i = 0; i < set_count && public_functions[k].elements; i++)
             for (size_t part = 0; part < 3; part++) {
@@ -242,9 +234,9 @@ static void arrays(void **state)
 
 /* A function of floats gives the double's result rounded once, but for a few numbers that no random ones meet
  * (runtime/sphere/float_exceptions.h); of arrays in float arithmetic there is no double. */
-static void floats(void **state)
+TEST(floats)
 {
-    (void)state;
+    fesetenv(FE_DFL_ENV);
     static struct arguments a;
     size_t compared = 0;
     for (size_t k = 0; k < public_function_count; k++)
@@ -272,21 +264,4 @@ static void floats(void **state)
     assert_true(compared > 100);
 }
 
-static int restore(void **state)
-{
-    (void)state;
-    return fesetenv(FE_DFL_ENV);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_teardown(no_exception_and_no_errno, restore),
-        cmocka_unit_test_teardown(traps, restore),
-        cmocka_unit_test_teardown(rounding_modes, restore),
-        cmocka_unit_test_teardown(flushing_to_zero, restore),
-        cmocka_unit_test_teardown(arrays, restore),
-        cmocka_unit_test_teardown(floats, restore),
-    };
-    return cmocka_run_group_tests_name("environment", tests, setup, free_results);
-}
+RUN_GROUP(setup, free_results, no_exception_and_no_errno, traps, rounding_modes, flushing_to_zero, arrays, floats)

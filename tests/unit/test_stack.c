@@ -95,20 +95,15 @@ static size_t stack_stated(const struct public_function *function)
 TEST(stack_of_functions)
 {
 #if defined __SANITIZE_ADDRESS__ || !defined __OPTIMIZE__
-    print_message("skipped: instrumented or not optimised, functions take more\n");
-    skip();
+    skip(); /* instrumented or not optimized, functions take more */
 #endif
     results.capacity = MOST_RESULTS;
     results.value = malloc(MOST_RESULTS * sizeof *results.value);
     assert_non_null(results.value);
     const size_t thread = stack_taken(NULL);
-    size_t most = 0;
     for (size_t k = 0; k < public_function_count; k++) {
         const struct public_function *const f = &public_functions[k];
         const size_t whole = stack_taken(f), taken = whole > thread ? whole - thread : 0, stated = stack_stated(f);
-        if (taken > most || taken > 20000)
-            print_message("%s: %zu bytes\n", f->name, taken);
-        most = taken > most ? taken : most;
         check(taken <= stated, "%s: %zu bytes of stack, %zu stated", f->name, taken, stated);
     }
     results_clear(&results);
@@ -119,37 +114,23 @@ TEST(stack_of_functions)
 static size_t allocations;
 
 #ifdef COR_TEST_WRAPS_MALLOC /* by the linker */
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-
-void *__wrap_malloc(size_t size)
-{
-    allocations++;
-    return __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    allocations++;
-    return __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *old, size_t size)
-{
-    allocations++;
-    return __real_realloc(old, size);
-}
+#define WRAP(name, parameters, given)                                                                                  \
+    void *__real_##name parameters;                                                                                    \
+    void *__wrap_##name parameters;                                                                                    \
+    void *__wrap_##name parameters                                                                                     \
+    {                                                                                                                  \
+        allocations++;                                                                                                 \
+        return __real_##name given;                                                                                    \
+    }
+WRAP(malloc, (size_t size), (size))
+WRAP(calloc, (size_t count, size_t size), (count, size))
+WRAP(realloc, (void *old, size_t size), (old, size))
 #endif
 
 TEST(only_these_allocate)
 {
 #ifndef COR_TEST_WRAPS_MALLOC
-    print_message("skipped: this linker replaces no function of the library\n");
-    skip();
+    skip(); /* this linker replaces no function of the library */
 #endif
     static const char *const allocating[] = {"cor_disk_modes_compute", "cor_disk_rayleigh_array",
                                              "cor_disk_collision",     "cor_disk_collision_array",
@@ -172,8 +153,4 @@ TEST(only_these_allocate)
     results_clear(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {stack_of_functions, only_these_allocate};
-    return cmocka_run_group_tests_name("stack", tests, setup, NULL);
-}
+RUN_GROUP(setup, NULL, stack_of_functions, only_these_allocate)

@@ -1,17 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of the browser's module, compiled by the compiler at hand: hashes of their results, by which
- * tests/web/module.mjs compares those of WebAssembly.
- *     native COUNT FILE           writes COUNT arguments into FILE, as doubles, and prints NAME HASH
- *     native COUNT FILE NAME      writes the results of one function, as doubles
- *     native time                 prints NAME NANOSECONDS of eps of spheres, for an argument, at best */
-#define _POSIX_C_SOURCE 200809L
-#include <inttypes.h>
+/* The functions of the browser's module, compiled by the compiler at hand, for tests/web/module.mjs:
+ *     native COUNT FOLDER
+ * writes COUNT arguments into FOLDER/x and the results of each function into FOLDER/NAME, as doubles, and prints the
+ * names. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "tests/unit/random.h"
 #include "web/web.h"
@@ -31,75 +27,32 @@ static double argument(struct random_state *r, size_t i)
     return i % 4 == 2 ? random_log(r, 0x1p-40, 0x1p40) : (i % 8 == 3 ? -1 : 1) * random_pattern(r, INFINITY);
 }
 
-/* FNV-1a over words of 32 bits, the lower one first; every NaN counts as one. */
-static uint32_t hash_of(const double *y, size_t n)
+static void written(const char *folder, const char *name, const double *y, size_t n)
 {
-    uint32_t hash = 2166136261u;
-    for (size_t i = 0; i < n; i++) {
-        uint64_t bits = 0x7ff8000000000000u;
-        if (!isnan(y[i]))
-            memcpy(&bits, &y[i], sizeof bits);
-        hash = (hash ^ (uint32_t)bits) * 16777619u;
-        hash = (hash ^ (uint32_t)(bits >> 32)) * 16777619u;
-        hash ^= hash >> 15;
-    }
-    return hash;
-}
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static void print_times(void)
-{
-    enum { SOME = 1000, TIMES = 4000 };
-    static double x[SOME], y[SOME];
-    for (int i = 0; i < SOME; i++)
-        x[i] = 0.3 + 1.6 * (i * 619 % SOME) / SOME;
-    for (int f = 0; strncmp(web_function_name(f), "sphere.eps_zero", 15) == 0; f++) {
-        double best = INFINITY;
-        for (int k = 0; k < TIMES; k++) {
-            const double start = seconds();
-            web_map(f, x, y, SOME, 0);
-            best = fmin(best, seconds() - start);
-        }
-        printf("%s %.3f\n", web_function_name(f), 1e9 * best / SOME);
-    }
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *const file = fopen(path, "wb");
+    if (!file || fwrite(y, sizeof *y, n, file) != n || fclose(file) != 0)
+        exit(1);
 }
 
 int main(int argc, char **argv)
 {
-    if (argc == 2 && strcmp(argv[1], "time") == 0) {
-        print_times();
-        return 0;
-    }
-    const size_t n = argc >= 3 ? strtoul(argv[1], NULL, 10) : 0;
-    if (n == 0)
-        return 2;
+    const size_t n = argc == 3 ? strtoul(argv[1], NULL, 10) : 0;
     double *const x = malloc(2 * n * sizeof *x), *const y = x + n;
-    FILE *const file = x ? fopen(argv[2], "wb") : NULL;
     struct random_state r = random_seeded(34);
-    for (size_t i = 0; i < n && file; i++)
+    if (n == 0 || !x)
+        return 2;
+    for (size_t i = 0; i < n; i++)
         x[i] = argument(&r, i);
-    if (!file || fwrite(x, sizeof *x, n, file) != n || fclose(file) != 0) {
-        free(x);
-        return 1;
-    }
+    written(argv[2], "x", x, n);
     for (int i = 0; web_function_name(i); i++) {
         /* the quadrature of Hunt and Crossley's times takes ten microseconds */
         const int slow = i >= web_functions_with_exponent() && strstr(web_function_name(i), "overlap") == NULL;
         const size_t some = slow ? n / 20 : n;
-        if (argc > 3 && strcmp(argv[3], web_function_name(i)) != 0)
-            continue;
         web_map(i, x, y, some, 1.5);
-        if (argc > 3) {
-            fwrite(y, sizeof *y, some, stdout);
-            continue;
-        }
-        printf("%s %08" PRIx32 "\n", web_function_name(i), hash_of(y, some));
+        written(argv[2], web_function_name(i), y, some);
+        puts(web_function_name(i));
     }
     free(x);
     return 0;
