@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Counting for the test scripts, which source it and end with summary.
+# Counting for the test scripts, which source it in the root of the repository and end with summary. What they leave in
+# $work is gone when they end.
+. cmake/shell.sh
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
 
 passed=0
 failed=0
@@ -69,18 +75,16 @@ stages=()
 stage_name=
 stage() {
     local clock=${EPOCHREALTIME/[!0-9]/} cpu
-    times >"$stage_times"
-    cpu=$(awk '{ for (i = 1; i < 3; i++) { split($i, t, /[ms]/); s += 60 * t[1] + t[2] } } END { printf "%d", 1e6 * s }' "$stage_times")
+    times >"$work/times"
+    cpu=$(awk '{ for (i = 1; i < 3; i++) { split($i, t, /[ms]/); s += 60 * t[1] + t[2] } } END { printf "%d", 1e6 * s }' "$work/times")
     [ -z "$stage_name" ] || stages+=("$(awk -v w=$((clock - stage_clock)) -v c=$((cpu - stage_cpu)) -v n="$stage_name" \
         'BEGIN { printf "%7.1f s, %7.1f s of a processor: %s", w / 1e6, c / 1e6, n }')")
     stage_name=$* stage_clock=$clock stage_cpu=$cpu
 }
-stage_times=$(mktemp)
 
 # The last line, and the exit status of the script.
 summary() {
     [ -z "$stage_name" ] || stage
-    rm -f "$stage_times"
     [ ${#stages[@]} -eq 0 ] || printf '%s\n' "${stages[@]}"
     if [ "$skipped" -gt 0 ]; then
         printf '%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
