@@ -13,7 +13,6 @@ from ._evaluate import Array, CorError, address, judge, plain_dtype, pointer, re
 
 F = TypeVar("F", bound=Callable[..., Any])
 CENTRE_OF_MASS = int(lib.COR_DISK_DATUM_CENTRE_OF_MASS)
-_RAYLEIGH = record_dtype("cor_disk_rayleigh")
 _MODE = plain_dtype("cor_disk_mode")
 
 
@@ -161,17 +160,22 @@ def _fractions_array(
     return fractions, address(fractions, True)
 
 
-def _one(out: Array) -> Any:
-    return ffi.cast("struct cor_disk_rayleigh *", ffi.from_buffer("char[]", out, True))
+def _record(struct: str, call: Callable[[Any], int]) -> Any:
+    """A record of the results and the status; call(out) fills the struct and returns the status."""
+    out = np.zeros((), record_dtype(struct))
+    out["status"] = call(ffi.cast(f"struct {struct} *", ffi.from_buffer("char[]", out, True)))
+    judge(np.asarray(out["status"]))
+    return out.view(np.recarray)[()]
 
 
-def _records(struct: str, speed: ArrayLike, call: Callable[[Array, Any, Any], int]) -> Any:
-    """An array of records of the results and the status, of the shape of speed; call(speeds, out, status) fills both
-    and returns the status of the whole."""
+def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...], more: Tuple[Any, ...] = ()) -> Any:
+    """An array of records of the results and the status, of the shape of speed; more is what function takes between
+    the results and the statuses."""
     speeds = np.array(speed, np.float64, order="C")
     out = np.zeros(speeds.size, plain_dtype(struct))
     status = np.zeros(speeds.size, np.intc)
-    whole = call(speeds, ffi.from_buffer(f"struct {struct}[]", out, True), address(status, True))
+    results = ffi.from_buffer(f"struct {struct}[]", out, True)
+    whole = function(*given, address(speeds), speeds.size, results, *more, address(status, True))
     if whole and not status.any():
         raise CorError(whole)
     judge(status.reshape(speeds.shape))
@@ -185,12 +189,10 @@ def _records(struct: str, speed: ArrayLike, call: Callable[[Array, Any, Any], in
 @_documented("cor_disk_rayleigh")
 def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_fraction: bool = False) -> Any:
     """A record of the results and the status; with mode_fraction also the array of the fractions."""
-    out = np.zeros((), _RAYLEIGH)
     table = _table(modes)
     fractions, at = _fractions_array(modes, n_modes, (), mode_fraction)
-    out["status"] = lib.cor_disk_rayleigh(table, n_modes, datum, speed, _one(out), at)
-    judge(np.asarray(out["status"]))
-    result = out.view(np.recarray)[()]
+    given = (table, n_modes, datum, speed)
+    result = _record("cor_disk_rayleigh", lambda out: int(lib.cor_disk_rayleigh(*given, out, at)))
     return (result, fractions) if mode_fraction else result
 
 
@@ -201,32 +203,23 @@ def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike,
     table = _table(modes)
     fractions, at = _fractions_array(modes, n_modes, np.shape(speed), mode_fraction)
 
-    def call(v: Array, out: Any, status: Any) -> int:
-        return int(lib.cor_disk_rayleigh_array(table, n_modes, datum, address(v), v.size, out, at, status))
-
-    records = _records("cor_disk_rayleigh", speed, call)
+    records = _records("cor_disk_rayleigh", speed, lib.cor_disk_rayleigh_array, (table, n_modes, datum), (at,))
     return (records, fractions) if mode_fraction else records
 
 
 @_documented("cor_disk_rayleigh_tolerance")
 def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: float) -> Tuple[Any, int]:
     """A record of the results and the status, and the number of modes."""
-    out = np.zeros((), _RAYLEIGH)
-    n_modes = ffi.new("size_t *")
-    out["status"] = lib.cor_disk_rayleigh_tolerance(_table(modes), datum, speed, tolerance, _one(out), n_modes)
-    judge(np.asarray(out["status"]))
-    return out.view(np.recarray)[()], int(n_modes[0])
+    given, n_modes = (_table(modes), datum, speed, tolerance), ffi.new("size_t *")
+    result = _record("cor_disk_rayleigh", lambda out: int(lib.cor_disk_rayleigh_tolerance(*given, out, n_modes)))
+    return result, int(n_modes[0])
 
 
 @_documented("cor_disk_collision_array")
 def collision_array(modes: DiskModes, n_modes: int, options: Any, speed: ArrayLike) -> Any:
     """An array of records of the results and the status, of the shape of speed."""
-    table, c_options = _table(modes), pointer(options, "cor_disk_collision_options")
-
-    def call(v: Array, out: Any, status: Any) -> int:
-        return int(lib.cor_disk_collision_array(table, n_modes, c_options, address(v), v.size, out, status))
-
-    return _records("cor_disk_collision", speed, call)
+    given = (_table(modes), n_modes, pointer(options, "cor_disk_collision_options"))
+    return _records("cor_disk_collision", speed, lib.cor_disk_collision_array, given)
 
 
 class _Detail:
@@ -267,11 +260,6 @@ class _Detail:
             except BaseException as error:  # KeyboardInterrupt, too: C cannot be left by an exception
                 self._error = error
 
-    def _raise(self) -> None:
-        if self._error is not None:
-            error, self._error = self._error, None
-            raise error
-
 
 class CollisionDetail(_Detail):
     __doc__ = _Detail.__doc__
@@ -302,18 +290,20 @@ def _in(what: str) -> Callable[..., Any]:
         workspace: Any, modes: DiskModes, n_modes: int, options: Any, speed: float, detail: Optional[_Detail] = None
     ) -> Any:
         """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
-        out = np.zeros((), record_dtype(struct))
         memory = ffi.from_buffer("char[]", workspace, True)
         if detail is not None and detail.energy_after.size < n_modes <= modes.count:
             raise ValueError(f"the detail has room for {detail.energy_after.size} modes, not for {n_modes}")
         of_detail = ffi.NULL if detail is None else pointer(detail, f"{struct}_detail")
-        c_out = ffi.cast(f"struct {struct} *", ffi.from_buffer("char[]", out, True))
-        c_options = pointer(options, f"{struct}_options")
-        out["status"] = function(memory, len(memory), _table(modes), n_modes, c_options, speed, c_out, of_detail)
-        if detail is not None:
-            detail._raise()
-        judge(np.asarray(out["status"]))
-        return out.view(np.recarray)[()]
+        given = (memory, len(memory), _table(modes), n_modes, pointer(options, f"{struct}_options"), speed)
+
+        def filled(out: Any) -> int:
+            status = function(*given, out, of_detail)
+            if detail is not None and detail._error is not None:
+                error, detail._error = detail._error, None
+                raise error
+            return int(status)
+
+        return _record(struct, filled)
 
     call.__name__ = call.__qualname__ = f"{what}_in"
     return _documented(f"{struct}_in")(call)
