@@ -9,41 +9,30 @@
 #include "cor/disk.h"
 #include "cor/status.h"
 #include "fuzz.h"
+#include "runtime/disk/mode_file.h"
 
 enum { CAPACITY = 64, CHECK = 8, PATH_MAX_LENGTH = 64 };
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed);
 
-/* FNV-1a as docs/disks.md says it */
-static uint32_t check_of(uint32_t check, const uint8_t *bytes, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        check ^= bytes[i];
-        check = (uint32_t)((uint64_t)check * 0x01000193);
-    }
-    return check;
-}
-
-#define CHECK_START UINT32_C(0x811c9dc5)
-
 /* The first byte is no part of the file: how many modes there is room for. */
-static void mend_checks(uint8_t *file, size_t size)
+static void mend_checks(char *file, size_t size)
 {
-    uint32_t check = CHECK_START;
+    uint32_t check = COR_MODE_FILE_CHECK_START;
     for (size_t at = 0; at < size;) {
-        const uint8_t *const newline = memchr(file + at, '\n', size - at);
+        const char *const newline = memchr(file + at, '\n', size - at);
         if (!newline)
             return;
         const size_t end = (size_t)(newline - file);
         if (end - at >= CHECK) {
             char text[CHECK + 1];
-            check = check_of(check, file + at, end - CHECK - at);
+            check = cor_mode_file_check(check, file + at, end - CHECK - at);
             snprintf(text, sizeof text, "%08x", (unsigned)check);
             memcpy(file + end - CHECK, text, CHECK);
-            check = check_of(check, file + end - CHECK, CHECK + 1);
+            check = cor_mode_file_check(check, file + end - CHECK, CHECK + 1);
         } else {
-            check = check_of(check, file + at, end + 1 - at);
+            check = cor_mode_file_check(check, file + at, end + 1 - at);
         }
         at = end + 1;
     }
@@ -62,7 +51,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsi
         size = LLVMFuzzerMutate(data, size, max_size);
     }
     if (mends && size > 1)
-        mend_checks(data + 1, size - 1);
+        mend_checks((char *)data + 1, size - 1);
     return size;
 }
 
@@ -97,16 +86,16 @@ static void check_by_another_route(const uint8_t *bytes, size_t size, const stru
     memcpy(text, bytes, size);
     text[size] = '\0';
     REQUIRE(size > 0 && text[size - 1] == '\n', "accepted without an end");
-    uint32_t check = CHECK_START;
+    uint32_t check = COR_MODE_FILE_CHECK_START;
     size_t lines = 0, rows = 0;
     for (char *line = text, *next; *line; line = next, lines++) {
         next = strchr(line, '\n');
         REQUIRE(next && next - line > CHECK, "line %zu", lines + 1);
         *next = '\0';
-        check = check_of(check, (uint8_t *)line, (size_t)(next - line) - CHECK);
+        check = cor_mode_file_check(check, line, (size_t)(next - line) - CHECK);
         REQUIRE(strtoul(next - CHECK, NULL, 16) == check, "line %zu: check", lines + 1);
         *next = '\n';
-        check = check_of(check, (uint8_t *)next - CHECK, CHECK + 1);
+        check = cor_mode_file_check(check, next - CHECK, CHECK + 1);
         *next++ = '\0';
         if (lines == 0)
             REQUIRE(strncmp(line, "cor-disk-modes 1 ", 17) == 0, "'%s'", line);
