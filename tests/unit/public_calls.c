@@ -454,19 +454,41 @@ static void call_cor_disk_rayleigh_tolerance(const struct arguments *a, struct r
     results_put(r, (double)modes);
 }
 
-static void put_collision(struct results *r, const struct cor_disk_collision *out)
-{
-    put_numbers(r, out, 4);
-    results_put(r, (double)out->steps);
-}
+/* Not allocated, so that what is allocated is the library's */
+static unsigned char workspace[1 << 22];
 
-static void call_cor_disk_collision(const struct arguments *a, struct results *r)
-{
-    struct cor_disk_collision out;
-    memset(&out, 0, sizeof out);
-    results_put(r, cor_disk_collision(&a->modes[0], a->n_modes[0], &a->disk_collision_options[0], a->speed[0], &out));
-    put_collision(r, &out);
-}
+/* Of a wall, soft or rigid: one collision, and one that is observed */
+#define COLLISIONS(wall, moment_of_wall, n_modes, numbers, last)                                                       \
+    static void put_##wall(struct results *r, const struct cor_disk_##wall *out)                                       \
+    {                                                                                                                  \
+        put_numbers(r, out, numbers);                                                                                  \
+        results_put(r, (double)out->last);                                                                             \
+    }                                                                                                                  \
+    static void call_cor_disk_##wall(const struct arguments *a, struct results *r)                                     \
+    {                                                                                                                  \
+        struct cor_disk_##wall out;                                                                                    \
+        memset(&out, 0, sizeof out);                                                                                   \
+        results_put(r, cor_disk_##wall(&a->modes[0], n_modes, &a->disk_##wall##_options[0], a->speed[0], &out));       \
+        put_##wall(r, &out);                                                                                           \
+    }                                                                                                                  \
+    static void observe_##wall(void *context, const struct moment_of_wall *moment)                                     \
+    {                                                                                                                  \
+        *(double *)context += moment->load;                                                                            \
+    }                                                                                                                  \
+    static void call_cor_disk_##wall##_in(const struct arguments *a, struct results *r)                                \
+    {                                                                                                                  \
+        static double after[PUBLIC_MODES], average[PUBLIC_MODES], q[PUBLIC_MODES], q_dot[PUBLIC_MODES];                \
+        double load = 0;                                                                                               \
+        const struct cor_disk_##wall##_detail detail = {after, average, observe_##wall, &load, q, q_dot};              \
+        struct cor_disk_##wall out;                                                                                    \
+        memset(&out, 0, sizeof out);                                                                                   \
+        results_put(r, cor_disk_##wall##_in(workspace, sizeof workspace, &a->modes[0], n_modes,                        \
+                                            &a->disk_##wall##_options[0], a->speed[0], &out, &detail));                \
+        put_##wall(r, &out);                                                                                           \
+        results_put(r, load);                                                                                          \
+    }
+COLLISIONS(collision, cor_disk_moment, a->n_modes[0], 4, steps)
+COLLISIONS(hard_wall, cor_disk_hard_wall_moment, PUBLIC_MODES, 5, omega_levels)
 
 static void call_cor_disk_collision_array(const struct arguments *a, struct results *r)
 {
@@ -481,42 +503,6 @@ static void call_cor_disk_collision_array(const struct arguments *a, struct resu
         put_collision(r, &out[i]);
 }
 
-static void observe_collision(void *context, const struct cor_disk_moment *moment)
-{
-    *(double *)context += moment->load;
-}
-
-/* Not allocated, so that what is allocated is the library's */
-static unsigned char workspace[1 << 22];
-
-static void call_cor_disk_collision_in(const struct arguments *a, struct results *r)
-{
-    const struct cor_disk_modes *const modes = &a->modes[0];
-    const struct cor_disk_collision_options *const options = &a->disk_collision_options[0];
-    double after[12], average[12], q[12], q_dot[12], load = 0;
-    const struct cor_disk_collision_detail detail = {after, average, observe_collision, &load, q, q_dot};
-    struct cor_disk_collision out;
-    memset(&out, 0, sizeof out);
-    results_put(r, cor_disk_collision_in(workspace, sizeof workspace, modes, a->n_modes[0], options, a->speed[0], &out,
-                                         &detail));
-    put_collision(r, &out);
-    results_put(r, load);
-}
-
-static void put_hard_wall(struct results *r, const struct cor_disk_hard_wall *out)
-{
-    put_numbers(r, out, 5);
-    results_put(r, (double)out->omega_levels);
-}
-
-static void call_cor_disk_hard_wall(const struct arguments *a, struct results *r)
-{
-    struct cor_disk_hard_wall out;
-    memset(&out, 0, sizeof out);
-    results_put(r, cor_disk_hard_wall(&a->modes[0], PUBLIC_MODES, &a->disk_hard_wall_options[0], a->speed[0], &out));
-    put_hard_wall(r, &out);
-}
-
 static void call_cor_disk_hard_wall_nu(const struct arguments *a, struct results *r)
 {
     if (a->n_modes[0] % 4 != 0) /* it computes its modes, which takes long */
@@ -526,26 +512,6 @@ static void call_cor_disk_hard_wall_nu(const struct arguments *a, struct results
     memset(&out, 0, sizeof out);
     results_put(r, cor_disk_hard_wall_nu(a->nu[0], &options, a->speed[0], &out));
     put_hard_wall(r, &out);
-}
-
-static void observe_hard_wall(void *context, const struct cor_disk_hard_wall_moment *moment)
-{
-    *(double *)context += moment->load;
-}
-
-static void call_cor_disk_hard_wall_in(const struct arguments *a, struct results *r)
-{
-    const struct cor_disk_modes *const modes = &a->modes[0];
-    const struct cor_disk_hard_wall_options *const options = &a->disk_hard_wall_options[0];
-    static double after[PUBLIC_MODES], average[PUBLIC_MODES], q[PUBLIC_MODES], q_dot[PUBLIC_MODES];
-    double load = 0;
-    const struct cor_disk_hard_wall_detail detail = {after, average, observe_hard_wall, &load, q, q_dot};
-    struct cor_disk_hard_wall out;
-    memset(&out, 0, sizeof out);
-    results_put(r, cor_disk_hard_wall_in(workspace, sizeof workspace, modes, PUBLIC_MODES, options, a->speed[0], &out,
-                                         &detail));
-    put_hard_wall(r, &out);
-    results_put(r, load);
 }
 
 /* ---- all of them ---- */
