@@ -52,44 +52,23 @@ def test_empty_arrays():
     assert cor.disk.rayleigh_array(cor.disk.modes_nu033, 10, 0, []).shape == (0,)
 
 
-@pytest.mark.parametrize(
-    "array",
-    [X[::2], X[::-1], X.reshape(4, 6).T, np.asfortranarray(X.reshape(4, 6)), X.reshape(4, 6)[:, 1:4], X.astype(">f8")],
-    ids=["step", "reversed", "transposed", "fortran", "columns", "other endian"],
-)
-def test_layouts(array):
-    result = cor.sphere.eps_zero_force(array)
-    assert result.shape == array.shape and result.dtype == np.float64
-    np.testing.assert_array_equal(result, eps(array))
-
-
-def test_unaligned_array():
-    raw = np.zeros(8 * 24 + 1, np.uint8)
-    unaligned = raw[1:].view(np.float64)
-    unaligned[:] = X
+def test_layouts():
+    table = X.reshape(4, 6)
+    fixed, unaligned = X.copy(), np.zeros(8 * 24 + 1, np.uint8)[1:].view(np.float64)
+    fixed.flags.writeable, unaligned[:] = False, X
     assert not unaligned.flags.aligned
-    np.testing.assert_array_equal(cor.sphere.eps_zero_force(unaligned), eps(X))
+    for array in (X[::2], X[::-1], table.T, np.asfortranarray(table), table[:, 1:4], X.astype(">f8"), fixed, unaligned):
+        result = cor.sphere.eps_zero_force(array)
+        assert result.shape == array.shape and result.dtype == np.float64
+        np.testing.assert_array_equal(result, eps(array))
     # C reads no double at an odd address, though many processors would allow it
     assert prepared_array(unaligned, np.dtype(np.float64)).flags.aligned
     assert prepared_array(X, np.dtype(np.float64)) is X
 
 
-def test_read_only_array():
-    fixed = X.copy()
-    fixed.flags.writeable = False
-    np.testing.assert_array_equal(cor.sphere.eps_zero_force(fixed), eps(X))
-
-
 def test_dtypes():
-    for given, wanted in (
-        (np.float32, np.float32),
-        (np.float16, np.float32),
-        (np.float64, np.float64),
-        (np.longdouble, np.float64),
-        (np.int64, np.float64),
-        (np.uint16, np.float32),
-        (bool, np.float32),
-    ):
+    for given in (np.float32, np.float16, np.uint16, bool, np.float64, np.longdouble, np.int64):
+        wanted = np.float64 if given in (np.float64, np.longdouble, np.int64) else np.float32
         assert cor.sphere.eps_zero_force(np.ones(3, given)).dtype == wanted, given
         assert cor.disk.eps(np.full(3, 0, given), 0.3).dtype == wanted, given
     narrow = X.astype(np.float32)
@@ -126,10 +105,9 @@ def test_fast_arrays():
     assert cor.sphere.eps_zero_force_fastf(narrow[1, 2]) == fast[1, 2]
     assert cor.sphere.eps_zero_force_fastf(0.0) == cor.sphere.eps_zero_force_fastf(0) == 1
     assert type(cor.sphere.eps_zero_force_fastf(0.5)) is np.float32
-    with pytest.raises(TypeError, match="float32 is needed"):
-        cor.sphere.eps_zero_force_fastf(np.float64(0.5))
-    with pytest.raises(TypeError, match="float32 is needed"):
-        cor.sphere.max_overlap_fast_arrayf(X)
+    for function, wrong in ((cor.sphere.eps_zero_force_fastf, X[0]), (cor.sphere.max_overlap_fast_arrayf, X)):
+        with pytest.raises(TypeError, match="float32 is needed"):
+            function(wrong)
     with pytest.raises(ValueError, match="shape"):
         cor.sphere.max_overlap_fast_arrayf(narrow, out=np.empty(3, np.float32))
 
@@ -183,16 +161,12 @@ def test_out_may_be_the_argument_or_overlap_it():
 
 
 def test_wrong_out():
-    with pytest.raises(ValueError, match="shape"):
-        cor.sphere.eps_zero_force(X, out=np.empty(23))
-    with pytest.raises(TypeError):
-        cor.sphere.eps_zero_force(X, out=np.empty(24, int))
-    with pytest.raises(TypeError):
-        cor.sphere.eps_zero_force(X, out=[0.0] * 24)
     fixed = np.zeros(24)
     fixed.flags.writeable = False
-    with pytest.raises(ValueError, match="read-only"):
-        cor.sphere.eps_zero_force(X, out=fixed)
+    texts = {"shape": np.empty(23), "stored": np.empty(24, int), "an array": [0.0] * 24, "read-only": fixed}
+    for text, out in texts.items():
+        with pytest.raises((TypeError, ValueError), match=text):
+            cor.sphere.eps_zero_force(X, out=out)
 
 
 def test_special_values():
@@ -202,14 +176,10 @@ def test_special_values():
         cor.sphere.eps_zero_force([np.nan, np.inf, -1.0])
 
 
-@pytest.mark.parametrize(
-    "wrong",
-    [1j, "0.5", None, [[1, 2], [3]], 10**400, object()],
-    ids=["complex", "text", "None", "ragged", "huge", "object"],
-)
-def test_no_real_number(wrong):
-    with pytest.raises((TypeError, ValueError)):
-        cor.sphere.eps_zero_force(wrong)
+def test_no_real_number():
+    for wrong in (1j, "0.5", None, [[1, 2], [3]], 10**400, object()):
+        with pytest.raises((TypeError, ValueError)):
+            cor.sphere.eps_zero_force(wrong)
 
 
 def test_integers():

@@ -42,7 +42,7 @@ def test_every_public_function_is_reached(compiler):
 def test_every_public_constant_is_reached():
     declared = Declarations(ROOT / "include" / "cor")
     text = "".join(
-        (ROOT / "include" / "cor" / name).read_text() for name in ("contact.h", "disk.h", "law.h", "sphere.h")
+        (ROOT / "include" / "cor" / f"{name}.h").read_text() for name in ("contact", "disk", "law", "sphere")
     )
     names = set(re.findall(r"#define (COR_\w*[A-Z0-9])(?!_H\b)\b[ (]", text)) - {"COR_API"}
     assert {n for n in names if not n.endswith("_H")} <= set(declared.constants)
@@ -156,10 +156,9 @@ def test_structs_are_not_mixed_up():
     for wrong in (GLASS, None, 1.0, MODES):
         with pytest.raises(TypeError):
             cor.contact.eps_zero_force(wrong, 0.1)
-    with pytest.raises(TypeError):
-        cor.Contact(GLASS, contact)
-    with pytest.raises(TypeError):
-        cor.Contact.from_g_star([0.1, 0.2])
+    for act in (lambda: cor.Contact(GLASS, contact), lambda: cor.Contact.from_g_star([0.1, 0.2])):
+        with pytest.raises(TypeError):
+            act()
 
 
 # ---- errors ----
@@ -214,15 +213,12 @@ def test_modes(tmp_path):
 
 
 def test_mode_files(tmp_path):
-    missing = tmp_path / "none"
-    with pytest.raises(cor.CorError, match="none") as caught:
-        cor.DiskModes.read(missing)
-    assert caught.value.status is cor.status.Status.ERROR_FILE
-    wrong = tmp_path / "wrong"
-    wrong.write_text("not modes\n")
-    with pytest.raises(cor.CorError) as caught:
-        cor.DiskModes.read(str(wrong))
-    assert caught.value.status is cor.status.Status.ERROR_FILE_VERSION
+    (tmp_path / "wrong").write_text("not modes\n")
+    statuses = {"none": cor.status.Status.ERROR_FILE, "wrong": cor.status.Status.ERROR_FILE_VERSION}
+    for name, status in statuses.items():
+        with pytest.raises(cor.CorError, match=name) as caught:
+            cor.DiskModes.read(tmp_path / name)
+        assert caught.value.status is status
 
 
 def test_collision_array():
