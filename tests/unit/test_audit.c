@@ -43,6 +43,8 @@ static struct cor_audit_memory memory;
 static long version;
 static double tolerance = 0.01;
 
+static const double pi = 3.14159265358979323846;
+
 static int audit_bytes(const char *simulator, const char *text, size_t size, double speed)
 {
     const struct cor_audit_text input = {"input", text, size};
@@ -113,7 +115,7 @@ TEST(lammps)
     assert_true(seen.finding[0].as_asked == 0 && seen.finding[0].time_step_s == 1e-5);
 
     /* a linear dashpot of two equal spheres, in closed form; duration pi/sqrt(1 - zeta^2) sqrt(m/K) */
-    const double pi = 3.14159265358979323846, mass = pi / 6 * 1e-6 * 2500 / 2, zeta = 0.05 / (2 * sqrt(1e3 * mass));
+    const double mass = pi / 6 * 1e-6 * 2500 / 2, zeta = 0.05 / (2 * sqrt(1e3 * mass));
     audits(COR_AUDIT_AS_ASKED, NAN, SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\n");
     finds(0, 10, NAN, exp(-pi * zeta / sqrt(1 - zeta * zeta)), "granular hooke, damping velocity, 1-1");
     check(fabs(seen.finding[0].duration_s / (pi / sqrt(1 - zeta * zeta) * sqrt(mass / 1e3)) - 1) < 1e-12,
@@ -170,7 +172,7 @@ TEST(liggghts)
     finds(1, 6, 0.7, 0.7, "coefficientRestitution, 1-wall");
 
     /* zeta = (gamma/2) sqrt(m/k), with the whole mass at a wall; then the stiffness of a characteristic speed */
-    const double pi = 3.14159265358979323846, mass = pi / 6 * 1e-6 * 2500, zeta = 25 * sqrt(mass / 4000);
+    const double mass = pi / 6 * 1e-6 * 2500, zeta = 25 * sqrt(mass / 4000);
     snprintf(text, sizeof text, "%s%s", script,
              "pair_style gran model hooke tangential off\nfix w all wall/gran model hooke/stiffness tangential off "
              "primitive type 2 zplane 0\n");
@@ -209,7 +211,7 @@ TEST(liggghts)
 TEST(steps)
 {
     char text[2048];
-    const double pi = 3.14159265358979323846, mass = pi / 6 * 1e-6 * 2500 / 2, radius = 0.0025, k = 1e7 * sqrt(radius);
+    const double mass = pi / 6 * 1e-6 * 2500 / 2, radius = 0.0025, k = 1e7 * sqrt(radius);
     const double eta = cor_sphere_beta_zero_overlap(0.5) * pow(k / mass, 0.6) / sqrt(radius);
     const double elastic = 3.218065459719043 * pow(mass / k, 0.4);
     snprintf(text, sizeof text, SPHERES "timestep %.17g\npair_style granular\npair_coeff 1 1 hertz 1e7 %.17g\n",
@@ -289,7 +291,6 @@ static const char mujoco_text[] = "<mujoco>\n<!-- <geom solref=\"1 1\"/>\n -->\n
 /* Simulators whose inputs give values to keywords. The restitutions are LAWS' table and exp(-2 zeta A(zeta)). */
 TEST(keywords)
 {
-    const double pi = 3.14159265358979323846;
     audits(COR_AUDIT_NOT_AS_ASKED, NAN, yade_text);
     assert_int_equal(seen.count, 3);
     finds(0, 10, 0.3, 0.397140, "ViscElMat, tc and en, grain-grain");
