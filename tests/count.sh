@@ -7,6 +7,23 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
+# needs FILE...: what a script tests is there, or it ends.
+needs() {
+    local file
+    for file in "$@"; do
+        [ -e "$file" ] || {
+            echo "$0: no $file; build it, or name it as the head of this script says" >&2
+            exit 1
+        }
+    done
+}
+
+# wrong_option GIVEN ALLOWED
+wrong_option() {
+    echo "$0: '$1' is not an option; allowed: $2" >&2
+    exit 2
+}
+
 passed=0
 failed=0
 skipped=0
