@@ -50,22 +50,57 @@ TEST(special_crossley)
     assert_true(cor_hunt_crossley_duration_approach_only(INFINITY, 1.5) == INFINITY);
 }
 
-TEST(special_sphere_approach)
+/* Spheres and Hertz's spring with a dashpot, damped while approaching only: eps = sqrt(4/5) Y^(5/4), and the rebound
+ * takes half of an elastic collision over eps^(1/5). `first`: loss/beta at 0 */
+#define APPROACH(law, first)                                                                                           \
+    {                                                                                                                  \
+        cor_##law##_eps_approach_only, cor_##law##_loss_approach_only, cor_##law##_duration_approach_only,             \
+            cor_##law##_beta_approach_only, cor_##law##_beta_of_loss_approach_only, cor_##law##_max_overlap,           \
+            cor_##law##_time_of_max_overlap, first                                                                     \
+    }
+static const struct {
+    law_function *eps, *loss, *duration, *beta, *beta_of_loss, *max_overlap, *time_of_max_overlap;
+    long double first;
+} approaches[] = {APPROACH(sphere, -0.5L * COR_SPHERE_C1), APPROACH(hertz_dashpot, 0.893907072144178638L)};
+
+TEST(damped_approach)
 {
-    assert_true(cor_sphere_beta_of_loss_approach_only(0) == 0 && cor_sphere_beta_of_loss_approach_only(1) == INFINITY &&
-                isnan(cor_sphere_beta_of_loss_approach_only(-1)));
-    check_ulp(cor_sphere_loss_approach_only(0x1p-1050), -0x1p-1051L * COR_SPHERE_C1, COR_SPHERE_APPROACH_MAX_ULP);
-    /* from the loss and back, every size of it */
-    for (int k = -1040; k < -1; k++) {
-        const double loss = ldexp(1.375, k), beta = cor_sphere_beta_of_loss_approach_only(loss);
-        check_ulp(cor_sphere_loss_approach_only(beta), loss, 5);
+    const long double half = 1.60903272985952150442L, part = 4.5L * DBL_EPSILON;
+    for (size_t k = 0; k < COUNT_OF(approaches); k++) {
+        law_function *const eps = approaches[k].eps, *const loss = approaches[k].loss,
+                            *const beta_of = approaches[k].beta;
+        assert_true(eps(0) == 1 && eps(-0.0) == 1 && eps(INFINITY) == 0 && loss(0) == 0 && loss(INFINITY) == 1);
+        assert_true(beta_of(1) == 0 && beta_of(0) == INFINITY && approaches[k].beta_of_loss(0) == 0);
+        assert_true(approaches[k].beta_of_loss(1) == INFINITY && approaches[k].duration(INFINITY) == INFINITY);
+        EACH (bad, -1e-300, -INFINITY, NAN)
+            check_nan(eps(*bad), loss(*bad), approaches[k].duration(*bad), beta_of(*bad),
+                      approaches[k].beta_of_loss(*bad));
+        check_nan(beta_of(1.5), approaches[k].beta_of_loss(1.5));
+        check_ulp(approaches[k].duration(0), 2 * half, 1);
+        check_ulp(loss(0x1p-1000), 0x1p-1000L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
+        check_ulp(loss(0x1p-1050), 0x1p-1050L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
+        for (double beta = 0x1p-10; beta < 1e6; beta *= beta < 12.5 ? 1.002 : 1.37)
+            for (int side = -1; side <= 1; side++) { /* of where rows end, too: sixteenths */
+                const double at = side == 0 ? beta : nextafter(floor(16 * beta) / 16 + 0.0625, side * DBL_MAX);
+                const long double e = sqrtl(0.8L) * powl(approaches[k].max_overlap(at), 1.25L);
+                check_near(eps(at), e, part);
+                check(fabsl(loss(at) - (1 - e)) < part * fmaxl(e, 0.25L), "loss at %a", at);
+                check_near(approaches[k].duration(at), approaches[k].time_of_max_overlap(at) + half * powl(e, -0.2L),
+                           part);
+                /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
+                check_near(beta_of(eps(at)), at, part * fmaxl(2, 1 / (1 - e)));
+            }
+        for (int i = -53; i <= -1; i++) /* both are exact */
+            assert_true(same_bits(beta_of(1 - ldexp(1, i)), approaches[k].beta_of_loss(ldexp(1, i))));
     }
-    /* its series, up to beta = 1/16, and what follows agree with eps, which comes from the largest overlap */
-    for (int i = 1; i <= 128; i++) {
-        const double beta = i / 1024.0, loss = cor_sphere_loss_approach_only(beta),
-                     other = 1 - cor_sphere_eps_approach_only(beta);
-        check(fabs(loss - other) <= 2 * DBL_EPSILON, "loss(%g): %.17g and %.17g", beta, loss, other);
-    }
+    const double least = cor_sphere_eps_approach_only(DBL_MAX);
+    check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
+    check(isinf(cor_sphere_beta_approach_only(least * (1 - 0x1p-48))), "beta is infinite beyond the largest double");
+    /* sqrt(4/5) beta^(-5/4), (1 + (5/4) ln(beta) beta^-5/2...) is nothing there; a subnormal eps */
+    check_ulp(cor_hertz_dashpot_eps_approach_only(1e200), 8.94427190999915878564e-251L, 2);
+    check_ulp(cor_hertz_dashpot_eps_approach_only(1e256), 8.9442719099991588e-321L, 2);
+    check_ulp(cor_hertz_dashpot_duration_approach_only(1e200), half * powl(0.8L, -0.1L) * 1e50L, 2);
+    assert_true(cor_hertz_dashpot_eps_approach_only(DBL_MAX) == 0);
 }
 
 /* ---- exponentials and logarithms ---- */
@@ -141,8 +176,10 @@ TEST(every_size)
                    cor_hunt_crossley_eps_approach_only, e, 8);
         check_back("its loss", cor_hunt_crossley_beta_of_loss_approach_only, cor_hunt_crossley_loss_approach_only, e,
                    8);
-        check_back("sphere, approach only", cor_sphere_beta_approach_only, cor_sphere_eps_approach_only, e, 8);
-        check_back("its loss", cor_sphere_beta_of_loss_approach_only, cor_sphere_loss_approach_only, e, 8);
+        for (size_t i = 0; i < COUNT_OF(approaches); i++) {
+            check_back("approach only", approaches[i].beta, approaches[i].eps, e, 5);
+            check_back("its loss", approaches[i].beta_of_loss, approaches[i].loss, e, 5);
+        }
         check_back("sphere, zero overlap", cor_sphere_beta_zero_overlap, cor_sphere_eps_zero_overlap, e, 20);
         check_back("sphere, zero force", cor_sphere_beta_zero_force, cor_sphere_eps_zero_force, e, 20);
     }
@@ -485,6 +522,6 @@ TEST(slip_in_oblique_impacts)
     }
 }
 
-RUN_TESTS(special_crossley, special_sphere_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
+RUN_TESTS(special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
           near_critical_damping, identities, against_the_equation_of_motion, crossley_times, tsuji_times, crossley_rows,
           oblique_impacts, slip_in_oblique_impacts)

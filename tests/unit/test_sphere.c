@@ -391,26 +391,6 @@ TEST(documented_errors_of_1999)
     check(fabs(cor_sphere_eps_published_pade(3) / cor_sphere_eps_zero_overlap(3) - 3.3) < 0.05, "beta = 3");
 }
 
-/* Damping during the approach only, in every row, by another table: eps = sqrt(4/5) Y^(5/4) */
-TEST(damped_approach)
-{
-    const long double half_time = cor_sphere_time_of_max_overlap(0), part = 4.5L * DBL_EPSILON;
-    for (double beta = 0.03; beta < 1e6; beta *= beta < 12 ? 1.002 : 1.37) {
-        const double eps = cor_sphere_eps_approach_only(beta);
-        const long double exact = sqrtl(0.8L) * powl(cor_sphere_max_overlap(beta), 1.25L),
-                          time = cor_sphere_time_of_max_overlap(beta) + half_time * powl(exact, -0.2L);
-        check_near(eps, exact, part);
-        check(fabsl(cor_sphere_loss_approach_only(beta) - (1 - exact)) < part * fmaxl(exact, 0.25L), "loss at %a",
-              beta);
-        check_near(cor_sphere_duration_approach_only(beta), time, part);
-        /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
-        check_near(cor_sphere_beta_approach_only(eps), beta, part * fmaxl(2, 1 / (1 - exact)));
-    }
-    const double least = cor_sphere_eps_approach_only(DBL_MAX);
-    check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
-    check(isinf(cor_sphere_beta_approach_only(least * (1 - 0x1p-48))), "beta is infinite beyond the largest double");
-}
-
 RUN_TESTS(known_answers, against_the_equation_of_motion, infinitely_strong_damping, special_values, float_exceptions,
           falls_at_powers_of_two, derivatives, constants, simple_theory, simple_theory_special_values,
-          documented_errors_of_1999, damped_approach)
+          documented_errors_of_1999)
