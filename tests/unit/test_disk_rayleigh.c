@@ -11,7 +11,6 @@ enum { MODES = 1800 };
 
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
                                               COR_DISK_DATUM_PRINTED};
-static struct random_state state;
 static double fractions[MODES], others[MODES];
 
 static const struct cor_disk_modes *table(int i)
@@ -123,6 +122,7 @@ TEST(test_estimate_is_no_excuse)
 /* However many modes there are, sum and tail are the same, at any speed. */
 TEST(test_any_speed)
 {
+    struct random_state state = random_start();
     for (size_t i = 0; i < points(60); i++) {
         const int t = i % 2 != 0;
         const enum cor_disk_datum datum = datums[i % 3];
@@ -156,6 +156,7 @@ TEST(test_any_speed)
 
 TEST(test_tolerance)
 {
+    struct random_state state = random_start();
     static const double tolerances[] = {0.3, 1e-2, 1e-3, 3e-5};
     for (size_t i = 0; i < points(24); i++) {
         const int t = i % 2 != 0;
@@ -237,6 +238,7 @@ static void against_one(const struct cor_disk_modes *modes, size_t n_modes, enum
 
 TEST(test_array)
 {
+    struct random_state state = random_start();
     double speed[LIST];
     for (int t = 0; t < 2; t++) {
         const enum cor_disk_datum datum = datums[(t + 1) % 3];
@@ -261,33 +263,6 @@ TEST(test_array)
     against_one(&few, 7, COR_DISK_DATUM_DIAMETER, speed, 20, 1);
 }
 
-TEST(test_array_statuses)
-{
-    const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-    const enum cor_disk_datum datum = COR_DISK_DATUM_DIAMETER;
-    struct cor_disk_rayleigh out[2] = {{7, 7, 7, 7}, {7, 7, 7, 7}};
-    const double speed[2] = {1e-3, 1};
-    int status[2] = {7, 7};
-    check(cor_disk_rayleigh_array(NULL, 3, datum, speed, 2, out, NULL, status) == COR_ERROR_NULL, "modes");
-    check(cor_disk_rayleigh_array(modes, 3, datum, NULL, 2, out, NULL, status) == COR_ERROR_NULL, "speed");
-    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 2, NULL, NULL, status) == COR_ERROR_NULL, "out");
-    check(cor_disk_rayleigh_array(modes, 0, datum, speed, 2, out, NULL, status) == COR_ERROR_MODES, "no modes");
-    check(cor_disk_rayleigh_array(modes, 1801, datum, speed, 2, out, NULL, status) == COR_ERROR_MODES, "too many");
-    check(cor_disk_rayleigh_array(modes, 3, (enum cor_disk_datum)3, speed, 2, out, NULL, status) == COR_ERROR_DATUM,
-          "datum");
-    struct cor_disk_modes none = *modes;
-    none.nu = 2;
-    check(cor_disk_rayleigh_array(&none, 3, datum, speed, 2, out, NULL, status) == COR_ERROR_DISK_POISSON_RATIO, "nu");
-    check(out[0].fraction == 7 && out[1].tail == 7 && status[0] == 7, "touched");
-    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 0, NULL, NULL, NULL) == COR_OK, "no speeds");
-    check(cor_disk_rayleigh_array(modes, 3, datum, speed, SIZE_MAX / 4, out, NULL, NULL) == COR_ERROR_MEMORY,
-          "no memory");
-    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 1, out, NULL, NULL) == COR_OK && out[0].fraction < 1, "one");
-    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 2, out, NULL, status) == COR_ERROR_SPEED &&
-              status[0] == COR_OK && status[1] == COR_ERROR_SPEED && isnan(out[1].fraction),
-          "too fast for the law");
-}
-
 TEST(test_limits)
 {
     struct cor_disk_rayleigh out = {1, 1, 1, 1};
@@ -309,74 +284,82 @@ TEST(test_limits)
           "too fast");
 }
 
+/* All three functions refuse, one speed or two, and touch nothing. A speed has a status of its own in a list, and a
+ * tolerance is of all modes. */
+static void refused(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
+                    int expected)
+{
+    struct cor_disk_rayleigh out[2] = {{7, 7, 7, 7}, {7, 7, 7, 7}}, untouched[2];
+    const double speeds[2] = {speed, speed};
+    double f[3] = {7, 7, 7};
+    int status[2] = {7, 7};
+    size_t n = 7;
+    memcpy(untouched, out, sizeof out);
+    check(cor_disk_rayleigh(modes, n_modes, datum, speed, out, f) == expected, "%d", expected);
+    if (expected != COR_ERROR_SPEED)
+        check(cor_disk_rayleigh_array(modes, n_modes, datum, speeds, 2, out, f, status) == expected, "%d", expected);
+    if (!modes || n_modes == modes->count)
+        check(cor_disk_rayleigh_tolerance(modes, datum, speed, 0.1, out, &n) == expected, "%d", expected);
+    check(memcmp(out, untouched, sizeof out) == 0 && f[0] == 7 && status[0] == 7 && n == 7, "touched: %d", expected);
+}
+
 TEST(test_statuses)
 {
     struct cor_disk_mode mode[] = {{2, 0, 1.44, 1.4, -0.4}, {1, 0, 1.69, 0.5, 2}, {0, 0, 2.2, 1.1, 0}};
+    const struct cor_disk_mode good = mode[1];
     struct cor_disk_modes modes = {0.33, 3, mode};
     const enum cor_disk_datum datum = COR_DISK_DATUM_CENTRE_OF_MASS;
-    const double limit = cor_disk_speed_limit(0.33, datum);
-    struct cor_disk_rayleigh out = {7, 7, 7, 7};
-    double f[3] = {7, 7, 7};
+    struct cor_disk_rayleigh out[2];
+    const double speed[2] = {1e-3, 1};
+    int status[2];
     size_t n = 7;
-#define FAILS(n_modes, datum, speed, status)                                                                           \
-    do {                                                                                                               \
-        check(cor_disk_rayleigh(&modes, n_modes, datum, speed, &out, f) == (status), "%d", status);                    \
-        check(out.fraction == 7 && out.tail == 7 && out.error_estimate == 7 && out.contact_time == 7 && f[0] == 7,     \
-              "touched: %d", status);                                                                                  \
-    } while (0)
-    check(cor_disk_rayleigh(NULL, 3, datum, 0.01, &out, f) == COR_ERROR_NULL, "modes");
-    check(cor_disk_rayleigh(&modes, 3, datum, 0.01, NULL, f) == COR_ERROR_NULL, "out");
-    FAILS(0, datum, 0.01, COR_ERROR_MODES);
-    FAILS(4, datum, 0.01, COR_ERROR_MODES);
-    FAILS(3, (enum cor_disk_datum)3, 0.01, COR_ERROR_DATUM);
-    FAILS(3, datum, -1e-9, COR_ERROR_SPEED);
-    FAILS(3, datum, nextafter(limit, 1), COR_ERROR_SPEED);
-    FAILS(3, datum, NAN, COR_ERROR_SPEED);
-    modes.mode = NULL;
-    FAILS(3, datum, 0.01, COR_ERROR_NULL);
-    modes.mode = mode;
-    EACH (bad_nu, -1, 1, NAN) {
-        modes.nu = *bad_nu;
-        FAILS(3, datum, 0.01, COR_ERROR_DISK_POISSON_RATIO);
+    refused(NULL, 3, datum, 0.01, COR_ERROR_NULL);
+    refused(&modes, 0, datum, 0.01, COR_ERROR_MODES);
+    refused(&(struct cor_disk_modes){0.33, 2, mode}, 3, datum, 0.01, COR_ERROR_MODES);
+    refused(&(struct cor_disk_modes){0.33, 0, mode}, 0, datum, 0.01, COR_ERROR_MODES);
+    refused(&modes, 3, (enum cor_disk_datum)3, 0.01, COR_ERROR_DATUM);
+    EACH (bad_speed, -1e-9, nextafter(cor_disk_speed_limit(0.33, datum), 1), NAN)
+        refused(&modes, 3, datum, *bad_speed, COR_ERROR_SPEED);
+    refused(&(struct cor_disk_modes){0.33, 3, NULL}, 3, datum, 0.01, COR_ERROR_NULL);
+    EACH (bad_nu, -1, 1, 2, NAN)
+        refused(&(struct cor_disk_modes){*bad_nu, 3, mode}, 3, datum, 0.01, COR_ERROR_DISK_POISSON_RATIO);
+    static const struct {
+        int at;
+        double omega;
+    } bad[] = {{0, 1}, {1, 1.43}, {1, 2.3}, {1, NAN}, {2, INFINITY}};
+    for (size_t i = 0; i < COUNT_OF(bad); i++) {
+        const double kept = mode[bad[i].at].omega;
+        mode[bad[i].at].omega = bad[i].omega;
+        refused(&modes, 3, datum, 0.01, COR_ERROR_MODES);
+        mode[bad[i].at].omega = kept;
     }
-    modes.nu = 0.33;
-    static const double bad_omega[] = {1.43, 2.3, 1.0, NAN, INFINITY};
-    for (int i = 0; i < 5; i++) {
-        mode[i == 2 ? 0 : 1].omega = bad_omega[i];
-        FAILS(3, datum, 0.01, COR_ERROR_MODES);
-        mode[0].omega = 1.44;
-        mode[1].omega = 1.69;
+    EACH (bad_n, -1, COR_DISK_MODES_MAX_N + 1, 100000) {
+        mode[1].n = (int)*bad_n;
+        refused(&modes, 3, datum, 0.01, COR_ERROR_MODES);
     }
-    const int good_n = mode[1].n, bad_n[] = {-1, COR_DISK_MODES_MAX_N + 1, 100000};
-    for (int i = 0; i < 3; i++) {
-        mode[1].n = bad_n[i];
-        FAILS(3, datum, 0.01, COR_ERROR_MODES);
-        mode[1].n = good_n;
-    }
+    mode[1] = good;
     mode[2].c = NAN;
-    FAILS(3, datum, 0.01, COR_ERROR_MODES);
-    FAILS(2, datum, 0.01, COR_ERROR_MODES); /* the tail needs the third */
+    refused(&modes, 3, datum, 0.01, COR_ERROR_MODES);
+    refused(&modes, 2, datum, 0.01, COR_ERROR_MODES); /* the tail needs the third */
     modes.count = 2;
-    check(cor_disk_rayleigh(&modes, 2, datum, 0.01, &out, NULL) == COR_OK && out.fraction > 0, "only what there is");
-    modes.count = 3;
-    mode[2].c = 1.1;
-    out.fraction = 7;
+    check(cor_disk_rayleigh(&modes, 2, datum, 0.01, out, NULL) == COR_OK && out->fraction > 0, "only what there is");
+    out->fraction = 7;
     EACH (bad_tolerance, 0, 1, -0.5, NAN)
-        check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, *bad_tolerance, &out, &n) == COR_ERROR_TOLERANCE &&
-                  n == 7 && out.fraction == 7,
+        check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, *bad_tolerance, out, &n) == COR_ERROR_TOLERANCE &&
+                  n == 7 && out->fraction == 7,
               "%g", *bad_tolerance);
-    check(cor_disk_rayleigh_tolerance(NULL, datum, 0.01, 0.1, &out, &n) == COR_ERROR_NULL, "modes");
+    check(cor_disk_rayleigh(&modes, 2, datum, 0.01, NULL, fractions) == COR_ERROR_NULL, "out");
     check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, 0.1, NULL, &n) == COR_ERROR_NULL, "out");
-    check(cor_disk_rayleigh_tolerance(&modes, datum, 2, 0.1, &out, &n) == COR_ERROR_SPEED, "speed");
-    modes.count = 0;
-    check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, 0.1, &out, &n) == COR_ERROR_MODES, "count");
+    check(cor_disk_rayleigh_array(&modes, 2, datum, speed, 2, NULL, NULL, status) == COR_ERROR_NULL, "out");
+    check(cor_disk_rayleigh_array(&modes, 2, datum, NULL, 2, out, NULL, status) == COR_ERROR_NULL, "speed");
+    check(cor_disk_rayleigh_array(&modes, 2, datum, speed, 0, NULL, NULL, NULL) == COR_OK, "no speeds");
+    check(cor_disk_rayleigh_array(&modes, 2, datum, speed, SIZE_MAX / 4, out, NULL, NULL) == COR_ERROR_MEMORY,
+          "no memory");
+    check(cor_disk_rayleigh_array(&modes, 2, datum, speed, 1, out, NULL, NULL) == COR_OK && out->fraction < 1, "one");
+    check(cor_disk_rayleigh_array(&modes, 2, datum, speed, 2, out, NULL, status) == COR_ERROR_SPEED &&
+              status[0] == COR_OK && status[1] == COR_ERROR_SPEED && isnan(out[1].fraction),
+          "too fast for the law");
 }
 
-int main(void)
-{
-    state = random_start();
-    const struct CMUnitTest tests[] = {test_values,         test_tail,      test_estimate_is_no_excuse,
-                                       test_any_speed,      test_tolerance, test_array,
-                                       test_array_statuses, test_limits,    test_statuses};
-    return cmocka_run_group_tests_name("disk_rayleigh", tests, NULL, NULL);
-}
+RUN_TESTS(test_values, test_tail, test_estimate_is_no_excuse, test_any_speed, test_tolerance, test_array, test_limits,
+          test_statuses)
