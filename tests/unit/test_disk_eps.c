@@ -182,9 +182,9 @@ TEST(test_between)
 
 /* ---- borders ---- */
 
-/* A random place on a side of a rectangle, and on both sides of the border */
+/* A random place on a side of a rectangle; both sides of the border are `off` (v, nu) from it. */
 struct border {
-    double v, nu, below[2], above[2]; /* v, nu */
+    double v, nu, off[2];
     long double x, y;
 };
 
@@ -197,16 +197,19 @@ static int border_draw(struct random_state *random, long double x, long double y
     y += size[1] * (across ? random_uniform(random, 0, 1) : last);
     if (across ? x == 0 || x == COR_DISK_LIMIT_X_ROOTS : y == 0 || y == COR_DISK_LIMIT_NU_ROOTS)
         return 0;
-    border->x = x;
-    border->y = y;
-    border->v = (double)powl(COR_DISK_LIMIT_X_FIRST + COR_DISK_LIMIT_X_STEP * x, 8);
-    border->nu = (double)(COR_DISK_LIMIT_NU_FIRST + COR_DISK_LIMIT_NU_STEP * y);
-    const double v_off = across ? 1e-13 * border->v : 0, nu_off = across ? 0 : 1e-13;
-    border->below[0] = border->v - v_off;
-    border->below[1] = border->nu - nu_off;
-    border->above[0] = border->v + v_off;
-    border->above[1] = border->nu + nu_off;
+    const double v = (double)powl(COR_DISK_LIMIT_X_FIRST + COR_DISK_LIMIT_X_STEP * x, 8);
+    *border = (struct border){v,
+                              (double)(COR_DISK_LIMIT_NU_FIRST + COR_DISK_LIMIT_NU_STEP * y),
+                              {across ? 1e-13 * v : 0, across ? 0 : 1e-13},
+                              x,
+                              y};
     return 1;
+}
+
+/* A function before the border (side = -1) or after it (1) */
+static double at_border(double (*f)(double v, double nu), const struct border *at, int side)
+{
+    return f(at->v + side * at->off[0], at->nu + side * at->off[1]);
 }
 
 /* The sides of all pieces, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 24 10^6 pairs. */
@@ -222,13 +225,12 @@ TEST(test_borders)
             struct border at;
             if (!border_draw(&random, piece->x, piece->nu, size, i % 4, &at))
                 continue;
-            const double below = cor_disk_one_minus_eps2(at.below[0], at.below[1]),
-                         above = cor_disk_one_minus_eps2(at.above[0], at.above[1]), jump = fabs(above - below);
-            check(jump <= COR_DISK_EPS_MAX_JUMP, "v = %.17g, nu = %.17g: a jump of %.1e", at.v, at.nu, jump);
-            check(fabs(cor_disk_eps(at.above[0], at.above[1]) - cor_disk_eps(at.below[0], at.below[1])) <=
-                      COR_DISK_EPS_MAX_JUMP,
-                  "v = %.17g, nu = %.17g: eps jumps", at.v, at.nu);
-            worst = fmax(worst, jump);
+            for (int k = 0; k < 2; k++) {
+                double (*const f)(double, double) = k ? cor_disk_eps : cor_disk_one_minus_eps2;
+                const double jump = fabs(at_border(f, &at, 1) - at_border(f, &at, -1));
+                check(jump <= COR_DISK_EPS_MAX_JUMP, "v = %.17g, nu = %.17g: a jump of %.1e", at.v, at.nu, jump);
+                worst = fmax(worst, jump);
+            }
             pairs++;
         }
     print_message("%zu pairs across borders: jumps of %.1e at most\n", pairs, worst);
@@ -236,12 +238,10 @@ TEST(test_borders)
 
 /* ---- against collisions ---- */
 
-struct tally {
-    size_t places;
-    double worst, largest; /* of the uncertainty, and absolute */
-};
+/* Of one test: the error in parts of the uncertainty, and absolute */
+static double worst_part, worst_error;
 
-static void compare(struct tally *tally, double v, double nu, double uncertainty)
+static void compare(double v, double nu, double uncertainty)
 {
     const struct cor_disk_hard_wall_options options = {5e-6, 0};
     struct cor_disk_hard_wall wall;
@@ -250,15 +250,14 @@ static void compare(struct tally *tally, double v, double nu, double uncertainty
     const double off = fabs(cor_disk_one_minus_eps2(v, nu) - wall.one_minus_eps2);
     check(off <= uncertainty, "v = %.17g, nu = %.17g: %.7f, off by %.1e, uncertain by %.1e", v, nu,
           cor_disk_one_minus_eps2(v, nu), off, uncertainty);
-    tally->places++;
-    tally->worst = fmax(tally->worst, off / uncertainty);
-    tally->largest = fmax(tally->largest, off);
+    worst_part = fmax(worst_part, off / uncertainty);
+    worst_error = fmax(worst_error, off);
 }
 
-static void tally_print(const struct tally *tally, const char *which)
+static void print_worst(const char *where)
 {
-    print_message("%zu places %s: off by %.1e at most, by %.2f of the uncertainty at most\n", tally->places, which,
-                  tally->largest, tally->worst);
+    print_message("%s: off by %.1e at most, by %.2f of the uncertainty at most\n", where, worst_error, worst_part);
+    worst_part = worst_error = 0;
 }
 
 /* At places off the grid, collisions: none farther off than the uncertainty. COR_TEST_MULTIPLIER=250: 1000 places. */
@@ -266,13 +265,12 @@ TEST(test_uncertainty)
 {
     struct random_state random = random_start();
     const double first = pow(COR_DISK_EPS_MIN_SPEED, 0.125), last = pow(COR_DISK_EPS_MAX_SPEED, 0.125);
-    struct tally tally = {0};
     for (size_t k = points(4); k > 0; k--) {
         const double v = pow(random_uniform(&random, first, last), 8);
         const double nu = random_uniform(&random, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
-        compare(&tally, v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
+        compare(v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
     }
-    tally_print(&tally, "off the grid");
+    print_worst("off the grid");
 }
 
 /* Where a cell ends and those beyond are smaller, and in the cell up to a third of it from there: the uncertainty of
@@ -280,8 +278,7 @@ TEST(test_uncertainty)
 TEST(test_uncertainty_at_borders)
 {
     struct random_state random = random_start();
-    struct tally on = {0}, near = {0};
-    for (size_t k = points(2); on.places + near.places < k;) {
+    for (size_t places = points(2); places > 0;) {
         const struct cell *const own = &cell[random_below(&random, (size_t)cells)];
         const int side = (int)random_below(&random, 4), across = side / 2, last = side % 2;
         const long double size[2] = {own->side, own->side};
@@ -289,19 +286,18 @@ TEST(test_uncertainty_at_borders)
         if (!border_draw(&random, own->x, own->nu, size, side, &at) ||
             cell_beyond(own, across, last, at.x, at.y)->side >= own->side)
             continue;
-        if ((on.places + near.places) % 2 == 0) {
-            compare(&on, at.v, at.nu,
-                    fmin(cor_disk_one_minus_eps2_uncertainty(at.below[0], at.below[1]),
-                         cor_disk_one_minus_eps2_uncertainty(at.above[0], at.above[1])));
+        if (places-- % 2 == 0) {
+            compare(at.v, at.nu,
+                    fmin(at_border(cor_disk_one_minus_eps2_uncertainty, &at, -1),
+                         at_border(cor_disk_one_minus_eps2_uncertainty, &at, 1)));
             continue;
         }
         const double inwards = (double)own->side * random_uniform(&random, 0, 1.0 / 3) * (last ? -1 : 1);
         const double v = across ? pow(pow(at.v, 0.125) + inwards * COR_DISK_LIMIT_X_STEP, 8) : at.v;
         const double nu = across ? at.nu : at.nu + inwards * COR_DISK_LIMIT_NU_STEP;
-        compare(&near, v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
+        compare(v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
     }
-    tally_print(&on, "on borders");
-    tally_print(&near, "near borders");
+    print_worst("on and near borders");
 }
 
 /* ---- the functions ---- */
@@ -324,34 +320,25 @@ TEST(test_one_another)
     }
 }
 
-static void expect_nan(double speed, double nu)
-{
-    assert_true(isnan(cor_disk_eps(speed, nu)));
-    assert_true(isnan(cor_disk_eps_uncertainty(speed, nu)));
-    assert_true(isnan(cor_disk_one_minus_eps2(speed, nu)));
-    assert_true(isnan(cor_disk_one_minus_eps2_uncertainty(speed, nu)));
-}
+static double (*const functions[])(double v, double nu) = {
+    cor_disk_eps, cor_disk_eps_uncertainty, cor_disk_one_minus_eps2, cor_disk_one_minus_eps2_uncertainty};
 
 TEST(test_domain)
 {
     static const double speeds[] = {COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED};
     static const double nus[] = {COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU};
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++) {
-            const double v = speeds[i], nu = nus[j];
-            assert_true(cor_disk_eps(v, nu) > 0.7 && cor_disk_eps(v, nu) < 1);
-            assert_true(cor_disk_eps_uncertainty(v, nu) > 0);
-            assert_true(cor_disk_one_minus_eps2(v, nu) > 0);
-            assert_true(cor_disk_one_minus_eps2_uncertainty(v, nu) > 0);
-            expect_nan(nextafter(v, i == 0 ? 0 : 1), nu);
-            expect_nan(v, nextafter(nu, j == 0 ? -1 : 1));
+    for (size_t k = 0; k < COUNT_OF(functions); k++) {
+        for (int i = 0; i < 4; i++) {
+            const double v = speeds[i / 2], nu = nus[i % 2];
+            assert_true(functions[k](v, nu) > 0 && functions[k](v, nu) < 1);
+            assert_true(isnan(functions[k](nextafter(v, i / 2), nu)));
+            assert_true(isnan(functions[k](v, nextafter(nu, i % 2 ? 1 : -1))));
         }
-    static const double no_speed[] = {0, -0.1, 1, INFINITY, -INFINITY, NAN};
-    static const double no_nu[] = {-1, 1, INFINITY, -INFINITY, NAN};
-    for (size_t i = 0; i < sizeof no_speed / sizeof *no_speed; i++)
-        expect_nan(no_speed[i], 0.3);
-    for (size_t i = 0; i < sizeof no_nu / sizeof *no_nu; i++)
-        expect_nan(0.1, no_nu[i]);
+        EACH (no_speed, 0, -0.1, 1, INFINITY, -INFINITY, NAN)
+            assert_true(isnan(functions[k](*no_speed, 0.3)));
+        EACH (no_nu, -1, 1, INFINITY, -INFINITY, NAN)
+            assert_true(isnan(functions[k](0.1, *no_nu)));
+    }
 }
 
 /* ---- what else is known ---- */
