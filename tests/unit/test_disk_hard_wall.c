@@ -19,25 +19,29 @@ static double first_omega(size_t level)
 #define NOISE 8e-7
 #define UNSEEN 0.07
 
-/* The modes that so many levels need, malloc'ed */
+/* The modes that so many levels need; they are kept until another nu or more levels are asked for */
 static struct cor_disk_modes modes_of(double nu, size_t levels)
 {
-    struct cor_disk_modes modes;
+    static struct cor_disk_modes made;
     const size_t count = cor_disk_modes_below(nu, first_omega(levels - 1) * (1 + 1e-9)) + 1;
-    struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
-    assert_non_null(mode);
-    assert_int_equal(cor_disk_modes_compute(nu, count, mode, &modes), COR_OK);
-    return modes;
+    if (made.nu != nu || made.count < count) {
+        free((void *)made.mode);
+        struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
+        assert_non_null(mode);
+        assert_int_equal(cor_disk_modes_compute(nu, count, mode, &made), COR_OK);
+    }
+    return (struct cor_disk_modes){nu, count, made.mode};
 }
 
-static struct cor_disk_hard_wall wall_collide(const struct cor_disk_modes *modes, double speed, double tolerance,
-                                              int expected)
+/* A collision, whose status is that of its estimate */
+static struct cor_disk_hard_wall wall_collide(double nu, size_t levels, double speed, double tolerance)
 {
-    const struct cor_disk_hard_wall_options options = {tolerance, 0};
+    const struct cor_disk_modes modes = modes_of(nu, levels);
+    const struct cor_disk_hard_wall_options options = {tolerance, tolerance > 1e-6 ? 0 : SIZE_MAX};
     struct cor_disk_hard_wall out;
-    const int status = cor_disk_hard_wall(modes, modes->count, &options, speed, &out);
-    check(status == expected, "nu = %g, v = %g, tolerance %g: %s", modes->nu, speed, tolerance,
-          cor_status_text(status));
+    const int status = cor_disk_hard_wall(&modes, modes.count, &options, speed, &out);
+    check(status == (out.error_estimate <= tolerance ? COR_OK : COR_TOLERANCE_NOT_REACHED),
+          "nu = %g, v = %g, tolerance %g: %s", nu, speed, tolerance, cor_status_text(status));
     return out;
 }
 
@@ -54,20 +58,18 @@ TEST(known_answers)
     static const struct {
         double speed, one_minus_eps2, error;
     } known[] = {{0.03, 0.0332486, 5e-7}, {0.1, 0.1030896, 5e-7}, {0.3, 0.293641, 3e-6}};
-    const struct cor_disk_modes modes = modes_of(0.33, 10);
     for (size_t i = 0; i < 3; i++) {
-        const struct cor_disk_hard_wall out = wall_collide(&modes, known[i].speed, 1e-5, COR_OK);
+        const struct cor_disk_hard_wall out = wall_collide(0.33, 10, known[i].speed, 1e-5);
         check(fabs(out.one_minus_eps2 - known[i].one_minus_eps2) < 1e-6 + known[i].error, "v = %g: %.8f, not %.7f",
               known[i].speed, out.one_minus_eps2, known[i].one_minus_eps2);
         check(out.error_estimate <= 1e-5, "%g", out.error_estimate);
         check(fabs(out.eps * out.eps + out.one_minus_eps2 - 1) < 1e-15, "eps = %.17g", out.eps);
     }
     /* where levels agree well, the estimate is little more than its two other parts */
-    const struct cor_disk_hard_wall out = wall_collide(&modes, 1e-7, 4e-6, COR_OK);
+    const struct cor_disk_hard_wall out = wall_collide(0.33, 10, 1e-7, 4e-6);
     const double omega = first_omega(out.omega_levels - 1), least = NOISE + UNSEEN / (omega * omega);
     check(out.error_estimate >= least && out.error_estimate < least + 2 * NOISE, "%g, at least %g", out.error_estimate,
           least);
-    free((void *)modes.mode);
 }
 
 /* The proved table of 1800 modes and as many computed ones; and fewer, which the table's length must not matter to */
@@ -105,27 +107,17 @@ TEST(errors)
         const double tolerance = tolerances[scenes < 20 ? i % 3 : i % 5];
         const size_t most = scenes < 20 ? 9 : tolerance < 2e-6 ? COR_DISK_HARD_WALL_MAX_LEVELS : 11;
         const size_t more = tolerance < 2e-6 ? 1 : 2;
-        struct cor_disk_modes modes = modes_of(nu, most);
-        const struct cor_disk_hard_wall_options options = {tolerance, 0};
-        struct cor_disk_hard_wall out;
-        const int status = cor_disk_hard_wall(&modes, modes.count, &options, speed, &out);
-        assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
-        assert_true((status == COR_OK) == (out.error_estimate <= tolerance));
-        reached += status == COR_OK;
-        if (out.omega_levels + more <= most) {
-            modes.count = cor_disk_modes_below(nu, first_omega(out.omega_levels + more - 1) * (1 + 1e-9)) + 1;
-            const struct cor_disk_hard_wall_options finest = {
-                fmax(COR_DISK_HARD_WALL_MIN_TOLERANCE, fmin(1e-6, 0.01 * tolerance)), 0};
-            struct cor_disk_hard_wall judge;
-            const int judged_status = cor_disk_hard_wall(&modes, modes.count, &finest, speed, &judge);
-            assert_true(judged_status == COR_OK || judged_status == COR_TOLERANCE_NOT_REACHED);
-            const double off = fabs(out.one_minus_eps2 - judge.one_minus_eps2) / out.error_estimate;
-            check(off <= 1, "nu = %.17g, v = %.17g, tolerance %g: %.9f +- %.1e, more levels %.9f", nu, speed, tolerance,
-                  out.one_minus_eps2, out.error_estimate, judge.one_minus_eps2);
-            worst = fmax(worst, off);
-            judged++;
-        }
-        free((void *)modes.mode);
+        const struct cor_disk_hard_wall out = wall_collide(nu, most, speed, tolerance);
+        reached += out.error_estimate <= tolerance;
+        if (out.omega_levels + more > most)
+            continue;
+        const double finest = fmax(COR_DISK_HARD_WALL_MIN_TOLERANCE, fmin(1e-6, 0.01 * tolerance));
+        const struct cor_disk_hard_wall judge = wall_collide(nu, out.omega_levels + more, speed, finest);
+        const double off = fabs(out.one_minus_eps2 - judge.one_minus_eps2) / out.error_estimate;
+        check(off <= 1, "nu = %.17g, v = %.17g, tolerance %g: %.9f +- %.1e, more levels %.9f", nu, speed, tolerance,
+              out.one_minus_eps2, out.error_estimate, judge.one_minus_eps2);
+        worst = fmax(worst, off);
+        judged++;
     }
     print_message("%zu scenes, %d with the tolerance reached, %d judged: error at most %.2f of the estimate\n", scenes,
                   reached, judged, worst);
@@ -185,7 +177,6 @@ TEST(budgets)
             assert_true(steps.max_steps < 1000000);
         }
         same_results(&whole, &again, "enough steps");
-        free((void *)modes.mode);
     }
     assert_true(ended > 0);
 }
@@ -223,12 +214,10 @@ TEST(levels_that_agree_by_chance)
     /* few levels: the estimate of a table that ends early holds, too */
     for (size_t levels = 5; levels <= 6; levels++)
         for (size_t i = 0; i < 2; i++) {
-            const struct cor_disk_modes modes = modes_of(scene[i].nu, levels);
-            const struct cor_disk_hard_wall out = wall_collide(&modes, scene[i].speed, 1e-6, COR_TOLERANCE_NOT_REACHED);
-            assert_int_equal(out.omega_levels, levels);
+            const struct cor_disk_hard_wall out = wall_collide(scene[i].nu, levels, scene[i].speed, 1e-6);
+            assert_true(out.omega_levels == levels && out.error_estimate > 1e-6);
             check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) <= out.error_estimate, "%zu levels: %.6f +- %.1e",
                   levels, out.one_minus_eps2, out.error_estimate);
-            free((void *)modes.mode);
         }
 }
 
@@ -237,12 +226,12 @@ TEST(levels_that_agree_by_chance)
 /* Rayleigh's theory is approached slowly; the ratio to its fraction oscillates at first. */
 TEST(slower_and_slower)
 {
-    const struct cor_disk_modes modes = modes_of(0.33, 8);
     double apart = INFINITY;
     EACH (exponents, -3, -8, -30, -128, -300) {
         const double speed = pow(10, *exponents);
-        const struct cor_disk_hard_wall out = wall_collide(&modes, speed, 1e-5, COR_OK);
+        const struct cor_disk_hard_wall out = wall_collide(0.33, 8, speed, 1e-5);
         struct cor_disk_rayleigh rayleigh;
+        assert_true(out.error_estimate <= 1e-5);
         assert_int_equal(
             cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &rayleigh, NULL),
             COR_OK);
@@ -259,26 +248,25 @@ TEST(slower_and_slower)
         }
     }
     check(apart < 0.1, "%g from Rayleigh at v = 1e-300", apart);
-    free((void *)modes.mode);
 }
 
 /* The point contact and the full method meet, and the smallest normal and the smallest double are speeds too. */
 TEST(joins)
 {
-    const struct cor_disk_modes modes = modes_of(0.33, 8);
     const double speed = COR_DISK_HARD_WALL_POINT_SPEED;
-    const struct cor_disk_hard_wall full = wall_collide(&modes, speed, 1e-5, COR_OK);
-    const struct cor_disk_hard_wall point = wall_collide(&modes, nextafter(speed, 0), 1e-5, COR_OK);
+    const struct cor_disk_hard_wall full = wall_collide(0.33, 8, speed, 1e-5),
+                                    point = wall_collide(0.33, 8, nextafter(speed, 0), 1e-5),
+                                    slow = wall_collide(0.33, 8, DBL_MIN, 1e-5),
+                                    slowest = wall_collide(0.33, 8, ldexp(1, -1074), 1e-5);
     check(fabs(full.one_minus_eps2 - point.one_minus_eps2) < 2e-6 &&
               fabs(full.contact_time / point.contact_time - 1) < 1e-3 &&
               fabs(full.max_compression / point.max_compression - 1) < 1e-4,
           "%.9f, %g, %g and %.9f, %g, %g", full.one_minus_eps2, full.contact_time, full.max_compression,
           point.one_minus_eps2, point.contact_time, point.max_compression);
-    const struct cor_disk_hard_wall slow = wall_collide(&modes, DBL_MIN, 1e-5, COR_OK),
-                                    slowest = wall_collide(&modes, ldexp(1, -1074), 1e-5, COR_OK);
     check(slow.one_minus_eps2 > 0 && slow.one_minus_eps2 < 1e-4 && fabs(slowest.one_minus_eps2) < 1e-4, "%g, %g",
           slow.one_minus_eps2, slowest.one_minus_eps2);
-    free((void *)modes.mode);
+    assert_true(fmax(fmax(full.error_estimate, point.error_estimate),
+                     fmax(slow.error_estimate, slowest.error_estimate)) <= 1e-5);
 }
 
 /* ---- details ---- */
@@ -455,18 +443,14 @@ TEST(refusals)
 static double estimate_and_changes(double nu, double speed, double tolerance, size_t levels, double change[4])
 {
     double value[5] = {0}, estimate = NAN;
-    const struct cor_disk_modes modes = modes_of(nu, levels);
     for (size_t i = 0; i < 5 && i + 2 <= levels; i++) {
-        struct cor_disk_modes lowest = modes;
-        lowest.count = cor_disk_modes_below(nu, first_omega(levels - 1 - i) * (1 + 1e-9)) + 1;
-        const struct cor_disk_hard_wall out = wall_collide(&lowest, speed, tolerance, COR_TOLERANCE_NOT_REACHED);
-        assert_int_equal(out.omega_levels, levels - i);
+        const struct cor_disk_hard_wall out = wall_collide(nu, levels - i, speed, tolerance);
+        assert_true(out.omega_levels == levels - i && out.error_estimate > tolerance);
         value[i] = out.one_minus_eps2;
         estimate = i == 0 ? out.error_estimate : estimate;
     }
     for (size_t i = 0; i < 4; i++)
         change[i] = i + 3 <= levels ? fabs(value[i] - value[i + 1]) : 0;
-    free((void *)modes.mode);
     return estimate;
 }
 
@@ -502,26 +486,20 @@ TEST(usual_errors)
 {
     struct random_state random = random_start();
     const size_t scenes = points(1), most = scenes < 20 ? 10 : COR_DISK_HARD_WALL_MAX_LEVELS;
-    const struct cor_disk_hard_wall_options options = {1e-6, SIZE_MAX},
-                                            finest = {COR_DISK_HARD_WALL_MIN_TOLERANCE, SIZE_MAX};
     double worst = 0;
     int settled = 0;
     for (size_t i = 0; i < scenes; i++) {
         const double nu = random_uniform(&random, -0.2, 0.4875), speed = random_log(&random, 0.01, 0.3);
-        struct cor_disk_modes modes = modes_of(nu, most);
-        struct cor_disk_hard_wall judge, out;
-        assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &finest, speed, &judge), COR_TOLERANCE_NOT_REACHED);
-        int status = COR_TOLERANCE_NOT_REACHED;
-        for (size_t levels = 8; levels < most && status == COR_TOLERANCE_NOT_REACHED; levels++) {
-            modes.count = cor_disk_modes_below(nu, first_omega(levels - 1) * (1 + 1e-9)) + 1;
-            status = cor_disk_hard_wall(&modes, modes.count, &options, speed, &out);
+        const struct cor_disk_hard_wall judge = wall_collide(nu, most, speed, COR_DISK_HARD_WALL_MIN_TOLERANCE);
+        struct cor_disk_hard_wall out = {.error_estimate = 1};
+        for (size_t levels = 8; levels < most && out.error_estimate > 1e-6; levels++) {
+            out = wall_collide(nu, levels, speed, 1e-6);
             const double off = fabs(out.one_minus_eps2 - judge.one_minus_eps2) / out.error_estimate;
             check(off <= 1, "nu = %.17g, v = %.17g, %zu levels: %.9f +- %.1e, not %.9f", nu, speed, levels,
                   out.one_minus_eps2, out.error_estimate, judge.one_minus_eps2);
             worst = fmax(worst, off);
         }
-        settled += status == COR_OK;
-        free((void *)modes.mode);
+        settled += out.error_estimate <= 1e-6;
     }
     print_message("%zu scenes: error at most %.2f of the estimate; %d with 1e-6 reached before Omega = %.0f\n", scenes,
                   worst, settled, first_omega(most - 1));
