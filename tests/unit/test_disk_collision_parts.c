@@ -7,23 +7,24 @@
 
 #include "runtime/disk/collision.h"
 
-/* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that the caller frees */
+/* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that the next stage frees */
 struct stage {
     struct cor_motion m;
     struct cor_collision_state now;
-    void *memory;
 };
 
 static void stage_begin(struct stage *stage, size_t n, double alpha, double speed, size_t phi, double h)
 {
     const struct cor_disk_collision_options options = {alpha, 1e-8, phi, 0};
+    static void *memory;
     memset(stage, 0, sizeof *stage);
     struct cor_motion *const m = &stage->m;
     m->size = cor_motion_sizes(cor_disk_modes_nu033.mode, n, &options);
     const size_t bytes = cor_motion_arrange(m, NULL);
-    stage->memory = malloc(bytes + COR_ALIGNMENT);
-    assert_non_null(stage->memory);
-    cor_motion_arrange(m, cor_store_aligned(stage->memory));
+    free(memory);
+    memory = malloc(bytes + COR_ALIGNMENT);
+    assert_non_null(memory);
+    cor_motion_arrange(m, cor_store_aligned(memory));
     m->mode = cor_disk_modes_nu033.mode;
     m->alpha = alpha;
     m->tolerance = options.tolerance;
@@ -62,7 +63,6 @@ TEST(drift)
         check(fabsl(m->q[m->place[i]] - turned_q) < 4e-16L && fabsl(m->p[m->place[i]] - turned_p) < 4e-16L, "mode %zu",
               i);
     }
-    free(stage.memory);
 }
 
 /* ---- kick ---- */
@@ -134,10 +134,8 @@ TEST(kick)
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
-        if (cor_collision_kick(m, p.h, COR_ALL_ANGLES, &stage.now) != COR_RUN_ENDED) {
-            free(stage.memory);
+        if (cor_collision_kick(m, p.h, COR_ALL_ANGLES, &stage.now) != COR_RUN_ENDED)
             continue; /* too stiff */
-        }
         for (size_t i = 0; i <= p.modes; i++) {
             const long double step = 1e-6L / p.alpha, at = y[i];
             y[i] = at + step;
@@ -157,7 +155,6 @@ TEST(kick)
         modified_potential(&p, y, &fastest);
         check(relative_error(stage.now.stiffness, p.h * p.h * p.alpha * fastest) < 1e-9, "stiffness %g, not %Lg",
               stage.now.stiffness, p.h * p.h * p.alpha * fastest);
-        free(stage.memory);
     }
 }
 
@@ -182,7 +179,6 @@ TEST(stiffness)
             check(fabs(stage.now.stiffness / step[i].stiffness - 1) < 1e-6, "%g, not %g", stage.now.stiffness,
                   step[i].stiffness);
         check(result == step[i].kick, "stiffness %g: %d", stage.now.stiffness, (int)result);
-        free(stage.memory);
     }
 }
 
@@ -218,7 +214,6 @@ TEST(window)
             check(stage.now.window == (last / COR_PANEL + 1) * COR_PANEL, "window %zu, last %zu", stage.now.window,
                   last);
         }
-        free(stage.memory);
     }
 }
 
@@ -390,7 +385,6 @@ TEST(other_errors)
     const struct cor_collision_error parts = {0.25, 0.125, 0.0625, 0.03125}, large = {0.75, 0, 0.5, 0};
     assert_true(cor_collision_lasting_error(&parts) == 0.09375 && cor_collision_total_error(&parts) == 0.46875);
     assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
-    free(stage.memory);
 }
 
 /* The collision amplifies the error of the angles: by a bound, of which calm collisions have a thousandth, by what was
@@ -427,7 +421,6 @@ TEST(angles_error)
     stage.m.size.n_max = 4 * stage.m.phi;
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(error.angles == 1);
-    free(stage.memory);
 }
 
 /* The mean of the moments with angles and with shifted ones is that with twice as many. */
@@ -448,7 +441,6 @@ TEST(shifted_angles)
     cor_collision_approach(m, 0.01, &stage.now);
     for (size_t k = 0; k < TERMS; k++)
         check(fabs(sum[k] - m->e[k]) <= 1e-14 * m->e[0], "moment %zu: %.17g, not %.17g", k, sum[k], m->e[k]);
-    free(stage.memory);
 }
 
 /* ---- the loops ---- */
@@ -472,7 +464,6 @@ TEST(every_set)
             check(end == COR_RUN_ENDED, "%zu modes, alpha = %g, v = %g: %d", n, alpha, speed, (int)end);
             check(memcmp(&run[set], &run[0], sizeof *run) == 0, "set %d, %zu modes: eps %a, not %a", set, n,
                   run[set].eps, run[0].eps);
-            free(stage.memory);
         }
     }
 }
@@ -528,7 +519,6 @@ TEST(work)
         assert_int_equal(cor_collision_run(m, &run, NULL, NULL, NULL), COR_RUN_TOO_LONG);
         assert_true(run.steps < steps && run.steps > steps / 4);
     }
-    free(stage.memory);
 }
 
 RUN_TESTS(drift, kick, stiffness, window, extrapolation, energies, step_error, hard_wall_step_error, other_errors,
