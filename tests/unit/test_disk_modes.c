@@ -32,11 +32,12 @@ TEST(tables)
 
 /* ---- files ---- */
 
-struct text {
-    char *bytes;
+/* The file in hand */
+static struct {
+    char bytes[(CAPACITY + 10) * LINE_MAX_LENGTH];
     size_t length;
     uint32_t check;
-};
+} text;
 
 static uint32_t hash(uint32_t check, const char *bytes, size_t n)
 {
@@ -48,49 +49,48 @@ static uint32_t hash(uint32_t check, const char *bytes, size_t n)
 }
 
 /* One line and its check. */
-static void add_line(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void add_line(struct text *t, const char *format, ...)
+static void add_line(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void add_line(const char *format, ...)
 {
-    char line[LINE_MAX_LENGTH];
+    char *const line = text.bytes + text.length;
     va_list arguments;
     va_start(arguments, format);
-    int n = vsnprintf(line, sizeof line - 12, format, arguments);
+    int n = vsnprintf(line, LINE_MAX_LENGTH - 12, format, arguments);
     va_end(arguments);
     line[n++] = ' ';
-    t->check = hash(t->check, line, (size_t)n);
-    n += snprintf(line + n, sizeof line - (size_t)n, "%08lx\n", (unsigned long)t->check);
-    t->check = hash(t->check, line + n - 9, 9);
-    memcpy(t->bytes + t->length, line, (size_t)n);
-    t->length += (size_t)n;
+    text.check = hash(text.check, line, (size_t)n);
+    n += snprintf(line + n, 12, "%08lx\n", (unsigned long)text.check);
+    text.check = hash(text.check, line + n - 9, 9);
+    text.length += (size_t)n;
 }
 
-static void add_mode(struct text *t, const struct cor_disk_mode *m)
+static void add_mode(const struct cor_disk_mode *m)
 {
-    add_line(t, "mode %d %d %a %a %a", m->n, m->l, m->omega, m->c, m->s);
+    add_line("mode %d %d %a %a %a", m->n, m->l, m->omega, m->c, m->s);
 }
 
 /* The first `lines` lines of a file of `count` modes */
-static struct text start_of(int lines, size_t count)
+static void start(int lines, size_t count)
 {
-    struct text t = {test_malloc((CAPACITY + 10) * LINE_MAX_LENGTH), 0, 2166136261u};
+    text.length = 0;
+    text.check = 2166136261u;
     if (lines > 0)
-        add_line(&t, "cor-disk-modes 1");
+        add_line("cor-disk-modes 1");
     if (lines > 1)
-        add_line(&t, "source a test");
+        add_line("source a test");
     if (lines > 2)
-        add_line(&t, "poisson %a 0.33", 0.33);
+        add_line("poisson %a 0.33", 0.33);
     if (lines > 3)
-        add_line(&t, "modes %zu", count);
-    return t;
+        add_line("modes %zu", count);
 }
 
-static struct text file_of(const struct cor_disk_modes *modes, size_t count)
+/* A file that promises so many modes and has others */
+static void write_modes(size_t promised, const struct cor_disk_mode *mode, size_t count)
 {
-    struct text t = start_of(4, count);
+    start(4, promised);
     for (size_t i = 0; i < count; i++)
-        add_mode(&t, &modes->mode[i]);
-    add_line(&t, "end");
-    return t;
+        add_mode(&mode[i]);
+    add_line("end");
 }
 
 static void put_file(const char *bytes, size_t length)
@@ -116,27 +116,26 @@ static void refused(const char *bytes, size_t length, int expected, size_t expec
     assert_true(modes.nu == 7 && modes.count == 7 && modes.mode == NULL);
 }
 
-static void refused_text(struct text *t, size_t expected_line, const char *what)
+static void text_refused(size_t expected_line, const char *what)
 {
-    refused(t->bytes, t->length, COR_ERROR_FILE_DAMAGED, expected_line, what);
-    test_free(t->bytes);
+    refused(text.bytes, text.length, COR_ERROR_FILE_DAMAGED, expected_line, what);
 }
 
-static size_t line_at(const struct text *t, size_t at)
+static size_t line_at(size_t at)
 {
     size_t line = 1;
     for (size_t i = 0; i < at; i++)
-        line += t->bytes[i] == '\n';
+        line += text.bytes[i] == '\n';
     return line;
 }
 
 TEST(reads_what_was_written)
 {
     for (size_t count = 1; count <= CAPACITY; count = count == 1 ? CAPACITY : count + 1) {
-        struct text t = file_of(&cor_disk_modes_nu033, count);
         struct cor_disk_modes modes = {0, 0, NULL};
         size_t line = 77;
-        put_file(t.bytes, t.length);
+        write_modes(count, cor_disk_modes_nu033.mode, count);
+        put_file(text.bytes, text.length);
         /* how many there are, then all of them */
         assert_int_equal(cor_disk_modes_read(path, NULL, 0, &modes, NULL), COR_ERROR_CAPACITY);
         assert_int_equal(modes.count, count);
@@ -149,7 +148,6 @@ TEST(reads_what_was_written)
             assert_true(a->n == b->n && a->l == b->l && same_bits(a->omega, b->omega) && same_bits(a->c, b->c) &&
                         same_bits(a->s, b->s));
         }
-        test_free(t.bytes);
     }
 }
 
@@ -157,23 +155,20 @@ TEST(reads_what_was_written)
 TEST(harmed_bytes)
 {
     struct random_state random = random_start();
-    struct text t = file_of(&cor_disk_modes_nu033, MODES_OF_FILE);
-    const size_t first_line = (size_t)(strchr(t.bytes, '\n') - t.bytes);
-    for (size_t k = 0; k < points(2000); k++) {
-        const size_t at = first_line + 1 + (size_t)random_uniform(&random, 0, (double)(t.length - first_line - 1));
-        const char before = t.bytes[at];
-        t.bytes[at] = (char)((int)before ^ (1 + (int)random_uniform(&random, 0, 255)));
-        if (t.bytes[at] != before)
-            refused(t.bytes, t.length, COR_ERROR_FILE_DAMAGED, line_at(&t, at), "one byte");
-        t.bytes[at] = before;
-    }
-    for (size_t length = first_line + 1; length < t.length; length += length < 400 ? 1 : 61)
-        refused(t.bytes, length, COR_ERROR_FILE_DAMAGED, line_at(&t, length), "truncated");
-    refused(t.bytes, t.length - 1, COR_ERROR_FILE_DAMAGED, FIRST_MODE_LINE + MODES_OF_FILE, "no last line end");
     const size_t lines = FIRST_MODE_LINE + MODES_OF_FILE;
-    t.bytes[t.length] = '\n';
-    refused(t.bytes, t.length + 1, COR_ERROR_FILE_DAMAGED, lines + 1, "one byte more");
-    test_free(t.bytes);
+    write_modes(MODES_OF_FILE, cor_disk_modes_nu033.mode, MODES_OF_FILE);
+    const size_t second_line = (size_t)(strchr(text.bytes, '\n') - text.bytes) + 1;
+    for (size_t k = 0; k < points(2000); k++) {
+        const size_t at = second_line + random_below(&random, text.length - second_line);
+        text.bytes[at] ^= (char)(1 + random_below(&random, 255));
+        text_refused(line_at(at), "one byte");
+        write_modes(MODES_OF_FILE, cor_disk_modes_nu033.mode, MODES_OF_FILE);
+    }
+    for (size_t length = second_line; length < text.length; length += length < 400 ? 1 : 61)
+        refused(text.bytes, length, COR_ERROR_FILE_DAMAGED, line_at(length), "truncated");
+    refused(text.bytes, text.length - 1, COR_ERROR_FILE_DAMAGED, lines, "no last line end");
+    text.bytes[text.length++] = '\n';
+    text_refused(lines + 1, "one byte more");
 }
 
 TEST(first_line)
@@ -189,10 +184,9 @@ TEST(first_line)
                                          "n,l,omega,C,S\n"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         refused(others[i], strlen(others[i]), COR_ERROR_FILE_VERSION, 1, others[i]);
-    struct text t = start_of(0, 0);
-    add_line(&t, "cor-disk-modes 2");
-    refused(t.bytes, t.length, COR_ERROR_FILE_VERSION, 1, "version 2 in good order");
-    test_free(t.bytes);
+    start(0, 0);
+    add_line("cor-disk-modes 2");
+    refused(text.bytes, text.length, COR_ERROR_FILE_VERSION, 1, "version 2 in good order");
     static const char damaged[] = "cor-disk-modes 1 00000000\n";
     refused(damaged, strlen(damaged), COR_ERROR_FILE_DAMAGED, 1, "version 1 with a wrong check");
 }
@@ -215,49 +209,41 @@ TEST(harmed_lines)
          {"mode 2 0 0x1p+0 0x1p+0 0x1p+0", "mode 2 0 0x1p+0", "modes 2 0", "2 0", "mode 0 0 0x1p+1 0x1p+0 0x0p+0",
           "mode 0 0 -0x1p+1 0x1p+0 0x0p+0", "mode -2 0 0x1p+0 0x1", "mode 2147483648 0"}}};
     const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;
-    struct text t;
     for (size_t i = 0; i < COUNT_OF(harmed); i++)
         for (size_t k = 0; harmed[i].line[k] != NULL; k++) {
-            t = start_of(harmed[i].after, 1);
-            add_line(&t, "%s", harmed[i].line[k]);
-            add_line(&t, "end");
-            refused_text(&t, (size_t)harmed[i].after + 1, harmed[i].line[k]);
+            start(harmed[i].after, 1);
+            add_line("%s", harmed[i].line[k]);
+            add_line("end");
+            text_refused((size_t)harmed[i].after + 1, harmed[i].line[k]);
         }
     struct cor_disk_mode high = {COR_DISK_MODES_MAX_N, 0, 3, 1.5, 0}; /* obeys (26) for any n */
-    const struct cor_disk_modes highest = {0.33, 1, &high};
     struct cor_disk_modes read;
-    t = file_of(&highest, 1);
-    put_file(t.bytes, t.length);
-    test_free(t.bytes);
+    write_modes(1, &high, 1);
+    put_file(text.bytes, text.length);
     assert_int_equal(cor_disk_modes_read(path, room, CAPACITY, &read, NULL), COR_OK);
     assert_int_equal(read.mode[0].n, COR_DISK_MODES_MAX_N);
     high.n++;
-    t = file_of(&highest, 1);
-    refused_text(&t, FIRST_MODE_LINE, "n is too large");
-    static const struct {
+    write_modes(1, &high, 1);
+    text_refused(FIRST_MODE_LINE, "n is too large");
+    const struct {
         const char *what;
         size_t promised, count;
-        int mode[2];
-    } lists[] = {
-        {"out of order", 2, 2, {1, 0}}, {"twice", 2, 2, {0, 0}}, {"too many", 1, 2, {0, 1}}, {"too few", 2, 1, {0}}};
+        struct cor_disk_mode mode[2];
+    } lists[] = {{"out of order", 2, 2, {m[1], m[0]}},
+                 {"twice", 2, 2, {m[0], m[0]}},
+                 {"too many", 1, 2, {m[0], m[1]}},
+                 {"too few", 2, 1, {m[0]}}};
     for (size_t i = 0; i < COUNT_OF(lists); i++) {
-        t = start_of(4, lists[i].promised);
-        for (size_t k = 0; k < lists[i].count; k++)
-            add_mode(&t, &m[lists[i].mode[k]]);
-        add_line(&t, "end");
-        refused_text(&t, FIRST_MODE_LINE + 1, lists[i].what);
+        write_modes(lists[i].promised, lists[i].mode, lists[i].count);
+        text_refused(FIRST_MODE_LINE + 1, lists[i].what);
     }
-    const double wrong[] = {1 + 1e-10, -1, 0};
-    for (int i = 0; i < 3; i++) /* a number that no mode has: (26) */
+    EACH (wrong, 1 + 1e-10, -1, 0) /* a number that no mode has: (26) */
         for (int k = 0; k < 3; k++) {
-            struct cor_disk_mode harmed = m[k];
-            harmed.c *= wrong[i];
-            if (i == 1 && harmed.n == 0)
-                continue; /* a sign is free there */
-            t = start_of(4, 1);
-            add_mode(&t, &harmed);
-            add_line(&t, "end");
-            refused_text(&t, FIRST_MODE_LINE, "C is wrong");
+            struct cor_disk_mode harmed_mode = m[k];
+            harmed_mode.c *= *wrong;
+            write_modes(1, &harmed_mode, 1);
+            if (*wrong != -1 || harmed_mode.n > 0) /* a sign is free there */
+                text_refused(FIRST_MODE_LINE, "C is wrong");
         }
 }
 
