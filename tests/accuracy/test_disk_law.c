@@ -41,28 +41,29 @@ static double random_nu(void)
 
 /* ---- the law in balls ---- */
 
-enum disk_kind {
-    DISK_LOAD,
-    DISK_COMPRESSION,
-    DISK_ENERGY,
-    DISK_LOAD_OF_ENERGY,
-    DISK_MAX_LOAD,
-    DISK_MAX_COMPRESSION,
-    DISK_KINDS
-};
+/* (57), and the energy */
+#define COMPRESSION "load/pi*(log(4*pi/load) + b)"
+#define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
-/* What is judged, by kind */
+/* What is judged, as functions of x. With a z, w = -W_-1(-z) gives the load, which put into the law gives x again. */
 static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);
     double (*limit)(double nu, enum cor_disk_datum datum); /* the largest argument */
-} disk_functions[DISK_KINDS] = {
-    [DISK_LOAD] = {"load", cor_disk_load, cor_disk_compression_limit},
-    [DISK_COMPRESSION] = {"compression", cor_disk_compression, cor_disk_load_limit},
-    [DISK_ENERGY] = {"energy", cor_disk_energy, cor_disk_load_limit},
-    [DISK_LOAD_OF_ENERGY] = {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit},
-    [DISK_MAX_LOAD] = {"max_load", cor_disk_max_load, cor_disk_speed_limit},
-    [DISK_MAX_COMPRESSION] = {"max_compression", cor_disk_max_compression, cor_disk_speed_limit},
+    const char *exact_limit;
+    const char *x, *z, *load; /* x: of the argument; z NULL: x is the load */
+    const char *law, *value_of_load;
+} disk_functions[] = {
+    {"load", cor_disk_load, cor_disk_compression_limit, "4*exp(b - 1)", "x", "x*exp(-b)/4", "pi*x/w", COMPRESSION,
+     "load"},
+    {"compression", cor_disk_compression, cor_disk_load_limit, "4*pi*exp(b - 1)", "x", NULL, NULL, NULL, COMPRESSION},
+    {"energy", cor_disk_energy, cor_disk_load_limit, "4*pi*exp(b - 1)", "x", NULL, NULL, NULL, ENERGY},
+    {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit, "4*pi*exp(2*b - 2)", "x",
+     "x*exp(1 - 2*b)/(4*pi)", "sqrt(4*pi*x/w)", ENERGY, "load"},
+    {"max_load", cor_disk_max_load, cor_disk_speed_limit, "sqrt(8)*exp(b - 1)", "pi/2*x^2", "x*exp(1 - 2*b)/(4*pi)",
+     "sqrt(4*pi*x/w)", ENERGY, "load"},
+    {"max_compression", cor_disk_max_compression, cor_disk_speed_limit, "sqrt(8)*exp(b - 1)", "pi/2*x^2",
+     "x*exp(1 - 2*b)/(4*pi)", "sqrt(4*pi*x/w)", ENERGY, COMPRESSION},
 };
 
 /* b of (57) for each datum */
@@ -76,50 +77,24 @@ static void disk_minus_w(arb_t w, const arb_t z, slong prec)
     arb_neg(w, w);
 }
 
-/* delta (energy = 0) or V (energy = 1) of a load, (57) */
-static void disk_law(arb_t y, const arb_t load, const arb_t b, int energy, slong prec)
-{
-    if (energy)
-        LET(y, prec, "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)", load, b);
-    else
-        LET(y, prec, "load/pi*(log(4*pi/load) + b)", load, b);
-}
-
-/* The largest load at an energy V, (V e^(1-2b)/(4 pi) = w e^(-w)): sqrt(4 pi V/w) */
-static void disk_load_of_energy(arb_t load, const arb_t energy, const arb_t b, slong prec)
-{
-    LOCAL(arb, w);
-    LET(w, prec, "energy*exp(1 - 2*b)/(4*pi)", energy, b);
-    disk_minus_w(w, w, prec);
-    LET(load, prec, "sqrt(4*pi*energy/w)", energy, w);
-}
-
 /* The exact value of a function; false if putting it back into (57) contradicts. */
-static bool disk_value(arb_t y, enum disk_kind kind, double argument, double nu, enum cor_disk_datum datum, slong prec)
+static bool disk_value(arb_t y, const struct disk_function *f, double argument, double nu, enum cor_disk_datum datum,
+                       slong prec)
 {
-    const bool of_speed = kind == DISK_MAX_LOAD || kind == DISK_MAX_COMPRESSION;
-    LOCAL(arb, b, x, back);
+    bool consistent = true;
+    LOCAL(arb, b, x, w, load);
     LET(b, prec, constant_b[datum], nu);
     arb_set_d(x, argument);
-    if (kind == DISK_COMPRESSION || kind == DISK_ENERGY) {
-        disk_law(y, x, b, kind == DISK_ENERGY, prec);
-        return true;
+    LET(x, prec, f->x, x);
+    arb_set(load, x);
+    if (f->z) {
+        LET(w, prec, f->z, x, b);
+        disk_minus_w(w, w, prec);
+        LET(load, prec, f->load, x, w);
+        LET(w, prec, f->law, load, b);
+        consistent = arb_overlaps(w, x);
     }
-    if (kind == DISK_LOAD) {
-        LET(back, prec, "x*exp(-b)/4", x, b);
-        disk_minus_w(y, back, prec);
-        LET(y, prec, "pi*x/y", x, y);
-    } else {
-        if (of_speed)
-            LET(x, prec, "pi/2*x^2", x);
-        disk_load_of_energy(y, x, b, prec);
-    }
-    disk_law(back, y, b, kind != DISK_LOAD, prec);
-    const bool consistent = arb_overlaps(back, x);
-    if (kind == DISK_MAX_COMPRESSION) {
-        arb_set(x, y);
-        disk_law(y, x, b, 0, prec);
-    }
+    LET(y, prec, f->value_of_load, load, b);
     return consistent;
 }
 
@@ -188,14 +163,6 @@ static double ball_error(double computed, const arb_t exact)
     return radius < 1e-4 ? error + radius : -1;
 }
 
-/* The limits of the first four kinds, as disk.h has them */
-static void ball_limit(arb_t x, enum disk_kind kind, const arb_t b, slong prec)
-{
-    static const char *const formula[] = {"4*exp(b - 1)",      "4*pi*exp(b - 1)",    "4*pi*exp(b - 1)",
-                                          "4*pi*exp(2*b - 2)", "sqrt(8)*exp(b - 1)", "sqrt(8)*exp(b - 1)"};
-    LET(x, prec, formula[kind], b);
-}
-
 /* ---- algebraic functions ---- */
 
 /* Where the code changes its units */
@@ -210,9 +177,9 @@ static double moved(double x, int steps)
     return double_of(bits_of(x) + (uint64_t)(int64_t)steps);
 }
 
-static double random_argument(enum disk_kind kind, double nu, int datum)
+static double random_argument(const struct disk_function *f, double nu, enum cor_disk_datum datum)
 {
-    const double limit = disk_functions[kind].limit(nu, (enum cor_disk_datum)datum);
+    const double limit = f->limit(nu, datum);
     switch (choice(10)) {
     case 0:
         return moved(limit, -choice(4));
@@ -236,17 +203,16 @@ static int search_laws(uint64_t points)
 {
     int good = 1;
     LOCAL(arb, exact);
-    for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++) {
-        const struct disk_function *f = &disk_functions[kind];
+    for (const struct disk_function *f = disk_functions; f < disk_functions + COUNT_OF(disk_functions); f++) {
         struct worst worst = {0};
         for (uint64_t i = 0; i < points; i++) {
             const double nu = random_nu();
-            const int datum = choice(3);
-            const double x = random_argument(kind, nu, datum), y = f->value(x, nu, (enum cor_disk_datum)datum);
+            const enum cor_disk_datum datum = (enum cor_disk_datum)choice(3);
+            const double x = random_argument(f, nu, datum), y = f->value(x, nu, datum);
             double error = -1;
             struct precision p = precision_doubling_to(128, 5000);
             do {
-                if (!disk_value(exact, kind, x, nu, (enum cor_disk_datum)datum, p.bits)) {
+                if (!disk_value(exact, f, x, nu, datum, p.bits)) {
                     printf("the reference contradicts (57) at %a\n", x);
                     good = 0;
                 }
@@ -269,17 +235,16 @@ static int search_limits(uint64_t points)
     for (uint64_t i = 0; i < points; i++) {
         const double nu = random_nu();
         const enum cor_disk_datum datum = (enum cor_disk_datum)choice(3);
-        const enum disk_kind kind = (enum disk_kind)choice(DISK_KINDS);
-        const struct disk_function *f = &disk_functions[kind];
+        const struct disk_function *const f = &disk_functions[choice((int)COUNT_OF(disk_functions))];
         const double limit = f->limit(nu, datum), beyond = moved(limit, 1);
         LET(b, 256, constant_b[datum], nu);
-        ball_limit(exact, kind, b, 256);
+        LET(exact, 256, f->exact_limit, b);
         arb_set_d(x, limit);
         int good = arb_le(x, exact);
         arb_set_d(x, beyond);
         good &= arb_gt(x, exact);
         good &= !isnan(f->value(limit, nu, datum)) && isnan(f->value(beyond, nu, datum));
-        if (kind == DISK_MAX_LOAD)
+        if (f->value == cor_disk_max_load)
             good &= !isnan(cor_disk_contact_time(limit, nu, datum)) && isnan(cor_disk_contact_time(beyond, nu, datum));
         if (!good && wrong++ == 0)
             printf("limit of %s: %a at nu = %a, datum %d\n", f->name, limit, nu, (int)datum);
@@ -328,18 +293,18 @@ static int search_contact_time(uint64_t points)
     double largest_step = 0;
     for (uint64_t i = 0; i < points; i++) {
         const double nu = random_nu();
-        const int datum = choice(3);
-        const double v = random_argument(DISK_MAX_LOAD, nu, datum);
+        const enum cor_disk_datum datum = (enum cor_disk_datum)choice(3);
+        const double v = random_argument(&disk_functions[COUNT_OF(disk_functions) - 1], nu, datum); /* a speed */
         double radius = 1;
         struct precision p = precision_doubling_to(160, 5000);
         do {
-            disk_contact_time(tau, halved, v, nu, (enum cor_disk_datum)datum, 5, p.bits);
+            disk_contact_time(tau, halved, v, nu, datum, 5, p.bits);
             radius = arb_is_finite(tau) ? mag_get_d(arb_radref(tau)) : 1;
         } while (!(radius < 1e-18) && precision_raise(&p));
         good &= radius < 1e-18;
         LET(halved, 64, "halved/tau - 1", halved, tau);
         largest_step = fmax(largest_step, fabs(arf_get_d(arb_midref(halved), ARF_RND_UP)));
-        const double computed = cor_disk_contact_time(v, nu, (enum cor_disk_datum)datum);
+        const double computed = cor_disk_contact_time(v, nu, datum);
         LET(off, 128, "computed/tau - 1", computed, tau);
         const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_UP)) : HUGE_VAL;
         worst_take(&worst, error / COR_DISK_CONTACT_TIME_MAX_ERROR, v);
