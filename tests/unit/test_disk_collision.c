@@ -171,8 +171,8 @@ static struct cor_disk_modes modes_cut(const struct cor_disk_modes *modes, const
     return (struct cor_disk_modes){modes->nu, count, some};
 }
 
-/* The modes of some n, all where there is no list. Tolerances fall from `from` by `ratio`; from 0: 1e-11 alone, and all numbers of a
- * reference. */
+/* The modes of some n and those below a frequency, all where there is no list. Tolerances fall from `from` by `ratio`;
+ * from 0: 1e-11 alone, and all numbers of a reference. */
 TEST(reference)
 {
     const struct {
