@@ -473,43 +473,32 @@ static long double cell_value(enum quantity quantity, long double beta)
     return cell->c[0] + (cell->low + sum * x);
 }
 
-/* From beta = 8^k b with b in the last binades: what is next to the leading powers and logarithms is too small. */
+/* From beta = 8^k b with b in the last binades, value = 2^(power k) (value at b + log k ln 2 x), x = b for the duration
+ * at zero overlap, else the largest overlap at b: what is next to the leading powers and logarithms is too small. These
+ * are beta^(-5/3), beta (const + (10/3) ln beta), X beta^(-2/3), X = (3/2)^(2/3), and, of the times at zero force and at
+ * the largest overlap, beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
+static const struct {
+    int power, thirds; /* log = thirds/3 */
+    long double limit; /* at infinity */
+} large[ALL_QUANTITIES] = {
+    [EPS_ZERO_FORCE] = {-5, 0, 0},
+    [DURATION_ZERO_OVERLAP] = {3, 30, HUGE_VALL},
+    [MAX_OVERLAP] = {-2, 0, 0},
+    [TIME_OF_MAX_OVERLAP] = {-2, 10, 0},
+    [DURATION_ZERO_FORCE] = {-2, 20, 0},
+    [LOSS_ZERO_OVERLAP] = {0, 0, 1},
+    [LOSS_ZERO_FORCE] = {0, 0, 1},
+    [LOSS_APPROACH_ONLY] = {0, 0, 1},
+    [DURATION_APPROACH_ONLY] = {0, 0, HUGE_VALL},
+};
+
 static long double large_value(enum quantity quantity, long double beta)
 {
     int exponent;
     frexpl(beta, &exponent);
     const int k = (exponent - 1 - LAST_BINADE) / 3;
-    const long double b = ldexpl(beta, -3 * k), value = cell_value(quantity, b);
-    switch (quantity) {
-    case EPS_ZERO_FORCE: /* ~ beta^(-5/3) */
-        return ldexpl(value, -5 * k);
-    case DURATION_ZERO_OVERLAP: /* ~ beta (const + (10/3) ln beta) */
-        return ldexpl(value + 10 * k * ln2 * b, 3 * k);
-    case MAX_OVERLAP: /* ~ X beta^(-2/3), X = (3/2)^(2/3) */
-        return ldexpl(value, -2 * k);
-    /* ~ beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), and twice the logarithm at zero force */
-    case TIME_OF_MAX_OVERLAP:
-        return ldexpl(value + 10 * k * ln2 / 3 * cell_value(MAX_OVERLAP, b), -2 * k);
-    case DURATION_ZERO_FORCE:
-        return ldexpl(value + 20 * k * ln2 / 3 * cell_value(MAX_OVERLAP, b), -2 * k);
-    default:
-        return NAN;
-    }
-}
-
-static long double limit_value(enum quantity quantity)
-{
-    switch (quantity) {
-    case LOSS_ZERO_OVERLAP:
-    case LOSS_ZERO_FORCE:
-    case LOSS_APPROACH_ONLY:
-        return 1;
-    case DURATION_ZERO_OVERLAP:
-    case DURATION_APPROACH_ONLY:
-        return HUGE_VALL;
-    default:
-        return 0;
-    }
+    const long double b = ldexpl(beta, -3 * k), x = quantity == DURATION_ZERO_OVERLAP ? b : cell_value(MAX_OVERLAP, b);
+    return ldexpl(cell_value(quantity, b) + large[quantity].thirds * k * ln2 / 3 * x, large[quantity].power * k);
 }
 
 /* eps = sqrt(4/5) x_max^(5/4); the duration: t_max + tau_0 eps^(-1/5) */
@@ -528,7 +517,7 @@ long double reference_value(enum quantity quantity, long double beta)
     if (!(beta >= 0))
         return NAN;
     if (isinf(beta))
-        return limit_value(quantity);
+        return large[quantity].limit;
     if (quantity >= QUANTITIES)
         return approach_value(quantity, beta);
     if (beta < ldexpl(1, FIRST_BINADE))

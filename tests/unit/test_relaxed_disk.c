@@ -129,20 +129,27 @@ TEST(the_pressure_solves_the_equation)
     free(disk);
 }
 
-/* dE/dx_0 = P, from five points */
+/* dE/dx_0 = P, from five points. Ten modes cannot follow a hard wall: it touches them at a few places only, and the way
+ * there has many stages. */
 TEST(the_load_is_the_slope_of_the_energy)
 {
-    struct relaxed_disk *disks[] = {finite_disk(128), relaxed_disk_of_all_modes(0.9, 2000, 256)};
-    const double compressions[] = {0.01, 0.1, 0.25}, h = 1e-3;
-    for (size_t d = 0; d < 2; d++) {
-        for (size_t i = 0; i < sizeof compressions / sizeof *compressions; i++) {
-            const double delta = compressions[i];
-            const double near = energy_at(disks[d], delta + h) - energy_at(disks[d], delta - h);
-            const double far = energy_at(disks[d], delta + 2 * h) - energy_at(disks[d], delta - 2 * h);
-            const double slope = (8 * near - far) / (12 * h), load = load_at(disks[d], delta);
-            check(fabs(slope / load - 1) <= 1e-6, "disk %zu at %g: %.12g, %.12g", d, delta, slope, load);
+    const struct {
+        struct relaxed_disk *disk;
+        double compression[3], h, allowed;
+    } scene[] = {{finite_disk(128), {0.01, 0.1, 0.25}, 1e-3, 1e-6},
+                 {relaxed_disk_of_all_modes(0.9, 2000, 256), {0.01, 0.1, 0.25}, 1e-3, 1e-6},
+                 {relaxed_disk_of_modes(&cor_disk_modes_nu033, 10, 1e6, 256), {0.3}, 1e-4, 1e-4}};
+    for (size_t d = 0; d < COUNT_OF(scene); d++) {
+        struct relaxed_disk *const disk = scene[d].disk;
+        for (size_t i = 0; i < 3 && scene[d].compression[i] > 0; i++) {
+            const double delta = scene[d].compression[i], h = scene[d].h;
+            const double near = energy_at(disk, delta + h) - energy_at(disk, delta - h);
+            const double far = energy_at(disk, delta + 2 * h) - energy_at(disk, delta - 2 * h);
+            const double slope = (8 * near - far) / (12 * h), load = load_at(disk, delta);
+            check(fabs(slope / load - 1) <= scene[d].allowed, "disk %zu at %g: %.12g, %.12g", d, delta, slope, load);
+            check(disk->largest_residual <= 1e-10, "%g", disk->largest_residual);
         }
-        free(disks[d]);
+        free(disk);
     }
 }
 
@@ -153,24 +160,11 @@ TEST(neither_the_way_nor_the_number_of_points_matters)
     const double there = load_at(disk, 0.05);
     load_at(disk, 0.3);
     load_at(disk, -0.01);
-    const double back = load_at(disk, 0.05), again = load_at(disk, 0.05), fine = load_at(finer, 0.05);
-    check(fabs(back / there - 1) <= 1e-12, "%.17g, %.17g", back, there);
-    check(fabs(again / there - 1) <= 1e-12, "%.17g, %.17g", again, there);
-    check(fabs(fine / there - 1) <= 1e-12, "%.17g, %.17g", fine, there);
+    const double others[] = {load_at(disk, 0.05), load_at(disk, 0.05), load_at(finer, 0.05)}; /* back, again, finer */
+    for (size_t i = 0; i < COUNT_OF(others); i++)
+        check(fabs(others[i] / there - 1) <= 1e-12, "%.17g, %.17g", others[i], there);
     free(disk);
     free(finer);
-}
-
-/* Ten modes cannot follow a hard wall: it touches them at a few places only, and the way there has many stages. */
-TEST(a_hard_wall_and_few_modes)
-{
-    struct relaxed_disk *disk = relaxed_disk_of_modes(&cor_disk_modes_nu033, 10, 1e6, 256);
-    const double delta = 0.3, h = 1e-4;
-    const double rise = energy_at(disk, delta + h) - energy_at(disk, delta - h);
-    load_at(disk, delta);
-    check(disk->largest_residual <= 1e-10, "%g", disk->largest_residual);
-    check(fabs(rise / (2 * h) / disk->load - 1) <= 1e-4, "%.9g, %.9g", rise / (2 * h), disk->load);
-    free(disk);
 }
 
 /* The harder the wall, the nearer to the law of (57) with the centre of mass as datum. */
@@ -190,5 +184,4 @@ TEST(a_hard_wall_gives_the_contact_law)
 
 RUN_TESTS(loads_of_1300_modes, kernel_is_the_sum_over_modes_and_symmetric, all_modes_are_the_limit_of_many,
           the_pressure_solves_the_equation, the_load_is_the_slope_of_the_energy,
-          neither_the_way_nor_the_number_of_points_matters, a_hard_wall_and_few_modes,
-          a_hard_wall_gives_the_contact_law)
+          neither_the_way_nor_the_number_of_points_matters, a_hard_wall_gives_the_contact_law)
