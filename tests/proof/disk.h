@@ -4,7 +4,6 @@
  * goal does not depend on the accuracy of these functions. tests/proof/disk_bounds.cpp adds the errors of the
  * stages, times what the later stages make of them, over cells that cover the domain; disk_errors.h has the errors for
  * both programs. */
-#include "disk_errors.h"
 
 /* ---- parts of lists of operations ---- */
 
@@ -14,14 +13,6 @@ static void exact_two_sum(gappa &g, term hi, term lo)
     g.match_anew(lo, "((s1-(sum:(s1+s2)-part:(sum-s1)))+(s2-part))", {{"sum", hi}});
     g.define(hi);
     g.give(lo, constant_of(g["s2"]) == 0 ? "= ($s1) - $sum" : "= ($s1 + $s2) - $sum", "same");
-}
-
-/* The same for cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem) */
-static void exact_sum(gappa &g, term hi, term lo)
-{
-    g.match_anew(lo, "(s2-(sum:(s1+s2)-s1))", {{"sum", hi}});
-    g.define(hi);
-    g.give(lo, "= ($s1 + $s2) - $sum", "same");
 }
 
 /* The first operation of a kind, or the last one, which must be there */
@@ -267,67 +258,7 @@ static void write_steps(void)
     }
 }
 
-/* ---- pairs, sharper than the sphere needs them ---- */
-
-/* cor_inline_product(x, y) for x and y from [1, 2): |hi + lo - x y| <= 2^-102. All its sums but the last are exact,
- * because the 27 lower bits of a factor are below 2^-25 - 2^-52. Returns the text of hi + lo - x y. */
-static std::string sharp_product(gappa &g, term hi, term lo)
-{
-    g.match_anew(lo, "l:(((((xh*yh)-h:(x1*x2))+(xh*t2))+(t1*yh))+(t1:(x1-xh:head(x1))*t2:(x2-yh:head(x2))))",
-                 {{"h", hi}});
-    const std::string high = std::to_string((1L << 27) - 1) + "b-52", id = std::to_string(lo);
-    g.assume("$h.a - $xh in [0, " + high + "]");
-    g.assume("$h.b - $yh in [0, " + high + "]");
-    /* in terms of the rounding error of hi */
-    const std::string a = "$xh * $yh - $h", b = "(" + a + ") + $xh * ($h.b - $yh)";
-    g.say("pa" + id + " = " + a + ";");
-    g.say("pb" + id + " = " + b + ";");
-    g.say("pc" + id + " = (" + b + ") + ($h.a - $xh) * $yh;");
-    g.say("pd" + id + " = ($h.a - $xh) * ($h.b - $yh);");
-    g.hint("pa" + id + " -> ($h.a * $h.b - $h) - ($h.a - $xh) * $h.b - $xh * ($h.b - $yh)");
-    g.hint("pb" + id + " -> ($h.a * $h.b - $h) - ($h.a - $xh) * $h.b");
-    g.hint("pc" + id + " -> ($h.a * $h.b - $h) - pd" + id);
-    return g.filled("($l - ($l.a + $l.b)) + ($l.b - pd" + id + ") + ($l.a - pc" + id + ")");
-}
-
-static const std::string below_2 = "[1, " + std::to_string((1L << 53) - 1) + "b-52]";
-
-static void write_sharp_product(void)
-{
-    start();
-    const Real x = variable("x", 1.3), y = variable("y", 1.7);
-    const struct cor_inline_pair p = cor_inline_product(x, y);
-    gappa g;
-    g.cut("x", x, below_2);
-    g.cut("y", y, below_2);
-    g.define(p.lo);
-    const std::string error = sharp_product(g, p.hi, p.lo);
-    g.say("off = ($h + $l) - $x * $y;");
-    g.hint("off -> " + error);
-    g.write("disk_product", {}, "|off| in [0, 1b-102]");
-}
-
-/* cor_inline_pair_times for x and y from [1, 2), |lo| <= 2^-53: the pair is within 2^-101 of the product. */
-static void write_sharp_pair_times(void)
-{
-    start();
-    const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
-    const struct cor_inline_pair p = cor_inline_pair_times(x, y);
-    const int rest = at(p.hi, "b");
-    gappa g;
-    g.cut("xh", x.hi, below_2);
-    g.cut("yh", y.hi, below_2);
-    g.cut("xl", x.lo, "[-1b-53, 1b-53]");
-    g.cut("yl", y.lo, "[-1b-53, 1b-53]");
-    exact_sum(g, p.hi, p.lo);
-    const std::string product = sharp_product(g, at(p.hi, "a"), at(rest, "a"));
-    g.call({{"xh", x.hi}, {"yh", y.hi}, {"s", p.hi}, {"sl", p.lo}, {"rest", rest}});
-    g.say("off = ($s + $sl) - ($xh + $xl) * ($yh + $yl);");
-    g.say("low = $l;");
-    g.hint("low -> (" + product + ") + ($xh * $yh - $h)");
-    g.hint("off -> ($rest - ($l + $rest.b)) + ($rest.b - ($xh * $yl + $xl * $yh)) + " + product + " - $xl * $yl");
-    g.write("disk_pair_times", {}, "|off|" + at_most(COR_PROOF_PAIR_TIMES) + " /\\ |low| in [0, 1b-51]");
-}
+/* ---- sums ---- */
 
 /* cor_pair_plus(1, t) and cor_pair_plus(1/2, q): rounding errors of the low parts. t.lo is below 0.09 after the series,
  * and below 2^-31 y after Newton's step; q is a pair. */
@@ -369,24 +300,18 @@ static void write_pair_sqrt(void)
     write_root_correction("disk_pair_sqrt", shape);
 }
 
-/* times: the number that is rounded last is within 2^-68 of x f, x and f from [1, 2). square_times: the square and its
- * product with f, both within 2^-70 by the goals of pairs */
+/* times: the number that is rounded last. square_times: the square and its product with f, both within 2^-70 by the
+ * goals of pairs */
 static void write_times(void)
 {
     start();
     const Real x = variable("x", 1.3);
     const struct cor_inline_pair f = pair_variable("f", 1.7);
-    gappa g;
-    g.match(times(x, f), "(s:(product+rest:(off+(x*fl)))*1)");
-    g.cut("x", "[1, 2]");
-    pair_in(g, f, "fh", "fl");
-    g.define(g["rest"]);
-    const std::string product = product_error(g, g["product"], g["off"]);
-    g.say("off = ($s.a + $s.b) - $x * ($fh + $fl);");
-    g.hint("off -> ($s.b - ($s.ba + $s.bb)) + ($s.bb - $x * $fl) + " + product);
-    g.write("disk_times", {}, "|off|" + at_most(COR_PROOF_PAIRS));
     const struct cor_inline_pair again = cor_inline_pair_times(cor_inline_product(x, x), f);
+    gappa g;
     g.call({{"hi", again.hi}, {"lo", again.lo}});
+    g.match(times(x, f), "(s*1)");
+    write_by_pair("disk_times", g["s"], x, f);
     g.match(square_times(x, f), "(hi+lo)");
 }
 
@@ -548,8 +473,6 @@ static void write_disk(void)
     write_series();
     write_start();
     write_steps();
-    write_sharp_product();
-    write_sharp_pair_times();
     write_sums();
     write_pair_sqrt();
     write_times();

@@ -20,6 +20,7 @@
 #include <sstream>
 
 #include "cor/contact.h"
+#include "disk_errors.h"
 #include "libm_errors.h"
 
 /* The evaluator's source, with numbers that record their operations; cor/contact.h comes first, with real doubles */
@@ -885,41 +886,72 @@ static void pair_in(gappa &g, const struct cor_inline_pair &pair, const char *hi
     g.variable_in(pair.lo, {-0x1p-52, 0x1p-52});
 }
 
-/* cor_inline_product: |hi + lo - x y| <= 2^-74 */
+/* The exact sum hi + lo of cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem: no rounding error remains) */
+static void exact_sum(gappa &g, term hi, term lo)
+{
+    g.match_anew(lo, "(s2-(sum:(s1+s2)-s1))", {{"sum", hi}});
+    g.define(hi);
+    g.give(lo, "= ($s1 + $s2) - $sum", "same");
+}
+
+/* cor_inline_product(x, y) for x and y from [1, 2): |hi + lo - x y| <= 2^-102. All its sums but the last are exact,
+ * because the 27 lower bits of a factor are below 2^-25 - 2^-52. Returns the text of hi + lo - x y. */
+static std::string sharp_product(gappa &g, term hi, term lo)
+{
+    g.match_anew(lo, "l:(((((xh*yh)-h:(x1*x2))+(xh*t2))+(t1*yh))+(t1:(x1-xh:head(x1))*t2:(x2-yh:head(x2))))",
+                 {{"h", hi}});
+    const std::string high = std::to_string((1L << 27) - 1) + "b-52", id = std::to_string(lo);
+    g.assume("$h.a - $xh in [0, " + high + "]");
+    g.assume("$h.b - $yh in [0, " + high + "]");
+    /* in terms of the rounding error of hi */
+    const std::string a = "$xh * $yh - $h", b = "(" + a + ") + $xh * ($h.b - $yh)";
+    g.say("pa" + id + " = " + a + ";");
+    g.say("pb" + id + " = " + b + ";");
+    g.say("pc" + id + " = (" + b + ") + ($h.a - $xh) * $yh;");
+    g.say("pd" + id + " = ($h.a - $xh) * ($h.b - $yh);");
+    g.hint("pa" + id + " -> ($h.a * $h.b - $h) - ($h.a - $xh) * $h.b - $xh * ($h.b - $yh)");
+    g.hint("pb" + id + " -> ($h.a * $h.b - $h) - ($h.a - $xh) * $h.b");
+    g.hint("pc" + id + " -> ($h.a * $h.b - $h) - pd" + id);
+    return g.filled("($l - ($l.a + $l.b)) + ($l.b - pd" + id + ") + ($l.a - pc" + id + ")");
+}
+
+static const std::string below_2 = "[1, " + std::to_string((1L << 53) - 1) + "b-52]";
+
 static void write_product(void)
 {
     start();
     const Real x = variable("x", 1.3), y = variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_product(x, y);
     gappa g;
-    g.variable_in(x, {1, 2});
-    g.variable_in(y, {1, 2});
-    g.define(p.hi);
+    g.cut("x", x, below_2);
+    g.cut("y", y, below_2);
     g.define(p.lo);
-    const std::string error = product_error(g, p.hi, p.lo);
-    g.say("off = ($product + $off) - $product.a * $product.b;");
+    const std::string error = sharp_product(g, p.hi, p.lo);
+    g.say("off = ($h + $l) - $x * $y;");
     g.hint("off -> " + error);
-    g.write("pair_product", {}, "|off| in [0, 1b-74]");
+    g.write("pair_product", {}, "|off| in [0, 1b-102]");
 }
 
-/* cor_inline_pair_times: |hi + lo - (x.hi + x.lo) (y.hi + y.lo)| <= 2^-72 */
-static void write_pair_times(void)
+/* cor_inline_pair_times for x and y from [1, 2), |lo| <= `low`: the pair is within `bound` of the product. */
+static void write_pair_times(const std::string &name, number low, number bound)
 {
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_times(x, y);
     const int rest = at(p.hi, "b");
     gappa g;
-    pair_in(g, x, "xh", "xl");
-    pair_in(g, y, "yh", "yl");
-    g.define(p.lo);
-    g.call({{"rest", rest}});
-    const std::string off = hint_sum(g, p, "pair");
-    const std::string product = product_error(g, at(p.hi, "a"), at(rest, "a"));
-    g.say("off = pair - ($xh + $xl) * ($yh + $yl);");
-    g.say("terms = $rest.a + ($xh * $yl + $xl * $yh);");
-    g.hint("off -> " + off + " + ($rest - terms) + " + product + " - $xl * $yl");
-    g.write("pair_times", {}, "|off| in [0, 1b-72]");
+    g.cut("xh", x.hi, below_2);
+    g.cut("yh", y.hi, below_2);
+    g.cut("xl", x.lo, within(-low, low));
+    g.cut("yl", y.lo, within(-low, low));
+    exact_sum(g, p.hi, p.lo);
+    const std::string product = sharp_product(g, at(p.hi, "a"), at(rest, "a"));
+    g.call({{"xh", x.hi}, {"yh", y.hi}, {"s", p.hi}, {"sl", p.lo}, {"rest", rest}});
+    g.say("off = ($s + $sl) - ($xh + $xl) * ($yh + $yl);");
+    g.say("low = $l;");
+    g.hint("low -> (" + product + ") + ($xh * $yh - $h)");
+    g.hint("off -> ($rest - ($l + $rest.b)) + ($rest.b - ($xh * $yl + $xl * $yh)) + " + product + " - $xl * $yl");
+    g.write(name, {}, "|off|" + at_most(bound) + " /\\ |low| in [0, 1b-51]");
 }
 
 /* cor_inline_pair_over: hi is a rounded sum that is within 2^-70 of (x.hi + x.lo)/(y.hi + y.lo) */
@@ -1148,22 +1180,27 @@ static void write_beta_force_far(void)
     h.write("beta_force_log", {}, "|V - exact| in [0, 1b-43]");
 }
 
-/* cor_inline_linear_tail: the sum that is rounded last is within 2^-70 of b (F.hi + F.lo) */
+/* s, the sum that is rounded last, is within 2^-70 of x (f.hi + f.lo) */
+static void write_by_pair(const std::string &name, term s, const Real &x, const struct cor_inline_pair &f)
+{
+    gappa g;
+    g.call({{"x", x}, {"s", s}});
+    g.variable_in(x, {1, 2});
+    pair_in(g, f, "fh", "fl");
+    g.define(s);
+    g.match(s, "(product+rest:(off+(x*fl)))");
+    const std::string product = product_error(g, g["product"], g["off"]);
+    g.say("off = ($s.a + $s.b) - $x * ($fh + $fl);");
+    g.hint("off -> " + product + " + ($s.b - ($s.ba + $x * $fl))");
+    g.write(name, {}, "|off| in [0, 1b-70]");
+}
+
 static void write_linear_tail(void)
 {
     start();
     const Real b = variable("b", 1.3);
     const struct cor_inline_pair factor = pair_variable("F", 1.7);
-    const int value = cor_inline_linear_tail(b, factor).node();
-    gappa g;
-    g.call({{"b", b}, {"s", value}});
-    g.variable_in(b, {1, 2});
-    pair_in(g, factor, "fh", "fl");
-    g.define(value);
-    const std::string product = product_error(g, at(value, "a"), at(value, "ba"));
-    g.say("off = ($s.a + $s.b) - $b * ($fh + $fl);");
-    g.hint("off -> " + product + " + ($s.b - ($s.ba + $b * $fl))");
-    g.write("linear_tail", {}, "|off| in [0, 1b-70]");
+    write_by_pair("linear_tail", cor_inline_linear_tail(b, factor), b, factor);
 }
 
 /* eps = h*^5/x with the first half of h*^5 only, 1 <= x <= 2 */
@@ -1215,7 +1252,8 @@ static void write_last_steps(void)
 static void write_pairs(void)
 {
     write_product();
-    write_pair_times();
+    write_pair_times("pair_times", 0x1p-52, 0x1p-72);
+    write_pair_times("disk_pair_times", 0x1p-53, COR_PROOF_PAIR_TIMES);
     write_pair_over();
     write_two_thirds();
     write_fifth_root();
