@@ -475,8 +475,8 @@ static long double cell_value(enum quantity quantity, long double beta)
 
 /* From beta = 8^k b with b in the last binades, value = 2^(power k) (value at b + log k ln 2 x), x = b for the duration
  * at zero overlap, else the largest overlap at b: what is next to the leading powers and logarithms is too small. These
- * are beta^(-5/3), beta (const + (10/3) ln beta), X beta^(-2/3), X = (3/2)^(2/3), and, of the times at zero force and at
- * the largest overlap, beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
+ * are beta^(-5/3), beta (const + (10/3) ln beta), X beta^(-2/3), X = (3/2)^(2/3), and, of the times at zero force and
+ * of the largest overlap, beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
 static const struct {
     int power, thirds; /* log = thirds/3 */
     long double limit; /* at infinity */
