@@ -14,12 +14,14 @@ enum { CHECK_EPS, CHECK_LOSS, CHECK_BETA, CHECK_BETA_OF_LOSS, CHECK_DURATION, CH
 static const char *const check_name[CHECKS] = {"eps",      "loss",        "beta",           "beta of loss",
                                                "duration", "max overlap", "time of largest"};
 
+static const char *const of_end[LAW_ENDS] = {" overlap", " force", " approach only"};
+
 struct law_case {
     const struct law_functions *f;
     struct law law;
     double threshold; /* of zero overlap, or infinity */
     struct {
-        double ulp[2][CHECKS], at[2][CHECKS];
+        double ulp[LAW_ENDS][CHECKS], at[LAW_ENDS][CHECKS];
     } worst;
 };
 
@@ -44,8 +46,9 @@ static void note(struct law_case *c, int end, int what, double computed, const a
         c->worst.ulp[end][what] = error;
         c->worst.at[end][what] = at;
     }
-    check(error <= (first ? c->f->one_ulp : c->f->two_ulp), "%s, %s at %s: %.3f ulp at %.17g (%a): %.17g", c->f->name,
-          check_name[what], end ? "zero force" : "zero overlap", error, at, at, computed);
+    const double bound = end == 2 ? c->f->approach_ulp : first ? c->f->one_ulp : c->f->two_ulp;
+    check(error <= bound, "%s, %s%s: %.3f ulp at %.17g (%a): %.17g", c->f->name, check_name[what], of_end[end], error,
+          at, at, computed);
 }
 
 /* beta < 1e-100, where 1 - eps = -C_1 beta and, at zero force, (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b)) less
@@ -88,28 +91,46 @@ static int case_solve(struct collision *s, const struct law_case *c, const arb_t
     return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* 1 - eps has BITS bits */
 }
 
-/* The inverse at the double x near eps or the loss: beta + (x - eps)/(d eps/d beta), the slope by a difference. */
-static void check_inverse(struct law_case *c, int end, double beta, const arb_t eps)
+/* eps and the duration; with damping while approaching only, of the largest overlap and the elastic rebound from there */
+static void end_values(arb_t eps, arb_t duration, const struct law_case *c, const struct collision *s, int end)
 {
-    const double room = fmin(beta, c->threshold - beta), step = ldexp(room, -STEP_BITS);
-    if (arb_is_zero(eps) || !(step > 0) || beta - step == beta)
+    const struct ratio a = c->law.a;
+    if (end < 2) {
+        arb_set(eps, end ? s->eps_zero_force : s->eps_zero_overlap);
+        arb_set(duration, end ? s->t_zero_force : s->t_zero_overlap);
         return;
-    LOCAL(collision, s);
-    LOCAL(arb, x, slope, wanted, exact);
+    }
+    LET(eps, PREC, "(2/(a + 1))^(1/2)*s->x_max^((a + 1)/2)", a, s->x_max);
+    LET(duration, PREC, "((a + 1)/2)^(1/(a + 1))*sqrt(pi)*gamma(1 + 1/(a + 1))/gamma(1/2 + 1/(a + 1))", a);
+    LET(duration, PREC, "s->t_max + duration*eps^((1 - a)/(1 + a))", s->t_max, duration, eps, a);
+}
+
+/* The inverse at the double x near eps or the loss: beta + (x - eps)/(d eps/d beta), the slope by a difference of a
+ * collision and another, at beta - step. */
+static void check_inverse(struct law_case *c, double beta, const struct collision *s)
+{
+    const double room = beta < c->threshold ? fmin(beta, c->threshold - beta) : beta, step = ldexp(room, -STEP_BITS);
+    if (!(step > 0) || beta - step == beta)
+        return;
+    LOCAL(collision, other);
+    LOCAL(arb, x, eps, before, slope, wanted, exact);
     arb_set_d(x, beta - step);
-    assert_int_equal(case_solve(s, c, x), 0);
-    arb_srcptr before = end ? s->eps_zero_force : s->eps_zero_overlap;
-    LET(slope, PREC, "(eps - before)/(beta - x)", eps, before, beta, x);
-    for (int of_loss = 0; of_loss < 2; of_loss++) {
-        const int sign = of_loss ? -1 : 1;
+    assert_int_equal(case_solve(other, c, x), 0);
+    for (int k = 0; k < 2 * LAW_ENDS; k++) {
+        const int end = k / 2, of_loss = k % 2, sign = of_loss ? -1 : 1;
+        law_function *const inverse = of_loss ? c->f->beta_of_loss[end] : c->f->beta[end];
+        end_values(before, slope, c, other, end);
+        end_values(eps, slope, c, s, end);
+        if (!inverse || arb_is_zero(eps))
+            continue;
+        LET(slope, PREC, "(eps - before)/step", eps, before, step);
         LET(wanted, PREC, "of_loss + sign*eps", of_loss, sign, eps);
         const double given = arf_get_d(arb_midref(wanted), ARF_RND_NEAR);
         LET(exact, PREC, "beta + sign*(given - wanted)/slope", beta, sign, given, wanted, slope);
         /* the slope has 20 bits: a shift of more than 2^-30 says nothing about the last place */
         LET(x, PREC, "1 - beta/exact", beta, exact);
         if (fabs(arf_get_d(arb_midref(x), ARF_RND_UP)) < 0x1p-38 && given > 0 && given < 1)
-            note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA,
-                 (of_loss ? c->f->beta_of_loss : c->f->beta)[end](given), exact, given);
+            note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA, inverse(given), exact, given);
     }
 }
 
@@ -117,34 +138,41 @@ static void check_beta(struct law_case *c, double beta, bool inverse)
 {
     const struct law_functions *f = c->f;
     LOCAL(collision, s);
-    LOCAL(arb, x, loss);
+    LOCAL(arb, x, eps, loss, duration);
     if (beta < 1e-100) {
         check_first_order(c, beta);
         return;
     }
     arb_set_d(x, beta);
     check(case_solve(s, c, x) == 0, "%s: no collision at beta = %.17g", f->name, beta);
-    for (int end = 0; end < 2; end++) {
-        arb_srcptr eps = end ? s->eps_zero_force : s->eps_zero_overlap;
+    for (int end = 0; end < LAW_ENDS && f->eps[end]; end++) {
+        end_values(eps, duration, c, s, end);
         note(c, end, CHECK_EPS, f->eps[end](beta), eps, beta);
         LET(loss, PREC, "1 - eps", eps);
         note(c, end, CHECK_LOSS, f->loss[end](beta), loss, beta);
-        note(c, end, CHECK_DURATION, f->duration[end](beta), end ? s->t_zero_force : s->t_zero_overlap, beta);
-        if (inverse)
-            check_inverse(c, end, beta, eps);
+        note(c, end, CHECK_DURATION, f->duration[end](beta), duration, beta);
     }
+    if (inverse)
+        check_inverse(c, beta, s);
     note(c, 0, CHECK_MAX_OVERLAP, f->max_overlap(beta), s->x_max, beta);
     note(c, 0, CHECK_TIME, f->time_of_max_overlap(beta), s->t_max, beta);
 }
 
+void law_check_at(const struct law_functions *f, const double *beta, size_t n)
+{
+    struct law_case c;
+    case_init(&c, f);
+    for (size_t i = 0; i < n; i++)
+        check_beta(&c, beta[i], false);
+}
+
 static void print_worst(const struct law_case *c, const char *what)
 {
-    static const char *const of_end[] = {" overlap", " force", ""};
     print_message("%s, %s, ulp (where):", c->f->name, what);
-    for (int end = 0; end < 2; end++)
+    for (int end = 0; end < LAW_ENDS; end++)
         for (int k = 0; k < CHECKS; k++)
             if (c->worst.ulp[end][k] > 0)
-                print_message(" %s%s %.3f (%.6g);", check_name[k], of_end[k >= CHECK_MAX_OVERLAP ? 2 : end],
+                print_message(" %s%s %.3f (%.6g);", check_name[k], k >= CHECK_MAX_OVERLAP ? "" : of_end[end],
                               c->worst.ulp[end][k], c->worst.at[end][k]);
     print_message("\n");
 }
@@ -201,10 +229,10 @@ void law_check_borders(const struct law_functions *f, size_t count)
     case_init(&c, f);
     for (size_t i = 0; i < count; i++) {
         const double at = border(&c, &r, i);
-        double beta = nextafter(nextafter(at, 0), 0), before[2] = {2, 2};
+        double beta = nextafter(nextafter(at, 0), 0), before[LAW_ENDS] = {2, 2, 2};
         for (int k = 0; k < 5; k++, beta = nextafter(beta, HUGE_VAL)) {
             check_beta(&c, beta, k == 2);
-            for (int end = 0; end < 2; end++) {
+            for (int end = 0; end < LAW_ENDS && f->eps[end]; end++) {
                 const double eps = f->eps[end](beta);
                 check(eps <= before[end] * (1 + 2 * DBL_EPSILON), "%s: eps rises at beta = %.17g", f->name, beta);
                 before[end] = eps;
@@ -219,7 +247,7 @@ void law_check_special(const struct law_functions *f)
     struct law_case c;
     case_init(&c, f);
     static const double refused[] = {-1, -5e-324, -HUGE_VAL, NAN};
-    for (int end = 0; end < 2; end++) {
+    for (int end = 0; end < LAW_ENDS && f->eps[end]; end++) {
         law_function *const of_beta[] = {f->eps[end], f->loss[end], f->duration[end], f->max_overlap,
                                          f->time_of_max_overlap};
         law_function *const of_eps[] = {f->beta[end], f->beta_of_loss[end]};

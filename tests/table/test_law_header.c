@@ -8,7 +8,8 @@
 
 #include LAW_HEADER
 
-static const struct law_functions functions = LAW_FUNCTIONS(LAW_HEADER, LAW_ELASTIC, LAW_DAMPING, law, 1.0, 2.0);
+static const struct law_functions functions =
+    LAW_FUNCTIONS(LAW_HEADER, LAW_ELASTIC, LAW_DAMPING, law, LAW_TWO_ENDS, 1.0, 2.0, 0);
 
 TEST(test_special)
 {
