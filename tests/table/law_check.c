@@ -91,7 +91,7 @@ static int case_solve(struct collision *s, const struct law_case *c, const arb_t
     return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* 1 - eps has BITS bits */
 }
 
-/* eps and the duration; with damping while approaching only, of the largest overlap and the elastic rebound from there */
+/* eps and the duration; with damping while approaching only, by the largest overlap and the rebound from there */
 static void end_values(arb_t eps, arb_t duration, const struct law_case *c, const struct collision *s, int end)
 {
     const struct ratio a = c->law.a;
