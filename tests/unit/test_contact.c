@@ -424,28 +424,6 @@ TEST(mass_of_a_sphere)
     }
 }
 
-/* Around every place where rows in x = beta^5 end, by a contact whose x is the speed. Errors:
- * tests/accuracy/test_accuracy.c. */
-TEST(eps_where_rows_end)
-{
-    const struct cor_sphere_contact c = contact_of_g_star(1);
-    for (int eighth = -22 * 8; eighth < 22 * 8; eighth++) {
-        const double edge = ldexp(1 + (eighth & 7) / 8.0, (eighth - (eighth & 7)) / 8);
-        for (int end = 0; end < 2; end++) {
-            double speed = edge / c.beta5_per_speed; /* the quotient's rounding is a unit */
-            for (int k = 0; k < 6; k++)
-                speed = nextafter(speed, 0);
-            for (int k = 0; k < 12; k++, speed = nextafter(speed, INFINITY)) {
-                const long double a = eps_at_speed[end](&c, speed),
-                                  b = eps_at_speed[end](&c, nextafter(speed, INFINITY));
-                /* both ends of the step may use up their bound, of which the condition number takes 5 at most */
-                check(fabsl(a - b) <= 2 * (2 + 2 * 5) * DBL_EPSILON / 2 * a, "end %d at speed %a: %La, then %La", end,
-                      speed, a, b);
-            }
-        }
-    }
-}
-
 /* Contacts whose beta_per_root^5 is no double, with speeds that bring beta back to where something happens. */
 TEST(extreme_contacts)
 {
@@ -527,5 +505,5 @@ TEST(dissipation_time_from_eps)
 }
 
 RUN_TESTS(two_glass_spheres, sphere_and_wall, different_materials, against_long_double, speeds, characteristic_speed,
-          wrong_inputs, status_texts, dissipation_time, mass_of_a_sphere, oblique_impacts, eps_where_rows_end,
-          extreme_contacts, dimensions_against_long_double, dissipation_time_from_eps)
+          wrong_inputs, status_texts, dissipation_time, mass_of_a_sphere, oblique_impacts, extreme_contacts,
+          dimensions_against_long_double, dissipation_time_from_eps)

@@ -91,19 +91,6 @@ TEST(special_values)
     }
 }
 
-TEST(rising)
-{
-    for (size_t i = 0; i < points(2000); i++) {
-        double x = random_log(&draw, 5e-324, DBL_MAX), last = cor_inline_fifth_root(x);
-        for (int k = 0; k < 50; k++) {
-            x = nextafter(x, INFINITY);
-            const double next = cor_inline_fifth_root(x);
-            check(next >= last - (double)ulp(last), "%a", x);
-            last = next;
-        }
-    }
-}
-
 /* Products and quotients of pairs, where long double has room to tell: 11 bits. */
 TEST(pairs)
 {
@@ -125,4 +112,4 @@ TEST(pairs)
     }
 }
 
-RUN_TESTS(whole_range, parts, five_octaves, exact_powers, special_values, rising, pairs, of_pair)
+RUN_TESTS(whole_range, parts, five_octaves, exact_powers, special_values, pairs, of_pair)

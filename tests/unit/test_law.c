@@ -180,6 +180,11 @@ TEST(every_size)
             check_back("approach only", approaches[i].beta, approaches[i].eps, e, 5);
             check_back("its loss", approaches[i].beta_of_loss, approaches[i].loss, e, 5);
         }
+        check_back("dashpot, zero overlap", cor_hertz_dashpot_beta_zero_overlap, cor_hertz_dashpot_eps_zero_overlap, e,
+                   8 + 0x1p-51 / (double)ulp(e)); /* what a rounding of beta next to beta_c may cost */
+        check_back("dashpot, zero force", cor_hertz_dashpot_beta_zero_force, cor_hertz_dashpot_eps_zero_force, e, 8);
+        check_back("its loss", cor_hertz_dashpot_beta_of_loss_zero_overlap, cor_hertz_dashpot_loss_zero_overlap, e, 8);
+        check_back("its loss", cor_hertz_dashpot_beta_of_loss_zero_force, cor_hertz_dashpot_loss_zero_force, e, 8);
         check_back("sphere, zero overlap", cor_sphere_beta_zero_overlap, cor_sphere_eps_zero_overlap, e, 20);
         check_back("sphere, zero force", cor_sphere_beta_zero_force, cor_sphere_eps_zero_force, e, 20);
     }
