@@ -76,18 +76,14 @@ def test_realised():
     "deck", sorted(p for p in DECKS.iterdir() if p.is_file() and p.suffix != ".csv")[::4], ids=lambda p: p.name
 )
 def test_audit_is_that_of_corgen(deck):
+    def included(name, of):
+        path = Path(of).parent / name
+        return path.read_text() if path.exists() else None
+
     done = corgen("audit", str(deck), format="csv", speed=1, radius=1e-3, density=2500)
     found = None
     try:
-        found = simulators.audit(
-            deck,
-            speeds=1.0,
-            radius=1e-3,
-            density=2500.0,
-            include=lambda name, of: (Path(of).parent / name).read_text()
-            if (Path(of).parent / name).exists()
-            else None,
-        )
+        found = simulators.audit(deck, speeds=1.0, radius=1e-3, density=2500.0, include=included)
     except ValueError:
         assert done.returncode == 2
     if found is not None:
@@ -106,10 +102,8 @@ def test_audit_reads_what_is_included():
 
     def include(name, of):
         asked.append((name, of))
-        return (
-            "pair_style granular\n"
-            "pair_coeff * * hertz/material 7e10 0.5 0.22 tangential mindlin NULL 1 0.5 damping tsuji\n"
-        )
+        line = "pair_coeff * * hertz/material 7e10 0.5 0.22 tangential mindlin NULL 1 0.5 damping tsuji"
+        return f"pair_style granular\n{line}\n"
 
     found = simulators.audit(text, simulator="lammps", include=include, speeds=1.0, radius=1e-3, density=2500.0)
     assert asked == [("settings", "text")] and found[0].asked == 0.5 and found[0].as_asked is False
@@ -129,10 +123,8 @@ def test_step_error():
     contact = cor.Contact.from_restitution(BODY, BODY, 0.9, 1.0, "zero_force")
     error = simulators.step_error(contact, [1.0, 1.0], [12, 50], end="zero_force")
     assert error.shape == (2,) and abs(error.bias[1]) < abs(error.bias[0]) < 0.05
-    printed = corgen(
-        "contact", **GLASS, restitution=0.9, at=1, end="zero-force", speed=1, steps=12, format="csv"
-    ).stdout
-    row = next(csv.DictReader(io.StringIO(printed)))
+    printed = corgen("contact", **GLASS, restitution=0.9, at=1, end="zero-force", speed=1, steps=12, format="csv")
+    row = next(csv.DictReader(io.StringIO(printed.stdout)))
     elastic = cor.Contact(*2 * [cor.Body(7e10, 0.22, 0, 1e-3, BODY.mass_kg)]).duration_s_zero_force(1.0)
     found = simulators.step_error(contact, 1.0, elastic / float(row["time_step_s"]), end="zero_force")
     assert found.bias == pytest.approx(float(row["step_bias"]), rel=2e-3)
