@@ -83,7 +83,7 @@ def steps_of(rows, power, value, touching):
 
 
 def lammps(script, *variables):
-    command = [LMP, "-log", "none", "-in", os.path.join(HERE, script)]
+    command = [LMP, "-log", "none", "-in", os.path.join(HERE, script), "-var", "here", HERE]
     return lines_of(command + [word for pair in variables for word in ("-var", *pair)],
                     "oblique" if script == "oblique.in" else "eps")
 

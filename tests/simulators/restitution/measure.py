@@ -205,8 +205,8 @@ def read_steps(case, text):
 
 
 def script_of(script, program, paste, case, numbers):
-    return [program, "-log", "none", "-in", os.path.join(HERE, script), "-var", "paste", paste, "-var", "wall",
-            "%d" % case.wall, "-var", "duration", "%.17g" % case.duration, "-var", "n", *map(str, numbers)]
+    return [program, "-log", "none", "-in", os.path.join(HERE, script), "-var", "here", os.path.dirname(HERE), "-var",
+            "paste", paste, "-var", "wall", "%d" % case.wall, "-var", "duration", "%.17g" % case.duration, "-var", "n", *map(str, numbers)]
 
 
 def lammps_commands(paste, case, work):
