@@ -55,6 +55,15 @@ check() {
     fi
 }
 
+# check_with PROGRAM NAME COMMAND...: check, where there is the program
+check_with() {
+    if have "$1"; then
+        check "${@:2}"
+    else
+        skip "$2" "no $1"
+    fi
+}
+
 # count_of SCRIPT...: runs a script that ends with a summary of its own, and adds its counts.
 count_of() {
     local seen last
