@@ -202,32 +202,19 @@ TEST(near_critical_damping)
             }
 }
 
-/* What the laws say of themselves */
-TEST(identities)
+/* Both laws with a damping ratio have the same eps, larger from one end to the next. */
+TEST(damping_ratios)
 {
     for (size_t i = 0; i < points(2000); i++) {
-        const double zeta = random_log(&draw, 1e-6, 1e6), beta = random_log(&draw, 1e-6, 1e6);
-        const double eps_a = cor_linear_eps_approach_only(zeta), eps_f = cor_linear_eps_zero_force(zeta);
-        /* eps at zero force is the square of eps with damping while approaching only, and elastic energy at the turning
-         * point */
-        check_near(eps_a * eps_a, eps_f, 6 * DBL_EPSILON);
-        assert_true(same_bits(cor_linear_max_overlap(zeta), eps_a));
-        check_near(pow(cor_tsuji_max_overlap(zeta), 2.5) * 0.8, eps_f, 12 * DBL_EPSILON);
-        for (int end = 0; end < ENDS; end++)
+        const double zeta = random_log(&draw, 1e-6, 1e6), eps = random_uniform(&draw, 0, 1);
+        for (int end = 0; end < ENDS; end++) {
             assert_true(same_bits(eps_of[0][end](zeta), eps_of[1][end](zeta)) &&
                         same_bits(loss_of[0][end](zeta), loss_of[1][end](zeta)) &&
-                        same_bits(zeta_of[0][end](eps_f), zeta_of[1][end](eps_f)) &&
-                        same_bits(zeta_of_loss[0][end](eps_f), zeta_of_loss[1][end](eps_f)));
-        /* zero overlap <= zero force <= limited <= approach only */
-        assert_true(cor_linear_eps_zero_overlap(zeta) <= eps_f && eps_f <= cor_linear_eps_limited(zeta) &&
-                    cor_linear_eps_limited(zeta) <= eps_a);
-        /* a pumped collision is a damped one backwards: eps(-beta eps(beta)) = 1/eps(beta) */
-        const double eps = cor_hunt_crossley_eps(beta), back = beta * eps;
-        if (back < 1 - 1e-6)
-            check_near(cor_hunt_crossley_eps(-back), 1 / eps, DBL_EPSILON * (4 + 4 / (1 - back)));
-        /* the largest overlap is elastic energy of the speed that approach-only gives back */
-        const double y = cor_hunt_crossley_max_overlap(beta, 2.25), e = cor_hunt_crossley_eps_approach_only(beta);
-        check_near(pow(y, 3.25) * 2 / 3.25, e * e, 16 * DBL_EPSILON);
+                        same_bits(zeta_of[0][end](eps), zeta_of[1][end](eps)) &&
+                        same_bits(zeta_of_loss[0][end](eps), zeta_of_loss[1][end](eps)));
+            assert_true(end == 0 || eps_of[0][end - 1](zeta) <= eps_of[0][end](zeta));
+        }
+        assert_true(same_bits(cor_linear_max_overlap(zeta), cor_linear_eps_approach_only(zeta)));
     }
 }
 
@@ -528,5 +515,5 @@ TEST(slip_in_oblique_impacts)
 }
 
 RUN_TESTS(special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
-          near_critical_damping, identities, against_the_equation_of_motion, crossley_times, tsuji_times, crossley_rows,
-          oblique_impacts, slip_in_oblique_impacts)
+          near_critical_damping, damping_ratios, against_the_equation_of_motion, crossley_times, tsuji_times,
+          crossley_rows, oblique_impacts, slip_in_oblique_impacts)
