@@ -45,37 +45,21 @@ static struct cor_hard_wall_result level_of(const struct cor_disk_modes *modes, 
 /* Fine enough that steps and angles leave 1e-7 */
 static struct cor_hard_wall_settings fine_settings(double omega, double speed)
 {
-    const double half_width = 1.1 * sqrt(speed);
-    const struct cor_hard_wall_settings settings = {.omega = omega,
-                                                    .turn = 0.25,
-                                                    .spacing =
-                                                        fmin(fmax(0.2 / omega, half_width / 400), half_width / 150),
-                                                    .range = 2.6 * sqrt(speed)};
-    return settings;
+    const double half_width = 1.1 * sqrt(speed), spacing = fmin(fmax(0.2 / omega, half_width / 400), half_width / 150);
+    return (struct cor_hard_wall_settings){
+        .omega = omega, .turn = 0.25, .spacing = spacing, .range = 2.6 * sqrt(speed)};
 }
 
 /* ---- against the formulas written out ---- */
 
-/* The reference's error is h^2 and h^4: two steps give the limit */
-static double reference_limit(const struct cor_disk_modes *modes, double speed, struct reference_wall wall)
-{
-    double l[2];
-    for (int i = 0; i < 2; i++, wall.h /= 2) {
-        l[i] = reference_hard_wall(modes, speed, &wall);
-        check(!isnan(l[i]), "reference at nu = %g, v = %g", modes->nu, speed);
-    }
-    return l[1] + (l[1] - l[0]) / 3;
-}
-
-static struct reference_wall reference_settings(const struct cor_hard_wall_settings *settings, double speed,
+static struct reference_wall reference_settings(const struct cor_hard_wall_settings *settings, double speed, double h,
                                                 int nyquist)
 {
-    const struct reference_wall wall = {.omega = settings->omega,
-                                        .fade_next = settings->fade == COR_HARD_WALL_FADE,
-                                        .h = 0.15 / settings->omega,
-                                        .nyquist = nyquist,
-                                        .angles = (int)(2.2 * sqrt(speed) * nyquist / pi) + 4};
-    return wall;
+    return (struct reference_wall){.omega = settings->omega,
+                                   .fade_next = settings->fade == COR_HARD_WALL_FADE,
+                                   .h = h,
+                                   .nyquist = nyquist,
+                                   .angles = (int)(2.2 * sqrt(speed) * nyquist / pi) + 4};
 }
 
 static void as_written_out(double nu, double speed, double omega, enum cor_hard_wall_fade fade)
@@ -86,8 +70,12 @@ static void as_written_out(double nu, double speed, double omega, enum cor_hard_
     settings.fade = fade;
     settings.spacing = pi / nyquist * (1 + 1e-12);
     const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
-    const double reference = reference_limit(&modes, speed, reference_settings(&settings, speed, nyquist));
-    /* both have a noise of steps, falling like 1/Omega^2 */
+    struct reference_wall wall = reference_settings(&settings, speed, 0.15 / omega, nyquist);
+    double l[2];
+    for (int i = 0; i < 2; i++, wall.h /= 2)
+        l[i] = reference_hard_wall(&modes, speed, &wall);
+    /* the reference's error is h^2 and h^4; both have a noise of steps, falling like 1/Omega^2 */
+    const double reference = l[1] + (l[1] - l[0]) / 3;
     check(fabs(level.one_minus_eps2 - reference) < 1.5e-3 / (omega * omega), "nu = %g, v = %g: %.9f, not %.9f", nu,
           speed, level.one_minus_eps2, reference);
 }
@@ -115,8 +103,7 @@ TEST(in_pieces)
     settings.spacing = pi / nyquist * (1 + 1e-12);
     const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
     check(level.pivotings > 0, "the contact was one piece always");
-    struct reference_wall wall = reference_settings(&settings, speed, nyquist);
-    wall.h = 0.25 / omega;
+    const struct reference_wall wall = reference_settings(&settings, speed, 0.25 / omega, nyquist);
     const double reference = reference_hard_wall(&modes, speed, &wall);
     check(fabs(level.one_minus_eps2 - reference) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2, reference);
 }
