@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of the C library that the proofs of rounding errors rest on, against MPFR and against what the proofs
- * assume (tests/proof/libm_errors.h): at random arguments from the intervals for which the library calls them, at the
+ * assume (tests/proof/errors.h): at random arguments from the intervals for which the library calls them, at the
  * worst arguments known, and uphill from the worst one found.
  *     test_libm [--points N] [--only TEXT] [--seed N]     (N random points of each row, 20000 if not said)
  *     COR_TEST_LIBM=COMMAND test_libm ...                 the functions of another C library: COMMAND runs
@@ -15,7 +15,7 @@
 #include <mpfr.h>
 
 #include "search.h"
-#include "tests/proof/libm_errors.h"
+#include "tests/proof/errors.h"
 #include "ulp.h"
 
 /* What proofs of corgen embed allow for pow (gen/embed/proof.c, SLACK): 1e-13, in units of the last place */

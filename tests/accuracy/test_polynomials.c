@@ -13,7 +13,7 @@
 
 #include "support/formula.h"
 #include "support/local.h"
-#include "tests/proof/disk_errors.h"
+#include "tests/proof/errors.h"
 
 enum { BITS = 400, LENGTH = 20 };
 

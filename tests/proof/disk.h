@@ -2,7 +2,7 @@
 /* The goals of the contact law of the disk: part of goals.cpp. Each goal is about one stage of
  * runtime/number/lambert_w.c or runtime/disk/quasistatic.c: the result of `log` or `log1p` is a variable, so that a
  * goal does not depend on the accuracy of these functions. tests/proof/disk_bounds.cpp adds the errors of the
- * stages, times what the later stages make of them, over cells that cover the domain; disk_errors.h has the errors for
+ * stages, times what the later stages make of them, over cells that cover the domain; errors.h has the errors for
  * both programs. */
 
 /* ---- parts of lists of operations ---- */

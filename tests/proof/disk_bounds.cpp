@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The bounds of the disk's contact law: the errors of the stages (disk_errors.h), each times what the later stages make
+/* The bounds of the disk's contact law: the errors of the stages (errors.h), each times what the later stages make
  * of it, added up in interval (ball) arithmetic over cells that cover the domain. docs/theory.md, 18, has the
  * argument. Prints one line for each function. The exit status is 1 if a bound does not hold. */
-#include "disk_errors.h"
-#include "libm_errors.h"
+#include "errors.h"
 
 #include <algorithm>
 #include <cfloat>

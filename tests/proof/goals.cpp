@@ -20,8 +20,7 @@
 #include <sstream>
 
 #include "cor/contact.h"
-#include "disk_errors.h"
-#include "libm_errors.h"
+#include "errors.h"
 
 /* The evaluator's source, with numbers that record their operations; cor/contact.h comes first, with real doubles */
 namespace trace

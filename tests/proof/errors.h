@@ -1,8 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Errors of the stages of the disk's contact law. tests/proof/goals.cpp states them as goals for Gappa,
- * tests/accuracy/test_polynomials.c proves the one of the series, and tests/proof/disk_bounds.cpp adds them up. */
-#ifndef COR_TESTS_PROOF_DISK_ERRORS_H
-#define COR_TESTS_PROOF_DISK_ERRORS_H
+/* What the proofs of rounding errors assume of the C library (docs/theory.md, 18), in units of the last place:
+ * hypotheses of goals.cpp and disk_bounds.cpp, measured by tests/accuracy/test_libm.c. And errors of the stages of the
+ * disk's contact law: goals.cpp states them as goals for Gappa, tests/accuracy/test_polynomials.c proves the one of the
+ * series, and disk_bounds.cpp adds them up. */
+#ifndef COR_TESTS_PROOF_ERRORS_H
+#define COR_TESTS_PROOF_ERRORS_H
+
+/* A relative error of 2^-46. The evaluator cuts one root to 26 bits and squares the other in a term below 6e-8. */
+#define COR_PROOF_CBRT_ULP 64
+#define COR_PROOF_LOG_ULP 1
+#define COR_PROOF_LOG1P_ULP 1
+/* of log, where t(q) is within 2 ulp */
+#define COR_PROOF_LOG_NEAR_ULP 0.55
 
 /* ln(limit/x) far from the limit, beyond the error of log(m); |ln(m)| < 0.3466 */
 #define COR_PROOF_FAR 0x1p-80
