@@ -12,33 +12,15 @@
 
 #include <stdio.h>
 
-#define ROW(name, shape, quantity, max_ulp)                                                                            \
-    {                                                                                                                  \
-#name, cor_sphere_##name, shape, max_ulp, quantity, .share = (quantity) >= QUANTITIES ? 10 : 0                 \
-    }
-
 /* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a
- * tenth. Of an inverse, the quantity that it inverts. */
-static const struct search_function functions[] = {
-    ROW(eps_zero_overlap, EPS, EPS_ZERO_OVERLAP, COR_SPHERE_EPS_MAX_ULP),
-    ROW(eps_zero_force, EPS, EPS_ZERO_FORCE, COR_SPHERE_EPS_MAX_ULP),
-    ROW(loss_zero_overlap, LOSS, EPS_ZERO_OVERLAP, COR_SPHERE_LOSS_MAX_ULP),
-    ROW(loss_zero_force, LOSS, EPS_ZERO_FORCE, COR_SPHERE_LOSS_MAX_ULP),
-    ROW(duration_zero_overlap, OTHER, DURATION_ZERO_OVERLAP, COR_SPHERE_TIME_MAX_ULP),
-    ROW(duration_zero_force, OTHER, DURATION_ZERO_FORCE, COR_SPHERE_TIME_MAX_ULP),
-    ROW(max_overlap, OTHER, MAX_OVERLAP, COR_SPHERE_MAX_OVERLAP_MAX_ULP),
-    ROW(time_of_max_overlap, OTHER, TIME_OF_MAX_OVERLAP, COR_SPHERE_TIME_MAX_ULP),
-    ROW(beta_zero_overlap, INVERSE, EPS_ZERO_OVERLAP, COR_SPHERE_BETA_MAX_ULP),
-    ROW(beta_zero_force, INVERSE, EPS_ZERO_FORCE, COR_SPHERE_BETA_MAX_ULP),
-    ROW(eps_approach_only, EPS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP),
-    ROW(loss_approach_only, LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP),
-    ROW(duration_approach_only, OTHER, DURATION_APPROACH_ONLY, COR_SPHERE_TIME_MAX_ULP),
-    ROW(beta_approach_only, INVERSE, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP),
-};
+ * tenth. */
+#define ROW(name, shape, quantity, max_ulp)                                                                            \
+    {#name, cor_sphere_##name, shape, max_ulp, quantity, .share = (quantity) >= QUANTITIES ? 10 : 0},
+static const struct search_function functions[] = {SPHERE_FUNCTIONS(ROW, ROW)};
 
 static long double exact(const struct search_function *f, enum search_shape shape, long double beta)
 {
-    return reference_value((enum quantity)f->law + (shape == LOSS ? LOSS_ZERO_OVERLAP - EPS_ZERO_OVERLAP : 0), beta);
+    return reference_value((enum quantity)f->law + (shape == LOSS ? LOSS_OF_EPS : 0), beta);
 }
 
 /* ---- random points ---- */

@@ -26,41 +26,22 @@ struct function {
     const char *name;
     void (*array)(const double *, double *, size_t);
     void (*arrayf)(const float *, float *, size_t);
-    enum quantity quantity, loss; /* of an inverse: the eps and the loss that it inverts */
+    enum quantity quantity, other; /* of an inverse: what it inverts, and one less that */
     enum { DIRECT_FLOAT, INVERSE_FLOAT, FAST_FLOAT } kind;
 };
 
-#define DIRECT(name, quantity)                                                                                         \
-    {                                                                                                                  \
-#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, quantity, quantity, DIRECT_FLOAT                 \
-    }
-#define INVERSE(name, eps, loss)                                                                                       \
-    {                                                                                                                  \
-#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, eps, loss, INVERSE_FLOAT                         \
-    }
-#define FAST(name, quantity)                                                                                           \
-    DIRECT(name, quantity),                                                                                            \
-    {                                                                                                                  \
-#name "_fast", cor_sphere_##name##_array, cor_sphere_##name##_fast_arrayf, quantity, quantity, FAST_FLOAT      \
-    }
-
-static const struct function functions[] = {
-    FAST(eps_zero_overlap, EPS_ZERO_OVERLAP),
-    FAST(eps_zero_force, EPS_ZERO_FORCE),
-    FAST(loss_zero_overlap, LOSS_ZERO_OVERLAP),
-    FAST(loss_zero_force, LOSS_ZERO_FORCE),
-    FAST(duration_zero_overlap, DURATION_ZERO_OVERLAP),
-    FAST(duration_zero_force, DURATION_ZERO_FORCE),
-    FAST(max_overlap, MAX_OVERLAP),
-    FAST(time_of_max_overlap, TIME_OF_MAX_OVERLAP),
-    INVERSE(beta_zero_overlap, EPS_ZERO_OVERLAP, LOSS_ZERO_OVERLAP),
-    INVERSE(beta_zero_force, EPS_ZERO_FORCE, LOSS_ZERO_FORCE),
-    DIRECT(eps_approach_only, EPS_APPROACH_ONLY),
-    DIRECT(loss_approach_only, LOSS_APPROACH_ONLY),
-    DIRECT(duration_approach_only, DURATION_APPROACH_ONLY),
-    INVERSE(beta_approach_only, EPS_APPROACH_ONLY, LOSS_APPROACH_ONLY),
-    INVERSE(beta_of_loss_approach_only, LOSS_APPROACH_ONLY, EPS_APPROACH_ONLY),
-};
+#define IS_LOSS(shape) ((shape) == LOSS || (shape) == INVERSE_OF_LOSS)
+#define PLAIN(name, shape, of, bound)                                                                                  \
+    {#name,                                                                                                            \
+     cor_sphere_##name##_array,                                                                                        \
+     cor_sphere_##name##_arrayf,                                                                                       \
+     IS_LOSS(shape) ? (of) + LOSS_OF_EPS : (of),                                                                       \
+     IS_LOSS(shape) ? (of) : (of) + LOSS_OF_EPS,                                                                       \
+     (shape) >= INVERSE ? INVERSE_FLOAT : DIRECT_FLOAT},
+#define FAST(name, shape, of, bound)                                                                                   \
+    PLAIN(name, shape, of, bound){#name "_fast", cor_sphere_##name##_array, cor_sphere_##name##_fast_arrayf, of, of,   \
+                                  FAST_FLOAT},
+static const struct function functions[] = {SPHERE_FUNCTIONS(FAST, PLAIN)};
 
 enum {
     CHUNK_BITS = 24,
@@ -90,7 +71,7 @@ static double distance_from(const struct function *f, double x, double middle)
     if (f->kind == DIRECT_FLOAT) {
         off = reference_value(f->quantity, x) - middle;
     } else {
-        const enum quantity quantity = x < 0.5 ? f->quantity : f->loss;
+        const enum quantity quantity = x < 0.5 ? f->quantity : f->other;
         const long double wanted = x < 0.5 ? (long double)x : 1 - (long double)x;
         off = (wanted - reference_value(quantity, middle)) / reference_slope(quantity, middle);
     }
