@@ -77,4 +77,24 @@ TEST(test_small_beta)
     interpolant_free(f);
 }
 
-RUN_TESTS(test_points, test_small_beta)
+/* Five Chebyshev points interpolate worst at the ends of an interval, which the check must see. */
+TEST(test_check_at_ends)
+{
+    static const struct interval coarse = {INTERVAL_ROOT, 0.5, 1, 5, 100, FORM_VALUE, 1 << MAX_OVERLAP};
+    const struct interpolant_layout layout = {
+        .law = {{3, 2}, {1, 2}, 2, 3, 1}, .root = 2, .interval = &coarse, .intervals = 1};
+    struct interpolant *f = interpolant_new(&layout, 0.25, 1);
+    LOCAL(collision, c);
+    LOCAL(arb, one, y);
+    double error;
+    assert_non_null(f);
+    arb_one(one);
+    assert_int_equal(collision_solve(c, one, &law_sphere, 110), 0);
+    interpolant_value(y, f, MAX_OVERLAP, one, PREC);
+    assert_int_equal(interpolant_check(&error, f, 3), 0);
+    check(error >= 0.99 * relative(y, field(c, MAX_OVERLAP)) && error < 1e-3, "%g, at beta = 1: %g", error,
+          relative(y, field(c, MAX_OVERLAP)));
+    interpolant_free(f);
+}
+
+RUN_TESTS(test_points, test_small_beta, test_check_at_ends)
