@@ -138,30 +138,35 @@ static mpq_class polynomial(const Real *c, const mpq_class &s, const mpq_class &
 
 typedef std::map<int, mpq_class> assignment;
 
+/* One of the operations that both exact numbers and intervals know */
+template <class T> static T arithmetic(const node &n, const T &x, const T &y)
+{
+    switch (n.what) {
+    case CONSTANT:
+        return T(n.value);
+    case ADD:
+        return x + y;
+    case SUBTRACT:
+        return x - y;
+    case MULTIPLY:
+        return x * y;
+    case DIVIDE:
+        return x / y;
+    case NEGATE:
+        return -x;
+    default:
+        die("an operation that no arithmetic knows: " + std::to_string(n.what));
+    }
+}
+
 static mpq_class exact_value(term id, assignment &known)
 {
     const auto found = known.find(id);
     if (found != known.end())
         return found->second;
     const node n = of(id);
-    const mpq_class x = n.a < 0 ? mpq_class(n.value) : exact_value(n.a, known),
-                    y = n.b < 0 ? x : exact_value(n.b, known);
-    switch (n.what) {
-    case CONSTANT:
-        return x;
-    case ADD:
-        return known[id] = x + y;
-    case SUBTRACT:
-        return known[id] = x - y;
-    case MULTIPLY:
-        return known[id] = x * y;
-    case DIVIDE:
-        return known[id] = x / y;
-    case NEGATE:
-        return known[id] = -x;
-    default:
-        die("an operation that exact arithmetic does not know: " + std::to_string(n.what));
-    }
+    const mpq_class x = n.a < 0 ? mpq_class(0) : exact_value(n.a, known), y = n.b < 0 ? x : exact_value(n.b, known);
+    return known[id] = arithmetic(n, x, y);
 }
 
 /* A rational number, another one at each of 4096 calls */
@@ -206,26 +211,7 @@ static interval range_of(term id, ranges &known)
     const node n = of(id);
     const interval x = n.a < 0 ? interval{0, 0} : range_of(n.a, known), y = n.b < 0 ? x : range_of(n.b, known);
     const auto result = [&](number u, number v) -> number {
-        switch (n.what) {
-        case CONSTANT:
-            return n.value;
-        case ADD:
-            return u + v;
-        case SUBTRACT:
-            return u - v;
-        case MULTIPLY:
-            return u * v;
-        case DIVIDE:
-            return u / v;
-        case NEGATE:
-            return -u;
-        case SQRT:
-            return std::sqrt(u);
-        case HEAD:
-            return u * (1 - 0x1p-25);
-        default:
-            die("an operation without an interval: " + std::to_string(n.what));
-        }
+        return n.what == SQRT ? std::sqrt(u) : n.what == HEAD ? u * (1 - 0x1p-25) : arithmetic(n, u, v);
     };
     const auto ends = std::minmax({result(x.low, y.low), result(x.low, y.high), result(x.high, y.low),
                                    n.what == HEAD ? x.high : result(x.high, y.high)});
@@ -316,18 +302,12 @@ static unsigned long part, parts = 1, files, written;
 /* Patterns of the names wanted, all if there are none */
 static std::vector<std::string> patterns;
 
-static bool is_wanted(const std::string &name)
+/* A name; or, of a table, whether a pattern begins with it */
+static bool is_wanted(const std::string &name, bool table = false)
 {
     return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string &pattern) {
-               return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-           });
-}
-
-/* Whether a pattern begins with the name of a table */
-static bool is_wanted_in_part(const std::string &name)
-{
-    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string &pattern) {
-               return pattern.compare(0, name.size(), name) == 0;
+               return table ? pattern.compare(0, name.size(), name) == 0
+                            : fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
            });
 }
 
@@ -1307,9 +1287,9 @@ int main(int argc, char **argv)
         patterns.assign(argv + 5, argv + argc);
     }
     for (const evaluator &f : row_tables)
-        if (is_wanted_in_part(f.name))
+        if (is_wanted(f.name, true))
             write_rows(f);
-    if (is_wanted_in_part("log"))
+    if (is_wanted("log", true))
         write_log();
     write_tails();
     write_pairs();
