@@ -361,32 +361,5 @@ TEST(test_collisions)
     }
 }
 
-/* As slow as it gets, eps oscillates in ln v as Rayleigh's method has it, at other speeds but as much. */
-TEST(test_rayleigh)
-{
-    double of_dynamics = 0, of_rayleigh = 0, place = 0, dip = 1, dip_place = 0;
-    for (double v = 1e-3; v < 0.03; v *= 1.01) {
-        const double loss = cor_disk_one_minus_eps2(v, 0.33);
-        if (v < 0.01 && loss > of_dynamics) {
-            of_dynamics = loss;
-            place = v;
-        }
-        if (loss < dip) {
-            dip = loss;
-            dip_place = v;
-        }
-    }
-    for (double v = 2e-4; v < 1e-2; v *= 1.1) {
-        struct cor_disk_rayleigh slow;
-        assert_int_equal(cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, v, &slow, NULL),
-                         0);
-        of_rayleigh = fmax(of_rayleigh, slow.fraction + slow.tail);
-    }
-    print_message("largest 1 - eps^2 %.5f at v = %.4f, least %.5f at %.4f; Rayleigh's largest %.5f\n", of_dynamics,
-                  place, dip, dip_place, of_rayleigh);
-    check(fabs(of_dynamics - of_rayleigh) <= 0.1 * of_rayleigh, "%.5f and %.5f", of_dynamics, of_rayleigh);
-    check(place < 0.004 && dip_place > 0.013 && dip_place < 0.02, "largest at %.4f, least at %.4f", place, dip_place);
-}
-
 RUN_TESTS(test_cells, test_places, test_between, test_uncertainty, test_borders, test_uncertainty_at_borders,
-          test_one_another, test_domain, test_collisions, test_rayleigh)
+          test_one_another, test_domain, test_collisions)

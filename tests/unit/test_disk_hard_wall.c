@@ -236,8 +236,6 @@ TEST(slower_and_slower)
             cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &rayleigh, NULL),
             COR_OK);
         const double theory = rayleigh.fraction + rayleigh.tail;
-        print_message("v = 1e%g: %.7f, Rayleigh %.7f, contact time %.4f, law %.4f\n", *exponents, out.one_minus_eps2,
-                      theory, out.contact_time, rayleigh.contact_time);
         if (*exponents <= -30) {
             check(fabs(out.contact_time / rayleigh.contact_time - 1) < 0.02, "contact time %g", out.contact_time);
             check(fabs(out.max_compression / cor_disk_max_compression(speed, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS) - 1) <
