@@ -18,12 +18,11 @@ enum {
     /* beyond 2^LAST_BINADE: powers and logarithms; three binades more serve as their period */
     LAST_BINADE = 45,
     BINADES = LAST_BINADE + 3 - FIRST_BINADE,
-    /* cells of a binade: quarters in the first ones, where singularities in the complex plane are near, then halves */
+    /* cells of a binade: quarters in the first ones, where singularities in the complex plane are near, then one */
     QUARTERED = 7,
     QUARTERS = 4,
-    HALVES = 2,
-    CELLS = QUARTERED * QUARTERS + (BINADES - QUARTERED) * HALVES,
-    POINTS = 24,
+    CELLS = QUARTERED * QUARTERS + BINADES - QUARTERED,
+    POINTS = 27,
     /* from 2^MANIFOLD_BINADE on the unloading joins the slow manifold long before its end */
     MANIFOLD_BINADE = 4,
     CLOSED_BINADE = 3
@@ -56,8 +55,8 @@ static struct place place_of(long double beta)
     int exponent;
     const long double mantissa = 2 * frexpl(beta, &exponent); /* in [1, 2) */
     const int binade = exponent - 1 - FIRST_BINADE;
-    const int parts = binade < QUARTERED ? QUARTERS : HALVES, part = (int)((mantissa - 1) * (long double)parts);
-    const int first = binade < QUARTERED ? binade * QUARTERS : QUARTERED * QUARTERS + (binade - QUARTERED) * HALVES;
+    const int parts = binade < QUARTERED ? QUARTERS : 1, part = (int)((mantissa - 1) * (long double)parts);
+    const int first = binade < QUARTERED ? binade * QUARTERS : QUARTERED * QUARTERS + binade - QUARTERED;
     const long double half = ldexpl(1, exponent - 2) / (long double)parts;
     return (struct place){first + part, ldexpl(1, exponent - 1) + (long double)(2 * part + 1) * half, half};
 }
