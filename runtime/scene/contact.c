@@ -295,6 +295,10 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
         return COR_FAULT_NONE;
     if (!is_full(contact, speed_m_s))
         return eps_of(eps, contact, parameter_of(contact, speed_m_s), end);
+    if (yields(contact, speed_m_s)) { /* without the duration, which takes longer */
+        *eps = cor_elastic_plastic_eps(speed_m_s / contact->yield_speed_m_s);
+        return COR_FAULT_NONE;
+    }
     struct cor_full_impact impact;
     const int status = full_impact(&impact, contact, speed_m_s);
     *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;

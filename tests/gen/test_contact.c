@@ -24,10 +24,10 @@ static long double force_of(const struct motion *m, long double x, long double v
     return m->stiffness * powl(x, m->a) + m->coefficient * powl(x, m->b) * v;
 }
 
-/* dF/dt */
-static long double force_slope(const struct motion *m, long double x, long double v)
+/* dF/dt where the force is F */
+static long double force_slope(const struct motion *m, long double x, long double v, long double force)
 {
-    const long double acceleration = -force_of(m, x, v) / m->mass;
+    const long double acceleration = -force / m->mass;
     return m->stiffness * m->a * powl(x, m->a - 1) * v + m->coefficient * m->b * powl(x, m->b - 1) * v * v +
            m->coefficient * powl(x, m->b) * acceleration;
 }
@@ -66,7 +66,7 @@ static void integrate(struct cor_scene_impact *impact, double *force, const stru
 {
     enum { STEPS = 12000 };
     const long double h = 2.6L / (double)STEPS;
-    long double x[3] = {0}, v[3] = {speed, speed, speed}, f[3] = {0}, t[3] = {0};
+    long double x[3] = {0}, v[3] = {speed, speed, speed}, f[3] = {0}, t[3] = {0}, dx2[2] = {0}, df2[2] = {0};
     bool turned = false, released = false, ended = false;
     f[0] = f[1] = f[2] = force_of(m, 0, speed);
     *force = (double)f[2];
@@ -76,7 +76,7 @@ static void integrate(struct cor_scene_impact *impact, double *force, const stru
             const long double part = k == 0 ? 0 : k == 3 ? h : h / 2, r = s + part, scale = 4 * unit * r * r * r;
             const long double at = k == 0 ? x[2] : x[2] + part * dx[k - 1], u = k == 0 ? v[2] : v[2] + part * dv[k - 1];
             dx[k] = scale * u;
-            dv[k] = -scale * force_of(m, at, u) / m->mass;
+            dv[k] = -scale * (k == 0 ? f[2] : force_of(m, at, u)) / m->mass;
         }
         for (int k = 0; k < 2; k++) {
             x[k] = x[k + 1];
@@ -87,12 +87,14 @@ static void integrate(struct cor_scene_impact *impact, double *force, const stru
         x[2] += h * (dx[0] + 2 * dx[1] + 2 * dx[2] + dx[3]) / 6;
         v[2] += h * (dv[0] + 2 * dv[1] + 2 * dv[2] + dv[3]) / 6;
         f[2] = force_of(m, x[2], v[2]);
-        t[2] = unit * powl(s + h, 4);
+        const long double cube = (s + h) * (s + h) * (s + h);
+        t[2] = unit * cube * (s + h);
+        dx2[0] = dx2[1];
+        df2[0] = df2[1];
+        dx2[1] = 4 * unit * cube * v[2];
+        df2[1] = force_slope(m, x[2], v[2], f[2]) * 4 * unit * cube;
         if (i < 2)
             continue;
-        const long double dx2[2] = {4 * unit * powl(s, 3) * v[1], 4 * unit * powl(s + h, 3) * v[2]};
-        const long double df2[2] = {force_slope(m, x[1], v[1]) * 4 * unit * powl(s, 3),
-                                    force_slope(m, x[2], v[2]) * 4 * unit * powl(s + h, 3)};
         if (df2[0] > 0 && df2[1] <= 0)
             *force = fmax(*force, (double)cubic_top(&f[1], df2, h));
         if (!turned && v[2] < 0) {
