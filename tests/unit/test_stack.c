@@ -13,11 +13,15 @@ enum { SIZE = 1 << 20, PAINT = 0xa5, SETS = 12, MOST_RESULTS = 100000 };
 
 static unsigned char stack[SIZE] __attribute__((aligned(4096)));
 static struct arguments sets[SETS];
+static struct results results; /* with room, so that none is made on the painted stack, nor counts as the library's */
 
 static int setup(void **state)
 {
     (void)state;
     struct random_bits random = {{random_bits_next}, random_start()};
+    results.capacity = MOST_RESULTS;
+    results.value = malloc(MOST_RESULTS * sizeof *results.value);
+    assert_non_null(results.value);
     for (size_t i = 0; i < SETS; i++)
         arguments_draw(&sets[i], &random.source, PUBLIC_COUNT, 1);
     /* The first set is one that every function of disks accepts, with many speeds near one another. */
@@ -35,7 +39,6 @@ static int setup(void **state)
 /* ---- how much stack ---- */
 
 static const struct public_function *called;
-static struct results results; /* with room, so that none is made on the painted stack */
 
 static void *call_with_all(void *unused)
 {
@@ -97,16 +100,12 @@ TEST(stack_of_functions)
 #if defined __SANITIZE_ADDRESS__ || !defined __OPTIMIZE__
     skip(); /* instrumented or not optimized, functions take more */
 #endif
-    results.capacity = MOST_RESULTS;
-    results.value = malloc(MOST_RESULTS * sizeof *results.value);
-    assert_non_null(results.value);
     const size_t thread = stack_taken(NULL);
     for (size_t k = 0; k < public_function_count; k++) {
         const struct public_function *const f = &public_functions[k];
         const size_t whole = stack_taken(f), taken = whole > thread ? whole - thread : 0, stated = stack_stated(f);
         check(taken <= stated, "%s: %zu bytes of stack, %zu stated", f->name, taken, stated);
     }
-    results_clear(&results);
 }
 
 /* ---- who allocates ---- */
@@ -135,22 +134,25 @@ TEST(only_these_allocate)
     static const char *const allocating[] = {"cor_disk_modes_compute", "cor_disk_rayleigh_array",
                                              "cor_disk_collision",     "cor_disk_collision_array",
                                              "cor_disk_hard_wall",     "cor_disk_hard_wall_nu"};
-    struct results r = {NULL, 0, MOST_RESULTS};
-    r.value = malloc(MOST_RESULTS * sizeof *r.value);
-    assert_non_null(r.value);
     for (size_t k = 0; k < public_function_count; k++) {
         int stated = 0;
         for (size_t i = 0; i < sizeof allocating / sizeof *allocating; i++)
             stated |= strcmp(public_functions[k].name, allocating[i]) == 0;
         const size_t before = allocations;
         for (size_t i = 0; i < SETS; i++) {
-            r.count = 0;
-            public_functions[k].call(&sets[i], &r);
+            results.count = 0;
+            public_functions[k].call(&sets[i], &results);
         }
         check((allocations > before) == stated, "%s allocates %zu times", public_functions[k].name,
               allocations - before);
     }
-    results_clear(&r);
 }
 
-RUN_GROUP(setup, NULL, stack_of_functions, only_these_allocate)
+static int free_results(void **state)
+{
+    (void)state;
+    results_clear(&results);
+    return 0;
+}
+
+RUN_GROUP(setup, free_results, stack_of_functions, only_these_allocate)
