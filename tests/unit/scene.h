@@ -15,6 +15,14 @@ static inline struct cor_scene scene_without_numbers(enum cor_law law)
     return scene;
 }
 
+/* scene_give(scene, {COR_SCENE_MASS, 1}, ...) */
+#define scene_give(scene, ...)                                                                                         \
+    do {                                                                                                               \
+        const double given_[][2] = {__VA_ARGS__};                                                                      \
+        for (size_t i_ = 0; i_ < COUNT_OF(given_); i_++)                                                               \
+            (scene).number[(int)given_[i_][0]] = given_[i_][1];                                                        \
+    } while (0)
+
 static inline double scene_eps(const struct cor_scene_contact *contact, double speed_m_s, int end)
 {
     double eps;

@@ -11,14 +11,11 @@ static const double young = 1e7, poisson = 0.3, radius[] = {5e-3, 2e-2}, mass[] 
 static struct cor_scene bodies(enum cor_law law, int second)
 {
     struct cor_scene scene = scene_without_numbers(law);
-    scene.number[COR_SCENE_YOUNG] = young;
-    scene.number[COR_SCENE_POISSON] = poisson;
-    scene.number[COR_SCENE_RADIUS] = radius[0];
-    scene.number[COR_SCENE_MASS] = mass[0];
+    scene_give(scene, {COR_SCENE_YOUNG, young}, {COR_SCENE_POISSON, poisson}, {COR_SCENE_RADIUS, radius[0]},
+               {COR_SCENE_MASS, mass[0]});
     scene.wall = second < 0;
     if (second > 0) {
-        scene.number[COR_SCENE_RADIUS_2] = radius[second];
-        scene.number[COR_SCENE_MASS_2] = mass[second];
+        scene_give(scene, {COR_SCENE_RADIUS_2, radius[second]}, {COR_SCENE_MASS_2, mass[second]});
     }
     return scene;
 }
@@ -94,9 +91,7 @@ TEST(stiffness_of_a_duration)
     const double phase = 2 * acos(zeta) / sqrt(1 - zeta * zeta);
     struct cor_scene scene = scene_without_numbers(COR_LAW_LINEAR);
     scene.end = COR_END_ZERO_FORCE;
-    scene.number[COR_SCENE_EFFECTIVE_MASS] = mass_kg;
-    scene.number[COR_SCENE_ZETA] = zeta;
-    scene.number[COR_SCENE_DURATION] = duration_s;
+    scene_give(scene, {COR_SCENE_EFFECTIVE_MASS, mass_kg}, {COR_SCENE_ZETA, zeta}, {COR_SCENE_DURATION, duration_s});
     is_near(found(text_for("yade", NULL, &scene, 0), "kn="), 2 * mass_kg * phase * phase / (duration_s * duration_s),
             1e-11);
 }
@@ -123,9 +118,7 @@ TEST(walls)
     /* a spring at a wall */
     scene = scene_without_numbers(COR_LAW_LINEAR);
     scene.wall = 1;
-    scene.number[COR_SCENE_STIFFNESS] = 1e5;
-    scene.number[COR_SCENE_EFFECTIVE_MASS] = 2e-3;
-    scene.number[COR_SCENE_RESTITUTION] = 0.5;
+    scene_give(scene, {COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 2e-3}, {COR_SCENE_RESTITUTION, 0.5});
     const double l = log(2) / PI, zeta = l / sqrt(1 + l * l);
     is_near(strchr(found(text_for("lammps", NULL, &scene, 0), "\nfix cor_wall all wall/gran granular hooke "), ' '),
             2 * zeta * sqrt(1e5 * 2e-3), 1e-11);
@@ -139,9 +132,7 @@ TEST(walls)
 TEST(ends)
 {
     struct cor_scene scene = scene_without_numbers(COR_LAW_LINEAR);
-    scene.number[COR_SCENE_STIFFNESS] = 1e5;
-    scene.number[COR_SCENE_EFFECTIVE_MASS] = 2e-3;
-    scene.number[COR_SCENE_RESTITUTION] = 0.5;
+    scene_give(scene, {COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 2e-3}, {COR_SCENE_RESTITUTION, 0.5});
     for (int end = COR_END_ZERO_OVERLAP; end <= COR_END_ZERO_FORCE; end++) {
         scene.end = end;
         const char *const text = text_for("lammps", NULL, &scene, 0);
@@ -280,17 +271,14 @@ TEST(corrected_for_a_step)
     }
     /* an impulse needs no correction; a method without steps of ours has none */
     scene = bodies(COR_LAW_HUNT_CROSSLEY, 0);
-    scene.number[COR_SCENE_RESTITUTION] = 0.7;
-    scene.number[COR_SCENE_AT] = speed;
+    scene_give(scene, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
     scene.end = COR_END_ZERO_FORCE;
     found(text_for("simbody", NULL, &scene, speed), "refused: simbody, HuntCrossleyForce; OpenSim: its damping has no "
                                                     "correction for the time step: its method is implicit");
     found(text_for("bullet", NULL, &scene, speed), "realises eps = 0.7 at 0.7 m/s\n");
     /* what is missing is said, not a step that is right */
     scene = scene_without_numbers(COR_LAW_TSUJI);
-    scene.number[COR_SCENE_STIFFNESS] = 1e9;
-    scene.number[COR_SCENE_EFFECTIVE_MASS] = 1e-3;
-    scene.number[COR_SCENE_RESTITUTION] = 0.7;
+    scene_give(scene, {COR_SCENE_STIFFNESS, 1e9}, {COR_SCENE_EFFECTIVE_MASS, 1e-3}, {COR_SCENE_RESTITUTION, 0.7});
     corrected_step_s = 1e-7;
     found(text_for("esys-particle", NULL, &scene, speed), "COR: it needs numbers that are not given: bodies");
     corrected_step_s = 1;

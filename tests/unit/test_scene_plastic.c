@@ -113,11 +113,8 @@ static struct cor_scene scene_of_steel(void)
 {
     struct cor_scene scene = scene_without_numbers(COR_LAW_ELASTIC_PLASTIC);
     scene.plastic = 1;
-    scene.number[COR_SCENE_YOUNG] = 2.1e11;
-    scene.number[COR_SCENE_POISSON] = 0.3;
-    scene.number[COR_SCENE_RADIUS] = 5e-3;
-    scene.number[COR_SCENE_DENSITY] = 7850;
-    scene.number[COR_SCENE_YIELD_STRESS] = 1e9;
+    scene_give(scene, {COR_SCENE_YOUNG, 2.1e11}, {COR_SCENE_POISSON, 0.3}, {COR_SCENE_RADIUS, 5e-3},
+               {COR_SCENE_DENSITY, 7850}, {COR_SCENE_YIELD_STRESS, 1e9});
     return scene;
 }
 
@@ -174,9 +171,7 @@ TEST(piecewise_contact)
 TEST(yield_speed_of_a_restitution)
 {
     struct cor_scene scene = scene_of_steel();
-    scene.number[COR_SCENE_YIELD_STRESS] = NAN;
-    scene.number[COR_SCENE_RESTITUTION] = 0.6;
-    scene.number[COR_SCENE_AT] = 2;
+    scene_give(scene, {COR_SCENE_YIELD_STRESS, NAN}, {COR_SCENE_RESTITUTION, 0.6}, {COR_SCENE_AT, 2});
     for (int bodies = 1; bodies >= 0; bodies--) {
         const struct cor_scene_contact contact = contact_of(&scene);
         check_near(scene_eps(&contact, 2, COR_END_ZERO_OVERLAP), 0.6, 1e-15);
@@ -260,9 +255,7 @@ TEST(wet_contact)
 {
     struct cor_scene scene = scene_of_steel();
     struct cor_scene_impact dry_impact, wet_impact;
-    scene.number[COR_SCENE_LIQUID_VISCOSITY] = 0.1;
-    scene.number[COR_SCENE_GAP_OUTER] = 5e-4;
-    scene.number[COR_SCENE_GAP_INNER] = 2e-6;
+    scene_give(scene, {COR_SCENE_LIQUID_VISCOSITY, 0.1}, {COR_SCENE_GAP_OUTER, 5e-4}, {COR_SCENE_GAP_INNER, 2e-6});
     const struct cor_scene_contact wet = contact_of(&scene);
     struct cor_scene_contact dry = wet;
     dry.liquid_speed_m_s = 0;
