@@ -32,7 +32,6 @@ static int run_embed(const void *arguments)
     const struct embed_arguments *const o = arguments;
     struct embed_scene scene;
     struct embed_form form[FAMILIES] = {{0}};
-    struct embed_series series;
     struct contacts contacts;
     int status = embed_request_check(&o->scene);
     if (status == STATUS_OK)
@@ -48,20 +47,15 @@ static int run_embed(const void *arguments)
         return status;
     contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));
     profile_step("collisions, series");
-    embed_series_begin(&series, &contacts.law, (enum contact_end)o->scene.end);
     status = embed_scene_init(&scene, &o->scene, &contacts.contact[0]);
-    const int series_status = embed_series_end(&series);
-    if (status == STATUS_OK)
-        status = series_status;
     if (status == STATUS_OK) {
-        embed_search(form, &scene, &series);
+        embed_search(form, &scene);
         status = write_header(o, &scene, form);
     }
     profile_step(NULL);
     for (int i = 0; i < FAMILIES; i++)
         embed_form_clear(&form[i]);
     embed_scene_clear(&scene);
-    embed_series_clear(&series);
     return status;
 }
 

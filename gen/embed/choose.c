@@ -10,6 +10,7 @@
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/local.h"
+#include "support/parallel.h"
 
 enum {
     COARSE = 64, /* a first assessment uses every COARSE-th sample */
@@ -17,12 +18,10 @@ enum {
     RATIONAL_MAX = 40, /* largest sum of degrees */
     PADE_MAX = 40,
     PADE_SKEW = 6, /* largest degree of the denominator minus that of the numerator */
-    SERIES_MAX = 40,
     PIECE_DEGREE_MAX = 9,
     LARGE_PIECE_DEGREE_MAX = 11, /* largest degree of pieces in large tables */
     FRACTION_BITS_MAX = 8,
-    ROWS_MAX = 256,
-    SERIES_BITS = 320
+    ROWS_MAX = 256
 };
 
 /* The error between the samples may be a little larger. */
@@ -103,10 +102,11 @@ static void search_polynomial(struct embed_form *best, const struct embed_scene 
 /* ---- from the series at beta = 0 ---- */
 
 static bool try_quotient(struct embed_form *best, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
-                         slong root, slong m, slong n)
+                         slong m, slong n)
 {
-    struct embed_form f = form_blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED, m, n);
-    return form_keep_cheaper(best, &f, embed_fit_quotient(&f, s, p, q, root) && form_meets(&f, s));
+    struct embed_form f =
+        form_blank(s, best->family, s->series_root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED, m, n);
+    return form_keep_cheaper(best, &f, embed_fit_quotient(&f, s, p, q) && form_meets(&f, s));
 }
 
 /* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). And how near to it, chosen,
@@ -114,40 +114,38 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
 #define CONVERGENCE 1.388
 #define NEAR_CONVERGENCE 0.97
 
-static void search_series(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
+static void search_series(struct embed_form *best, const struct embed_scene *s)
 {
     LOCAL(arb_poly, p, one);
     arb_poly_one(one);
-    for (slong degree = 1; degree <= SERIES_MAX; degree++) {
-        arb_poly_set_trunc(p, series, degree + 1);
-        if (try_quotient(best, s, p, one, root, degree, 0))
+    for (slong degree = 1; degree <= EMBED_SERIES; degree++) {
+        arb_poly_set_trunc(p, s->series, degree + 1);
+        if (try_quotient(best, s, p, one, degree, 0))
             break;
     }
     if (!best->found && s->beta_max > NEAR_CONVERGENCE * CONVERGENCE)
         snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, %g", CONVERGENCE);
 }
 
-static void search_pade(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
+static void search_pade(struct embed_form *best, const struct embed_scene *s)
 {
     LOCAL_INIT(pade, f, (&f));
     for (slong total = 1; total <= PADE_MAX && !best->found; total++)
         for (slong skew = total % 2; skew <= PADE_SKEW && skew <= total && !best->found; skew += 2) {
             const slong m = (total - skew) / 2, n = total - m;
-            if (pade_of_series(&f, series, m, n, SERIES_BITS))
-                try_quotient(best, s, f.p, f.q, root, m, n);
+            if (pade_of_series(&f, s->series, m, n, EMBED_BITS))
+                try_quotient(best, s, f.p, f.q, m, n);
         }
 }
 
-static void search_two_point(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series)
+static void search_two_point(struct embed_form *best, const struct embed_scene *s)
 {
-    if (s->end != END_ZERO_OVERLAP) {
-        snprintf(best->why, sizeof best->why, "at zero force large beta has no power law to match");
-        return;
-    }
     LOCAL_INIT(pade, f, (&f));
-    for (slong m = 0; 2 * m + 5 <= PADE_MAX && !best->found; m++)
-        if (pade_two_point_of_series(&f, series, s->h_star_5, m, SERIES_BITS))
-            try_quotient(best, s, f.p, f.q, 1, m, m + 5);
+    if (s->end != END_ZERO_OVERLAP)
+        snprintf(best->why, sizeof best->why, "at zero force large beta has no power law to match");
+    for (slong m = 0; s->end == END_ZERO_OVERLAP && 2 * m + 5 <= PADE_MAX && !best->found; m++)
+        if (pade_two_point_of_series(&f, s->series, s->h_star_5, m, EMBED_BITS))
+            try_quotient(best, s, f.p, f.q, m, m + 5);
 }
 
 /* ---- tables ---- */
@@ -180,93 +178,49 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
 
 /* ---- all families ---- */
 
-static void compute_series(void *context)
-{
-    struct embed_series *const series = context;
-    series->status =
-        series->sphere ? series_eps(series->eps, &series->root, series->end, SERIES_MAX, &law_sphere, SERIES_BITS) : 0;
-}
-
-void embed_series_begin(struct embed_series *series, const struct law *law, enum contact_end end)
-{
-    series->end = end;
-    series->sphere = law_is_sphere(law);
-    series->root = 1;
-    series->status = STATUS_FAILED;
-    arb_poly_init(series->eps);
-    parallel_begin(&series->task, compute_series, series);
-}
-
-int embed_series_end(struct embed_series *series)
-{
-    parallel_end(&series->task);
-    return series->status == 0 ? STATUS_OK : STATUS_FAILED;
-}
-
-void embed_series_clear(struct embed_series *series)
-{
-    arb_poly_clear(series->eps);
-}
-
 struct search {
     struct embed_form *form;
     const struct embed_scene *scene;
-    const struct embed_series *series;
 };
 
 static void search_family(void *context, slong family)
 {
     const struct search *const work = context;
     const struct embed_scene *const s = work->scene;
-    const struct embed_series *const series = work->series;
     struct embed_form *const form = &work->form[family];
     static const enum embed_variable variable[FAMILIES] = {[FAMILY_POLYNOMIAL_BETA] = FIFTH_ROOT_OF_SPEED,
                                                            [FAMILY_RATIONAL_BETA] = FIFTH_ROOT_OF_SPEED,
                                                            [FAMILY_RATIONAL_SPEED] = SPEED,
                                                            [FAMILY_RATIONAL_SQRT] = SQRT_OF_SPEED,
                                                            [FAMILY_RATIONAL_FOURTH] = FOURTH_ROOT_OF_SPEED};
-    void (*const search)(struct embed_form *, const struct embed_scene *, enum embed_variable) =
-        family == FAMILY_POLYNOMIAL_BETA ? search_polynomial : search_rational;
+    static void (*const searches[FAMILIES])(struct embed_form *,
+                                            const struct embed_scene *) = {[FAMILY_SERIES] = search_series,
+                                                                           [FAMILY_PADE] = search_pade,
+                                                                           [FAMILY_TWO_POINT] = search_two_point,
+                                                                           [FAMILY_PIECES_BETA] = search_pieces_beta,
+                                                                           [FAMILY_PIECES_SPEED] = search_pieces_speed};
     *form = form_blank(s, (enum embed_family)family, SPEED, 0, 0);
     if (s->constant) {
         snprintf(form->why, sizeof form->why, "eps is the same at every speed");
         if (family == FAMILY_RATIONAL_SPEED)
             try_rational(form, s, SPEED, 0, 0);
-        return;
-    }
-    if (family <= FAMILY_TWO_POINT && (!law_is_sphere(&s->law) || !arb_is_zero(s->liquid_speed) || s->pressed)) {
+    } else if (family <= FAMILY_TWO_POINT && (!law_is_sphere(&s->law) || !arb_is_zero(s->liquid_speed) || s->pressed)) {
         snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only%s",
                  s->pressed                     ? ", without a constant force"
                  : arb_is_zero(s->liquid_speed) ? ""
                                                 : ", dry ones");
-        return;
-    }
-    switch (form->family) {
-    case FAMILY_SERIES:
-        search_series(form, s, series->eps, series->root);
-        break;
-    case FAMILY_PADE:
-        search_pade(form, s, series->eps, series->root);
-        break;
-    case FAMILY_TWO_POINT:
-        search_two_point(form, s, series->eps);
-        break;
-    case FAMILY_PIECES_BETA:
-        search_pieces_beta(form, s);
-        break;
-    case FAMILY_PIECES_SPEED:
-        search_pieces_speed(form, s);
-        break;
-    default:
-        search(form, s, variable[family]);
+    } else if (searches[family]) {
+        searches[family](form, s);
+    } else {
+        (family == FAMILY_POLYNOMIAL_BETA ? search_polynomial : search_rational)(form, s, variable[family]);
         if (s->end == END_ZERO_FORCE && variable[family] == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
-            search(form, s, TENTH_ROOT_OF_SPEED);
+            search_rational(form, s, TENTH_ROOT_OF_SPEED);
     }
 }
 
-void embed_search(struct embed_form *form, const struct embed_scene *s, const struct embed_series *series)
+void embed_search(struct embed_form *form, const struct embed_scene *s)
 {
-    struct search search = {form, s, series};
+    struct search search = {form, s};
     profile_step("forms");
     parallel_for(search_family, &search, FAMILIES, "forms");
     profile_step(NULL);

@@ -167,13 +167,12 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     return good;
 }
 
-bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
-                        slong root)
+bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q)
 {
     const slong m = f->numerator, n = f->denominator;
     LOCAL_VECTOR(c, m + n + 2);
     LOCAL(arb, unit);
-    arb_root_ui(unit, s->beta_per_root, (ulong)root, EMBED_BITS); /* z = unit speed^(1/(5 root)) */
+    arb_root_ui(unit, s->beta_per_root, (ulong)s->series_root, EMBED_BITS); /* z = unit speed^(1/(5 series_root)) */
     for (slong k = 0; k <= m + n + 1; k++) {
         const slong degree = k <= m ? k : k - m - 1;
         arb_poly_get_coeff_arb(c + k, k <= m ? p : q, degree);

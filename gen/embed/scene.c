@@ -136,29 +136,29 @@ static void take_samples(struct embed_scene *s)
                                        log(samples->speed[i] / samples->speed[i - step])));
 }
 
-static void find_limit(void *context)
+static void expand(void *context, slong at_0)
 {
     struct embed_scene *const s = context;
-    s->limit_status = collision_h_star(s->h_star_5, EMBED_BITS / 2);
-    arb_pow_ui(s->h_star_5, s->h_star_5, 5, EMBED_BITS);
+    if (at_0) {
+        s->series_status = series_eps(s->series, &s->series_root, s->end, EMBED_SERIES, &s->law, EMBED_BITS);
+    } else if (s->end == END_ZERO_OVERLAP) {
+        s->limit_status = collision_h_star(s->h_star_5, EMBED_BITS / 2);
+        arb_pow_ui(s->h_star_5, s->h_star_5, 5, EMBED_BITS);
+    }
 }
 
-/* Computes the interpolant and, beside it, h*^5, which only zero overlap needs. */
+/* Spheres without a constant force */
 static int scene_collide(struct embed_scene *s)
 {
     const bool overlap = s->end == END_ZERO_OVERLAP;
-    struct parallel_task task;
-    int status = STATUS_OK;
-    if (overlap)
-        parallel_begin(&task, find_limit, s);
     if (!overlap || s->beta_min < OVERLAP_FAR) {
         s->interpolant = interpolant_new(&interpolant_sphere_proof, s->beta_min * (1 - 1e-9),
                                          overlap ? fmin(s->beta_max, OVERLAP_FAR) : s->beta_max * (1 + 1e-9));
-        status = s->interpolant ? STATUS_OK : STATUS_FAILED;
+        if (!s->interpolant)
+            return STATUS_FAILED;
     }
-    if (overlap)
-        parallel_end(&task);
-    return status == STATUS_OK ? s->limit_status : status;
+    parallel_for(expand, s, 2, "series");
+    return s->series_status || s->limit_status ? STATUS_FAILED : STATUS_OK;
 }
 
 /* ---- a constant force ---- */
@@ -367,6 +367,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     *s = (struct embed_scene){.end = (enum contact_end)request->end, .single = request->type == EMBED_FLOAT};
     FOR_ALL(arb, init, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
             s->press, s->sticking_speed);
+    arb_poly_init(s->series);
     int status = embed_request_check(request);
     if (status == STATUS_OK)
         status = embed_request_law(&s->law, request);
@@ -409,6 +410,7 @@ void embed_scene_clear(struct embed_scene *s)
 {
     FOR_ALL(arb, clear, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
             s->press, s->sticking_speed);
+    arb_poly_clear(s->series);
     free(s->samples.speed);
     interpolant_free(s->interpolant);
     law_layout_clear(&s->layout);

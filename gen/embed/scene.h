@@ -36,12 +36,16 @@ struct embed_scene {
     double slope; /* largest |d ln(eps)/d ln(speed^(1/5))|; for spheres |d ln(eps)/d ln(beta)| */
     struct embed_samples samples;
     struct interpolant *interpolant;
-    arb_t h_star_5;           /* spheres */
-    int limit_status;         /* of its computation */
-    struct law_layout layout; /* of another law's interpolant */
+    /* spheres without a constant force: eps at zero overlap falls as h_star_5 beta^-5, and in powers of
+     * beta^(1/series_root) is a series */
+    arb_t h_star_5;
+    arb_poly_t series;
+    slong series_root;
+    int limit_status, series_status; /* of the computation of both */
+    struct law_layout layout;        /* of another law's interpolant */
 };
 
-enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
+enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320, EMBED_SERIES = 40 /* order */ };
 
 /* `contact` is that of the request by cor_scene_contacts. Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a
  * message on stderr. */

@@ -317,18 +317,18 @@ static void add_pade(const struct spheres *s, const struct pade *f, slong root, 
              PLAN_QUOTIENT);
 }
 
-static void add_pades(const struct spheres *s, const arb_poly_t series, slong root)
+static void add_pades(const struct spheres *s)
 {
     static const slong ordinary[][2] = {{1, 4}, {2, 3}, {3, 5}, {4, 6}, {6, 9}, {8, 12}, {10, 15}};
     static const slong two_point[] = {2, 4, 8};
     LOCAL_INIT(pade, f, (&f));
     for (size_t i = 0; i < sizeof ordinary / sizeof *ordinary; i++)
-        if (pade_of_series(&f, series, ordinary[i][0], ordinary[i][1], PADE_BITS))
-            add_pade(s, &f, root, false);
+        if (pade_of_series(&f, s->scene.series, ordinary[i][0], ordinary[i][1], PADE_BITS))
+            add_pade(s, &f, s->scene.series_root, false);
     if (s->scene.end == END_ZERO_OVERLAP)
         for (size_t i = 0; i < sizeof two_point / sizeof *two_point; i++)
-            if (pade_two_point_of_series(&f, series, s->scene.h_star_5, two_point[i], PADE_BITS))
-                add_pade(s, &f, root, true);
+            if (pade_two_point_of_series(&f, s->scene.series, s->scene.h_star_5, two_point[i], PADE_BITS))
+                add_pade(s, &f, s->scene.series_root, true);
 }
 
 /* The command line with the options of the scene and a tolerance */
@@ -457,7 +457,7 @@ static char *spheres_remark(const struct spheres *s)
 }
 
 /* Adds all models after the reference and the series are known. `header` is the tolerance of the header. */
-static void add_models(struct spheres *s, const struct embed_series *series, const char *header)
+static void add_models(struct spheres *s, const char *header)
 {
     const bool sphere = law_is_sphere(&s->scene.law);
     s->plan->title = spheres_title(s);
@@ -467,9 +467,9 @@ static void add_models(struct spheres *s, const struct embed_series *series, con
         add_power_law(s);
         if (sphere) {
             add_published(s);
-            add_pades(s, series->eps, series->root);
+            add_pades(s);
         }
-        embed_search(s->form, &s->scene, series);
+        embed_search(s->form, &s->scene);
         add_header(s, header);
         (sphere ? add_library : add_function_of_beta)(s);
     }
@@ -485,10 +485,6 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     struct spheres *s = xmalloc(sizeof *s);
     memset(s, 0, sizeof *s);
     arb_init(s->h_star);
-    struct embed_series series;
-    struct law law;
-    embed_request_law(&law, scene); /* has been checked */
-    embed_series_begin(&series, &law, (enum contact_end)scene->end);
     profile_step("scene, series");
     s->plan = plan;
     s->request = request;
@@ -505,13 +501,9 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     profile_step("collisions");
     if (status == STATUS_OK)
         status = find_truth(s);
-    const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
-        status = series_status;
-    if (status == STATUS_OK)
-        add_models(s, &series, embed->number[EMBED_TOLERANCE].text);
+        add_models(s, embed->number[EMBED_TOLERANCE].text);
     profile_step(NULL);
-    embed_series_clear(&series);
     return status;
 }
 

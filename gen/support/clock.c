@@ -10,12 +10,7 @@ double clock_seconds(void)
 
 struct timespec clock_deadline(double seconds)
 {
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    const long second = 1000000000;
-    until.tv_sec += (time_t)seconds;
-    until.tv_nsec += (long)((double)second * (seconds - (double)(time_t)seconds));
-    until.tv_sec += until.tv_nsec / second;
-    until.tv_nsec %= second;
-    return until;
+    const double until = clock_seconds() + seconds;
+    const time_t whole = (time_t)until;
+    return (struct timespec){whole, (long)(1e9 * (until - (double)whole))};
 }

@@ -4,9 +4,11 @@
 #endif
 #include "support/parallel.h"
 
+#include <pthread.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -37,46 +39,7 @@ void parallel_use(int threads)
     threads_wanted = threads;
 }
 
-/* Starts a thread with all signals blocked, so that the thread that cleans up receives them. Returns 0 or an error
- * number. */
-static int start_thread(pthread_t *thread, void *(*start)(void *), void *argument)
-{
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);
-    const int reason = pthread_create(thread, NULL, start, argument);
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return reason;
-}
-
-/* ---- slots: at most parallel_threads() threads run at once ---- */
-
 static const double PROGRESS_SECONDS = 0.2;
-
-static pthread_mutex_t slots_mutex = PTHREAD_MUTEX_INITIALIZER;
-static pthread_cond_t slot_is_free = PTHREAD_COND_INITIALIZER;
-static int slots_taken;
-
-static void slot_take(void)
-{
-    pthread_mutex_lock(&slots_mutex);
-    while (slots_taken >= parallel_threads())
-        pthread_cond_wait(&slot_is_free, &slots_mutex);
-    slots_taken++;
-    pthread_mutex_unlock(&slots_mutex);
-    within_task = true;
-}
-
-static void slot_give(void)
-{
-    within_task = false;
-    pthread_mutex_lock(&slots_mutex);
-    slots_taken--;
-    pthread_cond_signal(&slot_is_free);
-    pthread_mutex_unlock(&slots_mutex);
-}
-
-/* ---- many tasks ---- */
 
 struct loop {
     void (*task)(void *context, slong i);
@@ -95,9 +58,9 @@ static bool loop_step(struct loop *loop)
     const slong i = atomic_fetch_add(&loop->next, 1);
     if (i >= loop->count)
         return false;
-    slot_take();
+    within_task = true;
     loop->task(loop->context, i);
-    slot_give();
+    within_task = false;
     pthread_mutex_lock(&loop->mutex);
     if (++loop->done == loop->count)
         pthread_cond_signal(&loop->is_done);
@@ -138,14 +101,18 @@ static void loop_run(struct loop *loop)
     const slong wanted = FLINT_MIN((slong)parallel_threads(), loop->count);
     pthread_t *thread = xmalloc((size_t)FLINT_MAX(wanted, 1) * sizeof *thread);
     pthread_condattr_t attributes;
+    sigset_t all, before; /* no signal for the threads, so that the thread that cleans up receives them */
     slong started = 0;
     pthread_condattr_init(&attributes);
     pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC); /* that of clock_deadline */
     pthread_cond_init(&loop->is_done, &attributes);
     pthread_condattr_destroy(&attributes);
     pthread_mutex_init(&loop->mutex, NULL);
-    while (wanted > 1 && started < wanted && start_thread(&thread[started], loop_thread, loop) == 0)
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    while (wanted > 1 && started < wanted && pthread_create(&thread[started], NULL, loop_thread, loop) == 0)
         started++;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     if (started > 0)
         loop_watch(loop);
     else
@@ -175,30 +142,4 @@ void parallel_watched(void (*task)(void *context, slong i), void *context, slong
 {
     struct loop loop = {.task = task, .context = context, .tick = tick, .count = count};
     loop_run(&loop);
-}
-
-/* ---- one task beside others ---- */
-
-static void *task_thread(void *argument)
-{
-    const struct parallel_task *const task = argument;
-    slot_take();
-    task->task(task->context);
-    slot_give();
-    flint_cleanup();
-    return NULL;
-}
-
-void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context)
-{
-    *task = (struct parallel_task){.task = work, .context = context};
-    task->started = !within_task && parallel_threads() > 1 && start_thread(&task->thread, task_thread, task) == 0;
-}
-
-void parallel_end(struct parallel_task *task)
-{
-    if (task->started)
-        pthread_join(task->thread, NULL);
-    else
-        task->task(task->context);
 }

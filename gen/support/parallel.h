@@ -4,9 +4,6 @@
 #ifndef COR_GEN_SUPPORT_PARALLEL_H
 #define COR_GEN_SUPPORT_PARALLEL_H
 
-#include <pthread.h>
-#include <stdbool.h>
-
 #include "support/flint.h"
 
 enum { PARALLEL_MAX_THREADS = 1024 };
@@ -26,16 +23,5 @@ void parallel_for(void (*task)(void *context, slong i), void *context, slong cou
 /* The same with a progress of its own: tick(context) is called by the calling thread several times a second, or after
  * each task that it does itself. */
 void parallel_watched(void (*task)(void *context, slong i), void *context, slong count, void (*tick)(void *context));
-
-/* A task that runs beside its owner's work from parallel_begin to parallel_end. With one thread only, parallel_end does
- * the task. If the task calls parallel_for, its own thread does the inner tasks. */
-struct parallel_task {
-    void (*task)(void *context);
-    void *context;
-    pthread_t thread;
-    bool started;
-};
-void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context);
-void parallel_end(struct parallel_task *task);
 
 #endif

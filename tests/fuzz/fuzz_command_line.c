@@ -178,20 +178,6 @@ WRAPPED(int, disk_modes_rounded, struct cor_disk_modes *modes, const fmpq_t nu, 
     return planning ? fail("the fuzzer finds no modes here") : __real_disk_modes_rounded(modes, nu, count);
 }
 
-/* A constant that takes a second is computed once. */
-WRAPPED(int, collision_h_star, arb_t h, slong bits)
-{
-    static arb_t known;
-    static slong known_bits;
-    if (known_bits == 0)
-        arb_init(known);
-    if (known_bits != bits && __real_collision_h_star(known, bits) != STATUS_OK)
-        return STATUS_FAILED;
-    known_bits = bits;
-    arb_set(h, known);
-    return STATUS_OK;
-}
-
 /* embed and plan go on to where their collisions begin. */
 WRAPPED(struct interpolant *, interpolant_new, const struct interpolant_layout *layout, double beta_min,
         double beta_max)
@@ -202,18 +188,17 @@ WRAPPED(struct interpolant *, interpolant_new, const struct interpolant_layout *
     return NULL;
 }
 
-/* No thread computes the series. */
-WRAPPED(void, embed_series_begin, struct embed_series *series, const struct law *law, enum contact_end end)
+WRAPPED(int, collision_h_star, arb_t h, slong bits)
 {
-    (void)law;
-    (void)end;
-    arb_poly_init(series->eps);
+    (void)h;
+    (void)bits;
+    return fail("the fuzzer computes no h* here");
 }
 
-WRAPPED(int, embed_series_end, struct embed_series *series)
+WRAPPED(int, series_eps, arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law,
+        slong bits)
 {
-    (void)series;
-    return fail("the fuzzer computes no series");
+    return order < EMBED_SERIES ? __real_series_eps(eps, root, end, order, law, bits) : fail("no long series here");
 }
 
 /* The number of files here; temporary ones must not be left. */

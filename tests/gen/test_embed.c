@@ -32,12 +32,8 @@ struct found {
 
 static void found_init(struct found *w, const struct embed_request *request)
 {
-    struct embed_series series;
     scene_init(&w->s, &w->contacts, request);
-    embed_series_begin(&series, &w->s.law, (enum contact_end)request->end);
-    assert_int_equal(embed_series_end(&series), STATUS_OK);
-    embed_search(w->form, &w->s, &series);
-    embed_series_clear(&series);
+    embed_search(w->form, &w->s);
     for (int purpose = PURPOSE_BALANCED; purpose <= PURPOSE_ARRAY; purpose++)
         assert_true(w->form[embed_choose(w->form, (enum embed_purpose)purpose)].found);
     w->chosen = &w->form[embed_choose(w->form, PURPOSE_BALANCED)];
