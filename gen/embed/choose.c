@@ -212,9 +212,11 @@ static void search_family(void *context, slong family)
     } else if (searches[family]) {
         searches[family](form, s);
     } else {
-        (family == FAMILY_POLYNOMIAL_BETA ? search_polynomial : search_rational)(form, s, variable[family]);
+        void (*const search)(struct embed_form *, const struct embed_scene *, enum embed_variable) =
+            family == FAMILY_POLYNOMIAL_BETA ? search_polynomial : search_rational;
+        search(form, s, variable[family]);
         if (s->end == END_ZERO_FORCE && variable[family] == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
-            search_rational(form, s, TENTH_ROOT_OF_SPEED);
+            search(form, s, TENTH_ROOT_OF_SPEED);
     }
 }
 

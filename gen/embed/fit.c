@@ -74,7 +74,7 @@ static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
 {
     f->number = xrealloc(f->number, (size_t)count * sizeof *f->number);
     for (slong k = 0; k < count; k++) {
-        const double x = arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
+        const double x = ball_middle(exact + k);
         f->number[k] = f->single ? (double)(float)x : x;
         if (!arb_is_finite(exact + k) || !isfinite(f->number[k]) || !number_is_representable(f, f->number[k]))
             return false;

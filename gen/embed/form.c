@@ -58,129 +58,147 @@ double embed_root_error(int refinement, bool single)
 
 /* ---- the arithmetic of the header ---- */
 
-/* For +, -, *, / and sqrt of floats, an intermediate rounding to double does not change the result. */
-static double form_rounded(const struct embed_form *f, double x)
-{
-    return f->single ? (double)(float)x : x;
-}
-
-static double form_product(const struct embed_form *f, double x, double y)
-{
-    return form_rounded(f, x * y);
-}
-
-/* x y + z */
-static double mul_add(const struct embed_form *f, double x, double y, double z, bool fused)
-{
-    if (!fused)
-        return form_rounded(f, form_rounded(f, x * y) + z);
-    return f->single ? (double)fmaf((float)x, (float)y, (float)z) : fma(x, y, z);
-}
-
 uint64_t embed_bits_of(const struct embed_form *f, double x)
 {
-    if (f->single) {
-        const float y = (float)x;
-        uint32_t bits;
-        memcpy(&bits, &y, sizeof bits);
-        return bits;
-    }
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
+    const float y = (float)x;
+    uint32_t narrow;
+    uint64_t wide;
+    memcpy(&narrow, &y, sizeof narrow);
+    memcpy(&wide, &x, sizeof wide);
+    return f->single ? narrow : wide;
 }
 
 double embed_from_bits(const struct embed_form *f, uint64_t bits)
 {
-    if (f->single) {
-        const uint32_t low = (uint32_t)bits;
-        float y;
-        memcpy(&y, &low, sizeof y);
-        return (double)y;
-    }
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
+    const uint32_t low = (uint32_t)bits;
+    float narrow;
+    double wide;
+    memcpy(&narrow, &low, sizeof narrow);
+    memcpy(&wide, &bits, sizeof wide);
+    return f->single ? (double)narrow : wide;
+}
+
+/* It counts its operations. */
+struct arithmetic {
+    bool single, fused;
+    int count[OPERATIONS];
+};
+
+/* For +, -, *, / and sqrt of floats, an intermediate rounding to double does not change the result. */
+static double rounded(struct arithmetic *a, enum embed_operation operation, double x)
+{
+    a->count[operation]++;
+    return a->single ? (double)(float)x : x;
+}
+
+static double product(struct arithmetic *a, double x, double y)
+{
+    return rounded(a, OP_MUL, x * y);
+}
+
+/* x y + z */
+static double mul_add(struct arithmetic *a, double x, double y, double z)
+{
+    if (!a->fused)
+        return rounded(a, OP_MUL_ADD, (a->single ? (double)(float)(x * y) : x * y) + z);
+    a->count[OP_MUL_ADD]++;
+    return a->single ? (double)fmaf((float)x, (float)y, (float)z) : fma(x, y, z);
 }
 
 /* c[0] + c[step] x + ... + c[degree] x^(degree/step) */
-static double form_horner(const struct embed_form *f, const double *c, slong degree, slong step, double x, bool fused)
+static double horner(struct arithmetic *a, const double *c, slong degree, slong step, double x)
 {
     double y = c[degree];
     for (slong k = degree - step; k >= 0; k -= step)
-        y = mul_add(f, x, y, c[k], fused);
+        y = mul_add(a, x, y, c[k]);
+    if (degree >= step && c[degree] == 1) { /* a leading coefficient of 1 needs no product */
+        a->count[OP_MUL_ADD]--;
+        a->count[OP_ADD]++;
+    }
     return y;
 }
 
 /* c_0 + c_2 x^2 + ... + x (c_1 + c_3 x^2 + ...) */
-static double form_split_polynomial(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
+static double polynomial(struct arithmetic *a, const double *c, slong degree, double x, double square)
 {
     if (degree < EMBED_SPLIT)
-        return form_horner(f, c, degree, 1, x, fused);
-    const double square = form_product(f, x, x);
-    const double even = form_horner(f, c, degree - degree % 2, 2, square, fused);
-    return mul_add(f, x, form_horner(f, c + 1, degree - 1 - (degree - 1) % 2, 2, square, fused), even, fused);
+        return horner(a, c, degree, 1, x);
+    const double even = horner(a, c, degree - degree % 2, 2, square);
+    return mul_add(a, x, horner(a, c + 1, degree - 1 - (degree - 1) % 2, 2, square), even);
 }
 
-struct embed_root_coefficients embed_root_coefficients(const struct embed_form *f, int step)
-{
-    static const struct embed_root_coefficients known[] = {
-        {{0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971}}, {{1, 0.2, 0.12, 0.088}}};
-    struct embed_root_coefficients rounded = known[step];
-    for (int i = 0; i < 4; i++)
-        rounded.c[i] = form_rounded(f, rounded.c[i]);
-    return rounded;
-}
+const double embed_root_coefficients[2][2][4] = {
+    {{0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971}, {1, 0.2, 0.12, 0.088}},
+    {{(double)0.9999949028651255f, (double)0.19999368411425256f, (double)0.12170544636870924f,
+      (double)0.08960415657233971f},
+     {1, (double)0.2f, (double)0.12f, (double)0.088f}}};
 
-double embed_root_start(const struct embed_form *f, double g, bool fused)
+static double root_start(struct arithmetic *a, const struct embed_form *f, double g)
 {
+    a->count[OP_BITS] += f->single ? 4 : 3; /* a division by 5 is a product and a shift */
     if (f->single)
         return embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)embed_bits_of(f, g) / 5);
     /* 2^52 + n holds the integer n in its low bits */
     const double top = embed_from_bits(f, (embed_bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
-    return embed_from_bits(f, embed_bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
+    return embed_from_bits(f, embed_bits_of(f, mul_add(a, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT)) << 32);
 }
 
-static double fifth_root(const struct embed_form *f, double g, bool fused)
+double embed_root_start(const struct embed_form *f, double g, bool fused)
 {
-    double r = embed_root_start(f, g, fused);
+    return root_start(&(struct arithmetic){f->single, fused, {0}}, f, g);
+}
+
+static double fifth_root(struct arithmetic *a, const struct embed_form *f, double g)
+{
+    double r = root_start(a, f, g), square;
     for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
-        const double square = form_product(f, r, r), fourth = form_product(f, square, square);
-        const double e = mul_add(f, -form_product(f, g, r), fourth, 1, fused);
-        const double series = form_horner(f, embed_root_coefficients(f, k).c, k == 0 ? 3 : f->refinement, 1, e, fused);
-        r = form_product(f, r, series);
+        square = product(a, r, r);
+        const double off = mul_add(a, -product(a, g, r), product(a, square, square), 1);
+        r = product(a, r, horner(a, embed_root_coefficients[f->single][k], k == 0 ? 3 : f->refinement, 1, off));
     }
-    const double square = form_product(f, r, r);
-    return form_product(f, g, form_product(f, square, square));
+    square = product(a, r, r);
+    return product(a, g, product(a, square, square));
+}
+
+static double form_value(struct arithmetic *a, const struct embed_form *f, double speed)
+{
+    const slong m = f->numerator, n = f->denominator;
+    const double above = speed > f->speed_min ? speed : f->speed_min;
+    const double g = above < f->speed_max ? above : f->speed_max;
+    const double *number = f->number;
+    double x = embed_roots[f->variable].fifth ? fifth_root(a, f, g) : g, value;
+    for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
+        x = rounded(a, OP_SQRT, sqrt(x));
+    if (f->family == FAMILY_PIECES_SPEED) {
+        const uint64_t row = embed_bits_of(f, g) >> f->low_bits;
+        number += (slong)(row - f->first) * (m + 1);
+        x = rounded(a, OP_ADD, g - embed_from_bits(f, row << f->low_bits));
+        a->count[OP_BITS] += 3; /* shift, subtraction of the first row, and shift back */
+    } else if (f->family == FAMILY_PIECES_BETA) {
+        const double place = mul_add(a, x, f->slope, f->shift);
+        const int row = (int)place;
+        number += row * (m + 1);
+        x = rounded(a, OP_ADD, place - row);
+        a->count[OP_CONVERT] += 2;
+    }
+    if (f->rows > 0) {
+        a->count[OP_LOAD] += (int)m + 1;
+        value = horner(a, number, m, 1, x);
+    } else {
+        const double square = FLINT_MAX(m, n) >= EMBED_SPLIT ? product(a, x, x) : 0;
+        value = polynomial(a, number, m, x, square);
+        if (n > 0)
+            value = rounded(a, OP_DIV, value / polynomial(a, number + m + 1, n, x, square));
+    }
+    const double whole = speed + f->origin;
+    a->count[OP_ADD] += f->origin > 0;
+    a->count[OP_COMPARE] += f->onset > 0 ? 4 : 3;
+    return !(whole >= 0) ? (double)NAN : f->onset > 0 && whole <= f->onset ? f->before : value;
 }
 
 double embed_form_value(const struct embed_form *f, double speed, bool fused)
 {
-    const double above = speed > f->speed_min ? speed : f->speed_min;
-    const double g = above < f->speed_max ? above : f->speed_max;
-    double x = embed_roots[f->variable].fifth ? fifth_root(f, g, fused) : g;
-    for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
-        x = form_rounded(f, sqrt(x));
-    double value;
-    const double *number = f->number;
-    if (f->family == FAMILY_PIECES_SPEED) {
-        const uint64_t row = embed_bits_of(f, g) >> f->low_bits;
-        number += (slong)(row - f->first) * (f->numerator + 1);
-        x = form_rounded(f, g - embed_from_bits(f, row << f->low_bits));
-    } else if (f->family == FAMILY_PIECES_BETA) {
-        const double place = mul_add(f, x, f->slope, f->shift, fused);
-        const int row = (int)place;
-        number += row * (f->numerator + 1);
-        x = form_rounded(f, place - row);
-    }
-    if (f->rows > 0)
-        value = form_horner(f, number, f->numerator, 1, x, fused);
-    else
-        value = form_split_polynomial(f, number, f->numerator, x, fused);
-    if (f->denominator > 0)
-        value = form_rounded(f, value / form_split_polynomial(f, number + f->numerator + 1, f->denominator, x, fused));
-    const double whole = speed + f->origin;
-    return !(whole >= 0) ? (double)NAN : f->onset > 0 && whole <= f->onset ? f->before : value;
+    return form_value(&(struct arithmetic){f->single, fused, {0}}, f, speed);
 }
 
 void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride)
@@ -208,42 +226,12 @@ double embed_cost(const double cost[USES], enum embed_purpose purpose)
                                       : (cost[USE_SCALAR] + 4 * cost[USE_ARRAY]) / 5;
 }
 
-static void count_root(int *n, const struct embed_form *f)
-{
-    const int steps = f->refinement > 0 ? 2 : 1;
-    n[OP_BITS] += f->single ? 4 : 3; /* a division by 5 is a product and a shift */
-    n[OP_MUL_ADD] += f->single ? 0 : 1;
-    n[OP_MUL] += 4 * steps + 3; /* each step has r^2, r^4, g r and a last product; the end has r^2, r^4, g r^4 */
-    n[OP_MUL_ADD] += steps + 3 + f->refinement;
-}
-
 void embed_form_price(struct embed_form *f)
 {
-    int *n = f->operations;
-    memset(n, 0, sizeof f->operations);
-    n[OP_COMPARE] = f->onset > 0 ? 4 : 3;
-    n[OP_ADD] = f->origin > 0 ? 1 : 0;
-    n[OP_SQRT] = embed_roots[f->variable].square_roots;
-    if (embed_roots[f->variable].fifth)
-        count_root(n, f);
-    if (f->rows > 0) {
-        n[OP_LOAD] += (int)f->numerator + 1;
-        n[OP_BITS] += f->family == FAMILY_PIECES_SPEED ? 3 : 0; /* shift, subtraction of the first row, and shift
-                                                                 * back */
-        n[OP_CONVERT] += f->family == FAMILY_PIECES_BETA ? 2 : 0;
-        n[OP_MUL_ADD] += f->family == FAMILY_PIECES_BETA ? 1 : 0;
-        n[OP_ADD] += 1;
-    }
-    n[OP_MUL_ADD] += (int)(f->numerator + f->denominator);
-    if (f->rows == 0 && FLINT_MAX(f->numerator, f->denominator) >= EMBED_SPLIT)
-        n[OP_MUL]++;
-    /* a leading coefficient of 1 needs no product */
-    if (f->denominator > 0 && f->number && f->number[f->numerator + f->denominator + 1] == 1) {
-        n[OP_MUL_ADD]--;
-        n[OP_ADD]++;
-    }
-    if (f->denominator > 0)
-        n[OP_DIV] += 1;
+    struct arithmetic a = {.single = f->single};
+    const int *const n = a.count;
+    form_value(&a, f, f->speed_min);
+    memcpy(f->operations, n, sizeof f->operations);
     for (int use = 0; use < USES; use++) {
         /* an operation that prevents vectorisation makes all other operations scalar */
         const int as = use == USE_ARRAY && n[OP_SQRT] > 0 ? USE_SCALAR : use;

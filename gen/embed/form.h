@@ -95,11 +95,8 @@ struct embed_form {
 
 void embed_form_clear(struct embed_form *f);
 
-/* Rounded to the header's type */
-struct embed_root_coefficients {
-    double c[4];
-};
-struct embed_root_coefficients embed_root_coefficients(const struct embed_form *f, int step);
+/* Of doubles and of floats, for both steps */
+extern const double embed_root_coefficients[2][2][4];
 
 /* The start value of g^(-1/5), as the header computes it. It does not rise with g. */
 double embed_root_start(const struct embed_form *f, double g, bool fused);
@@ -111,7 +108,7 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused);
 /* Fills error and error_at from every stride-th sample. */
 void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride);
 
-/* Fills operations and cost. */
+/* Fills operations, those of one evaluation, and cost. */
 void embed_form_price(struct embed_form *f);
 
 /* The cost for a purpose; for the balanced one a single call counts as much as four numbers of an array. */

@@ -266,9 +266,9 @@ static void emit_fifth_root(struct emit *e, const struct embed_form *f, const ch
         emit_copy(e, "double", "guess", "shifted");
     }
     emit_lines(e, "    /* and off = 1 - g guess^5, so that g^(-1/5) = guess (1 - off)^(-1/5) */\n");
-    emit_root_step(e, 1, "guess", f->refinement > 0 ? "better" : "inverse", embed_root_coefficients(f, 0).c, 3);
+    emit_root_step(e, 1, "guess", f->refinement > 0 ? "better" : "inverse", embed_root_coefficients[f->single][0], 3);
     if (f->refinement > 0)
-        emit_root_step(e, 2, "better", "inverse", embed_root_coefficients(f, 1).c, f->refinement);
+        emit_root_step(e, 2, "better", "inverse", embed_root_coefficients[f->single][1], f->refinement);
     emit_lines(e, "    const $T square = inverse * inverse;\n    const $T $s = g * (square * square);\n", name);
 }
 

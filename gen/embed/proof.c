@@ -236,12 +236,10 @@ static void add_parts(struct prover *w, int interval, slong row, double lo, doub
 static double place_of_speed(const struct prover *w, double speed, bool by_log, bool above)
 {
     LOCAL(arb, x);
-    LOCAL(arf, end);
     arb_set_d(x, speed);
     embed_scene_beta(x, w->s, x, true);
     (by_log ? arb_log : arb_sqrt)(x, x, EMBED_BITS);
-    (above ? arb_get_ubound_arf : arb_get_lbound_arf)(end, x, EMBED_BITS);
-    return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
+    return ball_end(x, above);
 }
 
 /* The same for a law other than the sphere's, where ln(beta) may rise or fall with the speed */
@@ -340,11 +338,9 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
 /* A form that is one number, its coefficient */
 static void prove_constant(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
 {
-    LOCAL(arb, difference);
-    LOCAL(arf, bound);
-    LET(difference, EMBED_BITS, "(f->number[0] - s->eps)/s->eps", f->number[0], s->eps);
-    arb_get_abs_ubound_arf(bound, difference, EMBED_BITS);
-    *proof = (struct embed_proof){.error = arf_get_d(bound, ARF_RND_CEIL), .proved = true};
+    LOCAL(arb, error);
+    LET(error, EMBED_BITS, "abs(f->number[0]/s->eps - 1)", f->number[0], s->eps);
+    *proof = (struct embed_proof){.error = ball_end(error, true), .proved = true};
     proof->formula = proof->error;
 }
 
@@ -358,7 +354,7 @@ static double first_proved(double beta[2], const struct embed_scene *s)
     LOCAL(arb, x);
     arb_set_d(x, speed);
     embed_scene_beta(x, s, x, false);
-    beta[rises ? 0 : 1] = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    beta[rises ? 0 : 1] = ball_middle(x);
     return speed;
 }
 

@@ -54,13 +54,6 @@ static void rounded_clear(struct rounded *x)
 }
 LOCAL_STRUCT(rounded)
 
-static double magnitude(const arb_t x)
-{
-    LOCAL(mag, m);
-    arb_get_mag(m, x);
-    return mag_get_d(m);
-}
-
 /* (1 + x)(1 + y) - 1 and (1 + x)^n - 1 */
 static double both(double x, double y)
 {
@@ -75,7 +68,7 @@ static double power_of_error(double x, double n)
 /* |x| where the computed x may be */
 static double rounded_size(const struct rounded *x)
 {
-    return (magnitude(x->exact) + x->error) * RAISE;
+    return (ball_magnitude(x->exact) + x->error) * RAISE;
 }
 
 /* The error of one rounding; infinite where the result may overflow */
@@ -91,7 +84,7 @@ static void rounded_mul_add(struct rounded *z, const struct rounded *x, const st
 {
     LOCAL(arb, addend);
     arb_set_d(addend, c);
-    double error = magnitude(x->exact) * y->error + rounded_size(y) * x->error;
+    double error = ball_magnitude(x->exact) * y->error + rounded_size(y) * x->error;
     arb_mul(z->exact, x->exact, y->exact, BITS);
     z->error = error * RAISE;
     z->error += rounding_of(z, a);
@@ -200,9 +193,9 @@ static double fifth_root_bound(const struct embed_form *f, const struct arithmet
     const double e = seed_bound(f);
     if (!(e < SEED_LIMIT))
         return HUGE_VAL;
-    double r = root_step(embed_root_coefficients(f, 0).c, 3, e, a);
+    double r = root_step(embed_root_coefficients[f->single][0], 3, e, a);
     if (f->refinement > 0)
-        r = root_step(embed_root_coefficients(f, 1).c, f->refinement, power_of_error(r, 5) * RAISE, a);
+        r = root_step(embed_root_coefficients[f->single][1], f->refinement, power_of_error(r, 5) * RAISE, a);
     /* g (r^2)^2 */
     return both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
 }
@@ -264,11 +257,11 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
         const double of_q = q->error / least_size(q_value);
         relative = of_q < 0.5 ? (relative + of_q) / (1 - of_q) : HUGE_VAL;
         relative += (1 + relative) * a.unit;
-        least /= magnitude(q_value);
+        least /= ball_magnitude(q_value);
         relative += a.least / least;
         LET(slope, BITS, "slope - q_slope/q_value", slope, q_slope, q_value);
     }
-    const double of_x = expm1(magnitude(slope) * x_error);
+    const double of_x = expm1(ball_magnitude(slope) * x_error);
     const double bound = both(relative, of_x) * RAISE + 1e-18;
     return least > 0 ? bound : HUGE_VAL; /* a NaN becomes a failure below */
 }
@@ -311,11 +304,9 @@ static void bound_cell(void *context, slong i)
 static double place_beyond(const struct embed_form *f, double speed, double error, double limit, bool above)
 {
     LOCAL(arb, y);
-    LOCAL(arf, end);
     LET(y, ENCLOSED_BITS, "speed^(1/5)*f->slope", speed, f->slope);
     LET(y, ENCLOSED_BITS, "y + y*error + f->shift - limit", y, error, f->shift, limit);
-    (above ? arb_get_ubound_arf : arb_get_lbound_arf)(end, y, BITS);
-    return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
+    return ball_end(y, above);
 }
 
 /* Absolute error of the place x slope + shift in a table; infinite if a place may be outside the table. Rounding keeps

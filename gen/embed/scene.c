@@ -46,7 +46,7 @@ static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, co
 
 static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta)
 {
-    const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
+    const double b = ball_middle(beta);
     const bool overlap = s->end == END_ZERO_OVERLAP;
     LOCAL(arb, z);
     if (overlap && b >= OVERLAP_FAR) {
@@ -115,10 +115,10 @@ static void take_sample(void *context, slong i)
     samples->speed[i] = fmin(fmax(speed, s->speed_min), s->speed_max);
     arb_set_d(g, samples->speed[i]);
     embed_scene_eps(eps, s, g);
-    samples->eps[i] = arf_get_d(arb_midref(eps), ARF_RND_NEAR);
+    samples->eps[i] = ball_middle(eps);
     arb_set_d(g, samples->eps[i]);
     arb_sub(eps, eps, g, EMBED_BITS);
-    samples->rest[i] = arf_get_d(arb_midref(eps), ARF_RND_NEAR);
+    samples->rest[i] = ball_middle(eps);
 }
 
 static void take_samples(struct embed_scene *s)
@@ -186,7 +186,7 @@ static int find_sticking_speed(struct embed_scene *s, const struct embed_request
         return STATUS_FAILED;
     LET(s->sticking_speed, EMBED_BITS, "s->sticking_speed*force^((a + 1)/(2*a))", s->sticking_speed, force, a);
     LET(x, EMBED_BITS, "log(s->sticking_speed^q*s->beta_enclosed)", s->sticking_speed, q, s->beta_enclosed);
-    s->sticking_log = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    s->sticking_log = ball_middle(x);
     return STATUS_OK;
 }
 
@@ -303,9 +303,9 @@ static int scene_collide_once(struct embed_scene *s, const struct embed_request 
 
 static int scene_prepare(struct embed_scene *s, const struct embed_request *request)
 {
-    const double per_root = arf_get_d(arb_midref(s->beta_per_root), ARF_RND_NEAR);
+    const double per_root = ball_middle(s->beta_per_root);
     const double q = ratio_double(law_speed_exponent(&s->law));
-    const double lost = arf_get_d(arb_midref(s->liquid_speed), ARF_RND_NEAR) - s->origin;
+    const double lost = ball_middle(s->liquid_speed) - s->origin;
     const double slow = per_root * pow(s->speed_min - lost, q), fast = per_root * pow(s->speed_max - lost, q);
     s->beta_min = fmin(slow, fast);
     s->beta_max = fmax(slow, fast);
@@ -342,10 +342,8 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
     if (status != STATUS_OK || !s->plastic)
         return status;
     LOCAL(arb, onset);
-    LOCAL(arf, end);
     arb_add(onset, s->yield_speed, s->liquid_speed, EMBED_BITS);
-    arb_get_lbound_arf(end, onset, EMBED_BITS);
-    const double below = arf_get_d(end, ARF_RND_FLOOR);
+    const double below = ball_end(onset, false);
     if (is_wet(s))
         return s->speed_min > below * (1 + 1e-15) ? STATUS_OK
                                                   : usage_error("in a liquid a header of --law elastic-plastic begins "

@@ -49,11 +49,6 @@ struct spheres {
 
 /* ---- the collisions ---- */
 
-static double ball_middle(const arb_t x)
-{
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
 static int other_end(const struct spheres *s)
 {
     return s->scene.end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;

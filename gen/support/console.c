@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#define _GNU_SOURCE /* vasprintf */
 #include "support/console.h"
 
 #include <errno.h>
@@ -92,14 +93,8 @@ char *xstrdup(const char *text)
 
 char *xvprintf(const char *format, va_list arguments)
 {
-    va_list again;
-    va_copy(again, arguments);
-    const int length = vsnprintf(NULL, 0, format, again);
-    va_end(again);
-    const size_t size = (size_t)length + 1;
-    char *const text = xmalloc(size);
-    vsnprintf(text, size, format, arguments);
-    return text;
+    char *text;
+    return granted(vasprintf(&text, format, arguments) < 0 ? NULL : text, 0);
 }
 
 char *xprintf(const char *format, ...)

@@ -3,7 +3,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,95 +10,60 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* ---- which texts are numbers ---- */
-
-static const char *skip_digits(const char *text)
-{
-    return text + strspn(text, "0123456789");
-}
-
-/* Skips digits with an optional point and an optional exponent. Returns NULL if the text does not begin with such a
- * number. */
-static const char *skip_decimal(const char *text, int exponent_digits)
-{
-    const char *const whole = text;
-    text = skip_digits(text);
-    ptrdiff_t digits = text - whole;
-    if (*text == '.') {
-        const char *const fraction = ++text;
-        text = skip_digits(text);
-        digits += text - fraction;
-    }
-    if (digits == 0)
-        return NULL;
-    if (*text == 'e' || *text == 'E') {
-        text++;
-        if (*text == '+' || *text == '-')
-            text++;
-        const char *const exponent = text;
-        text = skip_digits(text);
-        if (text == exponent || text - exponent > exponent_digits)
-            return NULL;
-    }
-    return text;
-}
+static const char digits[] = "0123456789";
 
 static bool is_ratio(const char *text)
 {
-    const char *const slash = skip_digits(text);
+    const char *const slash = text + strspn(text, digits);
     if (slash == text || *slash != '/')
         return false;
-    const char *const end = skip_digits(slash + 1);
+    const char *const end = slash + 1 + strspn(slash + 1, digits);
     return end != slash + 1 && *end == '\0' && slash[1 + strspn(slash + 1, "0")] != '\0';
 }
 
-/* ---- their values ---- */
-
-/* Sets x to digits times a power of ten. */
-static void set_value(fmpq_t x, const char *text)
+/* Reads digits with an optional point and an optional exponent. Returns false if the text is anything else. */
+static bool read_decimal(fmpq_t x, const char *text, int exponent_digits)
 {
-    char *digits = xmalloc(strlen(text) + 1);
-    size_t n = 0;
+    const size_t whole = strspn(text, digits), point = text[whole] == '.';
+    const size_t fraction = point ? strspn(text + whole + 1, digits) : 0;
+    const char *end = text + whole + point + fraction;
     slong exponent = 0;
-    bool point = false;
-    for (; *text && *text != 'e' && *text != 'E'; text++) {
-        if (*text == '.') {
-            point = true;
-        } else {
-            digits[n++] = *text;
-            exponent -= point;
-        }
+    if (whole + fraction == 0)
+        return false;
+    if (*end == 'e' || *end == 'E') {
+        exponent = strtol(end + 1, NULL, 10);
+        end += end[1] == '+' || end[1] == '-' ? 2 : 1;
+        const int length = (int)strspn(end, digits);
+        if (length == 0 || length > exponent_digits)
+            return false;
+        end += length;
     }
-    digits[n] = '\0';
-    if (*text)
-        exponent += strtol(text + 1, NULL, 10);
-    fmpz_set_str(fmpq_numref(x), digits, 10);
-    fmpz_one(fmpq_denref(x));
-    free(digits);
+    if (*end)
+        return false;
+    char *const mantissa = xprintf("%.*s%.*s", (int)whole, text, (int)fraction, text + whole + 1);
+    fmpz_set_str(fmpq_numref(x), mantissa, 10);
+    free(mantissa);
+    exponent -= (slong)fraction;
     LOCAL(fmpz, power);
-    fmpz_ui_pow_ui(power, 10, exponent < 0 ? (ulong)-exponent : (ulong)exponent);
-    if (exponent < 0)
-        fmpq_div_fmpz(x, x, power);
-    else
-        fmpq_mul_fmpz(x, x, power);
+    fmpz_ui_pow_ui(power, 10, (ulong)labs(exponent));
+    (exponent < 0 ? fmpq_div_fmpz : fmpq_mul_fmpz)(x, x, power);
+    return true;
 }
 
 bool decimal_parse(struct decimal *x, const char *text, int exponent_digits)
 {
     const bool sign = *text == '-', ratio = is_ratio(text + sign);
-    const char *const end = ratio ? NULL : skip_decimal(text + sign, exponent_digits);
-    if (!ratio && !(end && *end == '\0'))
+    LOCAL(fmpq, value);
+    if (ratio)
+        fmpq_set_str(value, text + sign, 10);
+    else if (!read_decimal(value, text + sign, exponent_digits))
         return false;
     if (!x->text)
         fmpq_init(x->value);
     x->text = text;
     x->forms = (sign ? DECIMAL_SIGN : DECIMAL_PLAIN) | (ratio ? DECIMAL_RATIO : DECIMAL_PLAIN);
-    if (ratio) {
-        fmpq_set_str(x->value, text, 10);
-        fmpq_canonicalise(x->value);
-    } else {
-        set_value(x->value, text);
-    }
+    fmpq_canonicalise(value);
+    (sign ? fmpq_neg : fmpq_set)(x->value, value);
     return true;
 }
 

@@ -203,7 +203,7 @@ double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
     arb_set_d(at, t);
     arb_poly_evaluate(x, f, at, ENCLOSED_BITS);
     arb_poly_evaluate(y, g, at, ENCLOSED_BITS);
-    return fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / arf_get_d(arb_midref(y), ARF_RND_NEAR));
+    return fabs(ball_middle(x) / ball_middle(y));
 }
 
 double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings)

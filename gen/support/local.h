@@ -13,6 +13,8 @@
 #ifndef COR_GEN_SUPPORT_LOCAL_H
 #define COR_GEN_SUPPORT_LOCAL_H
 
+#include <stdbool.h>
+
 #include "support/flint.h"
 
 #define LOCAL(type, ...) LOCAL_FROM(type, type##_local(), __VA_ARGS__)
@@ -77,6 +79,24 @@ LOCAL_TYPE(arb, arb_struct)
 LOCAL_TYPE(acb, acb_struct)
 LOCAL_TYPE(arb_poly, arb_poly_struct)
 LOCAL_TYPE(acb_poly, acb_poly_struct)
+
+/* The double nearest to the middle of a ball, and doubles that bound |x| from above, and x from above or below */
+static inline double ball_middle(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+static inline double ball_magnitude(const arb_t x)
+{
+    LOCAL(mag, m);
+    arb_get_mag(m, x);
+    return mag_get_d(m);
+}
+static inline double ball_end(const arb_t x, bool above)
+{
+    LOCAL(arf, end);
+    (above ? arb_get_ubound_arf : arb_get_lbound_arf)(end, x, 64);
+    return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
+}
 
 struct arb_vector {
     arb_ptr entry;

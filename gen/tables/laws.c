@@ -461,7 +461,7 @@ static slong far_row(arb_ptr row, const struct far_form *f)
     const int status = f->terms > 0 ? far_solve(c + known, f) : STATUS_OK;
     for (slong k = 0; k < all && status == STATUS_OK; k++)
         for (int part = 0; part < (k < f->split ? 2 : 1); part++, columns++) {
-            arb_set_d(row + columns, arf_get_d(arb_midref(c + k), ARF_RND_NEAR));
+            arb_set_d(row + columns, ball_middle(c + k));
             arb_sub(c + k, c + k, row + columns, FAR_BITS);
         }
     return columns;
@@ -518,7 +518,7 @@ static int overlap_far_check(const struct far_form *f)
         LET(y, FAR_BITS, "1/y^2", y);
         _arb_poly_evaluate(sum, row + 1, f->terms, y, FAR_BITS);
         LET(sum, FAR_BITS, "(row + sum)/v - 1", row, sum, v);
-        worst = fmax(worst, fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR)));
+        worst = fmax(worst, fabs(ball_middle(sum)));
     }
     return worst < 0x1p-57 ? STATUS_OK : fail("Tsuji's duration at zero overlap is off by %.3g far out", worst);
 }

@@ -7,6 +7,7 @@
 #include "enclosure/wave_factor.h"
 #include "support/console.h"
 #include "support/emit_c.h"
+#include "support/formula.h"
 #include "support/local.h"
 
 /* ---- the Chebyshev series on 0 <= tau <= 7/4 ---- */
@@ -23,13 +24,9 @@ static void chebyshev_series(arb_ptr c)
     LOCAL(acb, tau, j);
     for (slong i = 0; i < SAMPLES; i++) {
         progress("elastic waves", i, SAMPLES);
-        arb_set_si(angle, 2 * i + 1);
-        arb_div_ui(angle, angle, 2 * SAMPLES, BITS);
+        LET(angle, BITS, "(2*i + 1)/(2*SAMPLES)", i, SAMPLES);
         arb_cos_pi(x, angle, BITS);
-        arb_add_ui(x, x, 1, BITS);
-        arb_mul_ui(x, x, 7, BITS);
-        arb_mul_2exp_si(x, x, -3);
-        acb_set_arb(tau, x);
+        LET(acb_realref(tau), BITS, "(x + 1)*7/8", x);
         wave_factor(j, tau, SAMPLE_BITS);
         for (slong k = 0; k < SAMPLES; k++) {
             arb_mul_si(x, angle, k, BITS);
@@ -44,14 +41,6 @@ static void chebyshev_series(arb_ptr c)
     }
 }
 
-/* an upper bound on |x| */
-static double largest(const arb_t x)
-{
-    LOCAL(mag, m);
-    arb_get_mag(m, x);
-    return mag_get_d(m);
-}
-
 /* Rounds c to doubles. Returns a proved bound on the error from omitted terms, the enclosures of the samples and this
  * rounding. */
 static double round_series(arb_ptr c)
@@ -59,10 +48,10 @@ static double round_series(arb_ptr c)
     double error = 0;
     LOCAL(arb, rest);
     for (slong k = 0; k < SAMPLES; k++) {
-        const double nearest = k < TERMS ? arf_get_d(arb_midref(c + k), ARF_RND_NEAR) : 0;
+        const double nearest = k < TERMS ? ball_middle(c + k) : 0;
         arb_set_d(rest, nearest);
         arb_sub(rest, c + k, rest, 200);
-        error += largest(rest);
+        error += ball_magnitude(rest);
         arb_set_d(c + k, nearest);
     }
     return error;
