@@ -108,7 +108,7 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused);
 /* Fills error and error_at from every stride-th sample. */
 void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride);
 
-/* Fills operations, those of one evaluation, and cost. */
+/* Fills operations, those of an evaluation with its numbers, and cost. */
 void embed_form_price(struct embed_form *f);
 
 /* The cost for a purpose; for the balanced one a single call counts as much as four numbers of an array. */

@@ -294,7 +294,8 @@ static void add_pade(const struct spheres *s, const struct pade *f, slong root, 
     struct embed_form form = {.variable = root == 2 ? TENTH_ROOT_OF_SPEED : FIFTH_ROOT_OF_SPEED,
                               .numerator = m,
                               .denominator = n,
-                              .refinement = ROOT_REFINEMENT};
+                              .refinement = ROOT_REFINEMENT,
+                              .number = c};
     embed_form_price(&form);
     const double low = plan->at[0], high = plan->at[plan->points - 1];
     for (int k = 0; k <= PADE_POINTS; k++) {

@@ -3,15 +3,8 @@
 #include "check.h"
 
 #include "support/digits.h"
+#include "support/formula.h"
 #include "support/local.h"
-
-/* The ball of prec bits around the number `text` to so many digits. */
-static char *spelled(const char *text, slong prec, slong digits)
-{
-    LOCAL(arb, x);
-    arb_set_str(x, text, prec);
-    return digits_of_ball(x, digits);
-}
 
 TEST(test_spelling)
 {
@@ -37,55 +30,73 @@ TEST(test_spelling)
         {"0.375", "0.38", 2},
         {"1 +/- 1e-30", "1.0000000000000000000", 20}, /* no tie: the width does no harm, below a power of ten either */
     };
+    LOCAL(arb, x);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        char *s = spelled(known[i].value, 300, known[i].digits);
+        arb_set_str(x, known[i].value, 300);
+        char *s = digits_of_ball(x, known[i].digits);
         assert_non_null(s);
         assert_string_equal(s, known[i].spelling);
         free(s);
     }
 }
 
-TEST(test_wide_balls)
+/* Balls that are too wide for so many digits, or beyond what MPFR holds, have no digits, and with 16 no double. */
+TEST(test_undecided)
 {
-    static const char *const undecided[] = {"1.05 +/- 0.001", "0 +/- 1e-100", "1 +/- 2", "0.15 +/- 1e-50"};
-    for (size_t i = 0; i < sizeof undecided / sizeof *undecided; i++)
-        assert_null(spelled(undecided[i], 300, i == 0 ? 2 : 1));
+    static const struct {
+        const char *value;
+        slong digits;
+    } undecided[] = {{"1.05 +/- 0.001", 2}, {"0.15 +/- 1e-50", 1}, {"1 +/- 2", 1},
+                     {"0.55 +/- 0.45", 1}, /* 0.1, 1 */
+                     {"0 +/- 1e-100", 16},  {"1 +/- 1.2e-16", 16}, {"0 +/- 1e-400", 16}};
     LOCAL(arb, x);
+    double y = 7;
+    for (size_t i = 0; i < sizeof undecided / sizeof *undecided; i++) {
+        arb_set_str(x, undecided[i].value, 300);
+        assert_null(digits_of_ball(x, undecided[i].digits));
+        if (undecided[i].digits == 16)
+            check(!digits_to_double(&y, x) && y == 7, "%s", undecided[i].value);
+    }
+    for (int sign = -1; sign <= 1; sign += 2) {
+        arb_set_si(x, 3);
+        arb_mul_2exp_si(x, x, sign * (WORD(1) << 40));
+        assert_null(digits_of_ball(x, 10));
+        assert_false(digits_to_double(&y, x));
+    }
+    arb_set_str(x, "1e400", 100); /* has digits */
+    assert_false(digits_to_double(&y, x));
+    arb_indeterminate(x);
+    assert_null(digits_of_ball(x, 3));
     arb_pos_inf(x);
     char *s = digits_of_ball(x, 3);
     assert_string_equal(s, "inf");
     free(s);
-    arb_indeterminate(x);
-    assert_null(digits_of_ball(x, 3));
+    arb_zero(x);
+    assert_true(digits_to_double(&y, x) && y == 0);
 }
 
-static void check_double(double centre, slong exponent_of_offset, int sign, double expected)
-{
-    LOCAL(arb, x, offset);
-    arb_set_si(offset, sign);
-    arb_mul_2exp_si(offset, offset, exponent_of_offset);
-    arb_set_d(x, centre);
-    arb_add(x, x, offset, ARF_PREC_EXACT);
-    double y = -1;
-    assert_true(digits_to_double(&y, x));
-    assert_true(y == expected);
-    arb_add_error_2exp_si(x, exponent_of_offset - 10);
-    y = -1;
-    assert_true(digits_to_double(&y, x));
-    assert_true(y == expected);
-}
-
+/* Nearest doubles of centre + sign 2^power, subnormal ones too, with a radius of 2^(power - 10) and without one */
 TEST(test_doubles)
 {
     const double ulp = DBL_EPSILON;
-    check_double(1, -200, 1, 1);
-    check_double(1 - ulp / 2, -200, -1, 1 - ulp / 2);
-    check_double(1, -54, 1, 1);
-    check_double(1 + ulp, -54, -1, 1 + ulp);
-    check_double(0x1p-1074, -1080, 1, 0x1p-1074); /* the least subnormal */
-    check_double(0x1.8p-1073, -1100, 1, 0x1.8p-1073);
-    check_double(0x1p-1022, -1076, -1, 0x1p-1022); /* from below, a quarter of the subnormals' ulp */
-    check_double(DBL_MAX, 960, 1, DBL_MAX);
+    const struct {
+        double centre;
+        slong power, sign;
+    } cases[] = {{1, -200, 1},           {1 - ulp / 2, -200, -1}, {1, -54, 1},
+                 {1 + ulp, -54, -1},     {0x1p-1074, -1080, 1},   {0x1.8p-1073, -1100, 1},
+                 {0x1p-1022, -1076, -1}, /* from below, a quarter of the subnormals' ulp */
+                 {DBL_MAX, 960, 1}};
+    LOCAL(arb, x);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double centre = cases[i].centre;
+        const slong sign = cases[i].sign, power = cases[i].power;
+        LET(x, 3000, "centre + sign*2^power", centre, sign, power);
+        for (int wide = 0; wide < 2; wide++) {
+            double y = -1;
+            check(digits_to_double(&y, x) && y == centre, "case %zu: %a", i, y);
+            arb_add_error_2exp_si(x, power - 10);
+        }
+    }
 }
 
 /* A midpoint of a few bits, 1 above all, and a radius that leaves no doubt: both ends must not be rounded to so few. */
@@ -93,63 +104,27 @@ TEST(test_short_midpoints)
 {
     static const double midpoint[] = {1, -1, 2, 0.5, -0.75, 5, 0x1p-1000, 0x1p900};
     LOCAL(arb, x);
-    for (size_t i = 0; i < sizeof midpoint / sizeof *midpoint; i++) {
+    for (size_t i = 0; i < sizeof midpoint / sizeof *midpoint; i++)
         for (int bits = 56; bits < 400; bits += bits / 8) {
             double y = 7;
             arb_set_d(x, midpoint[i]);
             arb_add_error_2exp_si(x, ilogb(midpoint[i]) - bits);
-            assert_true(digits_to_double(&y, x));
-            assert_true(y == midpoint[i]);
+            assert_true(digits_to_double(&y, x) && y == midpoint[i]);
             char *text = digits_of_ball(x, 16);
             assert_non_null(text);
             assert_true(strtod(text, NULL) == midpoint[i] || fabs(midpoint[i]) < 0.1 || fabs(midpoint[i]) > 10);
             free(text);
         }
-    }
-}
-
-TEST(test_doubles_undecided)
-{
-    LOCAL(arb, x);
-    double y = 7;
-    arb_set_d(x, 1);
-    arb_add_error_2exp_si(x, -53);
-    assert_false(digits_to_double(&y, x));
-    arb_set_str(x, "0 +/- 1e-400", 100);
-    assert_false(digits_to_double(&y, x));
-    arb_set_str(x, "1e400", 100);
-    assert_false(digits_to_double(&y, x));
-    assert_true(y == 7);
-    arb_zero(x);
-    assert_true(digits_to_double(&y, x));
-    assert_true(y == 0);
-}
-
-/* Numbers beyond what MPFR holds have no digits. */
-TEST(test_far_numbers)
-{
-    LOCAL(arb, x);
-    double y;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        arb_set_si(x, 3);
-        arb_mul_2exp_si(x, x, sign * (WORD(1) << 40));
-        assert_null(digits_of_ball(x, 10));
-        assert_false(digits_to_double(&y, x));
-    }
 }
 
 TEST(test_precision_ends)
 {
     struct precision p = precision_start(10);
     int raised = 0;
-    slong before = p.bits;
-    while (precision_raise(&p)) {
+    for (slong before = p.bits; precision_raise(&p); before = p.bits, raised++)
         assert_true(p.bits > before);
-        before = p.bits;
-        raised++;
-    }
     assert_in_range(raised, 3, 20);
-    assert_true(before >= p.limit);
+    assert_true(p.bits >= p.limit);
 
     p = precision_doubling(100, 4);
     for (slong bits = 100; bits <= 800; bits *= 2) {
@@ -160,5 +135,4 @@ TEST(test_precision_ends)
     assert_false(precision_raise(&p));
 }
 
-RUN_TESTS(test_spelling, test_wide_balls, test_doubles, test_short_midpoints, test_doubles_undecided,
-          test_precision_ends, test_far_numbers)
+RUN_TESTS(test_spelling, test_undecided, test_doubles, test_short_midpoints, test_precision_ends)
