@@ -205,7 +205,7 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
 {
     f->error = 0;
     f->error_at = f->speed_min;
-    for (slong i = 0; i < samples->count; i += stride) {
+    for (slong i = 0; i < EMBED_SAMPLES; i += stride) {
         for (int fused = 0; fused < 2; fused++) {
             const double value = embed_form_value(f, samples->speed[i], fused);
             const double error = fabs(((value - samples->eps[i]) - samples->rest[i]) / samples->eps[i]);

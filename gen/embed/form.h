@@ -133,8 +133,8 @@ double embed_from_bits(const struct embed_form *f, uint64_t bits);
  * approximation. */
 bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s);
 
-/* The quotient of p and q in z = beta^(1/series_root), converted to the root of the speed that f->variable becomes. q may be
- * 1. */
+/* The quotient of p and q in z = beta^(1/series_root), converted to the root of the speed that f->variable becomes; q
+ * may be 1 */
 bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q);
 
 /* Polynomials of degree f->numerator on f->rows equal pieces of the fifth root */

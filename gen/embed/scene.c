@@ -124,7 +124,6 @@ static void take_sample(void *context, slong i)
 static void take_samples(struct embed_scene *s)
 {
     struct embed_samples *const samples = &s->samples;
-    samples->count = EMBED_SAMPLES;
     samples->speed = xmalloc(3 * EMBED_SAMPLES * sizeof *samples->speed);
     samples->eps = samples->speed + EMBED_SAMPLES;
     samples->rest = samples->eps + EMBED_SAMPLES;

@@ -10,7 +10,6 @@ struct interpolant;
 
 /* Speeds at equal distances of their logarithms, and eps as sums of two doubles */
 struct embed_samples {
-    slong count;
     double *speed, *eps, *rest;
 };
 

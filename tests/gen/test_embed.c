@@ -308,35 +308,6 @@ TEST(test_constant)
     }
 }
 
-/* The root from bits: refined so far, off by so much. */
-TEST(test_root)
-{
-    double number[] = {0, 1};
-    for (int single = 0; single < 2; single++)
-        for (int refinement = 0; refinement < EMBED_REFINEMENTS; refinement++) {
-            const struct embed_form f = {.family = FAMILY_POLYNOMIAL_BETA,
-                                         .variable = FIFTH_ROOT_OF_SPEED,
-                                         .single = single,
-                                         .speed_min = single ? 1e-30 : 1e-250,
-                                         .speed_max = single ? 1e30 : 1e250,
-                                         .refinement = refinement,
-                                         .numerator = 1,
-                                         .number = number};
-            double worst = 0;
-            for (int k = -20000; k <= 20000; k++) {
-                const double x = pow(f.speed_max, k / 20000.0), g = single ? (double)(float)x : x;
-                for (int fused = 0; fused < 2; fused++)
-                    worst = fmax(worst, fabs(embed_form_value(&f, g, fused) / (double)powl((long double)g, 0.2L) - 1));
-            }
-            assert_true(worst <= embed_root_error(refinement, single));
-            assert_true(worst >= embed_root_error(refinement, single) / 20);
-            struct embed_rounding bound;
-            embed_rounding_bound(&bound, &f);
-            check(worst <= bound.root && bound.root <= 3 * embed_root_error(refinement, single),
-                  "fifth root, %d refinements: %g proved, %g found", refinement, bound.root, worst);
-        }
-}
-
 /* What is counted, and that a square root keeps a loop from becoming vectors. */
 TEST(test_counts)
 {
@@ -496,5 +467,5 @@ TEST(test_pressed)
     }
 }
 
-RUN_TESTS(test_pressed, test_choice, test_counts, test_root, test_fit, test_scenes, test_laws, test_far, test_far_force,
+RUN_TESTS(test_pressed, test_choice, test_counts, test_fit, test_scenes, test_laws, test_far, test_far_force,
           test_ways_of_a_contact, test_constant)

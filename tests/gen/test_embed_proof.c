@@ -292,9 +292,38 @@ TEST(test_counts)
     }
 }
 
-/* A polynomial with a zero and one that overflows: no bound. Without a refinement the bound of the fifth root is near
- * the error found. The place in a table has the error of a product and of a sum besides, and a table that is too short
- * is refused. */
+/* The root from bits: refined so far, off by so much. Without a refinement the bound is near the error found. */
+TEST(test_root)
+{
+    double number[] = {0, 1};
+    for (int single = 0; single < 2; single++)
+        for (int refinement = 0; refinement < EMBED_REFINEMENTS; refinement++) {
+            const struct embed_form f = {.family = FAMILY_POLYNOMIAL_BETA,
+                                         .variable = FIFTH_ROOT_OF_SPEED,
+                                         .single = single,
+                                         .speed_min = single ? 1e-30 : 1e-250,
+                                         .speed_max = single ? 1e30 : 1e250,
+                                         .refinement = refinement,
+                                         .numerator = 1,
+                                         .number = number};
+            double worst = 0;
+            for (int k = -20000; k <= 20000; k++) {
+                const double x = pow(f.speed_max, k / 20000.0), g = single ? (double)(float)x : x;
+                for (int fused = 0; fused < 2; fused++)
+                    worst = fmax(worst, fabs(embed_form_value(&f, g, fused) / (double)powl((long double)g, 0.2L) - 1));
+            }
+            assert_true(worst <= embed_root_error(refinement, single));
+            assert_true(worst >= embed_root_error(refinement, single) / 20);
+            struct embed_rounding bound;
+            embed_rounding_bound(&bound, &f);
+            check(worst <= bound.root && bound.root <= 3 * embed_root_error(refinement, single) &&
+                      (refinement > 0 || bound.root <= 1.25 * worst),
+                  "fifth root, %d refinements: %g proved, %g found", refinement, bound.root, worst);
+        }
+}
+
+/* A polynomial with a zero and one that overflows: no bound. The place in a table has the error of a
+ * product and of a sum besides, and a table that is too short is refused. */
 TEST(test_limits)
 {
     struct embed_rounding bound;
@@ -303,20 +332,7 @@ TEST(test_limits)
     assert_false(embed_rounding_bound(&bound, &f));
     f.number = (double[]){1, 1e308};
     assert_false(embed_rounding_bound(&bound, &f));
-    f.number = (double[]){0, 1};
     f.variable = FIFTH_ROOT_OF_SPEED;
-    for (int single = 0; single < 2; single++) {
-        double worst = 0;
-        f.single = single;
-        for (int k = 0; k <= 20000; k++) {
-            const double x = 0.5 * pow(32, k / 20000.0), g = single ? (double)(float)x : x;
-            for (int fused = 0; fused < 2; fused++)
-                worst = fmax(worst, fabs(embed_form_value(&f, g, fused) / (double)powl((long double)g, 0.2L) - 1));
-        }
-        assert_true(embed_rounding_bound(&bound, &f));
-        check(worst <= bound.root && bound.root <= 1.25 * worst, "fifth root: off by %g, %g proved", worst, bound.root);
-    }
-    f.single = false;
     f.family = FAMILY_PIECES_BETA;
     f.refinement = EMBED_REFINEMENTS - 1;
     f.numerator = 0;
@@ -338,4 +354,4 @@ TEST(test_limits)
     assert_false(embed_rounding_bound(&bound, &f));
 }
 
-RUN_TESTS(test_counts, test_limits, test_far_parts, test_intervals, test_rows, test_gap)
+RUN_TESTS(test_counts, test_root, test_limits, test_far_parts, test_intervals, test_rows, test_gap)

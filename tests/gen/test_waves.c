@@ -53,20 +53,27 @@ static void on_ellipse(acb_t tau, double angle, double radius)
     LET_COMPLEX(tau, false, 53, "7/8*(1 + (3/2*w + 2/(3*w))/2)", w); /* WAVE_ELLIPSE */
 }
 
-/* |J| < bound on the arc, by either route, or on both halves of it */
-static int arc_holds(double angle, double radius, int depth)
+/* |J| < bound by either route */
+static bool is_below(const acb_t tau, double bound)
 {
-    LOCAL(acb, tau, j);
+    LOCAL(acb, j);
     LOCAL(mag, size);
-    int holds = 0;
-    on_ellipse(tau, angle, radius);
+    bool holds = false;
     for (int route = WAVE_BY_PATH; route >= WAVE_BY_AXIS && !holds; route--) {
         wave_factor_by(j, (enum wave_route)route, tau, 8);
         acb_get_mag(size, j);
-        holds = acb_is_finite(j) && mag_get_d(size) < WAVE_ELLIPSE_BOUND;
+        holds = acb_is_finite(j) && mag_get_d(size) < bound;
     }
-    return holds || (depth < 12 && arc_holds(angle - radius / 2, radius / 2, depth + 1) &&
-                     arc_holds(angle + radius / 2, radius / 2, depth + 1));
+    return holds;
+}
+
+/* |J| < bound on the arc, or on both halves of it */
+static bool arc_holds(double angle, double radius, int depth)
+{
+    LOCAL(acb, tau);
+    on_ellipse(tau, angle, radius);
+    return is_below(tau, WAVE_ELLIPSE_BOUND) || (depth < 12 && arc_holds(angle - radius / 2, radius / 2, depth + 1) &&
+                                                 arc_holds(angle + radius / 2, radius / 2, depth + 1));
 }
 
 /* J is real on the real axis, so that the upper half is enough. All arcs and all of the inside with
@@ -81,7 +88,7 @@ TEST(bound_on_the_ellipse)
 }
 
 /* Whether the square around (x, y) of half side h is outside the ellipse: both axes are known */
-static int is_outside(double x, double y, double h)
+static bool is_outside(double x, double y, double h)
 {
     const double a = 0.875 * (1.5 + 1 / 1.5) / 2, b = 0.875 * (1.5 - 1 / 1.5) / 2;
     const double dx = fmax(0, fabs(x - 0.875) - h) / a, dy = fmax(0, fabs(y) - h) / b;
@@ -89,22 +96,18 @@ static int is_outside(double x, double y, double h)
 }
 
 /* J is analytic on the square, since one of the routes encloses it there, or on its quarters */
-static int square_holds(double x, double y, double h, int depth)
+static bool square_holds(double x, double y, double h, int depth)
 {
     if (is_outside(x, y, h))
-        return 1;
-    LOCAL(acb, tau, j);
-    int holds = 0;
+        return true;
+    LOCAL(acb, tau);
     acb_set_d_d(tau, x, y);
     mag_set_d(arb_radref(acb_realref(tau)), h * (1 + 1e-9));
     mag_set_d(arb_radref(acb_imagref(tau)), h * (1 + 1e-9));
-    for (int route = WAVE_BY_PATH; route >= WAVE_BY_AXIS && !holds; route--) {
-        wave_factor_by(j, (enum wave_route)route, tau, 8);
-        holds = acb_is_finite(j);
-    }
+    const bool holds = is_below(tau, HUGE_VAL);
     for (int k = 0; k < 4 && !holds && depth < 8; k++)
         if (!square_holds(x + (k % 2 ? h : -h) / 2, y + (k / 2 ? h : -h) / 2, h / 2, depth + 1))
-            return 0;
+            return false;
     return holds || depth < 8;
 }
 
