@@ -63,20 +63,17 @@ static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_sce
 
 /* ---- rounding ---- */
 
-static bool number_is_representable(const struct embed_form *f, double x)
-{
-    const double least = f->single ? 1e3 * (double)FLT_MIN : 1e3 * DBL_MIN;
-    const double most = f->single ? 1e-3 * (double)FLT_MAX : 1e-3 * DBL_MAX;
-    return x == 0 || (fabs(x) >= least && fabs(x) <= most);
-}
-
+/* Returns false if a number is out of the type's range, or near its ends. */
 static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
 {
+    const double least = 1e3 * (f->single ? (double)FLT_MIN : DBL_MIN),
+                 most = 1e-3 * (f->single ? (double)FLT_MAX : DBL_MAX);
     f->number = xrealloc(f->number, (size_t)count * sizeof *f->number);
     for (slong k = 0; k < count; k++) {
         const double x = ball_middle(exact + k);
         f->number[k] = f->single ? (double)(float)x : x;
-        if (!arb_is_finite(exact + k) || !isfinite(f->number[k]) || !number_is_representable(f, f->number[k]))
+        const double size = fabs(f->number[k]);
+        if (!arb_is_finite(exact + k) || !(size == 0 || (size >= least && size <= most)))
             return false;
     }
     return true;

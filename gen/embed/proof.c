@@ -69,19 +69,11 @@ static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct pro
     enclosed_add_radius(eps, radius);
 }
 
-/* eps at zero force beyond the intervals; not finite without a proof */
-static void far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prover *w, const struct part *part)
+/* eps at zero force beyond the intervals; false without a proof */
+static bool far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prover *w, const struct part *part)
 {
-    LOCAL(arb_poly, power);
-    LET_FUNCTION(power, "exp(-5*x/3)", x);
-    if (w->far_known && far_proof_function(eps, &w->far, EPS_ZERO_FORCE, part->lo, part->hi)) {
-        enclosed_multiply(eps, eps, power);
-    } else {
-        LOCAL(arb, radius);
-        arb_pos_inf(radius);
-        arb_poly_zero(eps);
-        enclosed_add_radius(eps, radius);
-    }
+    return w->far_known && far_proof_function(eps, &w->far, EPS_ZERO_FORCE, part->lo, part->hi) &&
+           LET_FUNCTION(eps, "eps*exp(-5*x/3)", eps, x);
 }
 
 /* Dry eps of a closed form; x = ln(speed) */
@@ -112,10 +104,9 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
     }
     enclosed_variable(x, part->lo, part->hi);
     LET_FUNCTION(beta, "exp(x)", x);
-    if (w->quantity == EPS_ZERO_OVERLAP)
-        far_eps_overlap(eps, x, w);
-    else
-        far_eps_force(eps, x, w, part);
+    if (w->quantity != EPS_ZERO_OVERLAP)
+        return far_eps_force(eps, x, w, part);
+    far_eps_overlap(eps, x, w);
     return true;
 }
 
@@ -387,10 +378,8 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
         status = w.interpolant ? STATUS_OK : STATUS_FAILED;
     }
     w.far_known = w.interpolant && w.quantity == EPS_ZERO_FORCE && s->beta_max > exp(FAR_PROOF_FROM);
-    if (w.far_known && status == STATUS_OK)
+    if (w.far_known)
         status = far_proof_init(&w.far, NULL, s->beta_max);
-    else
-        w.far_known = false;
     if (status == STATUS_OK) {
         const struct ratio q = law_speed_exponent(&s->law), power = variable_power(s, f);
         FOR_ALL(arb, init, w.factor, w.speed_factor);

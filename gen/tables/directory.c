@@ -119,22 +119,20 @@ static int probe_directory(const char *directory)
 static int write_all(const struct content *c, int n, const char *directory)
 {
     char *path[CONTENTS] = {NULL};
-    struct output out[CONTENTS];
-    int status = STATUS_OK, opened = 0;
+    struct output out[CONTENTS] = {{NULL}};
+    int status = STATUS_OK;
     if (mkdir(directory, 0777) && errno != EEXIST)
         return fail("cannot make %s: %s", directory, strerror(errno));
     for (int i = 0; i < n && status == STATUS_OK; i++) {
         path[i] = xprintf("%s/%s", directory, c[i].name);
         status = output_open(&out[i], path[i]);
-        opened += status == STATUS_OK;
         if (status == STATUS_OK)
             fwrite(c[i].text, 1, c[i].size, out[i].file); /* the commit reports a failure */
     }
     if (status == STATUS_OK)
         status = output_commit_all(out, n);
     for (int i = 0; i < n; i++) {
-        if (opened < n && i < opened)
-            output_discard(&out[i]);
+        output_discard(&out[i]); /* what was not committed */
         free(path[i]);
     }
     return status;

@@ -427,8 +427,8 @@ struct far_form {
     struct {
         int mu, log;
     } term[6];
-    struct ratio k;      /* of crossley_equation: a/(a + 1) */
-    arb_srcptr constant; /* the known constants */
+    struct ratio k; /* of crossley_equation: a/(a + 1) */
+    void (*constants)(arb_ptr c, const struct far_form *f);
 };
 
 enum { FAR_MOST = 16 };
@@ -456,8 +456,8 @@ static slong far_row(arb_ptr row, const struct far_form *f)
     const slong known = f->known, all = known + f->terms;
     LOCAL_VECTOR(c, all);
     slong columns = 0;
-    for (slong k = 0; k < known; k++)
-        arb_set(c + k, f->constant + k);
+    if (known > 0)
+        f->constants(c, f);
     const int status = f->terms > 0 ? far_solve(c + known, f) : STATUS_OK;
     for (slong k = 0; k < all && status == STATUS_OK; k++)
         for (int part = 0; part < (k < f->split ? 2 : 1); part++, columns++) {
@@ -467,11 +467,15 @@ static slong far_row(arb_ptr row, const struct far_form *f)
     return columns;
 }
 
-static int far_emit(struct emit *e, const struct far_form *f)
+static int far_emit(struct emit *e, const struct far_form *f, int n)
 {
     LOCAL_VECTOR(row, FAR_MOST);
-    const slong columns = far_row(row, f);
-    return columns > 0 ? emit_one_row(e, f->name, row, columns) : STATUS_FAILED;
+    int status = STATUS_OK;
+    for (int i = 0; i < n && status == STATUS_OK; i++) {
+        const slong columns = far_row(row, &f[i]);
+        status = columns > 0 ? emit_one_row(e, f[i].name, row, columns) : STATUS_FAILED;
+    }
+    return status;
 }
 
 /* t zeta^power at u = ln(zeta) = 13, 13.75, ... by mu^j u^k */
@@ -567,14 +571,14 @@ int tsuji_tables_write(FILE *file)
                  "mu\n"
                  "+ a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). Through enclosed values with u = 13, "
                  "13.75, ...");
-    for (int i = 0; i < TSUJI_FORMS && status == STATUS_OK; i++)
-        status = far_emit(&e, &tsuji_far[i]);
+    if (status == STATUS_OK)
+        status = far_emit(&e, tsuji_far, TSUJI_FORMS);
     emit_comment(&e, "y >= 10: V = y^(-4/5) (v_0 + v_0' + v_1/y^2 + ... + v_7/y^14), through values at y = 10 ... 52; "
                      "relative error below 2^-57, sampled.");
     if (status == STATUS_OK)
         status = overlap_far_check(&overlap_far);
     if (status == STATUS_OK)
-        status = far_emit(&e, &overlap_far);
+        status = far_emit(&e, &overlap_far, 1);
     emit_close(&e);
     return status;
 }
@@ -585,12 +589,12 @@ int tsuji_tables_write(FILE *file)
  * (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma. Here for k_j, times 1 + beta. */
 static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, slong i)
 {
-    LOCAL(arb, s, beta);
+    LOCAL(arb, s, beta, K);
+    f->constants(K, f);
     LET(s, FAR_BITS, "27 + 3*i", i);
     arb_expm1(beta, s, FAR_BITS);
     f->time(t, true, beta, 300);
-    LET(t, FAR_BITS, "(t*beta^(1 - 2*f->k)*(exp(s)/(1 - f->k))^f->k - s - f->constant)*exp(s)", t, beta, f->k, s,
-        f->constant);
+    LET(t, FAR_BITS, "(t*beta^(1 - 2*f->k)*(exp(s)/(1 - f->k))^f->k - s - K)*exp(s)", t, beta, f->k, s, K);
     for (slong j = 0; j < f->terms; j++)
         arb_pow_ui(basis + j, s, (ulong)j, FAR_BITS);
 }
@@ -623,35 +627,19 @@ static void rebound_coefficients(arb_ptr c, const struct far_form *f)
     }
 }
 
-#define LOADING_FAR(end, p, q)                                                                                         \
+#define LOADING_FAR(end, ...)                                                                                          \
     {                                                                                                                  \
         .name = "cor_rows_crossley_far_time_of_max_overlap_" #end, .equation = crossley_equation, .known = 1,          \
-        .terms = 3, .split = 1, .time = crossley_time_of_max_overlap_##end, .k = {                                     \
-            p,                                                                                                         \
-            q                                                                                                          \
-        }                                                                                                              \
+        .constants = loading_constant, .terms = 3, .split = 1, .time = crossley_time_of_max_overlap_##end,             \
+        .k = __VA_ARGS__                                                                                               \
     }
-#define REBOUND_FAR(end, p, q)                                                                                         \
+#define REBOUND_FAR(end, ...)                                                                                          \
     {                                                                                                                  \
-        .name = "cor_rows_crossley_far_rebound_" #end, .known = 11, .k = { p, q }                                      \
+        .name = "cor_rows_crossley_far_rebound_" #end, .known = 11, .constants = rebound_coefficients,                 \
+        .k = __VA_ARGS__                                                                                               \
     }
-static const struct far_form loading_far[] = {LOADING_FAR(1, 1, 2), LOADING_FAR(3_2, 3, 5)},
-                             rebound_far[] = {REBOUND_FAR(1, 1, 2), REBOUND_FAR(3_2, 3, 5)};
-
-/* Writes the forms of both exponents. */
-static int crossley_far_emit(struct emit *e, const struct far_form form[2],
-                             void (*constants)(arb_ptr, const struct far_form *))
-{
-    LOCAL_VECTOR(constant, FAR_MOST);
-    int status = STATUS_OK;
-    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
-        struct far_form f = form[i];
-        constants(constant, &f);
-        f.constant = constant;
-        status = far_emit(e, &f);
-    }
-    return status;
-}
+static const struct far_form loading_far[] = {LOADING_FAR(1, {1, 2}), LOADING_FAR(3_2, {3, 5})},
+                             rebound_far[] = {REBOUND_FAR(1, {1, 2}), REBOUND_FAR(3_2, {3, 5})};
 
 static const char crossley_banner[] =
     "Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units of\n"
@@ -672,12 +660,12 @@ int hunt_crossley_tables_write(FILE *file)
                      "exact, k_j through\n"
                      "three enclosed values.");
     if (status == STATUS_OK)
-        status = crossley_far_emit(&e, loading_far, loading_constant);
+        status = far_emit(&e, loading_far, 2);
     emit_comment(&e, "s >= 4.5: the rebound takes beta^(2k-1) (a+1)^-k ((a+1) U^(1-k) + U^-k (c_1/U + ... + "
                      "c_11/U^11)),\n"
                      "U = 1 + beta - ln(1 + beta). Exact coefficients.");
     if (status == STATUS_OK)
-        status = crossley_far_emit(&e, rebound_far, rebound_coefficients);
+        status = far_emit(&e, rebound_far, 2);
     emit_close(&e);
     return status;
 }
