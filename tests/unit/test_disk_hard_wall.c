@@ -212,12 +212,13 @@ TEST(levels_that_agree_by_chance)
               "%.6f +- %.1e, not %.6f", out.one_minus_eps2, out.error_estimate, scene[i].one_minus_eps2);
     }
     /* few levels: the estimate of a table that ends early holds, too */
-    for (size_t levels = 5; levels <= 6; levels++)
+    for (size_t levels = 2; levels <= 6; levels++)
         for (size_t i = 0; i < 2; i++) {
             const struct cor_disk_hard_wall out = wall_collide(scene[i].nu, levels, scene[i].speed, 1e-6);
             assert_true(out.omega_levels == levels && out.error_estimate > 1e-6);
-            check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) <= out.error_estimate, "%zu levels: %.6f +- %.1e",
-                  levels, out.one_minus_eps2, out.error_estimate);
+            /* of two, which have no change to judge by, within half as much again */
+            check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) <= (levels > 2 ? 1 : 1.5) * out.error_estimate,
+                  "%zu levels: %.6f +- %.1e", levels, out.one_minus_eps2, out.error_estimate);
         }
 }
 
@@ -269,13 +270,14 @@ TEST(joins)
 
 /* ---- details ---- */
 
+enum { OBSERVED = 500 };
 struct watched {
     struct cor_disk_hard_wall_moment last;
-    double highest, widest, impulse;
+    double highest, widest, impulse, kicks, moved, swung; /* integrals of load, velocity, and q of mode OBSERVED */
     size_t moments, n;
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
-    double largest_energy;
+    double largest_energy, left;         /* left: of the modes at the last moment */
     double contact_time, contact_energy; /* integral of the modes' energy over the contact */
     double reach;                        /* how far the rim may still come into the wall, at least */
     size_t not_to_return;                /* moments since no part of the rim can come back to the wall */
@@ -302,6 +304,12 @@ static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
     double energy = 0;
     for (size_t i = 0; i < w->n; i++)
         energy += pi / 2 * (pow(w->mode[i].omega * w->q[i], 2) + w->q_dot[i] * w->q_dot[i]);
+    w->left = energy;
+    /* the first kick stands for the step around it, which begins with the touch */
+    const double passed = moment->time - w->last.time, h = w->moments > 0 ? passed : 2 * passed;
+    w->kicks += h * moment->load;
+    w->swung += h * w->q[OBSERVED];
+    w->moved += 0.5 * passed * (moment->velocity + w->last.velocity);
     if (moment->time <= w->contact_time)
         w->contact_energy += energy * (moment->time - w->last.time);
     w->largest_energy = fmax(w->largest_energy, energy + pi / 2 * moment->velocity * moment->velocity);
@@ -329,11 +337,18 @@ TEST(details)
     EACH (speeds, 0.1, 0.01, 1e-9) {
         const double speed = *speeds, energy = pi / 2 * speed * speed;
         const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-        const struct cor_disk_hard_wall_options options = {1e-3, 0};
+        /* a budget that ends the ladder after four levels leaves the details of the fourth */
+        const struct cor_disk_hard_wall_options some = {1e-6, 2000}, enough = {1e-3, 0},
+                                                options = speed > 0.001 && speed < 0.1 ? some : enough;
         struct cor_disk_hard_wall out, silent;
         const int status = cor_disk_hard_wall(modes, N, &options, speed, &silent);
         assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
-        struct watched w = {.n = N, .mode = modes->mode, .q = q, .q_dot = q_dot, .contact_time = silent.contact_time};
+        struct watched w = {.n = N,
+                            .mode = modes->mode,
+                            .q = q,
+                            .q_dot = q_dot,
+                            .contact_time = silent.contact_time,
+                            .last.velocity = speed};
         const struct cor_disk_hard_wall_detail detail = {after, average, watch, &w, q, q_dot};
         const size_t bytes = cor_disk_hard_wall_workspace(modes, N, &options, speed);
         assert_true(bytes > 0);
@@ -354,6 +369,15 @@ TEST(details)
               out.one_minus_eps2);
         check(fabs(w.last.velocity / (speed * sqrt(1 - left)) + 1) < 1e-4, "velocity %g", w.last.velocity);
         check(fabs(w.impulse / (pi * (speed - w.last.velocity)) - 1) < 1e-3, "impulse %g", w.impulse);
+        check(fabs(w.kicks / w.impulse - 1) < 1e-3 && fabs(w.moved - (w.last.position + 1)) < 1e-4 * speed,
+              "the centre of mass moved by %g, not %g", w.moved, w.last.position + 1);
+        check(relative_error(w.left / energy, left) < 1e-9, "%.12g left at the last moment, not %.12g", w.left / energy,
+              left);
+        /* Newton's law of a mode, integrated over the collision, at a point contact */
+        const struct cor_disk_mode *const mode = &modes->mode[OBSERVED];
+        const double r = mode->omega / first_omega(out.omega_levels - 1), fade = (1 - r * r) * sqrt(1 + r * r);
+        const double pushed = pow(mode->omega, 2) * w.swung + q_dot[OBSERVED], push = -fade * mode->c * w.kicks / pi;
+        check(speed > 1e-7 || fabs(pushed / push - 1) < 1e-3, "mode %d: %g, not %g", OBSERVED, pushed, push);
         check(fabs(w.highest / out.max_compression - 1) < 1e-3, "largest compression %g, not %g", w.highest,
               out.max_compression);
         check(w.last.load <= 0 && w.last.time >= out.contact_time, "ends at %g", w.last.time);
@@ -405,9 +429,9 @@ TEST(refusals)
     mode[7].omega = mode[6].omega; /* test_disk_collision.c has other entries that both walls refuse */
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     mode[7] = modes->mode[7];
-    mode[9].n = COR_HARD_WALL_MAX_N + 1;
+    mode[1700].n = COR_HARD_WALL_MAX_N + 1;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
-    mode[9] = modes->mode[9];
+    mode[1700] = modes->mode[1700];
     mode[1799].omega = 1000; /* moves in no level */
     for (int i = 0; i < 2; i++) {
         mode[1799].n = COR_DISK_MODES_MAX_N + i;
@@ -467,9 +491,19 @@ TEST(parts_of_the_estimate)
     /* the change before the last one counts; what is usual at Omega = 240 is less than three */
     double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
     check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
-    estimate = estimate_and_changes(0.3305, 0.06118, tolerance, 9, change);
-    const double usual = 6.8e-7 * pow(680 / 240.0, 3.5) + 0.23 * fmax(change[0], change[1]);
-    check(relative_error(estimate, usual) < 1e-9, "%.17g, not %.17g", estimate, usual);
+    EACH (tolerances, tolerance, 3e-6) { /* and, of a larger tolerance, the noise beyond that of 1e-6 */
+        estimate = estimate_and_changes(0.3305, 0.06118, *tolerances, 9, change);
+        const double usual = 6.8e-7 * pow(680 / 240.0, 3.5) + 0.23 * fmax(change[0], change[1]),
+                     more = NOISE * pow(*tolerances / 4e-6, 2.5 / 3) - noise;
+        check(relative_error(estimate, usual + more) < 1e-9, "%.17g, not %.17g", estimate, usual + more);
+    }
+    /* a point contact has an error of its own */
+    for (size_t levels = 5; levels <= 7; levels++) { /* where the last change counts most, that before, and the third */
+        estimate = estimate_and_changes(0.33, 1e-8, tolerance, levels, change);
+        const double most = fmax(fmax(3 * change[0], change[1]), 0.3 * change[2]),
+                     expected = most + noise + UNSEEN / pow(first_omega(levels - 1), 2) + 3e-8;
+        check(relative_error(estimate, expected) < 1e-9, "%zu levels: %.17g, not %.17g", levels, estimate, expected);
+    }
     /* a wild scene, a calm one at another nu, and a fast one */
     static const double elsewhere[][2] = {{0.693, 0.09426}, {0.55, 0.05}, {0.2, 0.4}};
     for (size_t i = 0; i < 3; i++) {

@@ -196,18 +196,23 @@ TEST(harmed_lines)
 {
     static const struct {
         int after; /* so many lines in good order */
-        const char *line[12];
+        const char *line[14];
     } harmed[] = {
+        {0, {"cor-disk-modes 1 x"}},
         {2,
          {"poisson 0x1p+0 1", "poisson -0x1p+0 -1", "poisson 0x1.8p+1 3", "poisson 0.33 0.33", "poisson 0x1.5p-2",
           "poisson nan 0", "poisson 0x1p+1024 0", "poisson  0x1p-2 0", "poisson 0x2p-3 0", "poisson 0x1.p-2",
-          "poisson 0x1p-1023 0"}},
+          "poisson 0x1p-1023 0", "poisson 0x1.00000000000001p-2 0.25", "poisson 0x0p+1 0"}},
         {3,
          {"modes 0", "modes -1", "modes 18446744073709551616", "modes 18446744073709551617", "modes 1 ", "modes 1x",
           "modes 0x1", "modes "}},
         {4,
          {"mode 2 0 0x1p+0 0x1p+0 0x1p+0", "mode 2 0 0x1p+0", "modes 2 0", "2 0", "mode 0 0 0x1p+1 0x1p+0 0x0p+0",
-          "mode 0 0 -0x1p+1 0x1p+0 0x0p+0", "mode -2 0 0x1p+0 0x1", "mode 2147483648 0"}}};
+          "mode 0 0 -0x1p+1 0x1p+0 0x0p+0", "mode -2 0 0x1p+0 0x1", "mode 2147483648 0",
+          "mode 0 0 0x0p+0 0x0p+0 0x0p+0",
+          /* of a mode, but for S of n = 0 and for what follows */
+          "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x1p+0", "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0 ",
+          "modes 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0"}}};
     const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;
     for (size_t i = 0; i < COUNT_OF(harmed); i++)
         for (size_t k = 0; harmed[i].line[k] != NULL; k++) {
@@ -216,6 +221,10 @@ TEST(harmed_lines)
             add_line("end");
             text_refused((size_t)harmed[i].after + 1, harmed[i].line[k]);
         }
+    t = start_of(4, 1);
+    add_mode(&t, m);
+    add_line(&t, "end x");
+    refused_text(&t, FIRST_MODE_LINE + 1, "after the end");
     struct cor_disk_mode high = {COR_DISK_MODES_MAX_N, 0, 3, 1.5, 0}; /* obeys (26) for any n */
     struct cor_disk_modes read;
     write_modes(1, &high, 1);

@@ -129,6 +129,7 @@ TEST(special_values)
         for (size_t i = 0; i < COUNT_OF(bad); i++)
             check(isnan(leading[k](bad[i])), "%d at %g", k, bad[i]);
     }
+    assert_true(isnan(cor_disk_load_leading_log(4)) && isnan(cor_disk_energy_leading_log(4)));
 }
 
 RUN_TESTS(contact_time, leading_logarithms, special_values)
