@@ -108,6 +108,53 @@ TEST(in_pieces)
     check(fabs(level.one_minus_eps2 - reference) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2, reference);
 }
 
+/* Contacts of any pieces, one after the other: forces push, no angle reaches into the wall, and those with a force touch
+ * it. */
+TEST(contacts)
+{
+    enum { POINTS = COR_HARD_WALL_PANEL, NYQUIST = 2 * POINTS };
+    double twice_cosine[2 * POINTS], scratch[2 * POINTS], t[NYQUIST + 1], q, reach[POINTS], y[POINTS];
+    struct cor_hard_wall_contact contact = {.loops = cor_hard_wall_set(cor_widest_set())};
+    struct cor_store store = {NULL, 0};
+    cor_hard_wall_contact_arrange(&contact, &store, POINTS);
+    char *const room = malloc(store.used + COR_ALIGNMENT);
+    assert_non_null(room);
+    store.base = cor_store_aligned(room);
+    store.used = 0;
+    cor_hard_wall_contact_arrange(&contact, &store, POINTS);
+    for (int i = 0; i < 2 * POINTS; i++)
+        twice_cosine[i] = 2 * cos(i * pi / NYQUIST);
+    const struct cor_hard_wall_angles angles = {.twice_cosine = twice_cosine};
+    struct random_state random = random_start();
+    for (size_t draws = 0; draws < points(200); draws++) {
+        for (int k = 0; k <= NYQUIST; k++)
+            t[k] = random_uniform(&random, 0.1, 1) / (k + 1);
+        q = random_uniform(&random, 0, 1);
+        cor_hard_wall_contact_begin(&contact, NYQUIST + 1, t, 1, &q, &angles, -0.999 * t[0] / (4 * pi), scratch);
+        for (int step = 0; step < 10; step++) {
+            const double waves = random_uniform(&random, 0, 40), other = random_uniform(&random, 0, 40);
+            const double level = random_uniform(&random, -1.5, 0.5);
+            for (int j = 0; j < POINTS; j++)
+                reach[j] = j < POINTS - 8 ? level + cos(waves * j / POINTS) + cos(other * j / POINTS) : -9;
+            const size_t end = cor_hard_wall_contact_solve(&contact, reach, 1e-12, y);
+            assert_true(end < POINTS && (end == 0 || y[end - 1] > 0) && !contact.indefinite);
+            for (int i = 0; i < POINTS; i++) {
+                double left = reach[i];
+                for (int j = 0; j < POINTS; j++) {
+                    const int minus = POINTS + i - j, plus = POINTS + i + j;
+                    left -= y[j] * (contact.same[minus] + contact.same[plus] + contact.constant +
+                                    contact.across[plus] * contact.cosine[minus] +
+                                    contact.across[minus] * contact.cosine[plus]);
+                }
+                check(y[i] >= 0 && left < 1e-9 && (y[i] <= 0 || left > -1e-9), "angle %d: force %g, %g in the wall", i,
+                      y[i], left);
+            }
+        }
+        assert_true(contact.pivotings > 0);
+    }
+    free(room);
+}
+
 /* ---- what must not matter ---- */
 
 /* R from two levels */
@@ -320,5 +367,5 @@ TEST(refusals)
     level_of(&modes, 0.1, &settings, COR_ERROR_MODES);
 }
 
-RUN_TESTS(written_out, in_pieces, two_fades, steps_and_energy, budget, point_contact, refusals, coarse_angles, cosines,
-          every_set, modes_of_every_set)
+RUN_TESTS(written_out, in_pieces, contacts, two_fades, steps_and_energy, budget, point_contact, refusals, coarse_angles,
+          cosines, every_set, modes_of_every_set)

@@ -221,10 +221,10 @@ TEST(harmed_lines)
             add_line("end");
             text_refused((size_t)harmed[i].after + 1, harmed[i].line[k]);
         }
-    t = start_of(4, 1);
-    add_mode(&t, m);
-    add_line(&t, "end x");
-    refused_text(&t, FIRST_MODE_LINE + 1, "after the end");
+    start(4, 1);
+    add_mode(m);
+    add_line("end x");
+    text_refused(FIRST_MODE_LINE + 1, "after the end");
     struct cor_disk_mode high = {COR_DISK_MODES_MAX_N, 0, 3, 1.5, 0}; /* obeys (26) for any n */
     struct cor_disk_modes read;
     write_modes(1, &high, 1);
