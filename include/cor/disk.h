@@ -433,8 +433,8 @@ struct cor_disk_hard_wall_detail {
 };
 
 /* cor_disk_hard_wall_in computes the same with a workspace of the caller, and with detail, which may be NULL.
- * cor_disk_hard_wall_workspace returns the number of bytes that it needs, at any address, or 0 if an argument is
- * outside its domain. */
+ * cor_disk_hard_wall_workspace returns the number of bytes that it needs, at any address, or 0 where it would
+ * return COR_ERROR_... for these arguments. */
 COR_API size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_hard_wall_options *options, double speed);
 /* Returns a status as above, or COR_ERROR_WORKSPACE if the workspace is too small. It allocates nothing. */

@@ -108,8 +108,8 @@ TEST(in_pieces)
     check(fabs(level.one_minus_eps2 - reference) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2, reference);
 }
 
-/* Contacts of any pieces, one after the other: forces push, no angle reaches into the wall, and those with a force touch
- * it. */
+/* Contacts of any pieces, one after the other: forces push, no angle reaches into the wall, and those with a force
+ * touch it. */
 TEST(contacts)
 {
     enum { POINTS = COR_HARD_WALL_PANEL, NYQUIST = 2 * POINTS };
