@@ -336,7 +336,7 @@ static double sample_row(double *bits, const struct pieces *p, struct pieces_fun
         const double error = fabs(arf_get_d(arb_midref(value), ARF_RND_UP)) + mag_get_d(arb_radref(value));
         worst = error <= worst ? worst : error; /* a NaN stays */
     }
-    *bits = -log2(worst);
+    *bits = worst == 0 ? INFINITY : -log2(worst);
     return rest;
 }
 

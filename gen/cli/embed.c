@@ -32,7 +32,7 @@ static int run_embed(const void *arguments)
     const struct embed_arguments *const o = arguments;
     struct embed_scene scene;
     struct embed_form form[FAMILIES] = {{0}};
-    struct contacts contacts;
+    struct contacts contacts = {.count = 0};
     int status = embed_request_check(&o->scene);
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &o->scene);

@@ -43,7 +43,7 @@ static int run_sample(const void *arguments)
 {
     const struct sample_arguments *const o = arguments;
     struct embed_request scene = o->scene;
-    struct contacts contacts;
+    struct contacts contacts = {.count = 0};
     if (scene.end == OPTIONS_NOT_GIVEN)
         scene.end = END_ZERO_OVERLAP;
     const struct sample_request request = {.contact = &contacts.contact[0],

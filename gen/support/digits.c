@@ -70,6 +70,7 @@ char *digits_of_ball(const arb_t x, slong digits)
 
     mpfr_t lower, upper;
     char *text = NULL;
+    /* cppcheck-suppress uninitvar ; it sets both */
     if (ball_ends(lower, upper, x, digits_to_bits(digits))) {
         mpfr_exp_t lower_point, upper_point;
         char *a = mpfr_get_str(NULL, &lower_point, 10, (size_t)digits, lower, MPFR_RNDN);
@@ -92,6 +93,7 @@ int digits_to_double(double *y, const arb_t x)
     }
     mpfr_t lower, upper;
     int same = 0;
+    /* cppcheck-suppress uninitvar ; it sets both */
     if (ball_ends(lower, upper, x, DBL_MANT_DIG)) {
         double a = mpfr_get_d(lower, MPFR_RNDN);
         double b = mpfr_get_d(upper, MPFR_RNDN);

@@ -58,6 +58,9 @@ bool formula_function(arb_poly_t y, const struct formula_algebra *algebra, const
 bool formula_holds(slong prec, const char *text, const struct operand *operands);
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 
+#ifdef __cppcheck__ /* which does not read _Generic */
+#define FORMULA(...) FORMULA_TEXT(__VA_ARGS__, 0), NULL
+#else
 #define FORMULA(...)                                                                                                   \
     FORMULA_TEXT(__VA_ARGS__, 0), (const struct operand[])                                                             \
     {                                                                                                                  \
@@ -66,6 +69,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
             NULL, NULL, NULL, NULL, NULL, {0, 0}, 0, 0                                                                 \
         }                                                                                                              \
     }
+#endif
 #define FORMULA_TEXT(text, ...) text
 #define FORMULA_OF(text, a, b, c, d, e, f, g, h, i, n, ...) OPERANDS_##n
 #define OPERANDS_0(t)
