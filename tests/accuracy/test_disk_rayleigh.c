@@ -18,7 +18,6 @@ enum { BITS = 192, TERMS = 40, NODES = 20, FREQUENCIES = 10, MANY = 6000 };
 
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
                                               COR_DISK_DATUM_PRINTED};
-static struct random_state state;
 
 /* b of (57) for each datum */
 static const char *const constant_b[] = {"-2*log(2) - (1 + nu)/4", "-1", "-1 - nu"};
@@ -175,12 +174,12 @@ TEST(test_random_points)
 {
     for (size_t i = 0; i < points(12); i++) {
         const enum cor_disk_datum datum = datums[i % 3];
-        const double nu = random_uniform(&state, -0.99, 0.99), limit = cor_disk_speed_limit(nu, datum);
+        const double nu = random_uniform(&draw, -0.99, 0.99), limit = cor_disk_speed_limit(nu, datum);
         double omega[FREQUENCIES];
         for (int j = 0; j < FREQUENCIES; j++)
-            omega[j] = random_log(&state, 1.1769, j < 4 ? 3 : 300);
+            omega[j] = random_log(&draw, 1.1769, j < 4 ? 3 : 300);
         qsort(omega, FREQUENCIES, sizeof *omega, increasing);
-        compare(nu, datum, random_log(&state, i % 4 ? 1e-9 : 1e-40, limit), omega);
+        compare(nu, datum, random_log(&draw, i % 4 ? 1e-9 : 1e-40, limit), omega);
     }
     print_message("worst error: %.2g of what is allowed\n", worst);
 }
@@ -197,7 +196,7 @@ static void compare_tails(const struct cor_disk_modes *many, const struct cor_di
     for (size_t j = 0; j < points(100) && n < MOST_SPEEDS; j++) {
         const enum cor_disk_datum datum = datums[j % 3];
         const double limit = cor_disk_speed_limit(table->nu, datum);
-        const double v = random_log(&state, j % 5 ? 1e-9 : 1e-300, j % 5 ? limit : 1e-9);
+        const double v = random_log(&draw, j % 5 ? 1e-9 : 1e-300, j % 5 ? limit : 1e-9);
         struct cor_disk_rayleigh all, out;
         cor_disk_rayleigh(many, MANY, datum, v, &all, NULL);
         cor_disk_rayleigh(table, TAKEN, datum, v, &out, NULL);
@@ -241,11 +240,4 @@ TEST(test_tails)
     }
 }
 
-int main(void)
-{
-    state = random_start();
-    const struct CMUnitTest tests[] = {test_hard_points, test_random_points, test_motion, test_tails};
-    const int failed = cmocka_run_group_tests_name("disk_rayleigh", tests, NULL, NULL);
-    flint_cleanup();
-    return failed;
-}
+RUN_TESTS(test_hard_points, test_random_points, test_motion, test_tails)

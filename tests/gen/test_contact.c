@@ -155,13 +155,12 @@ TEST(impacts_against_integration)
     } row[] = {{{3, 1, 2}, 0.3}, {{3, 1, 2}, 2},   {{1, 0, 1}, 0.2}, {{1, 0, 1}, 0.45}, {{6, 1, 4}, 0.4},
                {{3, 3, 2}, 1.5}, {{3, 0, 2}, 0.2}, {{3, 0, 2}, 0.7}, {{4, 1, 2}, 0.3},  {{2, 1, 1}, 1.1},
                {{1, 1, 1}, 2},   {{2, 1, 2}, 1},   {{1, 0, 1}, 0.8}, {{6, 1, 4}, 1.7},  {{6, 1, 4}, 1}};
-    struct random_state random = random_start();
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         const struct cor_exponents law = row[i].law;
-        const double speed = random_log(&random, 0.01, 10);
+        const double speed = random_log(&draw, 0.01, 10);
         struct cor_scene_contact contact = {.law = law,
-                                            .mass_kg = random_log(&random, 1e-6, 1),
-                                            .stiffness = random_log(&random, 1e3, 1e9),
+                                            .mass_kg = random_log(&draw, 1e-6, 1),
+                                            .stiffness = random_log(&draw, 1e3, 1e9),
                                             .solver = contact_enclosed};
         const int way = cor_scene_speed_exponent(&contact) == 0 ? COR_SCENE_ZETA : COR_SCENE_BETA;
         assert_int_equal(cor_scene_set_damping(&contact, way, row[i].zeta_or_beta, speed, 0), 0);
@@ -463,14 +462,13 @@ TEST(thresholds_of_a_constant_force)
 TEST(the_time_step_is_for_all_speeds)
 {
     enum { SPEEDS = 5, STEP_COLUMN = 8 };
-    struct random_state random = random_start();
     for (int ends = 1; ends <= 2; ends++) {
         const struct contacts contacts = contacts_of(0, ends == 2 ? COR_BOTH_ENDS : COR_END_ZERO_FORCE, glass,
                                                      GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4}));
         assert_int_equal(contacts.count, ends);
         double speed[SPEEDS], least = INFINITY;
         for (int i = 0; i < SPEEDS; i++)
-            speed[i] = random_log(&random, 1e-3, 10);
+            speed[i] = random_log(&draw, 1e-3, 10);
         speed[2] = 20; /* of the shortest contacts, neither first nor last */
         for (int i = 0; i < SPEEDS * ends; i++) {
             struct cor_scene_impact impact;
@@ -589,13 +587,12 @@ static double number_after(const char *text, const char *name, double otherwise)
  * attractive. Type::BULLET takes the default for R, 0.1 m unless set; Type::MULTICORE computes R1 R2/(R1 + R2). */
 TEST(chrono_finds_the_radius)
 {
-    struct random_state random = random_start();
     for (int i = 0; i < 8; i++) {
-        const double r1 = random_log(&random, 1e-4, 0.3), r2 = random_log(&random, 1e-4, 0.3);
-        const double e = random_uniform(&random, 0.2, 0.97), speed = random_log(&random, 0.01, 5);
+        const double r1 = random_log(&draw, 1e-4, 0.3), r2 = random_log(&draw, 1e-4, 0.3);
+        const double e = random_uniform(&draw, 0.2, 0.97), speed = random_log(&draw, 0.01, 5);
         const struct contacts contacts =
             contacts_of(0, END_ZERO_FORCE,
-                        GIVEN({COR_SCENE_YOUNG, random_log(&random, 1e6, 1e11)}, {COR_SCENE_POISSON, 0.3},
+                        GIVEN({COR_SCENE_YOUNG, random_log(&draw, 1e6, 1e11)}, {COR_SCENE_POISSON, 0.3},
                               {COR_SCENE_DENSITY, 2500}, {COR_SCENE_RADIUS, r1}, {COR_SCENE_RADIUS_2, r2}),
                         GIVEN({COR_SCENE_RESTITUTION, e}, {COR_SCENE_AT, speed}));
         char *const lines = contact_simulator_text("chrono", NULL, &contacts, &speed, 1, &(struct contact_step){0});

@@ -61,7 +61,6 @@ TEST(test_no_numbers)
 /* strtod of glibc rounds correctly, subnormal numbers included; so must we. */
 TEST(test_nearest)
 {
-    struct random_state random = random_start();
     static const char *const special[] = {
         "0",
         "5e-324",
@@ -86,7 +85,7 @@ TEST(test_nearest)
         decimal_clear(&x);
     }
     for (int i = 0; i < 3000; i++) {
-        const double y = random_log(&random, i % 3 == 0 ? 4e-324 : 1e-300, i % 3 == 0 ? 1e-306 : 1e300);
+        const double y = random_log(&draw, i % 3 == 0 ? 4e-324 : 1e-300, i % 3 == 0 ? 1e-306 : 1e300);
         snprintf(text, sizeof text, "%s%.*g", i % 2 ? "-" : "", 1 + i % 25, y);
         assert_true(decimal_parse(&x, text, DECIMAL_EXPONENT_DIGITS));
         check(decimal_value(&x) == strtod(text, NULL), "%s: %a", text, decimal_value(&x));
@@ -130,10 +129,9 @@ TEST(test_ranges)
 /* The shortest text of a double is read back as it. */
 TEST(test_texts)
 {
-    struct random_state random = random_start();
     char text[DECIMAL_TEXT];
     for (int i = 0; i < 2000; i++) {
-        const double x = random_log(&random, 1e-300, 1e300);
+        const double x = random_log(&draw, 1e-300, 1e300);
         decimal_text(text, i % 2 ? x : -x);
         check(strtod(text, NULL) == (i % 2 ? x : -x), "%s", text);
     }

@@ -134,7 +134,6 @@ TEST(test_ritz)
     static const char *const materials[] = {"33/100", "9/10", "0", "-1/2", "-19/20"};
     static const slong orders[] = {0, 1, 2, 3, 7, 20};
     enum { PAIRS = 14, POINTS = 9 };
-    struct random_state random = random_start();
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         LOCAL(fmpq, nu);
         LOCAL(arb, w);
@@ -145,7 +144,7 @@ TEST(test_ritz)
             const slong n = orders[k];
             for (int point = 0; point < POINTS; point++) {
                 /* kappa' up to n + 12: the degree is enough for every mode there */
-                const double omega = random_uniform(&random, 0.1, 1) * ((double)n + 12) / sqrt(2 * disk.e_double);
+                const double omega = random_uniform(&draw, 0.1, 1) * ((double)n + 12) / sqrt(2 * disk.e_double);
                 LET(w, RITZ_PREC, "omega^2", omega);
                 const slong ritz = ritz_count(nu, n, w, PAIRS), count = disk_count(&disk, n, w);
                 check(count + (n == 1) == ritz, "nu = %s, n = %ld, omega = %a: %ld, and %ld by Ritz", materials[i],
@@ -557,13 +556,12 @@ TEST(test_orders)
     static const char *const materials[] = {"99/100", "33/100", "0", "-9/10", "-999999/1000000"};
     LOCAL(fmpq, nu);
     LOCAL(arb, w);
-    struct random_state random = random_start();
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         struct disk disk;
         set_nu(nu, materials[i]);
         disk_init(&disk, nu, 128);
         for (int k = 0; k < 40; k++) {
-            const double omega = random_log(&random, 0.5, 500);
+            const double omega = random_log(&draw, 0.5, 500);
             const slong orders = cor_mode_orders(omega);
             assert_true((double)orders * (double)(orders - 1) >= 10 * omega * omega && (double)orders < 4 * omega + 4);
             LET(w, 128, "omega^2", omega);

@@ -93,7 +93,6 @@ static void bump(double *number, slong *numerator, slong *denominator, double y)
  * at the ends and between them. The error of the power law itself, EMBED_FAR_ERROR, is part of the bound. */
 TEST(test_far_parts)
 {
-    struct random_state random = random_start();
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 16, 40, NULL);
     assert_int_equal(collision_h_star(s.h_star_5, 128), 0);
     arb_pow_ui(s.h_star_5, s.h_star_5, 5, EMBED_BITS);
@@ -117,7 +116,7 @@ TEST(test_far_parts)
         bump(number, &f.numerator, &f.denominator,
              i == 0   ? s.speed_min
              : i == 1 ? s.speed_max
-                      : random_uniform(&random, s.speed_min, s.speed_max));
+                      : random_uniform(&draw, s.speed_min, s.speed_max));
         assert_proved(&f, &s, BUMP, "beyond beta = 7");
     }
     clear_scene(&s);
@@ -167,7 +166,6 @@ static void fit(double *c, slong degree, const struct embed_scene *s, double lo,
 /* A polynomial in beta from 0.15 to 0.95 in two intervals, with an error at the ends and between them */
 TEST(test_intervals)
 {
-    struct random_state random = random_start();
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
     for (int i = 0; i < 3; i++) {
         double number[40] = {0};
@@ -177,7 +175,7 @@ TEST(test_intervals)
         bump(number, &f.numerator, &f.denominator,
              i == 0   ? s.beta_min
              : i == 1 ? s.beta_max
-                      : random_uniform(&random, s.beta_min, s.beta_max));
+                      : random_uniform(&draw, s.beta_min, s.beta_max));
         assert_proved(&f, &s, BUMP, "a rational function of beta");
     }
     clear_scene(&s);
@@ -187,7 +185,6 @@ TEST(test_intervals)
 TEST(test_rows)
 {
     enum { DEGREE = 5, ROWS = 12 };
-    struct random_state random = random_start();
     struct embed_scene s = scene_of(END_ZERO_FORCE, 0.5, 1, interpolant());
     for (int of_speed = 0; of_speed < 2; of_speed++) {
         struct embed_form f = form_of(&s, of_speed ? FAMILY_PIECES_SPEED : FAMILY_PIECES_BETA,
@@ -207,7 +204,7 @@ TEST(test_rows)
         }
         assert_true(proof_of(&f, &s).formula < BUMP / 10);
         /* the last row in the speed has one argument only */
-        const slong row = (slong)random_below(&random, (unsigned)(f.rows - of_speed));
+        const slong row = (slong)random_below(&draw, (unsigned)(f.rows - of_speed));
         double *const c = number + row * (DEGREE + 1);
         const double width = of_speed ? embed_from_bits(&f, (f.first + (uint64_t)row + 1) << f.low_bits) -
                                             embed_from_bits(&f, (f.first + (uint64_t)row) << f.low_bits)

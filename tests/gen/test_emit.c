@@ -317,13 +317,12 @@ TEST(test_pade_header)
     } row[] = {{{.numerator = 4, .denominator = 6, .end = END_ZERO_FORCE}, 2},
                {{.numerator = 3, .denominator = 6, .end = END_ZERO_OVERLAP}, 2},
                {{.kind = PADE_TWO_POINT, .numerator = 4, .denominator = 9, .end = END_ZERO_OVERLAP}, 1000}};
-    struct random_state random = random_start();
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         struct pade_request request = row[i].request;
         request.law = law_sphere;
         if (row[i].beta_max > PADE_NEAR && !in_turn(1, 3))
             continue;
-        check_pade_header(&request, row[i].beta_max, &random);
+        check_pade_header(&request, row[i].beta_max, &draw);
     }
 }
 

@@ -8,8 +8,6 @@
 #include "generated/sphere_tables.h"
 #include "support/local.h"
 
-static struct random_state random_state;
-
 enum { BITS = 256 };
 
 static struct far_proof proof;
@@ -44,7 +42,7 @@ TEST(test_collisions)
     LOCAL(collision, c);
     LOCAL(arb, beta, y, exact);
     for (size_t k = 0; k < PLACES + points(4); k++) {
-        const double u = k < PLACES ? places[k] : random_uniform(&random_state, 9.5, k % 2 ? 38 : 14);
+        const double u = k < PLACES ? places[k] : random_uniform(&draw, 9.5, k % 2 ? 38 : 14);
         arb_set_d(beta, u);
         arb_exp(beta, beta, 512);
         assert_int_equal(collision_solve_force(c, beta, &law_sphere, 110), 0);
@@ -122,7 +120,7 @@ TEST(test_formulas)
             if (!in_turn((size_t)k + (size_t)i, 4))
                 continue;
             const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
-            c[k] += (random_below(&random_state, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
+            c[k] += (random_below(&draw, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
                     (k == 0 || k == 2 ? 1 : 0x1p-10); /* the heads have no smaller bits */
             check(far_proof_bits(&proof, f->quantity, c) < 61, "quantity %d is proved with a wrong coefficient %d",
                   (int)f->quantity, k);
@@ -188,9 +186,4 @@ TEST(test_refused)
     assert_false(far_proof_function(y, &proof, MAX_OVERLAP, 19, 21));
 }
 
-int main(void)
-{
-    random_state = random_start();
-    const struct CMUnitTest tests[] = {test_collisions, test_formulas, test_inverse, test_duration, test_refused};
-    return cmocka_run_group_tests(tests, make_proof, clear_proof);
-}
+RUN_GROUP(make_proof, clear_proof, test_collisions, test_formulas, test_inverse, test_duration, test_refused)

@@ -13,7 +13,7 @@
 #include "fit/compare.h"
 
 enum { POINTS_MAX = 400, MODELS = 19 };
-static struct random_state random_state, *const r = &random_state; /* of every test */
+static struct random_state *const r = &draw;
 
 /* ---- distributions ---- */
 
@@ -998,16 +998,8 @@ TEST(outliers_follow_closed_forms)
     check(lines[0] && lines[1] && lines[2], "%d, %d, %d", lines[0], lines[1], lines[2]);
 }
 
-static int start(void **state)
-{
-    (void)state;
-    random_state = random_start();
-    return 0;
-}
-
-RUN_GROUP(start, NULL, quantiles_have_closed_forms, tails_have_closed_forms,
-          a_scan_finds_the_same_minimum_and_intervals, two_parameters_have_the_least_squares,
-          the_true_curve_ranks_first, aic_is_that_of_the_likelihood, intervals_hold_the_truth,
-          outliers_move_the_robust_fit_little, elastic_data_have_no_upper_end, an_end_of_the_range_is_in_its_interval,
-          points_are_in_the_order_of_speeds, flights_give_speeds_and_eps, times_agree_with_dense_matrices,
-          outliers_are_named, outliers_follow_closed_forms)
+RUN_TESTS(quantiles_have_closed_forms, tails_have_closed_forms, a_scan_finds_the_same_minimum_and_intervals,
+          two_parameters_have_the_least_squares, the_true_curve_ranks_first, aic_is_that_of_the_likelihood,
+          intervals_hold_the_truth, outliers_move_the_robust_fit_little, elastic_data_have_no_upper_end,
+          an_end_of_the_range_is_in_its_interval, points_are_in_the_order_of_speeds, flights_give_speeds_and_eps,
+          times_agree_with_dense_matrices, outliers_are_named, outliers_follow_closed_forms)

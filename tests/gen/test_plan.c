@@ -122,7 +122,6 @@ static void plan_of(struct plan *plan, const char *min, const char *max, const c
 
 TEST(test_spheres)
 {
-    struct random_state r = random_start();
     struct plan plan;
     plan_of(&plan, "0.01", "1", "1e-3", "400", END_ZERO_FORCE, 9);
     const slong last = plan.points - 1;
@@ -162,7 +161,7 @@ TEST(test_spheres)
     }
     assert_true(fabs(above - below) < 1e-8);
     for (int k = 0; k < 1000; k++) {
-        const double other_a = a * random_uniform(&r, 0.98, 1.02), other_b = b + random_uniform(&r, -0.01, 0.01);
+        const double other_a = a * random_uniform(&draw, 0.98, 1.02), other_b = b + random_uniform(&draw, -0.01, 0.01);
         double off = 0;
         for (slong i = 0; i <= last; i++)
             off = fmax(off, fabs(fmin(1, other_a * pow(plan.speed[i], other_b)) / plan.truth[i] - 1));
@@ -178,7 +177,7 @@ TEST(test_spheres)
     assert_string_equal(m->use, "corgen embed --speed-min 0.01 --speed-max 1 --tolerance 1e-3 --g-star 400 "
                                 "--end zero-force --for balanced --output cor_scene_eps.h\n"
                                 "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n");
-    check_chosen(&plan, &r);
+    check_chosen(&plan, &draw);
     /* what the library promises is not less than what it does */
     struct cor_sphere_contact contact;
     assert_int_equal(cor_sphere_contact_init_g_star(&contact, G_STAR), COR_OK);
@@ -199,8 +198,8 @@ TEST(test_spheres)
     plan.tolerance = 0.2;
     plan_choose(&plan);
     assert_true(plan.model[plan.chosen].cost == 0);
-    check_chosen(&plan, &r);
-    check_choice(&plan, &r);
+    check_chosen(&plan, &draw);
+    check_choice(&plan, &draw);
     plan_clear(&plan);
 }
 
@@ -264,7 +263,6 @@ static double disk_error(const struct plan_model *m, double speed)
 
 TEST(test_disks)
 {
-    struct random_state r = random_start();
     struct plan plan;
     plan_of_disks(&plan, PLAN_EPS, "0.01", "0.1", 3);
     assert_string_equal(plan.model[plan.chosen].name, "table: cor_disk_eps");
@@ -297,7 +295,7 @@ TEST(test_disks)
     const struct plan_model *m = &plan.model[plan.chosen];
     assert_true(strncmp(m->name, "dynamics: ", 10) == 0 || strncmp(m->name, "rigid wall: ", 12) == 0);
     for (int i = 0; i < 3; i++) {
-        const double speed = random_log(&r, 0.01, 0.1), error = disk_error(m, speed);
+        const double speed = random_log(&draw, 0.01, 0.1), error = disk_error(m, speed);
         check(error <= plan.tolerance + cor_disk_eps_uncertainty(speed, 0.33), "%s is off by %.3g at %.17g", m->name,
               error, speed);
     }
@@ -317,9 +315,9 @@ TEST(test_disks)
         m = &plan.model[plan.chosen];
         assert_string_equal(m->name, constants[k]);
         for (int i = 0; i < 20; i++)
-            assert_true(disk_error(m, random_log(&r, 0.01, 0.1)) <= plan.tolerance);
+            assert_true(disk_error(m, random_log(&draw, 0.01, 0.1)) <= plan.tolerance);
     }
-    check_choice(&plan, &r);
+    check_choice(&plan, &draw);
     plan_clear(&plan);
 }
 

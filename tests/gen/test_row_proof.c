@@ -14,8 +14,6 @@
 #include "support/enclosed_function.h"
 #include "support/local.h"
 
-static struct random_state random_state;
-
 static void assert_in(struct complex_ball ball, double complex exact, double slack, const char *what)
 {
     const double off = cabs(ball.re + I * ball.im - exact);
@@ -111,7 +109,7 @@ static void motion_event(double complex y[3], double complex beta, int event)
 TEST(test_complex_plane)
 {
     for (int i = 0; i < 12; i++) {
-        const double complex z = random_uniform(&random_state, 0.5, 1.4) + I * random_uniform(&random_state, 0.05, 0.2);
+        const double complex z = random_uniform(&draw, 0.5, 1.4) + I * random_uniform(&draw, 0.05, 0.2);
         double complex y[3];
         struct complex_collision c;
         assert_true(complex_collision_root(&c, ball_of(creal(z), cimag(z)), true));
@@ -147,7 +145,6 @@ static struct interpolant_proof *proof;
 static int make_proof(void **state)
 {
     (void)state;
-    random_state = random_start();
     interpolant = interpolant_new(&interpolant_sphere_proof, 0, 1);
     proof = interpolant ? interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED) : NULL;
     return proof ? 0 : 1;
@@ -195,7 +192,7 @@ static void assert_row_guarded(struct pieces *p, slong row, double *c)
     const double bits = p->bits[row];
     const struct cell cell = pieces_cell(p, row);
     const double t = (cell.hi - cell.lo) / 2, s = cell.plain ? t : cell.hi * cell.hi - cell.node * cell.node;
-    const slong k = 1 + (slong)random_below(&random_state, (unsigned)p->degree + 1);
+    const slong k = 1 + (slong)random_below(&draw, (unsigned)p->degree + 1);
     const double kept = c[k], change = k == 1 ? 0x1p-49 * c[0] : 0x1p-49 * c[0] / (s * pow(t, (double)(k - 2)));
     c[k] += change;
     check(row_proof_bits(proof, p, row, c) < 51, "row %ld is proved with a wrong coefficient %ld, %a", (long)row,
@@ -221,12 +218,11 @@ static void assert_row_guarded(struct pieces *p, slong row, double *c)
 TEST(test_rows)
 {
     for (int i = 0; i < 3; i++) {
-        struct pieces p =
-            i < 2 ? tables[random_below(&random_state, sizeof tables / sizeof *tables)]
-                  : inverse_tables[random_below(&random_state, sizeof inverse_tables / sizeof *inverse_tables)];
+        struct pieces p = i < 2 ? tables[random_below(&draw, sizeof tables / sizeof *tables)]
+                                : inverse_tables[random_below(&draw, sizeof inverse_tables / sizeof *inverse_tables)];
         p.least_bits = 54;
         assert_int_equal(pieces_make(&p, pieces_of_collision(interpolant)), 0);
-        const slong columns = p.degree + 2, chosen = (slong)random_below(&random_state, (unsigned)p.rows);
+        const slong columns = p.degree + 2, chosen = (slong)random_below(&draw, (unsigned)p.rows);
         for (slong row = 0; row < p.rows; row++) {
             double *const c = p.value + row * columns;
             const double bits = row_proof_bits(proof, &p, row, c);
@@ -257,7 +253,7 @@ TEST(test_samples)
     const struct interval *const interval = &interpolant_sphere_proof.interval[1];
     arb_poly_struct *const polynomial = &samples->polynomial[EPS_ZERO_FORCE];
     assert_true(samples->known);
-    const slong j = (slong)random_below(&random_state, 40);
+    const slong j = (slong)random_below(&draw, 40);
     const arb_ptr wrong[] = {samples->value[EPS_ZERO_FORCE] + j, samples->node + j};
     for (int k = 0; k < 2; k++) {
         arb_set(kept, wrong[k]);
@@ -323,7 +319,7 @@ TEST(test_creep_series)
     creep_rest(constant, Y, bound, &s, beta, true);
     assert_true(middle(bound) < 1e-100);
     for (int i = 0; i < 3; i++) {
-        const double b = i == 0 ? 8.2 : random_uniform(&random_state, 8.2, i == 1 ? 9 : 20);
+        const double b = i == 0 ? 8.2 : random_uniform(&draw, 8.2, i == 1 ? 9 : 20);
         for (int last = 1; last >= (i == 0 ? 0 : 1); last--) {
             arb_set_d(beta, b);
             creep_rest(rest, Y, bound, &s, beta, last);
@@ -375,7 +371,7 @@ TEST(test_enclosed_functions)
             enclosed_add_double(p, 1);
             arb_set_d(x, w);
             arb_poly_set_coeff_arb(p, 1, x);
-            arb_set_d(t, k < 6 ? 1 - 2 * (k / 3) : random_uniform(&random_state, -1, 1));
+            arb_set_d(t, k < 6 ? 1 - 2 * (k / 3) : random_uniform(&draw, -1, 1));
             arb_poly_evaluate(x, p, t, 2 * ENCLOSED_BITS);
             functions[i].exact(exact, x, 2 * ENCLOSED_BITS);
             assert_true(functions[i].enclosed(y, p));
@@ -420,7 +416,7 @@ TEST(test_creep_rows)
     static const enum quantity used[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, EPS_ZERO_FORCE};
     for (int k = 0; k < 3; k++) {
         assert_true(f->samples[last].known);
-        arb_struct *const wrong = f->samples[last].value[used[k]] + random_below(&random_state, 20);
+        arb_struct *const wrong = f->samples[last].value[used[k]] + random_below(&draw, 20);
         LOCAL(arb, exact);
         arb_set(exact, wrong);
         LET(wrong, 200, "exact*(1 + 1/2^58)", exact);

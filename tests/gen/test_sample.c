@@ -132,14 +132,13 @@ static int fewest_on_grid(const struct sample_request *r, double tolerance)
 
 TEST(no_smaller_table)
 {
-    struct random_state random = random_start();
     for (int turn = 0; turn < (int)few_or_all(3, 40); turn++) {
-        const struct cor_scene_contact contact = sphere_of(random_log(&random, 0.01, 1e4));
+        const struct cor_scene_contact contact = sphere_of(random_log(&draw, 0.01, 1e4));
         struct sample_request r = {.contact = &contact,
                                    .end = (enum contact_end)(turn % 2),
                                    .speed_min = 1e-3,
-                                   .speed_max = random_log(&random, 0.1, 100),
-                                   .tolerance = random_log(&random, 1e-3, 3e-2),
+                                   .speed_max = random_log(&draw, 0.1, 100),
+                                   .tolerance = random_log(&draw, 1e-3, 3e-2),
                                    .log = turn % 3 != 0};
         struct sample s;
         assert_int_equal(sample_choose(&s, &r), 0);

@@ -187,9 +187,8 @@ TEST(test_digits)
     assert_line(&rayleigh, &(struct sweep_result){{1e-3, 0.33, 100, 0.36, 0.0036, 0.79774683, 7.25, 2e-6}, COR_OK},
                 "0.001,0.33,100,0.36,0.0036,0.7977468,7.25,2e-06,ok");
 
-    struct random_state random = random_start();
     for (size_t i = 0; i < points(10000); i++) {
-        const double eps = random_uniform(&random, 0, 1), error = random_log(&random, 1e-17, 1);
+        const double eps = random_uniform(&draw, 0, 1), error = random_log(&draw, 1e-17, 1);
         char line[SWEEP_LINE];
         result.value[EPS] = eps;
         result.value[ERROR] = error;

@@ -242,7 +242,6 @@ TEST(test_row_sums)
         struct ratio p;
         slong rows, length;
     } sizes[] = {{{3, 2}, 14, 1}, {{3, 2}, 13, 70}, {{1, 1}, 6, 129}, {{31, 16}, 9, 65}};
-    struct random_state random = random_start();
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         const struct ratio p = sizes[i].p;
         const slong rows = sizes[i].rows, length = sizes[i].length;
@@ -255,7 +254,7 @@ TEST(test_row_sums)
         row_sums_init(&sums, p, rows, length, CUT);
         for (int n = 0; n < 2; n++)
             for (slong k = 1; k < rows; k++)
-                random_row(f[n] + k, point[n] + k, k, length, &random);
+                random_row(f[n] + k, point[n] + k, k, length, &draw);
         for (slong k = 1; k < rows; k++) {
             row_sums_next(sum, &sums, f[0], f[1], k);
             for (int kind = 0; kind < 2; kind++) {

@@ -22,8 +22,8 @@
 #include "random.h"
 #include "ulp.h"
 
-/* TEST(name) { ... } is a test function, RUN_TESTS(name, ...) the program that runs them in that order, and RUN_GROUP
- * one that calls `before` first and `after` last. */
+/* TEST(name) { ... } is a test function, RUN_TESTS(name, ...) the program that prints the seed and runs them in that
+ * order, and RUN_GROUP one that calls `before` first and `after` last. */
 #define TEST(test)                                                                                                     \
     static void test##_body(void);                                                                                     \
     static void test##_run(void **state)                                                                               \
@@ -40,6 +40,7 @@
     int main(void)                                                                                                     \
     {                                                                                                                  \
         const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
+        print_message("seed: COR_SEED=%llu\n", (unsigned long long)check_seed());                                      \
         return cmocka_run_group_tests(tests, before, after);                                                           \
     }
 
@@ -118,9 +119,14 @@ static inline int left_to_turn(size_t i, size_t n)
             skip();                                                                                                    \
     } while (0)
 
+static inline uint64_t check_seed(void)
+{
+    return check_number("COR_SEED", 19990101);
+}
+
 static inline struct random_state random_start(void)
 {
-    return random_seeded(check_number("COR_SEED", 19990101));
+    return random_seeded(check_seed());
 }
 
 /* The random numbers of a test function, the same whatever ran before it */

@@ -236,10 +236,9 @@ TEST(reference)
 TEST(other_modes)
 {
     leave_to_turn(1, 3);
-    struct random_state random = random_start();
     for (size_t i = 0; points(8) > 1 && i < points(8); i++) {
-        const double v = random_log(&random, 0.003, 0.3), alpha = random_log(&random, 50, fmin(8000, 50 / v));
-        as_reference(material(random_uniform(&random, 0, 1)), (size_t)random_log(&random, 1, 60), alpha, v);
+        const double v = random_log(&draw, 0.003, 0.3), alpha = random_log(&draw, 50, fmin(8000, 50 / v));
+        as_reference(material(random_uniform(&draw, 0, 1)), (size_t)random_log(&draw, 1, 60), alpha, v);
     }
     /* tangential modes only, then radial ones only */
     for (int k = 0; k < 2; k++) {

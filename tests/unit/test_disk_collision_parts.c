@@ -42,7 +42,6 @@ static void stage_begin(struct stage *stage, size_t n, double alpha, double spee
 TEST(drift)
 {
     enum { MODES = 9 };
-    struct random_state random = random_start();
     struct stage stage;
     const double h = 0.37;
     stage_begin(&stage, MODES, 500, 0.1, 64, h);
@@ -50,8 +49,8 @@ TEST(drift)
     double q[MODES], p[MODES];
     COR_CLEAR_DOUBLES(m->size.blocks * COR_LANES, m->force_c, m->force_s);
     for (size_t i = 0; i < MODES; i++) {
-        m->q[m->place[i]] = q[i] = random_uniform(&random, -1, 1);
-        m->p[m->place[i]] = p[i] = random_uniform(&random, -1, 1);
+        m->q[m->place[i]] = q[i] = random_uniform(&draw, -1, 1);
+        m->p[m->place[i]] = p[i] = random_uniform(&draw, -1, 1);
     }
     const struct cor_collision_state before = stage.now;
     cor_collision_drift(m, h, &stage.now);
@@ -115,10 +114,9 @@ static long double modified_potential(const struct potential *p, const long doub
 /* A kick changes v and the modes' p by -h times the gradient, over m and over sqrt(m omega). */
 TEST(kick)
 {
-    struct random_state random = random_start();
     for (size_t k = 0; k < points(20); k++) {
-        const struct potential p = {1 + random_below(&random, MODES), 48, random_log(&random, 50, 500),
-                                    random_log(&random, 0.001, 0.02)};
+        const struct potential p = {1 + random_below(&draw, MODES), 48, random_log(&draw, 50, 500),
+                                    random_log(&draw, 0.001, 0.02)};
         const double mass = COR_PI;
         struct stage stage;
         stage_begin(&stage, p.modes, p.alpha, 0.1, p.phi, p.h);
@@ -126,9 +124,9 @@ TEST(kick)
         long double y[1 + MODES];
         COR_CLEAR_DOUBLES(m->size.blocks * COR_LANES, m->force_c, m->force_s);
         for (size_t i = 0; i < p.modes; i++)
-            m->q[m->place[i]] = random_uniform(&random, -0.02, 0.02);
+            m->q[m->place[i]] = random_uniform(&draw, -0.02, 0.02);
         COR_CLEAR_DOUBLES(m->size.cells, m->p);
-        stage.now.depth = random_uniform(&random, -1, 0.5) / p.alpha;
+        stage.now.depth = random_uniform(&draw, -1, 0.5) / p.alpha;
         stage.now.v = 0;
         cor_collision_drift(m, 0, &stage.now); /* sums up the modes, whose angles it was given for h: turned */
         y[0] = stage.now.depth;
@@ -222,7 +220,6 @@ TEST(window)
 /* Series in h^4, h^6, ... and h^2, h^4, ... with as many terms as there are runs less one are extrapolated exactly. */
 TEST(extrapolation)
 {
-    struct random_state random = random_start();
     enum { LEVELS = COR_COLLISION_LEVELS };
     for (int levels = 2; levels <= LEVELS; levels++) {
         struct cor_motion m = {.size.modes = 2};
@@ -230,7 +227,7 @@ TEST(extrapolation)
         double after[LEVELS][2], average[LEVELS][2], c[4][LEVELS], limit[2] = {0.3, 0.01}, found[2], mean[2];
         for (int i = 0; i < 4; i++)
             for (int k = 0; k < LEVELS; k++)
-                c[i][k] = random_uniform(&random, -0.1, 0.1);
+                c[i][k] = random_uniform(&draw, -0.1, 0.1);
         for (int k = 0; k < levels; k++) {
             const double h = ldexp(1, -k / 2) * (k % 2 ? sqrt(0.5) : 1);
             run[k].number = k + 2;
@@ -448,10 +445,9 @@ TEST(shifted_angles)
 /* Every instruction set gives the bits of the portable one in a collision of few modes or many, at any angles. */
 TEST(every_set)
 {
-    struct random_state random = random_start();
     for (size_t k = 0; k < points(24); k++) {
-        const size_t n = 1 + random_below(&random, k % 4 ? 40 : 400), phi = 40 + random_below(&random, 200);
-        const double alpha = random_log(&random, 40, 2000), speed = random_uniform(&random, 0.02, 0.3);
+        const size_t n = 1 + random_below(&draw, k % 4 ? 40 : 400), phi = 40 + random_below(&draw, 200);
+        const double alpha = random_log(&draw, 40, 2000), speed = random_uniform(&draw, 0.02, 0.3);
         struct cor_collision_run run[COR_INSTRUCTION_SETS] = {{0}};
         for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
             struct stage stage;

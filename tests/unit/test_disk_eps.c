@@ -165,10 +165,9 @@ static long double joined(const struct cell *at, long double x, long double y, l
 
 TEST(test_between)
 {
-    struct random_state random = random_start();
     for (size_t k = points(20000); k > 0; k--) {
-        const double v = random_log(&random, COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED);
-        const double nu = random_uniform(&random, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
+        const double v = random_log(&draw, COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED);
+        const double nu = random_uniform(&draw, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
         const long double x = (powl(v, 0.125L) - COR_DISK_LIMIT_X_FIRST) / COR_DISK_LIMIT_X_STEP,
                           y = ((long double)nu - COR_DISK_LIMIT_NU_FIRST) / COR_DISK_LIMIT_NU_STEP;
         long double uncertainty;
@@ -215,7 +214,6 @@ static double at_border(double (*f)(double v, double nu), const struct border *a
 /* The sides of all pieces, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 24 10^6 pairs. */
 TEST(test_borders)
 {
-    struct random_state random = random_start();
     size_t pairs = 0;
     double worst = 0;
     for (size_t k = points(20); k > 0; k--)
@@ -223,7 +221,7 @@ TEST(test_borders)
             const struct cor_disk_limit_piece *const piece = &cor_disk_limit_piece[i / 4];
             const long double size[2] = {1 / piece->per_x, 1 / piece->per_nu};
             struct border at;
-            if (!border_draw(&random, piece->x, piece->nu, size, i % 4, &at))
+            if (!border_draw(&draw, piece->x, piece->nu, size, i % 4, &at))
                 continue;
             for (int k = 0; k < 2; k++) {
                 double (*const f)(double, double) = k ? cor_disk_eps : cor_disk_one_minus_eps2;
@@ -263,11 +261,10 @@ static void print_worst(const char *where)
 /* At places off the grid, collisions: none farther off than the uncertainty. COR_TEST_MULTIPLIER=250: 1000 places. */
 TEST(test_uncertainty)
 {
-    struct random_state random = random_start();
     const double first = pow(COR_DISK_EPS_MIN_SPEED, 0.125), last = pow(COR_DISK_EPS_MAX_SPEED, 0.125);
     for (size_t k = points(4); k > 0; k--) {
-        const double v = pow(random_uniform(&random, first, last), 8);
-        const double nu = random_uniform(&random, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
+        const double v = pow(random_uniform(&draw, first, last), 8);
+        const double nu = random_uniform(&draw, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
         compare(v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
     }
     print_worst("off the grid");
@@ -277,13 +274,12 @@ TEST(test_uncertainty)
  * either side covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
 TEST(test_uncertainty_at_borders)
 {
-    struct random_state random = random_start();
     for (size_t places = points(2); places > 0;) {
-        const struct cell *const own = &cell[random_below(&random, (size_t)cells)];
-        const int side = (int)random_below(&random, 4), across = side / 2, last = side % 2;
+        const struct cell *const own = &cell[random_below(&draw, (size_t)cells)];
+        const int side = (int)random_below(&draw, 4), across = side / 2, last = side % 2;
         const long double size[2] = {own->side, own->side};
         struct border at;
-        if (!border_draw(&random, own->x, own->nu, size, side, &at) ||
+        if (!border_draw(&draw, own->x, own->nu, size, side, &at) ||
             cell_beyond(own, across, last, at.x, at.y)->side >= own->side)
             continue;
         if (places-- % 2 == 0) {
@@ -292,7 +288,7 @@ TEST(test_uncertainty_at_borders)
                          at_border(cor_disk_one_minus_eps2_uncertainty, &at, 1)));
             continue;
         }
-        const double inwards = (double)own->side * random_uniform(&random, 0, 1.0 / 3) * (last ? -1 : 1);
+        const double inwards = (double)own->side * random_uniform(&draw, 0, 1.0 / 3) * (last ? -1 : 1);
         const double v = across ? pow(pow(at.v, 0.125) + inwards * COR_DISK_LIMIT_X_STEP, 8) : at.v;
         const double nu = across ? at.nu : at.nu + inwards * COR_DISK_LIMIT_NU_STEP;
         compare(v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
@@ -304,10 +300,9 @@ TEST(test_uncertainty_at_borders)
 
 TEST(test_one_another)
 {
-    struct random_state random = random_start();
     for (size_t k = points(20000); k > 0; k--) {
-        const double v = random_log(&random, COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED);
-        const double nu = random_uniform(&random, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
+        const double v = random_log(&draw, COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED);
+        const double nu = random_uniform(&draw, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
         const double eps = cor_disk_eps(v, nu), loss = cor_disk_one_minus_eps2(v, nu);
         const double of_eps = cor_disk_eps_uncertainty(v, nu), of_loss = cor_disk_one_minus_eps2_uncertainty(v, nu);
         check(loss > 0 && loss < 0.5 && fabs(eps * eps + loss - 1) <= 4 * DBL_EPSILON, "v = %a, nu = %a", v, nu);

@@ -98,12 +98,11 @@ TEST(proved_modes)
 TEST(errors)
 {
     static const double tolerances[] = {1e-3, 1e-4, 1e-5, 3e-6, 1e-6};
-    struct random_state random = random_start();
     double worst = 0;
     int judged = 0, reached = 0;
     const size_t scenes = points(6);
     for (size_t i = 0; i < scenes; i++) {
-        const double speed = random_log(&random, 1e-5, 0.5), nu = random_uniform(&random, -0.5, 0.95);
+        const double speed = random_log(&draw, 1e-5, 0.5), nu = random_uniform(&draw, -0.5, 0.95);
         const double tolerance = tolerances[scenes < 20 ? i % 3 : i % 5];
         const size_t most = scenes < 20 ? 9 : tolerance < 2e-6 ? COR_DISK_HARD_WALL_MAX_LEVELS : 11;
         const size_t more = tolerance < 2e-6 ? 1 : 2;
@@ -129,11 +128,10 @@ TEST(errors)
 TEST(budgets)
 {
     leave_to_turn(2, 3);
-    struct random_state random = random_start();
     int ended = 0;
     for (size_t i = 0; i < points(6); i++) {
-        const double speed = random_log(&random, 1e-8, 0.5), nu = random_uniform(&random, -0.9, 0.95);
-        const double most = random_log(&random, 4e8, few_or_all(0, 1) ? 1e10 : 1.5e9);
+        const double speed = random_log(&draw, 1e-8, 0.5), nu = random_uniform(&draw, -0.9, 0.95);
+        const double most = random_log(&draw, 4e8, few_or_all(0, 1) ? 1e10 : 1.5e9);
         const struct cor_disk_hard_wall_options free_steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 0};
         struct cor_disk_hard_wall out, again;
         double work;
@@ -157,7 +155,7 @@ TEST(budgets)
         check(work >= for_modes && work <= 1.1 * for_modes, "%.3g operations, %.3g for the modes", work, for_modes);
         /* a budget in steps is spent, all levels together, but for what another level needs */
         const struct cor_disk_hard_wall_options some = {COR_DISK_HARD_WALL_MIN_TOLERANCE,
-                                                        1000 + random_below(&random, 3000)};
+                                                        1000 + random_below(&draw, 3000)};
         const int stopped = cor_hard_wall_within(most, nu, &some, speed, &again, &work);
         assert_int_equal(stopped, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
         check(work <= (double)(some.max_steps + COR_HARD_WALL_BATCH) && work > 0.2 * (double)some.max_steps,
@@ -480,10 +478,9 @@ static double estimate_and_changes(double nu, double speed, double tolerance, si
 TEST(parts_of_the_estimate)
 {
     const double tolerance = 1e-6, noise = NOISE * pow(tolerance / 4e-6, 2.5 / 3);
-    struct random_state random = random_start();
     double change[4];
     for (size_t levels = 3; levels <= 6; levels++) {
-        const double speed = random_uniform(&random, 0.02, 0.3), unseen = UNSEEN / pow(first_omega(levels - 1), 2);
+        const double speed = random_uniform(&draw, 0.02, 0.3), unseen = UNSEEN / pow(first_omega(levels - 1), 2);
         const double estimate = estimate_and_changes(0.33, speed, tolerance, levels, change);
         check(estimate >= (3 * change[0] + noise + unseen) * (1 - 1e-9), "v = %g, %zu levels: %g, changed by %g", speed,
               levels, estimate, change[0]);
@@ -516,12 +513,11 @@ TEST(parts_of_the_estimate)
  * level with finer steps and angles. */
 TEST(usual_errors)
 {
-    struct random_state random = random_start();
     const size_t scenes = points(1), most = scenes < 20 ? 10 : COR_DISK_HARD_WALL_MAX_LEVELS;
     double worst = 0;
     int settled = 0;
     for (size_t i = 0; i < scenes; i++) {
-        const double nu = random_uniform(&random, -0.2, 0.4875), speed = random_log(&random, 0.01, 0.3);
+        const double nu = random_uniform(&draw, -0.2, 0.4875), speed = random_log(&draw, 0.01, 0.3);
         const struct cor_disk_hard_wall judge = wall_collide(nu, most, speed, COR_DISK_HARD_WALL_MIN_TOLERANCE);
         struct cor_disk_hard_wall out = {.error_estimate = 1};
         for (size_t levels = 8; levels < most && out.error_estimate > 1e-6; levels++) {

@@ -82,12 +82,11 @@ static void as_written_out(double nu, double speed, double omega, enum cor_hard_
 
 TEST(written_out)
 {
-    struct random_state random = random_start();
     as_written_out(0.33, 0.1, 20, COR_HARD_WALL_FADE);
     as_written_out(0.33, 0.1, 20, COR_HARD_WALL_PLAIN_FADE);
     for (size_t i = 0; i < points(4); i++) {
-        const double speed = random_log(&random, 3e-3, 0.4), nu = random_uniform(&random, -0.5, 0.95);
-        as_written_out(nu, speed, random_uniform(&random, 12, 24),
+        const double speed = random_log(&draw, 3e-3, 0.4), nu = random_uniform(&draw, -0.5, 0.95);
+        as_written_out(nu, speed, random_uniform(&draw, 12, 24),
                        i % 2 == 0 ? COR_HARD_WALL_FADE : COR_HARD_WALL_PLAIN_FADE);
     }
 }
@@ -125,15 +124,14 @@ TEST(contacts)
     for (int i = 0; i < 2 * POINTS; i++)
         twice_cosine[i] = 2 * cos(i * pi / NYQUIST);
     const struct cor_hard_wall_angles angles = {.twice_cosine = twice_cosine};
-    struct random_state random = random_start();
     for (size_t draws = 0; draws < points(200); draws++) {
         for (int k = 0; k <= NYQUIST; k++)
-            t[k] = random_uniform(&random, 0.1, 1) / (k + 1);
-        q = random_uniform(&random, 0, 1);
+            t[k] = random_uniform(&draw, 0.1, 1) / (k + 1);
+        q = random_uniform(&draw, 0, 1);
         cor_hard_wall_contact_begin(&contact, NYQUIST + 1, t, 1, &q, &angles, -0.999 * t[0] / (4 * pi), scratch);
         for (int step = 0; step < 10; step++) {
-            const double waves = random_uniform(&random, 0, 40), other = random_uniform(&random, 0, 40);
-            const double level = random_uniform(&random, -1.5, 0.5);
+            const double waves = random_uniform(&draw, 0, 40), other = random_uniform(&draw, 0, 40);
+            const double level = random_uniform(&draw, -1.5, 0.5);
             for (int j = 0; j < POINTS; j++)
                 reach[j] = j < POINTS - 8 ? level + cos(waves * j / POINTS) + cos(other * j / POINTS) : -9;
             const size_t end = cor_hard_wall_contact_solve(&contact, reach, 1e-12, y);
@@ -173,11 +171,10 @@ static double extrapolated(const struct cor_disk_modes *modes, double speed, dou
 TEST(two_fades)
 {
     leave_to_turn(0, 3);
-    struct random_state random = random_start();
     const double omega = 120 * sqrt(2);
     for (size_t i = 0; i < points(2); i++) {
-        const double speed = i == 0 ? 0.1 : random_log(&random, 1e-3, 0.15);
-        const double nu = i == 0 ? 0.33 : random_uniform(&random, -0.2, 0.6);
+        const double speed = i == 0 ? 0.1 : random_log(&draw, 1e-3, 0.15);
+        const double nu = i == 0 ? 0.33 : random_uniform(&draw, -0.2, 0.6);
         const struct cor_disk_modes modes = modes_of(nu, omega);
         const double one = extrapolated(&modes, speed, omega, COR_HARD_WALL_FADE);
         const double other = extrapolated(&modes, speed, omega, COR_HARD_WALL_PLAIN_FADE);
@@ -287,12 +284,11 @@ TEST(cosines)
     for (int i = 0; i < 2 * M; i++)
         whole[i] = cos(2 * pi * (i / 2) / M - (i % 2) * pi / 2);
     const struct cor_hard_wall_angles angles = {twice_cosine, M, part, turn, whole, sums};
-    struct random_state random = random_start();
     static const size_t counts[] = {1, 2, 3, 2 * M, 2 * M + 1, 3 * M, 77, N + 1};
     for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
         double factor[N + 1], result[POINTS], size = 0;
         for (size_t k = 0; k < counts[c]; k++)
-            size += fabs(factor[k] = random_uniform(&random, -1, 1));
+            size += fabs(factor[k] = random_uniform(&draw, -1, 1));
         cor_hard_wall_set(cor_widest_set())->cosines(&angles, counts[c], factor, POINTS, result);
         for (size_t i = 0; i < POINTS; i++) {
             double sum = 0;
@@ -313,11 +309,10 @@ TEST(every_set)
     const struct cor_hard_wall_angles angles = {.twice_cosine = twice_cosine};
     cor_hard_wall_portable.cosines(&angles, 0, &factor, COR_HARD_WALL_PANEL, none);
     assert_memory_equal(none, twice_cosine, sizeof none);
-    struct random_state random = random_start();
     for (size_t i = 0; i < points(8); i++) {
-        const double speed = i % 4 == 0 ? 0.25 : random_log(&random, i % 4 == 1 ? 1e-9 : 1e-3, 0.4);
-        const double omega = i % 4 == 0 ? 60 : random_uniform(&random, 5, 60);
-        const struct cor_disk_modes modes = modes_of(i % 4 == 0 ? 0.9 : random_uniform(&random, -0.5, 0.95), omega);
+        const double speed = i % 4 == 0 ? 0.25 : random_log(&draw, i % 4 == 1 ? 1e-9 : 1e-3, 0.4);
+        const double omega = i % 4 == 0 ? 60 : random_uniform(&draw, 5, 60);
+        const struct cor_disk_modes modes = modes_of(i % 4 == 0 ? 0.9 : random_uniform(&draw, -0.5, 0.95), omega);
         struct cor_hard_wall_settings settings = fine_settings(omega, speed);
         settings.point = speed < COR_DISK_HARD_WALL_POINT_SPEED;
         settings.loops = cor_hard_wall_set(COR_PORTABLE);
@@ -333,9 +328,8 @@ TEST(every_set)
 
 TEST(modes_of_every_set)
 {
-    struct random_state random = random_start();
     for (size_t draws = 0; draws < points(8); draws++) {
-        const double e = random_log(&random, 1e-9, 2), omega = random_log(&random, 1, 150);
+        const double e = random_log(&draw, 1e-9, 2), omega = random_log(&draw, 1, 150);
         const struct cor_mode_material material = {e, 2 - e};
         struct cor_disk_mode *portable, *found;
         size_t count, other;

@@ -46,10 +46,9 @@ TEST(as_proved)
 /* A short table is the start of a long one, to rounding; its length is the count below the next frequency. */
 TEST(starts_alike)
 {
-    struct random_state random = random_start();
     for (size_t i = 0; i < points(6); i++) {
-        const double nu = random_uniform(&random, -0.99, 0.99);
-        const size_t count = (size_t)random_log(&random, 1, 3000), more = count + (size_t)random_log(&random, 1, 20000);
+        const double nu = random_uniform(&draw, -0.99, 0.99);
+        const size_t count = (size_t)random_log(&draw, 1, 3000), more = count + (size_t)random_log(&draw, 1, 20000);
         compute(nu, more);
         memcpy(other, mode, count * sizeof *other);
         const double between = 0.5 * (mode[count - 1].omega + mode[count].omega);
@@ -67,12 +66,11 @@ TEST(starts_alike)
 /* No root is found twice, and none missed: the number of modes below a frequency between two modes, (11.3) */
 TEST(counted)
 {
-    struct random_state random = random_start();
     for (size_t i = 0; i < points(8); i++) {
-        const double nu = i == 0 ? 0.9 : 1 - random_log(&random, 1e-3, 1.99);
-        const size_t count = i == 0 ? MOST : (size_t)random_log(&random, 1000, 200000);
+        const double nu = i == 0 ? 0.9 : 1 - random_log(&draw, 1e-3, 1.99);
+        const size_t count = i == 0 ? MOST : (size_t)random_log(&draw, 1000, 200000);
         compute(nu, count);
-        for (size_t k = 0; k + 1 < count; k += 1 + random_below(&random, i == 0 ? 2000 : 150)) {
+        for (size_t k = 0; k + 1 < count; k += 1 + random_below(&draw, i == 0 ? 2000 : 150)) {
             const double omega = 0.5 * (mode[k].omega + mode[k + 1].omega);
             check(mode[k].c > 0 && isfinite(mode[k].s), "nu = %.17g, mode %zu: %g, %g", nu, k, mode[k].c, mode[k].s);
             if (mode[k + 1].omega - mode[k].omega > 1e-12 * omega && omega <= COR_DISK_MODES_MAX_OMEGA)
@@ -115,11 +113,10 @@ static void sum_rules(double nu, size_t count)
 
 TEST(all_materials)
 {
-    struct random_state random = random_start();
     sum_rules(0.33, points(20000) < 60000 ? points(20000) : 60000);
     sum_rules(0, 5000);
     for (size_t i = 0; i < points(4); i++)
-        sum_rules(random_uniform(&random, -0.9, 0.95), (size_t)random_log(&random, 2000, 6000));
+        sum_rules(random_uniform(&draw, -0.9, 0.95), (size_t)random_log(&draw, 2000, 6000));
 }
 
 /* Next to nu = -1, where the lowest modes are the conformal maps, omega^2 = (n + 1)(n + 2)/2, and next to 1 */
@@ -154,11 +151,10 @@ static int place_of(int n, int l, size_t count)
 TEST(crossings)
 {
     enum { COUNT = 40 };
-    struct random_state random = random_start();
     for (size_t found = 0; found < few_or_all(3, 20);) {
-        double low = random_uniform(&random, -0.5, 0.5), high = low + 0.02;
+        double low = random_uniform(&draw, -0.5, 0.5), high = low + 0.02;
         compute(low, COUNT + 1);
-        const size_t i = random_below(&random, COUNT - 1);
+        const size_t i = random_below(&draw, COUNT - 1);
         const struct cor_disk_mode first = mode[i], second = mode[i + 1];
         compute(high, COUNT + 1);
         if (place_of(first.n, first.l, COUNT) < place_of(second.n, second.l, COUNT))

@@ -154,13 +154,12 @@ TEST(reads_what_was_written)
 /* Any byte made any other, anywhere; any end too early; anything after the end. */
 TEST(harmed_bytes)
 {
-    struct random_state random = random_start();
     const size_t lines = FIRST_MODE_LINE + MODES_OF_FILE;
     write_modes(MODES_OF_FILE, cor_disk_modes_nu033.mode, MODES_OF_FILE);
     const size_t second_line = (size_t)(strchr(text.bytes, '\n') - text.bytes) + 1;
     for (size_t k = 0; k < points(2000); k++) {
-        const size_t at = second_line + random_below(&random, text.length - second_line);
-        text.bytes[at] ^= (char)(1 + random_below(&random, 255));
+        const size_t at = second_line + random_below(&draw, text.length - second_line);
+        text.bytes[at] ^= (char)(1 + random_below(&draw, 255));
         text_refused(line_at(at), "one byte");
         write_modes(MODES_OF_FILE, cor_disk_modes_nu033.mode, MODES_OF_FILE);
     }
@@ -285,15 +284,20 @@ TEST(files_are_closed)
     assert_int_equal(lowest_descriptor(), first_descriptor);
 }
 
-int main(void)
+static int begin(void **none)
 {
-    const struct CMUnitTest tests[] = {tables,  reads_what_was_written, harmed_bytes, first_line, harmed_lines,
-                                       no_file, files_are_closed};
+    (void)none;
     const int descriptor = mkstemp(path);
     if (descriptor < 0 || close(descriptor))
         return 1;
     first_descriptor = lowest_descriptor();
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    remove(path);
-    return failed;
+    return 0;
 }
+
+static int end(void **none)
+{
+    (void)none;
+    return remove(path);
+}
+
+RUN_GROUP(begin, end, tables, reads_what_was_written, harmed_bytes, first_line, harmed_lines, no_file, files_are_closed)

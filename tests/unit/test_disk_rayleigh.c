@@ -110,13 +110,12 @@ TEST(test_tail)
 /* However many modes there are, sum and tail are the same, at any speed. */
 TEST(test_any_speed)
 {
-    struct random_state state = random_start();
     for (size_t i = 0; i < points(60); i++) {
         const int t = i % 2 != 0;
         const enum cor_disk_datum datum = datums[i % 3];
         const double limit = cor_disk_speed_limit(table(t)->nu, datum);
-        const double speed = i == 0 ? limit : i == 1 ? 5e-324 : random_log(&state, i % 4 ? 1e-9 : 1e-320, limit);
-        const size_t n = (size_t)random_log(&state, 20, MODES);
+        const double speed = i == 0 ? limit : i == 1 ? 5e-324 : random_log(&draw, i % 4 ? 1e-9 : 1e-320, limit);
+        const size_t n = (size_t)random_log(&draw, 20, MODES);
         const struct cor_disk_rayleigh all = rayleigh(table(t), MODES, datum, speed, fractions);
         const struct cor_disk_modes few = lowest(table(t), n);
         const struct cor_disk_rayleigh some = rayleigh(&few, n, datum, speed, others);
@@ -144,13 +143,12 @@ TEST(test_any_speed)
 
 TEST(test_tolerance)
 {
-    struct random_state state = random_start();
     static const double tolerances[] = {0.3, 1e-2, 1e-3, 3e-5};
     for (size_t i = 0; i < points(24); i++) {
         const int t = i % 2 != 0;
         const enum cor_disk_datum datum = datums[i % 3];
         const double limit = cor_disk_speed_limit(table(t)->nu, datum);
-        const double speed = random_log(&state, 1e-12, fmin(limit, 0.2)), tolerance = tolerances[i % 4];
+        const double speed = random_log(&draw, 1e-12, fmin(limit, 0.2)), tolerance = tolerances[i % 4];
         struct cor_disk_rayleigh out;
         size_t n = 0;
         const int status = cor_disk_rayleigh_tolerance(table(t), datum, speed, tolerance, &out, &n);
@@ -226,7 +224,6 @@ static void against_one(const struct cor_disk_modes *modes, size_t n_modes, enum
 
 TEST(test_array)
 {
-    struct random_state state = random_start();
     double speed[LIST];
     for (int t = 0; t < 2; t++) {
         const enum cor_disk_datum datum = datums[(t + 1) % 3];
@@ -235,15 +232,15 @@ TEST(test_array)
         const double from[] = {1e-9, 1e-5, 0.3 * limit, 0.9 * limit}, to[] = {1e-6, 1e-3, 0.95 * limit, limit};
         for (size_t k = 0; k < 4; k++) {
             for (size_t i = 0; i < LIST; i++)
-                speed[i] = random_log(&state, from[k], to[k]);
+                speed[i] = random_log(&draw, from[k], to[k]);
             speed[0] = to[k];
-            against_one(table(t), k == 0 ? MODES : (size_t)random_log(&state, 1, MODES), datum, speed, LIST, 0);
+            against_one(table(t), k == 0 ? MODES : (size_t)random_log(&draw, 1, MODES), datum, speed, LIST, 0);
         }
         /* so few, or so far apart, that each is computed by itself; what is no speed in between */
         const double special[] = {0, -0.0, limit, nextafter(limit, 9), -1, NAN, INFINITY, 5e-324, 1e-300, 1e-3};
         against_one(table(t), 70, datum, special, sizeof special / sizeof *special, 1);
         for (size_t i = 0; i < 20; i++)
-            speed[i] = random_log(&state, 1e-320, limit);
+            speed[i] = random_log(&draw, 1e-320, limit);
         against_one(table(t), 64, datum, speed, 20, 1);
     }
     /* a table without modes l = 0 that could be continued */

@@ -35,7 +35,6 @@ static void same_lines(const struct cor_rayleigh_set *set, const struct cor_spec
 
 TEST(test_every_set)
 {
-    struct random_state state = random_start();
     static struct cor_spectrum by_portable, by_set;
     int sets = 0;
     for (int i = 0; i < COR_INSTRUCTION_SETS; i++) {
@@ -46,17 +45,17 @@ TEST(test_every_set)
         }
         sets++;
         for (size_t k = 0; k < points(300); k++) {
-            const double q0 = k == 0 ? 0 : k % 2 ? random_uniform(&state, 0, 40) : random_log(&state, 1e-9, 1500);
-            const double high = k % 3 == 0 ? 1e9 : random_log(&state, 1.2, 1e4), tau = random_uniform(&state, 1, 60);
+            const double q0 = k == 0 ? 0 : k % 2 ? random_uniform(&draw, 0, 40) : random_log(&draw, 1e-9, 1500);
+            const double high = k % 3 == 0 ? 1e9 : random_log(&draw, 1.2, 1e4), tau = random_uniform(&draw, 1, 60);
             cor_spectrum_init(cor_rayleigh_set(0), &by_portable, q0, tau, first, high);
             cor_spectrum_init(set, &by_set, q0, tau, first, high);
             same_coefficients(set, &by_portable, &by_set, q0);
             /* any number of lines, of one octave or of several */
             for (int n = 1; n <= COR_LINES; n++) {
                 double omega[COR_LINES];
-                omega[0] = random_log(&state, first, high);
+                omega[0] = random_log(&draw, first, high);
                 for (int j = 1; j < n; j++)
-                    omega[j] = fmin(omega[j - 1] * (1 + random_uniform(&state, 0, n % 2 ? 0.001 : 0.1)), high);
+                    omega[j] = fmin(omega[j - 1] * (1 + random_uniform(&draw, 0, n % 2 ? 0.001 : 0.1)), high);
                 same_lines(set, &by_portable, &by_set, n, omega);
             }
         }
@@ -69,28 +68,27 @@ TEST(test_every_set)
 /* The sums over modes, the surface modes and the interpolation in q0 */
 TEST(test_sums_by_every_set)
 {
-    struct random_state state = random_start();
     for (int i = 1; i < COR_INSTRUCTION_SETS; i++) {
         const struct cor_rayleigh_set *const set = cor_rayleigh_set(i), *const portable = cor_rayleigh_set(0);
         for (size_t k = 0; set && k < points(200); k++) {
-            const double to = random_log(&state, 2, 500);
+            const double to = random_log(&draw, 2, 500);
             const struct cor_fading fading = {0.65 * to, 0.15 * to, to, {0.35 * to, 0.75 * to}, {0.6 * to, to}};
             struct cor_mode_weights weights[2];
             struct cor_lines lines;
             double omega[COR_LINES], beyond[COR_LINES], through[COR_LINES], low[2] = {1, 1}, high[2] = {2, 2};
             for (int j = 0; j < COR_LINES; j++) {
-                omega[j] = random_uniform(&state, 0.1 * to, to);
-                beyond[j] = random_uniform(&state, 0, 1) < 0.5;
-                through[j] = random_uniform(&state, 0, 1) < 0.5;
-                lines.re[j] = random_uniform(&state, -1, 1);
-                lines.im[j] = random_uniform(&state, -1, 1);
-                lines.other[j] = random_uniform(&state, -1, 1);
-                lines.cosine[j] = random_uniform(&state, -1, 1);
-                lines.sine[j] = random_uniform(&state, -1, 1);
+                omega[j] = random_uniform(&draw, 0.1 * to, to);
+                beyond[j] = random_uniform(&draw, 0, 1) < 0.5;
+                through[j] = random_uniform(&draw, 0, 1) < 0.5;
+                lines.re[j] = random_uniform(&draw, -1, 1);
+                lines.im[j] = random_uniform(&draw, -1, 1);
+                lines.other[j] = random_uniform(&draw, -1, 1);
+                lines.cosine[j] = random_uniform(&draw, -1, 1);
+                lines.sine[j] = random_uniform(&draw, -1, 1);
             }
             memset(weights, 0, sizeof weights);
             for (int j = 0; j < COR_LINES; j++)
-                weights[0].strength[j] = weights[1].strength[j] = random_log(&state, 1e-3, 1e3);
+                weights[0].strength[j] = weights[1].strength[j] = random_log(&draw, 1e-3, 1e3);
             portable->weigh(&fading, omega, beyond, through, &weights[0], &low[0], &high[0]);
             set->weigh(&fading, omega, beyond, through, &weights[1], &low[1], &high[1]);
             assert_memory_equal(&weights[0], &weights[1], sizeof weights[0]);
@@ -119,7 +117,6 @@ TEST(test_sums_by_every_set)
 /* Interpolated in q0, at the ends of a piece, at a node and between */
 TEST(test_pieces)
 {
-    struct random_state state = random_start();
     const double high = 440, allowed = 1e-13;
     const struct cor_rayleigh_set *const set = cor_rayleigh_set(cor_widest_set());
     double *const room = malloc(cor_spectrum_piece_size(first, high) * sizeof *room);
@@ -129,8 +126,8 @@ TEST(test_pieces)
         struct cor_spectrum_piece piece;
         cor_spectrum_piece_init(&piece, set, ldexp(1, 2 * k), first, high, room);
         for (int j = 0; j < 12; j++) {
-            const double place = j == 0 ? 0 : j == 1 ? 0.99999 : j == 2 ? 0.5 : random_uniform(&state, 0, 1);
-            const double q0 = ldexp(1, 2 * k) * pow(4, place), tau = random_uniform(&state, 1, 60);
+            const double place = j == 0 ? 0 : j == 1 ? 0.99999 : j == 2 ? 0.5 : random_uniform(&draw, 0, 1);
+            const double q0 = ldexp(1, 2 * k) * pow(4, place), tau = random_uniform(&draw, 1, 60);
             cor_spectrum_init(set, &direct, q0, tau, first, high);
             cor_spectrum_of_piece(&interpolated, &piece, q0, tau);
             for (double omega = 1.18; omega < high; omega *= 1.1) {
