@@ -42,8 +42,8 @@ static struct cell float_cell(const struct pieces *p, slong row)
 {
     if (row == 0)
         return (struct cell){0, 0, ldexp(1, (int)p->first), 0, true};
-    const slong above = row - 1, cells = WORD(1) << p->octave_bits;
-    const int octave = (int)(p->first + (double)(above / cells));
+    const slong above = row - 1, cells = WORD(1) << p->octave_bits, octaves = above / cells;
+    const int octave = (int)(p->first + (double)octaves);
     const double width = ldexp(1, octave - (int)p->octave_bits);
     const double lo = ldexp(1, octave) + (double)(above % cells) * width;
     return (struct cell){lo + width / 2, lo, lo + width, 0, true};

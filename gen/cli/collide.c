@@ -112,10 +112,10 @@ static int to_si(struct collision *c, arb_t force, const struct problem *problem
     const struct collide_arguments *const o = problem->given;
     const fmpq *const m = o->effective_mass.value, *const g = o->speed.value;
     const slong prec = 3 * bits + 256;
-    arb_ptr times[] = {c->t_max, c->t_zero_overlap, c->t_zero_force};
     const int status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &problem->law, bits);
-    for (size_t i = 0; i < sizeof times / sizeof *times; i++)
-        arb_mul(times[i], times[i], T, prec);
+    arb_mul(c->t_max, c->t_max, T, prec);
+    arb_mul(c->t_zero_overlap, c->t_zero_overlap, T, prec);
+    arb_mul(c->t_zero_force, c->t_zero_force, T, prec);
     LET(c->x_max, prec, "c->x_max*T*g", c->x_max, T, g);
     LET(force, prec, "force*m*g/T", force, m, g, T);
     return status;

@@ -48,7 +48,7 @@ static arb_ptr power_of_w(struct taylor *y, slong exponent)
     for (int i = 0; i < y->products; i++)
         if (y->product[i].exponent == exponent)
             return y->product[i].out;
-    const arb_ptr f = power_of_w(y, exponent / 2), g = power_of_w(y, exponent - exponent / 2);
+    arb_struct *const f = power_of_w(y, exponent / 2), *const g = power_of_w(y, exponent - exponent / 2);
     return product_new(y, exponent, f, g);
 }
 
@@ -68,7 +68,7 @@ void taylor_init(struct taylor *y, const struct law *law, slong degree, slong pr
     arb_one(y->one);
     y->time_slope = power_of_w(y, law->d - 1);
     y->elastic = power_of_w(y, law->ad - m);
-    const arb_ptr outer = power_of_w(y, law->d - 1 + m), damping = power_of_w(y, law->bd - m);
+    arb_struct *const outer = power_of_w(y, law->d - 1 + m), *const damping = power_of_w(y, law->bd - m);
     y->damped = product_new(y, 0, damping, y->v);
     y->whole_force = product_new(y, 0, outer, y->force); /* the last product */
     FOR_ALL(mag, init, y->error_w, y->error_v, y->error_t);
@@ -77,9 +77,9 @@ void taylor_init(struct taylor *y, const struct law *law, slong degree, slong pr
 
 void taylor_clear(struct taylor *y)
 {
-    const arb_ptr block[] = {y->one, y->w, y->v, y->t, y->force};
-    for (size_t i = 0; i < sizeof block / sizeof *block; i++)
-        _arb_vec_clear(block[i], y->degree + 1);
+    const arb_ptr block[] = {y->one, y->w, y->v, y->t, y->force, NULL};
+    for (const arb_ptr *one = block; *one; one++)
+        _arb_vec_clear(*one, y->degree + 1);
     for (int i = 0; i < y->products; i++)
         _arb_vec_clear(y->product[i].out, y->degree + 1);
     flint_free(y->product);
@@ -97,7 +97,7 @@ static slong coefficient_bits(const struct taylor *y, slong n)
  * `first` > 0, add_known_terms has added the terms with i < first and j < first before. */
 static void convolve(const struct taylor_product *product, slong n, slong first, const struct taylor *y)
 {
-    const arb_ptr out = product->out, f = product->f, g = product->g;
+    arb_struct *const out = product->out, *const f = product->f, *const g = product->g;
     const slong terms = n - first + 1, prec = coefficient_bits(y, n);
     LOCAL(arb, sum, own);
     if (f == g) {
@@ -147,7 +147,7 @@ static void expand_block(struct taylor *y, slong first, slong end)
 static void add_known_terms(const struct taylor_product *product_of, slong first, slong middle, slong end,
                             const struct taylor *y)
 {
-    const arb_ptr out = product_of->out, f = product_of->f, g = product_of->g;
+    arb_struct *const out = product_of->out, *const f = product_of->f, *const g = product_of->g;
     const slong length = end - first, known = middle - first, others = first == 0 ? known : length;
     const slong prec = coefficient_bits(y, middle);
     arb_ptr product = _arb_vec_init(length), left = _arb_vec_init(length), right = _arb_vec_init(known);

@@ -148,8 +148,9 @@ static FILE *script_of(const struct fit_comparison *c, const struct fit_data *da
     for (int i = 0; i < PANELS; i++) {
         if (!is_drawn(c, i))
             continue;
+        const int line = place / columns;
         const double left = (place % columns + 0.17) / columns, right = (place % columns + 0.97) / columns;
-        const double top = (place / columns) * (double)PANEL_HEIGHT + HEAD, unit = 1 / height;
+        const double top = line * (double)PANEL_HEIGHT + HEAD, unit = 1 / height;
         fprintf(script,
                 "set lmargin at screen %.4f\nset rmargin at screen %.4f\nset tmargin at screen %.4f\n"
                 "set bmargin at screen %.4f\nset title '%s' offset 0,-0.7\nset format x ''\nset ytics autofreq\n",

@@ -60,9 +60,9 @@
 
 #define FOR_ALL(type, action, ...)                                                                                     \
     do {                                                                                                               \
-        type##_struct *const all_[] = {__VA_ARGS__};                                                                   \
-        for (size_t i_ = 0; i_ < sizeof all_ / sizeof *all_; i_++)                                                     \
-            type##_##action(all_[i_]);                                                                                 \
+        type##_struct *const all_[] = {__VA_ARGS__, NULL};                                                             \
+        for (type##_struct *const *one_ = all_; *one_; one_++)                                                         \
+            type##_##action(*one_);                                                                                    \
     } while (0)
 
 /* makes LOCAL(name, x) of a struct name with name_init and name_clear */

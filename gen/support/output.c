@@ -57,11 +57,15 @@ enum { NOT_A_DESCRIPTOR = -1 };
 /* The descriptor of this process that a path names, or NOT_A_DESCRIPTOR */
 static int descriptor_named(const char *path)
 {
-    int descriptor, length = 0;
+    static const char folder[] = "/dev/fd/";
+    const size_t length = strlen(folder);
     if (strcmp(path, "/dev/stdout") == 0)
         return STDOUT_FILENO;
-    return sscanf(path, "/dev/fd/%6d%n", &descriptor, &length) == 1 && path[length] == '\0' ? descriptor
-                                                                                            : NOT_A_DESCRIPTOR;
+    if (strncmp(path, folder, length) != 0)
+        return NOT_A_DESCRIPTOR;
+    const size_t digits = strspn(path + length, "0123456789");
+    return digits > 0 && digits <= 6 && path[length + digits] == '\0' ? (int)strtol(path + length, NULL, 10)
+                                                                      : NOT_A_DESCRIPTOR;
 }
 
 const char *file_name(const char *path)

@@ -219,7 +219,7 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct s
     const char *const kinds = layout_of(sweep)->kinds;
     const double error = result->value[strlen(kinds) - 2];
     /* decimals up to the second digit of the error; all where it is not known */
-    const int decimals = error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), DECIMAL_TEXT / 2) : DECIMAL_TEXT / 2;
+    const int all = DECIMAL_TEXT / 2, decimals = error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), all) : all;
     size_t at = 0;
     for (int j = 0; kinds[j] != COLUMN_STATUS; j++)
         at +=

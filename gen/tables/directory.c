@@ -119,7 +119,7 @@ static int probe_directory(const char *directory)
 static int write_all(const struct content *c, int n, const char *directory)
 {
     char *path[CONTENTS] = {NULL};
-    struct output out[CONTENTS] = {{NULL}};
+    struct output out[CONTENTS] = {{.file = NULL}};
     int status = STATUS_OK;
     if (mkdir(directory, 0777) && errno != EEXIST)
         return fail("cannot make %s: %s", directory, strerror(errno));

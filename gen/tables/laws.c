@@ -614,7 +614,7 @@ static void rebound_coefficients(arb_ptr c, const struct far_form *f)
 {
     LOCAL(arb, n, first, second);
     for (slong p = 1; p <= f->known; p++) {
-        arb_ptr const sum = c + p - 1;
+        arb_struct *const sum = c + p - 1;
         arb_zero(sum);
         for (slong j = 1; j <= p; j++) {
             LET(n, FAR_BITS, "f->k + j - 1", f->k, j);

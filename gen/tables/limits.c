@@ -429,8 +429,8 @@ static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS]
     struct cor_disk_limit_piece *const piece = &table->piece[table->pieces++];
     *piece = (struct cor_disk_limit_piece){.x = (double)part->first[0] / PER_ROOT,
                                            .nu = (double)part->first[1] / PER_ROOT,
-                                           .per_x = (float)(PER_ROOT / part->side[0]),
-                                           .per_nu = (float)(PER_ROOT / part->side[1]),
+                                           .per_x = (float)PER_ROOT / (float)part->side[0],
+                                           .per_nu = (float)PER_ROOT / (float)part->side[1],
                                            .uncertainty = (uint16_t)part->cell->uncertainty,
                                            .depth = (uint16_t)part->cell->depth};
     for (int k = 0; k < POINTS; k++)
@@ -612,7 +612,7 @@ static void read_cells(void)
     memset(table->cell_at, UINT8_MAX, sizeof table->cell_at);
     for (int i = 0; i < table->pieces; i++) {
         const struct cor_disk_limit_piece *const piece = &table->piece[i];
-        const int32_t side = ROOT_SIDE >> piece->depth;
+        const int32_t side = ROOT_SIDE >> piece->depth, third = side / 3;
         struct cell cell = {.x = (int32_t)(piece->x * ROOT_SIDE) / side * side,
                             .nu = (int32_t)(piece->nu * ROOT_SIDE) / side * side,
                             .depth = piece->depth,
@@ -620,8 +620,9 @@ static void read_cells(void)
         if (table->cell_at[cell.nu / SMALLEST][cell.x / SMALLEST] != UINT16_MAX)
             continue;
         for (int k = 0; k < POINTS; k++) {
-            const double x = (double)(cell.x + side / 3 * (k % SIDE)) / (double)ROOT_SIDE,
-                         nu = (double)(cell.nu + side / 3 * (k / SIDE)) / (double)ROOT_SIDE;
+            const int line = k / SIDE;
+            const double x = (double)(cell.x + third * (k % SIDE)) / (double)ROOT_SIDE,
+                         nu = (double)(cell.nu + third * line) / (double)ROOT_SIDE;
             cell.value[k] =
                 (int32_t)lround(cor_disk_limit_value(cor_disk_limit_find(&t, x, nu), x, nu) / COR_DISK_LIMIT_UNIT);
         }

@@ -105,6 +105,7 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
         m->flat[j] = 0;
         m->weight[j] = at == 0 ? COR_PI / (2 * (double)phi) : j < phi ? COR_PI / (double)phi : 0;
         for (size_t k = 0; k < terms; k++) {
+            /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): phi > 0 */
             const double value = j < phi && k < m->size.n_max + 2 ? m->table[k * at % (4 * half)] : 0;
             m->by_point[(j / COR_PANEL * terms + k) * COR_PANEL + j % COR_PANEL] = value;
             m->by_term[(k / COR_PANEL * points + j) * COR_PANEL + k % COR_PANEL] = value;

@@ -359,8 +359,8 @@ LAW(max_compression)
 #define LEADING_LOGARITHM(name, inside, at_zero, value)                                                                \
     static double leading_##name(double x)                                                                             \
     {                                                                                                                  \
-        if (!(x > 0 && inside))                                                                                        \
-            return x == 0 ? at_zero : NAN;                                                                             \
+        if (!(x > 0 && (inside)))                                                                                      \
+            return x == 0 ? (at_zero) : NAN;                                                                           \
         return value;                                                                                                  \
     }                                                                                                                  \
     COR_IN_ENVIRONMENT(double, cor_disk_##name##_leading_log, leading_##name, (double x), (x))

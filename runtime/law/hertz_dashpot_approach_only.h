@@ -4,6 +4,7 @@
 #ifndef COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 #define COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 
+#include "cor/hertz_dashpot.h"
 #include "generated/hertz_dashpot_tables.h"
 #include "runtime/table/hertz_approach_only.h"
 

@@ -601,7 +601,8 @@ static void add_geom(struct audit *a, const struct softness *s, const char *pair
         if (a->contact[i].number == number && a->contact[i].stiffness == stiffness && !strchr(pair, '-') &&
             a->contact[i].condim == (int)s->condim &&
             (a->contact[i].impedance[2] > 0
-                 ? memcmp(a->contact[i].impedance, s->solimp, sizeof a->contact[i].impedance) == 0
+                 ? a->contact[i].impedance[0] == s->solimp[0] && a->contact[i].impedance[1] == s->solimp[1] &&
+                       a->contact[i].impedance[2] == s->solimp[2]
                  : s->solimp[0] == s->solimp[1]))
             return; /* the same as before */
     struct audit_contact *const contact = add(a, a->raw, NULL, 0);

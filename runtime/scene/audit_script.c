@@ -136,8 +136,8 @@ static int range_of(const char *word, int *first, int *last)
         *first = *last = (int)(type >= 1 && type <= (double)AUDIT_TYPES ? type - 1 : -1);
         return *first >= 0;
     }
-    *first = star > word ? atoi(word) - 1 : 0;
-    *last = star[1] ? atoi(star + 1) - 1 : AUDIT_TYPES - 1;
+    *first = star > word ? (int)strtol(word, NULL, 10) - 1 : 0;
+    *last = star[1] ? (int)strtol(star + 1, NULL, 10) - 1 : AUDIT_TYPES - 1;
     return *first >= 0 && *first < AUDIT_TYPES && *last >= *first;
 }
 

@@ -25,11 +25,12 @@ static int power_of(struct motion *m, int exponent)
 
 int cor_motion_init(struct motion *m, double u, double v)
 {
-    struct motion_term *const terms[] = {&m->time[0], &m->time[1], &m->spring[0], &m->spring[1], &m->damper};
+    enum { TERMS = 5 };
+    struct motion_term *const terms[TERMS] = {&m->time[0], &m->time[1], &m->spring[0], &m->spring[1], &m->damper};
     m->powers = 2;
     for (int i = 0; i < 2; i++)
         m->power[i] = (struct motion_power){i, 0, 0, {i == 0}};
-    for (size_t i = 0; i < sizeof terms / sizeof *terms; i++)
+    for (int i = 0; i < TERMS; i++)
         terms[i]->power = power_of(m, terms[i]->exponent);
     m->power[1].c[0] = u;
     m->v[0] = v;

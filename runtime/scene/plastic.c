@@ -210,7 +210,7 @@ double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
     /* The speed at contact whose dry rebound has the speed s; the dry rebound grows with the impact speed. */
     const double s = contact->liquid_speed_m_s;
     const struct cor_scene_contact dry = cor_dry_contact(contact);
-    double low = s, high = s, eps = 0, rebound = 0, last;
+    double low, high = s, eps = 0, rebound = 0, last;
     do { /* eps <= 1: the rebound from `low` is not faster than s */
         low = high;
         high *= 2;

@@ -318,7 +318,7 @@ static void loop_doubles(const struct cor_row_call *call, const double *in, doub
         if (to_complete && call->after) {
             const struct cor_row_block block = {i, m, outside, in + i, x, taken};
             call->after(call->context, &block, value);
-        } else if (to_complete) {
+        } else if (to_complete && call->one) {
             for (size_t j = 0; j < m; j++)
                 if (!is_same(x[j], taken[j]))
                     value[j] = call->one(x[j]);
