@@ -464,7 +464,8 @@ static void mix_pairs(struct audit *a)
     for (int i = 0; i < a->types; i++)
         for (int j = i + 1; j < a->types; j++) {
             const struct audit_contact *const one = pair_contact(a, i, i), *const two = pair_contact(a, j, j);
-            if (!one || !two || pair_contact(a, i, j) || !one->model || one->model != two->model)
+            if (!one || !two || pair_contact(a, i, j) || !one->model || one->model != two->model ||
+                one->harmonic != two->harmonic)
                 continue;
             const struct audit_contact first = *one, second = *two;
             struct audit_contact *const mixed = audit_add(a, "");
