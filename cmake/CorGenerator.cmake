@@ -54,6 +54,14 @@ if(FLINT_FOUND AND Cminpack_FOUND)
   file(GLOB of_corgen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c)
   set_source_files_properties(${of_corgen} ${PROJECT_SOURCE_DIR}/gen/support/formula.c PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
+  # FLINT's headers are half of a compilation. Left out: other options, and what asks the C library for more than POSIX.
+  # Not with clang, whose commands other tools read before anything is built.
+  if(CMAKE_C_COMPILER_ID STREQUAL GNU)
+    target_precompile_headers(corgen_core PRIVATE ${PROJECT_SOURCE_DIR}/gen/support/flint.h)
+    set(other support/console.c support/formula.c support/output.c support/parallel.c tables/directory.c)
+    list(TRANSFORM other PREPEND ${PROJECT_SOURCE_DIR}/gen/)
+    set_source_files_properties(${of_corgen} ${other} ${evaluator} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  endif()
   set_target_properties(corgen_core PROPERTIES C_STANDARD 11)
 
   add_executable(corgen ${PROJECT_SOURCE_DIR}/gen/cli/main.c)
