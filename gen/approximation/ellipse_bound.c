@@ -2,14 +2,15 @@
 #include "approximation/ellipse_bound.h"
 
 #include <math.h>
-#include <stdlib.h>
+#include <pthread.h>
+#include <stdatomic.h>
 
 #include "enclosure/complex_collision.h"
 #include "enclosure/complex_law.h"
 #include "support/console.h"
 #include "support/parallel.h"
 
-enum { MOST_BALLS = 6000 };
+enum { MOST_BALLS = 6000, DEEPEST = 24 /* quarters of quarters */ };
 
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
@@ -25,15 +26,15 @@ enum { MOST_BALLS = 6000 };
 #define STRIP 0.25
 
 const struct ellipse_bound ellipse_stated[ELLIPSES] = {
-    {4, {31.8, 46.7, 4.79, 4.08, 1.37, 1.84}, 0},
-    {3.4, {2.17, 1.59, 6.93, 3.9, 1.16, 1.75}, 0},
-    {0, {0}, 0},
-    {4.2, {1.41, 0.456, 9.64, 3.42, 0.791, 1.49}, 0},
-    {3.3, {0.12, 0.223, 16.1, 2.66, 0.622, 1.31}, 0},
-    {3.4, {0.0369, 0.153, 41.7, 2.4, 0.542, 1.22}, 0},
-    {3.8, {0.00377, 0.0853, 71.9, 2.21, 0.434, 1.11}, 0},
-    {5, {0, 0.153, 0, 6.38, 0.538, 1.35}, 0},
-    {2.6, {0, 5.7, 0, 58.8, 2.55, 22.4}, 0},
+    {4, {31.8, 46.7, 4.79, 4.08, 1.37, 1.84}},
+    {3.4, {2.17, 1.59, 6.93, 3.9, 1.16, 1.75}},
+    {0, {0}},
+    {4.2, {1.41, 0.456, 9.64, 3.42, 0.791, 1.49}},
+    {3.3, {0.12, 0.223, 16.1, 2.66, 0.622, 1.31}},
+    {3.4, {0.0369, 0.153, 41.7, 2.4, 0.542, 1.22}},
+    {3.8, {0.00377, 0.0853, 71.9, 2.21, 0.434, 1.11}},
+    {5, {0, 0.153, 0, 6.38, 0.538, 1.35}},
+    {2.6, {0, 5.7, 0, 58.8, 2.55, 22.4}},
 };
 
 unsigned ellipse_bound_set(const struct interval *interval)
@@ -41,103 +42,74 @@ unsigned ellipse_bound_set(const struct interval *interval)
     return interval->variable == INTERVAL_LOG ? interval->set & ~(1u << DURATION_ZERO_OVERLAP) : interval->set;
 }
 
-/* |Re - re| <= half, |Im - im| <= half, in units of half the interval about its middle */
-struct square {
-    double re, im, half;
-};
-
-struct squares {
-    struct square *square;
-    slong count;
-};
-
 struct cover {
     const struct interval *interval;
-    double rho;
+    struct ellipse_bound *bound;
+    double a, b;  /* semi-axes of the ellipse in units of half the interval, as all lengths below */
     unsigned set; /* of quantities */
     bool (*stored)(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x);
     const struct interpolant *f; /* of another law, with its quantity and the path of its collisions */
     enum quantity quantity;
     struct complex_law_path path;
-    struct squares list;
-    bool *failed;    /* of each square */
-    double *modulus; /* QUANTITIES to each square */
+    atomic_int balls;
 };
 
-/* Smallest and largest (Re/a)^2 + (Im/b)^2 of a square; below 1 inside the ellipse */
-static void ellipse_range(double range[2], const struct square *s, double rho)
+/* A ball of the interval's variable that contains the square |Re - re| <= half, |Im - im| <= half about its middle */
+static struct complex_ball ball_around(const struct interval *interval, double re, double im, double half)
 {
-    const double a = (rho + 1 / rho) / 2, b = (rho - 1 / rho) / 2, re = fabs(s->re), im = fabs(s->im);
-    range[0] = pow(fmax(re - s->half, 0) / a, 2) + pow(fmax(im - s->half, 0) / b, 2);
-    range[1] = pow((re + s->half) / a, 2) + pow((im + s->half) / b, 2);
+    const struct complex_ball square = ball_widened(ball_of(re, im), half * (1.4142135623730952 * (1 + 1e-9)));
+    return ball_add(ball_of((interval->lo + interval->hi) / 2, 0),
+                    ball_times(square, (interval->hi - interval->lo) / 2));
 }
 
-static void add_square(struct squares *list, struct square square, double rho)
+/* Raises the bounds to the moduli of the numbers that the interval stores in a square, as `stored` gives them. Where it
+ * returns false, the quarters of the square do. The largest modulus is that of the boundary of the ellipse, where a
+ * quotient by beta has no 0/0. */
+static void cover_square(struct cover *work, double re, double im, double half, int depth)
 {
-    double range[2];
-    ellipse_range(range, &square, rho);
-    if (range[0] > 1 + 1e-9)
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    /* smallest and largest (Re/a)^2 + (Im/b)^2; below 1 inside the ellipse */
+    const double least = pow(fmax(fabs(re) - half, 0) / work->a, 2) + pow(fmax(fabs(im) - half, 0) / work->b, 2);
+    const double most = pow((fabs(re) + half) / work->a, 2) + pow((fabs(im) + half) / work->b, 2);
+    if (least > 1 + 1e-9)
         return;
-    list->square = xrealloc(list->square, (size_t)(list->count + 1) * sizeof *list->square);
-    list->square[list->count++] = square;
+    if (atomic_fetch_add(&work->balls, 1) >= MOST_BALLS || depth > DEEPEST) {
+        atomic_store(&work->balls, MOST_BALLS + 1);
+        return;
+    }
+    struct complex_ball y[QUANTITIES] = {{0, 0, 0}};
+    bool known = work->stored(y, work, ball_around(work->interval, re, im, half));
+    for (int q = 0; q < QUANTITIES && most >= 1 - 1e-9; q++)
+        known = known && (!(work->set & 1u << q) || isfinite(ball_above(y[q])));
+    for (int k = 0; k < 4 && !known; k++)
+        cover_square(work, re + (k & 1 ? half : -half) / 2, im + (k & 2 ? half : -half) / 2, half / 2 * (1 + 1e-9),
+                     depth + 1);
+    pthread_mutex_lock(&lock);
+    for (int q = 0; q < QUANTITIES && known && most >= 1 - 1e-9; q++)
+        if (work->set & 1u << q)
+            work->bound->modulus[q] = fmax(work->bound->modulus[q], ball_above(y[q]));
+    pthread_mutex_unlock(&lock);
 }
 
-/* The upper half of the ellipse is enough: conjugate arguments have conjugate values. */
-static struct squares first_squares(double rho)
-{
-    struct squares list = {NULL, 0};
-    const double a = (rho + 1 / rho) / 2, b = (rho - 1 / rho) / 2, half = b * FIRST_HALF;
-    for (int i = 0; (2 * i - 1) * half <= a; i++)
-        for (int j = 0; (2 * j - 1) * half <= b; j++) {
-            add_square(&list, (struct square){2 * i * half, 2 * j * half, half * (1 + 1e-9)}, rho);
-            if (i > 0)
-                add_square(&list, (struct square){-2 * i * half, 2 * j * half, half * (1 + 1e-9)}, rho);
-        }
-    return list;
-}
-
-static struct squares quarters(const struct cover *work)
-{
-    struct squares next = {NULL, 0};
-    for (slong i = 0; i < work->list.count; i++)
-        for (int k = 0; k < 4 && work->failed[i]; k++) {
-            const struct square *const s = &work->list.square[i];
-            const double half = s->half / 2;
-            add_square(
-                &next,
-                (struct square){s->re + (k & 1 ? half : -half), s->im + (k & 2 ? half : -half), half * (1 + 1e-9)},
-                work->rho);
-        }
-    return next;
-}
-
-/* A ball of the interval's variable that contains a square */
-static struct complex_ball ball_around(const struct interval *interval, const struct square *s)
-{
-    const double middle = (interval->lo + interval->hi) / 2, half = (interval->hi - interval->lo) / 2;
-    const struct complex_ball offset =
-        ball_times(ball_widened(ball_of(s->re, s->im), s->half * (1.4142135623730952 * (1 + 1e-9))), half);
-    return ball_add(ball_of(middle, 0), offset);
-}
-
-/* Sets the moduli of one square to those of numbers that the interval stores, as `stored` gives them unless it returns
- * false. The largest modulus is that of the boundary of the ellipse, where a quotient by beta has no 0/0. */
-static void cover_square(void *context, slong i)
+/* A column of the first squares, in the upper half of the ellipse: conjugate arguments have conjugate values. */
+static void cover_column(void *context, slong i)
 {
     struct cover *const work = context;
-    const struct complex_ball x = ball_around(work->interval, &work->list.square[i]);
-    struct complex_ball y[QUANTITIES] = {{0, 0, 0}};
-    double range[2];
-    ellipse_range(range, &work->list.square[i], work->rho);
-    work->failed[i] = !work->stored(y, work, x);
-    for (int q = 0; q < QUANTITIES; q++) {
-        double *const modulus = &work->modulus[i * QUANTITIES + q];
-        *modulus = 0;
-        if (work->failed[i] || range[1] < 1 - 1e-9 || !(work->set & 1u << q))
-            continue;
-        *modulus = ball_is_finite(y[q]) ? ball_above(y[q]) : HUGE_VAL;
-        work->failed[i] = !isfinite(*modulus);
-    }
+    const double half = work->b * FIRST_HALF, column = i % 2 ? -(double)(i + 1) : (double)i;
+    for (int j = 0; (2 * j - 1) * half <= work->b; j++)
+        cover_square(work, column * half, 2 * j * half, half * (1 + 1e-9), 0);
+}
+
+/* Returns whether the ellipse is covered, and the bound is one. */
+static bool cover_ellipse(struct cover *work, double rho)
+{
+    *work->bound = (struct ellipse_bound){.rho = rho};
+    work->a = (rho + 1 / rho) / 2;
+    work->b = (rho - 1 / rho) / 2;
+    atomic_store(&work->balls, 0);
+    parallel_for(cover_column, work, 2 * (slong)((work->a / work->b / FIRST_HALF + 1) / 2) + 1,
+                 "collisions at complex damping");
+    return atomic_load(&work->balls) <= MOST_BALLS;
 }
 
 static bool stored_of_sphere(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x)
@@ -163,7 +135,7 @@ static bool stored_of_sphere(struct complex_ball y[QUANTITIES], const struct cov
 static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta, const struct cover *work,
                        struct complex_ball x)
 {
-    const double threshold = arf_get_d(arb_midref(work->f->threshold), ARF_RND_NEAR);
+    const double threshold = ball_middle(work->f->threshold);
     *log_beta = x;
     switch (work->interval->variable) {
     case INTERVAL_ROOT: /* the root is 1 */
@@ -209,7 +181,7 @@ static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, co
     const struct ratio power = interpolant_press_power(law), q = law_speed_exponent(law);
     const double strip = STRIP * fabs(ratio_double(q)), p = ratio_double(power);
     const double middle = (floor(log_beta->re / strip) + 0.5) * strip;
-    const double log_press = log(arf_get_d(arb_midref(press), ARF_RND_NEAR));
+    const double log_press = log(ball_middle(press));
     const struct complex_ball log_force =
         ball_widened(ball_of(log_press + p * middle, 0), 0x1p-48 * (1 + fabs(log_press) + fabs(p * middle)));
     pressing.force = ball_exp(log_force);
@@ -237,11 +209,11 @@ static bool stored_by_law(struct complex_ball y[QUANTITIES], const struct cover 
 }
 
 /* Upper bound of |beta| in the ellipse */
-static double largest_beta(struct cover *work)
+static double largest_beta(const struct cover *work, double rho)
 {
     const struct interval *const interval = work->interval;
     const double middle = (interval->lo + interval->hi) / 2, half = (interval->hi - interval->lo) / 2;
-    const struct complex_ball x = {middle, 0, half * (work->rho + 1 / work->rho) / 2};
+    const struct complex_ball x = {middle, 0, half * (rho + 1 / rho) / 2};
     struct complex_ball beta, log_beta;
     if (interval->variable == INTERVAL_LOG)
         return exp(x.re + x.radius);
@@ -249,38 +221,13 @@ static double largest_beta(struct cover *work)
     return ball_above(beta);
 }
 
-/* ---- covers ---- */
-
-static bool cover_ellipse(struct ellipse_bound *bound, struct cover *work)
-{
-    work->list = first_squares(work->rho);
-    *bound = (struct ellipse_bound){.rho = work->rho};
-    while (work->list.count > 0 && bound->balls + work->list.count <= MOST_BALLS) {
-        work->failed = xmalloc((size_t)work->list.count * sizeof *work->failed);
-        work->modulus = xmalloc((size_t)work->list.count * QUANTITIES * sizeof *work->modulus);
-        parallel_for(cover_square, work, work->list.count, "collisions at complex damping");
-        for (slong i = 0; i < work->list.count; i++)
-            for (int q = 0; q < QUANTITIES && !work->failed[i]; q++)
-                bound->modulus[q] = fmax(bound->modulus[q], work->modulus[i * QUANTITIES + q]);
-        bound->balls += work->list.count;
-        const struct squares next = quarters(work);
-        free(work->failed);
-        free(work->modulus);
-        free(work->list.square);
-        work->list = next;
-    }
-    const bool covered = work->list.count == 0;
-    free(work->list.square);
-    return covered;
-}
-
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho)
 {
     struct cover work = {
-        .interval = interval, .rho = rho, .set = ellipse_bound_set(interval), .stored = stored_of_sphere};
-    return cover_ellipse(bound, &work) ? STATUS_OK
-                                       : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho,
-                                              interval->lo, interval->hi);
+        .interval = interval, .bound = bound, .set = ellipse_bound_set(interval), .stored = stored_of_sphere};
+    return cover_ellipse(&work, rho) ? STATUS_OK
+                                     : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho,
+                                            interval->lo, interval->hi);
 }
 
 /* Near the sticking speed v_s, what is left of the energy at the end is as small as v/v_s - 1. */
@@ -297,7 +244,7 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
 {
     const struct law *const law = &f->layout->law;
     struct cover work = {
-        .interval = interval, .rho = rho, .set = 1u << eps, .stored = stored_by_law, .f = f, .quantity = eps};
+        .interval = interval, .bound = bound, .set = 1u << eps, .stored = stored_by_law, .f = f, .quantity = eps};
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
     if (force && !log)
         return false;
@@ -306,11 +253,11 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
     const bool may_be_strong = force || (log && !pressed && law_fall_power(law).num > 0);
     const double above = (interval->lo + interval->hi) / 2 - (force ? STRONG_FORCE : STRONG_OVERLAP);
     const bool strong = may_be_strong && above > 0;
-    work.path = complex_law_path(law, largest_beta(&work), strong);
+    work.path = complex_law_path(law, largest_beta(&work, rho), strong);
     if (pressed)
         work.path.resolution = resolution_at(f, interval);
-    if (cover_ellipse(bound, &work))
+    if (cover_ellipse(&work, rho))
         return true;
     work.path.strong = !strong;
-    return may_be_strong && fabs(above) < STRONG_ABOUT && cover_ellipse(bound, &work);
+    return may_be_strong && fabs(above) < STRONG_ABOUT && cover_ellipse(&work, rho);
 }

@@ -9,7 +9,6 @@
 struct ellipse_bound {
     double rho;
     double modulus[QUANTITIES]; /* upper bound of the numbers that the interval stores */
-    slong balls;                /* how many collisions were enclosed */
 };
 
 /* Radii and bounds for the intervals of interpolant_sphere_proof; rho = 0: two other intervals cover this one. Each rho

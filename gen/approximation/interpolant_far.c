@@ -16,9 +16,8 @@ arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity)
 /* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
 static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law, slong prec)
 {
-    const struct ratio power = law_mu_power(law);
     LOCAL(arb, mu, term);
-    interpolant_power(mu, u, ratio_mul((struct ratio){-1, 1}, power), prec);
+    interpolant_power(mu, u, interpolant_tail_power(law, EPS_ZERO_FORCE), prec);
     slong column = 0;
     for (slong order = 0; order < 3; order++) {
         arb_pow_ui(term, mu, (ulong)order, prec);
@@ -33,20 +32,15 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *l
  * (b-a+1)/n is neither 0 nor 1. The sphere's is 0. */
 static bool falls_apart(const struct law *law)
 {
-    const struct ratio n = law_fall_power(law);
-    if (n.num <= 0)
-        return false;
-    const struct ratio kappa = ratio_div(ratio_add(ratio_sub(law->b, law->a), (struct ratio){1, 1}), n);
-    return kappa.num != 0 && !(kappa.num == 1 && kappa.den == 1);
+    const slong n = 2 * law->bd - law->ad + law->d, m = law->bd - law->ad + law->d; /* kappa = m/n */
+    return n > 0 && m != 0 && m != n;
 }
 
 /* The exponent of beta of the sum over mu^i u^j, or of the fall's constant, minus that of the leading power */
 static struct ratio far_excess(const struct law *law, bool fall)
 {
-    const struct ratio one = {1, 1};
-    const struct ratio own =
-        fall ? ratio_div(ratio_sub(law->a, one), law_fall_power(law)) : ratio_div(law->a, ratio_add(law->b, one));
-    return ratio_sub(own, interpolant_tail_power(law, DURATION_ZERO_OVERLAP));
+    const struct ratio a = law->a, b = law->b, leading = interpolant_tail_power(law, DURATION_ZERO_OVERLAP);
+    return fall ? RATIO("(a - 1)/(2*b - a + 1) - leading", a, b, leading) : RATIO("a/(b + 1) - leading", a, b, leading);
 }
 
 /* u of sample k: 9.5, 10, ... for spheres, larger if mu falls more slowly */

@@ -106,7 +106,7 @@ static void choose_stretch(struct search *s, const arb_t wanted)
         s->hi = interpolant_last(f, eps, INTERVAL_LOG);
         if (interpolant_last(f, eps, INTERVAL_BELOW) > -HUGE_VAL && !beyond(s, s->hi, wanted)) {
             s->variable = INTERVAL_BELOW;
-            s->hi = log(arf_get_d(arb_midref(f->threshold), ARF_RND_NEAR) - exp(s->hi));
+            s->hi = log(ball_middle(f->threshold) - exp(s->hi));
             s->lo = HUGE_VAL;
             for (int i = 0; i < layout->intervals; i++)
                 if (layout->interval[i].variable == INTERVAL_BELOW && holds(&layout->interval[i], eps))

@@ -41,7 +41,7 @@ const struct interpolant_layout interpolant_sphere_proof = {.law = {{3, 2}, {1, 
 
 struct ratio interpolant_press_power(const struct law *law)
 {
-    return ratio_div(ratio_mul((struct ratio){-2, 1}, law->a), law_fall_power(law));
+    return RATIO("-2*law->a/(2*law->b - law->a + 1)", law->a, law->b);
 }
 
 /* ---- samples ---- */
@@ -130,7 +130,7 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     const bool overlap = interval->set & SET_ZERO_OVERLAP, force = interval->set & SET_ZERO_FORCE;
     LOCAL(arb, press, x);
     arb_sub(x, f->threshold, beta, prec);
-    const double below = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    const double below = ball_middle(x);
     if (f->layout->press) {
         const struct ratio power = interpolant_press_power(law);
         LET(press, prec + more, "beta^power*f->layout->press", beta, power, f->layout->press);
@@ -189,7 +189,7 @@ double interpolant_beta_near(const struct interpolant *f, const struct interval 
     LOCAL(arb, beta, place);
     arb_set_d(place, x);
     interpolant_beta(beta, f, interval->variable, place, INTERPOLANT_BITS);
-    return arf_get_d(arb_midref(beta), ARF_RND_NEAR);
+    return ball_middle(beta);
 }
 
 /* Whether [beta_min, beta_max] meets an interval. The far coefficients continue the last u. */

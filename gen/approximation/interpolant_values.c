@@ -8,18 +8,16 @@
  * slow manifold or, if a - b > 1, the end of the creep. */
 struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity)
 {
-    const struct ratio one = {1, 1}, minus = {-1, 1}, b1 = ratio_add(law->b, one);
+    const struct ratio a = law->a, b = law->b;
     switch (quantity) {
     case EPS_ZERO_OVERLAP:
-        return ratio_div(minus, law_speed_exponent(law));
+        return RATIO("-(a + 1)/(2*b - a + 1)", a, b);
     case EPS_ZERO_FORCE:
-        return ratio_mul(minus, law_mu_power(law));
+        return RATIO("-(a + 1)/(b + 1)", a, b);
     case DURATION_ZERO_OVERLAP:
-        return ratio_sub(ratio_sub(law->a, law->b), one).num > 0
-                   ? ratio_div(ratio_sub(law->a, one), law_fall_power(law))
-                   : ratio_div(law->a, b1);
+        return law->ad - law->bd > law->d ? RATIO("(a - 1)/(2*b - a + 1)", a, b) : RATIO("a/(b + 1)", a, b);
     default:
-        return ratio_div(minus, b1);
+        return RATIO("-1/(b + 1)", b);
     }
 }
 
@@ -57,7 +55,7 @@ void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum
 static int interval_at(const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                        const arb_t x, bool scaled_only)
 {
-    const double at = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    const double at = ball_middle(x);
     int found = -1;
     for (int i = 0; i < f->layout->intervals; i++) {
         const struct interval *interval = &f->layout->interval[i];
@@ -261,7 +259,7 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
     const struct interpolant_layout *layout = f->layout;
     quantity = interpolant_end(f, quantity);
     const enum quantity stored = quantity >= EPS_APPROACH_ONLY ? MAX_OVERLAP : quantity;
-    const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
+    const double b = ball_middle(beta);
     const double root_end = pow(fmax(interpolant_last(f, stored, INTERVAL_ROOT), 0), (double)layout->root);
     LOCAL(arb, x);
     if (b <= root_end ||

@@ -140,7 +140,7 @@ static int find_threshold(struct law_layout *layout)
         LET(beta_c, CONSTANT_BITS, "sqrt(2*(law->a + 1))", law->a);
     else
         status = collision_threshold(beta_c, x, law, CONSTANT_BITS);
-    layout->threshold = arf_get_d(arb_midref(beta_c), ARF_RND_NEAR);
+    layout->threshold = ball_middle(beta_c);
     const double below = arf_get_d(arb_midref(beta_c), ARF_RND_DOWN);
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
     arb_sub(x, beta_c, x, CONSTANT_BITS);
@@ -203,7 +203,7 @@ static int find_radius(double *radius, struct law_layout *layout)
         return STATUS_OK;
     }
     const int status = collision_final_speed(v_f, law, 64);
-    *radius = pow(arf_get_d(arb_midref(v_f), ARF_RND_NEAR), ratio_double(law_speed_exponent(law)));
+    *radius = pow(ball_middle(v_f), ratio_double(law_speed_exponent(law)));
     return status;
 }
 
@@ -334,7 +334,7 @@ double law_layout_inverse_octave(const struct law_layout *layout, const struct i
     /* the octave of that eps if the samples of beta cover the octave, otherwise the octave above */
     const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
     const bool sampled = !force && u + q * log(2) <= layout->last_log;
-    return octave_of(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + (sampled ? 0 : 1);
+    return octave_of(ball_middle(y)) + (sampled ? 0 : 1);
 }
 
 /* ---- layouts ---- */
@@ -349,7 +349,8 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
                                   .threshold = HUGE_VAL,
                                   .check_points = CHECK_POINTS};
     if (law_force_ends(law)) {
-        const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
+        const slong other =
+            RATIO("law->a - law->b", law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
     }
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > (double)MOST_POWER)

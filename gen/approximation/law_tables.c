@@ -137,7 +137,7 @@ bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity)
 /* Splits a value into its nearest double and the remainder. */
 static void split(arb_t value, arb_t rest)
 {
-    arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
+    arb_set_d(rest, ball_middle(value));
     arb_sub(rest, value, rest, SPLIT_BITS);
 }
 

@@ -258,8 +258,8 @@ static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z
 {
     LOCAL(acb, place);
     acb_pow_ui(place, z, (ulong)a->root, 2 * ROOT_BITS);
-    const double re = arf_get_d(arb_midref(acb_realref(place)), ARF_RND_NEAR);
-    const double im = arf_get_d(arb_midref(acb_imagref(place)), ARF_RND_NEAR);
+    const double re = ball_middle(acb_realref(place));
+    const double im = ball_middle(acb_imagref(place));
     if (acb_is_real(z))
         fprintf(file, "%s = %.*g", a->variable, PLACE_DIGITS, re);
     else
@@ -270,7 +270,7 @@ static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z
 static void print_pair(FILE *file, const struct pade_analysis *a, const struct pade_pair *pair)
 {
     print_place(file, a, a->pole + pair->pole);
-    fprintf(file, " (distance %.1e)", arf_get_d(arb_midref(pair->distance), ARF_RND_NEAR));
+    fprintf(file, " (distance %.1e)", ball_middle(pair->distance));
 }
 
 static void print_positive(FILE *file, const struct pade_analysis *a, acb_srcptr z, slong count)

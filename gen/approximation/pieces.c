@@ -162,7 +162,7 @@ static void round_head(arb_t head, const struct pieces *p, const arb_t value)
         arf_set_round(arb_midref(head), arb_midref(value), p->head_bits, ARF_RND_NEAR);
         mag_zero(arb_radref(head));
     } else {
-        arb_set_d(head, arf_get_d(arb_midref(value), ARF_RND_NEAR));
+        arb_set_d(head, ball_middle(value));
     }
 }
 
@@ -294,9 +294,9 @@ static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_fu
     arb_poly_interpolate_barycentric(cubic, t, value, CUBIC + 1, WORKING_BITS);
     for (slong k = 0; k <= CUBIC; k++) {
         arb_poly_get_coeff_arb(y, cubic, k);
-        a[k] = arf_get_d(arb_midref(k == 0 && cell->node == 0 ? rest : y), ARF_RND_NEAR);
+        a[k] = ball_middle(k == 0 && cell->node == 0 ? rest : y);
     }
-    c[0] = arf_get_d(arb_midref(head), ARF_RND_NEAR);
+    c[0] = ball_middle(head);
     columns_of_cubic(c, a, cell);
     return status;
 }
@@ -331,7 +331,7 @@ static double sample_row(double *bits, const struct pieces *p, struct pieces_fun
         if (f.at(exact, f.context, p, cell, y))
             worst = NAN;
         row_value(value, p, cell, c, y);
-        rest = fmax(rest, fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR) / c[0] - 1));
+        rest = fmax(rest, fabs(ball_middle(value) / c[0] - 1));
         LET(value, WORKING_BITS, "(value - exact)/exact", value, exact);
         const double error = fabs(arf_get_d(arb_midref(value), ARF_RND_UP)) + mag_get_d(arb_radref(value));
         worst = error <= worst ? worst : error; /* a NaN stays */

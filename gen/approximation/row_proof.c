@@ -516,7 +516,7 @@ static bool inverse_place(double *z, const struct interpolant_proof *proof, enum
     const bool found = interpolant_inverse(value, proof->f, quantity, place, PREC) == STATUS_OK;
     if (quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE)
         arb_mul(value, value, place, PREC);
-    *z = sqrt(arf_get_d(arb_midref(value), ARF_RND_NEAR));
+    *z = sqrt(ball_middle(value));
     return found;
 }
 

@@ -42,8 +42,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
 /* t to the exponent of term j of row k, 1 + k (b+1) + j (a+1) */
 static void print_power(FILE *file, const struct law *law, slong k, slong j, bool latex)
 {
-    const struct ratio one = {1, 1}, u = ratio_mul(ratio_make(k, 1), ratio_add(law->b, one)),
-                       s = ratio_mul(ratio_make(j, 1), ratio_add(law->a, one)), e = ratio_add(one, ratio_add(u, s));
+    const struct ratio e = RATIO("1 + k*(law->b + 1) + j*(law->a + 1)", k, law->b, j, law->a);
     const char *const open = latex ? "{" : e.den != 1 ? "(" : "", *const close = latex ? "}" : e.den != 1 ? ")" : "";
     fputs("t", file);
     if (e.den != 1)

@@ -22,7 +22,7 @@ static double nearest(const arb_t x)
 struct law contact_law(const struct cor_exponents *exponents)
 {
     const slong a = exponents->elastic, b = exponents->damping, d = exponents->denominator;
-    return (struct law){ratio_make(a, d), ratio_make(b, d), d, a, b};
+    return (struct law){RATIO("a/d", a, d), RATIO("b/d", b, d), d, a, b};
 }
 
 int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponents *exponents, double beta, int end)

@@ -147,7 +147,7 @@ static void beta_of_force(arb_t beta, const struct embed_request *request, const
 /* -2a/(a+1): the power of the speed in f */
 static struct ratio force_power(const struct law *law)
 {
-    return ratio_div(ratio_mul(ratio_make(-2, 1), law->a), ratio_add(law->a, ratio_make(1, 1)));
+    return RATIO("-2*law->a/(law->a + 1)", law->a);
 }
 
 /* (F/m) (m/K)^(1/(a+1)), F = m G + 2 pi w R */

@@ -113,8 +113,9 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
 /* The variable of the polynomials as a power of beta: the speed is proportional to beta^(1/q) */
 static struct ratio variable_power(const struct embed_scene *s, const struct embed_form *f)
 {
-    const struct ratio root = {embed_roots[f->variable].degree, 1};
-    return ratio_div((struct ratio){1, 1}, ratio_mul(law_speed_exponent(&s->law), root));
+    const struct ratio q = law_speed_exponent(&s->law);
+    const slong root = embed_roots[f->variable].degree;
+    return RATIO("1/(q*root)", q, root);
 }
 
 /* The variable of the polynomials; x is sqrt(beta) or ln(beta) */
@@ -135,7 +136,7 @@ static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t 
 static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
                            const struct prover *w, bool by_log)
 {
-    const struct ratio power = ratio_div((struct ratio){1, 1}, law_speed_exponent(&w->s->law));
+    const struct ratio q = law_speed_exponent(&w->s->law), power = RATIO("1/q", q);
     const double origin = w->s->origin;
     const arb_srcptr lost = w->s->liquid_speed, factor = w->speed_factor;
     LET_FUNCTION(v, by_log ? "exp(power*x)*factor" : "beta^5*factor", power, x, beta, factor);

@@ -93,8 +93,9 @@ int embed_request_check(const struct embed_request *request)
 int embed_request_law(struct law *law, const struct embed_request *request)
 {
     const struct cor_exponents *const named = &cor_law_exponents[request->law];
-    const struct ratio_text a = ratio_text(ratio_make(named->elastic, named->denominator)),
-                            b = ratio_text(ratio_make(named->damping, named->denominator));
+    const slong d = named->denominator;
+    const struct ratio_text a = ratio_text(RATIO("named->elastic/d", named->elastic, d)),
+                            b = ratio_text(RATIO("named->damping/d", named->damping, d));
     const char *const elastic = request->elastic ? request->elastic : a.text;
     const char *const damping = request->damping ? request->damping : b.text;
     const char *const wrong = law_parse(law, elastic, damping);

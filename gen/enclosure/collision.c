@@ -57,7 +57,7 @@ enum {
  * no precision helps then, and the unloading is integrated. */
 static struct route route_of(const arb_t beta, double below, const struct law *law, enum ends ends, slong bits)
 {
-    const double ln_beta = fmax(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0x1p-1000);
+    const double ln_beta = fmax(ball_middle(beta), 0x1p-1000);
     const struct ratio power = law_mu_power(law);
     const double ln_mu = -log(ln_beta) * ratio_double(power), nat = 1 / log(2);
     const double loading = 2 * nat * fmax(-ln_mu, 0);

@@ -136,7 +136,7 @@ static bool turning_point(struct path *p, struct path_state *y, const struct law
                        .resolution = path->resolution,
                        .a = ratio_double(law->a),
                        .b = ratio_double(law->b),
-                       .difference = ratio_double(ratio_sub(law->a, law->b)),
+                       .difference = ratio_double(RATIO("law->a - law->b", law->a, law->b)),
                        .n = ratio_double(law_fall_power(law))};
     *y = (struct path_state){p->pressed ? ball_exp(pressing->log_speed) : one, zero};
     if (!ball_is_finite(beta) || !path_follow(p, approach, zero, ball_of(s, 0), y))
@@ -196,7 +196,7 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law,
     if (path->strong) {
         done = done && path_follow(&p, force, zero, one, &y);
     } else {
-        const struct ratio power = ratio_sub((struct ratio){1, 1}, ratio_sub(law->a, law->b)); /* k = beta x^power */
+        const struct ratio power = RATIO("1 - (law->a - law->b)", law->a, law->b); /* k = beta x^power */
         const struct complex_ball q = ball_add(log_beta, ball_times(y.value, ratio_double(power)));
         done = done && path_follow(&p, force_by_log, q, zero, &y);
     }

@@ -167,7 +167,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
     LOCAL(arb, rest, force);
     double low = 0, high = 0;
     bool below = false, above = false;
-    double place = log2(fmin(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0.5));
+    double place = log2(fmin(ball_middle(beta), 0.5));
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_set_d(damping, exp2(place));
         if (!curve(rest, force, beta, damping, law, end, SEARCH_BITS))

@@ -16,7 +16,7 @@ enum { GUARD_BITS = 24, CLOSING = 4 };
 
 static slong formal_degree(const struct law *law, slong bits)
 {
-    const struct ratio n = law_fall_power(law), slope = ratio_div(ratio_sub(law->a, law->b), n);
+    const struct ratio n = law_fall_power(law), slope = RATIO("(law->a - law->b)/n", law->a, law->b, n);
     const double by_bits = (double)(bits + GUARD_BITS) * log(2) / (1 + log(2));
     const double by_slope = (double)CLOSING * fabs(ratio_double(slope));
     return (slong)fmax(by_bits, by_slope) + CLOSING;
@@ -163,7 +163,7 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
     LOCAL(arb, eta);
     m->law = *law;
     m->n = law_fall_power(law);
-    m->kappa = ratio_div(ratio_add(ratio_sub(law->b, law->a), (struct ratio){1, 1}), m->n);
+    m->kappa = RATIO("(law->b - law->a + 1)/m->n", law->b, law->a, m->n);
     m->prec = prec;
     FOR_ALL(arb_poly, init, m->p, m->inverse);
     FOR_ALL(arb, init, m->last, m->nu, m->time_error, m->final_speed, m->t_fall);

@@ -164,6 +164,6 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
 /* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, which is tau = 1. */
 void wave_factor(acb_t j, const acb_t tau, slong prec)
 {
-    const double x = arf_get_d(arb_midref(acb_realref(tau)), ARF_RND_NEAR) - 1;
+    const double x = ball_middle(acb_realref(tau)) - 1;
     wave_factor_by(j, fabs(x) < 0.04 ? WAVE_BY_PATH : WAVE_BY_AXIS, tau, prec);
 }

@@ -11,32 +11,6 @@
 
 const struct law law_sphere = {{3, 2}, {1, 2}, 2, 3, 1};
 
-struct ratio ratio_make(slong num, slong den)
-{
-    const slong g = (slong)n_gcd((ulong)FLINT_ABS(num), (ulong)FLINT_ABS(den)) * (den < 0 ? -1 : 1);
-    return (struct ratio){num / g, den / g};
-}
-
-struct ratio ratio_add(struct ratio x, struct ratio y)
-{
-    return ratio_make(x.num * y.den + y.num * x.den, x.den * y.den);
-}
-
-struct ratio ratio_sub(struct ratio x, struct ratio y)
-{
-    return ratio_make(x.num * y.den - y.num * x.den, x.den * y.den);
-}
-
-struct ratio ratio_mul(struct ratio x, struct ratio y)
-{
-    return ratio_make(x.num * y.num, x.den * y.den);
-}
-
-struct ratio ratio_div(struct ratio x, struct ratio y)
-{
-    return ratio_make(x.num * y.den, x.den * y.num);
-}
-
 static bool parse_exponent(struct ratio *r, const char *text)
 {
     struct decimal x = {0};
@@ -86,17 +60,17 @@ bool law_is_sphere(const struct law *law)
 
 struct ratio law_speed_exponent(const struct law *law)
 {
-    return ratio_div(law_fall_power(law), ratio_add(law->a, (struct ratio){1, 1}));
+    return RATIO("(2*law->b - law->a + 1)/(law->a + 1)", law->b, law->a);
 }
 
 struct ratio law_fall_power(const struct law *law)
 {
-    return ratio_add(ratio_sub(ratio_mul((struct ratio){2, 1}, law->b), law->a), (struct ratio){1, 1});
+    return RATIO("2*law->b - law->a + 1", law->b, law->a);
 }
 
 struct ratio law_mu_power(const struct law *law)
 {
-    return ratio_make(law->ad + law->d, law->bd + law->d);
+    return RATIO("(law->a + 1)/(law->b + 1)", law->a, law->b);
 }
 
 bool law_force_ends(const struct law *law)

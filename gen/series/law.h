@@ -33,12 +33,6 @@ struct law law_even(const struct law *law);
 bool law_is_sphere(const struct law *law);
 bool law_equal(const struct law *law, const struct law *other);
 
-struct ratio ratio_make(slong num, slong den);
-struct ratio ratio_add(struct ratio x, struct ratio y);
-struct ratio ratio_sub(struct ratio x, struct ratio y);
-struct ratio ratio_mul(struct ratio x, struct ratio y);
-struct ratio ratio_div(struct ratio x, struct ratio y); /* y != 0 */
-
 /* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
 struct ratio law_speed_exponent(const struct law *law);
 

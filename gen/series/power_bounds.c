@@ -137,7 +137,7 @@ void power_evidence_init(struct power_evidence *e, const struct trajectory *t, s
     e->J = t->terms;
     e->powers = powers;
     e->exponent[0] = t->law.a;
-    e->exponent[1] = ratio_add(t->law.b, (struct ratio){1, 1});
+    e->exponent[1] = RATIO("t->law.b + 1", t->law.b);
     magnitudes_init(&e->z, rows, length);
     magnitudes_of_rows(&e->z, t->x);
     for (int i = 0; i < powers; i++) {

@@ -23,7 +23,7 @@ slong restitution_exact_zero(struct ratio power, const struct law *law)
     const struct ratio q = law_speed_exponent(law);
     if (q.num == 0)
         return 0;
-    const struct ratio k = ratio_mul((struct ratio){-2, 1}, ratio_div(power, q));
+    const struct ratio k = RATIO("-2*power/q", power, q);
     return k.den == 1 && k.num > 0 && k.num % 2 == 0 ? k.num : 0;
 }
 
@@ -40,9 +40,7 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
 {
     /* With Z = E^(2/(1+a)) the equation is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, and
      * F' = Y(v) + p v Y'(v) at v = -beta Z^p. Newton's iteration on the series of Z. */
-    const struct ratio one = {1, 1}, two = {2, 1};
-    const struct ratio half_a1 = ratio_div(ratio_add(law->a, one), two);
-    const struct ratio p = ratio_mul(law_speed_exponent(law), half_a1);
+    const struct ratio half_a1 = RATIO("(law->a + 1)/2", law->a), p = RATIO("law->b - (law->a - 1)/2", law->b, law->a);
     const slong n = order + 1;
     LOCAL(arb_poly, z, v, value, slope, step, y_prime);
     LOCAL(arb, scale);
@@ -71,7 +69,7 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
         known = next;
     }
     series_pow(c, z, half_a1, n, prec);
-    restitution_power(c, c, one, law, n, prec);
+    restitution_power(c, c, (struct ratio){1, 1}, law, n, prec);
 }
 
 /* sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1): The sum is X in backward time. With the
@@ -115,7 +113,7 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
     /* In backward time, with beta -> -h, x = t X and x' = V, the force vanishes where x^(a-b) = h x', which is T = (V /
      * X^(a-b))^(1/(a-b)). Each pass makes one more coefficient right, because T enters V and X with a factor w. */
     const slong n = order + 1;
-    const struct ratio m = ratio_sub(law->a, law->b);
+    const struct ratio m = RATIO("law->a - law->b", law->a, law->b);
     fmpq_poly_one(G);
     fmpq_poly_zero(T);
     if (m.num <= 0)
@@ -141,18 +139,15 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
     trajectory_exact_free(row, n);
 }
 
-/* The exponent (a+1)/(a-b) of h in w. */
+/* The exponent (a+1)/(a-b) of h in w, a > b */
 static struct ratio force_exponent(const struct law *law)
 {
-    const struct ratio one = {1, 1};
-    return ratio_div(ratio_add(law->a, one), ratio_sub(law->a, law->b));
+    return RATIO("(law->a + 1)/(law->a - law->b)", law->a, law->b);
 }
 
 slong restitution_zero_force_root(const struct law *law)
 {
-    if (ratio_sub(law->a, law->b).num <= 0)
-        return 1;
-    return force_exponent(law).den;
+    return law_force_ends(law) ? force_exponent(law).den : 1;
 }
 
 void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, const struct law *law, slong prec)
@@ -162,7 +157,7 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
     LOCAL(fmpq_poly, G, T);
     LOCAL(arb_poly, h, sum);
     LOCAL(arb, g);
-    if (ratio_sub(law->a, law->b).num <= 0) {
+    if (!law_force_ends(law)) {
         arb_poly_set(eps, c);
         arb_poly_truncate(eps, order + 1);
         return;
@@ -177,8 +172,7 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
         LOCAL(fmpq, coefficient);
         fmpq_poly_get_coeff_fmpq(coefficient, G, i);
         arb_set_fmpq(g, coefficient, prec);
-        const struct ratio power = ratio_add((struct ratio){1, 1}, ratio_mul(ratio_mul(q, e), (struct ratio){i, 1}));
-        restitution_power(h, c, power, law, n, prec);
+        restitution_power(h, c, RATIO("1 + q*e*i", q, e, i), law, n, prec);
         arb_poly_scalar_mul(h, h, g, prec);
         for (slong k = 0; k < h->length && k * root + i * e.num <= order; k++) {
             arb_poly_get_coeff_arb(g, sum, k * root + i * e.num);

@@ -25,7 +25,7 @@
 static int powers_of(struct ratio p[2], const struct law *law)
 {
     p[0] = law->a;
-    p[1] = ratio_add(law->b, (struct ratio){1, 1});
+    p[1] = RATIO("law->b + 1", law->b);
     return law->ad == law->bd + law->d ? 1 : 2;
 }
 

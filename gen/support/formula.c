@@ -362,6 +362,13 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands)
     fmpq_swap(q, x->exact);
 }
 
+struct ratio formula_ratio(const char *text, const struct operand *operands)
+{
+    LOCAL(fmpq, q);
+    formula_exact(q, text, operands);
+    return (struct ratio){fmpz_get_si(fmpq_numref(q)), fmpz_get_si(fmpq_denref(q))};
+}
+
 bool formula_holds(slong prec, const char *text, const struct operand *operands)
 {
     struct reader r = {.at = text, .text = text, .operands = operands, .prec = prec};

@@ -4,6 +4,7 @@
  *     LET(y, prec, "2*x/(1 - exp(-2*x)) - k^(1/3)", x, k);       y = ..., with prec bits
  *     if (HOLDS(prec, "abs(x) + 1/8 < m->bound", x, m->bound))   false also where balls do not decide
  *     EXACT(q, "(1 - nu^2)/Y", nu, Y);                           a rational number, without rounding
+ *     RATIO("a/(b + 1)", a, b)                                   the same as a struct ratio
  *
  * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong,
  * int or double; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole
@@ -41,6 +42,7 @@ struct operand {
 #define LET_COMPLEX(y, analytic, prec, ...) formula_complex(y, analytic, prec, FORMULA(__VA_ARGS__))
 #define HOLDS(prec, ...) formula_holds(prec, FORMULA(__VA_ARGS__))
 #define EXACT(q, ...) formula_exact(q, FORMULA(__VA_ARGS__))
+#define RATIO(...) formula_ratio(FORMULA(__VA_ARGS__))
 
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands);
 void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands);
@@ -57,6 +59,7 @@ bool formula_function(arb_poly_t y, const struct formula_algebra *algebra, const
                       const struct operand *operands);
 bool formula_holds(slong prec, const char *text, const struct operand *operands);
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
+struct ratio formula_ratio(const char *text, const struct operand *operands);
 
 #ifdef __cppcheck__ /* which does not read _Generic */
 #define FORMULA(...) FORMULA_TEXT(__VA_ARGS__, 0), NULL

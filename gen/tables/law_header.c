@@ -58,16 +58,16 @@ static void emit_power_field(struct emit *e, const char *field, struct ratio pow
 static void emit_far_fields(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
 {
     const struct law *law = &t->layout.interpolant.law;
-    const struct ratio one = {1, 1}, power = interpolant_tail_power(law, quantity);
+    const struct ratio power = interpolant_tail_power(law, quantity);
     const bool fall = law_tables_have_fall(t, quantity);
     emit_lines(e, "    x.far = cor_rows_$s_far_$s;\n    x.far_kind = $d;\n", name, quantity_stem[quantity],
                quantity == EPS_ZERO_OVERLAP ? 2 : 1);
     emit_power_field(e, "power", power);
-    emit_power_field(e, "far_power", fall ? ratio_div(law->a, ratio_add(law->b, one)) : power);
+    emit_power_field(e, "far_power", fall ? RATIO("law->a/(law->b + 1)", law->a, law->b) : power);
     emit_power_field(e, "mu", law_mu_power(law));
     if (fall) {
         emit_lines(e, "    x.fall = cor_rows_$s_fall_$s;\n    x.has_fall = 1;\n", name, quantity_stem[quantity]);
-        emit_power_field(e, "fall_power", ratio_div(ratio_sub(law->a, one), law_fall_power(law)));
+        emit_power_field(e, "fall_power", RATIO("(law->a - 1)/(2*law->b - law->a + 1)", law->a, law->b));
     }
     if (quantity == DURATION_ZERO_OVERLAP)
         emit_lines(e, "    x.infinite = cor_inline_infinity();\n");
@@ -76,16 +76,15 @@ static void emit_far_fields(struct emit *e, const struct law_tables *t, const ch
 static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enum quantity quantity)
 {
     const struct law *law = &t->layout.interpolant.law;
-    const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one);
     int status = emit_pair_field(e, "threshold", t->f->threshold);
     if (quantity == DURATION_ZERO_OVERLAP)
         emit_lines(e, "    x.beyond = cor_inline_infinity();\n");
     if (law_is_linear(law) && status == STATUS_OK) {
         LOCAL(arb, critical);
-        LET(critical, 128, "2*a1", a1);
+        LET(critical, 128, "2*(law->a + 1)", law->a);
         status = emit_pair_field(e, "critical", critical);
         emit_lines(e, "    x.linear = 1;\n");
-        emit_power_field(e, "fading", ratio_div(ratio_sub(law->a, one), a1));
+        emit_power_field(e, "fading", RATIO("(law->a - 1)/(law->a + 1)", law->a));
     }
     return status;
 }

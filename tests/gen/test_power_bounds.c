@@ -78,7 +78,7 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
                              const char *name)
 {
     const slong columns = 4 * t->terms;
-    const struct ratio exponent[] = {{-1, 1}, t->law.a, ratio_add(t->law.b, (struct ratio){1, 1})};
+    const struct ratio exponent[] = {{-1, 1}, t->law.a, RATIO("t->law.b + 1", t->law.b)};
     const int powers = t->x_to_a == t->x_to_b1 ? 1 : 2;
     LOCAL(arb, norm);
     for (int i = -1; i < powers; i++) {

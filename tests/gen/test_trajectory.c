@@ -130,7 +130,7 @@ static void assert_fixed(const struct trajectory_tail *tail, const struct trajec
 {
     enum { BITS = 1000 };
     const slong shift = t->shift, terms = t->terms;
-    const struct ratio a = t->law.a, b1 = ratio_add(t->law.b, (struct ratio){1, 1});
+    const struct ratio a = t->law.a, b1 = RATIO("t->law.b + 1", t->law.b);
     struct power_evidence e;
     LOCAL(power_bounds, b);
     LOCAL(arb, e1, by_b, by_a, image);
@@ -170,7 +170,7 @@ TEST(test_truncation_bound)
                 arb_zero(sum);
                 for (slong j = TERMS + 1; j <= MORE; j++) {
                     const slong e = k * (law.bd + law.d) + j * (law.ad + law.d) + law.d;
-                    const struct ratio power = ratio_make(e, law.d);
+                    const struct ratio power = RATIO("e/law.d", e, law.d);
                     arb_poly_get_coeff_arb(term, long_one.x + k, j);
                     LET(term, PREC, "abs(term)/2^(long_one.shift*j)*t0^(power - m)", term, long_one.shift, j, t0, power,
                         m);
