@@ -8,43 +8,6 @@
  * multiply faster. */
 enum { ROW_BITS = 2 };
 
-static void magnitudes_init(struct magnitudes *g, slong rows, slong length)
-{
-    g->rows = rows;
-    g->length = length;
-    g->m = _mag_vec_init(rows * length);
-}
-
-static void magnitudes_clear(struct magnitudes *g)
-{
-    _mag_vec_clear(g->m, g->rows * g->length);
-}
-
-/* column[j] = rho^j sum_k U^k |f_kj|, j < length */
-static void magnitudes_columns(mag_ptr column, const struct magnitudes *g, const mag_t U, const mag_t rho)
-{
-    LOCAL(mag, rho_j);
-    mag_one(rho_j);
-    for (slong j = 0; j < g->length; j++)
-        mag_zero(column + j);
-    for (slong k = g->rows - 1; k >= 0; k--)
-        for (slong j = 0; j < g->length; j++) {
-            mag_mul(column + j, column + j, U);
-            mag_add(column + j, column + j, g->m + k * g->length + j);
-        }
-    for (slong j = 0; j < g->length; j++) {
-        mag_mul(column + j, column + j, rho_j);
-        mag_mul(rho_j, rho_j, rho);
-    }
-}
-
-static void magnitudes_of_rows(struct magnitudes *g, const arb_poly_struct *row)
-{
-    for (slong k = 0; k < g->rows; k++)
-        for (slong j = 0; j < row[k].length; j++)
-            arb_get_mag(g->m + k * g->length + j, row[k].coeffs + j);
-}
-
 /* Rows 0..rows-1 of f g, complete in s if both have at most `length` coefficients. One long product of the concatenated
  * rows computes them (Kronecker substitution). */
 static void rows_mul(arb_poly_struct *product, const arb_poly_struct *f, const arb_poly_struct *g, slong rows,
@@ -106,55 +69,32 @@ static void inverse_rows(arb_poly_struct *v, const arb_poly_struct *f, slong row
     jet_free(defect, rows);
 }
 
-/* 1 - B V has fewer than 2 `rows` rows. */
-static void evidence_block(struct power_evidence *e, const struct trajectory *t, slong rows, slong length)
-{
-    const slong products = FLINT_MIN(2 * rows - 1, t->order + 1);
-    arb_poly_struct *block = jet_new(products), *v = jet_new(products), *product = jet_new(products);
-    magnitudes_init(&e->inverse, rows, length);
-    magnitudes_init(&e->defect, products, 2 * length - 1);
-    magnitudes_init(&e->outer, e->z.rows, e->z.length);
-    for (slong k = 0; k < e->z.rows; k++)
-        for (slong j = k < rows ? length : 0; j < e->z.length; j++)
-            mag_set(e->outer.m + k * e->z.length + j, e->z.m + k * e->z.length + j);
-    for (slong k = 0; k < rows; k++)
-        arb_poly_set_trunc_round(block + k, t->x + k, length, NORM_BITS);
-    inverse_rows(v, block, rows, length);
-    rows_mul(product, block, v, products, length);
-    arb_poly_add_si(product, product, -1, NORM_BITS);
-    magnitudes_of_rows(&e->inverse, v);
-    magnitudes_of_rows(&e->defect, product);
-    jet_free(block, products);
-    jet_free(v, products);
-    jet_free(product, products);
-}
-
 void power_evidence_init(struct power_evidence *e, const struct trajectory *t, slong block_rows, slong block_length)
 {
-    const slong rows = t->order + 1, length = t->terms + 1;
-    const arb_poly_struct *power[2] = {t->x_to_a, t->x_to_b1};
-    const int powers = t->x_to_a == t->x_to_b1 ? 1 : 2;
-    e->J = t->terms;
-    e->powers = powers;
-    e->exponent[0] = t->law.a;
-    e->exponent[1] = RATIO("t->law.b + 1", t->law.b);
-    magnitudes_init(&e->z, rows, length);
-    magnitudes_of_rows(&e->z, t->x);
-    for (int i = 0; i < powers; i++) {
-        magnitudes_init(&e->p[i], rows, length);
-        magnitudes_of_rows(&e->p[i], power[i]);
-    }
-    evidence_block(e, t, FLINT_MIN(block_rows, rows), FLINT_MIN(block_length, length));
+    const slong rows = FLINT_MIN(block_rows, t->order + 1), length = FLINT_MIN(block_length, t->terms + 1);
+    const slong products = FLINT_MIN(2 * rows - 1, t->order + 1); /* 1 - B V has no more rows */
+    arb_poly_struct *block = jet_new(products);
+    *e = (struct power_evidence){.t = t,
+                                 .J = t->terms,
+                                 .powers = t->x_to_a == t->x_to_b1 ? 1 : 2,
+                                 .exponent = {t->law.a, RATIO("t->law.b + 1", t->law.b)},
+                                 .rows = rows,
+                                 .length = length,
+                                 .products = products,
+                                 .inverse = jet_new(products),
+                                 .defect = jet_new(products)};
+    for (slong k = 0; k < rows; k++)
+        arb_poly_set_trunc_round(block + k, t->x + k, length, NORM_BITS);
+    inverse_rows(e->inverse, block, rows, length);
+    rows_mul(e->defect, block, e->inverse, products, length);
+    arb_poly_add_si(e->defect, e->defect, -1, NORM_BITS);
+    jet_free(block, products);
 }
 
 void power_evidence_clear(struct power_evidence *e)
 {
-    magnitudes_clear(&e->z);
-    for (int i = 0; i < e->powers; i++)
-        magnitudes_clear(&e->p[i]);
-    magnitudes_clear(&e->inverse);
-    magnitudes_clear(&e->defect);
-    magnitudes_clear(&e->outer);
+    jet_free(e->inverse, e->products);
+    jet_free(e->defect, e->products);
 }
 
 void power_bounds_init(struct power_bounds *b)
@@ -165,6 +105,28 @@ void power_bounds_init(struct power_bounds *b)
 void power_bounds_clear(struct power_bounds *b)
 {
     FOR_ALL(arb, clear, b->inverse, b->error[0], b->error[1], b->size[0], b->size[1], b->last_column);
+}
+
+/* column[j] = rho^j sum_k U^k |f_kj|, j < length, but for the first `block_rows` rows of the first columns */
+static void columns_of(mag_ptr column, slong length, const arb_poly_struct *f, slong rows, slong block_rows,
+                       slong block_length, const mag_t U, const mag_t rho)
+{
+    LOCAL(mag, rho_j, x);
+    mag_one(rho_j);
+    for (slong j = 0; j < length; j++)
+        mag_zero(column + j);
+    for (slong k = rows - 1; k >= 0; k--)
+        for (slong j = 0; j < length; j++) {
+            mag_mul(column + j, column + j, U);
+            if (j >= f[k].length || (k < block_rows && j < block_length))
+                continue;
+            arb_get_mag(x, f[k].coeffs + j);
+            mag_add(column + j, column + j, x);
+        }
+    for (slong j = 0; j < length; j++) {
+        mag_mul(column + j, column + j, rho_j);
+        mag_mul(rho_j, rho_j, rho);
+    }
 }
 
 /* |f|, or |th(f)| with theta = 1, from the norms of the columns of f */
@@ -178,21 +140,17 @@ static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
     arb_set_upper(y, sum);
 }
 
-static void magnitudes_norm(arb_t y, const struct magnitudes *f, const mag_t U, const mag_t rho)
-{
-    mag_ptr column = _mag_vec_init(f->length);
-    magnitudes_columns(column, f, U, rho);
-    columns_norm(y, column, f->length, 0);
-    _mag_vec_clear(column, f->length);
-}
-
-/* (3.1): nu = |V|/(1 - |1 - B V| - |Z - B| |V|). With a divisor below 1/2 the bound would be useless. */
-static bool bound_inverse(arb_t nu, const struct power_evidence *e, const mag_t U, const mag_t rho)
+/* (3.1): nu = |V|/(1 - |1 - B V| - |Z - B| |V|), with room for columns. With a divisor below 1/2 the bound would be
+ * useless. */
+static bool bound_inverse(arb_t nu, mag_ptr column, const struct power_evidence *e, const mag_t U, const mag_t rho)
 {
     LOCAL(arb, defect, outer, divisor);
-    magnitudes_norm(nu, &e->inverse, U, rho);
-    magnitudes_norm(outer, &e->outer, U, rho);
-    magnitudes_norm(defect, &e->defect, U, rho);
+    columns_of(column, e->length, e->inverse, e->rows, 0, 0, U, rho);
+    columns_norm(nu, column, e->length, 0);
+    columns_of(column, 2 * e->length - 1, e->defect, e->products, 0, 0, U, rho);
+    columns_norm(defect, column, 2 * e->length - 1, 0);
+    columns_of(column, e->J + 1, e->t->x, e->t->order + 1, e->rows, e->length, U, rho);
+    columns_norm(outer, column, e->J + 1, 0);
     LET(divisor, NORM_BITS, "1 - (defect + outer*nu)", defect, outer, nu);
     arb_div(nu, nu, divisor, NORM_BITS);
     return HOLDS(NORM_BITS, "2*divisor > 1", divisor);
@@ -236,22 +194,23 @@ static bool bound_power(struct power_bounds *b, int i, const struct power_eviden
 
 bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, const arb_t U, const arb_t rho)
 {
+    const slong rows = e->t->order + 1, columns = 2 * e->J + 1;
     LOCAL(mag, U_mag, rho_mag);
-    mag_ptr z = _mag_vec_init(e->J + 1), power = _mag_vec_init(e->J + 1);
+    mag_ptr z = _mag_vec_init(columns), power = _mag_vec_init(columns);
     arb_get_mag(U_mag, U);
     arb_get_mag(rho_mag, rho);
-    bool bounded = bound_inverse(b->inverse, e, U_mag, rho_mag);
+    bool bounded = bound_inverse(b->inverse, power, e, U_mag, rho_mag);
     if (bounded)
-        magnitudes_columns(z, &e->z, U_mag, rho_mag);
+        columns_of(z, e->J + 1, e->t->x, rows, 0, 0, U_mag, rho_mag);
     for (int i = 0; i < e->powers && bounded; i++) {
-        magnitudes_columns(power, &e->p[i], U_mag, rho_mag);
+        columns_of(power, e->J + 1, i == 0 ? e->t->x_to_a : e->t->x_to_b1, rows, 0, 0, U_mag, rho_mag);
         bounded = bound_power(b, i, e, z, power);
         if (i == 0) {
             arb_set_upper(b->last_column, power + e->J);
             arb_add(b->last_column, b->last_column, b->error[0], NORM_BITS);
         }
     }
-    _mag_vec_clear(z, e->J + 1);
-    _mag_vec_clear(power, e->J + 1);
+    _mag_vec_clear(z, columns);
+    _mag_vec_clear(power, columns);
     return bounded;
 }

@@ -19,19 +19,14 @@
 /* Norms are needed to a few digits only. */
 enum { NORM_BITS = 64 };
 
-/* Magnitudes of the coefficients of a family of row polynomials, which are summed with many weights */
-struct magnitudes {
-    slong rows, length;
-    mag_ptr m; /* rows * length */
-};
-
-/* All data of one trajectory that the bounds need, except the weights */
+/* All data of one trajectory, which must live as long, that the bounds need, except the weights */
 struct power_evidence {
+    const struct trajectory *t;
     slong J;
-    int powers;                               /* 1 if both powers are the same */
-    struct ratio exponent[2];                 /* p = a, b + 1 */
-    struct magnitudes z, p[2];                /* Z and P */
-    struct magnitudes inverse, defect, outer; /* V, 1 - B V and Z - B for the block B of Z */
+    int powers;                        /* 1 if both powers are the same */
+    struct ratio exponent[2];          /* p = a, b + 1 */
+    slong rows, length, products;      /* of the block B of Z; rows of 1 - B V */
+    arb_poly_struct *inverse, *defect; /* V and 1 - B V, `products` rows each */
 };
 
 /* B consists of the first `block_rows` rows of Z and of the first `block_length` columns, or of all that Z has. */

@@ -52,14 +52,6 @@ void trajectory_exact_free(fmpq_poly_struct *row, slong rows)
     flint_free(row);
 }
 
-/* y = x num/den */
-static void exact_scale(fmpq_t y, const fmpq_t x, slong num, slong den)
-{
-    LOCAL(fmpq, factor);
-    fmpq_set_si(factor, den < 0 ? -num : num, (ulong)FLINT_ABS(den));
-    fmpq_mul(y, x, factor);
-}
-
 /* sum_i p_i q_(n-i), computed with integers over the two common denominators */
 static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_struct *q, slong n)
 {
@@ -78,9 +70,8 @@ static void exact_first_row(struct exact_power *power, const fmpq_poly_t x0, slo
     for (slong i = 1; i <= j; i++) {
         fmpq_poly_get_coeff_fmpq(x, x0, i);
         fmpq_poly_get_coeff_fmpq(y, power->row, j - i);
-        fmpq_mul(x, x, y);
-        exact_scale(x, x, row_sums_weight(power->p, i, j), j * power->p.den);
-        fmpq_add(sum, sum, x);
+        const slong weight = row_sums_weight(power->p, i, j), den = j * power->p.den;
+        EXACT(sum, "sum + weight*x*y/den", sum, weight, x, y, den);
     }
     fmpq_poly_set_coeff_fmpq(power->row, j, sum);
 }
@@ -120,7 +111,8 @@ fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct law *l
     for (slong j = 1; j <= terms; j++) {
         progress("elastic trajectory", j, terms);
         fmpq_poly_get_coeff_fmpq(x, elastic->row, j - 1);
-        exact_scale(x, x, -d * d, j * ds * (j * ds + d));
+        const slong e = j * ds;
+        EXACT(x, "-x*d^2/(e*(e + d))", x, d, e);
         fmpq_poly_set_coeff_fmpq(row, j, x);
         for (int i = 0; i < powers; i++)
             exact_first_row(&power[i], row, j);
@@ -139,16 +131,13 @@ fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct law *l
         for (slong j = 0; j <= terms; j++) {
             const slong e = k * du + j * ds;
             fmpq_zero(sum);
-            if (j > 0) { /* [X^a][k][j-1] d/e */
+            if (j > 0) { /* [X^a][k][j-1] */
                 exact_dot(sum, elastic->slope, row + k, j - 1);
                 fmpq_poly_get_coeff_fmpq(x, elastic->rest, j - 1);
                 fmpq_add(sum, sum, x);
-                exact_scale(sum, sum, d, e);
             }
             fmpq_poly_get_coeff_fmpq(x, damping->row + k - 1, j);
-            exact_scale(x, x, d, du);
-            fmpq_add(sum, sum, x);
-            exact_scale(sum, sum, -d, e + d);
+            EXACT(sum, "-(sum/e + x/du)*d^2/(e + d)", sum, e, x, du, d);
             fmpq_poly_set_coeff_fmpq(row + k, j, sum);
         }
         for (int i = 0; i < powers; i++) {
