@@ -201,136 +201,89 @@ static void component_norm(arb_t norm, arb_srcptr f, slong first, const struct t
     arb_set_upper(norm, sum);
 }
 
-/* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
- * polynomials: docs/theory.md, 6, equations (6.2) to (6.5). */
-struct step_proof {
-    const struct taylor *y;
-    mag_t h_mag;
-    arb_t h;
-    arb_t c1, c2, c3;                         /* |c1|, |c2|, |c3| */
-    arb_t w_max, v_max;                       /* largest |w| and |v| in the tube: norms times 1 + 2^-TUBE_BITS */
-    arb_t residual_w, residual_v, residual_t; /* residuals of the three equations of motion */
-    arb_t kappa, lipschitz;                   /* weight of e_w; L */
-    arb_t error_w, error_v, error_t;          /* proved remainders */
-};
-
-#define STEP_PROOF_NUMBERS(action, p)                                                                                  \
-    FOR_ALL(arb, action, p->h, p->c1, p->c2, p->c3, p->w_max, p->v_max, p->residual_w, p->residual_v, p->residual_t,   \
-            p->kappa, p->lipschitz, p->error_w, p->error_v, p->error_t)
-
-static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
-{
-    p->y = y;
-    mag_init(p->h_mag);
-    STEP_PROOF_NUMBERS(init, p);
-    arb_get_mag(p->h_mag, h);
-    arb_set_upper(p->h, p->h_mag);
-    LET(p->c1, NORM_BITS, "abs(y->c1)", y->c1);
-    LET(p->c2, NORM_BITS, "abs(y->c2)", y->c2);
-    LET(p->c3, NORM_BITS, "abs(y->c3)", y->c3);
-    component_norm(p->w_max, y->w, 0, y, p->h_mag);
-    component_norm(p->v_max, y->v, 0, y, p->h_mag);
-    LET(p->w_max, NORM_BITS, "p->w_max*(1 + 2^-TUBE_BITS)", p->w_max, TUBE_BITS);
-    LET(p->v_max, NORM_BITS, "p->v_max*(1 + 2^-TUBE_BITS)", p->v_max, TUBE_BITS);
-}
-
-static void step_proof_clear(struct step_proof *p)
-{
-    mag_clear(p->h_mag);
-    STEP_PROOF_NUMBERS(clear, p);
-}
-
 /* (6.2) at one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
-static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_proof *p, double ratio)
+static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor *y, const mag_t h, double ratio)
 {
-    const slong d = p->y->law.d, ad = p->y->law.ad, bd = p->y->law.bd, N = p->y->degree;
+    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, N = y->degree;
+    const arb_srcptr c1 = y->c1, c2 = y->c2, c3 = y->c3;
     LOCAL(mag, R);
     LOCAL(arb, w, v);
     mag_set_d(R, ratio);
-    mag_mul(R, R, p->h_mag); /* above ratio h */
-    component_norm(w, p->y->w, 0, p->y, R);
-    component_norm(v, p->y->v, 0, p->y, R);
+    mag_mul(R, R, h); /* above ratio h */
+    component_norm(w, y->w, 0, y, R);
+    component_norm(v, y->v, 0, y, R);
     LET(residual_t, NORM_BITS, "w^(d - 1)/ratio^N", w, d, ratio, N);
-    LET(residual_v, NORM_BITS, "(p->c1*w^bd*v + p->c2*w^ad + p->c3)*residual_t", p->c1, w, bd, v, p->c2, ad, p->c3,
+    LET(residual_v, NORM_BITS, "(abs(c1)*w^bd*v + abs(c2)*w^ad + abs(c3))*residual_t", c1, w, bd, v, c2, ad, c3,
         residual_t);
 }
 
 /* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
  * radius gives a valid bound; the best is a little inside the radius of convergence, 2^STEP_BITS h. The logarithms of
  * the bounds are convex functions of log R, so that they have one minimum each. */
-static void residuals(struct step_proof *p)
+static void residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
 {
     enum { PER_OCTAVE = 4 };
     bool falling = true;
     LOCAL(arb, residual_v, residual_t);
-    component_norm(p->residual_w, p->y->v, p->y->degree, p->y, p->h_mag);
-    arb_div_si(p->residual_w, p->residual_w, p->y->law.d, NORM_BITS);
-    arb_pos_inf(p->residual_v);
-    arb_pos_inf(p->residual_t);
+    arb_pos_inf(least_v);
+    arb_pos_inf(least_t);
     for (int i = (STEP_BITS + 1) * PER_OCTAVE; i >= PER_OCTAVE && falling; i--) {
-        residuals_at(residual_v, residual_t, p, exp2((double)i / (double)PER_OCTAVE));
-        falling = arb_lt(residual_v, p->residual_v) || arb_lt(residual_t, p->residual_t);
-        arb_min(p->residual_v, p->residual_v, residual_v, NORM_BITS);
-        arb_min(p->residual_t, p->residual_t, residual_t, NORM_BITS);
+        residuals_at(residual_v, residual_t, y, h, exp2((double)i / (double)PER_OCTAVE));
+        falling = arb_lt(residual_v, least_v) || arb_lt(residual_t, least_t);
+        arb_min(least_v, least_v, residual_v, NORM_BITS);
+        arb_min(least_t, least_t, residual_t, NORM_BITS);
     }
 }
 
-/* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives a
- * valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
-static void lipschitz(struct step_proof *p)
+/* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
+ * polynomials: docs/theory.md, 6, equations (6.2) to (6.5). Sets the remainders. Returns false if it does not
+ * succeed. */
+static bool prove_step(struct taylor *y, const arb_t step)
 {
-    const slong d = p->y->law.d, ad = p->y->law.ad, bd = p->y->law.bd;
-    const arb_srcptr w = p->w_max, v = p->v_max;
-    LOCAL(arb, by_w, by_v);
-    LET(by_v, NORM_BITS, "p->c1*w^(d - 1 + bd)", p->c1, w, d, bd);
-    LET(by_w, NORM_BITS, "(d - 1 + ad)*p->c2*w^ad + (d - 1)*p->c3", d, ad, p->c2, w, p->c3);
-    LET(by_w, NORM_BITS, "w^(d - 2)*((d - 1 + bd)*p->c1*w^bd*v + by_w)", w, d, bd, p->c1, v, by_w);
-    LET(p->kappa, NORM_BITS, "sqrt(by_w*d)", by_w, d);
-    arb_get_mid_arb(p->kappa, p->kappa);
-    if (!arb_is_positive(p->kappa))
-        arb_one(p->kappa);
-    LET(p->lipschitz, NORM_BITS, "max(by_w/p->kappa + by_v, p->kappa/d)", by_w, p->kappa, by_v, d);
-}
+    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd;
+    const arb_srcptr c1 = y->c1, c2 = y->c2, c3 = y->c3;
+    LOCAL(mag, h_mag);
+    LOCAL(arb, h, w, v, residual_w, residual_v, residual_t); /* w and v: the largest in the tube */
+    LOCAL(arb, by_w, by_v, kappa, lipschitz, error_w, error_v, error_t);
+    arb_get_mag(h_mag, step);
+    arb_set_upper(h, h_mag);
+    component_norm(w, y->w, 0, y, h_mag);
+    component_norm(v, y->v, 0, y, h_mag);
+    LET(w, NORM_BITS, "w*(1 + 2^-TUBE_BITS)", w, TUBE_BITS);
+    LET(v, NORM_BITS, "v*(1 + 2^-TUBE_BITS)", v, TUBE_BITS);
+    component_norm(residual_w, y->v, y->degree, y, h_mag);
+    arb_div_si(residual_w, residual_w, d, NORM_BITS);
+    residuals(residual_v, residual_t, y, h_mag);
 
-/* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube. Returns whether it
- * does. */
-static bool gronwall(struct step_proof *p)
-{
-    const slong d = p->y->law.d;
-    LET(p->error_v, NORM_BITS, "max(p->residual_w*p->kappa, p->residual_v)*p->h*exp(p->lipschitz*p->h)", p->residual_w,
-        p->kappa, p->residual_v, p->h, p->lipschitz);
-    arb_div(p->error_w, p->error_v, p->kappa, NORM_BITS);
+    /* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives
+     * a valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
+    LET(by_v, NORM_BITS, "abs(c1)*w^(d - 1 + bd)", c1, w, d, bd);
+    LET(by_w, NORM_BITS, "(d - 1 + ad)*abs(c2)*w^ad + (d - 1)*abs(c3)", d, ad, c2, w, c3);
+    LET(by_w, NORM_BITS, "w^(d - 2)*((d - 1 + bd)*abs(c1)*w^bd*v + by_w)", w, d, bd, c1, v, by_w);
+    LET(kappa, NORM_BITS, "sqrt(by_w*d)", by_w, d);
+    arb_get_mid_arb(kappa, kappa);
+    if (!arb_is_positive(kappa))
+        arb_one(kappa);
+    LET(lipschitz, NORM_BITS, "max(by_w/kappa + by_v, kappa/d)", by_w, kappa, by_v, d);
 
-    /* t' = w^(d-1), which involves no t */
-    LET(p->error_t, NORM_BITS, "(p->residual_t + (d - 1)*p->w_max^(d - 2)*p->error_w)*p->h", p->residual_t, d, p->w_max,
-        p->error_w, p->h);
+    /* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube; and t' =
+     * w^(d-1), which involves no t. */
+    LET(error_v, NORM_BITS, "max(residual_w*kappa, residual_v)*h*exp(lipschitz*h)", residual_w, kappa, residual_v, h,
+        lipschitz);
+    arb_div(error_w, error_v, kappa, NORM_BITS);
+    LET(error_t, NORM_BITS, "(residual_t + (d - 1)*w^(d - 2)*error_w)*h", residual_t, d, w, error_w, h);
+    arb_get_mag(y->error_w, error_w);
+    arb_get_mag(y->error_v, error_v);
+    arb_get_mag(y->error_t, error_t);
 
-    /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w_max on each side, which is more than half of 2^-TUBE_BITS. */
-    return HOLDS(NORM_BITS, "p->error_w < p->w_max/2^(TUBE_BITS + 1)", p->error_w, p->w_max, TUBE_BITS) &&
-           HOLDS(NORM_BITS, "p->error_v < p->v_max/2^(TUBE_BITS + 1)", p->error_v, p->v_max, TUBE_BITS);
-}
-
-/* (6.5): whether w has no pair of zeros inside the step, which its signs at both ends would not show. One of two
- * conditions suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed
- * v_max/d. Under a constant force only the first one shows that v has no such pair, either (24). */
-static bool no_hidden_zero(const struct step_proof *p)
-{
-    const slong d = p->y->law.d;
-    return HOLDS(NORM_BITS, "2*p->lipschitz*p->h < 3", p->lipschitz, p->h) ||
-           (arb_is_zero(p->c3) && HOLDS(NORM_BITS, "p->y->w > p->v_max*p->h/d", p->y->w, p->v_max, p->h, d));
-}
-
-/* Sets the remainders on [0, h]. Returns false if the proof does not succeed. */
-static bool prove_step(struct taylor *y, const arb_t h)
-{
-    LOCAL_INIT(step_proof, p, (&p, y, h));
-    residuals(&p);
-    lipschitz(&p);
-    const bool proved = gronwall(&p) && no_hidden_zero(&p);
-    arb_get_mag(y->error_w, p.error_w);
-    arb_get_mag(y->error_v, p.error_v);
-    arb_get_mag(y->error_t, p.error_t);
-    return proved;
+    /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w on each side, which is more than half of 2^-TUBE_BITS. And
+     * (6.5): w has no pair of zeros inside the step, which its signs at both ends would not show. One of two conditions
+     * suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed v/d. Under
+     * a constant force only the first one shows that v has no such pair, either (24). */
+    return HOLDS(NORM_BITS, "error_w < w/2^(TUBE_BITS + 1)", error_w, w, TUBE_BITS) &&
+           HOLDS(NORM_BITS, "error_v < v/2^(TUBE_BITS + 1)", error_v, v, TUBE_BITS) &&
+           (HOLDS(NORM_BITS, "2*lipschitz*h < 3", lipschitz, h) ||
+            (arb_is_zero(c3) && HOLDS(NORM_BITS, "y->w > v*h/d", y->w, v, h, d)));
 }
 
 /* log2 of the radius of convergence, estimated from the last coefficients */
@@ -477,14 +430,10 @@ static bool taylor_root(arb_t root, const struct taylor *y, enum taylor_componen
     arb_get_mid_arb(width, end);
     arb_mul_2exp_si(width, width, -y->prec);
     for (slong i = 0; i < y->prec && !proved; i++) {
-        arb_sub(b->low, x, width, y->prec);
+        LET(b->low, y->prec, "max(x - width, begin)", x, width, begin);
+        LET(b->high, y->prec, "min(x + width, end)", x, width, end);
         arb_get_mid_arb(b->low, b->low);
-        arb_add(b->high, x, width, y->prec);
         arb_get_mid_arb(b->high, b->high);
-        if (arb_lt(b->low, begin))
-            arb_get_mid_arb(b->low, begin);
-        if (arb_gt(b->high, end))
-            arb_get_mid_arb(b->high, end);
         taylor_value(b->f_low, y, component, b->low);
         taylor_value(b->f_high, y, component, b->high);
         proved = arb_is_positive(b->f_low) && arb_is_negative(b->f_high);
