@@ -119,13 +119,11 @@ static bool stored_of_sphere(struct complex_ball y[QUANTITIES], const struct cov
     if (interval->variable == INTERVAL_LOG ? !complex_collision_log(&c, x)
                                            : !complex_collision_root(&c, x, (work->set & SET_ZERO_OVERLAP) != 0))
         return false;
-    const struct complex_ball fields[QUANTITIES] = {c.eps_zero_overlap, c.eps_zero_force, c.t_zero_overlap,
-                                                    c.t_zero_force,     c.x_max,          c.t_max};
     for (int q = 0; q < QUANTITIES; q++)
         if (work->set & 1u << q)
             y[q] = interval->form == FORM_QUOTIENT && is_eps((enum quantity)q)
-                       ? ball_mul(ball_sub(ball_of(1, 0), fields[q]), ball_inv(ball_sqr(x)))
-                       : fields[q];
+                       ? ball_mul(ball_sub(ball_of(1, 0), c.field[q]), ball_inv(ball_sqr(x)))
+                       : c.field[q];
     return true;
 }
 

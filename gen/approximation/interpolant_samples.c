@@ -70,19 +70,12 @@ bool sample_rounded(arb_t y, const arb_t x, slong bits)
     return decided;
 }
 
-static arb_srcptr field(const struct collision *c, enum quantity quantity)
-{
-    const arb_srcptr fields[QUANTITIES] = {c->eps_zero_overlap, c->eps_zero_force, c->t_zero_overlap,
-                                           c->t_zero_force,     c->x_max,          c->t_max};
-    return fields[quantity];
-}
-
 /* The number that an interval stores for a collision */
 static void scaled(arb_t y, const struct law *law, const struct interval *interval, enum quantity quantity,
                    const struct collision *c, const arb_t beta, slong prec)
 {
     const struct ratio power = interpolant_tail_power(law, quantity);
-    arb_set(y, field(c, quantity));
+    arb_set(y, c->field[quantity]);
     if (interval->form == FORM_POWER && interval->variable == INTERVAL_BELOW)
         LET(y, prec, "y*c->eps_zero_overlap^((law->a - 1)/(law->a + 1))", y, c->eps_zero_overlap, law->a);
     else if (interval->form == FORM_QUOTIENT && is_eps(quantity))

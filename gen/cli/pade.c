@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "approximation/pade.h"
-#include "approximation/published.h"
 #include "cli/commands.h"
 #include "support/console.h"
 #include "support/digits.h"
@@ -140,7 +139,7 @@ static void print_published(FILE *file, const struct pade *f)
     for (int k = 1; k <= 5; k++) {
         arb_srcptr x = k == 1 ? arb_poly_get_coeff_ptr(f->p, 1) : arb_poly_get_coeff_ptr(f->q, k - 1);
         char *text = digits_of_ball(x, 5);
-        fprintf(file, "d_%d = %-12s  %-7s (%s of x^%d)\n", k, published_value(PUBLISHED_D, k), text ? text : "?",
+        fprintf(file, "d_%d = %-12s  %-7s (%s of x^%d)\n", k, published_d[k - 1], text ? text : "?",
                 k == 1 ? "numerator" : "denominator", k == 1 ? 1 : k - 1);
         free(text);
     }

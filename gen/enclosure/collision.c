@@ -16,14 +16,11 @@ enum ends { ENDS_BOTH, ENDS_ZERO_OVERLAP, ENDS_ZERO_FORCE };
 
 static slong accuracy(const struct collision *c, enum ends ends)
 {
-    const arb_srcptr field[6] = {c->x_max,          c->t_max,          c->eps_zero_overlap,
-                                 c->t_zero_overlap, c->eps_zero_force, c->t_zero_force};
     slong bits = WORD_MAX;
-    for (int i = 0; i < 6; i++) {
-        if ((ends == ENDS_ZERO_FORCE && (i == 2 || i == 3)) || (ends == ENDS_ZERO_OVERLAP && i > 3))
-            continue;
-        if (!arb_is_exact(field[i]))
-            bits = FLINT_MIN(bits, arb_rel_accuracy_bits(field[i]));
+    for (int i = 0; i < COLLISION_FIELDS; i++) {
+        const bool asked = i > 3 || ends == ENDS_BOTH || (ends == ENDS_ZERO_FORCE) == (i % 2 == 1);
+        if (asked && !arb_is_exact(c->field[i]))
+            bits = FLINT_MIN(bits, arb_rel_accuracy_bits(c->field[i]));
     }
     return bits;
 }

@@ -14,10 +14,13 @@
 
 #include "enclosure/complex_ball.h"
 
-struct complex_collision {
-    struct complex_ball x_max, t_max;
-    struct complex_ball eps_zero_overlap, t_zero_overlap;
-    struct complex_ball eps_zero_force, t_zero_force;
+struct complex_collision { /* as struct collision */
+    union {
+        struct {
+            struct complex_ball eps_zero_overlap, eps_zero_force, t_zero_overlap, t_zero_force, x_max, t_max;
+        };
+        struct complex_ball field[6];
+    };
 };
 
 /* Every quantity for all z = sqrt(beta) in a ball, as continued analytically from z > 0; with z < 0 the fields of zero

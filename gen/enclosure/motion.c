@@ -10,18 +10,16 @@
  * minutes. */
 enum { LEAST_BITS = 8, PRESSED_STEPS = 2000 };
 
-#define COLLISION(action, c)                                                                                           \
-    FOR_ALL(arb, action, (c)->x_max, (c)->t_max, (c)->eps_zero_overlap, (c)->t_zero_overlap, (c)->eps_zero_force,      \
-            (c)->t_zero_force)
-
 void collision_init(struct collision *c)
 {
-    COLLISION(init, c);
+    for (int i = 0; i < COLLISION_FIELDS; i++)
+        arb_init(c->field[i]);
 }
 
 void collision_clear(struct collision *c)
 {
-    COLLISION(clear, c);
+    for (int i = 0; i < COLLISION_FIELDS; i++)
+        arb_clear(c->field[i]);
 }
 
 /* What a constant force adds */

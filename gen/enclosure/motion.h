@@ -5,11 +5,15 @@
 
 #include "series/law.h"
 
-/* The events of one collision, which the equation of motion determines */
+/* The events of one collision, which the equation of motion determines, in the order of enum quantity (interpolant.h) */
+enum { COLLISION_FIELDS = 6 };
 struct collision {
-    arb_t x_max, t_max;
-    arb_t eps_zero_overlap, t_zero_overlap;
-    arb_t eps_zero_force, t_zero_force;
+    union {
+        struct {
+            arb_t eps_zero_overlap, eps_zero_force, t_zero_overlap, t_zero_force, x_max, t_max;
+        };
+        arb_t field[COLLISION_FIELDS];
+    };
 };
 
 void collision_init(struct collision *c);

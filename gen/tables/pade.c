@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "approximation/published.h"
 #include "support/console.h"
 #include "support/local.h"
 

@@ -205,12 +205,8 @@ TEST(test_backward_series)
 
 static void assert_same_collision(const struct collision *c, const struct collision *other, slong index)
 {
-    assert_overlap(c->x_max, other->x_max, "x_max", index);
-    assert_overlap(c->t_max, other->t_max, "t_max", index);
-    assert_overlap(c->eps_zero_force, other->eps_zero_force, "eps at zero force", index);
-    assert_overlap(c->t_zero_force, other->t_zero_force, "duration to zero force", index);
-    assert_overlap(c->eps_zero_overlap, other->eps_zero_overlap, "eps at zero overlap", index);
-    assert_overlap(c->t_zero_overlap, other->t_zero_overlap, "duration to zero overlap", index);
+    for (int i = 0; i < COLLISION_FIELDS; i++)
+        assert_overlap(c->field[i], other->field[i], "field", 10 * index + i);
 }
 
 /* The motion knows no closed form; overdamped it finds that the overlap creeps. */

@@ -11,13 +11,6 @@ static const slong PREC = 320;
 
 static struct random_state random_state = {19990101};
 
-static arb_srcptr field(const struct collision *c, enum quantity quantity)
-{
-    const arb_srcptr fields[QUANTITIES] = {c->eps_zero_overlap, c->eps_zero_force, c->t_zero_overlap,
-                                           c->t_zero_force,     c->x_max,          c->t_max};
-    return fields[quantity];
-}
-
 /* |x/y - 1| */
 static double relative(const arb_t x, const arb_t y)
 {
@@ -53,10 +46,10 @@ TEST(test_small_beta)
         assert_int_equal(collision_solve(c, beta, &law_sphere, 110), 0);
         for (int q = 0; q < QUANTITIES; q++) {
             interpolant_value(y, f, (enum quantity)q, z, PREC);
-            worst = fmax(worst, relative(y, field(c, (enum quantity)q)));
+            worst = fmax(worst, relative(y, c->field[q]));
             if (q != EPS_ZERO_OVERLAP && q != EPS_ZERO_FORCE)
                 continue;
-            const arb_srcptr eps = field(c, (enum quantity)q);
+            const arb_srcptr eps = c->field[q];
             LET(exact, PREC, "(1 - eps)/beta", eps, beta);
             interpolant_value(y, f, q == EPS_ZERO_FORCE ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP, z,
                               PREC);
@@ -92,8 +85,7 @@ TEST(test_check_at_ends)
     assert_int_equal(collision_solve(c, one, &law_sphere, 110), 0);
     interpolant_value(y, f, MAX_OVERLAP, one, PREC);
     assert_int_equal(interpolant_check(&error, f, 3), 0);
-    check(error >= 0.99 * relative(y, field(c, MAX_OVERLAP)) && error < 1e-3, "%g, at beta = 1: %g", error,
-          relative(y, field(c, MAX_OVERLAP)));
+    check(error >= 0.99 * relative(y, c->x_max) && error < 1e-3, "%g, at beta = 1: %g", error, relative(y, c->x_max));
     interpolant_free(f);
 }
 
