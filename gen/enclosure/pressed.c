@@ -88,6 +88,8 @@ static enum backward impact_speed(arb_t speed, const arb_t damping, const struct
 int collision_sticking_speed(arb_t speed, const arb_t damping, const struct law *law, int end, slong bits)
 {
     slong prec = bits + GUARD_BITS;
+    if (law->ad == 0)
+        return fail("with the elastic exponent 0 no speed decides whether the bodies stay together");
     for (int i = 0; i < ATTEMPTS; i++, prec += prec / 2) {
         const enum backward outcome = impact_speed(speed, damping, law, end, prec);
         progress_end();
@@ -204,6 +206,10 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
 {
     LOCAL(arb, damping, found, low, high, f_low, f_high, other, at);
     slong prec = bits + GUARD_BITS, width = 30;
+    if (law->ad == 0) { /* x'' + beta x^b x' = force - 1 */
+        arb_one(force);
+        return STATUS_OK;
+    }
     arb_get_mid_arb(at, beta);
     const int status = find_damping(damping, low, high, at, law, end);
     if (status != STATUS_OK)

@@ -452,6 +452,11 @@ TEST(test_sticking_force)
     arb_get_ubound_arf(arb_midref(end), force, PREC);
     assert_int_equal(collision_solve_pressed(c, beta, end, &law_sphere, 0, 20), 0);
     assert_true(arb_is_zero(c->eps_zero_overlap));
+    /* an elastic force of 1 at every overlap: no other force balances it, and the speed says nothing */
+    const struct law constant = law_of("0", "1");
+    assert_int_equal(collision_sticking_force(force, beta, &constant, 0, 30), 0);
+    assert_true(arb_is_one(force));
+    assert_int_equal(collision_sticking_speed(force, beta, &constant, 0, 30), 1);
 }
 
 /* ---- hard cases ---- */
