@@ -50,7 +50,7 @@ static long double ratio(enum law_end end, bool loss, long double zeta)
     if (isinf(zeta) || (end == LAW_ZERO_OVERLAP && zeta >= 1))
         return loss;
     const long double l = reference_ratio_exponent(end, zeta);
-    return loss ? -expm1l(-l) : l < far_exponent ? expl(-l) : eps_far(end, (double)zeta, ratio_make(1, 1));
+    return loss ? -expm1l(-l) : l < far_exponent ? expl(-l) : eps_far(end, (double)zeta, RATIO("1"));
 }
 
 /* ---- what is tested ---- */
@@ -94,7 +94,7 @@ enum { SLOW_SHARE = 400 }; /* where the reference takes 0.1 ms */
     X(linear_max_overlap, OVERLAP, 0, 1, 0, ratio(LAW_APPROACH_ONLY, false, zeta))                                     \
     X(linear_time_of_max_overlap, TIME, 0, PI / 2, 0, PHASE / zeta)                                                    \
     X(tsuji_max_overlap, OVERLAP, 0, TSUJI_MOST, 0,                                                                    \
-      TSUJI_MOST *(2 * PHASE < far_exponent ? expl(-0.8L * PHASE) : eps_far(LAW_ZERO_FORCE, zeta, ratio_make(2, 5))))  \
+      TSUJI_MOST *(2 * PHASE < far_exponent ? expl(-0.8L * PHASE) : eps_far(LAW_ZERO_FORCE, zeta, RATIO("2/5"))))      \
     X(tsuji_duration_zero_overlap, TIME, SLOW_SHARE, 2 * HALF, HUGE_VALL,                                              \
       zeta < 1 ? reference_tsuji_time(LAW_ZERO_OVERLAP, zeta) : HUGE_VALL)                                             \
     X(tsuji_duration_zero_force, TIME, SLOW_SHARE, 2 * HALF, 0, reference_tsuji_time(LAW_ZERO_FORCE, zeta))            \
