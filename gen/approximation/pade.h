@@ -16,8 +16,8 @@ enum pade_kind {
     PADE_AS_PUBLISHED /* Table I: [1/4] of the printed, cut series, in x = (g/g*)^(1/5) */
 };
 
-/* The numbers of PADE_AS_PUBLISHED as the paper of 1999 prints them, right or wrong: a_1 to a_4 of (32) and (33), d_1 to
- * d_5 of Table I. No table of values may use them. */
+/* The numbers of PADE_AS_PUBLISHED as the paper of 1999 prints them, right or wrong: a_1 to a_4 of (32) and (33), d_1
+ * to d_5 of Table I. No table of values may use them. */
 extern const char *const published_a[4], *const published_d[5];
 
 struct pade_request {

@@ -5,7 +5,7 @@
 
 #include "series/law.h"
 
-/* The events of one collision, which the equation of motion determines, in the order of enum quantity (interpolant.h) */
+/* The events of one collision, which the equation of motion determines, in the order of enum quantity */
 enum { COLLISION_FIELDS = 6 };
 struct collision {
     union {
