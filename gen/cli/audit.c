@@ -144,11 +144,6 @@ static void take_finding(void *context, const struct cor_audit_finding *f)
 
 /* ---- the command ---- */
 
-static double number_or_nan(const struct decimal *number)
-{
-    return number->text ? decimal_value(number) : (double)NAN;
-}
-
 /* Returns STATUS_OK, STATUS_NOT_AS_ASKED, or STATUS_USAGE after a message. */
 static int audit_file(struct audit_run *run, struct cor_audit_memory *memory, const char *path)
 {
@@ -158,9 +153,9 @@ static int audit_file(struct audit_run *run, struct cor_audit_memory *memory, co
                                               .version = o->version ? cor_simulator_version(o->version) : 0,
                                               .speed_m_s = o->speed.nearest,
                                               .speeds = o->speed.count,
-                                              .radius_m = number_or_nan(&o->radius),
-                                              .density_kg_m3 = number_or_nan(&o->density),
-                                              .time_step_s = number_or_nan(&o->time_step),
+                                              .radius_m = options_number(&o->radius, NAN),
+                                              .density_kg_m3 = options_number(&o->density, NAN),
+                                              .time_step_s = options_number(&o->time_step, NAN),
                                               .tolerance = run->tolerance,
                                               .solver = contact_enclosed,
                                               .open = open_included,
@@ -198,8 +193,7 @@ static void print_summary(const struct audit_run *run)
 static int run_audit(const void *arguments)
 {
     const struct audit_arguments *const o = arguments;
-    struct audit_run run = {
-        .given = o, .tolerance = o->tolerance.text ? decimal_value(&o->tolerance) : strtod(DEFAULT_TOLERANCE, NULL)};
+    struct audit_run run = {.given = o, .tolerance = options_number(&o->tolerance, strtod(DEFAULT_TOLERANCE, NULL))};
     char *text = NULL;
     size_t size;
     int status = STATUS_OK;

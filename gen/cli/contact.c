@@ -11,21 +11,28 @@
 #include "support/gnuplot.h"
 
 _Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "--end that is not given stands for both ends");
+_Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "--integrator that is not given is that of the simulator");
 
 #define DEFAULT_STEPS "50"
 
-static struct contact_step step_of(const struct contact_arguments *o)
+/* The simulator, if one is asked for, the speeds and the time step. `contacts` NULL: a list */
+static struct cor_simulator_request request_of(const struct contact_arguments *o, const struct contacts *contacts)
 {
-    struct contact_step step = {.steps = o->steps.text ? decimal_value(&o->steps) : strtod(DEFAULT_STEPS, NULL),
-                                .integrator = o->integrator == OPTIONS_NOT_GIVEN ? COR_VERLET_HALF_STEP : o->integrator,
-                                .corrected = o->step_corrected};
-    if (o->time_step.text)
-        step.time_step_s = decimal_value(&o->time_step);
-    if (o->step_tolerance.text)
-        step.tolerance = decimal_value(&o->step_tolerance);
-    step.errors = o->steps.text || o->time_step.text || o->step_tolerance.text || step.corrected ||
-                  o->integrator != OPTIONS_NOT_GIVEN;
-    return step;
+    const bool default_integrator = o->integrator == OPTIONS_NOT_GIVEN && !o->simulator;
+    return (struct cor_simulator_request){.simulator = o->simulator,
+                                          .version = o->version,
+                                          .scene = contacts ? &contacts->scene : NULL,
+                                          .contacts = contacts ? contacts->contact : NULL,
+                                          .count = contacts ? contacts->count : 0,
+                                          .speed_m_s = o->speed.nearest,
+                                          .speeds = o->speed.count,
+                                          .time_step_s = options_number(&o->time_step, 0),
+                                          .steps = options_number(&o->steps, strtod(DEFAULT_STEPS, NULL)),
+                                          .step_tolerance = options_number(&o->step_tolerance, 0),
+                                          .step_errors = o->steps.text || o->time_step.text || o->step_tolerance.text ||
+                                                         o->step_corrected || o->integrator != OPTIONS_NOT_GIVEN,
+                                          .step_corrected = o->step_corrected,
+                                          .integrator = default_integrator ? COR_VERLET_HALF_STEP : o->integrator};
 }
 
 /* Refuses a step in seconds of a contact that has none, a correction for two ends, and friction without bodies. */
@@ -33,10 +40,10 @@ static int check_options(const struct contact_arguments *o, const struct contact
 {
     const struct cor_scene_contact *const c = &contacts->contact[0];
     const char *const option = o->time_step.text ? "time-step" : o->step_tolerance.text ? "step-tolerance" : NULL;
-    if (option && isnan(contacts->contact[0].mass_kg))
+    if (option && isnan(c->mass_kg))
         return usage_error("--%s: mass and stiffness are not known; give bodies, or --stiffness and --effective-mass",
                            option);
-    if (o->friction.text && (contacts->scene.plate || isnan(contacts->contact[0].radius_m)))
+    if (o->friction.text && (contacts->scene.plate || isnan(c->radius_m)))
         return usage_error("--friction needs two spheres, or a sphere and a wall, with --poisson NU, as --young 7e10 "
                            "--poisson 0.2 --radius 1e-3 --density 2500: their stiffness against sliding is Mindlin's");
     if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
@@ -48,7 +55,7 @@ static int check_options(const struct contact_arguments *o, const struct contact
             "--end: a contact that adheres as in JKR ends with its tail or at the largest pull; leave it "
             "out, and both are printed");
     const bool forced = c->force_n > 0 || c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
-    if ((c->plastic || (!o->simulator && forced)) && step_of(o).errors)
+    if ((c->plastic || (!o->simulator && forced)) && request_of(o, NULL).step_errors)
         return usage_error(
             "the error of a time step is known without --gravity, --adhesion, --viscosity-liquid and --law "
             "elastic-plastic alone; leave out --steps, --time-step, --step-tolerance, --step-corrected and "
@@ -58,16 +65,14 @@ static int check_options(const struct contact_arguments *o, const struct contact
 
 /* ---- the tables ---- */
 
-static void print_summary(FILE *file, const struct contact_arguments *o, const struct contacts *contacts)
+static void print_summary(FILE *file, const struct contact_arguments *o, const struct contacts *contacts, int digits)
 {
     struct table table;
     char text[CONTACT_LAW_TEXT];
-    const bool in_text = o->common.format == FORMAT_TEXT;
-    const int digits = in_text ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS;
     contact_summary(&table, contacts, digits);
     if (o->friction.text)
-        contact_oblique(&table, contacts, decimal_value(&o->friction), digits);
-    if (in_text)
+        contact_oblique(&table, contacts, options_number(&o->friction, 0), digits);
+    if (o->common.format == FORMAT_TEXT)
         fprintf(file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0], &contacts->law),
                 contacts->scene.plate ? ", a plate" : "");
     table_print(&table, (enum output_format)o->common.format, file);
@@ -77,17 +82,16 @@ static void print_summary(FILE *file, const struct contact_arguments *o, const s
 static int print_tables(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const bool in_text = o->common.format == FORMAT_TEXT;
-    const struct contact_step step = step_of(o);
+    const int digits = in_text ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS;
+    const struct cor_simulator_request request = request_of(o, contacts);
     struct table rows = {0};
     struct output out;
-    int status = o->speed.count == 0 ? STATUS_OK
-                                     : contact_rows(&rows, contacts, o->speed.nearest, o->speed.count, &step,
-                                                    in_text ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
+    int status = o->speed.count == 0 ? STATUS_OK : contact_rows(&rows, contacts, &request, digits);
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
         if (o->speed.count == 0 || in_text)
-            print_summary(out.file, o, contacts);
+            print_summary(out.file, o, contacts, digits);
         if (o->speed.count > 0 && in_text)
             fputs("\n", out.file);
         if (o->speed.count > 0)
@@ -144,11 +148,8 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
 
 static int print_for_simulator(const struct contact_arguments *o, const struct contacts *contacts)
 {
-    struct contact_step step = step_of(o);
-    if (o->integrator == OPTIONS_NOT_GIVEN)
-        step.integrator = COR_NO_INTEGRATOR; /* that of the simulator */
-    char *const text =
-        contact_simulator_text(o->simulator, o->version, contacts, o->speed.nearest, o->speed.count, &step);
+    const struct cor_simulator_request request = request_of(o, contacts);
+    char *const text = contact_simulator_text(&request);
     if (!text)
         return STATUS_USAGE;
     const int status = output_text(o->common.output, text);

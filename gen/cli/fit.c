@@ -75,7 +75,7 @@ static int read_form(struct fit_form *form, const struct fit_arguments *o)
 {
     static const char separators[] = ",;\t";
     *form = (struct fit_form){.unit = (enum fit_unit)o->unit,
-                              .gravity_m_s2 = o->gravity.text ? decimal_value(&o->gravity) : FIT_GRAVITY_M_S2,
+                              .gravity_m_s2 = options_number(&o->gravity, FIT_GRAVITY_M_S2),
                               .decimal_comma = o->decimal_comma};
     for (int i = 0; o->separator && separator_names[i]; i++)
         if (strcmp(o->separator, separator_names[i]) == 0 || strcmp(o->separator, (char[]){separators[i], '\0'}) == 0)

@@ -402,6 +402,11 @@ const char *const *options_words(const struct option_rule *rule)
 
 /* ---- shared by subcommands ---- */
 
+double options_number(const struct decimal *given, double otherwise)
+{
+    return given->text ? decimal_value(given) : otherwise;
+}
+
 int options_law(struct law *law, const struct option_law *text)
 {
     const char *const elastic = text->elastic ? text->elastic : "3/2", *damping = text->damping ? text->damping : "1/2";

@@ -107,6 +107,8 @@ void options_clear(void *arguments, const struct option_rule *rules);
 /* The words that a shell offers for the value of an option, or NULL */
 const char *const *options_words(const struct option_rule *rule);
 
+double options_number(const struct decimal *given, double otherwise); /* the nearest double of what is given */
+
 /* These return STATUS_OK, or STATUS_USAGE after a message. */
 struct law;
 int options_law(struct law *law, const struct option_law *text);

@@ -106,7 +106,7 @@ static bool is_end(const struct timed *t, size_t row, int end)
 
 /* The largest step for a tolerance, in three digits, of which the last is rounded down: cor_scene_step_for has no more.
  */
-static int step_for(struct timed *t, const struct contact_step *step)
+static int step_for(struct timed *t, const struct cor_simulator_request *request)
 {
     double least = INFINITY, n;
     for (size_t i = 0; i < t->rows; i++)
@@ -114,10 +114,10 @@ static int step_for(struct timed *t, const struct contact_step *step)
             if (!is_end(t, i, end))
                 continue;
             const int status = cor_scene_step_for(&n, &t->contact[i / t->speeds], t->speed_m_s[i % t->speeds], end,
-                                                  step->tolerance, step->integrator);
+                                                  request->step_tolerance, request->integrator);
             if (status == COR_FAULT_STEP)
                 return fail("no time step found at which bias and scatter of eps stay below %g at %g m/s",
-                            step->tolerance, t->speed_m_s[i % t->speeds]);
+                            request->step_tolerance, t->speed_m_s[i % t->speeds]);
             if (status != COR_FAULT_NONE)
                 return contact_status(status);
             least = fmin(least, elastic_duration(t, i) / n);
@@ -128,7 +128,7 @@ static int step_for(struct timed *t, const struct contact_step *step)
 }
 
 /* Fills all but speeds and rows. */
-static int timed_fill(struct timed *t, const struct contacts *contacts, const struct contact_step *step)
+static int timed_fill(struct timed *t, const struct contacts *contacts, const struct cor_simulator_request *request)
 {
     double least = INFINITY; /* the shortest duration, of the ends that are known */
     t->known = !isnan(contacts->contact[0].mass_kg);
@@ -147,8 +147,10 @@ static int timed_fill(struct timed *t, const struct contacts *contacts, const st
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             least = fmin(least, t->impact[i].duration_s[end]);
     }
-    t->time_step = step->time_step_s > 0 ? step->time_step_s : isinf(least) ? (double)NAN : least / step->steps;
-    return step->tolerance > 0 ? step_for(t, step) : STATUS_OK;
+    t->time_step = request->time_step_s > 0 ? request->time_step_s
+                   : isinf(least)           ? (double)NAN
+                                            : least / request->steps;
+    return request->step_tolerance > 0 ? step_for(t, request) : STATUS_OK;
 }
 
 /* ---- the impacts ---- */
@@ -169,7 +171,7 @@ static const struct cor_scene_quantity *corrected_quantity(const struct contacts
 enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6 };
 
 /* Bias and scatter of a row, and its corrected damping; NaN where the step is too long or too short */
-static int add_step(struct table *table, const struct timed *t, size_t row, const struct contact_step *step,
+static int add_step(struct table *table, const struct timed *t, size_t row, const struct cor_simulator_request *request,
                     const struct cor_scene_quantity *quantity)
 {
     const struct cor_scene_contact *const contact = &t->contact[row / t->speeds];
@@ -179,14 +181,14 @@ static int add_step(struct table *table, const struct timed *t, size_t row, cons
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         if (!is_end(t, row, end))
             continue;
-        int status = cor_scene_step_error(&error, contact, speed, end, steps, step->integrator);
+        int status = cor_scene_step_error(&error, contact, speed, end, steps, request->integrator);
         if (status != COR_FAULT_NONE && status != COR_FAULT_STEP)
             return contact_status(status);
         table_add_number(table, error.bias, STEP_DIGITS);
         table_add_number(table, error.scatter, STEP_DIGITS);
-        if (!step->corrected)
+        if (!request->step_corrected)
             continue;
-        status = cor_scene_step_corrected(&corrected, contact, speed, end, steps, step->integrator);
+        status = cor_scene_step_corrected(&corrected, contact, speed, end, steps, request->integrator);
         if (status < 0)
             return contact_status(status);
         const double factor = contact->damping > 0 ? corrected.damping / contact->damping : 1;
@@ -196,28 +198,31 @@ static int add_step(struct table *table, const struct timed *t, size_t row, cons
     return STATUS_OK;
 }
 
-int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,
-                 const struct contact_step *step, int digits)
+int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
+                 int digits)
 {
+    const double *const speed_m_s = request->speed_m_s;
+    const size_t speeds = request->speeds;
     const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* by Hertz */
     struct timed t = {.speed_m_s = speed_m_s, .rows = (size_t)contacts->count * speeds, .speeds = speeds};
     t.impact = xmalloc(t.rows * sizeof *t.impact);
-    int status = timed_fill(&t, contacts, step);
+    int status = timed_fill(&t, contacts, request);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     const char *const *const end = ends_of(contacts);
     const bool both = t.end[0] == COR_BOTH_ENDS;
     char header[HEADER], kinds[] = "nnnnnnnnnnnnnnnnnn";
     if (contacts->count > 1)
-        kinds[9 + (step->errors ? (both ? 4 : 2) : 0) + (step->corrected ? 2 : 0)] = 't';
+        kinds[9 + (request->step_errors ? (both ? 4 : 2) : 0) + (request->step_corrected ? 2 : 0)] = 't';
     snprintf(header, sizeof header,
              "speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s"
              "%s%s%s%s%s",
              end[0], end[1], end[0], end[1],
-             !step->errors ? ""
+             !request->step_errors ? ""
              : both ? ",step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_zero_force,step_scatter_zero_force"
                     : ",step_bias,step_scatter",
-             step->corrected ? ",damping_correction,corrected_" : "", step->corrected ? quantity->name : "",
-             contacts->count > 1 ? ",measured_end" : "", spheres ? ",contact_radius_m,max_pressure_pa" : "");
+             request->step_corrected ? ",damping_correction,corrected_" : "",
+             request->step_corrected ? quantity->name : "", contacts->count > 1 ? ",measured_end" : "",
+             spheres ? ",contact_radius_m,max_pressure_pa" : "");
     table_init(table, header, kinds);
     for (size_t i = 0; i < t.rows && status == STATUS_OK; i++) {
         const double known = t.known ? 1 : (double)NAN;
@@ -234,8 +239,8 @@ int contact_rows(struct table *table, const struct contacts *contacts, const dou
         table_add_text(table, decimal_text(text, speed_m_s[i % speeds]));
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             table_add_number(table, value[k], digits);
-        if (step->errors)
-            status = add_step(table, &t, i, step, quantity);
+        if (request->step_errors)
+            status = add_step(table, &t, i, request, quantity);
         if (contacts->count > 1)
             table_add_text(table,
                            is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull") : contact_end_options[i / speeds]);

@@ -19,21 +19,11 @@ void contact_summary(struct table *table, const struct contacts *contacts, int d
  * they touch, in degrees. */
 void contact_oblique(struct table *table, const struct contacts *contacts, double friction, int digits);
 
-/* A time step, by one of three numbers; the others are 0. */
-struct contact_step {
-    double steps;       /* in the shortest contact of all rows */
-    double time_step_s; /* itself */
-    double tolerance;   /* the largest at which bias and scatter of eps stay below */
-    int integrator;     /* enum cor_integrator */
-    bool errors;        /* whether bias and scatter are shown */
-    bool corrected;     /* whether the damping is corrected for it, too */
-};
-
-/* A row for each contact and speed, in the columns of corgen contact. The last one, measured_end, is there only where
- * there are two contacts. Errors of the step have two columns, or, where the end of contact is not given and matters,
- * two for each end. A correction needs one end. Returns STATUS_OK or STATUS_FAILED. */
-int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,
-                 const struct contact_step *step, int digits);
+/* A row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last one,
+ * measured_end, is there only where there are two contacts. Errors of the step have two columns, or, where the end of
+ * contact is not given and matters, two for each end. A correction needs one end. Returns STATUS_OK or STATUS_FAILED. */
+int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
+                 int digits);
 
 /* The end of a row: that of the contact, or COR_BOTH_ENDS */
 int contact_end(const struct contacts *contacts, int contact);
@@ -46,10 +36,8 @@ int contact_end(const struct contacts *contacts, int contact);
 extern const char *const contact_simulator_names[]; /* of cor_simulators, then the word for the list; ends with NULL */
 
 /* The text of corgen contact --for HOST, malloc'ed; of a list where a word asks for it. NULL after a message if the
- * simulator cannot realise this contact, or there is no such simulator. A list takes no contacts. `version` NULL: any;
- * an integrator of `step` below 0: that of the simulator */
-char *contact_simulator_text(const char *simulator, const char *version, const struct contacts *contacts,
-                             const double *speed_m_s, size_t speeds, const struct contact_step *step);
+ * simulator cannot realise this contact, or there is no such simulator. A list takes no contacts. */
+char *contact_simulator_text(const struct cor_simulator_request *request);
 bool contact_simulator_is_list(const char *simulator, const char *version);
 
 #endif

@@ -24,32 +24,18 @@ static long write_text(char *text, size_t size, const struct cor_simulator_reque
                              : cor_simulator_list(text, size, cor_simulator_named(request->simulator));
 }
 
-char *contact_simulator_text(const char *simulator, const char *version, const struct contacts *contacts,
-                             const double *speed_m_s, size_t speeds, const struct contact_step *step)
+char *contact_simulator_text(const struct cor_simulator_request *request)
 {
     char reason[COR_SIMULATOR_REASON];
-    const struct cor_simulator_request request = {.simulator = simulator,
-                                                  .version = version,
-                                                  .scene = contacts ? &contacts->scene : NULL,
-                                                  .contacts = contacts ? contacts->contact : NULL,
-                                                  .count = contacts ? contacts->count : 0,
-                                                  .speed_m_s = speed_m_s,
-                                                  .speeds = speeds,
-                                                  .time_step_s = step->time_step_s,
-                                                  .steps = step->steps,
-                                                  .step_tolerance = step->tolerance,
-                                                  .step_corrected = step->corrected,
-                                                  .integrator = step->integrator,
-                                                  .step_errors = step->errors};
-    if (strcmp(simulator, CONTACT_SIMULATOR_LIST) != 0 && !cor_simulator_named(simulator)) {
-        cor_simulator_lines(reason, sizeof reason, &request);
+    if (strcmp(request->simulator, CONTACT_SIMULATOR_LIST) != 0 && !cor_simulator_named(request->simulator)) {
+        cor_simulator_lines(reason, sizeof reason, request);
         usage_error("--for: %s, " CONTACT_SIMULATOR_LIST, reason);
         return NULL;
     }
-    const long length = write_text(reason, sizeof reason, &request);
+    const long length = write_text(reason, sizeof reason, request);
     if (length < 0)
         return usage_error("%s", reason), NULL;
     char *const text = xmalloc((size_t)length + 1);
-    write_text(text, (size_t)length + 1, &request);
+    write_text(text, (size_t)length + 1, request);
     return text;
 }

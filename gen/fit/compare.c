@@ -29,32 +29,31 @@ static bool end_matches(const struct fit_model *model, const char *end)
     return !end || strcmp(model->end, end) == 0 || strcmp(model->end, "both") == 0;
 }
 
+static bool is_word(const char *text, size_t length, const char *word)
+{
+    return strlen(word) == length && strncmp(text, word, length) == 0;
+}
+
 int fit_request_models(struct fit_request *request, const char *names, const char *end)
 {
-    int marked = 0;
+    bool marked = false;
     memset(request->wanted, 0, sizeof request->wanted);
-    for (const char *name = names;; name++) {
+    for (const char *name = names, *next; name; name = next) {
         const size_t length = strcspn(name, ",");
-        const bool all = length == 3 && strncmp(name, "all", length) == 0;
+        const bool all = is_word(name, length, "all");
         bool known = all;
+        next = name[length] ? name + length + 1 : NULL;
         for (size_t i = 0; i < fit_model_count; i++) {
-            if (!all && (strlen(fit_models[i].name) != length || strncmp(fit_models[i].name, name, length) != 0))
-                continue;
-            known = true;
-            if (!request->wanted[i] && end_matches(&fit_models[i], end)) {
-                request->wanted[i] = true;
-                marked++;
-            }
+            const bool named = all || is_word(name, length, fit_models[i].name);
+            known = known || named;
+            request->wanted[i] = request->wanted[i] || (named && end_matches(&fit_models[i], end));
+            marked = marked || request->wanted[i];
         }
         if (!known)
             return refuse_model(name, length);
-        name += length;
-        if (*name == '\0')
-            break;
     }
-    return marked > 0
-               ? STATUS_OK
-               : usage_error("--end %s: no model of --law %s ends there; allowed: another end or model", end, names);
+    return marked ? STATUS_OK
+                  : usage_error("--end %s: no model of --law %s ends there; allowed: another end or model", end, names);
 }
 
 /* ---- fits ---- */

@@ -5,15 +5,15 @@
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/output.h"
 #include "support/words.h"
 
-enum { LINE_LENGTH = 65536, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
+enum { MOST_BYTES = 1 << 30, LINE_LENGTH = 65536, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
 
 const char *const fit_unit_names[] = {[FIT_M_S] = "m/s", [FIT_CM_S] = "cm/s", [FIT_MM_S] = "mm/s", NULL};
 static const double unit_m_s[] = {[FIT_M_S] = 1, [FIT_CM_S] = 0.01, [FIT_MM_S] = 0.001};
@@ -39,11 +39,10 @@ static const struct decimal_range time_range = {"0", "1e30", true, true, true, "
 
 struct reader {
     const char *name;
-    FILE *file;
-    long number; /* of the line */
-    bool ended;  /* there are no more lines */
-    char line[LINE_LENGTH + 2];
-    char *cell[MAX_COLUMNS];
+    char *next, *end; /* the text behind the line */
+    long number;      /* of the line */
+    bool ended;       /* there are no more lines */
+    char *line, *cell[MAX_COLUMNS];
     int cells;
     int place[COLUMNS]; /* of a column among the cells; -1: the file does not have it */
     int header_cells;
@@ -97,27 +96,23 @@ static const char *utf_16_name(const char *line, size_t length)
     return memcmp(line, "\xfe\xff", 2) == 0 || (line[0] == '\0' && line[1] != '\0') ? "UTF-16BE" : NULL;
 }
 
-/* Reads a line without its end, which is LF or CR LF. A UTF-8 byte-order mark before the first line is skipped. */
+/* Ends a line at its end, which is LF or CR LF. A UTF-8 byte-order mark before the first line is skipped. */
 static int read_line(struct reader *r)
 {
-    size_t length = 0;
-    int c;
-    bool null = false;
+    const char *const feed = memchr(r->next, '\n', (size_t)(r->end - r->next));
+    size_t length = (size_t)((feed ? feed : r->end) - r->next);
+    r->line = r->next;
+    r->next += length + (feed != NULL);
     r->number++;
-    while ((c = getc(r->file)) != EOF && c != '\n') {
-        if (length == LINE_LENGTH)
-            return refuse(r, COLUMNS, "longer than %d characters; allowed: a csv file, as speed_m_s,eps", LINE_LENGTH);
-        null = null || c == '\0';
-        r->line[length++] = (char)c;
-    }
-    if (c == EOF && ferror(r->file))
-        return fail("cannot read %s: %s", r->name, strerror(errno));
-    r->ended = c == EOF && length == 0;
+    r->ended = !feed && length == 0;
+    if (length > LINE_LENGTH)
+        return refuse(r, COLUMNS, "longer than %d characters; allowed: a csv file, as speed_m_s,eps", LINE_LENGTH);
+    const bool null = memchr(r->line, '\0', length);
     if (length > 0 && r->line[length - 1] == '\r')
         length--;
     r->line[length] = '\0';
     if (r->number == 1 && length >= 3 && memcmp(r->line, "\xef\xbb\xbf", 3) == 0)
-        memmove(r->line, r->line + 3, length - 3 + 1);
+        r->line += 3;
     const char *const utf_16 = r->number == 1 ? utf_16_name(r->line, length) : NULL;
     if (utf_16)
         return refuse(r, COLUMNS, "the text is %s; allowed: UTF-8, as from iconv -f %s -t UTF-8 FILE", utf_16, utf_16);
@@ -492,7 +487,6 @@ static int compare_points(const void *a, const void *b)
 
 static int read_table(struct fit_data *data, struct reader *r, double gravity_m_s2)
 {
-    errno = 0;
     int status = next_row(r);
     if (status == STATUS_OK && r->ended)
         return refuse(r, COLUMNS, "the file is empty; allowed: names of columns and points, as speed_m_s,eps");
@@ -512,17 +506,16 @@ static int read_table(struct fit_data *data, struct reader *r, double gravity_m_
     return status;
 }
 
-int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, const struct fit_form *form)
+int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form)
 {
-    struct reader *const r = xmalloc(sizeof *r);
+    struct reader r = {.name = name,
+                       .next = text,
+                       .end = text + size,
+                       .unit = form->unit,
+                       .separator = form->separator,
+                       .decimal_comma = form->decimal_comma};
     *data = (struct fit_data){0};
-    *r = (struct reader){.name = name,
-                         .file = file,
-                         .unit = form->unit,
-                         .separator = form->separator,
-                         .decimal_comma = form->decimal_comma};
-    const int status = read_table(data, r, form->gravity_m_s2);
-    free(r);
+    const int status = read_table(data, &r, form->gravity_m_s2);
     progress_end();
     if (status != STATUS_OK) {
         fit_data_clear(data);
@@ -536,13 +529,13 @@ int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, cons
 
 int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form)
 {
-    if (strcmp(path, "-") == 0)
-        return fit_data_read_file(data, stdin, "standard input", form);
-    FILE *const file = fopen(path, "r");
-    if (!file)
-        return fail("cannot read %s: %s", path, strerror(errno));
-    const int status = fit_data_read_file(data, file, path, form);
-    fclose(file);
+    size_t size;
+    const char *const name = strcmp(path, "-") == 0 ? "standard input" : path;
+    char *const text = read_file(path, MOST_BYTES, &size);
+    if (!text)
+        return fail("cannot read %s: %s", name, strerror(errno));
+    const int status = fit_data_parse(data, text, size, name, form);
+    free(text);
     return status;
 }
 

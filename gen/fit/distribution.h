@@ -16,10 +16,6 @@ double student_quantile(enum distribution_level level, size_t degrees_of_freedom
 /* P(X >= chi2) of chi squared with that many degrees of freedom, at least 1 */
 double chi_squared_tail(double chi2, size_t degrees_of_freedom);
 
-/* The same by Wilson and Hilferty's normal approximation, for very many degrees of freedom: relative error below 0.1/nu
- * within two standard deviations, sampled for nu = 1e4 to 1e8 */
-double chi_squared_tail_nearly(double chi2, size_t degrees_of_freedom);
-
 /* P(F >= f) of Fisher's F with so many degrees of freedom of the numerator and the denominator, at least 1. Beyond
  * 10,000 of the denominator: of chi squared, f times those of the numerator; relative error then below 1 % where the
  * probability exceeds 1e-3. */

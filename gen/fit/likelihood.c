@@ -286,15 +286,18 @@ static double minimise_on_grid(double *theta, struct problem *p)
     return best;
 }
 
-/* The straight line of ln eps over ln g, each point weighted by eps^2 as in least squares of eps, and the mean */
-static double minimise_power_law(double *theta, struct problem *p)
+/* From the weighted mean of a constant, or from the mean and the straight line of ln eps over ln g, each point weighted
+ * by eps^2 as in least squares of eps */
+static double minimise_from_lines(double *theta, struct problem *p)
 {
+    const bool constant = p->curve == FIT_CONSTANT;
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, best = INFINITY;
     for (size_t i = 0; i < p->points; i++) {
-        if (p->point[i].eps <= 0)
+        const double eps = p->point[i].eps, s = p->has_sigma ? p->point[i].sigma : 1;
+        if (!constant && eps <= 0)
             continue;
-        const double s = p->has_sigma ? p->point[i].sigma : 1, weight = p->point[i].eps * p->point[i].eps / (s * s);
-        const double lx = p->log_speed[i], ly = log(p->point[i].eps);
+        const double weight = (constant ? 1 : eps * eps) / (s * s);
+        const double lx = constant ? 0 : p->log_speed[i], ly = constant ? eps : log(eps);
         w += weight;
         x += weight * lx;
         y += weight * ly;
@@ -310,25 +313,10 @@ static double minimise_power_law(double *theta, struct problem *p)
     return best;
 }
 
-static double minimise_constant(double *theta, struct problem *p)
-{
-    double w = 0, sum = 0, best = INFINITY;
-    for (size_t i = 0; i < p->points; i++) {
-        const double weight = p->has_sigma ? 1 / (p->point[i].sigma * p->point[i].sigma) : 1;
-        w += weight;
-        sum += weight * p->point[i].eps;
-    }
-    const double mean[FIT_MAX_PARAMETERS] = {sum / w};
-    keep_better(&best, theta, p, mean);
-    return best;
-}
-
 static double minimise(double *theta, struct problem *p)
 {
-    if (p->curve == FIT_CONSTANT)
-        return minimise_constant(theta, p);
-    if (p->curve == FIT_POWER_LAW)
-        return minimise_power_law(theta, p);
+    if (p->curve == FIT_CONSTANT || p->curve == FIT_POWER_LAW)
+        return minimise_from_lines(theta, p);
     return p->parameters == 2 ? minimise_on_grid(theta, p) : minimise_by_scan(theta, p);
 }
 

@@ -181,9 +181,9 @@ static double yield_stress_pa(double theta, const struct fit_bodies *bodies)
 
 /* ---- models ---- */
 
-#define ZERO_OVERLAP "zero-overlap"
-#define ZERO_FORCE "zero-force"
-#define BOTH_ENDS "both"
+#define ZERO_OVERLAP(NAME) NAME, "zero-overlap", NAME " zero-overlap"
+#define ZERO_FORCE(NAME) NAME, "zero-force", NAME " zero-force"
+#define BOTH_ENDS(NAME) NAME, "both", NAME
 /* One parameter, its function of the coordinate, and both where the bodies are known */
 #define ONE(PARAMETER, VALUE) true, {PARAMETER}, NULL, VALUE, NULL
 #define KNOWN(PARAMETER, VALUE, WITH_BODIES, VALUE_WITH_BODIES) true, {PARAMETER}, WITH_BODIES, VALUE, VALUE_WITH_BODIES
@@ -191,27 +191,27 @@ static double yield_stress_pa(double theta, const struct fit_bodies *bodies)
 #define SPHERE_AND(SECOND) true, {"g_star_m_s", SECOND}, "dissipation_time_s", g_star_m_s, dissipation_time_s
 #define DASHPOT KNOWN("beta_at_1_m_s", exp, "damping_coefficient_n_s_m", damping_coefficient_kg_s)
 const struct fit_model fit_models[] = {
-    {"viscoelastic", ZERO_OVERLAP, FIT_SPHERE_ZERO_OVERLAP, SPHERE},
-    {"viscoelastic", ZERO_FORCE, FIT_SPHERE_ZERO_FORCE, SPHERE},
-    {"plate", ZERO_OVERLAP, FIT_SPHERE_ZERO_OVERLAP,
+    {ZERO_OVERLAP("viscoelastic"), FIT_SPHERE_ZERO_OVERLAP, SPHERE},
+    {ZERO_FORCE("viscoelastic"), FIT_SPHERE_ZERO_FORCE, SPHERE},
+    {ZERO_OVERLAP("plate"), FIT_SPHERE_ZERO_OVERLAP,
      KNOWN("zener_lambda_at_1_m_s", zener_lambda, "plate_thickness_m", plate_thickness_m)},
-    {"constant", BOTH_ENDS, FIT_CONSTANT, ONE("eps", identity)},
-    {"linear", ZERO_OVERLAP, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
-    {"linear", ZERO_FORCE, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
-    {"tsuji", ZERO_OVERLAP, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
-    {"tsuji", ZERO_FORCE, FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
-    {"hunt-crossley", BOTH_ENDS, FIT_HUNT_CROSSLEY, ONE("dissipation_s_m", exp)},
-    {"hertz-dashpot", ZERO_OVERLAP, FIT_HERTZ_DASHPOT_ZERO_OVERLAP, DASHPOT},
-    {"hertz-dashpot", ZERO_FORCE, FIT_HERTZ_DASHPOT_ZERO_FORCE, DASHPOT},
-    {"power-law", BOTH_ENDS, FIT_POWER_LAW, false, {"eps_at_1_m_s", "exponent"}, NULL, exp, NULL},
-    {"elastic-plastic", BOTH_ENDS, FIT_ELASTIC_PLASTIC,
+    {BOTH_ENDS("constant"), FIT_CONSTANT, ONE("eps", identity)},
+    {ZERO_OVERLAP("linear"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
+    {ZERO_FORCE("linear"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
+    {ZERO_OVERLAP("tsuji"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
+    {ZERO_FORCE("tsuji"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
+    {BOTH_ENDS("hunt-crossley"), FIT_HUNT_CROSSLEY, ONE("dissipation_s_m", exp)},
+    {ZERO_OVERLAP("hertz-dashpot"), FIT_HERTZ_DASHPOT_ZERO_OVERLAP, DASHPOT},
+    {ZERO_FORCE("hertz-dashpot"), FIT_HERTZ_DASHPOT_ZERO_FORCE, DASHPOT},
+    {BOTH_ENDS("power-law"), FIT_POWER_LAW, false, {"eps_at_1_m_s", "exponent"}, NULL, exp, NULL},
+    {BOTH_ENDS("elastic-plastic"), FIT_ELASTIC_PLASTIC,
      KNOWN("yield_speed_m_s", exp, "yield_stress_pa", yield_stress_pa)},
-    {"adhesive", BOTH_ENDS, FIT_ADHESIVE, true, {"eps_dry", "adhesion_speed_m_s"}, NULL, identity, NULL},
-    {"adhesive-viscoelastic", ZERO_OVERLAP, FIT_ADHESIVE_SPHERE_ZERO_OVERLAP, SPHERE_AND("adhesion_speed_m_s")},
-    {"adhesive-viscoelastic", ZERO_FORCE, FIT_ADHESIVE_SPHERE_ZERO_FORCE, SPHERE_AND("adhesion_speed_m_s")},
-    {"wet", BOTH_ENDS, FIT_WET, true, {"eps_dry", "liquid_speed_m_s"}, NULL, identity, NULL},
-    {"wet-viscoelastic", ZERO_OVERLAP, FIT_WET_SPHERE_ZERO_OVERLAP, SPHERE_AND("liquid_speed_m_s")},
-    {"wet-viscoelastic", ZERO_FORCE, FIT_WET_SPHERE_ZERO_FORCE, SPHERE_AND("liquid_speed_m_s")},
+    {BOTH_ENDS("adhesive"), FIT_ADHESIVE, true, {"eps_dry", "adhesion_speed_m_s"}, NULL, identity, NULL},
+    {ZERO_OVERLAP("adhesive-viscoelastic"), FIT_ADHESIVE_SPHERE_ZERO_OVERLAP, SPHERE_AND("adhesion_speed_m_s")},
+    {ZERO_FORCE("adhesive-viscoelastic"), FIT_ADHESIVE_SPHERE_ZERO_FORCE, SPHERE_AND("adhesion_speed_m_s")},
+    {BOTH_ENDS("wet"), FIT_WET, true, {"eps_dry", "liquid_speed_m_s"}, NULL, identity, NULL},
+    {ZERO_OVERLAP("wet-viscoelastic"), FIT_WET_SPHERE_ZERO_OVERLAP, SPHERE_AND("liquid_speed_m_s")},
+    {ZERO_FORCE("wet-viscoelastic"), FIT_WET_SPHERE_ZERO_FORCE, SPHERE_AND("liquid_speed_m_s")},
 };
 const size_t fit_model_count = sizeof fit_models / sizeof *fit_models;
 

@@ -68,23 +68,12 @@ static void remark_data(const struct fit_data *data, FILE *file)
         fprintf(file, "Columns that are not read: %s.\n", data->unused);
 }
 
-/* "viscoelastic zero-overlap"; "constant" */
-static struct model_text {
-    char text[64];
-} model_text(const struct fit_model *model)
-{
-    const bool both = strcmp(model->end, "both") == 0;
-    struct model_text name;
-    snprintf(name.text, sizeof name.text, "%s%s%s", model->name, both ? "" : " ", both ? "" : model->end);
-    return name;
-}
-
 /* The two errors of bounces, for the model with the least AIC */
 static void remark_noise(const struct fit_comparison *c, FILE *file)
 {
     const struct fit_estimate *const e = &c->estimate[fit_models[c->ranked[0]].curve];
     fprintf(file, "sigma of a time %.2g s, of eps at a bounce %.2g, from the residuals of %s.\n", e->time_sigma_s,
-            e->time_sigma_s * sqrt(e->ratio), model_text(&fit_models[c->ranked[0]]).text);
+            e->time_sigma_s * sqrt(e->ratio), fit_models[c->ranked[0]].title);
 }
 
 /* "viscoelastic zero-overlap, plate zero-overlap": the models of one curve */
@@ -95,7 +84,7 @@ static void print_models_of(const struct fit_comparison *c, enum fit_curve curve
         const struct fit_model *const model = &fit_models[c->ranked[i]];
         if (model->curve != curve)
             continue;
-        fprintf(file, "%s%s", separator, model_text(model).text);
+        fprintf(file, "%s%s", separator, model->title);
         separator = ", ";
     }
 }
@@ -149,7 +138,7 @@ static void remark_verdict(const struct fit_comparison *c, FILE *file)
     }
     if (judged == 0) {
         fprintf(file, "The points are too few to judge any of these models. Of them, %s has the least AIC.\n",
-                model_text(&fit_models[c->ranked[0]]).text);
+                fit_models[c->ranked[0]].title);
     } else if (accepted == 0) {
         fprintf(file, "None of these models fits the data%s.\n",
                 judged < c->models ? ", of those that the points are enough to judge" : "");
@@ -157,7 +146,7 @@ static void remark_verdict(const struct fit_comparison *c, FILE *file)
         fputs("None of these laws of contact fits the data. The power law does; it is a formula without a contact.\n",
               file);
     } else {
-        fprintf(file, "Of the models that fit, %s has the least AIC.\n", model_text(best).text);
+        fprintf(file, "Of the models that fit, %s has the least AIC.\n", best->title);
     }
 }
 
@@ -177,8 +166,8 @@ static void remark_outliers(const struct fit_report *report, FILE *file)
     const struct fit_estimate *const e = &c->estimate[model->curve];
     const struct fit_bodies *const bodies = report->request->bodies;
     char p_value[P_VALUE];
-    fprintf(file, "Without %s %s has the least AIC (%s, %s):", o->count == 1 ? "it" : "these lines",
-            model_text(model).text, verdict_on(e), p_value_text(p_value, e));
+    fprintf(file, "Without %s %s has the least AIC (%s, %s):", o->count == 1 ? "it" : "these lines", model->title,
+            verdict_on(e), p_value_text(p_value, e));
     for (int j = 0; j < e->parameters; j++) {
         const double a = fit_parameter_value(model, j, e->interval[j][LEVEL_95].low, bodies);
         const double b = fit_parameter_value(model, j, e->interval[j][LEVEL_95].high, bodies);

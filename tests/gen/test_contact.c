@@ -477,7 +477,8 @@ TEST(the_time_step_is_for_all_speeds)
                 least = fmin(least, impact.duration_s[end]);
         }
         struct table table;
-        assert_int_equal(contact_rows(&table, &contacts, speed, SPEEDS, &(struct contact_step){.steps = 40}, 17), 0);
+        const struct cor_simulator_request request = {.speed_m_s = speed, .speeds = SPEEDS, .steps = 40};
+        assert_int_equal(contact_rows(&table, &contacts, &request, 17), 0);
         for (int i = 0; i < SPEEDS * ends; i++)
             close_to("time step", strtod(table.cell[i * table.columns + STEP_COLUMN], NULL), least / 40, 1e-15);
         table_clear(&table);
@@ -485,6 +486,14 @@ TEST(the_time_step_is_for_all_speeds)
 }
 
 /* ---- --for: the numbers in the lines, put through the simulator's own conversion ---- */
+
+#define REQUEST(NAME, CONTACTS, SPEED_M_S)                                                                             \
+    (&(const struct cor_simulator_request){.simulator = (NAME),                                                        \
+                                           .scene = &(CONTACTS).scene,                                                 \
+                                           .contacts = (CONTACTS).contact,                                             \
+                                           .count = (CONTACTS).count,                                                  \
+                                           .speed_m_s = (SPEED_M_S),                                                   \
+                                           .speeds = 1})
 
 /* eps of a law for the damping, at either end, by the functions of the library */
 static double eps_of_damping(const struct cor_simulator_model *row, double damping)
@@ -525,7 +534,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
     const struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);
     const double eps = 0.7, speed = 0.4;
     const struct cor_simulator_wish wish = {&contacts.scene, contacts.contact, contacts.count, speed, eps, 0};
-    char *const text = contact_simulator_text(host, NULL, &contacts, &speed, 1, &(struct contact_step){0});
+    char *const text = contact_simulator_text(REQUEST(host, contacts, &speed));
     const bool same_law = text && !strstr(text, "does not have the law of the contact");
     size_t found = 0;
     for (size_t i = 0; text && i < cor_simulator_model_count; i++) {
@@ -557,7 +566,7 @@ TEST(hosts_realise_what_is_wished)
                {"rebound", 1, 1, 0}, {"modelica", 1, 0, 0}};
     const struct given *const wished = GIVEN({COR_SCENE_RESTITUTION, 0.7});
     const struct given *const measured = GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4});
-    char *const list = contact_simulator_text(CONTACT_SIMULATOR_LIST, NULL, NULL, NULL, 0, &(struct contact_step){0});
+    char *const list = contact_simulator_text(&(struct cor_simulator_request){.simulator = CONTACT_SIMULATOR_LIST});
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         char line[40];
         const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, spring, wished);
@@ -595,7 +604,7 @@ TEST(chrono_finds_the_radius)
                         GIVEN({COR_SCENE_YOUNG, random_log(&draw, 1e6, 1e11)}, {COR_SCENE_POISSON, 0.3},
                               {COR_SCENE_DENSITY, 2500}, {COR_SCENE_RADIUS, r1}, {COR_SCENE_RADIUS_2, r2}),
                         GIVEN({COR_SCENE_RESTITUTION, e}, {COR_SCENE_AT, speed}));
-        char *const lines = contact_simulator_text("chrono", NULL, &contacts, &speed, 1, &(struct contact_step){0});
+        char *const lines = contact_simulator_text(REQUEST("chrono", contacts, &speed));
         assert_non_null(lines);
         const double kn = number_after(lines, "SetKn(", NAN), gn = number_after(lines, "SetGn(", NAN);
         const double found[] = {number_after(lines, "SetDefaultEffectiveCurvatureRadius(", 0.1), r1 * r2 / (r1 + r2)};
