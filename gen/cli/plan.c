@@ -7,19 +7,10 @@
 
 static int plan_of_disks(struct plan *plan, const struct plan_arguments *o)
 {
-    const struct decimal *const number = o->scene.number;
     if (!embed_given(&o->scene, COR_SCENE_POISSON))
         return usage_error("corgen plan --disks needs --poisson, as --poisson 0.33; see corgen plan --help");
-    const int status = options_disk_poisson(&number[COR_SCENE_POISSON]);
-    if (status != STATUS_OK)
-        return status;
-    const struct plan_disks_request request = {number[EMBED_SPEED_MIN],
-                                               number[EMBED_SPEED_MAX],
-                                               number[EMBED_TOLERANCE],
-                                               number[COR_SCENE_POISSON],
-                                               o->quantity,
-                                               o->points};
-    return plan_disks(plan, &request);
+    const int status = options_disk_poisson(&o->scene.number[COR_SCENE_POISSON]);
+    return status == STATUS_OK ? plan_disks(plan, &o->scene, o->quantity, o->points) : status;
 }
 
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
@@ -45,8 +36,7 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     if (status != STATUS_OK)
         return status;
     contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
-    const struct plan_spheres_request request = {scene, contacts.contact[0], pressed.contact[0], o->points};
-    return plan_spheres(plan, &request);
+    return plan_spheres(plan, &scene, contacts.contact, pressed.contact, o->points);
 }
 
 static int run_plan(const void *arguments)

@@ -62,7 +62,8 @@ static const struct {
 
 struct disks {
     struct plan *plan;
-    const struct plan_disks_request *request;
+    const struct decimal *number; /* of the request */
+    enum plan_quantity quantity;
     struct cor_disk_modes modes;
     struct cor_disk_collision *collision; /* [dynamics][point] */
     struct hard_wall_tables tables;
@@ -86,7 +87,7 @@ static void collide_soft(void *context, slong i)
 static double quantity_of(const struct disks *d, double eps, double contact_time, double max_compression)
 {
     const double value[QUANTITIES] = {eps, contact_time, max_compression};
-    return value[d->request->quantity];
+    return value[d->quantity];
 }
 
 /* `uncertainty`: of eps */
@@ -101,7 +102,7 @@ static int collide_rigid(struct disks *d, double *value, double *uncertainty, do
 
 static bool is_relative(const struct disks *d)
 {
-    return d->request->quantity != PLAN_EPS;
+    return d->quantity != PLAN_EPS;
 }
 
 static int find_truth(struct disks *d, slong i)
@@ -125,7 +126,7 @@ static int find_truth(struct disks *d, slong i)
 /* C statements that define `modes` and `v` */
 static char *modes_text(const struct disks *d, size_t count)
 {
-    const char *poisson = d->request->poisson.text;
+    const char *poisson = d->number[COR_SCENE_POISSON].text;
     if (count <= 1800 && (d->modes.nu == 0.33 || d->modes.nu == 0.9))
         return xprintf("#include \"cor/cor.h\"\nconst struct cor_disk_modes *modes = &cor_disk_modes_nu0%d;\n",
                        d->modes.nu == 0.33 ? 33 : 90);
@@ -137,7 +138,7 @@ static char *modes_text(const struct disks *d, size_t count)
 
 static const char *quantity_field(const struct disks *d)
 {
-    return quantities[d->request->quantity].field;
+    return quantities[d->quantity].field;
 }
 
 static void model_is(struct plan_model *m, double cost, const char *leaves_out, char *use)
@@ -168,7 +169,7 @@ static int add_rigid(struct disks *d, int k)
              xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
                      "struct cor_disk_hard_wall out;\n"
                      "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
-                     rigid[k].tolerance, d->request->poisson.text, quantity_field(d)));
+                     rigid[k].tolerance, d->number[COR_SCENE_POISSON].text, quantity_field(d)));
     return status;
 }
 
@@ -261,7 +262,7 @@ static void add_models_of_eps(const struct disks *d)
     }
     m->promised = true;
     model_is(m, NS_EPS_TABLE, "nothing; estimated, not proved",
-             xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->request->poisson.text));
+             xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->number[COR_SCENE_POISSON].text));
 }
 
 typedef double law(double speed, double nu, enum cor_disk_datum datum);
@@ -271,7 +272,7 @@ static void add_laws(const struct disks *d)
     struct plan *const plan = d->plan;
     static const char *const name[] = {"centre of mass", "diameter", "as printed"};
     static const char *const datum[] = {"CENTRE_OF_MASS", "DIAMETER", "PRINTED"};
-    const bool time = d->request->quantity == PLAN_CONTACT_TIME;
+    const bool time = d->quantity == PLAN_CONTACT_TIME;
     law *const function = time ? cor_disk_contact_time : cor_disk_max_compression;
     const char *const called = time ? "cor_disk_contact_time" : "cor_disk_max_compression";
     struct plan_model *m = plan_add(plan, "leading logarithm (61)");
@@ -285,28 +286,25 @@ static void add_laws(const struct disks *d)
         for (slong i = 0; i < plan->points; i++)
             m->value[i] = function(plan->speed[i], d->modes.nu, (enum cor_disk_datum)k);
         plan_compare(plan, m, true);
-        model_is(m, quantities[d->request->quantity].ns_law, "vibrations",
+        model_is(m, quantities[d->quantity].ns_law, "vibrations",
                  xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n", quantity_field(d),
-                         called, d->request->poisson.text, datum[k]));
+                         called, d->number[COR_SCENE_POISSON].text, datum[k]));
     }
 }
 
 /* ---- the plan ---- */
 
-static int read_range(double range[2], double *tolerance, const struct plan_disks_request *request)
+static int check_range(const struct decimal *number, double low, double high, double tolerance)
 {
-    range[0] = decimal_value(&request->speed_min);
-    range[1] = decimal_value(&request->speed_max);
-    *tolerance = decimal_value(&request->tolerance);
-    if (!(range[0] >= MIN_SPEED && range[1] <= COR_DISK_HARD_WALL_MAX_SPEED))
-        return usage_error("--speed-min %s to --speed-max %s: models are compared from %g to %g, in sqrt(E/rho)",
-                           request->speed_min.text, request->speed_max.text, MIN_SPEED, COR_DISK_HARD_WALL_MAX_SPEED);
-    if (!(range[1] > range[0]))
-        return usage_error("--speed-min %s is not below --speed-max %s", request->speed_min.text,
-                           request->speed_max.text);
-    if (!(*tolerance >= LEAST_TOLERANCE && *tolerance < 1))
+    const char *const min = number[EMBED_SPEED_MIN].text, *const max = number[EMBED_SPEED_MAX].text;
+    if (!(low >= MIN_SPEED && high <= COR_DISK_HARD_WALL_MAX_SPEED))
+        return usage_error("--speed-min %s to --speed-max %s: models are compared from %g to %g, in sqrt(E/rho)", min,
+                           max, MIN_SPEED, COR_DISK_HARD_WALL_MAX_SPEED);
+    if (!(high > low))
+        return usage_error("--speed-min %s is not below --speed-max %s", min, max);
+    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
         return usage_error("--tolerance %s is not from %g, the error of a collision here, to below 1",
-                           request->tolerance.text, LEAST_TOLERANCE);
+                           number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
     return STATUS_OK;
 }
 
@@ -318,8 +316,8 @@ static char *disks_title(const struct plan *plan, const struct disks *d)
         uncertainty = fmax(uncertainty, plan->uncertainty[i]);
     return xprintf("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
                    "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
-                   d->request->poisson.text, d->request->speed_min.text, d->request->speed_max.text, plan->quantity,
-                   plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
+                   d->number[COR_SCENE_POISSON].text, d->number[EMBED_SPEED_MIN].text, d->number[EMBED_SPEED_MAX].text,
+                   plan->quantity, plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
 }
 
 static int disks_fill(struct disks *d)
@@ -338,7 +336,7 @@ static int disks_fill(struct disks *d)
     d->collision = xmalloc(DYNAMICS * (size_t)plan->points * sizeof *d->collision);
     parallel_for(collide_soft, d, DYNAMICS * plan->points, "collisions");
     plan->argument = "speed";
-    plan->quantity = quantities[d->request->quantity].name;
+    plan->quantity = quantities[d->quantity].name;
     plan->unit = is_relative(d) ? "relative error" : "error";
     plan->note =
         "Error: the largest of the points, two digits, rounded up; taken where error and uncertainty of what it is\n"
@@ -358,18 +356,19 @@ static int disks_fill(struct disks *d)
     return status;
 }
 
-int plan_disks(struct plan *plan, const struct plan_disks_request *request)
+int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points)
 {
+    const double low = embed_number(request, EMBED_SPEED_MIN), high = embed_number(request, EMBED_SPEED_MAX);
+    const double tolerance = embed_number(request, EMBED_TOLERANCE);
     *plan = (struct plan){.chosen = -1};
-    double range[2], tolerance;
-    int status = read_range(range, &tolerance, request);
+    int status = check_range(request->number, low, high, tolerance);
     if (status != STATUS_OK)
         return status;
-    plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
+    plan_init(plan, points ? points : PLAN_DEFAULT_POINTS_DISKS, low, high);
     plan->tolerance = tolerance;
-    struct disks d = {.plan = plan, .request = request};
+    struct disks d = {.plan = plan, .number = request->number, .quantity = quantity};
     profile_step("modes");
-    status = disk_modes_rounded(&d.modes, request->poisson.value, MOST_MODES);
+    status = disk_modes_rounded(&d.modes, request->number[COR_SCENE_POISSON].value, MOST_MODES);
     profile_step("collisions");
     if (status == STATUS_OK) {
         status = disks_fill(&d);

@@ -12,22 +12,8 @@
 
 struct embed_form;
 
-/* The requests of corgen plan. points = 0 means the default number. */
 enum plan_quantity { PLAN_EPS, PLAN_CONTACT_TIME, PLAN_COMPRESSION };
 extern const char *const plan_quantity_names[]; /* ends with NULL */
-
-struct plan_spheres_request {
-    struct embed_request scene;                /* its tolerance is from 1e-15 to below 1 */
-    struct cor_scene_contact contact, pressed; /* without and with the constant force */
-    slong points;
-};
-
-struct plan_disks_request {
-    struct decimal speed_min, speed_max; /* in sqrt(E/rho) */
-    struct decimal tolerance, poisson;
-    enum plan_quantity quantity;
-    slong points;
-};
 
 /* The error between the points may be a little larger. */
 #define PLAN_MARGIN 0.97
@@ -116,26 +102,21 @@ void plan_choose(struct plan *plan);
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
 /* Each returns STATUS_OK, or another status after a message on stderr. The caller clears the plan in either case. The
- * request must last as long as the plan is made. */
-int plan_spheres(struct plan *plan, const struct plan_spheres_request *request);
-int plan_disks(struct plan *plan, const struct plan_disks_request *request);
+ * request must last as long as the plan is made, and so must its contacts without and with the constant force. Of disks
+ * the request has both speeds, in sqrt(E/rho), tolerance and Poisson's ratio. points = 0 means the default number. */
+int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
+                 const struct cor_scene_contact *pressed, slong points);
+int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points);
 void plan_spheres_clear(struct plan *plan); /* *owned alone, for plan_clear */
 double plan_model_eps(const struct plan_model *model, double speed, double beta);
-
-/* ---- remarks on effects beside the models: lines that end with \n, malloc'ed ---- */
-
-/* For a contact with force_n > 0: from which speed on gravity and adhesion may be left out. Sampled at 201 speeds of
- * the range, from above. */
-char *plan_pressing_remark(const struct cor_scene_contact *contact, int end, double speed_min, double speed_max,
-                           double tolerance);
 
 /* 1 - eps^2 to first order at a speed in m/s, the energy that elastic waves alone take, as cor_contact_wave_loss
  * computes it, from a sphere that hits a massive wall, a half-space with the density of the sphere. NaN for a scene
  * without a wall or without materials. */
 double plan_wave_loss(const struct embed_request *request, double speed);
 
-/* A sentence about this loss at the scene's largest speed, where eps is the restitution from the scene's dissipation
- * time. NULL if the loss is NaN. */
+/* A sentence about this loss at the scene's largest speed, malloc'ed, where eps is the restitution from the scene's
+ * dissipation time. NULL if the loss is NaN. */
 char *plan_wave_remark(const struct embed_request *request, double speed, double eps);
 
 #endif

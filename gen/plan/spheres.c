@@ -39,7 +39,8 @@ static const double cost_published[USES] = {14.6, 14.6}, cost_mueller[USES] = {1
 
 struct spheres {
     struct plan *plan;
-    const struct plan_spheres_request *request;
+    const struct embed_request *request;
+    const struct cor_scene_contact *contact, *pressed;
     struct embed_scene scene;
     struct embed_form form[FAMILIES];
     arb_t h_star;  /* that of spheres */
@@ -146,7 +147,7 @@ static void model_is(const struct spheres *s, struct plan_model *m, const double
                      char *use, enum plan_formula formula)
 {
     const struct plan *const plan = s->plan;
-    m->cost = embed_cost(cost, s->request->scene.purpose);
+    m->cost = embed_cost(cost, s->request->purpose);
     m->leaves_out = leaves_out;
     m->use = use;
     m->formula = formula;
@@ -219,14 +220,14 @@ static void add_power_law(const struct spheres *s)
 /* C statements that define `contact` */
 static char *contact_text(const struct spheres *s)
 {
-    const struct embed_request *const scene = &s->request->scene;
+    const struct embed_request *const scene = s->request;
     static const char init[] = "struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n";
     char g_star[DECIMAL_TEXT];
     if (scene->number[COR_SCENE_G_STAR].text)
         return xprintf(init, scene->number[COR_SCENE_G_STAR].text);
     if (!embed_given(scene, COR_SCENE_YOUNG) || !embed_given(scene, COR_SCENE_DISSIPATION_TIME) ||
         scene->law == COR_LAW_PLATE)
-        return xprintf(init, decimal_text(g_star, cor_scene_damping(&s->request->contact, COR_SCENE_G_STAR)));
+        return xprintf(init, decimal_text(g_star, cor_scene_damping(s->contact, COR_SCENE_G_STAR)));
     char body[2][TEXT];
     for (int second = 0; second < 2; second++) {
         const char *text[COR_SCENE_BODY];
@@ -346,7 +347,7 @@ static char *embed_command(const struct embed_request *scene, const char *tolera
 
 static void add_header(const struct spheres *s, const char *tolerance)
 {
-    const enum embed_family chosen = embed_choose(s->form, s->request->scene.purpose);
+    const enum embed_family chosen = embed_choose(s->form, s->request->purpose);
     if (chosen == FAMILIES)
         return; /* the library remains */
     const struct embed_form *f = &s->form[chosen];
@@ -357,7 +358,7 @@ static void add_header(const struct spheres *s, const char *tolerance)
         *c = (char)(*c == ',' ? ';' : *c);
     m->form = f;
     m->elsewhere = f->error;
-    model_is(s, m, f->cost, "speeds outside the range", embed_command(&s->request->scene, tolerance), PLAN_HEADER);
+    model_is(s, m, f->cost, "speeds outside the range", embed_command(s->request, tolerance), PLAN_HEADER);
 }
 
 /* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */
@@ -413,13 +414,87 @@ static void add_other_end(const struct spheres *s)
     m->shown = true;
 }
 
+/* ---- remarks on effects beside the models: lines that end with \n, malloc'ed ---- */
+
+enum { SCAN = 200, BISECTIONS = 30 };
+
+/* Whether the force changes eps by less than the tolerance; a collision that cannot be solved counts as changed. */
+static bool may_go(const struct cor_scene_contact *pressed, int end, double tolerance, double speed)
+{
+    struct cor_scene_contact without_force = *pressed;
+    double with, without;
+    without_force.force_n = 0;
+    return cor_scene_eps(&with, pressed, speed, end) == COR_FAULT_NONE &&
+           cor_scene_eps(&without, &without_force, speed, end) == COR_FAULT_NONE &&
+           fabs(with / without - 1) <= tolerance;
+}
+
+/* For a contact with force_n > 0: from which speed on gravity and adhesion may be left out. Sampled at 201 speeds of
+ * the range, from above. */
+static char *pressing_remark(const struct spheres *s)
+{
+    const struct cor_scene_contact *const contact = s->pressed;
+    const int end = (int)s->scene.end;
+    const double tolerance = s->plan->tolerance, speed_max = s->scene.speed_max;
+    const double ratio = pow(s->scene.speed_min / speed_max, 1.0 / (double)SCAN);
+    const double sticking = cor_scene_sticking_speed(contact, end);
+    char *where;
+    int k = 0;
+    while (k <= SCAN && may_go(contact, end, tolerance, speed_max * pow(ratio, k)))
+        k++;
+    if (k == 0) {
+        where = xprintf("at no speed of this range up to its end");
+    } else if (k > SCAN) {
+        where = xprintf("at every speed of this range");
+    } else {
+        double low = speed_max * pow(ratio, k), high = low / ratio;
+        for (int i = 0; i < BISECTIONS; i++) {
+            const double middle = sqrt(low * high);
+            *(may_go(contact, end, tolerance, middle) ? &high : &low) = middle;
+        }
+        where = xprintf("from %.4g m/s up", high);
+    }
+    char *text = xprintf("The constant force of %.4g N may be left out %s: eps then changes by less than %g.\n"
+                         "With it the bodies stick up to %.4g m/s. The models leave it out.\n",
+                         contact->force_n, where, tolerance, sticking);
+    free(where);
+    return text;
+}
+
+double plan_wave_loss(const struct embed_request *request, double speed)
+{
+    struct cor_scene scene;
+    struct cor_sphere_contact contact;
+    if (!request->wall || embed_given(request, COR_SCENE_G_STAR) || !embed_given(request, COR_SCENE_YOUNG) ||
+        embed_request_scene(&scene, request) != STATUS_OK)
+        return (double)NAN;
+    const struct cor_body sphere = cor_scene_body(&scene, 1), wall = cor_scene_body(&scene, 2);
+    const struct cor_half_space half_space = {wall.young_modulus_pa, wall.poisson_ratio,
+                                              sphere.mass_kg / cor_sphere_mass_kg(sphere.radius_m, 1)};
+    cor_sphere_contact_init(&contact, &sphere, &wall);
+    return cor_contact_wave_loss(&contact, &half_space, speed);
+}
+
+char *plan_wave_remark(const struct embed_request *request, double speed, double eps)
+{
+    const double waves = plan_wave_loss(request, speed), all = (1 - eps) * (1 + eps);
+    if (isnan(waves))
+        return NULL;
+    return xprintf("Elastic waves alone: 1 - eps^2 = %.2g at %.4g m/s, to first order, if the wall is massive and as "
+                   "dense as the\n"
+                   "sphere; with this dissipation time it is %.2g. %s\n",
+                   waves, speed, all,
+                   waves < all ? "A measured dissipation time includes the waves."
+                               : "The waves take more: the dissipation time is too small.");
+}
+
 /* ---- the plan ---- */
 
 static char *spheres_title(const struct spheres *s)
 {
     const struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
-    const struct embed_request *const scene = &s->request->scene;
+    const struct embed_request *const scene = s->request;
     return xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
                    scene->law == COR_LAW_PLATE    ? "A sphere and a plate"
                    : law_is_sphere(&s->scene.law) ? "Spheres"
@@ -441,11 +516,10 @@ static char *spheres_remark(const struct spheres *s)
 {
     const struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
-    char *waves = plan_wave_remark(&s->request->scene, plan->speed[last], plan->truth[last]);
-    if (!(s->request->pressed.force_n > 0))
+    char *waves = plan_wave_remark(s->request, plan->speed[last], plan->truth[last]);
+    if (!(s->pressed->force_n > 0))
         return waves;
-    char *const pressing = plan_pressing_remark(&s->request->pressed, (int)s->scene.end, s->scene.speed_min,
-                                                s->scene.speed_max, plan->tolerance);
+    char *const pressing = pressing_remark(s);
     char *const both = xprintf("%s%s", waves ? waves : "", pressing);
     free(waves);
     free(pressing);
@@ -469,31 +543,27 @@ static void add_models(struct spheres *s, const char *header)
         add_header(s, header);
         (sphere ? add_library : add_function_of_beta)(s);
     }
-    if (cor_scene_ends_differ(&s->request->contact))
+    if (cor_scene_ends_differ(s->contact))
         add_other_end(s);
     plan_choose(s->plan);
 }
 
 /* Computes the plan of a checked scene. `embed` is the scene with the tolerance of a header. */
-static int plan_scene(struct plan *plan, const struct plan_spheres_request *request, const struct embed_request *embed)
+static int plan_scene(struct spheres *s, slong points, const struct embed_request *embed)
 {
-    const struct embed_request *const scene = &request->scene;
-    struct spheres *s = xmalloc(sizeof *s);
-    memset(s, 0, sizeof *s);
+    struct plan *const plan = s->plan;
     arb_init(s->h_star);
     profile_step("scene, series");
-    s->plan = plan;
-    s->request = request;
-    int status = embed_scene_init(&s->scene, embed, &request->contact);
+    int status = embed_scene_init(&s->scene, embed, s->contact);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
-    plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
+    plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
     plan->owned = s;
     plan->argument = "beta";
     plan->quantity = "eps";
     plan->unit = "relative error";
-    plan->tolerance = embed_number(scene, EMBED_TOLERANCE);
-    plan->note = notes[scene->purpose];
+    plan->tolerance = embed_number(s->request, EMBED_TOLERANCE);
+    plan->note = notes[s->request->purpose];
     profile_step("collisions");
     if (status == STATUS_OK)
         status = find_truth(s);
@@ -503,21 +573,25 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     return status;
 }
 
-int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
+int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
+                 const struct cor_scene_contact *pressed, slong points)
 {
     *plan = (struct plan){.chosen = -1};
-    const double tolerance = embed_number(&request->scene, EMBED_TOLERANCE);
+    const double tolerance = embed_number(request, EMBED_TOLERANCE);
     if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
         return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
-                           request->scene.number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
-    struct embed_request embed = request->scene;
+                           request->number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
+    struct embed_request embed = *request;
     struct decimal coarsest = {0};
     decimal_set(&coarsest, TEXT_OF(EMBED_COARSEST));
     if (tolerance > EMBED_COARSEST)
         embed.number[EMBED_TOLERANCE] = coarsest;
     int status = embed_request_check(&embed);
-    if (status == STATUS_OK)
-        status = plan_scene(plan, request, &embed);
+    if (status == STATUS_OK) {
+        struct spheres *const s = xmalloc(sizeof *s);
+        *s = (struct spheres){.plan = plan, .request = request, .contact = contact, .pressed = pressed};
+        status = plan_scene(s, points, &embed);
+    }
     decimal_clear(&coarsest);
     return status;
 }

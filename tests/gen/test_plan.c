@@ -112,12 +112,10 @@ static void plan_of(struct plan *plan, const char *min, const char *max, const c
                     int end, slong count)
 {
     struct contacts contacts;
-    struct plan_spheres_request request = {
-        .scene = request_of(min, max, tolerance, end, GIVEN({COR_SCENE_G_STAR, g_star})), .points = count};
-    assert_int_equal(contacts_of_request(&contacts, &request.scene), STATUS_OK);
-    request.contact = contacts.contact[0];
-    assert_int_equal(plan_spheres(plan, &request), STATUS_OK);
-    request_clear(&request.scene);
+    struct embed_request request = request_of(min, max, tolerance, end, GIVEN({COR_SCENE_G_STAR, g_star}));
+    assert_int_equal(contacts_of_request(&contacts, &request), STATUS_OK);
+    assert_int_equal(plan_spheres(plan, &request, contacts.contact, contacts.contact, count), STATUS_OK);
+    request_clear(&request);
 }
 
 TEST(test_spheres)
@@ -221,14 +219,9 @@ TEST(test_strong_damping)
 
 static void plan_of_disks(struct plan *plan, enum plan_quantity quantity, const char *min, const char *max, slong count)
 {
-    struct plan_disks_request request = {.quantity = quantity, .points = count};
-    struct decimal *const number[] = {&request.speed_min, &request.speed_max, &request.tolerance, &request.poisson};
-    const char *const text[] = {min, max, "0.01", "0.33"};
-    for (int i = 0; i < 4; i++)
-        decimal_set(number[i], text[i]);
-    assert_int_equal(plan_disks(plan, &request), STATUS_OK);
-    for (int i = 0; i < 4; i++)
-        decimal_clear(number[i]);
+    struct embed_request request = request_of(min, max, "0.01", 0, GIVEN({COR_SCENE_POISSON, "0.33"}));
+    assert_int_equal(plan_disks(plan, &request, quantity, count), STATUS_OK);
+    request_clear(&request);
 }
 
 static double collided(size_t modes, double alpha, double speed, enum plan_quantity quantity)
