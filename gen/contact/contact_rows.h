@@ -21,7 +21,8 @@ void contact_oblique(struct table *table, const struct contacts *contacts, doubl
 
 /* A row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last one,
  * measured_end, is there only where there are two contacts. Errors of the step have two columns, or, where the end of
- * contact is not given and matters, two for each end. A correction needs one end. Returns STATUS_OK or STATUS_FAILED. */
+ * contact is not given and matters, two for each end. A correction needs one end. Returns STATUS_OK or STATUS_FAILED.
+ */
 int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
                  int digits);
 
