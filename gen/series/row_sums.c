@@ -23,15 +23,14 @@ enum {
 /* The transforms of the rows modulo one prime p = 1 mod 2^depth */
 struct row_prime {
     ulong p;
-    ulong *root[2], *shoup[2]; /* powers of a root of unity of order 2^depth and of its inverse, and their quotients */
-    ulong *factor[2];          /* the transforms of X_i and P_i, 2^depth numbers for each row */
+    ulong *root, *shoup; /* powers of a root of unity of order 2^depth, and their quotients */
+    ulong *factor[2];    /* the transforms of X_i and P_i, 2^depth numbers for each row */
     slong known;
     ulong *sum; /* of the current row, `length` numbers */
 };
 
-/* Upper bounds of one row: size[j] 2^(size_exponent + COLUMN_BITS j) >= |f_j|, and radius likewise for the error of its
- * integers */
-struct row_bounds {
+/* Upper bounds of one row: bound[j] 2^(exponent + COLUMN_BITS j) >= |f_j|, and the same of the error of its integers */
+struct row_bound {
     double *size, *radius;
     slong size_exponent, radius_exponent;
 };
@@ -59,31 +58,23 @@ static void row_prime_init(struct row_prime *m, ulong p, const struct row_sums *
 {
     const slong half = WORD(1) << (s->depth - 1);
     const ulong root = root_of_unity(p, s->depth);
-    const ulong base[2] = {root, power_mod(root, p - 2, p)};
-    m->p = p;
-    m->known = 1;
-    for (int i = 0; i < 2; i++) {
-        m->root[i] = words_new(half);
-        m->shoup[i] = words_new(half);
-        m->factor[i] = words_new(s->rows << s->depth);
-        ulong x = 1;
-        for (slong j = 0; j < half; j++) {
-            m->root[i][j] = x;
-            m->shoup[i][j] = n_mulmod_precomp_shoup(x, p);
-            x = n_mulmod2(x, base[i], p);
-        }
+    *m = (struct row_prime){.p = p, .known = 1, .root = words_new(half), .shoup = words_new(half)};
+    ulong x = 1;
+    for (slong j = 0; j < half; j++) {
+        m->root[j] = x;
+        m->shoup[j] = n_mulmod_precomp_shoup(x, p);
+        x = n_mulmod2(x, root, p);
     }
+    for (int f = 0; f < 2; f++)
+        m->factor[f] = words_new(s->rows << s->depth);
     m->sum = words_new(WORD(1) << s->depth);
 }
 
-static void row_prime_clear(struct row_prime *m)
+static void row_prime_clear(const struct row_prime *m)
 {
-    for (int i = 0; i < 2; i++) {
-        flint_free(m->root[i]);
-        flint_free(m->shoup[i]);
-        flint_free(m->factor[i]);
-    }
-    flint_free(m->sum);
+    ulong *const words[] = {m->root, m->shoup, m->factor[0], m->factor[1], m->sum};
+    for (int i = 0; i < 5; i++)
+        flint_free(words[i]);
 }
 
 /* The discrete Fourier transform modulo p, with the results in bit-reversed order */
@@ -96,11 +87,11 @@ static void transform(ulong *f, const struct row_prime *m, int depth)
                 ulong *x = f + start + j, *y = x + half;
                 const ulong sum = n_addmod(*x, *y, m->p), difference = n_submod(*x, *y, m->p);
                 *x = sum;
-                *y = n_mulmod_shoup(m->root[0][j * step], difference, m->shoup[0][j * step], m->p);
+                *y = n_mulmod_shoup(m->root[j * step], difference, m->shoup[j * step], m->p);
             }
 }
 
-/* The inverse of transform() times 2^depth */
+/* The inverse of transform() times 2^depth. The inverse of root k > 0 is minus root n/2 - k. */
 static void transform_back(ulong *f, const struct row_prime *m, int depth)
 {
     const slong n = WORD(1) << depth;
@@ -108,9 +99,11 @@ static void transform_back(ulong *f, const struct row_prime *m, int depth)
         for (slong start = 0; start < n; start += 2 * half)
             for (slong j = 0; j < half; j++) {
                 ulong *x = f + start + j, *y = x + half;
-                const ulong t = n_mulmod_shoup(m->root[1][j * step], *y, m->shoup[1][j * step], m->p);
-                *y = n_submod(*x, t, m->p);
-                *x = n_addmod(*x, t, m->p);
+                const slong k = j > 0 ? n / 2 - j * step : 0;
+                const ulong product = n_mulmod_shoup(m->root[k], *y, m->shoup[k], m->p);
+                const ulong sum = n_addmod(*x, product, m->p), difference = n_submod(*x, product, m->p);
+                *x = j > 0 ? difference : sum;
+                *y = j > 0 ? sum : difference;
             }
 }
 
@@ -163,25 +156,14 @@ static void row_prime_sum(struct row_prime *m, const struct row_sums *s, slong k
 
 void row_sums_init(struct row_sums *s, struct ratio p, slong rows, slong length, slong prec)
 {
-    s->p = p;
-    s->rows = rows;
-    s->length = length;
-    s->prec = prec;
+    *s = (struct row_sums){.p = p, .rows = rows, .length = length, .prec = prec, .known = 1};
     s->depth = FLINT_MAX(1, (int)FLINT_CLOG2((ulong)(2 * length - 1)));
-    s->known = 1;
     s->weight_bits = (int)FLINT_BIT_COUNT((ulong)((p.num + 2 * p.den) * rows));
-    s->prime_count = s->primes = 0;
-    s->mod = NULL;
     for (int f = 0; f < 2; f++) {
         s->integer[f] = _fmpz_vec_init(rows * length);
-        s->integer_bits[f] = flint_calloc((size_t)rows, sizeof(slong));
-        s->bounds[f] = flint_calloc((size_t)rows, sizeof *s->bounds[f]);
-        for (slong i = 0; i < rows; i++) {
-            s->bounds[f][i].size = flint_calloc((size_t)length, sizeof(double));
-            s->bounds[f][i].radius = flint_calloc((size_t)length, sizeof(double));
-        }
+        s->bound[f] = flint_calloc((size_t)rows, sizeof *s->bound[f]);
     }
-    s->error = flint_calloc((size_t)s->length, sizeof(double));
+    s->error = flint_calloc((size_t)length, sizeof(double));
 }
 
 void row_sums_clear(struct row_sums *s)
@@ -191,32 +173,31 @@ void row_sums_clear(struct row_sums *s)
     flint_free(s->mod);
     for (int f = 0; f < 2; f++) {
         _fmpz_vec_clear(s->integer[f], s->rows * s->length);
-        flint_free(s->integer_bits[f]);
-        for (slong i = 0; i < s->rows; i++) {
-            flint_free(s->bounds[f][i].size);
-            flint_free(s->bounds[f][i].radius);
+        for (slong i = 1; i < s->known; i++) {
+            flint_free(s->bound[f][i].size);
+            flint_free(s->bound[f][i].radius);
         }
-        flint_free(s->bounds[f]);
+        flint_free(s->bound[f]);
     }
     flint_free(s->error);
 }
 
-/* y[j] 2^(exponent + COLUMN_BITS j) >= m[j], with the largest y near 1. Bounds that would underflow become the smallest
- * number. */
-static void bounds_set(double *y, slong *exponent, mag_ptr m, slong length)
+/* New numbers with y[j] 2^(exponent + COLUMN_BITS j) >= m[j], the largest near 1. Bounds that would underflow become
+ * the smallest number. */
+static double *bounds_of(slong *exponent, mag_ptr m, slong length)
 {
-    *exponent = WORD_MIN;
+    double *const y = flint_calloc((size_t)length, sizeof *y);
+    *exponent = ZERO_EXPONENT;
     for (slong j = 0; j < length; j++) {
         mag_mul_2exp_si(m + j, m + j, -COLUMN_BITS * j);
         if (!mag_is_zero(m + j))
             *exponent = FLINT_MAX(*exponent, fmpz_get_si(MAG_EXPREF(m + j)));
     }
-    if (*exponent == WORD_MIN)
-        *exponent = ZERO_EXPONENT;
     for (slong j = 0; j < length; j++) {
         mag_mul_2exp_si(m + j, m + j, -*exponent);
         y[j] = mag_is_zero(m + j) ? 0 : fmax(mag_get_d(m + j), DBL_MIN);
     }
+    return y;
 }
 
 /* Cuts the midpoints of row k to integers, and bounds what is cut. */
@@ -232,10 +213,9 @@ static void row_store(struct row_sums *s, int f, const arb_poly_struct *row, slo
         mag_set_ui_2exp_si(radius + j, 1, -s->prec - ROW_BITS * k);
         mag_add(radius + j, radius + j, arb_radref(row->coeffs + j));
     }
-    struct row_bounds *b = s->bounds[f] + k;
-    bounds_set(b->size, &b->size_exponent, size, s->length);
-    bounds_set(b->radius, &b->radius_exponent, radius, s->length);
-    s->integer_bits[f][k] = FLINT_ABS(_fmpz_vec_max_bits(integer, s->length));
+    struct row_bound *const b = s->bound[f] + k;
+    b->size = bounds_of(&b->size_exponent, size, s->length);
+    b->radius = bounds_of(&b->radius_exponent, radius, s->length);
     _mag_vec_clear(size, s->length);
     _mag_vec_clear(radius, s->length);
 }
@@ -245,15 +225,13 @@ static void primes_grow(struct row_sums *s, slong k)
 {
     slong bits = 0;
     for (slong i = 1; i < k; i++)
-        bits = FLINT_MAX(bits, s->integer_bits[0][i] + s->integer_bits[1][k - i]);
+        bits = FLINT_MAX(bits, FLINT_ABS(_fmpz_vec_max_bits(s->integer[0] + i * s->length, s->length)) +
+                                   FLINT_ABS(_fmpz_vec_max_bits(s->integer[1] + (k - i) * s->length, s->length)));
     bits += 2 + s->weight_bits + (slong)FLINT_BIT_COUNT((ulong)k) + (slong)FLINT_BIT_COUNT((ulong)s->length);
     /* p < 2^prime_bits: a weight times a residue fits in WORD_BITS bits, and k of their products fit in 128. */
     const int prime_bits = WORD_BITS - s->weight_bits;
     while (s->primes * (prime_bits - 1) < bits) {
-        if (s->primes == s->prime_count) {
-            s->prime_count = 2 * s->prime_count + 8;
-            s->mod = flint_realloc(s->mod, (size_t)s->prime_count * sizeof *s->mod);
-        }
+        s->mod = flint_realloc(s->mod, (size_t)(s->primes + 1) * sizeof *s->mod);
         ulong p = s->primes > 0 ? s->mod[s->primes - 1].p : (UWORD(1) << prime_bits) + 1;
         do
             p -= UWORD(1) << s->depth;
@@ -262,17 +240,17 @@ static void primes_grow(struct row_sums *s, slong k)
     }
 }
 
-/* The error of the sum in outputs start..end-1, in units of 2^(exponent + COLUMN_BITS j). With the integers x~, p~:
+/* The error of the sum in outputs start..end-1, in units of 2^(s->exponent + COLUMN_BITS j). With the integers x~, p~:
  * |x p - x~ p~| <= |x - x~| |p| + |x~| |p - p~|, and |x~| <= |x|'s bound. */
-static void error_block(const struct row_sums *s, slong k, slong start, slong end, slong exponent)
+static void error_block(struct row_sums *s, slong start, slong end)
 {
     for (slong n = start; n < end; n++)
         s->error[n] = 0;
-    for (slong i = 1; i < k; i++) {
-        const struct row_bounds *x = s->bounds[0] + i, *y = s->bounds[1] + k - i;
-        const double weight = (double)FLINT_ABS(row_sums_weight(s->p, i, k));
-        const double x_scale = ldexp(weight, (int)(x->radius_exponent + y->size_exponent - exponent));
-        const double y_scale = ldexp(weight, (int)(x->size_exponent + y->radius_exponent - exponent));
+    for (slong i = 1; i < s->row; i++) {
+        const struct row_bound *x = s->bound[0] + i, *y = s->bound[1] + s->row - i;
+        const double weight = (double)FLINT_ABS(row_sums_weight(s->p, i, s->row));
+        const double x_scale = ldexp(weight, (int)(x->radius_exponent + y->size_exponent - s->exponent));
+        const double y_scale = ldexp(weight, (int)(x->size_exponent + y->radius_exponent - s->exponent));
         for (slong j = 0; j < end; j++) {
             const double x_radius = x_scale * x->radius[j], x_size = y_scale * x->size[j];
             for (slong n = FLINT_MAX(start, j); n < end; n++)
@@ -284,38 +262,20 @@ static void error_block(const struct row_sums *s, slong k, slong start, slong en
         s->error[n] = s->error[n] * (1 + 1e-6) + 0x1p-900;
 }
 
-struct row_work {
-    struct row_sums *s;
-    slong k, exponent;
-};
-
-static void row_work_do(void *context, slong task)
+static void sum_part(void *context, slong task)
 {
-    const struct row_work *w = context;
-    struct row_sums *s = w->s;
+    struct row_sums *const s = context;
     if (task < s->primes) {
         row_prime_catch_up(s->mod + task, s);
-        row_prime_sum(s->mod + task, s, w->k);
+        row_prime_sum(s->mod + task, s, s->row);
     } else {
         const slong start = (task - s->primes) * ERROR_BLOCK;
-        error_block(s, w->k, start, FLINT_MIN(start + ERROR_BLOCK, s->length), w->exponent);
+        error_block(s, start, FLINT_MIN(start + ERROR_BLOCK, s->length));
     }
-}
-
-/* The largest exponent of the products of bounds, so that their sum does not overflow */
-static slong error_exponent(const struct row_sums *s, slong k)
-{
-    slong exponent = WORD_MIN;
-    for (slong i = 1; i < k; i++) {
-        const struct row_bounds *x = s->bounds[0] + i, *y = s->bounds[1] + k - i;
-        exponent = FLINT_MAX(exponent, x->radius_exponent + y->size_exponent);
-        exponent = FLINT_MAX(exponent, x->size_exponent + y->radius_exponent);
-    }
-    return exponent;
 }
 
 /* Reads the sum from its residues and its error bound. */
-static void sum_collect(arb_poly_struct *sum, const struct row_sums *s, slong k, slong exponent)
+static void sum_collect(arb_poly_struct *sum, const struct row_sums *s)
 {
     ulong *residue = words_new(2 * s->primes), *prime = residue + s->primes;
     fmpz_comb_t comb;
@@ -332,9 +292,9 @@ static void sum_collect(arb_poly_struct *sum, const struct row_sums *s, slong k,
             residue[i] = s->mod[i].sum[j];
         fmpz_multi_CRT_ui(value, residue, comb, temp, 1);
         arb_set_round_fmpz(sum->coeffs + j, value, s->prec);
-        arb_mul_2exp_si(sum->coeffs + j, sum->coeffs + j, -2 * s->prec - ROW_BITS * k);
+        arb_mul_2exp_si(sum->coeffs + j, sum->coeffs + j, -2 * s->prec - ROW_BITS * s->row);
         mag_set_d(error, s->error[j]);
-        mag_mul_2exp_si(error, error, exponent + COLUMN_BITS * j);
+        mag_mul_2exp_si(error, error, s->exponent + COLUMN_BITS * j);
         arb_add_error_mag(sum->coeffs + j, error);
     }
     _arb_poly_set_length(sum, s->length);
@@ -355,11 +315,17 @@ void row_sums_next(arb_poly_struct *sum, struct row_sums *s, const arb_poly_stru
     if (k < 2)
         return;
     primes_grow(s, k);
-    struct row_work work = {s, k, error_exponent(s, k)};
+    s->row = k;
+    s->exponent = WORD_MIN; /* the largest of the products of bounds, so that their sum does not overflow */
+    for (slong i = 1; i < k; i++) {
+        const struct row_bound *x = s->bound[0] + i, *y = s->bound[1] + k - i;
+        s->exponent = FLINT_MAX(s->exponent, x->radius_exponent + y->size_exponent);
+        s->exponent = FLINT_MAX(s->exponent, x->size_exponent + y->radius_exponent);
+    }
     const slong blocks = (s->length + ERROR_BLOCK - 1) / ERROR_BLOCK;
     progress_enter("trajectory rows", s->rows);
     progress_at(k);
-    parallel_for(row_work_do, &work, s->primes + blocks, "trajectory rows");
+    parallel_for(sum_part, s, s->primes + blocks, "trajectory rows");
     progress_leave();
-    sum_collect(sum, s, k, work.exponent);
+    sum_collect(sum, s);
 }

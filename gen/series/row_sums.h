@@ -20,16 +20,15 @@ enum { ROW_SUMS_MIN_ROWS = 12 };
 struct row_sums {
     struct ratio p;
     slong rows, length, prec;
-    slong known;           /* rows 1..known-1 of both factors are stored */
-    int depth;             /* transforms have 2^depth points */
-    int weight_bits;       /* weights and numbers of rows are below 2^weight_bits */
-    slong prime_count;     /* room for so many below */
-    slong primes;          /* primes in use */
-    struct row_prime *mod; /* the rows modulo one prime each */
-    fmpz *integer[2];      /* the midpoints of the rows X_i and P_i in units of 2^(-prec - ROW_BITS i) */
-    slong *integer_bits[2];
-    struct row_bounds *bounds[2];
-    double *error; /* of the sum */
+    slong known;                /* rows 1..known-1 of both factors are stored */
+    int depth;                  /* transforms have 2^depth points */
+    int weight_bits;            /* weights and numbers of rows are below 2^weight_bits */
+    slong primes;               /* in use */
+    struct row_prime *mod;      /* the rows modulo one prime each */
+    fmpz *integer[2];           /* the midpoints of the rows X_i and P_i in units of 2^(-prec - ROW_BITS i) */
+    struct row_bound *bound[2]; /* of these rows */
+    slong row, exponent;        /* of the current sum, and of the unit of its error */
+    double *error;
 };
 
 /* (p+1) i - k, times p.den */
