@@ -131,6 +131,15 @@ static inline bool is_of_overlap(enum quantity quantity)
     return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
 }
 
+/* The sampled quantity from which another follows */
+static inline enum quantity sampled_quantity(enum quantity quantity)
+{
+    return quantity < QUANTITIES           ? quantity
+           : quantity >= EPS_APPROACH_ONLY ? MAX_OVERLAP
+           : (quantity - QUANTITIES) % 2   ? EPS_ZERO_FORCE
+                                           : EPS_ZERO_OVERLAP;
+}
+
 /* Computes the interpolant for arguments between beta_min and beta_max, which may be INFINITY. The layout must live as
  * long as the interpolant. Returns NULL after reporting the failure on stderr. */
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);

@@ -96,7 +96,7 @@ static void choose_stretch(struct search *s, const arb_t wanted)
 {
     const struct interpolant *f = s->f;
     const struct interpolant_layout *layout = f->layout;
-    const enum quantity eps = s->eps == EPS_APPROACH_ONLY ? MAX_OVERLAP : interpolant_end(f, s->eps);
+    const enum quantity eps = sampled_quantity(interpolant_end(f, s->eps));
     s->variable = INTERVAL_ROOT;
     s->lo = 0;
     s->hi = last_sampled_root(f, eps);

@@ -255,21 +255,21 @@ struct sampling {
     struct samples *s;
     const struct interpolant *f;
     const struct interval *interval;
-    struct {
-        int interval;
-        slong sample;
-    } * task;
-    slong tasks;
+    int intervals;
     atomic_bool failed;
 };
 
-static void sample(void *context, slong i)
+/* The longest collisions are the last ones, and the first tasks. */
+static void sample(void *context, slong task)
 {
     struct sampling *const work = context;
-    const struct interval *const interval = &work->interval[work->task[i].interval];
-    struct samples *const s = &work->s[work->task[i].interval];
-    const slong j = work->task[i].sample;
-    if (atomic_load(&work->failed))
+    int i = work->intervals - 1;
+    for (; task >= work->interval[i].count; i--)
+        task -= work->interval[i].count;
+    const struct interval *const interval = &work->interval[i];
+    struct samples *const s = &work->s[i];
+    const slong j = interval->count - 1 - task;
+    if (!s->known || atomic_load(&work->failed))
         return;
     LOCAL_VECTOR(value, QUANTITIES);
     if (interval_sample(value, work->f, interval, s->beta + j, interval->bits) != STATUS_OK)
@@ -281,18 +281,11 @@ static void sample(void *context, slong i)
 int samples_collide(struct samples *s, int intervals, const struct interpolant *f, const struct interval *interval,
                     const char *step)
 {
-    struct sampling work = {.s = s, .f = f, .interval = interval};
-    slong most = 0;
+    struct sampling work = {.s = s, .f = f, .interval = interval, .intervals = intervals};
+    slong tasks = 0;
     for (int i = 0; i < intervals; i++)
-        most += interval[i].count;
-    work.task = xmalloc((size_t)most * sizeof *work.task);
-    for (int i = intervals - 1; i >= 0; i--) /* the longest collisions first */
-        for (slong j = interval[i].count - 1; j >= 0 && s[i].known; j--) {
-            work.task[work.tasks].interval = i;
-            work.task[work.tasks++].sample = j;
-        }
-    parallel_for(sample, &work, work.tasks, step);
-    free(work.task);
+        tasks += interval[i].count;
+    parallel_for(sample, &work, tasks, step);
     return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }
 

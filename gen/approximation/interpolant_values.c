@@ -9,6 +9,8 @@
 struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity)
 {
     const struct ratio a = law->a, b = law->b;
+    if (law_is_linear(law) && is_of_overlap(quantity)) /* no power */
+        return (struct ratio){0, 1};
     switch (quantity) {
     case EPS_ZERO_OVERLAP:
         return RATIO("-(a + 1)/(2*b - a + 1)", a, b);
@@ -25,12 +27,6 @@ void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec)
 {
     const slong num = power.num, den = power.den;
     LET(y, prec, "exp(u*num/den)", u, num, den);
-}
-
-/* q = 0: eps at zero overlap, exp(-pi beta/sqrt(beta_c^2 - beta^2)), and its logarithm */
-static void linear_log_eps(arb_t y, const struct interpolant *f, const arb_t beta, slong prec)
-{
-    LET(y, prec, "-(pi*beta/sqrt(f->threshold^2 - beta^2))", beta, f->threshold);
 }
 
 void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
@@ -81,38 +77,25 @@ void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_var
     }
 }
 
-/* The quantity from the number that its interval stores */
-static void unscaled(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity quantity,
-                     const arb_t x, slong prec)
+/* The quantity, or (1 - eps)/beta, from the number that an interval stores */
+static void restore(arb_t y, const struct interpolant *f, enum quantity stored, bool loss, enum interval_form form,
+                    enum interval_variable variable, const arb_t x, slong prec)
 {
-    const slong root = f->layout->root;
-    LOCAL(arb, scale);
-    if (interval->form == FORM_VALUE || (interval->form != FORM_POWER && !is_eps(quantity)))
-        return;
-    if (interval->form == FORM_QUOTIENT) {
-        LET(y, prec, "1 - y*x^root", y, x, root);
-    } else if (interval->form == FORM_LOG) {
-        arb_exp(y, y, prec);
-    } else {
-        interpolant_power(scale, x, interpolant_tail_power(&f->layout->law, quantity), prec);
+    LOCAL(arb, beta, scale);
+    if (form == FORM_POWER) {
+        interpolant_power(scale, x, interpolant_tail_power(&f->layout->law, stored), prec);
         arb_mul(y, y, scale, prec);
     }
-}
-
-/* (1 - eps)/beta from the number that the interval stores for eps */
-static void loss_quotient(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity eps,
-                          const arb_t x, slong prec)
-{
-    LOCAL(arb, beta);
-    if (interval->form == FORM_QUOTIENT)
+    if (!is_eps(stored))
         return;
-    interpolant_beta(beta, f, interval->variable, x, prec);
-    if (interval->form == FORM_LOG) {
-        LET(y, prec, "-expm1(y)/beta", y, beta);
-    } else {
-        unscaled(y, f, interval, eps, x, prec);
-        LET(y, prec, "(1 - y)/beta", y, beta);
-    }
+    if (loss || form == FORM_QUOTIENT)
+        interpolant_beta(beta, f, variable, x, prec);
+    if (form == FORM_QUOTIENT && !loss)
+        LET(y, prec, "1 - y*beta", y, beta);
+    else if (form == FORM_LOG && !loss)
+        arb_exp(y, y, prec);
+    else if (form != FORM_QUOTIENT && loss)
+        LET(y, prec, form == FORM_LOG ? "-expm1(y)/beta" : "(1 - y)/beta", y, beta);
 }
 
 /* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
@@ -148,18 +131,8 @@ static void backward(arb_t y, const struct interpolant *f, enum quantity quantit
 
 enum quantity interpolant_end(const struct interpolant *f, enum quantity quantity)
 {
-    if (law_force_ends(&f->layout->law))
-        return quantity;
-    switch (quantity) {
-    case EPS_ZERO_FORCE:
-        return EPS_ZERO_OVERLAP;
-    case DURATION_ZERO_FORCE:
-        return DURATION_ZERO_OVERLAP;
-    case LOSS_QUOTIENT_ZERO_FORCE:
-        return LOSS_QUOTIENT_ZERO_OVERLAP;
-    default:
-        return quantity;
-    }
+    const bool force = is_of_force(quantity) || quantity == LOSS_QUOTIENT_ZERO_FORCE;
+    return force && !law_force_ends(&f->layout->law) ? (enum quantity)(quantity - 1) : quantity;
 }
 
 /* Damping during the approach only: the rebound is elastic, eps^2/2 = X^(a+1)/(a+1) with the largest overlap X, and
@@ -198,30 +171,21 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
         return;
     }
     quantity = interpolant_end(f, quantity);
-    const bool loss = quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == LOSS_QUOTIENT_ZERO_FORCE;
-    const enum quantity stored = quantity == LOSS_QUOTIENT_ZERO_OVERLAP ? EPS_ZERO_OVERLAP
-                                 : quantity == LOSS_QUOTIENT_ZERO_FORCE ? EPS_ZERO_FORCE
-                                                                        : quantity;
+    const enum quantity stored = sampled_quantity(quantity);
     const int i = interval_at(f, stored, variable, x, false);
-    if (i < 0 && stored == EPS_ZERO_OVERLAP) { /* q = 0 */
+    enum interval_form form = FORM_LOG;
+    if (i >= 0) {
+        interpolant_polynomial_at(y, f, i, stored, x, prec);
+        form = f->layout->interval[i].form;
+    } else if (stored == EPS_ZERO_OVERLAP) { /* q = 0: exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
         LOCAL(arb, beta);
         interpolant_beta(beta, f, variable, x, prec);
-        linear_log_eps(y, f, beta, prec);
-        if (loss)
-            LET(y, prec, "-expm1(y)/beta", y, beta);
-        else
-            arb_exp(y, y, prec);
-        return;
-    }
-    if (i < 0) {
+        LET(y, prec, "-(pi*beta/sqrt(f->threshold^2 - beta^2))", beta, f->threshold);
+    } else {
         backward(y, f, quantity, x, prec);
         return;
     }
-    interpolant_polynomial_at(y, f, i, stored, x, prec);
-    if (loss)
-        loss_quotient(y, f, &f->layout->interval[i], stored, x, prec);
-    else
-        unscaled(y, f, &f->layout->interval[i], stored, x, prec);
+    restore(y, f, stored, quantity != stored, form, variable, x, prec);
 }
 
 void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec)
@@ -238,9 +202,10 @@ void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quanti
 void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t v, slong prec)
 {
     const int i = interval_at(f, quantity, INTERVAL_BELOW, v, false);
+    const enum interval_form form = f->layout->interval[i].form;
     interpolant_polynomial_at(y, f, i, quantity, v, prec);
-    if (f->layout->interval[i].form != FORM_POWER)
-        unscaled(y, f, &f->layout->interval[i], quantity, v, prec);
+    if (form != FORM_POWER)
+        restore(y, f, quantity, false, form, INTERVAL_BELOW, v, prec);
 }
 
 /* ---- the quantity at any beta ---- */
@@ -258,7 +223,7 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
 {
     const struct interpolant_layout *layout = f->layout;
     quantity = interpolant_end(f, quantity);
-    const enum quantity stored = quantity >= EPS_APPROACH_ONLY ? MAX_OVERLAP : quantity;
+    const enum quantity stored = sampled_quantity(quantity);
     const double b = ball_middle(beta);
     const double root_end = pow(fmax(interpolant_last(f, stored, INTERVAL_ROOT), 0), (double)layout->root);
     LOCAL(arb, x);

@@ -274,23 +274,6 @@ struct piece {
     arb_poly_t beta;
 };
 
-/* The sampled quantity from which a table's function follows */
-static enum quantity stored_quantity(enum quantity quantity)
-{
-    switch (quantity) {
-    case LOSS_QUOTIENT_ZERO_OVERLAP:
-    case BETA_ZERO_OVERLAP:
-    case BETA_QUOTIENT_ZERO_OVERLAP:
-        return EPS_ZERO_OVERLAP;
-    case LOSS_QUOTIENT_ZERO_FORCE:
-    case BETA_ZERO_FORCE:
-    case BETA_QUOTIENT_ZERO_FORCE:
-        return EPS_ZERO_FORCE;
-    default:
-        return quantity;
-    }
-}
-
 /* Whether the creep's series, not a polynomial, gives a quantity */
 static bool is_creep(const struct interval *interval, enum quantity quantity)
 {
@@ -340,7 +323,7 @@ static void creep_duration(arb_poly_t y, const struct piece *w, double lo, doubl
 static void piece_init(struct piece *w, const struct interpolant_proof *proof, const struct pieces *p, slong row, int i,
                        double lo, double hi)
 {
-    const enum quantity stored = stored_quantity(p->quantity);
+    const enum quantity stored = sampled_quantity(p->quantity);
     *w = (struct piece){.proof = proof, .p = p, .i = i, .interval = &proof->f->layout->interval[i]};
     w->cell = pieces_cell(p, row);
     FOR_ALL(arb_poly, init, w->x, w->stored, w->beta);
@@ -620,7 +603,7 @@ static int part_of(struct part *part, double *reached, const struct range *range
 static int split_cell(struct part *part, const struct interpolant_proof *proof, const struct pieces *p, slong row)
 {
     const struct interpolant_layout *const layout = proof->f->layout;
-    const enum quantity stored = stored_quantity(p->quantity);
+    const enum quantity stored = sampled_quantity(p->quantity);
     const struct cell cell = pieces_cell(p, row);
     struct range range;
     int parts = 0;
