@@ -248,13 +248,10 @@ static const char help[] =
     "judged, 2 if a file has no contact that could be made out.\n"
     "\nExample: corgen audit in.chute --radius 5e-3 --density 2500 --speed 0.1,1\n";
 
-static const struct values_rule speed_rule = {
-    "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
-
 #define ARGUMENTS struct audit_arguments
 static const struct option_rule options[] = {
     OPTION("files", FILES, files, .required = true, .operand = "FILE"),
-    OPTION("speed", LIST, speed, .range.values = &speed_rule),
+    OPTION("speed", LIST, speed, .range.values = &option_speeds),
     OPTION("radius", REAL, radius, .range.number = &option_positive),
     OPTION("density", REAL, density, .range.number = &option_positive),
     OPTION("time-step", REAL, time_step, .range.number = &option_positive),

@@ -33,55 +33,52 @@ static const struct {
 
 #define BETA_MAX 1e6
 
-struct problem {
-    const struct collide_arguments *given;
-    struct law law;
-    bool in_si;
-};
+static bool in_si(const struct collide_arguments *o)
+{
+    return o->stiffness.text != NULL;
+}
 
 /* Whether column i is printed: those of an end that is not asked for are not even computed. Under a constant force the
  * one peak of the force is not proved. */
-static bool is_printed(int i, const struct problem *problem)
+static bool is_printed(int i, const struct collide_arguments *o)
 {
-    const struct collide_arguments *const o = problem->given;
     const int end = column[i].end;
-    return column[i].name[problem->in_si] && (i == BETA || (i >= STICKING) == o->threshold) &&
+    return column[i].name[in_si(o)] && (i == BETA || (i >= STICKING) == o->threshold) &&
            !(i == FORCE_MAX && o->force.text) &&
-           (end == OPTIONS_NOT_GIVEN || problem->given->end == OPTIONS_NOT_GIVEN || problem->given->end == end);
+           (end == OPTIONS_NOT_GIVEN || o->end == OPTIONS_NOT_GIVEN || o->end == end);
 }
 
 /* f = F T/(m g) in SI units; 0: none */
-static void pressing_force(arb_t force, const struct problem *problem, const arb_t T, slong prec)
+static void pressing_force(arb_t force, const struct collide_arguments *o, const arb_t T, slong prec)
 {
-    const struct collide_arguments *const o = problem->given;
     const fmpq *const F = o->force.value, *const m = o->effective_mass.value, *const g = o->speed.value;
     if (!o->force.text)
         arb_zero(force);
-    else if (problem->in_si)
+    else if (in_si(o))
         LET(force, prec, "F*T/(m*g)", F, T, m, g);
     else
         arb_set_fmpq(force, F, prec);
 }
 
-static int problem_solve(struct collision *c, const arb_t beta, const arb_t force, const struct problem *problem,
+static int problem_solve(struct collision *c, const arb_t beta, const arb_t force, const struct collide_arguments *o,
                          slong bits)
 {
     if (!arb_is_zero(force))
-        return collision_solve_pressed(c, beta, force, &problem->law, problem->given->end, bits);
-    if (problem->given->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
-        return collision_solve(c, beta, &problem->law, bits);
-    return (problem->given->end == END_ZERO_FORCE ? collision_solve_force
-                                                  : collision_solve_overlap)(c, beta, &problem->law, bits);
+        return collision_solve_pressed(c, beta, force, &o->law.exponents, o->end, bits);
+    if (o->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
+        return collision_solve(c, beta, &o->law.exponents, bits);
+    return (o->end == END_ZERO_FORCE ? collision_solve_force : collision_solve_overlap)(c, beta, &o->law.exponents,
+                                                                                        bits);
 }
 
 /* beta as a number of every format: a decimal as given, with a digit before its point and one behind; a ratio rounded
  * to the digits of the table, or to one more where it lies in the middle of two. */
-static char *beta_text(const struct problem *problem, const arb_t beta)
+static char *beta_text(const struct collide_arguments *o, const arb_t beta)
 {
-    const char *given = problem->given->beta.text;
-    if (problem->given->beta.forms & DECIMAL_RATIO) {
-        char *const rounded = digits_of_ball(beta, problem->given->digits);
-        return rounded ? rounded : digits_of_ball(beta, problem->given->digits + 1);
+    const char *given = o->beta.text;
+    if (o->beta.forms & DECIMAL_RATIO) {
+        char *const rounded = digits_of_ball(beta, o->digits);
+        return rounded ? rounded : digits_of_ball(beta, o->digits + 1);
     }
     while (given[0] == '0' && given[1] >= '0' && given[1] <= '9')
         given++;
@@ -96,23 +93,21 @@ static char *beta_text(const struct problem *problem, const arb_t beta)
 }
 
 /* In SI units: beta, and what times of the scaled collision are multiplied by */
-static void scales(arb_t beta, arb_t time_unit, const struct problem *problem, slong prec)
+static void scales(arb_t beta, arb_t time_unit, const struct collide_arguments *o, slong prec)
 {
-    const struct collide_arguments *const o = problem->given;
     const fmpq *const K = o->stiffness.value, *const C = o->damping_coefficient.value,
                       *const m = o->effective_mass.value, *const g = o->speed.value;
-    const struct ratio a = problem->law.a, b = problem->law.b, q = law_speed_exponent(&problem->law);
+    const struct ratio a = o->law.exponents.a, b = o->law.exponents.b, q = law_speed_exponent(&o->law.exponents);
     LET(time_unit, prec, "(m/K)^(1/(a + 1))*g^((1 - a)/(a + 1))", m, K, a, g);
     LET(beta, prec, "(C/m)*(m/K)^((b + 1)/(a + 1))*g^q", C, m, K, a, b, g, q);
 }
 
-static int to_si(struct collision *c, arb_t force, const struct problem *problem, const arb_t beta, const arb_t T,
+static int to_si(struct collision *c, arb_t force, const struct collide_arguments *o, const arb_t beta, const arb_t T,
                  slong bits)
 {
-    const struct collide_arguments *const o = problem->given;
     const fmpq *const m = o->effective_mass.value, *const g = o->speed.value;
     const slong prec = 3 * bits + 256;
-    const int status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &problem->law, bits);
+    const int status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &o->law.exponents, bits);
     arb_mul(c->t_max, c->t_max, T, prec);
     arb_mul(c->t_zero_overlap, c->t_zero_overlap, T, prec);
     arb_mul(c->t_zero_force, c->t_zero_force, T, prec);
@@ -124,29 +119,29 @@ static int to_si(struct collision *c, arb_t force, const struct problem *problem
 /* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
-    const struct problem *const problem = arguments;
+    const struct collide_arguments *const o = arguments;
     char header[COLUMNS * 32] = "";
     for (int i = 0; i < COLUMNS; i++)
-        if (is_printed(i, problem))
+        if (is_printed(i, o))
             snprintf(header + strlen(header), sizeof header - strlen(header), i ? ",%s" : "%s",
-                     column[i].name[problem->in_si]);
+                     column[i].name[in_si(o)]);
     profile_step("collision");
     table_init(table, header, "dddddddd");
     LOCAL(arb, beta, time_unit, force, pressing);
     LOCAL_VECTOR(sticking, 2);
     LOCAL_INIT(collision, collision, (&collision));
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
-    if (problem->in_si)
-        scales(beta, time_unit, problem, 3 * bits + 256);
+    if (in_si(o))
+        scales(beta, time_unit, o, 3 * bits + 256);
     else
-        arb_set_fmpq(beta, problem->given->beta.value, 3 * bits + 256);
-    pressing_force(pressing, problem, time_unit, 3 * bits + 256);
-    int status = problem->given->threshold ? STATUS_OK : problem_solve(&collision, beta, pressing, problem, bits);
-    for (int end = 0; end < 2 && problem->given->threshold && status == STATUS_OK; end++)
-        if (is_printed(STICKING + end, problem))
-            status = collision_sticking_force(sticking + end, beta, &problem->law, end, bits);
-    if (status == STATUS_OK && problem->in_si)
-        status = to_si(&collision, force, problem, beta, time_unit, bits);
+        arb_set_fmpq(beta, o->beta.value, 3 * bits + 256);
+    pressing_force(pressing, o, time_unit, 3 * bits + 256);
+    int status = o->threshold ? STATUS_OK : problem_solve(&collision, beta, pressing, o, bits);
+    for (int end = 0; end < 2 && o->threshold && status == STATUS_OK; end++)
+        if (is_printed(STICKING + end, o))
+            status = collision_sticking_force(sticking + end, beta, &o->law.exponents, end, bits);
+    if (status == STATUS_OK && in_si(o))
+        status = to_si(&collision, force, o, beta, time_unit, bits);
     profile_step("digits");
     const arb_struct *const value[COLUMNS] = {beta,
                                               collision.x_max,
@@ -159,24 +154,23 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
                                               sticking,
                                               sticking + 1};
     for (int i = BETA; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
-        if (!is_printed(i, problem))
+        if (!is_printed(i, o))
             continue;
-        char *text =
-            i == BETA && !problem->in_si ? beta_text(problem, beta) : digits_of_ball(value[i], problem->given->digits);
+        char *text = i == BETA && !in_si(o) ? beta_text(o, beta) : digits_of_ball(value[i], o->digits);
         if (text)
             table_add(table, text);
         else
-            snprintf(undecided, PROVED_TABLE_NAME, "%s", column[i].name[problem->in_si]);
+            snprintf(undecided, PROVED_TABLE_NAME, "%s", column[i].name[in_si(o)]);
     }
     return status;
 }
 
 static void print_text(FILE *file, const struct table *table, const void *arguments)
 {
-    const struct problem *const problem = arguments;
-    const int width = problem->given->threshold ? 27 : problem->in_si ? 23 : 16;
+    const struct collide_arguments *const o = arguments;
+    const int width = o->threshold ? 27 : in_si(o) ? 23 : 16;
     for (int i = 0, k = 0; i < COLUMNS; i++)
-        if (is_printed(i, problem)) {
+        if (is_printed(i, o)) {
             fprintf(file, "%-*s  %s  (%s)\n", width, table->column[k], table->cell[k], column[i].meaning);
             k++;
         }
@@ -185,23 +179,19 @@ static void print_text(FILE *file, const struct table *table, const void *argume
 static int run_collide(const void *arguments)
 {
     const struct collide_arguments *const o = arguments;
-    struct problem problem = {.given = o, .in_si = o->stiffness.text != NULL};
-    const int wrong = options_law(&problem.law, &o->law);
-    if (!problem.in_si && !o->beta.text)
+    if (!in_si(o) && !o->beta.text)
         return usage_error("collide needs --beta, as --beta 0.1, or a collision in SI units, as --stiffness 1e5 "
                            "--effective-mass 1e-3 --damping-coefficient 5 --speed 1");
-    if (wrong)
-        return wrong;
-    if (problem.in_si) {
+    if (in_si(o)) {
         LOCAL(arb, beta, time_unit);
-        scales(beta, time_unit, &problem, 64);
+        scales(beta, time_unit, o, 64);
         if (arf_cmp_d(arb_midref(beta), BETA_MAX) > 0)
             return usage_error("beta of this collision is %.3g; allowed: up to %g",
                                arf_get_d(arb_midref(beta), ARF_RND_NEAR), BETA_MAX);
     }
     if (o->threshold && fmpq_is_zero(o->beta.value))
         return usage_error("--threshold: without damping no force keeps the bodies together; --beta must be above 0");
-    const struct proved_table table = {o->digits, &problem, fill_table, print_text};
+    const struct proved_table table = {o->digits, o, fill_table, print_text};
     return proved_table_write(&table, &o->common);
 }
 

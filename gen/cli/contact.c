@@ -212,8 +212,6 @@ static const char help[] =
     "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 
-static const struct values_rule speed_rule = {
-    "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
 static const struct option_numbers steps_numbers = {{"1", "1e9", true, true, true, "a number from 1 to 1e9"},
                                                     DECIMAL_PLAIN};
 static const struct option_numbers tolerance_numbers = {
@@ -222,7 +220,7 @@ static const struct option_numbers tolerance_numbers = {
 #define ARGUMENTS struct contact_arguments
 static const struct option_rule options[] = {
     SCENE_OPTIONS(&option_sphere_poisson, NULL, ""),
-    OPTION("speed", LIST, speed, .range.values = &speed_rule, .unit = "m/s"),
+    OPTION("speed", LIST, speed, .range.values = &option_speeds, .unit = "m/s"),
     OPTION("steps", REAL, steps, .range.number = &steps_numbers, .needs = "speed",
            .excludes = "time-step step-tolerance"),
     OPTION("time-step", REAL, time_step, .range.number = &option_positive, .needs = "speed",

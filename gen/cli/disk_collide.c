@@ -10,8 +10,6 @@
 
 #define DEFAULT_TOLERANCE "1e-8"
 #define DEFAULT_HARD_WALL_TOLERANCE "1e-5"
-#define TEXT_OF_(x) #x
-#define TEXT_OF(x) TEXT_OF_(x)
 
 static const struct option_numbers tolerance_numbers = {
     .range = {TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE), "1", true, false, true,

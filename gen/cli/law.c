@@ -9,10 +9,6 @@
 static int run_law(const void *arguments)
 {
     const struct law_arguments *const o = arguments;
-    struct law law;
-    const int wrong = options_law(&law, &o->law);
-    if (wrong)
-        return wrong;
     if (!o->law.elastic || !o->law.damping)
         return usage_error("corgen law needs --elastic and --damping, as --elastic 3/2 --damping 0");
     if (strlen(o->name) > LAW_NAME_MAX)
@@ -21,7 +17,7 @@ static int run_law(const void *arguments)
     if (output_open(&out, o->common.output) != STATUS_OK)
         return STATUS_FAILED;
     profile_step("tables");
-    const int status = law_header_write(out.file, &law, o->name);
+    const int status = law_header_write(out.file, &o->law.exponents, o->name);
     profile_step(NULL);
     return output_finish(&out, status);
 }

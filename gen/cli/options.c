@@ -7,13 +7,11 @@
 #include <string.h>
 
 #include "disk/equation.h"
-#include "series/law.h"
 #include "series/series.h"
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"
 #include "support/words.h"
-#include "sweep/values.h"
 
 enum { LONG_OPTION = 256 /* beyond every character */ };
 
@@ -34,6 +32,8 @@ const struct option_numbers option_sphere_poisson = {
     {"-1", "0.5", false, true, true, "a number above -1 and up to 0.5"}, DECIMAL_SIGN};
 const struct option_numbers option_disk_poisson = {{"-1", "1", false, false, false, "a number between -1 and 1"},
                                                    DECIMAL_SIGN | DECIMAL_RATIO};
+const struct values_rule option_speeds = {
+    "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
 _Static_assert(sizeof(enum contact_end) == sizeof(int), "OPTION_WORD fills an int");
 
 static size_t count_rules(const struct option_rule *rules)
@@ -183,6 +183,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         return usage_error("--%s: write the files alone, without it", rule->name);
     case OPTION_TEXT:
     case OPTION_FILE:
+    case OPTION_ELASTIC:
         break;
     }
     if (*text == '\0')
@@ -223,7 +224,7 @@ static const char *example(const struct option_rule *rule)
         value = "FILE";
     } else if (rule->kind == OPTION_C_NAME) {
         value = "my_eps";
-    } else if (rule->kind == OPTION_TEXT) {
+    } else if (rule->kind == OPTION_TEXT || rule->kind == OPTION_ELASTIC) {
         return "";
     }
     snprintf(text, sizeof text, ", as --%s%s%s", rule->name, *value ? " " : "", value);
@@ -366,6 +367,13 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
     return status == STATUS_OK ? check_files(arguments, rules, given) : status;
 }
 
+static int parse_law(struct option_law *law)
+{
+    const char *const elastic = law->elastic ? law->elastic : "3/2", *damping = law->damping ? law->damping : "1/2";
+    const char *const wrong = law_parse(&law->exponents, elastic, damping);
+    return wrong ? usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong) : STATUS_OK;
+}
+
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help)
 {
     const size_t n = count_rules(rules);
@@ -378,7 +386,10 @@ int options_parse(void *arguments, const struct option_rule *rules, int argc, ch
     accepted[n + 1] = (struct option){0};
     memset(given, 0, n * sizeof *given);
     *help = false;
-    const int status = parse_all(arguments, rules, accepted, given, argc, argv, help);
+    int status = parse_all(arguments, rules, accepted, given, argc, argv, help);
+    for (size_t i = 0; i < n && !*help && status == STATUS_OK; i++)
+        if (rules[i].kind == OPTION_ELASTIC)
+            status = parse_law((void *)((char *)arguments + rules[i].offset));
     free(accepted);
     free(given);
     return status;
@@ -405,13 +416,6 @@ const char *const *options_words(const struct option_rule *rule)
 double options_number(const struct decimal *given, double otherwise)
 {
     return given->text ? decimal_value(given) : otherwise;
-}
-
-int options_law(struct law *law, const struct option_law *text)
-{
-    const char *const elastic = text->elastic ? text->elastic : "3/2", *damping = text->damping ? text->damping : "1/2";
-    const char *const wrong = law_parse(law, elastic, damping);
-    return wrong ? usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong) : STATUS_OK;
 }
 
 int options_disk_poisson(const struct decimal *poisson)

@@ -7,23 +7,26 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "series/law.h"
 #include "support/decimal.h"
 #include "support/output.h"
+#include "sweep/values.h"
 
 #define OPTIONS_MAX_NAME 63
 #define OPTIONS_NOT_GIVEN (-1)
 
 /* The kind of an option's value, and the type of the field that it fills */
 enum option_kind {
-    OPTION_FLAG,  /* no value; bool */
-    OPTION_WHOLE, /* an integer in the range `whole`; slong */
-    OPTION_REAL,  /* a number in the range `number`; struct decimal */
-    OPTION_WORD,  /* one of `words`; the field is the index as an int, or an enum of that size */
-    OPTION_LIST,  /* a list according to `values`; struct values */
-    OPTION_TEXT,  /* any nonempty text; const char *. range.words: texts that a shell offers, or NULL */
-    OPTION_FILE,  /* the name of a file or directory; const char * */
-    OPTION_FILES, /* an operand: names of files; struct option_files */
-    OPTION_C_NAME /* an identifier of C; const char * */
+    OPTION_FLAG,   /* no value; bool */
+    OPTION_WHOLE,  /* an integer in the range `whole`; slong */
+    OPTION_REAL,   /* a number in the range `number`; struct decimal */
+    OPTION_WORD,   /* one of `words`; the field is the index as an int, or an enum of that size */
+    OPTION_LIST,   /* a list according to `values`; struct values */
+    OPTION_TEXT,   /* any nonempty text; const char *. range.words: texts that a shell offers, or NULL */
+    OPTION_FILE,   /* the name of a file or directory; const char * */
+    OPTION_FILES,  /* an operand: names of files; struct option_files */
+    OPTION_C_NAME, /* an identifier of C; const char * */
+    OPTION_ELASTIC /* an exponent; struct option_law, whose `damping` another option fills */
 };
 
 struct option_files {
@@ -83,7 +86,7 @@ struct option_common {
 #define OPTION_DIGITS                                                                                                  \
     OPTION("digits", WHOLE, digits, .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits would take too long")
 #define OPTION_END(FIELD) OPTION("end", WORD, FIELD, .range.words = contact_end_options, .why = "an end of contact")
-#define OPTION_LAW OPTION_PLAIN("elastic", TEXT, law.elastic), OPTION_PLAIN("damping", TEXT, law.damping)
+#define OPTION_LAW OPTION_PLAIN("elastic", ELASTIC, law), OPTION_PLAIN("damping", TEXT, law.damping)
 #define OPTION_COUNT_WHY "the time grows like the power 3/2 of it, past ten hours"
 
 #define OPTIONS_MAX_DIGITS 10000000
@@ -93,10 +96,12 @@ extern const char *const option_formats[];       /* text, csv, json */
 extern const char *const option_formats_latex[]; /* text, csv, json, latex */
 extern const struct option_numbers option_positive, option_positive_or_infinite, option_not_negative,
     option_restitution, option_sphere_poisson, option_disk_poisson;
+extern const struct values_rule option_speeds; /* m/s */
 
-/* The texts of the two exponents of a law; NULL: those of the sphere */
+/* The texts of the two exponents of a law; NULL: those of the sphere; and the law that options_parse makes of them */
 struct option_law {
     const char *elastic, *damping;
+    struct law exponents;
 };
 
 /* Fills *arguments from argv[1], ..., and *help. Returns STATUS_OK, or STATUS_USAGE after a message on stderr that
@@ -110,8 +115,6 @@ const char *const *options_words(const struct option_rule *rule);
 double options_number(const struct decimal *given, double otherwise); /* the nearest double of what is given */
 
 /* These return STATUS_OK, or STATUS_USAGE after a message. */
-struct law;
-int options_law(struct law *law, const struct option_law *text);
 int options_check_real(const char *name, const struct option_numbers *numbers, const struct decimal *value);
 int options_disk_poisson(const struct decimal *poisson); /* not too near to -1 or 1 */
 

@@ -170,7 +170,7 @@ static int print_result(const struct pade_arguments *o, const struct pade_reques
 }
 
 /* Converts the options to a request, or reports a usage error. */
-static int read_request(struct pade_request *r, const struct pade_arguments *o, const struct law *law)
+static int read_request(struct pade_request *r, const struct pade_arguments *o)
 {
     *r = (struct pade_request){.kind = o->as_published ? PADE_AS_PUBLISHED
                                        : o->two_point  ? PADE_TWO_POINT
@@ -178,8 +178,8 @@ static int read_request(struct pade_request *r, const struct pade_arguments *o, 
                                .numerator = o->numerator,
                                .denominator = o->denominator,
                                .end = o->end,
-                               .law = *law};
-    if (o->as_published && !law_is_sphere(law))
+                               .law = o->law.exponents};
+    if (o->as_published && !law_is_sphere(&r->law))
         return usage_error("--as-published is the sphere's");
     if (o->as_published && o->end != END_ZERO_OVERLAP)
         return usage_error("--as-published: the paper ends the contact at zero overlap");
@@ -196,11 +196,8 @@ static int read_request(struct pade_request *r, const struct pade_arguments *o, 
 static int run_pade(const void *arguments)
 {
     const struct pade_arguments *const o = arguments;
-    struct law law;
     struct pade_request request;
-    int status = options_law(&law, &o->law);
-    if (status == STATUS_OK)
-        status = read_request(&request, o, &law);
+    int status = read_request(&request, o);
     if (status)
         return status;
 

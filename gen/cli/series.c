@@ -11,22 +11,17 @@
 
 enum { MAX_ORDER = 100000 };
 
-struct problem {
-    const struct series_arguments *arguments;
-    struct law law;
-};
-
 /* Rows of the coefficients of several series, up to the first that is undecided */
-static void add_rows(struct table *table, char undecided[PROVED_TABLE_NAME], const struct problem *problem,
+static void add_rows(struct table *table, char undecided[PROVED_TABLE_NAME], const struct series_arguments *o,
                      const arb_poly_struct *const *poly, int polys)
 {
     LOCAL(arb, c);
     profile_step("digits");
-    for (slong k = 0; k <= problem->arguments->order && !*undecided; k++) {
+    for (slong k = 0; k <= o->order && !*undecided; k++) {
         table_add_integer(table, k);
         for (int i = 0; i < polys && !*undecided; i++) {
             arb_poly_get_coeff_arb(c, poly[i], k);
-            char *const text = digits_of_ball(c, problem->arguments->digits);
+            char *const text = digits_of_ball(c, o->digits);
             if (text)
                 table_add(table, text);
             else
@@ -37,24 +32,24 @@ static void add_rows(struct table *table, char undecided[PROVED_TABLE_NAME], con
 
 static int fill_zero_overlap(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
-    const struct problem *const problem = arguments;
+    const struct series_arguments *const o = arguments;
     profile_step("series");
     table_init(table, "k,y_k,tau_k,C_k", "nddd");
     LOCAL(series, s);
-    const int status = series_compute(s, problem->arguments->order, &problem->law, bits);
+    const int status = series_compute(s, o->order, &o->law.exponents, bits);
     if (status == STATUS_OK)
-        add_rows(table, undecided, problem, (const arb_poly_struct *const[]){s->y, s->tau, s->c}, 3);
+        add_rows(table, undecided, o, (const arb_poly_struct *const[]){s->y, s->tau, s->c}, 3);
     return status;
 }
 
 static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     char header[64];
-    const struct problem *const problem = arguments;
+    const struct series_arguments *const o = arguments;
     profile_step("series");
     slong root = 1;
     LOCAL(arb_poly, eps);
-    const int status = series_eps(eps, &root, END_ZERO_FORCE, problem->arguments->order, &problem->law, bits);
+    const int status = series_eps(eps, &root, END_ZERO_FORCE, o->order, &o->law.exponents, bits);
     snprintf(header, sizeof header,
              root == 1   ? "power_of_beta,coefficient"
              : root == 2 ? "power_of_sqrt_beta,coefficient"
@@ -62,7 +57,7 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
              (long)root);
     table_init(table, header, "nd");
     if (status == STATUS_OK)
-        add_rows(table, undecided, problem, (const arb_poly_struct *const[]){eps}, 1);
+        add_rows(table, undecided, o, (const arb_poly_struct *const[]){eps}, 1);
     return status;
 }
 
@@ -71,14 +66,14 @@ static int fill_exact(struct table *table, char undecided[PROVED_TABLE_NAME], co
 {
     (void)undecided;
     (void)bits;
-    const struct problem *const problem = arguments;
+    const struct series_arguments *const o = arguments;
     LOCAL(fmpq, c);
     LOCAL(fmpq_poly, g, t);
     const fmpq_poly_struct *const f[] = {g, t};
     table_init(table, "power_of_w,G,T", "ntt"); /* fractions */
     profile_step("exact rationals");
-    restitution_zero_force_exact(g, t, problem->arguments->order, &problem->law);
-    for (slong k = 0; k <= problem->arguments->order; k++) {
+    restitution_zero_force_exact(g, t, o->order, &o->law.exponents);
+    for (slong k = 0; k <= o->order; k++) {
         table_add_integer(table, k);
         for (int i = 0; i < 2; i++) {
             fmpq_poly_get_coeff_fmpq(c, f[i], k);
@@ -93,13 +88,9 @@ static int fill_exact(struct table *table, char undecided[PROVED_TABLE_NAME], co
 static int run_series(const void *arguments)
 {
     const struct series_arguments *const o = arguments;
-    struct problem problem = {.arguments = o};
-    const int wrong = options_law(&problem.law, &o->law);
-    if (wrong)
-        return wrong;
     if (o->exact && o->end != END_ZERO_FORCE)
         return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
-    const struct proved_table table = {o->digits, &problem,
+    const struct proved_table table = {o->digits, o,
                                        o->exact                   ? fill_exact
                                        : o->end == END_ZERO_FORCE ? fill_zero_force
                                                                   : fill_zero_overlap,

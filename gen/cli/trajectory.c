@@ -12,20 +12,15 @@
 #define COEFFICIENTS_MAX 10000000
 enum { MAX_ORDER = 100000, MAX_TERMS = 100000 };
 
-struct problem {
-    const struct trajectory_arguments *given;
-    struct law law;
-};
-
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     (void)undecided;
     (void)bits;
-    const struct problem *const problem = arguments;
-    const slong order = problem->given->order, terms = problem->given->terms;
+    const struct trajectory_arguments *const o = arguments;
+    const slong order = o->order, terms = o->terms;
     profile_step("exact rationals");
     table_init(table, "k,j,numerator,denominator", "nndd");
-    fmpq_poly_struct *const row = trajectory_exact(order, terms, &problem->law);
+    fmpq_poly_struct *const row = trajectory_exact(order, terms, &o->law.exponents);
     LOCAL(fmpq, c);
     for (slong k = 0; k <= order; k++)
         for (slong j = 0; j <= terms; j++) {
@@ -54,14 +49,14 @@ static void print_power(FILE *file, const struct law *law, slong k, slong j, boo
 /* The rows without their vanishing terms; dots stand for the terms beyond the requested ones. */
 static void print_rows(FILE *file, const struct table *table, const void *arguments)
 {
-    const struct problem *const problem = arguments;
-    const bool latex = problem->given->common.format == FORMAT_LATEX;
+    const struct trajectory_arguments *const o = arguments;
+    const bool latex = o->common.format == FORMAT_LATEX;
     char *const *cell = table->cell;
     fputs(latex ? "\\begin{aligned}\n" : "", file);
-    for (slong k = 0; k <= problem->given->order; k++) {
+    for (slong k = 0; k <= o->order; k++) {
         const char *minus = "-", *plus = "";
         fprintf(file, latex ? "x_{%ld}(t) &= " : "x_%ld = ", (long)k);
-        for (slong j = 0; j <= problem->given->terms; j++, cell += table->columns) {
+        for (slong j = 0; j <= o->terms; j++, cell += table->columns) {
             const bool negative = *cell[2] == '-', whole = strcmp(cell[3], "1") == 0;
             const char *const numerator = cell[2] + negative;
             if (strcmp(numerator, "0") == 0)
@@ -73,10 +68,10 @@ static void print_rows(FILE *file, const struct table *table, const void *argume
                 fprintf(file, latex ? "\\frac{%s}{%s}" : "%s/%s ", numerator, cell[3]);
             else if (strcmp(numerator, "1") != 0)
                 fprintf(file, latex ? "%s\\," : "%s ", numerator);
-            print_power(file, &problem->law, k, j, latex);
+            print_power(file, &o->law.exponents, k, j, latex);
         }
         fprintf(file, "%s%s", plus, latex ? "\\cdots" : "...");
-        fputs(latex && k < problem->given->order ? " \\\\\n" : "\n", file);
+        fputs(latex && k < o->order ? " \\\\\n" : "\n", file);
     }
     fputs(latex ? "\\end{aligned}\n" : "", file);
 }
@@ -84,15 +79,11 @@ static void print_rows(FILE *file, const struct table *table, const void *argume
 static int run_trajectory(const void *arguments)
 {
     const struct trajectory_arguments *const o = arguments;
-    struct problem problem = {.given = o};
-    const int wrong = options_law(&problem.law, &o->law);
-    if (wrong)
-        return wrong;
     if ((o->order + 1) * (o->terms + 1) > COEFFICIENTS_MAX)
         return usage_error("--order %ld with --terms %ld is more than %d coefficients, (order + 1) "
                            "(terms + 1), which no memory holds as exact rationals",
                            (long)o->order, (long)o->terms, COEFFICIENTS_MAX);
-    const struct proved_table table = {1, &problem, fill_table, print_rows};
+    const struct proved_table table = {1, o, fill_table, print_rows};
     return proved_table_write(&table, &o->common);
 }
 

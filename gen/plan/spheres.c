@@ -25,8 +25,6 @@
 #define OVERLAP_FAR 7.0
 #define BETA_LIMIT 1e6
 #define LEAST_TOLERANCE 1e-15
-#define TEXT_OF_(x) #x
-#define TEXT_OF(x) TEXT_OF_(x)
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, ROOT_REFINEMENT = 2, TEXT = 1024 };
 /* half ulps of beta where a caller writes factor * pow(speed, q) */
 #define ROUNDINGS_OF_BETA 2.0

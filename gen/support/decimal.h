@@ -52,6 +52,10 @@ double decimal_nearest(const fmpq_t x);
 /* The double nearest to a number as it is written, or INFINITY. */
 double decimal_value(const struct decimal *x);
 
+/* The text of a number that is a macro */
+#define TEXT_OF_(x) #x
+#define TEXT_OF(x) TEXT_OF_(x)
+
 /* The shortest decimal text of at most 17 digits that reads back as x, or "nan" or "inf". */
 enum { DECIMAL_TEXT = 32 };
 const char *decimal_text(char text[DECIMAL_TEXT], double x);

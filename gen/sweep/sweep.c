@@ -11,9 +11,6 @@
 #include "disk/modes.h"
 #include "support/console.h"
 
-#define TEXT_OF_(x) #x
-#define TEXT_OF(x) TEXT_OF_(x)
-
 const struct values_rule sweep_speed = {
     "speed",
     {"0", TEXT_OF(COR_DISK_COLLISION_MAX_SPEED), false, true, true,

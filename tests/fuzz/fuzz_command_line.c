@@ -88,23 +88,9 @@ static bool short_number(const struct decimal *number)
     return !number->text || (strlen(number->text) <= 12 && !strpbrk(number->text, "eE"));
 }
 
-static bool simple_law(const struct option_law *text)
+static bool simple_law(const struct law *law)
 {
-    struct law law;
-    return options_law(&law, text) == STATUS_OK && law.a.num <= 9 && law.a.den <= 4 && law.b.num <= 9 && law.b.den <= 4;
-}
-
-static bool sphere(const struct option_law *text)
-{
-    struct law law;
-    return options_law(&law, text) == STATUS_OK && law_is_sphere(&law);
-}
-
-/* A law that the parser let through may be none; then the subcommand says so. */
-static bool no_law(const struct option_law *text)
-{
-    struct law law;
-    return options_law(&law, text) != STATUS_OK;
+    return law->a.num <= 9 && law->a.den <= 4 && law->b.num <= 9 && law->b.den <= 4;
 }
 
 /* Whether a list is short and its values are in a range, or the list is not given */
@@ -129,12 +115,12 @@ static bool solves_nothing(const struct embed_request *scene)
         return run_if(cheap, &command_##name, arguments);                                                              \
     }
 
-FUZZED(trajectory, no_law(&o->law) || (o->order <= 8 && o->terms <= 8))
-FUZZED(series, no_law(&o->law) || (o->order <= 6 && o->digits <= 40 && simple_law(&o->law)))
-FUZZED(pade, no_law(&o->law) || (o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point &&
-                                 simple_law(&o->law)))
-FUZZED(collide, no_law(&o->law) || (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) &&
-                                    !o->stiffness.text && decimal_value(&o->beta) < 3))
+FUZZED(trajectory, o->order <= 8 && o->terms <= 8)
+FUZZED(series, o->order <= 6 && o->digits <= 40 && simple_law(&o->law.exponents))
+FUZZED(pade, o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point &&
+                 simple_law(&o->law.exponents))
+FUZZED(collide, o->digits <= 20 && short_number(&o->beta) && law_is_sphere(&o->law.exponents) && !o->stiffness.text &&
+                    decimal_value(&o->beta) < 3)
 FUZZED(disk_modes, o->count <= 6 && o->digits <= 40 && short_number(&o->poisson))
 FUZZED(tables, o->request.modes != 0 && o->request.modes <= 6 && o->request.poisson.text != NULL &&
                    short_number(&o->request.poisson))
