@@ -60,9 +60,8 @@ struct disk_modes_arguments {
 
 struct disk_collide_arguments {
     struct option_common common;
-    struct sweep_request request; /* its lists, wall and picture */
+    struct sweep_request request; /* without its tolerance, format and output */
     struct decimal tolerance;
-    slong phi_points, threads; /* 0 if not given */
 };
 
 struct embed_arguments {

@@ -44,11 +44,8 @@ static int run_disk_collide(const void *arguments)
         return wrong;
     if (request.plot && gnuplot_check(request.plot) != STATUS_OK)
         return STATUS_USAGE;
-    request.sweep.tolerance = o->tolerance.text         ? decimal_value(&o->tolerance)
-                              : request.sweep.hard_wall ? strtod(DEFAULT_HARD_WALL_TOLERANCE, NULL)
-                                                        : strtod(DEFAULT_TOLERANCE, NULL);
-    request.sweep.phi_points = (size_t)o->phi_points;
-    request.threads = (int)o->threads;
+    request.sweep.tolerance = options_number(
+        &o->tolerance, strtod(request.sweep.hard_wall ? DEFAULT_HARD_WALL_TOLERANCE : DEFAULT_TOLERANCE, NULL));
     request.format = (enum output_format)o->common.format;
     request.output = o->common.output;
     return sweep_run(&request);
@@ -97,12 +94,13 @@ static const struct option_rule options[] = {
     OPTION("alpha", LIST, request.sweep.alpha, .range.values = &sweep_alpha),
     OPTION("modes", LIST, request.sweep.modes, .range.values = &sweep_modes),
     OPTION("tolerance", REAL, tolerance, .range.number = &tolerance_numbers),
-    OPTION("phi-points", WHOLE, phi_points, .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
+    OPTION("phi-points", WHOLE, request.sweep.phi_points, .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
            .why = "walls that need more are not computed"),
     OPTION("hard-wall", FLAG, request.sweep.hard_wall, .excludes = "alpha modes phi-points"),
     OPTION("rayleigh", FLAG, request.sweep.rayleigh, .excludes = "alpha tolerance phi-points hard-wall"),
     OPTION_PLAIN("plot", FILE, request.plot),
-    OPTION("threads", WHOLE, threads, .range.whole = {1, PARALLEL_MAX_THREADS}, .why = "no machine has use for more"),
+    OPTION("threads", WHOLE, request.threads, .range.whole = {1, PARALLEL_MAX_THREADS},
+           .why = "no machine has use for more"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
 };

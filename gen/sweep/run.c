@@ -24,8 +24,6 @@ enum { MOST_CURVES = 12, CURVE_TITLE = 3 * DECIMAL_TEXT };
 
 struct collide {
     struct sweep sweep;
-    int threads;
-    struct cor_disk_mode *mode;
     struct cor_disk_modes modes;    /* soft walls: modes of the present material */
     struct hard_wall_tables tables; /* the hard wall: modes of the present material, as many as the rows need */
 
@@ -64,22 +62,18 @@ static int find_modes(struct collide *run, size_t material)
         hard_wall_tables_set(&run->tables, run->sweep.poisson.nearest[material]);
         return STATUS_OK;
     }
-    parallel_use(run->threads);
-    free(run->mode);
-    run->mode = NULL;
+    free((void *)run->modes.mode);
+    run->modes.mode = NULL;
     const int status =
         disk_modes_rounded(&run->modes, run->sweep.poisson.exact + material, (slong)values_largest(&run->sweep.modes));
-    if (status == STATUS_OK)
-        run->mode = (struct cor_disk_mode *)run->modes.mode;
     profile_step(NULL);
     run->modes_seconds = clock_seconds() - start;
     return status;
 }
 
 /* Asks the integrator at every corner of the sweep whether it refuses the parameters or needs too much memory. */
-static int refuse_corners(const struct collide *run, const struct cor_disk_modes *modes)
+static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *modes)
 {
-    const struct sweep *s = &run->sweep;
     const double alpha[] = {values_least(&s->alpha), values_largest(&s->alpha)};
     const double speed[] = {values_least(&s->speed), values_largest(&s->speed)};
     const double count[] = {values_least(&s->modes), values_largest(&s->modes)};
@@ -87,7 +81,7 @@ static int refuse_corners(const struct collide *run, const struct cor_disk_modes
     for (int corner = 0; corner < 8; corner++) {
         const double a = alpha[corner & 1], v = speed[corner >> 1 & 1];
         const size_t n = (size_t)fmin(count[corner >> 2], (double)modes->count);
-        const struct cor_disk_collision_options options = {a, s->tolerance, s->phi_points, 0};
+        const struct cor_disk_collision_options options = {a, s->tolerance, (size_t)s->phi_points, 0};
         struct cor_disk_collision out;
         double nothing = 0;
         const int status = cor_disk_collision_in(&nothing, 0, modes, n, &options, v, &out, NULL);
@@ -97,9 +91,10 @@ static int refuse_corners(const struct collide *run, const struct cor_disk_modes
         most = fmax(most, (double)cor_disk_collision_workspace(modes, n, &options));
     }
     const double memory = console_memory();
-    if (memory > 0 && most * run->threads > memory)
-        return fail("%d threads need about %.3g GB of memory, and %.3g GB may be used; choose fewer --threads",
-                    run->threads, most * run->threads / 1e9, memory / 1e9);
+    const int threads = parallel_threads();
+    if (memory > 0 && most * threads > memory)
+        return fail("%d threads need about %.3g GB of memory, and %.3g GB may be used; choose fewer --threads", threads,
+                    most * threads / 1e9, memory / 1e9);
     return STATUS_OK;
 }
 
@@ -166,12 +161,12 @@ static int collide_all(struct collide *run, uint64_t first)
         run->materials_left = run->sweep.poisson.count - material - 1;
         int status = find_modes(run, material);
         if (status == STATUS_OK && is_soft(&run->sweep))
-            status = refuse_corners(run, &run->modes);
+            status = refuse_corners(&run->sweep, &run->modes);
         if (status != STATUS_OK)
             return status;
         profile_step("collisions");
         run->rows_started = clock_seconds();
-        status = threads_run(&work, run->threads, first, (first / each + 1) * each);
+        status = threads_run(&work, first, (first / each + 1) * each);
         run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
         if (status != STATUS_OK)
@@ -213,8 +208,8 @@ static char *title_of(const struct sweep *s)
     if (s->rayleigh)
         return xprintf("%s %s --poisson %s --rayleigh --modes %s", start, s->speed.text, s->poisson.text,
                        s->modes.text);
-    return xprintf("%s %s --poisson %s --alpha %s --modes %s --tolerance %s --phi-points %zu", start, s->speed.text,
-                   s->poisson.text, s->alpha.text, s->modes.text, tolerance, s->phi_points);
+    return xprintf("%s %s --poisson %s --alpha %s --modes %s --tolerance %s --phi-points %ld", start, s->speed.text,
+                   s->poisson.text, s->alpha.text, s->modes.text, tolerance, (long)s->phi_points);
 }
 
 /* A file is written from its finished journal, all other outputs row by row. */
@@ -292,7 +287,7 @@ static int run_checked(struct collide *run, const struct sweep_request *request)
     const struct cor_disk_modes modes = {run->sweep.poisson.nearest[0], 1, &mode};
     int status = run->sweep.hard_wall ? STATUS_OK : refuse_memory(&run->sweep);
     if (status == STATUS_OK && is_soft(&run->sweep))
-        status = refuse_corners(run, &modes);
+        status = refuse_corners(&run->sweep, &modes);
     if (status == STATUS_OK && request->plot)
         status = refuse_curves(run);
     if (status == STATUS_OK)
@@ -309,11 +304,11 @@ static int run_checked(struct collide *run, const struct sweep_request *request)
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep};
-    run.threads = request->threads > 0 ? request->threads : parallel_processors();
+    parallel_use((int)request->threads);
     int status = sweep_count(&run.sweep);
     if (status == STATUS_OK)
         status = run_checked(&run, request);
-    free(run.mode);
+    free((void *)run.modes.mode);
     hard_wall_tables_clear(&run.tables);
     return status;
 }

@@ -7,7 +7,7 @@
 
 struct sweep_request {
     struct sweep sweep; /* its lists, tolerance and angles; sweep_run computes the other fields */
-    int threads;        /* 0: one for each processor */
+    slong threads;      /* 0: one for each processor */
     enum output_format format;
     const char *output; /* file; NULL: standard output */
     const char *plot;   /* a picture of eps over the speed; NULL: none */
@@ -30,8 +30,7 @@ struct threads_work {
     void (*tick)(void *context); /* NULL, or called several times a second where threads work */
 };
 
-/* Runs tasks first, first + 1, ..., end - 1 on `count` threads, which parallel_use() sets. Returns 0, or the value of
- * finish() that is not 0. */
-int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end);
+/* Runs tasks first, first + 1, ..., end - 1 on parallel_threads(). Returns 0, or the value of finish() that is not 0. */
+int threads_run(const struct threads_work *work, uint64_t first, uint64_t end);
 
 #endif

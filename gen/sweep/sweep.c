@@ -112,12 +112,6 @@ void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number
     row->nu = next_of(&sweep->poisson, &number);
 }
 
-static void set_result(struct sweep_result *result, int status, const double value[SWEEP_COLUMNS])
-{
-    result->status = status;
-    memcpy(result->value, value, sizeof result->value);
-}
-
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, uint64_t number,
                    const struct cor_disk_modes *modes, struct hard_wall_tables *tables)
 {
@@ -126,25 +120,23 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, uint6
     if (sweep->hard_wall) {
         struct cor_disk_hard_wall h;
         const int status = hard_wall_collide(&h, tables, sweep->tolerance, 0, row.speed);
-        const double value[SWEEP_COLUMNS] = {
-            row.speed, row.nu, h.one_minus_eps2, h.eps, h.contact_time, h.max_compression, h.error_estimate};
-        set_result(result, status, value);
+        *result = (struct sweep_result){
+            {row.speed, row.nu, h.one_minus_eps2, h.eps, h.contact_time, h.max_compression, h.error_estimate}, status};
     } else if (sweep->rayleigh) { /* the tail must not depend on the modes of other rows */
         const struct cor_disk_modes cut = {modes->nu, row.modes, modes->mode};
         struct cor_disk_rayleigh r = {NAN, NAN, NAN, NAN};
         const int status = cor_disk_rayleigh(&cut, row.modes, COR_DISK_DATUM_CENTRE_OF_MASS, row.speed, &r, NULL);
         const double left = r.fraction + r.tail, eps = left <= 1 ? sqrt(1 - left) : (double)NAN;
-        const double value[SWEEP_COLUMNS] = {row.speed, row.nu, (double)row.modes, r.fraction,
-                                             r.tail,    eps,    r.contact_time,    r.error_estimate};
-        set_result(result, status, value);
+        *result = (struct sweep_result){
+            {row.speed, row.nu, (double)row.modes, r.fraction, r.tail, eps, r.contact_time, r.error_estimate}, status};
     } else {
-        const struct cor_disk_collision_options options = {row.alpha, sweep->tolerance, sweep->phi_points, 0};
+        const struct cor_disk_collision_options options = {row.alpha, sweep->tolerance, (size_t)sweep->phi_points, 0};
         struct cor_disk_collision c = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
         const int status = cor_disk_collision(modes, row.modes, &options, row.speed, &c);
-        const double value[SWEEP_COLUMNS] = {row.speed,      row.nu,           row.alpha,       (double)row.modes,
-                                             c.eps,          c.one_minus_eps2, c.contact_time,  c.max_compression,
-                                             c.energy_drift, (double)c.steps,  c.error_estimate};
-        set_result(result, status, value);
+        *result = (struct sweep_result){{row.speed, row.nu, row.alpha, (double)row.modes, c.eps, c.one_minus_eps2,
+                                         c.contact_time, c.max_compression, c.energy_drift, (double)c.steps,
+                                         c.error_estimate},
+                                        status};
     }
 }
 

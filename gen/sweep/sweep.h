@@ -24,7 +24,7 @@ struct sweep {
     struct values speed, poisson, alpha, modes;
     bool hard_wall, rayleigh;
     double tolerance; /* of eps; for the hard wall of 1 - eps^2 */
-    size_t phi_points;
+    slong phi_points; /* 0: as many as the tolerance needs */
     uint64_t rows;
     double *eps; /* NULL, or an element for each row that is printed */
 };

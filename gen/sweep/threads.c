@@ -44,11 +44,10 @@ static void tick_in_order(void *context)
     pthread_mutex_unlock(&r->mutex);
 }
 
-int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end)
+int threads_run(const struct threads_work *work, uint64_t first, uint64_t end)
 {
     struct run run = {.work = work, .first = first, .result = xmalloc(THREADS_AT_A_TIME * work->result_size)};
     pthread_mutex_init(&run.mutex, NULL);
-    parallel_use(count);
     for (; run.first < end && run.status == 0; run.first += THREADS_AT_A_TIME) {
         run.count = end - run.first < THREADS_AT_A_TIME ? (slong)(end - run.first) : THREADS_AT_A_TIME;
         run.finished = 0;

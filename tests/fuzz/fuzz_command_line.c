@@ -126,8 +126,8 @@ FUZZED(tables, o->request.modes != 0 && o->request.modes <= 6 && o->request.pois
                    short_number(&o->request.poisson))
 FUZZED(disk_collide, few(&o->request.sweep.speed, 4, 0.01, 0.5) && few(&o->request.sweep.poisson, 1, -0.95, 0.95) &&
                          few(&o->request.sweep.alpha, 2, 0, 200) && few(&o->request.sweep.modes, 2, 1, 6) &&
-                         (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) && o->phi_points <= 100 &&
-                         o->threads <= 3)
+                         (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) &&
+                         o->request.sweep.phi_points <= 100 && o->request.threads <= 3)
 FUZZED(embed, solves_nothing(&o->scene))
 FUZZED(fit, strcmp(o->data, "-") != 0 && !o->plot) /* neither standard input nor gnuplot */
 FUZZED(plan, solves_nothing(&o->scene))

@@ -11,6 +11,7 @@
 #include "check.h"
 
 #include "cor/status.h"
+#include "support/parallel.h"
 #include "sweep/journal.h"
 #include "sweep/run.h"
 
@@ -249,25 +250,26 @@ TEST(test_threads)
     for (int count = 1; count <= 3; count++) {
         struct crowd crowd = {.stop_at = UINT64_MAX, .slow = 100, .long_from = UINT64_MAX, .uneven = count > 1};
         const struct threads_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_finish, NULL};
-        assert_int_equal(threads_run(&work, count, 0, 0), 0);
-        assert_int_equal(threads_run(&work, count, 0, 5), 0);
-        assert_int_equal(threads_run(&work, count, 5, TASKS), 0);
+        parallel_use(count);
+        assert_int_equal(threads_run(&work, 0, 0), 0);
+        assert_int_equal(threads_run(&work, 0, 5), 0);
+        assert_int_equal(threads_run(&work, 5, TASKS), 0);
         assert_int_equal(crowd.next, TASKS);
         crowd.next = 1000;
         crowd.stop_at = 1234;
-        assert_int_equal(threads_run(&work, count, 1000, TASKS), 7);
+        assert_int_equal(threads_run(&work, 1000, TASKS), 7);
         assert_int_equal(crowd.next, 1235);
         /* of the tasks that wait then, none begins */
         crowd.next = 0;
         crowd.slow = UINT64_MAX;
         crowd.stop_at = 999;
         crowd.long_from = 1000;
-        assert_int_equal(threads_run(&work, count, 0, TASKS), 7);
+        assert_int_equal(threads_run(&work, 0, TASKS), 7);
         check(crowd.begun < 30 * count, "%d tasks of %d threads began", crowd.begun, count);
         crowd.long_from = UINT64_MAX;
         crowd.next = 3;
         crowd.stop_at = UINT64_MAX;
-        assert_int_equal(threads_run(&work, count, 3, 20), 0);
+        assert_int_equal(threads_run(&work, 3, 20), 0);
         assert_int_equal(crowd.next, 20);
     }
 }
