@@ -16,47 +16,18 @@ enum {
     HEADER_BETA_MAX = PADE_NEAR,
     HEADER_EVEN = 64, /* number of sample points, see references_init */
     HEADER_SMALL = 4,
-    PRINT_ATTEMPTS = 3, /* a coefficient half-way between two decimals needs more bits */
     TEXT_MAX = 128,
     PUBLISHED_NUMERATOR = 1,
     PUBLISHED_DENOMINATOR = 4,
     MAX_DEGREE = 2000
 };
 
-static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p, slong degree, slong digits)
-{
-    LOCAL(arb, x);
-    bool certain = true;
-    for (slong i = 0; i <= degree && certain; i++) {
-        arb_poly_get_coeff_arb(x, p, i);
-        char *text = digits_of_ball(x, digits);
-        certain = text != NULL;
-        if (certain) {
-            table_add_text(t, name);
-            table_add_integer(t, (long)i);
-            table_add(t, text);
-        }
-    }
-    return certain;
-}
-
-/* Computes f, its analysis, and the table of its coefficients with `digits` digits. */
-static int compute_coefficients(struct pade *f, struct pade_analysis *a, struct table *t,
-                                const struct pade_request *request, slong digits, slong bits)
-{
-    struct precision precision = precision_doubling(bits, PRINT_ATTEMPTS);
-    do {
-        const int status = pade_compute(f, a, request, precision.bits);
-        if (status)
-            return status;
-        table_init(t, "polynomial,power,coefficient", "tnd");
-        if (add_polynomial(t, "numerator", f->p, f->numerator, digits) &&
-            add_polynomial(t, "denominator", f->q, f->denominator, digits))
-            return STATUS_OK;
-        table_clear(t);
-    } while (precision_raise(&precision));
-    return fail("a coefficient lies too near the middle of two numbers of %ld digits", (long)digits);
-}
+struct problem {
+    const struct pade_arguments *given;
+    struct pade_request request;
+    struct pade *f;
+    struct pade_analysis *analysis;
+};
 
 static const char *header_title(const struct pade_request *r, slong root)
 {
@@ -69,9 +40,11 @@ static const char *header_title(const struct pade_request *r, slong root)
     return root == 2 ? "eps at zero force, z = sqrt(beta)" : "eps at zero force, z a root of beta";
 }
 
-static int write_header(const struct pade_arguments *o, const struct pade_request *r, const struct pade *f,
-                        const struct pade_analysis *a)
+static int write_header(const struct problem *problem)
 {
+    const struct pade_arguments *const o = problem->given;
+    const struct pade_request *const r = &problem->request;
+    const struct pade *const f = problem->f;
     const struct law *const law = &r->law;
     const long A = (long)law->a.num, a_den = (long)law->a.den, B = (long)law->b.num, b_den = (long)law->b.den;
     const bool sphere = law_is_sphere(law), two_point = r->kind == PADE_TWO_POINT,
@@ -120,7 +93,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
         struct emit e;
         emit_open(&e, out.file, guard, banner);
         emit_lines(&e, "#include <math.h>\n");
-        status = pade_emit(&e, &header, f, a);
+        status = pade_emit(&e, &header, f, problem->analysis);
         emit_close(&e);
         status = output_finish(&out, status);
     }
@@ -148,25 +121,58 @@ static void print_published(FILE *file, const struct pade *f)
                   "corgen series has the right ones.\n");
 }
 
-static int print_result(const struct pade_arguments *o, const struct pade_request *r, const struct pade *f,
-                        const struct pade_analysis *a, struct table *t)
+static void print_text(FILE *file, const struct table *table, const void *arguments)
 {
-    struct output out;
-    t->json_strings = o->common.json_strings;
-    int status = output_open(&out, o->common.output);
-    if (status)
-        return status;
-    const bool text = o->common.format == FORMAT_TEXT;
-    if (text)
-        fprintf(out.file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator, header_title(r, f->root));
-    table_print(t, (enum output_format)o->common.format, out.file);
-    if (text) {
-        fprintf(out.file, "\n");
-        pade_print_analysis(out.file, a, "");
+    const struct problem *const problem = arguments;
+    const struct pade *const f = problem->f;
+    fprintf(file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator,
+            header_title(&problem->request, f->root));
+    table_print(table, FORMAT_TEXT, file);
+    fprintf(file, "\n");
+    pade_print_analysis(file, problem->analysis, "");
+    if (problem->request.kind == PADE_AS_PUBLISHED)
+        print_published(file, f);
+}
+
+/* Rows of the coefficients, up to the first that is undecided */
+static void add_polynomial(struct table *t, char undecided[PROVED_TABLE_NAME], const char *name, const arb_poly_t p,
+                           slong degree, slong digits)
+{
+    LOCAL(arb, x);
+    for (slong i = 0; i <= degree && !*undecided; i++) {
+        arb_poly_get_coeff_arb(x, p, i);
+        char *const text = digits_of_ball(x, digits);
+        table_add_text(t, name);
+        table_add_integer(t, (long)i);
+        if (text)
+            table_add(t, text);
+        else
+            snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld of the %s", (long)i, name);
     }
-    if (text && r->kind == PADE_AS_PUBLISHED)
-        print_published(out.file, f);
-    return output_commit(&out);
+}
+
+/* Once all digits are decided, the header is written, too. */
+static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
+{
+    const struct problem *const problem = arguments;
+    const struct pade_arguments *const o = problem->given;
+    const struct pade *const f = problem->f;
+    profile_step("Padé");
+    const int status =
+        pade_compute(problem->f, problem->analysis, &problem->request, o->header ? FLINT_MAX(bits, HEADER_BITS) : bits);
+    if (status != STATUS_OK)
+        return status;
+    table_init(table, "polynomial,power,coefficient", "tnd");
+    add_polynomial(table, undecided, "numerator", f->p, f->numerator, o->digits);
+    add_polynomial(table, undecided, "denominator", f->q, f->denominator, o->digits);
+    if (!o->header || *undecided)
+        return STATUS_OK;
+    char *const defects = pade_defects(problem->analysis);
+    const bool refused = defects && !o->force;
+    if (refused)
+        fail("no header for a Padé with %s (--force writes it)", defects);
+    free(defects);
+    return refused ? STATUS_FAILED : write_header(problem);
 }
 
 /* Converts the options to a request, or reports a usage error. */
@@ -196,32 +202,12 @@ static int read_request(struct pade_request *r, const struct pade_arguments *o)
 static int run_pade(const void *arguments)
 {
     const struct pade_arguments *const o = arguments;
-    struct pade_request request;
-    int status = read_request(&request, o);
-    if (status)
-        return status;
-
     LOCAL(pade, f);
     LOCAL(pade_analysis, a);
-    struct table t;
-    slong bits = digits_to_bits(o->digits);
-    if (o->header && bits < HEADER_BITS)
-        bits = HEADER_BITS;
-    profile_step("Padé");
-    status = compute_coefficients(f, a, &t, &request, o->digits, bits);
-    if (status == STATUS_OK) {
-        char *defects = pade_defects(a);
-        if (o->header && defects && !o->force)
-            status = fail("no header for a Padé with %s (--force writes it)", defects);
-        else if (o->header)
-            status = write_header(o, &request, f, a);
-        free(defects);
-        if (status == STATUS_OK)
-            status = print_result(o, &request, f, a, &t);
-        table_clear(&t);
-    }
-    profile_step(NULL);
-    return status;
+    struct problem problem = {.given = o, .f = f, .analysis = a};
+    const struct proved_table table = {o->digits, &problem, fill_table, print_text};
+    const int wrong = read_request(&problem.request, o);
+    return wrong ? wrong : proved_table_write(&table, &o->common);
 }
 
 static const char help[] =

@@ -390,18 +390,6 @@ TEST(test_journal_damaged)
     assert_part(whole_file, whole_size, "a row more", 0);
 }
 
-/* Somebody else's is refused and stays as it was; tests/cli/run has others. */
-TEST(test_journal_foreign)
-{
-    static const char *const foreign[] = {"speed,nu\n0.1,0.33\n", "x", "\n", "corgen disk-collide of another day\n"};
-    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
-        assert_int_equal(go_on_from(foreign[i], strlen(foreign[i]), "foreign", i), -1);
-        assert_part(foreign[i], strlen(foreign[i]), "foreign", i);
-    }
-    struct journal journal;
-    assert_int_equal(journal_open(&journal, "/nonexistent/x", title, LINES), STATUS_FAILED);
-}
-
 /* What other processes and a full disk do to it meanwhile */
 TEST(test_journal_shared)
 {
@@ -492,4 +480,4 @@ TEST(test_rayleigh)
 }
 
 RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_threads, test_journal_damaged,
-          test_journal_foreign, test_journal_shared, test_longest_list, test_hard_wall, test_digits, test_rayleigh)
+          test_journal_shared, test_longest_list, test_hard_wall, test_digits, test_rayleigh)
