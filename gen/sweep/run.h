@@ -30,7 +30,8 @@ struct threads_work {
     void (*tick)(void *context); /* NULL, or called several times a second where threads work */
 };
 
-/* Runs tasks first, first + 1, ..., end - 1 on parallel_threads(). Returns 0, or the value of finish() that is not 0. */
+/* Runs tasks first, first + 1, ..., end - 1 on parallel_threads(). Returns 0, or the value of finish() that is not 0.
+ */
 int threads_run(const struct threads_work *work, uint64_t first, uint64_t end);
 
 #endif
