@@ -75,15 +75,14 @@ static void scaled(arb_t y, const struct law *law, const struct interval *interv
                    const struct collision *c, const arb_t beta, slong prec)
 {
     const struct ratio power = interpolant_tail_power(law, quantity);
-    arb_set(y, c->field[quantity]);
-    if (interval->form == FORM_POWER && interval->variable == INTERVAL_BELOW)
-        LET(y, prec, "y*c->eps_zero_overlap^((law->a - 1)/(law->a + 1))", y, c->eps_zero_overlap, law->a);
-    else if (interval->form == FORM_QUOTIENT && is_eps(quantity))
-        LET(y, prec, "(1 - y)/beta", y, beta);
-    else if (interval->form == FORM_LOG && is_eps(quantity))
-        arb_log(y, y, prec);
-    else if (interval->form == FORM_POWER)
-        LET(y, prec, "y/beta^power", y, beta, power);
+    const arb_srcptr number = c->field[quantity];
+    const char *const text = interval->form == FORM_POWER && interval->variable == INTERVAL_BELOW
+                                 ? "number*c->eps_zero_overlap^((law->a - 1)/(law->a + 1))"
+                             : interval->form == FORM_POWER                      ? "number/beta^power"
+                             : !is_eps(quantity) || interval->form == FORM_VALUE ? "number"
+                             : interval->form == FORM_QUOTIENT                   ? "(1 - number)/beta"
+                                                                                 : "log(number)";
+    LET(y, prec, text, number, c->eps_zero_overlap, law->a, beta, power);
 }
 
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,

@@ -119,17 +119,11 @@ int law_proof_interval(double *end, const struct law_proof *proof, double u)
 static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struct interval *interval,
                         const arb_poly_t log_beta, const arb_poly_t beta)
 {
-    switch (interval->variable) {
-    case INTERVAL_ROOT: /* the root is 1 */
-        arb_poly_set(x, beta);
-        break;
-    case INTERVAL_LOG:
-        arb_poly_set(x, log_beta);
-        break;
-    case INTERVAL_BELOW:
-        return LET_FUNCTION(x, "log(proof->f->threshold - beta)", proof->f->threshold, beta);
-    }
-    return true;
+    static const char *const of_beta[] = {/* the root is 1 */
+                                          [INTERVAL_ROOT] = "beta",
+                                          [INTERVAL_LOG] = "log_beta",
+                                          [INTERVAL_BELOW] = "log(proof->f->threshold - beta)"};
+    return LET_FUNCTION(x, of_beta[interval->variable], beta, log_beta, proof->f->threshold);
 }
 
 /* w = (x - middle)/half. Returns false if w is not within [-1, 1] and the little beyond that the error allows. */
@@ -164,29 +158,14 @@ static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, double
     enclosed_add_radius(y, c);
 }
 
-/* What the interval stores, to eps */
-static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const struct interval *interval,
-                          const arb_poly_t log_beta, const arb_poly_t beta)
-{
-    const struct ratio power = interpolant_tail_power(&proof->f->layout->law, proof->eps);
-    switch (interval->form) {
-    case FORM_QUOTIENT: /* (1 - eps)/beta */
-        LET_FUNCTION(eps, "1 - eps*beta", eps, beta);
-        break;
-    case FORM_LOG:
-        enclosed_exp(eps, eps);
-        break;
-    case FORM_POWER:
-        LET_FUNCTION(eps, "eps*exp(power*log_beta)", eps, power, log_beta);
-        break;
-    case FORM_VALUE:
-        break;
-    }
-}
-
 bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *proof, int i, double lo, double hi)
 {
+    static const char *const stored[] = {[FORM_VALUE] = "eps",
+                                         [FORM_QUOTIENT] = "1 - eps*beta",
+                                         [FORM_LOG] = "exp(eps)",
+                                         [FORM_POWER] = "eps*exp(power*log_beta)"};
     const struct interval *const interval = &proof->f->layout->interval[i];
+    const struct ratio power = interpolant_tail_power(&proof->f->layout->law, proof->eps);
     LOCAL(arb_poly, beta, w);
     enclosed_variable(log_beta, lo, hi);
     LET_FUNCTION(beta, "exp(log_beta)", log_beta);
@@ -194,7 +173,7 @@ bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *
                       to_unit(w, w, interval);
     if (done) {
         compose(eps, &proof->f->samples[i].polynomial[proof->eps], w, proof->error[i]);
-        eps_of_stored(eps, proof, interval, log_beta, beta);
+        LET_FUNCTION(eps, stored[interval->form], eps, beta, power, log_beta);
     }
     return done;
 }

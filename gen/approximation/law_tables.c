@@ -141,56 +141,37 @@ static void split(arb_t value, arb_t rest)
     arb_sub(rest, value, rest, SPLIT_BITS);
 }
 
-/* Writes a value as two doubles. */
-static int emit_pair(struct emit *e, const char *name, const arb_t value)
+slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity)
 {
-    LOCAL_VECTOR(row, 2);
-    arb_set(row, value);
+    const bool speed = quantity == EPS_ZERO_OVERLAP, inverse = quantity == BETA_ZERO_FORCE;
+    if (speed && law_is_hunt_crossley(&t->layout.interpolant.law)) {
+        arb_one(row); /* an interval that contains 1 cannot be split */
+    } else if (speed) {
+        arb_set(row, t->f->final_speed);
+    } else if (inverse) {
+        interpolant_far_inverse(row + 1, t->f);
+        arb_set(row, row + 1);
+    } else {
+        const arb_srcptr far = interpolant_far(t->f, quantity);
+        _arb_vec_set(row + 2, far, INTERPOLANT_FAR);
+        arb_set(row, far);
+        arb_set(row + 2, far + 1);
+        split(row + 2, row + 3);
+    }
     split(row, row + 1);
-    return emit_one_row(e, name, row, 2);
-}
-
-int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name)
-{
-    LOCAL(arb, speed);
-    arb_set(speed, t->f->final_speed);
-    if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* an interval that contains 1 cannot be split */
-        arb_one(speed);
-    return emit_pair(e, name, speed);
-}
-
-void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity)
-{
-    const arb_srcptr far = interpolant_far(t->f, quantity);
-    _arb_vec_set(row + 2, far, INTERPOLANT_FAR);
-    arb_set(row, far);
-    arb_set(row + 2, far + 1);
-    split(row, row + 1);
-    split(row + 2, row + 3);
-}
-
-void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t)
-{
-    interpolant_far_inverse(row + 1, t->f);
-    arb_set(row, row + 1);
-    split(row, row + 1);
+    return speed ? 2 : inverse ? INVERSE_COLUMNS : FAR_COLUMNS;
 }
 
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name)
 {
     LOCAL_VECTOR(row, FAR_COLUMNS);
-    law_tables_far_row(row, t, quantity);
-    return emit_one_row(e, name, row, FAR_COLUMNS);
+    return emit_one_row(e, name, row, law_tables_far_row(row, t, quantity));
 }
 
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name)
 {
-    return emit_pair(e, name, t->f->fall);
-}
-
-int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name)
-{
-    LOCAL_VECTOR(row, INVERSE_COLUMNS);
-    law_tables_far_inverse_row(row, t);
-    return emit_one_row(e, name, row, INVERSE_COLUMNS);
+    LOCAL_VECTOR(row, 2);
+    arb_set(row, t->f->fall);
+    split(row, row + 1);
+    return emit_one_row(e, name, row, 2);
 }

@@ -33,17 +33,13 @@ int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const c
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 
-/* The numbers of one row. FAR_COLUMNS: the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity, where a dash
- * marks the remainder of a double. INVERSE_COLUMNS: the inverse of eps at zero force beyond the rows, a, a', b_0, ...
- * (interpolant_far_inverse). */
-void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
-void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t);
+/* The numbers of one row, and how many: FAR_COLUMNS, the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity,
+ * where a dash marks the remainder of a double; of eps at zero overlap v_f, as two doubles; INVERSE_COLUMNS for
+ * BETA_ZERO_FORCE, beyond the rows: a, a', b_0, ... (interpolant_far_inverse). */
+slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 
-/* Write one row: v_f of eps at zero overlap as two doubles; the coefficients of another quantity; the further term as
- * two doubles; the inverse of eps at zero force. */
-int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name);
+/* Write such a row; the further term as two doubles. */
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name);
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name);
-int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name);
 
 #endif

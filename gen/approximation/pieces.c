@@ -139,10 +139,7 @@ struct pieces_function pieces_of_collision(const struct interpolant *f)
 /* s of the header at y */
 static void factor(arb_t s, const struct cell *cell, const arb_t y)
 {
-    if (cell->plain)
-        LET(s, WORKING_BITS, "y - cell->node", y, cell->node);
-    else
-        LET(s, WORKING_BITS, "y^2 - cell->node^2", y, cell->node);
+    LET(s, WORKING_BITS, cell->plain ? "y - cell->node" : "y^2 - cell->node^2", y, cell->node);
 }
 
 /* A sample point of the cell: a double of few bits between its ends */

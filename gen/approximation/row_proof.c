@@ -343,15 +343,18 @@ static void piece_clear(struct piece *w)
     FOR_ALL(arb_poly, clear, w->x, w->stored, w->beta);
 }
 
+static bool is_inverse(const struct pieces *p)
+{
+    return p->variable == VARIABLE_LOSS || p->variable == VARIABLE_ROOT_LOSS || p->variable == VARIABLE_EPS_OCTAVES;
+}
+
 /* 1 - eps, from what the interval stores for eps */
 static void loss_of(arb_poly_t y, const struct piece *w)
 {
-    if (w->interval->form == FORM_QUOTIENT)
-        LET_FUNCTION(y, "w->stored*w->beta", w->stored, w->beta);
-    else if (w->interval->form == FORM_POWER)
-        LET_FUNCTION(y, "1 - w->stored*exp(-5*w->x/3)", w->stored, w->x);
-    else
-        LET_FUNCTION(y, "1 - w->stored", w->stored);
+    static const char *const of_stored[] = {[FORM_VALUE] = "1 - w->stored",
+                                            [FORM_QUOTIENT] = "w->stored*w->beta",
+                                            [FORM_POWER] = "1 - w->stored*exp(-5*w->x/3)"};
+    LET_FUNCTION(y, of_stored[w->interval->form], w->stored, w->beta, w->x);
 }
 
 void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
@@ -365,41 +368,22 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
     arb_poly_set(x, w.x);
 }
 
-/* The variable y of the table */
+/* The variable y of the table. Returns false if it is not shown to be defined. */
 static bool variable_of(arb_poly_t y, const struct piece *w)
 {
-    bool done = true;
-    switch (w->p->variable) {
-    case VARIABLE_BETA:
-        arb_poly_set(y, w->beta);
-        break;
-    case VARIABLE_ROOT_BETA:
-        arb_poly_set(y, w->x);
-        break;
-    case VARIABLE_LOG_BETA:
-        if (w->interval->variable == INTERVAL_ROOT)
-            done = LET_FUNCTION(y, "log(w->beta)", w->beta);
-        else
-            arb_poly_set(y, w->x);
-        break;
-    case VARIABLE_POWER_OCTAVES:
-        LET_FUNCTION(y, "w->beta^5", w->beta);
-        break;
-    case VARIABLE_LOSS:
-        loss_of(y, w);
-        break;
-    case VARIABLE_ROOT_LOSS:
-        loss_of(y, w);
-        done = w->interval->form == FORM_QUOTIENT ? LET_FUNCTION(y, "sqrt(w->stored)*w->x", w->stored, w->x)
-                                                  : LET_FUNCTION(y, "sqrt(y)", y);
-        break;
-    case VARIABLE_EPS_OCTAVES:
-        loss_of(y, w);
-        LET_FUNCTION(y, "1 - y", y);
-        break;
-    default:
-        done = false;
-    }
+    const bool by_root = w->interval->variable == INTERVAL_ROOT, quotient = w->interval->form == FORM_QUOTIENT;
+    const char *const of_place[] = {[VARIABLE_BETA] = "w->beta",
+                                    [VARIABLE_ROOT_BETA] = "w->x",
+                                    [VARIABLE_LOG_BETA] = by_root ? "log(w->beta)" : "w->x",
+                                    [VARIABLE_LOSS] = "loss",
+                                    [VARIABLE_ROOT_LOSS] = quotient ? "sqrt(w->stored)*w->x" : "sqrt(loss)",
+                                    [VARIABLE_POWER_OCTAVES] = "w->beta^5",
+                                    [VARIABLE_EPS_OCTAVES] = "1 - loss"};
+    const char *const text = w->p->variable <= VARIABLE_EPS_OCTAVES ? of_place[w->p->variable] : NULL;
+    LOCAL(arb_poly, loss);
+    if (is_inverse(w->p))
+        loss_of(loss, w);
+    const bool done = text && LET_FUNCTION(y, text, w->beta, w->x, w->stored, loss);
     arb_poly_scalar_mul_2exp_si(y, y, -w->cell.octave);
     return done;
 }
@@ -424,44 +408,39 @@ static bool row_of(arb_poly_t row, const struct piece *w, const double *c)
 /* Makes difference/scale the relative error of the row. */
 static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct piece *w, const double *c)
 {
-    const bool quotient = w->interval->form == FORM_QUOTIENT;
-    const bool done = row_of(difference, w, c);
+    const bool quotient = w->interval->form == FORM_QUOTIENT, by_root = w->interval->variable == INTERVAL_ROOT;
+    const char *value = "row", *of = "w->stored"; /* the row times what makes it this number, and the number */
+    LOCAL(arb_poly, row, loss);
+    const bool done = row_of(row, w, c);
+    if (is_eps(sampled_quantity(w->p->quantity)))
+        loss_of(loss, w);
     switch (w->p->quantity) {
     case LOSS_QUOTIENT_ZERO_OVERLAP:
     case LOSS_QUOTIENT_ZERO_FORCE:
-        loss_of(scale, w);
-        if (quotient)
-            arb_poly_set(scale, w->stored);
-        else
-            enclosed_multiply(difference, difference, w->beta);
+        value = quotient ? "row" : "row*w->beta";
+        of = quotient ? "w->stored" : "loss";
         break;
     case BETA_QUOTIENT_ZERO_OVERLAP:
     case BETA_QUOTIENT_ZERO_FORCE:
-        loss_of(scale, w);
-        enclosed_multiply(difference, difference, quotient ? w->stored : scale);
-        if (quotient)
-            arb_poly_one(scale);
-        else
-            arb_poly_set(scale, w->beta);
+        value = quotient ? "row*w->stored" : "row*loss";
+        of = quotient ? "1" : "w->beta";
         break;
     case BETA_ZERO_OVERLAP:
     case BETA_ZERO_FORCE:
-        arb_poly_set(scale, w->beta);
+        of = "w->beta";
         break;
     case EPS_ZERO_OVERLAP:
     case EPS_ZERO_FORCE:
-        arb_poly_set(scale, w->stored);
-        if (quotient)
-            LET_FUNCTION(scale, "1 - w->stored*w->beta", w->stored, w->beta);
+        of = quotient ? "1 - loss" : "w->stored";
         break;
     case DURATION_ZERO_OVERLAP:
-        if (w->p->variable == VARIABLE_LOG_BETA && w->interval->variable == INTERVAL_ROOT)
-            enclosed_multiply(difference, difference, w->beta);
-        arb_poly_set(scale, w->stored);
+        value = w->p->variable == VARIABLE_LOG_BETA && by_root ? "row*w->beta" : "row";
         break;
     default:
-        arb_poly_set(scale, w->stored);
+        break;
     }
+    LET_FUNCTION(scale, of, w->stored, w->beta, loss);
+    LET_FUNCTION(difference, value, row, w->stored, w->beta, loss);
     arb_poly_sub(difference, difference, scale, ENCLOSED_BITS);
     return done;
 }
@@ -555,11 +534,6 @@ static int side_of(const struct interpolant_proof *proof, const struct pieces *p
     enclosed_add_double(y, -limit);
     enclosed_range(range, y);
     return !done ? 0 : arb_is_nonnegative(range) ? 1 : arb_is_nonpositive(range) ? -1 : 0;
-}
-
-static bool is_inverse(const struct pieces *p)
-{
-    return p->variable == VARIABLE_LOSS || p->variable == VARIABLE_ROOT_LOSS || p->variable == VARIABLE_EPS_OCTAVES;
 }
 
 /* The part of a cell that lies in interval i, lo <= x <= hi */

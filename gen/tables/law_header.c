@@ -28,7 +28,7 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
         if (!law_tables_have_far(t, q))
             continue;
         snprintf(text, sizeof text, "cor_rows_%s_far_%s", name, quantity_stem[q]);
-        status = q == EPS_ZERO_OVERLAP ? law_tables_emit_final_speed(e, t, text) : law_tables_emit_far(e, t, q, text);
+        status = law_tables_emit_far(e, t, q, text);
         if (status == STATUS_OK && law_tables_have_fall(t, q)) {
             snprintf(text, sizeof text, "cor_rows_%s_fall_%s", name, quantity_stem[q]);
             status = law_tables_emit_fall(e, t, text);

@@ -139,7 +139,7 @@ static int prove_far(const struct law_tables *t, const struct interpolant_proof 
         status = prove_far_row(&data.far_bits[i], &proof, far_tables[i].quantity, row, FAR_COLUMNS, FAR_BITS);
     }
     if (status == STATUS_OK) {
-        law_tables_far_inverse_row(row, t);
+        law_tables_far_row(row, t, BETA_ZERO_FORCE);
         status = prove_far_row(&data.inverse_bits, &proof, BETA_ZERO_FORCE, row, INVERSE_COLUMNS, INVERSE_BITS);
     }
     far_proof_clear(&proof);
@@ -204,7 +204,7 @@ static int emit_tables(struct emit *e)
         return STATUS_FAILED;
     emit_comment(e, "h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7\n"
                     "on. Proved.");
-    if (law_tables_emit_final_speed(e, &data.tables, "cor_rows_h_star_5"))
+    if (law_tables_emit_far(e, &data.tables, EPS_ZERO_OVERLAP, "cor_rows_h_star_5"))
         return STATUS_FAILED;
     emit_far_comment(
         e,
@@ -220,7 +220,7 @@ static int emit_tables(struct emit *e)
         "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
         "inversion. Columns a, a', b_0, ..., c_4.",
         data.inverse_bits);
-    return law_tables_emit_far_inverse(e, &data.tables, "cor_rows_far_beta_zero_force");
+    return law_tables_emit_far(e, &data.tables, BETA_ZERO_FORCE, "cor_rows_far_beta_zero_force");
 }
 
 static const char header_banner[] =
