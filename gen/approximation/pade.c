@@ -163,20 +163,26 @@ void pade_analysis_init(struct pade_analysis *a)
 
 void pade_analysis_clear(struct pade_analysis *a)
 {
-    _acb_vec_clear(a->pole, a->poles);
-    _acb_vec_clear(a->zero, a->zeros);
+    _acb_vec_clear(a->poles.root, a->poles.count);
+    _acb_vec_clear(a->zeros.root, a->zeros.count);
     for (slong i = 0; i < a->pairs; i++)
         arb_clear(a->pair[i].distance);
     free(a->pair);
     pade_analysis_init(a);
 }
 
-/* All roots of a real polynomial with a leading coefficient that is not 0, or NULL. */
-static acb_ptr isolate(const arb_poly_t real, slong prec)
+static bool on_positive_axis(const acb_t z)
+{
+    return acb_is_real(z) && arb_is_positive(acb_realref(z));
+}
+
+/* All roots of a real polynomial with a leading coefficient that is not 0. Returns false, without roots, if they are
+ * not isolated. */
+static bool isolate(struct pade_roots *roots, const arb_poly_t real, slong prec)
 {
     const slong degree = arb_poly_degree(real);
     if (degree < 0 || arb_contains_zero(arb_poly_get_coeff_ptr(real, degree)))
-        return NULL;
+        return false;
     LOCAL(acb_poly, poly);
     acb_poly_set_arb_poly(poly, real);
     acb_ptr root = _acb_vec_init(degree);
@@ -197,15 +203,13 @@ static acb_ptr isolate(const arb_poly_t real, slong prec)
     }
     if (!isolated) {
         _acb_vec_clear(root, degree);
-        return NULL;
+        return false;
     }
     _acb_vec_sort_pretty(root, degree);
-    return root;
-}
-
-static bool on_positive_axis(const acb_t z)
-{
-    return acb_is_real(z) && arb_is_positive(acb_realref(z));
+    *roots = (struct pade_roots){.root = root, .count = degree};
+    for (slong i = 0; i < degree; i++)
+        roots->positive += on_positive_axis(root + i);
+    return true;
 }
 
 static void find_pairs(struct pade_analysis *a)
@@ -213,10 +217,10 @@ static void find_pairs(struct pade_analysis *a)
     const slong prec = 2 * ROOT_BITS;
     LOCAL(acb, ratio);
     LOCAL(arb, distance);
-    a->pair = xmalloc((size_t)(a->poles * a->zeros + 1) * sizeof *a->pair);
-    for (slong i = 0; i < a->poles; i++)
-        for (slong j = 0; j < a->zeros; j++) {
-            const acb_srcptr pole = a->pole + i, zero = a->zero + j;
+    a->pair = xmalloc((size_t)(a->poles.count * a->zeros.count + 1) * sizeof *a->pair);
+    for (slong i = 0; i < a->poles.count; i++)
+        for (slong j = 0; j < a->zeros.count; j++) {
+            const acb_srcptr pole = a->poles.root + i, zero = a->zeros.root + j;
             const arb_srcptr re = acb_realref(pole), im = acb_imagref(pole);
             LET_COMPLEX(ratio, false, prec, "zero/pole - 1", zero, pole);
             acb_abs(distance, ratio, prec);
@@ -235,26 +239,12 @@ static void find_pairs(struct pade_analysis *a)
 bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec)
 {
     pade_analysis_clear(a);
-    acb_ptr pole = isolate(f->q, prec);
-    acb_ptr zero = isolate(f->p, prec);
-    if (pole) {
-        a->pole = pole;
-        a->poles = arb_poly_degree(f->q);
-    }
-    if (zero) {
-        a->zero = zero;
-        a->zeros = arb_poly_degree(f->p);
-    }
+    const bool poles = isolate(&a->poles, f->q, prec), zeros = isolate(&a->zeros, f->p, prec);
     a->root = f->root;
     a->variable = f->variable;
-    if (!pole || !zero)
-        return false;
-    for (slong i = 0; i < a->poles; i++)
-        a->positive_poles += on_positive_axis(a->pole + i);
-    for (slong i = 0; i < a->zeros; i++)
-        a->positive_zeros += on_positive_axis(a->zero + i);
-    find_pairs(a);
-    return true;
+    if (poles && zeros)
+        find_pairs(a);
+    return poles && zeros;
 }
 
 /* Prints z in the reader's variable: "2.9", or "2.9 + 0.1 i". */
@@ -273,24 +263,24 @@ static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z
 
 static void print_pair(FILE *file, const struct pade_analysis *a, const struct pade_pair *pair)
 {
-    print_place(file, a, a->pole + pair->pole);
+    print_place(file, a, a->poles.root + pair->pole);
     fprintf(file, " (distance %.1e)", ball_middle(pair->distance));
 }
 
-static void print_positive(FILE *file, const struct pade_analysis *a, acb_srcptr z, slong count)
+static void print_positive(FILE *file, const struct pade_analysis *a, const struct pade_roots *roots)
 {
     const char *separator = "";
-    for (slong i = 0; i < count; i++)
-        if (on_positive_axis(z + i)) {
+    for (slong i = 0; i < roots->count; i++)
+        if (on_positive_axis(roots->root + i)) {
             fputs(separator, file);
-            print_place(file, a, z + i);
+            print_place(file, a, roots->root + i);
             separator = ", ";
         }
 }
 
 char *pade_defects(const struct pade_analysis *a)
 {
-    if (a->positive_poles == 0 && a->positive_zeros == 0 && a->spurious == 0)
+    if (a->poles.positive == 0 && a->zeros.positive == 0 && a->spurious == 0)
         return NULL;
     char *text;
     size_t size;
@@ -298,14 +288,12 @@ char *pade_defects(const struct pade_analysis *a)
     FILE *file = open_memstream(&text, &size);
     if (!file)
         return xstrdup("out of memory");
-    if (a->positive_poles) {
-        fprintf(file, "a pole at ");
-        print_positive(file, a, a->pole, a->poles);
-        separator = "; ";
-    }
-    if (a->positive_zeros) {
-        fprintf(file, "%sa zero at ", separator);
-        print_positive(file, a, a->zero, a->zeros);
+    for (int i = 0; i < 2; i++) {
+        const struct pade_roots *const roots = i == 0 ? &a->poles : &a->zeros;
+        if (roots->positive == 0)
+            continue;
+        fprintf(file, "%sa %s at ", separator, i == 0 ? "pole" : "zero");
+        print_positive(file, a, roots);
         separator = "; ";
     }
     for (slong i = 0; i < a->pairs; i++)
@@ -320,20 +308,15 @@ char *pade_defects(const struct pade_analysis *a)
 
 void pade_print_analysis(FILE *file, const struct pade_analysis *a, const char *prefix)
 {
-    const struct {
-        const char *name, *polynomial;
-        acb_srcptr z;
-        slong count, positive;
-    } side[] = {{"pole", "denominator", a->pole, a->poles, a->positive_poles},
-                {"zero", "numerator", a->zero, a->zeros, a->positive_zeros}};
     for (int i = 0; i < 2; i++) {
-        fprintf(file, "%s%ss on %s > 0: ", prefix, side[i].name, a->variable);
-        if (side[i].positive)
-            print_positive(file, a, side[i].z, side[i].count);
+        const struct pade_roots *const roots = i == 0 ? &a->poles : &a->zeros;
+        fprintf(file, "%s%ss on %s > 0: ", prefix, i == 0 ? "pole" : "zero", a->variable);
+        if (roots->positive)
+            print_positive(file, a, roots);
         else
             fprintf(file, "none");
-        fprintf(file, " (proved: %ld of %ld roots of the %s isolated)\n", (long)side[i].count, (long)side[i].count,
-                side[i].polynomial);
+        fprintf(file, " (proved: %ld of %ld roots of the %s isolated)\n", (long)roots->count, (long)roots->count,
+                i == 0 ? "denominator" : "numerator");
     }
     if (a->pairs == 0)
         fprintf(file, "%spole-zero pairs closer than 1/%d of their distance from 0: none\n", prefix,

@@ -69,10 +69,13 @@ struct pade_pair {
     bool spurious;
 };
 
+struct pade_roots {
+    acb_ptr root;          /* in z, isolated in disjoint balls; real ones have Im = 0 exactly */
+    slong count, positive; /* on z > 0 */
+};
+
 struct pade_analysis {
-    acb_ptr pole, zero; /* in z, isolated in disjoint balls; real ones have Im = 0 exactly */
-    slong poles, zeros;
-    slong positive_poles, positive_zeros; /* on z > 0 */
+    struct pade_roots poles, zeros;
     struct pade_pair *pair;
     slong pairs, spurious;
     slong root;

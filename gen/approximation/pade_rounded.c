@@ -138,11 +138,7 @@ void pade_error_clear(struct pade_error *e)
 
 static double upper_bound(const arb_t x)
 {
-    if (!arb_is_finite(x))
-        return INFINITY;
-    LOCAL(arf, end);
-    arb_get_ubound_arf(end, x, BITS);
-    return arf_get_d(end, ARF_RND_CEIL);
+    return arb_is_finite(x) ? ball_end(x, true) : INFINITY;
 }
 
 /* |approximate/exact - 1|, rounded up */

@@ -102,14 +102,6 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
     return agree;
 }
 
-/* An upper bound of |x| */
-static double largest(const arb_t x)
-{
-    LOCAL(mag, bound);
-    arb_get_mag(bound, x);
-    return mag_get_d(bound);
-}
-
 int interpolant_error(double *error, const struct interpolant *f, int i, enum quantity quantity,
                       const struct ellipse_bound *bound)
 {
@@ -118,7 +110,7 @@ int interpolant_error(double *error, const struct interpolant *f, int i, enum qu
     LOCAL(arb, constant, distance);
     lebesgue(constant, s->node, interval);
     polynomial_error(distance, bound, quantity, constant, s->value[quantity], interval);
-    *error = largest(distance);
+    *error = ball_magnitude(distance);
     return coefficients_agree(&s->polynomial[quantity], bound, quantity, distance, interval->count)
                ? STATUS_OK
                : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
@@ -200,7 +192,7 @@ static int prove_creep(struct interpolant_proof *proof, int i)
             status = fail("the duration at zero overlap, sample %ld on [%g, %g], is not that of a creep", (long)j,
                           interval->lo, interval->hi);
     arb_get_rad_arb(c, proof->creep_constant);
-    proof->error[i][DURATION_ZERO_OVERLAP] = largest(c);
+    proof->error[i][DURATION_ZERO_OVERLAP] = ball_magnitude(c);
     return status;
 }
 

@@ -163,11 +163,11 @@ TEST(test_true_one_four)
     const double c1 = coefficient(f->p, 1) - coefficient(f->q, 1);
     assert_near(c1, -1.15344885810, 1e-10);
     assert_near(coefficient(f->p, 1) / -c1, -0.30244058, 1e-8); /* in x = |C_1| beta */
-    assert_int_equal(a->poles, 4);
-    assert_int_equal(a->positive_poles, 0);
-    assert_int_equal(a->zeros, 1);
-    assert_int_equal(a->positive_zeros, 1);
-    assert_near(middle(acb_realref(a->zero)), -1 / coefficient(f->p, 1), 1e-9);
+    assert_int_equal(a->poles.count, 4);
+    assert_int_equal(a->poles.positive, 0);
+    assert_int_equal(a->zeros.count, 1);
+    assert_int_equal(a->zeros.positive, 1);
+    assert_near(middle(acb_realref(a->zeros.root)), -1 / coefficient(f->p, 1), 1e-9);
     char *defects = pade_defects(a);
     assert_non_null(defects);
     assert_non_null(strstr(defects, "a zero at beta = 2.86656"));
@@ -201,7 +201,7 @@ TEST(test_spurious_pair)
     multiply_pair(f->q, -1, 1);
     multiply_pair(f->p, -1.001, 1);
     assert_true(pade_analyse(a, f, PREC));
-    assert_int_equal(a->poles, 4);
+    assert_int_equal(a->poles.count, 4);
     assert_int_equal(a->pairs, 2);
     assert_int_equal(a->spurious, 0);
     assert_null(pade_defects(a));
@@ -216,7 +216,7 @@ TEST(test_spurious_pair)
     assert_true(pade_analyse(a, f, PREC));
     assert_int_equal(a->pairs, 4);
     assert_int_equal(a->spurious, 2); /* it and its conjugate */
-    assert_int_equal(a->positive_poles, 0);
+    assert_int_equal(a->poles.positive, 0);
     char *defects = pade_defects(a);
     assert_non_null(defects);
     assert_non_null(strstr(defects, "spurious pole-zero pair at beta = 8.75 ")); /* (3 + i/2)^2 */
@@ -232,8 +232,8 @@ TEST(test_spurious_pair)
     arb_poly_scalar_mul(shifted, shifted, x, PREC);
     arb_poly_sub(f->p, f->p, shifted, PREC);
     assert_true(pade_analyse(a, f, PREC));
-    assert_int_equal(a->positive_poles, 1);
-    assert_int_equal(a->positive_zeros, 1);
+    assert_int_equal(a->poles.positive, 1);
+    assert_int_equal(a->zeros.positive, 1);
     assert_int_equal(a->spurious, 3);
     defects = pade_defects(a);
     assert_non_null(strstr(defects, "a pole at beta = 1;"));
@@ -263,7 +263,7 @@ TEST(test_near_pair)
             arb_poly_set_coeff_arb(c, k, x);
         }
         assert_true(pade_of_series(f, c, 1, 2, prec) && pade_analyse(a, f, prec));
-        assert_true(a->pairs == 1 && a->spurious == 1 && a->positive_poles == 1);
+        assert_true(a->pairs == 1 && a->spurious == 1 && a->poles.positive == 1);
         LET(x, prec, "3*d/(1 - 2*d)", d);
         assert_overlap(a->pair->distance, x, "distance for 2^-", power[i]);
     }
@@ -300,7 +300,7 @@ TEST(test_poles_of_eps)
             if (exists) {
                 char *const defects = pade_defects(a);
                 const slong poles = sign_changes(f->q), zeros = sign_changes(f->p);
-                check(a->positive_poles == poles && a->positive_zeros == zeros && (defects || poles + zeros == 0),
+                check(a->poles.positive == poles && a->zeros.positive == zeros && (defects || poles + zeros == 0),
                       "[%ld/%ld]: %ld poles, %ld zeros", (long)m, (long)n, (long)poles, (long)zeros);
                 free(defects);
             }
@@ -365,8 +365,8 @@ static void assert_same_fraction(const struct pade_request *r, const struct pade
     assert_poly_overlap(f->q, g->q, r->denominator, "denominator");
     assert_int_equal(f->numerator, r->numerator);
     assert_int_equal(f->denominator, r->denominator);
-    assert_int_equal(a->poles, arb_poly_degree(g->q));
-    assert_int_equal(a->zeros, arb_poly_degree(g->p));
+    assert_int_equal(a->poles.count, arb_poly_degree(g->q));
+    assert_int_equal(a->zeros.count, arb_poly_degree(g->p));
 }
 
 /* 1/eps of the sphere has no beta^10, eps of (3/2, 0) none, by the involution: exact zeros, which no ball shows. The
