@@ -80,70 +80,48 @@ TEST(test_threshold)
     assert_int_equal(collision_threshold(beta_c, c_star, &law_sphere, 60), 1);
 }
 
-/* Texts of the six fields in the order of struct collision; NULL where no other program gave one. */
-static const struct {
-    const char *a, *b, *beta, *field[6];
-} collisions[] = {
-    {"1",
-     "0",
-     "1/2",
-     {"0.711531132501333586", "1.361344425034588321", "0.444344225088488753", "3.244622940778889517",
-      "0.506276552518630332", "2.722688850069176642"}},
-    {"1", "0", "4", {NULL, NULL, "0", "inf", "0.047768732505620189", "1.520691992601892695"}},
-    {"1",
-     "1",
-     "1",
-     {"0.783393667883593108", "1.34537872174229236", "0.593624260040040092", "3.222399315523942771",
-      "0.593624260040040092", "3.222399315523942771"}},
-    {"3/2",
-     "3/2",
-     "1",
-     {"0.899389992119600589", NULL, "0.593624260040040092", "3.475683527067974480", "0.593624260040040092",
-      "3.475683527067974480"}},
-    {"2", "2", "10", {NULL, NULL, "0.099981624752943886", NULL, "0.099981624752943886", NULL}},
-    {"3/2",
-     "0",
-     "1/2",
-     {"0.791261564952323956", NULL, "0.356912974176213893", "3.674312264397680617", "0.468038544824803370",
-      "2.782528143330340519"}},
-    {"3/2", "0", "1", {NULL, NULL, "0.041320343494337112", NULL, "0.251843353467950750", NULL}},
-    {"3/2", "0", "5", {NULL, NULL, "0", "inf", "0.015357698164110697", NULL}},
-    {"3/2",
-     "0",
-     "1.127988135520169216213166580023238450374",
-     {"0.570733527712282338", NULL, NULL, NULL, "0.218449655319366605", NULL}},
-    {"3/2", "0", "30", {NULL, NULL, "0", "inf", NULL, NULL}},
-    {"3/2", "1/4", "2.5", {NULL, NULL, "0", "inf", NULL, NULL}},
-    {"3/2", "1/2", "0.1", {NULL, NULL, "0.892147587290229345", NULL, NULL, NULL}},
-    {"3/2", "1/2", "0.5", {NULL, NULL, "0.573824628664948983", NULL, "0.595251501135126961", NULL}},
-    {"3/2", "1/2", "1", {NULL, NULL, "0.331164810466640935", NULL, "0.393930603229873193", NULL}},
-    {"3/2", "1/2", "2", {NULL, NULL, "0.095330365354151543", NULL, "0.211646054603642811", NULL}},
-    {"3/2", "1/2", "5", {NULL, NULL, "0.001650682071773317", NULL, NULL, NULL}},
-    {"3/2", "1/2", "10", {NULL, NULL, NULL, NULL, "0.02509570443151839", NULL}},
+/* a, b, beta and the six fields; NULL where no other program gave one */
+static const char *const collisions[][3 + COLLISION_FIELDS] = {
+    {"1", "0", "1/2", "0.444344225088488753", "0.506276552518630332", "3.244622940778889517", "2.722688850069176642",
+     "0.711531132501333586", "1.361344425034588321"},
+    {"1", "0", "4", "0", "0.047768732505620189", "inf", "1.520691992601892695", NULL, NULL},
+    {"1", "1", "1", "0.593624260040040092", "0.593624260040040092", "3.222399315523942771", "3.222399315523942771",
+     "0.783393667883593108", "1.34537872174229236"},
+    {"3/2", "3/2", "1", "0.593624260040040092", "0.593624260040040092", "3.475683527067974480", "3.475683527067974480",
+     "0.899389992119600589", NULL},
+    {"2", "2", "10", "0.099981624752943886", "0.099981624752943886", NULL, NULL, NULL, NULL},
+    {"3/2", "0", "1/2", "0.356912974176213893", "0.468038544824803370", "3.674312264397680617", "2.782528143330340519",
+     "0.791261564952323956", NULL},
+    {"3/2", "0", "1", "0.041320343494337112", "0.251843353467950750", NULL, NULL, NULL, NULL},
+    {"3/2", "0", "5", "0", "0.015357698164110697", "inf", NULL, NULL, NULL},
+    {"3/2", "0", "1.127988135520169216213166580023238450374", NULL, "0.218449655319366605", NULL, NULL,
+     "0.570733527712282338", NULL},
+    {"3/2", "0", "30", "0", NULL, "inf", NULL, NULL, NULL},
+    {"3/2", "1/4", "2.5", "0", NULL, "inf", NULL, NULL, NULL},
+    {"3/2", "1/2", "0.1", "0.892147587290229345", NULL, NULL, NULL, NULL, NULL},
+    {"3/2", "1/2", "0.5", "0.573824628664948983", "0.595251501135126961", NULL, NULL, NULL, NULL},
+    {"3/2", "1/2", "1", "0.331164810466640935", "0.393930603229873193", NULL, NULL, NULL, NULL},
+    {"3/2", "1/2", "2", "0.095330365354151543", "0.211646054603642811", NULL, NULL, NULL, NULL},
+    {"3/2", "1/2", "5", "0.001650682071773317", NULL, NULL, NULL, NULL, NULL},
+    {"3/2", "1/2", "10", NULL, "0.02509570443151839", NULL, NULL, NULL, NULL},
 };
 
 TEST(test_collisions)
 {
     LOCAL(collision, c);
     for (size_t i = 0; i < sizeof collisions / sizeof *collisions; i++) {
-        const char *const *const text = collisions[i].field;
-        const arb_srcptr value[6] = {c->x_max,          c->t_max,          c->eps_zero_overlap,
-                                     c->t_zero_overlap, c->eps_zero_force, c->t_zero_force};
-        const struct law law = law_of(collisions[i].a, collisions[i].b);
-        if (text[2]) {
-            collision_of(c, collisions[i].beta, &law, 90);
-        } else {
-            LOCAL(arb, beta);
-            set_number(beta, collisions[i].beta);
-            assert_int_equal(collision_solve_force(c, beta, &law, 90), 0);
-        }
-        for (int k = 0; k < 6; k++) {
+        const char *const *const text = collisions[i] + 3;
+        const struct law law = law_of(collisions[i][0], collisions[i][1]);
+        LOCAL(arb, beta);
+        set_number(beta, collisions[i][2]);
+        assert_int_equal((text[0] ? collision_solve : collision_solve_force)(c, beta, &law, 90), 0);
+        for (int k = 0; k < COLLISION_FIELDS; k++) {
             if (text[k] && strcmp(text[k], "inf") == 0)
-                assert_true(arf_is_pos_inf(arb_midref(value[k])));
+                assert_true(arf_is_pos_inf(arb_midref(c->field[k])));
             else if (text[k] && strcmp(text[k], "0") == 0)
-                assert_true(arb_is_zero(value[k]));
+                assert_true(arb_is_zero(c->field[k]));
             else if (text[k])
-                assert_digits(value[k], text[k]);
+                assert_digits(c->field[k], text[k]);
         }
     }
     const struct law dashpot = law_of("3/2", "0"); /* near the threshold bits are lost, and asked for again */

@@ -24,43 +24,19 @@ static int teardown(void **state)
     return 0;
 }
 
-/* Rows of every kind that reach no further than beta = 3/8. */
-static struct pieces table(int kind)
-{
-    struct pieces p = {.quantity = EPS_ZERO_OVERLAP,
-                       .variable = VARIABLE_BETA,
-                       .root = 2,
-                       .octave_bits = PIECES_OCTAVE_BITS,
-                       .step = 0.125,
-                       .rows = 3,
-                       .end = 0.25,
-                       .degree = 10,
-                       .plain = 3,
-                       .name = "rows",
-                       .title = "title",
-                       .least_bits = 40};
-    switch (kind) {
-    case 1: /* s = beta - node^2 from row 2 on */
-        p.quantity = EPS_ZERO_FORCE;
-        p.variable = VARIABLE_ROOT_BETA;
-        p.rows = 5;
-        p.plain = 2;
-        p.end = 0.25;
-        break;
-    case 2:
-        p.quantity = LOSS_QUOTIENT_ZERO_OVERLAP;
-        break;
-    case 3:
-        p.variable = VARIABLE_POWER_OCTAVES;
-        p.first = -10;
-        p.end = 0x1p-8;
-        p.rows = p.plain = 2L * PIECES_PER_OCTAVE;
-        break;
-    default:
-        break;
+/* Rows of every kind that reach no further than beta = 3/8. The second has s = beta - node^2 from row 2 on. */
+#define TABLE(of, ...)                                                                                                 \
+    {                                                                                                                  \
+        .quantity = (of), .root = 2, .octave_bits = PIECES_OCTAVE_BITS, .step = 0.125, .degree = 10, .name = "rows",   \
+        .title = "title", .least_bits = 40, __VA_ARGS__                                                                \
     }
-    return p;
-}
+static const struct pieces tables[] = {
+    TABLE(EPS_ZERO_OVERLAP, .variable = VARIABLE_BETA, .end = 0.25, .rows = 3, .plain = 3),
+    TABLE(EPS_ZERO_FORCE, .variable = VARIABLE_ROOT_BETA, .end = 0.25, .rows = 5, .plain = 2),
+    TABLE(LOSS_QUOTIENT_ZERO_OVERLAP, .variable = VARIABLE_BETA, .end = 0.25, .rows = 3, .plain = 3),
+    TABLE(EPS_ZERO_OVERLAP, .variable = VARIABLE_POWER_OCTAVES, .first = -10, .end = 0x1p-8,
+          .rows = 2L * PIECES_PER_OCTAVE, .plain = 2L * PIECES_PER_OCTAVE),
+};
 
 /* Row r at y from its doubles, in doubles, and the beta it stands for. */
 static double evaluate(const struct pieces *p, slong r, double fraction, double *beta)
@@ -90,7 +66,7 @@ TEST(test_rows_are_the_function)
     LOCAL(collision, c);
     LOCAL(arb, x, loss);
     for (int kind = 0; kind < 4; kind++) {
-        struct pieces p = table(kind);
+        struct pieces p = tables[kind];
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 0);
         for (slong r = 0; r < p.rows; r++) {
             assert_true(p.bits[r] >= p.least_bits);
@@ -118,17 +94,17 @@ TEST(test_rows_are_the_function)
 TEST(test_bound_missed)
 {
     for (int kind = 0; kind < 4; kind++) {
-        struct pieces p = table(kind);
+        struct pieces p = tables[kind];
         p.least_bits = 75;
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 1);
         pieces_clear(&p);
-        p = table(kind);
+        p = tables[kind];
         p.degree = 4;
         p.least_bits = 50;
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 1);
         pieces_clear(&p);
         /* used as far as the last row reaches, and beyond */
-        p = table(kind);
+        p = tables[kind];
         p.end = kind == 1 ? 0.5625 * 0.5625 : kind == 3 ? 0x1p-8 : 0.3125;
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 0);
         pieces_clear(&p);
