@@ -134,13 +134,13 @@ TEST(test_ritz)
     static const char *const materials[] = {"33/100", "9/10", "0", "-1/2", "-19/20"};
     static const slong orders[] = {0, 1, 2, 3, 7, 20};
     enum { PAIRS = 14, POINTS = 9 };
-    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
+    for (size_t i = 0; i < COUNT_OF(materials); i++) {
         LOCAL(fmpq, nu);
         LOCAL(arb, w);
         struct disk disk;
         set_nu(nu, materials[i]);
         disk_init(&disk, nu, 128);
-        for (size_t k = 0; k < sizeof orders / sizeof *orders; k++) {
+        for (size_t k = 0; k < COUNT_OF(orders); k++) {
             const slong n = orders[k];
             for (int point = 0; point < POINTS; point++) {
                 /* kappa' up to n + 12: the degree is enough for every mode there */
@@ -245,27 +245,6 @@ static void assert_root(const struct disk_mode *mode, const fmpq_t nu, slong bit
           "n = %ld, l = %ld", (long)mode->n, (long)mode->l);
 }
 
-TEST(test_printed_equation)
-{
-    static const char *const materials[] = {"33/100", "9/10", "-3/5"};
-    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
-        LOCAL(disk_modes, modes);
-        LOCAL(fmpq, nu);
-        set_nu(nu, materials[i]);
-        modes_solve(modes, materials[i], 900, 30);
-        for (slong k = 0; k < modes->count; k += 13)
-            assert_root(&modes->mode[k], nu, 95, 400);
-    }
-    /* n far above kappa */
-    for (int k = 0; k < 2; k++) {
-        LOCAL(disk_mode, mode);
-        LOCAL(fmpq, nu);
-        set_nu(nu, k ? "-9/10" : "33/100");
-        assert_int_equal(disk_mode_solve(mode, nu, k ? 600 : 1500, k, 120), 0);
-        assert_root(mode, nu, 100, 4000);
-    }
-}
-
 /* ---- C and S: (22) or (23) for the ratio of the amplitudes, Lommel's integrals of (26) ---- */
 
 /* int_0^1 r J(a r) J(b r) dr, both of the order of j[o]: Lommel. */
@@ -329,34 +308,41 @@ static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb
     arb_div(s, s, norm, prec);
 }
 
-TEST(test_amplitudes)
+/* A mode has a root of (25), and C and S of (22), (23) and (26). */
+static void assert_mode(const struct disk_mode *mode, const fmpq_t nu)
+{
+    LOCAL(arb, c, s);
+    assert_root(mode, nu, 95, 400);
+    rim_amplitudes(c, s, nu, mode->n, mode->omega, 400);
+    assert_bits(c, 80);
+    assert_bits(mode->c, 80);
+    assert_overlap(mode->c, c, "C of n", mode->n);
+    if (mode->n > 0)
+        assert_overlap(mode->s, s, "S of n", mode->n);
+}
+
+TEST(test_printed_equation)
 {
     static const struct {
         const char *nu;
         slong n, l;
-    } cases[] = {{"33/100", 2, 0},
-                 {"33/100", 0, 0},
-                 {"33/100", 0, 4},
-                 {"33/100", 1, 0},
-                 {"33/100", 1, 7},
-                 {"33/100", 5, 4},
-                 {"9/10", 2, 1},
-                 {"9/10", 30, 0},
-                 {"-1/2", 3, 2},
-                 {"-9/10", 1, 1},
-                 {"999999999999/1000000000000", 2, 0}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        LOCAL(fmpq, nu);
-        LOCAL(arb, c, s);
-        LOCAL(disk_mode, mode);
+    } cases[] = {{"33/100", 2, 0},    {"33/100", 1, 7}, {"9/10", 30, 0},
+                 {"-1/2", 3, 2},      {"-9/10", 1, 1},  {"999999999999/1000000000000", 2, 0},
+                 {"33/100", 1500, 0}, {"-9/10", 600, 1} /* n far above kappa */};
+    LOCAL(fmpq, nu);
+    LOCAL(disk_modes, modes);
+    LOCAL(disk_mode, mode);
+    modes_solve(modes, "-3/5", 900, 30);
+    set_nu(nu, "-3/5");
+    for (slong k = 0; k < modes->count; k += 13)
+        assert_mode(&modes->mode[k], nu);
+    for (size_t i = 0; i < COUNT_OF(cases); i++) {
         set_nu(nu, cases[i].nu);
-        assert_int_equal(disk_mode_solve(mode, nu, cases[i].n, cases[i].l, 150), 0);
-        rim_amplitudes(c, s, nu, cases[i].n, mode->omega, 300);
-        assert_bits(c, 80);
-        assert_bits(mode->c, 80);
-        assert_overlap(mode->c, c, "C of case", (slong)i);
-        if (cases[i].n > 0)
-            assert_overlap(mode->s, s, "S of case", (slong)i);
+        assert_int_equal(disk_mode_solve(mode, nu, cases[i].n, cases[i].l, 120), 0);
+        if (cases[i].n < 100)
+            assert_mode(mode, nu);
+        else
+            assert_root(mode, nu, 100, 4000);
     }
 }
 
@@ -427,7 +413,7 @@ static void check_mode(const fmpq_t nu, const struct cor_disk_mode *mode)
 
 TEST(every_mode)
 {
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    for (size_t i = 0; i < COUNT_OF(table); i++) {
         LOCAL(fmpq, nu);
         set_nu(nu, table[i].nu);
         for (size_t k = 0; k < table[i].modes.count; k++)
@@ -455,7 +441,7 @@ static slong count_below(const fmpq_t nu, double omega)
 
 TEST(none_is_missing)
 {
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    for (size_t i = 0; i < COUNT_OF(table); i++) {
         LOCAL(fmpq, nu);
         set_nu(nu, table[i].nu);
         const struct cor_disk_modes *const t = &table[i].modes;
@@ -467,7 +453,7 @@ TEST(none_is_missing)
                   mode->n, mode->l);
         }
         const size_t places[] = {1, 2, 10, 137, 1000, t->count - 1};
-        for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+        for (size_t k = 0; k < COUNT_OF(places); k++) {
             const double below = t->mode[places[k] - 1].omega, here = t->mode[places[k]].omega;
             assert_int_equal(count_below(nu, (below + here) / 2), places[k]);
         }
@@ -518,7 +504,7 @@ TEST(test_corners_of_nu)
     LOCAL(fmpq, nu);
     LOCAL(disk_modes, modes, other);
     static const ulong margins[] = {6, 30, 99};
-    for (size_t i = 0; i < sizeof margins / sizeof *margins; i++) {
+    for (size_t i = 0; i < COUNT_OF(margins); i++) {
         /* nu -> -1: conformal maps z^(n+1), which cost compression alone: omega^2 = (n+1)(n+2)/2, C = S = sqrt(n+2);
          * the breathing mode has omega = C = sqrt(2) */
         near_end(nu, -1, margins[i]);
@@ -556,7 +542,7 @@ TEST(test_orders)
     static const char *const materials[] = {"99/100", "33/100", "0", "-9/10", "-999999/1000000"};
     LOCAL(fmpq, nu);
     LOCAL(arb, w);
-    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
+    for (size_t i = 0; i < COUNT_OF(materials); i++) {
         struct disk disk;
         set_nu(nu, materials[i]);
         disk_init(&disk, nu, 128);
@@ -588,7 +574,7 @@ TEST(test_threads_and_digits)
     }
     parallel_use(0);
     static const slong digits[] = {1, 15, 100, 700};
-    for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
+    for (size_t i = 0; i < COUNT_OF(digits); i++) {
         modes_solve(other, "1/3", i < 3 ? 150 : 20, digits[i]);
         for (slong k = 0; k < other->count; k++) {
             assert_same_mode(&modes->mode[k], &other->mode[k]);
@@ -604,5 +590,5 @@ TEST(test_threads_and_digits)
     }
 }
 
-RUN_TESTS(test_near_pair, test_ritz, test_printed_equation, test_amplitudes, every_mode, none_is_missing,
-          test_against_doubles, test_corners_of_nu, test_orders, test_threads_and_digits)
+RUN_TESTS(test_near_pair, test_ritz, test_printed_equation, every_mode, none_is_missing, test_against_doubles,
+          test_corners_of_nu, test_orders, test_threads_and_digits)
