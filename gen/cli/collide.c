@@ -186,8 +186,7 @@ static int run_collide(const void *arguments)
         LOCAL(arb, beta, time_unit);
         scales(beta, time_unit, o, 64);
         if (arf_cmp_d(arb_midref(beta), BETA_MAX) > 0)
-            return usage_error("beta of this collision is %.3g; allowed: up to %g",
-                               arf_get_d(arb_midref(beta), ARF_RND_NEAR), BETA_MAX);
+            return usage_error("beta of this collision is %.3g; allowed: up to %g", ball_middle(beta), BETA_MAX);
     }
     if (o->threshold && fmpq_is_zero(o->beta.value))
         return usage_error("--threshold: without damping no force keeps the bodies together; --beta must be above 0");

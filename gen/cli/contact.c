@@ -111,8 +111,8 @@ static int fill_curve(double *speed_m_s, double *eps, const struct contact_argum
                       const struct cor_scene_contact *contact, int end)
 {
     /* a single speed lies in the middle of two decades */
-    const double margin = o->speed.count > 1 && values_least(&o->speed) < values_largest(&o->speed) ? 1 : 10;
-    const double low = values_least(&o->speed) / margin, high = values_largest(&o->speed) * margin;
+    const double margin = o->speed.least < o->speed.largest ? 1 : 10;
+    const double low = o->speed.least / margin, high = o->speed.largest * margin;
     for (int i = 0; i < CURVE_POINTS; i++) {
         progress("picture", i, CURVE_POINTS);
         speed_m_s[i] = low * pow(high / low, (double)i / (CURVE_POINTS - 1));
@@ -172,7 +172,7 @@ static int run_contact(const void *arguments)
     if (status != STATUS_OK)
         return status;
     if (o->speed.count > 0)
-        contact_warn_yield(&contacts, values_largest(&o->speed));
+        contact_warn_yield(&contacts, o->speed.largest);
     else if (embed_given(&o->scene, COR_SCENE_AT))
         contact_warn_yield(&contacts, embed_number(&o->scene, COR_SCENE_AT));
     if (o->simulator)

@@ -35,9 +35,7 @@ static int run_embed(const void *arguments)
     struct contacts contacts = {.count = 0};
     int status = embed_request_check(&o->scene);
     if (status == STATUS_OK)
-        status = contacts_of_request(&contacts, &o->scene);
-    if (status == STATUS_OK)
-        status = contacts_refuse_jkr(&contacts);
+        status = contacts_without_jkr(&contacts, &o->scene);
     if (status == STATUS_OK && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.law) &&
         contacts.contact[0].damping > 0)
         status =

@@ -23,9 +23,7 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     /* the models are those of the contact without a constant force */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
-    int status = contacts_of_request(&pressed, &scene);
-    if (status == STATUS_OK)
-        status = contacts_refuse_jkr(&pressed);
+    int status = contacts_without_jkr(&pressed, &scene);
     scene.number[COR_SCENE_GRAVITY].text = scene.number[COR_SCENE_ADHESION].text = NULL;
     scene.adhesion_model = COR_ADHESION_NONE;
     if (status == STATUS_OK)

@@ -57,9 +57,7 @@ static int run_sample(const void *arguments)
                                            .duration = o->duration};
     int status = check_request(o, &request);
     if (status == STATUS_OK)
-        status = contacts_of_request(&contacts, &scene);
-    if (status == STATUS_OK)
-        status = contacts_refuse_jkr(&contacts);
+        status = contacts_without_jkr(&contacts, &scene);
     if (status == STATUS_OK && o->duration && isnan(contacts.contact[0].mass_kg))
         status = usage_error("--durations needs bodies, or --stiffness and --effective-mass, which set the unit of "
                              "time, as --stiffness 1e9 --effective-mass 1e-3");

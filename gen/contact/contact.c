@@ -14,11 +14,6 @@ const char *const contact_law_names[] = {COR_LAW_NAMES, "plate", "elastic-plasti
 enum { CONTACT_BITS = 64 };
 #define ENCLOSED_BETA_MAX 1e12 /* beyond, the bits and the seconds of an enclosure grow without use */
 
-static double nearest(const arb_t x)
-{
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
 struct law contact_law(const struct cor_exponents *exponents)
 {
     const slong a = exponents->elastic, b = exponents->damping, d = exponents->denominator;
@@ -38,19 +33,10 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
     const int status = (end == COR_BOTH_ENDS        ? collision_solve
                         : end == COR_END_ZERO_FORCE ? collision_solve_force
                                                     : collision_solve_overlap)(&c, x, &law, CONTACT_BITS);
-    *impact = (struct cor_scaled_impact){{nearest(c.eps_zero_overlap), nearest(c.eps_zero_force)},
-                                         {nearest(c.t_zero_overlap), nearest(c.t_zero_force)},
-                                         nearest(c.x_max)};
+    *impact = (struct cor_scaled_impact){{ball_middle(c.eps_zero_overlap), ball_middle(c.eps_zero_force)},
+                                         {ball_middle(c.t_zero_overlap), ball_middle(c.t_zero_force)},
+                                         ball_middle(c.x_max)};
     return status == 0 ? STATUS_OK : -STATUS_FAILED;
-}
-
-int contacts_refuse_jkr(const struct contacts *contacts)
-{
-    return contacts->contact[0].adhesion_j_m2 > 0
-               ? usage_error(
-                     "--adhesion-model jkr: corgen contact has its numbers, at any list of speeds; allowed here: "
-                     "dmt")
-               : STATUS_OK;
 }
 
 int contact_status(int status)
@@ -86,6 +72,15 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     contacts->scene.solver = contact_enclosed;
     status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
     return status < 0 ? STATUS_FAILED : status == COR_FAULT_NONE ? STATUS_OK : refuse(&fault, request, &contacts->law);
+}
+
+int contacts_without_jkr(struct contacts *contacts, const struct embed_request *request)
+{
+    const int status = contacts_of_request(contacts, request);
+    return status == STATUS_OK && contacts->contact[0].adhesion_j_m2 > 0
+               ? usage_error("--adhesion-model jkr: corgen contact has its numbers, at any list of speeds; allowed "
+                             "here: dmt")
+               : status;
 }
 
 const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene_contact *contact,

@@ -19,6 +19,8 @@ struct contacts {
 
 /* Returns STATUS_OK, STATUS_USAGE after a message that says what is missing or contradictory, or STATUS_FAILED. */
 int contacts_of_request(struct contacts *contacts, const struct embed_request *request);
+/* The same for other commands, which refuse a contact that adheres as in JKR, whose ends are others */
+int contacts_without_jkr(struct contacts *contacts, const struct embed_request *request);
 
 /* The law of a contact, its yield speed and its liquid as text: "x'' + beta x^(1/2) x' + x^(3/2) = 0" */
 enum { CONTACT_LAW_TEXT = 256 };
@@ -27,9 +29,6 @@ const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene
 
 /* Warns on stderr where the spheres of a law without yield would yield at this impact speed. */
 void contact_warn_yield(const struct contacts *contacts, double speed_m_s);
-
-/* Refuses a contact that adheres as in JKR, whose ends are others, for commands but corgen contact. */
-int contacts_refuse_jkr(const struct contacts *contacts);
 
 /* The exit status of a function of cor/scene.h for such a contact */
 int contact_status(int status);

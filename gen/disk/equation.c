@@ -98,8 +98,8 @@ void disk_init(struct disk *d, const fmpq_t nu, slong prec)
     FOR_ALL(arb, init, d->e, d->s);
     LET(d->e, prec, "1 + nu", nu);
     LET(d->s, prec, "1 - nu", nu);
-    d->e_double = arf_get_d(arb_midref(d->e), ARF_RND_NEAR);
-    d->s_double = arf_get_d(arb_midref(d->s), ARF_RND_NEAR);
+    d->e_double = ball_middle(d->e);
+    d->s_double = ball_middle(d->s);
     d->prec = prec;
 }
 

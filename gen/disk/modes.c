@@ -342,7 +342,7 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
             if (!precision_raise(p))
                 status = fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not decide which is lower",
                               (long)modes->mode[work.which[i > 0 ? i - 1 : 0]].n, (long)modes->mode[work.which[i]].n,
-                              arf_get_d(arb_midref(modes->mode[work.which[i]].omega), ARF_RND_NEAR), (long)p->bits);
+                              ball_middle(modes->mode[work.which[i]].omega), (long)p->bits);
         }
     }
     free(work.precision);
@@ -396,28 +396,19 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
 
 enum { MODE_DIGITS = 17 /* digits_to_double needs no more */ };
 
-static int round_all(struct cor_disk_mode *mode, const struct disk_modes *exact)
-{
-    for (slong i = 0; i < exact->count; i++) {
-        const struct disk_mode *const m = &exact->mode[i];
-        mode[i] = (struct cor_disk_mode){(int)m->n, (int)m->l, 0, 0, 0};
-        if (!digits_to_double(&mode[i].omega, m->omega) || !digits_to_double(&mode[i].c, m->c) ||
-            !(arb_is_zero(m->s) || digits_to_double(&mode[i].s, m->s)))
-            return fail("mode %ld is too near to the middle of two doubles", (long)i);
-    }
-    return STATUS_OK;
-}
-
 int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count)
 {
     LOCAL_INIT(disk_modes, exact, (&exact));
-    int status = disk_modes_solve(&exact, nu, count, MODE_DIGITS);
-    if (status == STATUS_OK) {
-        struct cor_disk_mode *const mode = xmalloc((size_t)count * sizeof *mode);
-        *modes = (struct cor_disk_modes){decimal_nearest(nu), (size_t)count, mode};
-        status = round_all(mode, &exact);
-        if (status != STATUS_OK)
-            free(mode);
+    if (disk_modes_solve(&exact, nu, count, MODE_DIGITS) != STATUS_OK)
+        return STATUS_FAILED;
+    struct cor_disk_mode *const mode = xmalloc((size_t)count * sizeof *mode);
+    *modes = (struct cor_disk_modes){decimal_nearest(nu), (size_t)count, mode};
+    for (slong i = 0; i < count; i++) {
+        const struct disk_mode *const m = &exact.mode[i];
+        mode[i] = (struct cor_disk_mode){(int)m->n, (int)m->l, 0, 0, 0};
+        digits_to_double(&mode[i].omega, m->omega); /* number_is_decided has tried it */
+        digits_to_double(&mode[i].c, m->c);
+        digits_to_double(&mode[i].s, m->s);
     }
-    return status;
+    return STATUS_OK;
 }

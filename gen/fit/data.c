@@ -46,9 +46,7 @@ struct reader {
     int cells;
     int place[COLUMNS]; /* of a column among the cells; -1: the file does not have it */
     int header_cells;
-    enum fit_unit unit;
-    char separator;
-    bool decimal_comma;
+    struct fit_form form;
 };
 
 /* ---- messages ---- */
@@ -56,8 +54,8 @@ struct reader {
 /* The name of a column in the file: that of the speed may have a unit. */
 static const char *name_in_file(const struct reader *r, enum column column)
 {
-    const bool has_unit = column == SPEED && r->unit != FIT_UNIT_OF_COLUMN && r->place[r->unit] >= 0;
-    return column_names[has_unit ? (enum column)r->unit : column];
+    const bool has_unit = column == SPEED && r->form.unit != FIT_UNIT_OF_COLUMN && r->place[r->form.unit] >= 0;
+    return column_names[has_unit ? (enum column)r->form.unit : column];
 }
 
 __attribute__((format(printf, 3, 4))) static int refuse(const struct reader *r, enum column column, const char *format,
@@ -77,10 +75,10 @@ static int refuse_cell(const struct reader *r, enum column column, const char *t
 {
     if (*text == '\0')
         return refuse(r, column, "the cell is empty; allowed: %s", allowed);
-    if (strchr(text, r->decimal_comma ? '.' : ','))
+    if (strchr(text, r->form.decimal_comma ? '.' : ','))
         return refuse(r, column, "'%.*s' has a decimal %s; allowed: %s, or %s", CELL_SHOWN, text,
-                      r->decimal_comma ? "point, but --decimal-comma is given" : "comma", allowed,
-                      r->decimal_comma ? "the command without --decimal-comma" : "--decimal-comma");
+                      r->form.decimal_comma ? "point, but --decimal-comma is given" : "comma", allowed,
+                      r->form.decimal_comma ? "the command without --decimal-comma" : "--decimal-comma");
     return refuse(r, column, "'%.*s' is not allowed; allowed: %s", CELL_SHOWN, text, allowed);
 }
 
@@ -156,14 +154,14 @@ static char sniffed_separator(const char *line)
 static bool split_line(struct reader *r)
 {
     bool quoted = false;
-    if (!r->separator)
-        r->separator = sniffed_separator(r->line);
+    if (!r->form.separator)
+        r->form.separator = sniffed_separator(r->line);
     char *start = r->line;
     r->cells = 0;
     for (char *at = r->line;; at++) {
         if (*at == '"')
             quoted = !quoted;
-        if (*at != '\0' && (*at != r->separator || quoted))
+        if (*at != '\0' && (*at != r->form.separator || quoted))
             continue;
         const bool last = *at == '\0';
         *at = '\0';
@@ -194,9 +192,9 @@ static int next_row(struct reader *r)
 static int read_number(double *x, const struct reader *r, enum column column, const struct decimal_range *range)
 {
     const char *const text = r->cell[r->place[column]];
-    char *const comma = r->decimal_comma ? strchr(text, ',') : NULL;
+    char *const comma = r->form.decimal_comma ? strchr(text, ',') : NULL;
     struct decimal number = {0};
-    bool parsed = !(r->decimal_comma && strchr(text, '.'));
+    bool parsed = !(r->form.decimal_comma && strchr(text, '.'));
     if (comma)
         *comma = '.';
     parsed = parsed && decimal_parse(&number, text, EXPONENT_DIGITS);
@@ -317,17 +315,17 @@ static int choose_speed(struct reader *r)
             continue;
         if (has(r, SPEED))
             return refuse(r, (enum column)unit, "the file has two columns of speeds; allowed: one");
-        if (r->unit != FIT_UNIT_OF_COLUMN && r->unit != (enum fit_unit)unit)
+        if (r->form.unit != FIT_UNIT_OF_COLUMN && r->form.unit != (enum fit_unit)unit)
             return refuse(r, (enum column)unit, "--unit %s contradicts the name; allowed: --unit %s, or none",
-                          fit_unit_names[r->unit], fit_unit_names[unit]);
+                          fit_unit_names[r->form.unit], fit_unit_names[unit]);
         r->place[SPEED] = r->place[unit];
-        r->unit = (enum fit_unit)unit;
+        r->form.unit = (enum fit_unit)unit;
     }
     if (!has(r, SPEED))
         return refuse(r, COLUMNS,
                       "no column speed_m_s; allowed: a first line with the names of the columns, as speed_m_s,eps or "
                       "speed_cm_s,eps,eps_sigma, or t_s for times of bounces");
-    if (r->unit == FIT_UNIT_OF_COLUMN)
+    if (r->form.unit == FIT_UNIT_OF_COLUMN)
         return refuse(r, SPEED,
                       "the name has no unit; allowed: speed_m_s, speed_cm_s or speed_mm_s, or --unit, as "
                       "--unit cm/s");
@@ -391,9 +389,9 @@ static int read_point(struct fit_data *data, const struct reader *r)
                       "'%.*s' is %.3g eps_sigma beyond %d; allowed: a number from 0 to 1, or beyond by %d "
                       "eps_sigma of noise",
                       CELL_SHOWN, r->cell[r->place[EPS]], (eps > 1 ? eps - 1 : -eps) / sigma, eps > 1, FIT_MAX_BEYOND);
-    if (speed * unit_m_s[r->unit] < 1e-30)
+    if (speed * unit_m_s[r->form.unit] < 1e-30)
         return refuse_cell(r, SPEED, r->cell[r->place[SPEED]], "a speed of 1e-30 m/s or more, as 0.25");
-    const struct fit_point point = {.speed_m_s = speed * unit_m_s[r->unit], .eps = eps, .sigma = sigma};
+    const struct fit_point point = {.speed_m_s = speed * unit_m_s[r->form.unit], .eps = eps, .sigma = sigma};
     return add_point(data, r, point, NULL);
 }
 
@@ -413,7 +411,7 @@ static int end_drop(const struct reader *r, const struct drop *drop)
                         drop->bounces, drop->bounces == 1 ? "" : "s");
 }
 
-static int read_bounce(struct fit_data *data, const struct reader *r, struct drop *drop, double gravity_m_s2)
+static int read_bounce(struct fit_data *data, const struct reader *r, struct drop *drop)
 {
     double time;
     int status = read_number(&time, r, TIME, &time_range);
@@ -439,7 +437,8 @@ static int read_bounce(struct fit_data *data, const struct reader *r, struct dro
     if (status == STATUS_OK && drop->bounces > 1) {
         const struct fit_bounce bounce = {
             0, drop->flight_s, drop->bounces == 2, {drop->line[0], drop->line[1], r->number}};
-        const struct fit_point point = {.speed_m_s = gravity_m_s2 * drop->flight_s / 2, .eps = flight / drop->flight_s};
+        const struct fit_point point = {.speed_m_s = r->form.gravity_m_s2 * drop->flight_s / 2,
+                                        .eps = flight / drop->flight_s};
         status = add_point(data, r, point, &bounce);
     }
     drop->line[0] = drop->line[1];
@@ -450,7 +449,7 @@ static int read_bounce(struct fit_data *data, const struct reader *r, struct dro
     return status;
 }
 
-static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s2)
+static int read_rows(struct fit_data *data, struct reader *r)
 {
     struct drop drop = {.bounces = 0};
     int status;
@@ -460,11 +459,11 @@ static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s
                           "%d cells, but the first row names %d columns; allowed: as many, separated by %s, and "
                           "numbers with a decimal %s",
                           r->cells, r->header_cells,
-                          r->separator == ','   ? "commas"
-                          : r->separator == ';' ? "semicolons"
-                                                : "tabs",
-                          r->decimal_comma ? "comma" : "point");
-        status = has(r, TIME) ? read_bounce(data, r, &drop, gravity_m_s2) : read_point(data, r);
+                          r->form.separator == ','   ? "commas"
+                          : r->form.separator == ';' ? "semicolons"
+                                                     : "tabs",
+                          r->form.decimal_comma ? "comma" : "point");
+        status = has(r, TIME) ? read_bounce(data, r, &drop) : read_point(data, r);
         if (status != STATUS_OK)
             return status;
         if (r->number % 1024 == 0)
@@ -485,7 +484,7 @@ static int compare_points(const void *a, const void *b)
     return p->row < q->row ? -1 : p->row > q->row;
 }
 
-static int read_table(struct fit_data *data, struct reader *r, double gravity_m_s2)
+static int read_table(struct fit_data *data, struct reader *r)
 {
     int status = next_row(r);
     if (status == STATUS_OK && r->ended)
@@ -494,11 +493,11 @@ static int read_table(struct fit_data *data, struct reader *r, double gravity_m_
         status = read_header(data, r);
     if (status != STATUS_OK)
         return status;
-    if (has(r, TIME) && r->unit != FIT_UNIT_OF_COLUMN)
+    if (has(r, TIME) && r->form.unit != FIT_UNIT_OF_COLUMN)
         return refuse(r, TIME,
                       "--unit is that of a column speed, and times of bounces have none; allowed: seconds, as 0.52");
     data->has_sigma = has(r, EPS_SIGMA);
-    status = read_rows(data, r, gravity_m_s2);
+    status = read_rows(data, r);
     if (status == STATUS_OK && data->points < FIT_MIN_POINTS)
         status = refuse(r, COLUMNS, "the file ends after %zu point%s; allowed: %d or more%s", data->points,
                         data->points == 1 ? "" : "s", FIT_MIN_POINTS,
@@ -508,14 +507,9 @@ static int read_table(struct fit_data *data, struct reader *r, double gravity_m_
 
 int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form)
 {
-    struct reader r = {.name = name,
-                       .next = text,
-                       .end = text + size,
-                       .unit = form->unit,
-                       .separator = form->separator,
-                       .decimal_comma = form->decimal_comma};
+    struct reader r = {.name = name, .next = text, .end = text + size, .form = *form};
     *data = (struct fit_data){0};
-    const int status = read_table(data, &r, form->gravity_m_s2);
+    const int status = read_table(data, &r);
     progress_end();
     if (status != STATUS_OK) {
         fit_data_clear(data);

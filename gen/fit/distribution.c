@@ -26,7 +26,7 @@ static double incomplete_beta(double a, double b, double part, double rest)
     arb_set_d(first, a);
     arb_set_d(second, b);
     arb_hypgeom_beta_lower(x, first, second, x, 1, PRECISION);
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    return ball_middle(x);
 }
 
 /* P(|T| < t) = I_x(1/2, nu/2), x = t^2/(nu + t^2) */
@@ -66,7 +66,7 @@ double chi_squared_tail(double chi2, size_t degrees_of_freedom)
     arb_set_d(shape, (double)degrees_of_freedom / 2);
     arb_set_d(x, chi2 / 2);
     arb_hypgeom_gamma_upper(x, shape, x, 1, PRECISION);
-    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    return ball_middle(x);
 }
 
 /* I_x(d2/2, d1/2), x = d2/(d2 + d1 f) */

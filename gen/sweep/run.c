@@ -46,7 +46,7 @@ static bool is_soft(const struct sweep *sweep)
 
 static int refuse_memory(const struct sweep *sweep)
 {
-    const double modes = values_largest(&sweep->modes), needed = modes * (double)MODE_BYTES, memory = console_memory();
+    const double modes = sweep->modes.largest, needed = modes * (double)MODE_BYTES, memory = console_memory();
     if (memory > 0 && needed > memory)
         return fail("%.0f modes need about %.3g GB of memory, and %.3g GB may be used", modes, needed / 1e9,
                     memory / 1e9);
@@ -65,7 +65,7 @@ static int find_modes(struct collide *run, size_t material)
     free((void *)run->modes.mode);
     run->modes.mode = NULL;
     const int status =
-        disk_modes_rounded(&run->modes, run->sweep.poisson.exact + material, (slong)values_largest(&run->sweep.modes));
+        disk_modes_rounded(&run->modes, run->sweep.poisson.exact + material, (slong)run->sweep.modes.largest);
     profile_step(NULL);
     run->modes_seconds = clock_seconds() - start;
     return status;
@@ -74,9 +74,8 @@ static int find_modes(struct collide *run, size_t material)
 /* Asks the integrator at every corner of the sweep whether it refuses the parameters or needs too much memory. */
 static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *modes)
 {
-    const double alpha[] = {values_least(&s->alpha), values_largest(&s->alpha)};
-    const double speed[] = {values_least(&s->speed), values_largest(&s->speed)};
-    const double count[] = {values_least(&s->modes), values_largest(&s->modes)};
+    const double alpha[] = {s->alpha.least, s->alpha.largest}, speed[] = {s->speed.least, s->speed.largest};
+    const double count[] = {s->modes.least, s->modes.largest};
     double most = 0;
     for (int corner = 0; corner < 8; corner++) {
         const double a = alpha[corner & 1], v = speed[corner >> 1 & 1];

@@ -164,6 +164,8 @@ static void values_drop_repeated(struct values *values)
     qsort(place, values->count, sizeof *place, compare_places);
     for (size_t i = 0; i < values->count; i++)
         repeated[place[i].index] = i > 0 && place[i].value == place[i - 1].value;
+    values->least = place[0].value;
+    values->largest = place[values->count - 1].value;
     size_t kept = 0;
     for (size_t i = 0; i < values->count; i++) {
         if (!repeated[i]) {
@@ -209,20 +211,4 @@ void values_clear(struct values *values)
     free(values->exact);
     free(values->nearest);
     *values = (struct values){0};
-}
-
-double values_least(const struct values *values)
-{
-    double least = values->nearest[0];
-    for (size_t i = 1; i < values->count; i++)
-        least = fmin(least, values->nearest[i]);
-    return least;
-}
-
-double values_largest(const struct values *values)
-{
-    double largest = values->nearest[0];
-    for (size_t i = 1; i < values->count; i++)
-        largest = fmax(largest, values->nearest[i]);
-    return largest;
 }

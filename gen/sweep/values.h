@@ -28,13 +28,11 @@ struct values {
     size_t count;
     fmpq *exact;     /* inside a log range: the nearest double */
     double *nearest; /* the double nearest to each */
+    double least, largest;
 };
 
 /* Returns STATUS_OK, or STATUS_USAGE after a message about the first error. */
 int values_parse(struct values *values, const struct values_rule *rule, const char *text);
 void values_clear(struct values *values);
-
-double values_least(const struct values *values);
-double values_largest(const struct values *values);
 
 #endif

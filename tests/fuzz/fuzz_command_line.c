@@ -96,9 +96,8 @@ static bool simple_law(const struct law *law)
 /* Whether a list is short and its values are in a range, or the list is not given */
 static bool few(const struct values *values, size_t most, double least, double largest)
 {
-    return values->count == 0
-               ? !values->text
-               : values->count <= most && values_least(values) >= least && values_largest(values) <= largest;
+    return values->count == 0 ? !values->text
+                              : values->count <= most && values->least >= least && values->largest <= largest;
 }
 
 /* Whether the damping of a scene takes no collision */

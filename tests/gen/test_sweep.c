@@ -62,7 +62,7 @@ TEST(test_lists)
     assert_int_equal(values_parse(&values, &any, "1:1000:lin:3,1/7"), STATUS_OK);
     assert_exact(&values, 1, "1001/2");
     assert_exact(&values, 3, "1/7");
-    assert_true(values_least(&values) == 1.0 / 7 && values_largest(&values) == 1000);
+    assert_true(values.least == 1.0 / 7 && values.largest == 1000);
     values_clear(&values);
     /* of two exact numbers with one double, the first stays */
     assert_int_equal(values_parse(&values, &any, "1/3,0.33333333333333333,2,33333333333333333e-17"), STATUS_OK);
@@ -80,7 +80,7 @@ TEST(test_longest_list)
     snprintf(text, sizeof text, "1:%d:+1", VALUES_MAX);
     assert_int_equal(values_parse(&values, &many, text), STATUS_OK);
     assert_int_equal(values.count, VALUES_MAX);
-    assert_true(values_largest(&values) == VALUES_MAX);
+    assert_true(values.largest == VALUES_MAX);
     values_clear(&values);
     snprintf(text, sizeof text, "1:%d:+1", VALUES_MAX + 1);
     assert_int_equal(values_parse(&values, &many, text), STATUS_USAGE);
