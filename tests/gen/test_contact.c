@@ -65,11 +65,6 @@ static void integrate(struct cor_scene_impact *impact, double *force, const stru
     *force = (double)largest_force(&m, h) * f->mass * f->speed / f->unit;
 }
 
-static void close_to(const char *what, double computed, double reference, double error)
-{
-    check(fabs(computed / reference - 1) <= error, "%s: %.15g, not %.15g", what, computed, reference);
-}
-
 /* An impact whose zero fields, and ends that the integration does not reach, are not compared */
 static void against_integration(const struct cor_scene_impact *got, double force,
                                 const struct cor_scene_contact *contact, double speed, double peak_error,
@@ -88,12 +83,12 @@ static void against_integration(const struct cor_scene_impact *got, double force
     struct cor_scene_impact want;
     double want_force;
     integrate(&want, &want_force, &f, got->duration_s[0] > 0 && isfinite(got->duration_s[0]));
-    close_to("force", force, want_force, peak_error);
-    close_to("overlap", got->max_overlap_m, want.max_overlap_m, peak_error);
+    check_near(force, want_force, peak_error);
+    check_near(got->max_overlap_m, want.max_overlap_m, peak_error);
     for (int end = 0; end < COR_SCENE_ENDS; end++)
         if (isfinite(want.duration_s[end]) && got->duration_s[end] > 0) {
-            close_to(cor_end_names[end], got->eps[end], want.eps[end], end_error);
-            close_to(cor_end_names[end], got->duration_s[end], want.duration_s[end], end_error);
+            check_near(got->eps[end], want.eps[end], end_error);
+            check_near(got->duration_s[end], want.duration_s[end], end_error);
         }
 }
 
@@ -105,7 +100,7 @@ TEST(impacts_against_integration)
     } row[] = {{{3, 1, 2}, 0.3}, {{3, 1, 2}, 2},   {{1, 0, 1}, 0.2}, {{1, 0, 1}, 0.45}, {{6, 1, 4}, 0.4},
                {{3, 3, 2}, 1.5}, {{3, 0, 2}, 0.2}, {{3, 0, 2}, 0.7}, {{4, 1, 2}, 0.3},  {{2, 1, 1}, 1.1},
                {{1, 1, 1}, 2},   {{2, 1, 2}, 1},   {{1, 0, 1}, 0.8}, {{6, 1, 4}, 1.7},  {{6, 1, 4}, 1}};
-    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+    for (size_t i = 0; i < COUNT_OF(row); i++) {
         const struct cor_exponents law = row[i].law;
         const double speed = random_log(&draw, 0.01, 10);
         struct cor_scene_contact contact = {.law = law,
@@ -145,8 +140,7 @@ TEST(reference_collisions)
         struct cor_scene_contact contact = {
             .law = cor_law_exponents[i], .mass_kg = 1 / (1 / n[2] + 1 / n[3]), .stiffness = n[0]};
         if (i != COR_LAW_LINEAR)
-            close_to("stiffness", 4.0 / 3 * n[6] / (2 * (1 - n[7] * n[7])) * sqrt(1 / (1 / n[4] + 1 / n[5])), n[0],
-                     1e-15);
+            check_near(4.0 / 3 * n[6] / (2 * (1 - n[7] * n[7])) * sqrt(1 / (1 / n[4] + 1 / n[5])), n[0], 1e-15);
         assert_int_equal(cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, n[1], 1, 0), 0);
         const int end = strcmp(end_name, "zero-force") == 0 ? END_ZERO_FORCE : END_ZERO_OVERLAP;
         assert_true(end == END_ZERO_FORCE ||
@@ -158,11 +152,11 @@ TEST(reference_collisions)
         if (r[0] == 0) { /* the bodies never part */
             assert_true(got.eps[end] == 0 && isinf(got.duration_s[end]) && isinf(r[1]));
         } else {
-            close_to("eps", got.eps[end], r[0], COR_SCENE_MAX_ERROR);
-            close_to("duration", got.duration_s[end], r[1], COR_SCENE_MAX_ERROR);
+            check_near(got.eps[end], r[0], COR_SCENE_MAX_ERROR);
+            check_near(got.duration_s[end], r[1], COR_SCENE_MAX_ERROR);
         }
-        close_to("overlap", got.max_overlap_m, r[2], COR_SCENE_MAX_ERROR);
-        close_to("force", cor_scene_force_max_n(&contact, n[8]), r[3], COR_SCENE_MAX_ERROR);
+        check_near(got.max_overlap_m, r[2], COR_SCENE_MAX_ERROR);
+        check_near(cor_scene_force_max_n(&contact, n[8]), r[3], COR_SCENE_MAX_ERROR);
         if (in_turn(rows, 10))
             /* where the damping is weak the force falls late */
             against_integration(&proved, r[3], &contact, n[8], COR_SCENE_MAX_ERROR, 1e-5);
@@ -210,12 +204,12 @@ TEST(every_way_of_a_sphere)
     const struct cor_scene_contact contact =
         contacts_of(0, COR_BOTH_ENDS, glass, GIVEN({COR_SCENE_DISSIPATION_TIME, 5e-7})).contact[0];
     /* by hand: m = (2/3) pi R^3 rho, R_eff = R/2, E* = E/(2 (1 - nu^2)), K = (4/3) E* sqrt(R_eff) */
-    close_to("mass", contact.mass_kg, 2.0 / 3 * 3.14159265358979323846 * 125e-9 * 2500, 1e-14);
-    close_to("radius", contact.radius_m, 2.5e-3, 1e-15);
-    close_to("K", contact.stiffness, 4.0 / 3 * 7e10 / (2 * 0.96) * sqrt(2.5e-3), 1e-14);
-    close_to("A", cor_scene_damping(&contact, COR_SCENE_DISSIPATION_TIME), 5e-7, 1e-14);
-    close_to("beta", cor_scene_beta(&contact, 3),
-             1.5 * 5e-7 * pow(contact.stiffness / contact.mass_kg, 0.4) * pow(3, 0.2), 1e-14);
+    check_near(contact.mass_kg, 2.0 / 3 * 3.14159265358979323846 * 125e-9 * 2500, 1e-14);
+    check_near(contact.radius_m, 2.5e-3, 1e-15);
+    check_near(contact.stiffness, 4.0 / 3 * 7e10 / (2 * 0.96) * sqrt(2.5e-3), 1e-14);
+    check_near(cor_scene_damping(&contact, COR_SCENE_DISSIPATION_TIME), 5e-7, 1e-14);
+    check_near(cor_scene_beta(&contact, 3), 1.5 * 5e-7 * pow(contact.stiffness / contact.mass_kg, 0.4) * pow(3, 0.2),
+               1e-14);
     struct cor_scene_impact impact;
     assert_int_equal(cor_scene_impact(&impact, &contact, 3), 0);
     const struct {
@@ -230,25 +224,25 @@ TEST(every_way_of_a_sphere)
         {COR_SCENE_DAMPING_COEFFICIENT, cor_scene_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT), 0, COR_BOTH_ENDS},
         {COR_SCENE_BETA, impact.beta, 1, COR_BOTH_ENDS}};
     double eps;
-    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+    for (size_t i = 0; i < COUNT_OF(ways); i++) {
         const struct contacts got = contacts_of(
             0, ways[i].end, glass, GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : NO_NUMBER, 3}));
-        close_to(cor_scene_number_names[ways[i].number], got.contact[0].damping, contact.damping, 1e-14);
+        check_near(got.contact[0].damping, contact.damping, 1e-14);
         /* eps without its end: an answer for each end */
         const bool both = ways[i].number == COR_SCENE_RESTITUTION && ways[i].end == COR_BOTH_ENDS;
         assert_int_equal(got.count, both ? 2 : 1);
         if (both) {
             assert_int_equal(cor_scene_eps(&eps, &got.contact[1], 3, END_ZERO_FORCE), 0);
-            close_to("both", eps, impact.eps[0], 1e-14);
+            check_near(eps, impact.eps[0], 1e-14);
         }
     }
     const struct contacts viscous =
         contacts_of(0, COR_BOTH_ENDS, glass, GIVEN({COR_SCENE_VISCOSITY, 2e4}, {COR_SCENE_BULK_VISCOSITY, 3e4}));
-    close_to("viscosity", cor_scene_damping(&viscous.contact[0], COR_SCENE_DISSIPATION_TIME),
-             cor_dissipation_time_viscous_s(2e4, 3e4, 7e10, 0.2), 1e-14);
+    check_near(cor_scene_damping(&viscous.contact[0], COR_SCENE_DISSIPATION_TIME),
+               cor_dissipation_time_viscous_s(2e4, 3e4, 7e10, 0.2), 1e-14);
     /* eps = 1 - (g/g*)^(1/5) for slow impacts */
     assert_int_equal(cor_scene_eps(&eps, &contact, 1e-20, END_ZERO_OVERLAP), 0);
-    close_to("g*", 1 - eps, pow(1e-20 / cor_scene_damping(&contact, COR_SCENE_G_STAR), 0.2), 1e-4);
+    check_near(1 - eps, pow(1e-20 / cor_scene_damping(&contact, COR_SCENE_G_STAR), 0.2), 1e-4);
 }
 
 /* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. Integration of
@@ -257,7 +251,7 @@ TEST(stiffness_from_a_duration)
 {
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
                                                 {1, 1, 1}, {2, 1, 1}, {4, 1, 2}, {2, 1, 2}, {5, 1, 4}};
-    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+    for (size_t i = 0; i < COUNT_OF(laws); i++)
         for (int k = 0; k < 6; k++) {
             const int end = k % COR_SCENE_ENDS;
             const double speed = pow(10, k - 3), eps = 0.95 - 0.15 * k, duration = 3e-4 * (k + 1);
@@ -280,9 +274,9 @@ TEST(stiffness_from_a_duration)
             scene.number[COR_SCENE_RESTITUTION] = impact.eps[end];
             scene.number[COR_SCENE_DURATION] = impact.duration_s[end];
             assert_int_equal(cor_scene_contacts(got, &count, &fault, &scene), 0);
-            close_to("K", got[0].stiffness, want.stiffness, 1e-11);
-            close_to("C", cor_scene_damping(&got[0], COR_SCENE_DAMPING_COEFFICIENT),
-                     cor_scene_damping(&want, COR_SCENE_DAMPING_COEFFICIENT), 1e-11);
+            check_near(got[0].stiffness, want.stiffness, 1e-11);
+            check_near(cor_scene_damping(&got[0], COR_SCENE_DAMPING_COEFFICIENT),
+                       cor_scene_damping(&want, COR_SCENE_DAMPING_COEFFICIENT), 1e-11);
             if (!in_turn(6 * i + (size_t)k, 12) || 2 * laws[i].damping > laws[i].elastic)
                 continue;
             scene.number[COR_SCENE_DURATION] = duration;
@@ -299,7 +293,7 @@ TEST(stiffness_from_a_duration)
         contacts_of(COR_LAW_TSUJI, COR_BOTH_ENDS, GIVEN({COR_SCENE_EFFECTIVE_MASS, 2e-3}, {COR_SCENE_DURATION, 1e-3}),
                     GIVEN({COR_SCENE_ZETA, 0}, {COR_SCENE_AT, 3}));
     assert_int_equal(tsuji.count, COR_SCENE_ENDS);
-    close_to("elastic K", tsuji.contact[1].stiffness, 2e-3 * pow(elastic / 1e-3, 2.5) / sqrt(3), 1e-13);
+    check_near(tsuji.contact[1].stiffness, 2e-3 * pow(elastic / 1e-3, 2.5) / sqrt(3), 1e-13);
 }
 
 TEST(other_laws)
@@ -307,11 +301,11 @@ TEST(other_laws)
     const struct cor_scene_contact linear =
         contacts_of(COR_LAW_LINEAR, END_ZERO_OVERLAP, spring, GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
     const double l = -log(0.7), pi = 3.14159265358979323846, zeta = l / sqrt(pi * pi + l * l);
-    close_to("zeta", cor_scene_damping(&linear, COR_SCENE_ZETA), zeta, 1e-14);
-    close_to("C", cor_scene_damping(&linear, COR_SCENE_DAMPING_COEFFICIENT), 2 * zeta * sqrt(1e5 * 1e-3), 1e-14);
+    check_near(cor_scene_damping(&linear, COR_SCENE_ZETA), zeta, 1e-14);
+    check_near(cor_scene_damping(&linear, COR_SCENE_DAMPING_COEFFICIENT), 2 * zeta * sqrt(1e5 * 1e-3), 1e-14);
     struct cor_scene_impact impact;
     assert_int_equal(cor_scene_impact(&impact, &linear, 2), 0);
-    close_to("duration", impact.duration_s[0], pi / sqrt(1 - zeta * zeta) * sqrt(1e-3 / 1e5), 1e-14);
+    check_near(impact.duration_s[0], pi / sqrt(1 - zeta * zeta) * sqrt(1e-3 / 1e5), 1e-14);
     assert_true(isnan(cor_scene_damping(&linear, COR_SCENE_G_STAR)) &&
                 isnan(cor_scene_damping(&linear, COR_SCENE_DISSIPATION_TIME)));
     /* Zener's plate: A = m/(8 sqrt(B rho h)), the force is K x^(3/2) alone, and there is one end */
@@ -320,18 +314,16 @@ TEST(other_laws)
                     GIVEN({COR_SCENE_PLATE_THICKNESS, 2e-3}, {COR_SCENE_DENSITY_2, 2700}))
             .contact[0];
     const double bending = 7e10 * 8e-9 / (12 * (1 - 0.04)), mass = 4 * pi / 3 * 125e-9 * 2500;
-    close_to("A of the plate", cor_scene_damping(&plate, COR_SCENE_DISSIPATION_TIME),
-             mass / (8 * sqrt(bending * 2700 * 2e-3)), 1e-13);
+    check_near(cor_scene_damping(&plate, COR_SCENE_DISSIPATION_TIME), mass / (8 * sqrt(bending * 2700 * 2e-3)), 1e-13);
     assert_int_equal(cor_scene_impact(&impact, &plate, 1), 0);
     assert_true(isnan(impact.eps[END_ZERO_FORCE]) && isnan(impact.duration_s[END_ZERO_FORCE]));
-    close_to("force of the plate", cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5),
-             1e-13);
+    check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
     /* the inverse where only collisions are enclosed, and no solver */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
     double eps;
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, END_ZERO_FORCE), 0);
     assert_int_equal(cor_scene_eps(&eps, &power, 0.5, END_ZERO_FORCE), 0);
-    close_to("inverse of (2, 1)", eps, 0.3, 1e-14);
+    check_near(eps, 0.3, 1e-14);
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 1, 0.5, END_ZERO_FORCE), 0);
     assert_true(power.damping == 0);
     power.solver = NULL;
@@ -347,9 +339,9 @@ TEST(collisions_under_a_constant_force)
     static const double betas[] = {0, 0.05, 0.5, 2.6}, forces[] = {1e-4, 0.1, 0.5, 2};
     int stuck = 0, held = 0;
     LOCAL(arb, beta, force);
-    for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
-        for (size_t i = 0; i < sizeof betas / sizeof *betas; i++)
-            for (size_t k = 0; k < sizeof forces / sizeof *forces; k++) {
+    for (size_t l = 0; l < COUNT_OF(laws); l++)
+        for (size_t i = 0; i < COUNT_OF(betas); i++)
+            for (size_t k = 0; k < COUNT_OF(forces); k++) {
                 const struct law law = contact_law(&laws[l]);
                 struct cor_scene_contact contact = {
                     .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = forces[k]};
@@ -362,13 +354,13 @@ TEST(collisions_under_a_constant_force)
                 assert_int_equal(collision_solve_pressed(c, beta, force, &law, COR_BOTH_ENDS, 60), 0);
                 const double eps[] = {middle(c->eps_zero_overlap), middle(c->eps_zero_force)};
                 const double time[] = {middle(c->t_zero_overlap), middle(c->t_zero_force)};
-                close_to("largest overlap", impact.max_overlap_m, middle(c->x_max), 1e-12);
+                check_near(impact.max_overlap_m, middle(c->x_max), 1e-12);
                 for (int end = 0; end < COR_SCENE_ENDS; end++) {
                     check(fabs(impact.eps[end] * impact.eps[end] - eps[end] * eps[end]) < COR_SCENE_PRESSED_ERROR,
                           "law %zu, beta %g, force %g, end %d: %.17g, not %.17g", l, betas[i], forces[k], end,
                           impact.eps[end], eps[end]);
                     if (isfinite(time[end]))
-                        close_to("duration", impact.duration_s[end], time[end], COR_SCENE_PRESSED_ERROR);
+                        check_near(impact.duration_s[end], time[end], COR_SCENE_PRESSED_ERROR);
                     else
                         assert_true(isinf(impact.duration_s[end]) && impact.eps[end] == 0);
                 }
@@ -387,7 +379,7 @@ TEST(thresholds_of_a_constant_force)
     leave_to_turn(1, 3);
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 0, 2}, {2, 1, 2}};
     LOCAL(arb, beta, force, nearby);
-    for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
+    for (size_t l = 0; l < COUNT_OF(laws); l++)
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             for (double b = 0.05; b < 1; b *= 10) {
                 const struct law law = contact_law(&laws[l]);
@@ -404,7 +396,7 @@ TEST(thresholds_of_a_constant_force)
                 struct cor_scene_contact contact = {
                     .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = middle(force)};
                 cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, b, 1, 0);
-                close_to("sticking speed", cor_scene_sticking_speed(&contact, end), 1, 1e-12);
+                check_near(cor_scene_sticking_speed(&contact, end), 1, 1e-12);
             }
 }
 
@@ -430,7 +422,7 @@ TEST(the_time_step_is_for_all_speeds)
         const struct cor_simulator_request request = {.speed_m_s = speed, .speeds = SPEEDS, .steps = 40};
         assert_int_equal(contact_rows(&table, &contacts, &request, 17), 0);
         for (int i = 0; i < SPEEDS * ends; i++)
-            close_to("time step", strtod(table.cell[i * table.columns + STEP_COLUMN], NULL), least / 40, 1e-15);
+            check_near(strtod(table.cell[i * table.columns + STEP_COLUMN], NULL), least / 40, 1e-15);
         table_clear(&table);
     }
 }
@@ -517,7 +509,7 @@ TEST(hosts_realise_what_is_wished)
     const struct given *const wished = GIVEN({COR_SCENE_RESTITUTION, 0.7});
     const struct given *const measured = GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4});
     char *const list = contact_simulator_text(&(struct cor_simulator_request){.simulator = CONTACT_SIMULATOR_LIST});
-    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+    for (size_t i = 0; i < COUNT_OF(row); i++) {
         char line[40];
         const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, spring, wished);
         const size_t tsuji = host_realises(row[i].host, COR_LAW_TSUJI, glass, wished);
@@ -528,7 +520,7 @@ TEST(hosts_realise_what_is_wished)
         assert_true(i == 0 || strstr(list, line));
     }
     free(list);
-    assert_int_equal(sizeof row / sizeof *row, cor_simulator_count);
+    assert_int_equal(COUNT_OF(row), cor_simulator_count);
     for (size_t i = 0; i < cor_simulator_count; i++)
         assert_string_equal(cor_simulators[i].name, contact_simulator_names[i]);
     assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, glass, measured), 1);

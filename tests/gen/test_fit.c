@@ -16,40 +16,36 @@ static struct random_state *const r = &draw;
 
 /* ---- distributions ---- */
 
-#define check_close(computed, expected, tolerance)                                                                     \
-    check(fabs((computed) - (expected)) <= (tolerance)*fabs(expected), "%.17g, expected %.17g", (double)(computed),    \
-          (double)(expected))
-
 TEST(quantiles_have_closed_forms)
 {
     const double pi = acos(-1), level[LEVELS] = {0.68268949213708590, 0.95};
     for (int i = 0; i < LEVELS; i++) {
         const enum distribution_level l = (enum distribution_level)i;
-        check_close(erf(normal_quantile(l) / sqrt(2)), level[i], 1e-14);
-        check_close(student_quantile(l, 1), tan(pi * level[i] / 2), 1e-8);
-        check_close(student_quantile(l, 2), level[i] * sqrt(2 / (1 - level[i] * level[i])), 1e-8);
+        check_near(erf(normal_quantile(l) / sqrt(2)), level[i], 1e-14);
+        check_near(student_quantile(l, 1), tan(pi * level[i] / 2), 1e-8);
+        check_near(student_quantile(l, 2), level[i] * sqrt(2 / (1 - level[i] * level[i])), 1e-8);
         /* Cornish and Fisher's expansion, of many degrees of freedom */
         const double n = 1e6, z = normal_quantile(l), z2 = z * z;
-        check_close(student_quantile(l, 1000000),
-                    z * (1 + (z2 + 1) / (4 * n) + ((5 * z2 + 16) * z2 + 3) / (96 * n * n)), 1e-12);
+        check_near(student_quantile(l, 1000000), z * (1 + (z2 + 1) / (4 * n) + ((5 * z2 + 16) * z2 + 3) / (96 * n * n)),
+                   1e-12);
     }
-    check_close(student_quantile(LEVEL_95, 10), 2.2281388519649385, 1e-8); /* tables */
+    check_near(student_quantile(LEVEL_95, 10), 2.2281388519649385, 1e-8); /* tables */
 }
 
 TEST(tails_have_closed_forms)
 {
     for (double x = 0.01; x < 200; x *= 1.7) {
-        check_close(chi_squared_tail(x, 2), exp(-x / 2), 1e-12);
-        check_close(chi_squared_tail(x, 1), erfc(sqrt(x / 2)), 1e-12);
-        check_close(chi_squared_tail(x, 4), exp(-x / 2) * (1 + x / 2), 1e-12);
-        check_close(fisher_tail(x, 2, 7), pow(1 + 2 * x / 7, -3.5), 1e-12);
-        check_close(fisher_tail(x, 2, 10000), pow(1 + 2 * x / 10000, -5000), 1e-10);
+        check_near(chi_squared_tail(x, 2), exp(-x / 2), 1e-12);
+        check_near(chi_squared_tail(x, 1), erfc(sqrt(x / 2)), 1e-12);
+        check_near(chi_squared_tail(x, 4), exp(-x / 2) * (1 + x / 2), 1e-12);
+        check_near(fisher_tail(x, 2, 7), pow(1 + 2 * x / 7, -3.5), 1e-12);
+        check_near(fisher_tail(x, 2, 10000), pow(1 + 2 * x / 10000, -5000), 1e-10);
     }
-    check_close(fisher_tail(3, 2, 10001), pow(1 + 6. / 10001, -5000.5), 0.01);
-    check_close(fisher_tail(1, 5, 5), 0.5, 1e-12); /* F and 1/F are alike */
+    check_near(fisher_tail(3, 2, 10001), pow(1 + 6. / 10001, -5000.5), 0.01);
+    check_near(fisher_tail(1, 5, 5), 0.5, 1e-12); /* F and 1/F are alike */
     for (int t = -2; t <= 2; t++) { /* Wilson and Hilferty's approximation, t standard deviations from the mean */
         const double x = 1e6 + t * sqrt(2e6), z = (cbrt(x / 1e6) - 1 + 2 / 9e6) / sqrt(2 / 9e6);
-        check_close(chi_squared_tail(x, 1000000), erfc(z / sqrt(2)) / 2, 1e-7);
+        check_near(chi_squared_tail(x, 1000000), erfc(z / sqrt(2)) / 2, 1e-7);
     }
     assert_true(chi_squared_tail(0, 3) == 1 && fisher_tail(0, 3, 3) == 1);
 }
@@ -195,9 +191,9 @@ static void check_parameter(const struct sample *s, const struct fit_model *mode
     const double value = fit_parameter_value(model, 0, e->theta[0], bodies);
     const double least = squares_of_parameter(s, model, name, value);
     if (s->data.has_sigma)
-        check_close(e->chi2, least, 1e-9);
+        check_near(e->chi2, least, 1e-9);
     else
-        check_close(e->rms, sqrt(least / (double)s->data.points), 1e-9);
+        check_near(e->rms, sqrt(least / (double)s->data.points), 1e-9);
     for (int i = -300; i <= 300; i++) {
         const double at = value * exp(0.02 * i), sum = squares_of_parameter(s, model, name, at);
         check(!(sum < least * (1 - 1e-9)), "%s %s: %g is lower at %s = %g than %g at %g", model->name, model->end, sum,
@@ -211,7 +207,7 @@ static void check_parameter(const struct sample *s, const struct fit_model *mode
         const double end[] = {e->interval[0][level].low, e->interval[0][level].high};
         for (int side = 0; side < 2; side++) {
             const double at = fit_parameter_value(model, 0, end[side], bodies);
-            check_close(squares_of_parameter(s, model, name, at) - least, expected, 1e-5);
+            check_near(squares_of_parameter(s, model, name, at) - least, expected, 1e-5);
         }
         assert_true(end[0] < e->theta[0] && e->theta[0] < end[1]);
     }
@@ -259,7 +255,7 @@ TEST(two_parameters_have_the_least_squares)
                     sum += weight(&s, point) * (double)(residual * residual);
                 }
                 if (i == 0 && k == 30)
-                    check_close(e.chi2, (double)sum, 1e-9);
+                    check_near(e.chi2, (double)sum, 1e-9);
                 least[k == 61] = fminl(least[k == 61], sum);
             }
         check(least[0] > e.chi2 * (1 - 1e-9), "curve %d: %Lg below %g", (int)curve, least[0], e.chi2);
@@ -314,13 +310,13 @@ TEST(aic_is_that_of_the_likelihood)
     draw_sample(&s, FIT_SPHERE_ZERO_FORCE, 20, 0.02, true);
     compare_all(&c, &s, false);
     for (int curve = 0; curve < FIT_CURVES; curve++)
-        check_close(c.estimate[curve].aic, c.estimate[curve].chi2 + 2 * fit_curve_parameters((enum fit_curve)curve),
-                    1e-9);
+        check_near(c.estimate[curve].aic, c.estimate[curve].chi2 + 2 * fit_curve_parameters((enum fit_curve)curve),
+                   1e-9);
     s.data.has_sigma = NULL;
     compare_all(&c, &s, false);
     for (int curve = 0; curve < FIT_CURVES; curve++)
-        check_close(c.estimate[curve].aic,
-                    40 * log(c.estimate[curve].rms) + 2 * (fit_curve_parameters((enum fit_curve)curve) + 1), 1e-9);
+        check_near(c.estimate[curve].aic,
+                   40 * log(c.estimate[curve].rms) + 2 * (fit_curve_parameters((enum fit_curve)curve) + 1), 1e-9);
 }
 
 /* ---- how often chance does it ---- */
@@ -415,8 +411,8 @@ TEST(flights_give_speeds_and_eps)
     assert_int_equal(data.points, 3);
     const double expected_speed[] = {0.25, 0.4, 0.5}, expected_eps[] = {0.9, 0.8, 0.8};
     for (int i = 0; i < 3; i++) {
-        check_close(data.point[i].speed_m_s, expected_speed[i] * FIT_GRAVITY_M_S2, 1e-14);
-        check_close(data.point[i].eps, expected_eps[i], 1e-14);
+        check_near(data.point[i].speed_m_s, expected_speed[i] * FIT_GRAVITY_M_S2, 1e-14);
+        check_near(data.point[i].eps, expected_eps[i], 1e-14);
     }
     assert_true(data.bounce && !data.has_sigma);
     fit_data_clear(&data);
@@ -503,7 +499,7 @@ TEST(intervals_hold_the_truth)
 {
     static const double levels[LEVELS] = {0.68268949213708590, 0.95};
     const bool whole = few_or_all(0, 1) != 0;
-    for (size_t k = 0; k < sizeof settings / sizeof *settings; k++) {
+    for (size_t k = 0; k < COUNT_OF(settings); k++) {
         const struct setting *const c = &settings[k];
         const int draws = c->points ? (whole ? 1000 : 40) : (whole ? 600 : 12);
         int in[FIT_MAX_PARAMETERS][LEVELS] = {{0}}, rejected = 0;
@@ -721,7 +717,7 @@ static void check_likelihood(const struct fit_data *data, enum fit_curve curve)
         expected += z <= FIT_HUBER ? z * z : FIT_HUBER * (2 * z - FIT_HUBER);
     }
     const double aic = fit_aic(&at, data, true, &noise);
-    check_close(aic, expected, 1e-8);
+    check_near(aic, expected, 1e-8);
 }
 
 /* The scale and the distances at the estimate, a minimum in theta that no place around has lower, and ends of intervals
@@ -736,8 +732,8 @@ static void check_fit(const struct fit_data *data, enum fit_curve curve)
     const double freedom = (double)n - e.parameters;
     const double sum = solve_dense(&log_determinant, NULL, distance, curve, e.theta, e.ratio);
     const double least = dense_q(curve, e.theta, e.ratio, n);
-    check_close(e.scale, sqrt(least / freedom), 1e-8);
-    check_close(e.time_sigma_s, sqrt(sum / freedom), 1e-8);
+    check_near(e.scale, sqrt(least / freedom), 1e-8);
+    check_near(e.time_sigma_s, sqrt(sum / freedom), 1e-8);
     fit_distances(found, &e, data);
     for (size_t i = 0; i < fit_lines(data); i++) {
         const double expected = distance[found[i].line] / e.time_sigma_s;
@@ -780,7 +776,7 @@ static void check_fit(const struct fit_data *data, enum fit_curve curve)
             q = q_of_theta(held, 0);
         }
         const double t = student_quantile((enum distribution_level)level, n - (size_t)e.parameters);
-        check_close(q - least, t * t * least / freedom, 1e-6);
+        check_near(q - least, t * t * least / freedom, 1e-6);
     }
 }
 

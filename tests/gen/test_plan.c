@@ -375,7 +375,7 @@ TEST(test_waves)
     static const struct {
         const char *young, *poisson;
     } walls[] = {{"2e11", "0.3"}, {"1e6", "0.49"}, {"3e9", "0.5"}, {"4e10", "0"}, {"1e10", "-0.5"}};
-    for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
+    for (size_t i = 0; i < COUNT_OF(walls); i++) {
         request = wall_request(GIVEN({COR_SCENE_YOUNG_2, walls[i].young}, {COR_SCENE_POISSON_2, walls[i].poisson}));
         const double young = strtod(walls[i].young, NULL), nu = strtod(walls[i].poisson, NULL);
         const struct cor_body sphere = {7e10, 0.25, 0, 0.005, mass}, wall = {young, nu, 0, INFINITY, INFINITY};

@@ -278,7 +278,7 @@ TEST(test_threads)
 
 static const char title[] = "corgen disk-collide, unfinished: --speed 0.1";
 static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end 12345678", "4,5"};
-enum { LINES = sizeof line / sizeof *line };
+enum { LINES = COUNT_OF(line) };
 
 static char file[64], part[64], whole_file[1 << 12]; /* FILE, FILE.part, and what a complete one holds */
 static size_t whole_size;
