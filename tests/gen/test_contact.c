@@ -4,6 +4,7 @@
  * of its simulator. */
 #include "ball.h"
 #include "motion.h"
+#include "scene.h"
 
 #include "contact/contact.h"
 #include "contact/contact_rows.h"
@@ -109,13 +110,11 @@ TEST(impacts_against_integration)
                                             .solver = contact_enclosed};
         const int way = cor_scene_speed_exponent(&contact) == 0 ? COR_SCENE_ZETA : COR_SCENE_BETA;
         assert_int_equal(cor_scene_set_damping(&contact, way, row[i].zeta_or_beta, speed, 0), 0);
-        struct cor_scene_impact got;
-        assert_int_equal(cor_scene_impact(&got, &contact, speed), 0);
+        const struct cor_scene_impact got = scene_impact(&contact, speed);
         against_integration(&got, cor_scene_force_max_n(&contact, speed), &contact, speed, COR_SCENE_MAX_ERROR / 10,
                             1e-9);
-        double eps;
         for (int end = 0; end < COR_SCENE_ENDS; end++)
-            assert_true(cor_scene_eps(&eps, &contact, speed, end) == 0 && fabs(eps - got.eps[end]) <= 1e-14 * eps);
+            check_near(got.eps[end], scene_eps(&contact, speed, end), 1e-14);
     }
 }
 
@@ -145,8 +144,8 @@ TEST(reference_collisions)
         const int end = strcmp(end_name, "zero-force") == 0 ? END_ZERO_FORCE : END_ZERO_OVERLAP;
         assert_true(end == END_ZERO_FORCE ||
                     strcmp(end_name, cor_scene_ends_differ(&contact) ? "zero-overlap" : "both") == 0);
-        struct cor_scene_impact got, proved = {.max_overlap_m = r[2]};
-        assert_int_equal(cor_scene_impact(&got, &contact, n[8]), 0);
+        const struct cor_scene_impact got = scene_impact(&contact, n[8]);
+        struct cor_scene_impact proved = {.max_overlap_m = r[2]};
         proved.eps[end] = r[0];
         proved.duration_s[end] = r[1];
         if (r[0] == 0) { /* the bodies never part */
@@ -167,42 +166,36 @@ TEST(reference_collisions)
 
 /* ---- ways to give a contact ---- */
 
-enum { NO_NUMBER = -1 };
 struct given {
-    int number;
+    int number; /* COR_SCENE_NUMBERS: no more */
     double value;
 };
-static const struct given glass[] = {{COR_SCENE_YOUNG, 7e10},
-                                     {COR_SCENE_POISSON, 0.2},
-                                     {COR_SCENE_RADIUS, 5e-3},
-                                     {COR_SCENE_DENSITY, 2500},
-                                     {NO_NUMBER, 0}};
-static const struct given spring[] = {{COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 1e-3}, {NO_NUMBER, 0}};
+#define GIVEN(...) ((const struct given[]){__VA_ARGS__, {COR_SCENE_NUMBERS, 0}})
+#define GLASS                                                                                                          \
+    GIVEN({COR_SCENE_YOUNG, 7e10}, {COR_SCENE_POISSON, 0.2}, {COR_SCENE_RADIUS, 5e-3}, {COR_SCENE_DENSITY, 2500})
+#define SPRING GIVEN({COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 1e-3})
 
 /* The contacts of a scene with the numbers of two lists */
 static struct contacts contacts_of(int law, int end, const struct given *bodies, const struct given *given)
 {
     struct cor_scene_fault fault;
-    struct contacts c = {
-        .scene = {
-            .law = cor_law_exponents[law], .plate = law == COR_LAW_PLATE, .end = end, .solver = contact_enclosed}};
-    c.law = contact_law(&c.scene.law);
-    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
-        c.scene.number[i] = (double)NAN;
-    for (; bodies->number != NO_NUMBER; bodies++)
+    struct contacts c = {.scene = scene_without_numbers((enum cor_law)law),
+                         .law = contact_law(&cor_law_exponents[law])};
+    c.scene.plate = law == COR_LAW_PLATE;
+    c.scene.end = end;
+    c.scene.solver = contact_enclosed;
+    for (; bodies->number < COR_SCENE_NUMBERS; bodies++)
         c.scene.number[bodies->number] = bodies->value;
-    for (; given->number != NO_NUMBER; given++)
+    for (; given->number < COR_SCENE_NUMBERS; given++)
         c.scene.number[given->number] = given->value;
     assert_int_equal(cor_scene_contacts(c.contact, &c.count, &fault, &c.scene), 0);
     return c;
 }
 
-#define GIVEN(...) ((const struct given[]){__VA_ARGS__, {NO_NUMBER, 0}})
-
 TEST(every_way_of_a_sphere)
 {
     const struct cor_scene_contact contact =
-        contacts_of(0, COR_BOTH_ENDS, glass, GIVEN({COR_SCENE_DISSIPATION_TIME, 5e-7})).contact[0];
+        contacts_of(0, COR_BOTH_ENDS, GLASS, GIVEN({COR_SCENE_DISSIPATION_TIME, 5e-7})).contact[0];
     /* by hand: m = (2/3) pi R^3 rho, R_eff = R/2, E* = E/(2 (1 - nu^2)), K = (4/3) E* sqrt(R_eff) */
     check_near(contact.mass_kg, 2.0 / 3 * 3.14159265358979323846 * 125e-9 * 2500, 1e-14);
     check_near(contact.radius_m, 2.5e-3, 1e-15);
@@ -210,8 +203,7 @@ TEST(every_way_of_a_sphere)
     check_near(cor_scene_damping(&contact, COR_SCENE_DISSIPATION_TIME), 5e-7, 1e-14);
     check_near(cor_scene_beta(&contact, 3), 1.5 * 5e-7 * pow(contact.stiffness / contact.mass_kg, 0.4) * pow(3, 0.2),
                1e-14);
-    struct cor_scene_impact impact;
-    assert_int_equal(cor_scene_impact(&impact, &contact, 3), 0);
+    const struct cor_scene_impact impact = scene_impact(&contact, 3);
     const struct {
         int number;
         double value;
@@ -223,26 +215,24 @@ TEST(every_way_of_a_sphere)
         {COR_SCENE_RESTITUTION, impact.eps[0], 1, COR_BOTH_ENDS},
         {COR_SCENE_DAMPING_COEFFICIENT, cor_scene_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT), 0, COR_BOTH_ENDS},
         {COR_SCENE_BETA, impact.beta, 1, COR_BOTH_ENDS}};
-    double eps;
     for (size_t i = 0; i < COUNT_OF(ways); i++) {
-        const struct contacts got = contacts_of(
-            0, ways[i].end, glass, GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : NO_NUMBER, 3}));
+        const struct contacts got =
+            contacts_of(0, ways[i].end, GLASS,
+                        GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : COR_SCENE_NUMBERS, 3}));
         check_near(got.contact[0].damping, contact.damping, 1e-14);
         /* eps without its end: an answer for each end */
         const bool both = ways[i].number == COR_SCENE_RESTITUTION && ways[i].end == COR_BOTH_ENDS;
         assert_int_equal(got.count, both ? 2 : 1);
-        if (both) {
-            assert_int_equal(cor_scene_eps(&eps, &got.contact[1], 3, END_ZERO_FORCE), 0);
-            check_near(eps, impact.eps[0], 1e-14);
-        }
+        if (both)
+            check_near(scene_eps(&got.contact[1], 3, END_ZERO_FORCE), impact.eps[0], 1e-14);
     }
     const struct contacts viscous =
-        contacts_of(0, COR_BOTH_ENDS, glass, GIVEN({COR_SCENE_VISCOSITY, 2e4}, {COR_SCENE_BULK_VISCOSITY, 3e4}));
+        contacts_of(0, COR_BOTH_ENDS, GLASS, GIVEN({COR_SCENE_VISCOSITY, 2e4}, {COR_SCENE_BULK_VISCOSITY, 3e4}));
     check_near(cor_scene_damping(&viscous.contact[0], COR_SCENE_DISSIPATION_TIME),
                cor_dissipation_time_viscous_s(2e4, 3e4, 7e10, 0.2), 1e-14);
     /* eps = 1 - (g/g*)^(1/5) for slow impacts */
-    assert_int_equal(cor_scene_eps(&eps, &contact, 1e-20, END_ZERO_OVERLAP), 0);
-    check_near(1 - eps, pow(1e-20 / cor_scene_damping(&contact, COR_SCENE_G_STAR), 0.2), 1e-4);
+    check_near(1 - scene_eps(&contact, 1e-20, END_ZERO_OVERLAP),
+               pow(1e-20 / cor_scene_damping(&contact, COR_SCENE_G_STAR), 0.2), 1e-4);
 }
 
 /* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. Integration of
@@ -256,21 +246,20 @@ TEST(stiffness_from_a_duration)
             const int end = k % COR_SCENE_ENDS;
             const double speed = pow(10, k - 3), eps = 0.95 - 0.15 * k, duration = 3e-4 * (k + 1);
             struct cor_scene_fault fault;
-            struct cor_scene scene = {.law = laws[i], .end = end, .solver = contact_enclosed};
+            struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
             struct cor_scene_contact got[COR_SCENE_ENDS], want = {.law = laws[i],
                                                                   .mass_kg = 2e-3,
                                                                   .stiffness = 4e6,
                                                                   .radius_m = NAN,
                                                                   .damping = NAN,
                                                                   .solver = contact_enclosed};
-            struct cor_scene_impact impact;
             int count;
-            for (int n = 0; n < COR_SCENE_NUMBERS; n++)
-                scene.number[n] = (double)NAN;
-            scene.number[COR_SCENE_AT] = speed;
-            scene.number[COR_SCENE_EFFECTIVE_MASS] = want.mass_kg;
+            scene.law = laws[i];
+            scene.end = end;
+            scene.solver = contact_enclosed;
+            scene_give(scene, {COR_SCENE_AT, speed}, {COR_SCENE_EFFECTIVE_MASS, want.mass_kg});
             assert_int_equal(cor_scene_set_damping(&want, COR_SCENE_RESTITUTION, eps, speed, end), 0);
-            assert_int_equal(cor_scene_impact(&impact, &want, speed), 0);
+            struct cor_scene_impact impact = scene_impact(&want, speed);
             scene.number[COR_SCENE_RESTITUTION] = impact.eps[end];
             scene.number[COR_SCENE_DURATION] = impact.duration_s[end];
             assert_int_equal(cor_scene_contacts(got, &count, &fault, &scene), 0);
@@ -281,8 +270,7 @@ TEST(stiffness_from_a_duration)
                 continue;
             scene.number[COR_SCENE_DURATION] = duration;
             assert_int_equal(cor_scene_contacts(got, &count, &fault, &scene), 0);
-            impact = (struct cor_scene_impact){.max_overlap_m = NAN};
-            assert_int_equal(cor_scene_impact(&impact, &got[0], speed), 0);
+            impact = scene_impact(&got[0], speed);
             impact.eps[1 - end] = impact.duration_s[1 - end] = 0;
             impact.duration_s[end] = duration;
             against_integration(&impact, cor_scene_force_max_n(&got[0], speed), &got[0], speed, 1e-11, 1e-5);
@@ -299,31 +287,27 @@ TEST(stiffness_from_a_duration)
 TEST(other_laws)
 {
     const struct cor_scene_contact linear =
-        contacts_of(COR_LAW_LINEAR, END_ZERO_OVERLAP, spring, GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
+        contacts_of(COR_LAW_LINEAR, END_ZERO_OVERLAP, SPRING, GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
     const double l = -log(0.7), pi = 3.14159265358979323846, zeta = l / sqrt(pi * pi + l * l);
     check_near(cor_scene_damping(&linear, COR_SCENE_ZETA), zeta, 1e-14);
     check_near(cor_scene_damping(&linear, COR_SCENE_DAMPING_COEFFICIENT), 2 * zeta * sqrt(1e5 * 1e-3), 1e-14);
-    struct cor_scene_impact impact;
-    assert_int_equal(cor_scene_impact(&impact, &linear, 2), 0);
-    check_near(impact.duration_s[0], pi / sqrt(1 - zeta * zeta) * sqrt(1e-3 / 1e5), 1e-14);
+    check_near(scene_impact(&linear, 2).duration_s[0], pi / sqrt(1 - zeta * zeta) * sqrt(1e-3 / 1e5), 1e-14);
     assert_true(isnan(cor_scene_damping(&linear, COR_SCENE_G_STAR)) &&
                 isnan(cor_scene_damping(&linear, COR_SCENE_DISSIPATION_TIME)));
     /* Zener's plate: A = m/(8 sqrt(B rho h)), the force is K x^(3/2) alone, and there is one end */
     const struct cor_scene_contact plate =
-        contacts_of(COR_LAW_PLATE, COR_BOTH_ENDS, glass,
+        contacts_of(COR_LAW_PLATE, COR_BOTH_ENDS, GLASS,
                     GIVEN({COR_SCENE_PLATE_THICKNESS, 2e-3}, {COR_SCENE_DENSITY_2, 2700}))
             .contact[0];
     const double bending = 7e10 * 8e-9 / (12 * (1 - 0.04)), mass = 4 * pi / 3 * 125e-9 * 2500;
     check_near(cor_scene_damping(&plate, COR_SCENE_DISSIPATION_TIME), mass / (8 * sqrt(bending * 2700 * 2e-3)), 1e-13);
-    assert_int_equal(cor_scene_impact(&impact, &plate, 1), 0);
+    const struct cor_scene_impact impact = scene_impact(&plate, 1);
     assert_true(isnan(impact.eps[END_ZERO_FORCE]) && isnan(impact.duration_s[END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
     /* the inverse where only collisions are enclosed, and no solver */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
-    double eps;
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, END_ZERO_FORCE), 0);
-    assert_int_equal(cor_scene_eps(&eps, &power, 0.5, END_ZERO_FORCE), 0);
-    check_near(eps, 0.3, 1e-14);
+    check_near(scene_eps(&power, 0.5, END_ZERO_FORCE), 0.3, 1e-14);
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 1, 0.5, END_ZERO_FORCE), 0);
     assert_true(power.damping == 0);
     power.solver = NULL;
@@ -345,10 +329,9 @@ TEST(collisions_under_a_constant_force)
                 const struct law law = contact_law(&laws[l]);
                 struct cor_scene_contact contact = {
                     .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = forces[k]};
-                struct cor_scene_impact impact;
                 LOCAL(collision, c);
                 cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, betas[i], 1, 0);
-                assert_int_equal(cor_scene_impact(&impact, &contact, 1), COR_FAULT_NONE);
+                const struct cor_scene_impact impact = scene_impact(&contact, 1);
                 arb_set_d(beta, betas[i]);
                 arb_set_d(force, forces[k]);
                 assert_int_equal(collision_solve_pressed(c, beta, force, &law, COR_BOTH_ENDS, 60), 0);
@@ -405,7 +388,7 @@ TEST(the_time_step_is_for_all_speeds)
 {
     enum { SPEEDS = 5, STEP_COLUMN = 8 };
     for (int ends = 1; ends <= 2; ends++) {
-        const struct contacts contacts = contacts_of(0, ends == 2 ? COR_BOTH_ENDS : COR_END_ZERO_FORCE, glass,
+        const struct contacts contacts = contacts_of(0, ends == 2 ? COR_BOTH_ENDS : COR_END_ZERO_FORCE, GLASS,
                                                      GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4}));
         assert_int_equal(contacts.count, ends);
         double speed[SPEEDS], least = INFINITY;
@@ -413,8 +396,7 @@ TEST(the_time_step_is_for_all_speeds)
             speed[i] = random_log(&draw, 1e-3, 10);
         speed[2] = 20; /* of the shortest contacts, neither first nor last */
         for (int i = 0; i < SPEEDS * ends; i++) {
-            struct cor_scene_impact impact;
-            assert_int_equal(cor_scene_impact(&impact, &contacts.contact[i / SPEEDS], speed[i % SPEEDS]), 0);
+            const struct cor_scene_impact impact = scene_impact(&contacts.contact[i / SPEEDS], speed[i % SPEEDS]);
             for (int end = 0; end < COR_SCENE_ENDS; end++)
                 least = fmin(least, impact.duration_s[end]);
         }
@@ -511,9 +493,9 @@ TEST(hosts_realise_what_is_wished)
     char *const list = contact_simulator_text(&(struct cor_simulator_request){.simulator = CONTACT_SIMULATOR_LIST});
     for (size_t i = 0; i < COUNT_OF(row); i++) {
         char line[40];
-        const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, spring, wished);
-        const size_t tsuji = host_realises(row[i].host, COR_LAW_TSUJI, glass, wished);
-        const size_t sphere = host_realises(row[i].host, COR_LAW_VISCOELASTIC, glass, measured);
+        const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, SPRING, wished);
+        const size_t tsuji = host_realises(row[i].host, COR_LAW_TSUJI, GLASS, wished);
+        const size_t sphere = host_realises(row[i].host, COR_LAW_VISCOELASTIC, GLASS, measured);
         check(linear == row[i].linear && tsuji == row[i].tsuji && sphere == row[i].viscoelastic,
               "%s: %zu linear, %zu Tsuji, %zu viscoelastic", row[i].host, linear, tsuji, sphere);
         snprintf(line, sizeof line, "\n%s ", cor_simulator_named(row[i].host)->name);
@@ -523,8 +505,8 @@ TEST(hosts_realise_what_is_wished)
     assert_int_equal(COUNT_OF(row), cor_simulator_count);
     for (size_t i = 0; i < cor_simulator_count; i++)
         assert_string_equal(cor_simulators[i].name, contact_simulator_names[i]);
-    assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, glass, measured), 1);
-    assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, glass, measured), 2);
+    assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, GLASS, measured), 1);
+    assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, GLASS, measured), 2);
     assert_null(cor_simulator_named("kratos")); /* in the table, without lines */
 }
 
