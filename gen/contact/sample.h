@@ -3,12 +3,9 @@
  * tolerance.
  *
  * The points lie on the curve, and both ends of the range are points. From each point the next is placed as far away as
- * the tolerance allows. That gives the least number of points where a longer segment never has a smaller error, as on
- * every convex or concave part of the curve, and so for eps of spheres over the speed. Over the logarithm of the speed
- * eps has a point of inflection, and one point may be too many. All points are then moved until the segments have the
- * same error; a segment over the inflection may keep a smaller one. If evenly spaced points have a smaller largest
- * error, they are taken. Sampled: tests/gen/test_sample.c compares with an exhaustive search over a grid, and shows
- * that one point fewer fails. */
+ * the tolerance allows (docs/contact.md). All points are then moved until the segments have the same error; a segment
+ * over a point of inflection may keep a smaller one. If evenly spaced points have a smaller largest error, they are
+ * taken. */
 #ifndef COR_GEN_CONTACT_SAMPLE_H
 #define COR_GEN_CONTACT_SAMPLE_H
 

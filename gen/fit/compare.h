@@ -29,10 +29,9 @@ void fit_compare(struct fit_comparison *comparison, const struct fit_data *data,
 
 /* Lines that lie too far from the curve of the first model of the robust fits. The line farthest from the robust fit
  * is left out while n normal errors would reach so far with a probability below 1/20, at most FIT_MAX_OUTLIERS and a
- * fourth of the points. Then the nearest is put back while a line is left out whose distance from the least squares
- * without all of these is no outlier's: the probability, Student's t times the number of lines, is FIT_SIGNIFICANCE or
- * more. With given eps_sigma the tail is the normal one; if those are too small for the other points, too, they are
- * scaled to chi^2 = n - k first. */
+ * fourth of the points. Then the nearest is put back while the probability of one, Student's t times the number of
+ * lines, is FIT_SIGNIFICANCE or more. With given eps_sigma the tail is the normal one; if those are too small for the
+ * other points, too, they are scaled to chi^2 = n - k first. */
 struct fit_outliers {
     int count;
     struct fit_distance outlier[FIT_MAX_OUTLIERS]; /* in sigma of the errors, without the outliers; above 0: eps is too

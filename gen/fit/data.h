@@ -52,17 +52,9 @@ struct fit_form {
 };
 #define FIT_FORM_DEFAULT ((struct fit_form){FIT_UNIT_OF_COLUMN, FIT_GRAVITY_M_S2, 0, false})
 
-/* Reads the file, or standard input if the path is "-". The first line that is neither empty nor a comment (# ...)
- * names the columns, in any order; the names of others are kept, unless one is nearly a name that is read:
- *
- *     speed_m_s (or speed_cm_s, speed_mm_s; or `speed` with a unit), eps, eps_sigma (optional)
- *     t_s, run (optional): the times of the bounces of one ball, in order; a new text in `run` begins another drop
- *
- * Flight k of a ball lasts T_k = t_(k+1) - t_k, so that it lands at the speed g T_k/2 without air drag, and
- * eps = T_(k+1)/T_k at the bounce between two flights.
- *
- * Returns STATUS_OK, STATUS_USAGE after a message with line and column, or STATUS_FAILED if the file cannot be read or
- * has 2^30 bytes. */
+/* Reads the file, or standard input if the path is "-", as docs/fit.md has it. Flight k of a ball lasts T_k = t_(k+1) -
+ * t_k; eps = T_(k+1)/T_k at the bounce between two flights. Returns STATUS_OK, STATUS_USAGE after a message with line
+ * and column, or STATUS_FAILED if the file cannot be read or has 2^30 bytes. */
 int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form);
 /* The same of a text, before text[size] == '\0', which is written to. `name` names it in messages. */
 int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form);

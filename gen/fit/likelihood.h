@@ -20,14 +20,11 @@
  * at most z^2 (s_i given), or t^2 s^2 with Student's t of n - k degrees of freedom (s unknown). In the robust fit that
  * threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n], psi = rho'/2.
  *
- * A curve is judged by p_value. With given s_i, p_value is the tail of chi^2 with n - k degrees of freedom. Without
- * them, and in the robust fit, the points in order of speed are divided into m groups of neighbours, m = n/3, at least
- * k + 1 and at most FIT_MAX_GROUPS. If the curve is right, the means of the residuals of the groups scatter as much as
- * the residuals within the groups do: p_value is the tail of Fisher's F of
+ * A curve is judged by p_value (docs/fit.md, "Verdict"). With given s_i, p_value is the tail of chi^2 with n - k
+ * degrees of freedom. Without them, and in the robust fit, where psi(r_i/s_i) takes the place of r_i, it is the tail of
+ * Fisher's F of m = n/3 groups of neighbours, at least k + 1 and at most FIT_MAX_GROUPS, for
  *
- *     [sum over groups n_j mean_j^2/(m - k)]/[sum (r_i - mean_j)^2/(n - m)]
- *
- * In the robust fit psi(r_i/s_i) takes the place of r_i. Fewer than 2 (k + 1) points are not judged. */
+ *     [sum over groups n_j mean_j^2/(m - k)]/[sum (r_i - mean_j)^2/(n - m)] */
 #ifndef COR_GEN_FIT_LIKELIHOOD_H
 #define COR_GEN_FIT_LIKELIHOOD_H
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The rows of an unfinished sweep, kept in FILE.part until FILE can be written: a line that identifies the sweep, then
- * the rows. Whenever the program ends, FILE.part holds the first rows of the sweep; only its last line may be
- * incomplete. docs/disks.md. */
+/* The rows of an unfinished sweep, kept in FILE.part until FILE can be written (docs/disks.md): a line that identifies
+ * the sweep, then its first rows; only the last line may be incomplete. */
 #ifndef COR_GEN_SWEEP_JOURNAL_H
 #define COR_GEN_SWEEP_JOURNAL_H
 

@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists of exact numbers on a command line: values and ranges, separated by commas.
- *
- *     0.1, 1.5e-3, 1/3       a value
- *     A:B:+S, A:B:-S         A, A + S, A + 2 S, ... up to B, or A, A - S, ... down to B
- *     A:B:lin:N              N values from A to B, equally far apart
- *     A:B:log:N              N values from A to B, each the same multiple of the one before
- *
- * A value that occurs again is left out. Values count as equal if their nearest doubles are. */
+/* Lists of exact numbers on a command line, the LIST of corgen disk-collide --help. A value that occurs again is left
+ * out. Values count as equal if their nearest doubles are. */
 #ifndef COR_GEN_SWEEP_VALUES_H
 #define COR_GEN_SWEEP_VALUES_H
 
