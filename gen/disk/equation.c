@@ -25,16 +25,6 @@ struct wave {
     slong zeros; /* number of zeros of J_n below kappa */
 };
 
-static void wave_init(struct wave *a)
-{
-    FOR_ALL(arb, init, a->z, a->h, a->d, a->k);
-}
-
-static void wave_clear(struct wave *a)
-{
-    FOR_ALL(arb, clear, a->z, a->h, a->d, a->k);
-}
-
 /* Computes the wave from a->z. The zeros of J_m and J_{m+1} interlace, j_{m,k} < j_{m+1,k} < j_{m,k+1}: below kappa,
  * J_m has one zero more than J_{m+1} if J_{m+1}/J_m < 0, and otherwise the same number. Returns 0 if a sign is
  * undecided. */
@@ -103,16 +93,6 @@ void disk_init(struct disk *d, const fmpq_t nu, slong prec)
     d->prec = prec;
 }
 
-void disk_init_round(struct disk *d, const struct disk *wide, slong prec)
-{
-    FOR_ALL(arb, init, d->e, d->s);
-    arb_set_round(d->e, wide->e, prec);
-    arb_set_round(d->s, wide->s, prec);
-    d->e_double = wide->e_double;
-    d->s_double = wide->s_double;
-    d->prec = prec;
-}
-
 void disk_clear(struct disk *d)
 {
     FOR_ALL(arb, clear, d->e, d->s);
@@ -123,18 +103,15 @@ struct waves {
     struct wave a, b; /* of kappa and kappa' */
 };
 
+#define OF_WAVES(w) w->g, w->a.z, w->a.h, w->a.d, w->a.k, w->b.z, w->b.h, w->b.d, w->b.k
 static void waves_init(struct waves *w)
 {
-    arb_init(w->g);
-    wave_init(&w->a);
-    wave_init(&w->b);
+    FOR_ALL(arb, init, OF_WAVES(w));
 }
 
 static void waves_clear(struct waves *w)
 {
-    arb_clear(w->g);
-    wave_clear(&w->a);
-    wave_clear(&w->b);
+    FOR_ALL(arb, clear, OF_WAVES(w));
 }
 
 static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t w)
@@ -213,21 +190,22 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
     LOCAL_VECTOR(t, 3);
     LOCAL(arb, f, df, part, rest);
     LOCAL_INIT(waves, v, (&v));
-    LOCAL_INIT(wave, x, (&x)); /* derivative */
+    LOCAL_INIT(waves, derivative, (&derivative));
+    struct wave *const x = &derivative.a;
     if (!waves_set(&v, disk, n, w))
         return 0;
-    wave_derivative(&x, &v.a, n, prec);
+    wave_derivative(x, &v.a, n, prec);
     if (n == 0) {
-        LET(step, prec, "(disk->e*v.a.d - disk->s*v.a.k)/(disk->e*x.d - disk->s*x.k)", disk->e, v.a.d, disk->s, v.a.k,
-            x.d, x.k);
+        LET(step, prec, "(disk->e*v.a.d - disk->s*v.a.k)/(disk->e*x->d - disk->s*x->k)", disk->e, v.a.d, disk->s, v.a.k,
+            x->d, x->k);
     } else {
         products(t, disk, &v.a, &v.b);
         combine(f, df, t, disk, v.g, n); /* rest is proportional to g, so it equals g times its derivative by g */
-        products(t, disk, &x, &v.b);
+        products(t, disk, x, &v.b);
         combine(part, rest, t, disk, v.g, n);
         arb_add(df, df, part, prec);
-        wave_derivative(&x, &v.b, n, prec);
-        products(t, disk, &v.a, &x);
+        wave_derivative(x, &v.b, n, prec);
+        products(t, disk, &v.a, x);
         combine(part, rest, t, disk, v.g, n);
         LET(step, prec, "f/(df + part)", f, df, part);
     }

@@ -16,11 +16,10 @@
 struct disk {
     arb_t e, s; /* 1 + nu and 1 - nu */
     double e_double, s_double;
-    slong prec;
+    slong prec; /* of the functions below; a copy of the struct may have another */
 };
 
 void disk_init(struct disk *d, const fmpq_t nu, slong prec);
-void disk_init_round(struct disk *d, const struct disk *wide, slong prec); /* the same disk, in fewer bits */
 void disk_clear(struct disk *d);
 
 /* The result of an undecided count; more precision or another w may decide it. */

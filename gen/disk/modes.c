@@ -68,7 +68,7 @@ static bool proved_between(arb_t w, const struct disk *disk, slong n, slong l, c
  * root (n, l). */
 static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
 {
-    struct disk disk;
+    struct disk disk = *wide;
     LOCAL(arb, step, next);
     LOCAL(arf, low, high);
     LOCAL(mag, width);
@@ -76,7 +76,7 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
 
     const slong full = bits + GUARD_BITS;
     slong prec = full < NEWTON_FIRST_BITS ? full : NEWTON_FIRST_BITS;
-    disk_init_round(&disk, wide, prec);
+    disk.prec = prec;
     for (int i = 0; i < NEWTON_MAX; i++) {
         mag_zero(arb_radref(w));
         if (!disk_newton(step, &disk, n, w))
@@ -110,12 +110,9 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
         }
         if (prec < full) {
             const slong reached = 4 * gained + 2 * NEWTON_SLACK;
-            prec = reached < full && reached > prec ? reached : full;
-            disk_clear(&disk);
-            disk_init_round(&disk, wide, prec);
+            disk.prec = prec = reached < full && reached > prec ? reached : full;
         }
     }
-    disk_clear(&disk);
     return proved;
 }
 
@@ -123,11 +120,11 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
  * number of bits. Returns false if `limit` bits do not separate root (n, l) from its neighbour. */
 static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
 {
-    struct disk disk;
+    struct disk disk = *wide;
     LOCAL(arf, low, high, middle);
     LOCAL(arb, x);
     struct precision p = precision_doubling_to(bits < limit / 4 ? 64 : bits, limit);
-    disk_init_round(&disk, wide, p.bits);
+    disk.prec = p.bits;
     bool found = false, enclosed = false, enough = p.bits <= limit;
 
     /* w >= n (n - 1)/10; from there upwards by factors of four */
@@ -147,8 +144,7 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
         slong count = arf_cmp(middle, low) > 0 ? disk_count(&disk, n, x) : DISK_UNDECIDED;
         if (count == DISK_UNDECIDED) {
             enough = precision_raise(&p);
-            disk_clear(&disk);
-            disk_init_round(&disk, wide, p.bits);
+            disk.prec = p.bits;
         } else if (count <= l) {
             arf_set(low, middle);
             if (!enclosed)
@@ -163,7 +159,6 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
             found = newton(w, wide, n, l, bits);
         }
     }
-    disk_clear(&disk);
     return found;
 }
 
@@ -178,11 +173,10 @@ static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t
     }
     done = done || bisection(w, wide, mode->n, mode->l, bits, limit);
     if (done) {
-        struct disk disk;
-        disk_init_round(&disk, wide, bits + GUARD_BITS);
+        struct disk disk = *wide;
+        disk.prec = bits + GUARD_BITS;
         arb_sqrt(mode->omega, w, disk.prec);
         done = disk_amplitudes(mode->c, mode->s, &disk, mode->n, w);
-        disk_clear(&disk);
     }
     return done;
 }
@@ -269,10 +263,9 @@ static void count_order(void *pointer, slong i)
     const slong n = i;
     struct precision p = precision_doubling_to(64, 2 * precision_start(work->digits).limit);
     do {
-        struct disk disk;
-        disk_init_round(&disk, work->disk, p.bits);
+        struct disk disk = *work->disk;
+        disk.prec = p.bits;
         work->below[n] = disk_count(&disk, n, work->w);
-        disk_clear(&disk);
     } while (work->below[n] == DISK_UNDECIDED && precision_raise(&p));
 }
 
