@@ -177,17 +177,14 @@ static int collide_all(struct collide *run, uint64_t first)
 /* ---- output ---- */
 
 /* Reports rows whose status is not ok. */
-static int report_rows(const struct sweep_printer *printer)
+static int report_rows(const struct sweep_printer *p)
 {
-    if (printer->tolerance_not_reached + printer->failed + printer->beyond_theory == 0)
-        return STATUS_OK;
-    if (printer->beyond_theory > 0)
-        return fail("of %" PRIu64 " rows, %" PRIu64 " are beyond Rayleigh's theory and %" PRIu64
-                    " have no eps; the column status says which",
-                    printer->rows, printer->beyond_theory, printer->failed);
-    return fail("of %" PRIu64 " rows, %" PRIu64 " did not reach the tolerance and %" PRIu64
-                " have no eps; the column status says which",
-                printer->rows, printer->tolerance_not_reached, printer->failed);
+    const bool beyond = p->beyond_theory > 0;
+    return p->tolerance_not_reached + p->failed + p->beyond_theory == 0
+               ? STATUS_OK
+               : fail("of %" PRIu64 " rows, %" PRIu64 " %s and %" PRIu64 " have no eps; the column status says which",
+                      p->rows, beyond ? p->beyond_theory : p->tolerance_not_reached,
+                      beyond ? "are beyond Rayleigh's theory" : "did not reach the tolerance", p->failed);
 }
 
 static void print_line(void *context, const char *line)
