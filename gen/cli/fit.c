@@ -7,7 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "fit/report.h"
+#include "fit/compare.h"
 #include "support/console.h"
 #include "support/gnuplot.h"
 
@@ -57,7 +57,7 @@ static int write_results(const struct fit_arguments *o, const struct fit_report 
         opened += status == STATUS_OK;
     }
     if (status == STATUS_OK && o->plot)
-        status = fit_plot(&report->comparison, report->data, file_name(o->data), out[1].file, o->plot);
+        status = fit_plot(report, file_name(o->data), out[1].file, o->plot);
     if (status != STATUS_OK) {
         for (int i = 0; i < opened; i++)
             output_discard(&out[i]);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Fits several models to the same data and ranks them by AIC. */
+/* Fits several models to the same data, ranks them by AIC, and says which fit. */
 #ifndef COR_GEN_FIT_COMPARE_H
 #define COR_GEN_FIT_COMPARE_H
 
 #include "fit/likelihood.h"
+#include "support/output.h"
 
 enum { FIT_MAX_MODELS = 24, FIT_MAX_OUTLIERS = 8 };
 
@@ -43,5 +44,24 @@ void fit_find_outliers(struct fit_outliers *outliers, const struct fit_data *dat
 
 /* Whether nothing speaks against the curve: its p value is at least FIT_SIGNIFICANCE, or not known. */
 bool fit_is_accepted(const struct fit_estimate *estimate);
+
+/* ---- report.c, plot.c: tables, sentences and a picture ---- */
+
+/* The table, the models with the least AIC first: a row for each parameter. As text, the remarks follow. */
+struct fit_report {
+    const struct fit_data *data;
+    const struct fit_request *request;
+    struct fit_comparison comparison;
+    struct fit_outliers outliers;
+    struct fit_comparison without_outliers; /* if there are outliers */
+};
+void fit_report_print(const struct fit_report *report, enum output_format format, FILE *file);
+
+/* What the data are, which models fit and which do not. The lines are for a person; every line ends with LF. */
+void fit_report_remarks(const struct fit_report *report, FILE *file);
+
+/* Writes a picture of the data, their error bars, the fitted curves and the residuals, drawn by gnuplot in the format
+ * of `path` (gnuplot.h). The title is that of the data. Returns STATUS_OK, or STATUS_FAILED after a message. */
+int fit_plot(const struct fit_report *report, const char *title, FILE *out, const char *path);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fit/distribution.h"
+#include "fit/likelihood.h"
 
 #include <math.h>
 

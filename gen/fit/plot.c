@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L
-#include "fit/report.h"
+#include "fit/compare.h"
 
 #include <math.h>
 #include <string.h>
@@ -167,9 +167,8 @@ static FILE *script_of(const struct fit_comparison *c, const struct fit_data *da
     return script;
 }
 
-int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *out,
-             const char *path)
+int fit_plot(const struct fit_report *report, const char *title, FILE *out, const char *path)
 {
-    FILE *const script = script_of(comparison, data, title);
+    FILE *const script = script_of(&report->comparison, report->data, title);
     return script ? gnuplot_run(script, out, path) : STATUS_FAILED;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fit/report.h"
+#include "fit/compare.h"
 
 #include <math.h>
 #include <string.h>

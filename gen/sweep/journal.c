@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "sweep/journal.h"
+#include "sweep/run.h"
 
 #include <errno.h>
 #include <fcntl.h>

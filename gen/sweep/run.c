@@ -14,7 +14,6 @@
 #include "support/decimal.h"
 #include "support/gnuplot.h"
 #include "support/parallel.h"
-#include "sweep/journal.h"
 
 /* Memory for each mode while the modes are found, measured. */
 enum { MODE_BYTES = 900 };

@@ -12,7 +12,6 @@
 
 #include "cor/status.h"
 #include "support/parallel.h"
-#include "sweep/journal.h"
 #include "sweep/run.h"
 
 /* ---- lists ---- */
