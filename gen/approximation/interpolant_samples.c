@@ -196,20 +196,14 @@ static bool needed(const struct interpolant *f, const struct interval *interval,
 static int make_constants(struct interpolant *f, double beta_max)
 {
     const struct law *law = &f->layout->law;
-    const struct ratio n = law_fall_power(law);
     arb_pos_inf(f->threshold);
     if (f->layout->press)
         return STATUS_OK;
-    if (n.num < 0) {
+    if (law_fall_power(law).num <= 0) {
         LOCAL(arb, height);
         const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
         arb_get_mid_arb(f->threshold, f->threshold); /* v counts from this number */
         return status;
-    }
-    if (n.num == 0) {
-        LET(f->threshold, INTERPOLANT_BITS, "sqrt(2*(law->a + 1))", law->a);
-        arb_get_mid_arb(f->threshold, f->threshold);
-        return STATUS_OK;
     }
     const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);
     const bool beyond_samples = beta_max >= fmax(root_end, exp(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_LOG)));

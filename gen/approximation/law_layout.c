@@ -135,11 +135,7 @@ static int find_threshold(struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;
     LOCAL(arb, beta_c, x);
-    int status = STATUS_OK;
-    if (law_is_linear(law))
-        LET(beta_c, CONSTANT_BITS, "sqrt(2*(law->a + 1))", law->a);
-    else
-        status = collision_threshold(beta_c, x, law, CONSTANT_BITS);
+    const int status = collision_threshold(beta_c, x, law, CONSTANT_BITS);
     layout->threshold = ball_middle(beta_c);
     const double below = arf_get_d(arb_midref(beta_c), ARF_RND_DOWN);
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));

@@ -19,12 +19,6 @@ enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel
 #define MORE_ERROR 1.01
 #define SLACK 1e-12
 
-struct law_proof {
-    const struct interpolant *f;
-    enum quantity eps;
-    double *error; /* of each interval, infinite without a proof */
-};
-
 /* ---- the intervals ---- */
 
 /* ln(beta) at the ends of an interval */
@@ -54,7 +48,7 @@ static int prove_interval(struct law_proof *proof, int i, double wanted)
             break;
         status = interpolant_error(&proof->error[i], proof->f, i, proof->eps, &bound);
         const double next = 1.05 * radius_for(interval, bound.modulus[proof->eps], wanted);
-        if (law_proof_error(proof, i) <= wanted || next < 1.02 * rho)
+        if (proof->error[i] <= wanted || next < 1.02 * rho)
             break;
         rho = next;
     }
@@ -92,11 +86,6 @@ void law_proof_free(struct law_proof *proof)
     free(proof);
 }
 
-double law_proof_error(const struct law_proof *proof, int i)
-{
-    return proof->error[i];
-}
-
 int law_proof_interval(double *end, const struct law_proof *proof, double u)
 {
     const struct interpolant_layout *const layout = proof->f->layout;
@@ -104,7 +93,7 @@ int law_proof_interval(double *end, const struct law_proof *proof, double u)
     for (int i = 0; i < layout->intervals; i++) {
         double range[2];
         log_range(range, proof->f, &layout->interval[i]);
-        if (!isfinite(law_proof_error(proof, i)) || u < range[0] - SLACK || u >= range[1] - SLACK ||
+        if (!isfinite(proof->error[i]) || u < range[0] - SLACK || u >= range[1] - SLACK ||
             (found >= 0 && range[1] <= *end))
             continue;
         found = i;
@@ -169,8 +158,8 @@ bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *
     LOCAL(arb_poly, beta, w);
     enclosed_variable(log_beta, lo, hi);
     LET_FUNCTION(beta, "exp(log_beta)", log_beta);
-    const bool done = isfinite(law_proof_error(proof, i)) && variable_of(w, proof, interval, log_beta, beta) &&
-                      to_unit(w, w, interval);
+    const bool done =
+        isfinite(proof->error[i]) && variable_of(w, proof, interval, log_beta, beta) && to_unit(w, w, interval);
     if (done) {
         compose(eps, &proof->f->samples[i].polynomial[proof->eps], w, proof->error[i]);
         LET_FUNCTION(eps, stored[interval->form], eps, beta, power, log_beta);

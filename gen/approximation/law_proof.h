@@ -7,16 +7,17 @@
 
 #include "approximation/interpolant.h"
 
-struct law_proof;
+struct law_proof {
+    const struct interpolant *f;
+    enum quantity eps;
+    double *error; /* bound of |polynomial - stored number| on each interval, infinite without a proof */
+};
 
 /* Proves the intervals of eps, of one end, that meet beta_min to beta_max, with errors below `wanted` if possible. The
  * ellipses are as small as that allows. Returns NULL after a message if a polynomial is shown to be wrong. */
 struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, double beta_min, double beta_max,
                                 double wanted);
 void law_proof_free(struct law_proof *proof);
-
-/* Proved bound of |polynomial - stored number| on interval i, infinite without a proof */
-double law_proof_error(const struct law_proof *proof, int i);
 
 /* The proved interval that contains u = ln(beta), to 1e-12, and reaches farthest, up to *end; -1 if there is none */
 int law_proof_interval(double *end, const struct law_proof *proof, double u);

@@ -5,7 +5,6 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-#include "enclosure/creep_series.h"
 #include "support/console.h"
 #include "support/enclosed_function.h"
 #include "support/local.h"
@@ -20,13 +19,6 @@ enum {
 
 /* ln(beta) from which the creep's series proves the duration at zero overlap. Intervals in sqrt(beta) reach there. */
 #define CREEP_FROM 2.1
-
-struct interpolant_proof {
-    const struct interpolant *f;
-    double (*error)[QUANTITIES]; /* infinite without a proof */
-    struct creep_series creep;
-    arb_t creep_constant; /* C of creep_series.h */
-};
 
 /* ---- the error of the interpolant ---- */
 
@@ -246,11 +238,6 @@ void interpolant_proof_free(struct interpolant_proof *proof)
     arb_clear(proof->creep_constant);
     free(proof->error);
     free(proof);
-}
-
-double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity)
-{
-    return proof->error[i][quantity];
 }
 
 /* ---- a row on a piece of its cell ---- */

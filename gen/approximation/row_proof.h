@@ -10,6 +10,7 @@
 
 #include "approximation/ellipse_bound.h"
 #include "approximation/pieces.h"
+#include "enclosure/creep_series.h"
 
 /* Bounds the error of the interpolant of interval i from a bound of the function in an ellipse. Returns 0, or 1 after
  * reporting that the polynomial contradicts the bound, because a sample is wrong. */
@@ -20,7 +21,12 @@ int interpolant_error(double *error, const struct interpolant *f, int i, enum qu
 void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quantity quantity, double error, double lo,
                     double hi);
 
-struct interpolant_proof;
+struct interpolant_proof {
+    const struct interpolant *f;
+    double (*error)[QUANTITIES]; /* bound of |polynomial - stored number| on each interval; infinite without a proof */
+    struct creep_series creep;
+    arb_t creep_constant; /* C of creep_series.h */
+};
 
 /* Whether the stated bounds on ellipses are proved again, which takes seconds, or used as stated */
 enum ellipse_source { ELLIPSES_PROVED, ELLIPSES_STATED };
@@ -32,11 +38,8 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
                                                 enum ellipse_source source);
 void interpolant_proof_free(struct interpolant_proof *proof);
 
-/* Proved bound of |polynomial - stored number| on interval i; infinite without a proof */
-double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity);
-
 /* The interval's variable x, beta and eps of one end for lo <= x <= hi in interval i, as functions of t
- * (enclosed_function.h); eps where interpolant_proof_error is finite. The error of the interpolant is included. */
+ * (enclosed_function.h); eps where the error is finite. The error of the interpolant is included. */
 void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
                            enum quantity quantity, double lo, double hi);
 

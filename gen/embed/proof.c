@@ -268,8 +268,7 @@ static bool cover_range(struct prover *w, slong row, double lo, double hi)
         const struct interval *const interval = &interpolant_sphere_proof.interval[i];
         const bool by_log = interval->variable == INTERVAL_LOG;
         const double place = by_log ? log_place : root, end = by_log ? log_end : root_end;
-        if (!isfinite(interpolant_proof_error(w->interpolant, i, w->quantity)) || place < interval->lo ||
-            place >= interval->hi)
+        if (!isfinite(w->interpolant->error[i][w->quantity]) || place < interval->lo || place >= interval->hi)
             continue;
         covered = end <= interval->hi;
         add_parts(w, i, row, place, covered ? end : interval->hi,

@@ -43,7 +43,7 @@ int collision_final_speed(arb_t v_f, const struct law *law, slong bits);
 /* h* = v_f^q for spheres: eps_zero_overlap -> (h_star/beta)^5. */
 int collision_h_star(arb_t h_star, slong bits);
 
-/* q < 0: beta_c, from which on the bodies never part at zero overlap, and C* = beta_c^(2/n) x_max there. */
+/* q <= 0: beta_c, from which on the bodies never part at zero overlap, and for q < 0 C* = beta_c^(2/n) x_max there. */
 int collision_threshold(arb_t beta_c, arb_t c_star, const struct law *law, slong bits);
 
 #endif

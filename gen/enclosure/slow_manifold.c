@@ -58,23 +58,18 @@ static void formal_sum(arb_poly_t p, const struct law *law, slong degree, slong 
     _arb_poly_normalise(p);
 }
 
-/* N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)', which starts at y^(degree+1). */
+/* N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)', which starts at y^(degree+1), where P has no more terms */
 static void bound_defect(struct slow_manifold *m, slong degree)
 {
-    const slong prec = m->prec;
-    LOCAL(arb_poly, square, defect, term);
-    LOCAL(arb, factor);
-    arb_poly_mul(square, m->p, m->p, prec);
-    LET(factor, prec, "m->law.a - m->law.b", m->law.a, m->law.b);
-    arb_poly_shift_left(defect, square, 1);
-    arb_poly_scalar_mul(defect, defect, factor, prec);
-    arb_poly_sub(defect, defect, m->p, prec);
-    arb_poly_derivative(term, square, prec);
-    arb_poly_shift_left(term, term, 2);
-    LET(factor, prec, "m->n/2", m->n);
-    arb_poly_scalar_mul(term, term, factor, prec);
-    arb_poly_sub(defect, defect, term, prec);
-    abs_tail(m->nu, defect, degree + 1, m->last, prec);
+    const struct ratio a = m->law.a, b = m->law.b;
+    LOCAL(arb_poly, square);
+    arb_poly_mul(square, m->p, m->p, m->prec);
+    for (slong k = degree + 1; k <= square->length; k++) {
+        const arb_srcptr c = square->coeffs + k - 1;
+        LET(m->nu, m->prec, "m->nu + abs(c*(a - b - m->n*(k - 1)/2))*m->last^k", m->nu, c, a, b, m->n, k, m->last);
+    }
+    arb_get_ubound_arf(arb_midref(m->nu), m->nu, m->prec);
+    mag_zero(arb_radref(m->nu));
 }
 
 /* eta: 2^-bits plus four times the defect */

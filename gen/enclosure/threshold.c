@@ -122,9 +122,13 @@ static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *l
 
 int collision_threshold(arb_t beta_c, arb_t c_star, const struct law *law, slong bits)
 {
-    if (law_fall_power(law).num >= 0)
-        return fail("a threshold of damping exists for q < 0 only");
     slong prec = bits + GUARD_BITS;
+    if (law_fall_power(law).num > 0)
+        return fail("a threshold of damping exists for q <= 0 only");
+    if (law_is_linear(law)) {
+        LET(beta_c, prec, "sqrt(2*(law->a + 1))", law->a);
+        return STATUS_OK;
+    }
     for (int i = 0; i < ATTEMPTS; i++, prec += prec / 2) {
         const bool found = unstable_height(c_star, law, prec) && find_threshold(beta_c, c_star, law, bits, prec);
         progress_end();

@@ -192,13 +192,13 @@ static bool bound_power(struct power_bounds *b, int i, const struct power_eviden
     return arb_is_positive(divisor);
 }
 
-bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, const arb_t U, const arb_t rho)
+bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, double U, double rho)
 {
     const slong rows = e->t->order + 1, columns = 2 * e->J + 1;
     LOCAL(mag, U_mag, rho_mag);
     mag_ptr z = _mag_vec_init(columns), power = _mag_vec_init(columns);
-    arb_get_mag(U_mag, U);
-    arb_get_mag(rho_mag, rho);
+    mag_set_d(U_mag, U);
+    mag_set_d(rho_mag, rho);
     bool bounded = bound_inverse(b->inverse, power, e, U_mag, rho_mag);
     if (bounded)
         columns_of(z, e->J + 1, e->t->x, rows, 0, 0, U_mag, rho_mag);

@@ -45,6 +45,6 @@ void power_bounds_clear(struct power_bounds *b);
 LOCAL_STRUCT(power_bounds)
 
 /* Returns false if the weights are too large for a proof. */
-bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, const arb_t U, const arb_t rho);
+bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, double U, double rho);
 
 #endif

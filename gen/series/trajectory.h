@@ -29,7 +29,8 @@ void trajectory_clear(struct trajectory *t);
  *
  *   sum_k U^k sum_{j > terms} |row[k]_j| rho^j <= delta       over the rows k = 0..order. */
 struct trajectory_tail {
-    arb_t delta, U, rho;
+    arb_t delta;
+    double U, rho;
 };
 
 void trajectory_tail_init(struct trajectory_tail *tail);

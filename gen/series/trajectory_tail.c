@@ -34,7 +34,7 @@ enum {
  * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1), by expm1 so that a tiny nu delta does not cancel; e is that
  * of the tail's first coefficient. Returns false if nu delta is not below 1. */
 static bool image_of_ball(arb_t image, const arb_t delta, const struct power_bounds *b, const struct power_evidence *e,
-                          const struct trajectory *t, const arb_t U, const arb_t rho)
+                          const struct trajectory *t, double U, double rho)
 {
     const struct ratio a = e->exponent[0], b1 = e->exponent[1];
     const arb_srcptr size = b->size[e->powers - 1], error = b->error[e->powers - 1];
@@ -52,23 +52,23 @@ static bool image_of_ball(arb_t image, const arb_t delta, const struct power_bou
 /* (3.4): finds a delta such that G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
  * delta. The first trial is twice that bound, and the second twice the image of the first ball. Returns false if the
  * proof does not succeed with these weights. */
-static bool prove_at(arb_t delta, const struct power_evidence *e, const struct trajectory *t, const arb_t U,
-                     const arb_t rho)
+static bool prove_at(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t)
 {
     enum { BALLS = 3 };
     LOCAL(power_bounds, bounds);
     LOCAL(arb, image);
     LOCAL(mag, radius);
     bool proved = false;
-    arb_zero(delta);
-    if (!power_bounds_prove(bounds, e, U, rho))
+    arb_zero(tail->delta);
+    if (!power_bounds_prove(bounds, e, tail->U, tail->rho))
         return false;
-    for (int ball = 0; ball < BALLS && !proved && image_of_ball(image, delta, bounds, e, t, U, rho); ball++) {
-        proved = arb_le(image, delta);
+    for (int ball = 0; ball < BALLS && !proved && image_of_ball(image, tail->delta, bounds, e, t, tail->U, tail->rho);
+         ball++) {
+        proved = arb_le(image, tail->delta);
         if (!proved) {
             arb_get_mag(radius, image);
-            arb_set_upper(delta, radius);
-            arb_mul_2exp_si(delta, delta, 1);
+            arb_set_upper(tail->delta, radius);
+            arb_mul_2exp_si(tail->delta, tail->delta, 1);
         }
     }
     return proved;
@@ -76,12 +76,12 @@ static bool prove_at(arb_t delta, const struct power_evidence *e, const struct t
 
 void trajectory_tail_init(struct trajectory_tail *tail)
 {
-    FOR_ALL(arb, init, tail->delta, tail->U, tail->rho);
+    arb_init(tail->delta);
 }
 
 void trajectory_tail_clear(struct trajectory_tail *tail)
 {
-    FOR_ALL(arb, clear, tail->delta, tail->U, tail->rho);
+    arb_clear(tail->delta);
 }
 
 /* log2 of the largest error that the tail causes in x_k^(m)(t0) t0^m/m!, k + m = order. */
@@ -111,23 +111,22 @@ static bool best_trial(struct trajectory_tail *tail, const struct power_evidence
     const slong shift = t->shift;
     LOCAL(trajectory_tail, trial);
     double best = HUGE_VAL;
-    LOCAL(arb, s0);
+    LOCAL(arb, s0, rho);
     LET(s0, NORM_BITS, "t0^(a + 1)/2^shift", t0, a, shift);
     for (int i = 0; i < TRIAL_PARTS; i++) {
         double best_here = HUGE_VAL;
         const double radius = 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1);
-        LET(trial->rho, NORM_BITS, "radius^(a + 1)*s0", radius, a, s0);
-        arb_get_mid_arb(trial->rho, trial->rho);
+        LET(rho, NORM_BITS, "radius^(a + 1)*s0", radius, a, s0);
+        trial->rho = ball_middle(rho);
         for (int k = TRIAL_U_MAX; k >= TRIAL_U_MIN; k--) {
-            arb_one(trial->U);
-            arb_mul_2exp_si(trial->U, trial->U, k);
-            if (!prove_at(trial->delta, e, t, trial->U, trial->rho))
+            trial->U = exp2(k);
+            if (!prove_at(trial, e, t))
                 continue;
             const double quality = tail_quality(trial, t, t0);
             if (quality < best) {
-                arb_set(tail->delta, trial->delta);
-                arb_set(tail->U, trial->U);
-                arb_set(tail->rho, trial->rho);
+                arb_swap(tail->delta, trial->delta);
+                tail->U = trial->U;
+                tail->rho = trial->rho;
                 best = quality;
             }
             if (quality >= best_here)

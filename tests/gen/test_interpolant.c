@@ -21,17 +21,6 @@ static double relative(const arb_t x, const arb_t y)
     return arf_get_d(bound, ARF_RND_UP);
 }
 
-TEST(test_points)
-{
-    for (slong n = 1; n < 60; n += 7)
-        for (slong j = 0; j < n; j++) {
-            const double x = chebyshev_point(j, n);
-            assert_true(x > -1 && x < 1 && fabs(x + chebyshev_point(n - 1 - j, n)) < 1e-15);
-            assert_true(fabs(cos((double)n * acos(x))) < 1e-13);
-            assert_true(j == 0 || x > chebyshev_point(j - 1, n));
-        }
-}
-
 /* Up to beta = 3/8, where the loss has a quotient of its own. */
 TEST(test_small_beta)
 {
@@ -89,4 +78,4 @@ TEST(test_check_at_ends)
     interpolant_free(f);
 }
 
-RUN_TESTS(test_points, test_small_beta, test_check_at_ends)
+RUN_TESTS(test_small_beta, test_check_at_ends)

@@ -262,8 +262,8 @@ TEST(test_samples)
 /* The proof knows its intervals, and no others. */
 TEST(test_unknown)
 {
-    assert_true(interpolant_proof_error(proof, 0, EPS_ZERO_OVERLAP) < 1e-20);
-    assert_false(interpolant_proof_error(proof, 5, EPS_ZERO_OVERLAP) < HUGE_VAL);
+    assert_true(proof->error[0][EPS_ZERO_OVERLAP] < 1e-20);
+    assert_false(proof->error[5][EPS_ZERO_OVERLAP] < HUGE_VAL);
     struct pieces p = tables[0];
     const double c[12] = {0.5};
     p.rows = 57;
