@@ -67,23 +67,8 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
 struct collecting {
     struct references *references;
     const struct law *law;
-    slong beta_max, near, small;
     atomic_bool failed;
 };
-
-/* near (i + 1)/even, or near 2^(-SMALL_STEP j), or near (5/4)^j but at most beta_max */
-static void reference_place(fmpq_t beta, const struct collecting *work, slong i)
-{
-    const slong even = work->references->even, near = work->near, j = i - even + 1, above = j - work->small;
-    if (i < even)
-        EXACT(beta, "near*(i + 1)/even", near, i, even);
-    else if (above <= 0)
-        EXACT(beta, "near/2^(SMALL_STEP*j)", near, SMALL_STEP, j);
-    else
-        EXACT(beta, "near*(FAR_STEP/(FAR_STEP - 1))^above", near, FAR_STEP, above);
-    if (fmpq_cmp_si(beta, work->beta_max) > 0)
-        fmpq_set_si(beta, work->beta_max, 1);
-}
 
 static void reference_collide(void *context, slong i)
 {
@@ -91,7 +76,6 @@ static void reference_collide(void *context, slong i)
     struct references *const s = work->references;
     LOCAL(collision, c);
     LOCAL(arb, beta);
-    reference_place(s->beta + i, work, i);
     arb_set_fmpq(beta, s->beta + i, 2 * BITS);
     if (collision_solve(c, beta, work->law, BITS) != STATUS_OK)
         atomic_store(&work->failed, true);
@@ -108,7 +92,18 @@ int references_init(struct references *s, const struct law *law, slong beta_max,
     s->beta = _fmpq_vec_init(s->count);
     for (int end = 0; end < 2; end++)
         s->eps[end] = _arb_vec_init(s->count);
-    struct collecting work = {.references = s, .law = law, .beta_max = beta_max, .near = near, .small = small};
+    for (slong i = 0; i < s->count; i++) {
+        const slong j = i - even + 1, above = j - small;
+        if (i < even)
+            EXACT(s->beta + i, "near*(i + 1)/even", near, i, even);
+        else if (above <= 0)
+            EXACT(s->beta + i, "near/2^(SMALL_STEP*j)", near, SMALL_STEP, j);
+        else
+            EXACT(s->beta + i, "near*(FAR_STEP/(FAR_STEP - 1))^above", near, FAR_STEP, above);
+        if (fmpq_cmp_si(s->beta + i, beta_max) > 0)
+            fmpq_set_si(s->beta + i, beta_max, 1);
+    }
+    struct collecting work = {.references = s, .law = law};
     parallel_for(reference_collide, &work, s->count, "collisions to compare with");
     if (!atomic_load(&work.failed))
         return STATUS_OK;

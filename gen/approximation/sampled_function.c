@@ -24,6 +24,13 @@ struct block {
     arb_poly_t polynomial; /* in t, -1 <= t <= 1 */
 };
 
+struct sampled_function {
+    const struct pieces *p;
+    function_of_ball *value;
+    const void *what;
+    struct block *block;
+};
+
 static int block_make(struct block *b, const struct sampled_function *s)
 {
     LOCAL_VECTOR(at, BLOCK_POINTS);
@@ -65,34 +72,6 @@ static int block_check(const struct block *b, const struct sampled_function *s)
                : fail("%s: the polynomial on [%g, %g] is off by %.1e", s->p->name, b->lo, b->hi, worst);
 }
 
-int sampled_function_make(struct sampled_function *s)
-{
-    const slong rows = s->p->rows;
-    int status = STATUS_OK;
-    s->blocks = (rows + BLOCK_ROWS - 1) / BLOCK_ROWS;
-    s->block = xmalloc((size_t)s->blocks * sizeof *s->block);
-    for (slong i = 0; i < s->blocks; i++) {
-        struct block *const b = &s->block[i];
-        const slong first = i * BLOCK_ROWS, last = first + BLOCK_ROWS < rows ? first + BLOCK_ROWS : rows;
-        const struct cell from = pieces_cell(s->p, first), to = pieces_cell(s->p, last - 1);
-        b->lo = ldexp(from.lo, (int)from.octave);
-        b->hi = ldexp(to.hi, (int)to.octave);
-        arb_poly_init(b->polynomial);
-        if (status == STATUS_OK)
-            status = block_make(b, s);
-        if (status == STATUS_OK)
-            status = block_check(b, s);
-    }
-    return status;
-}
-
-void sampled_function_clear(struct sampled_function *s)
-{
-    for (slong i = 0; i < s->blocks; i++)
-        arb_poly_clear(s->block[i].polynomial);
-    free(s->block);
-}
-
 static int samples_at(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y)
 {
     const struct sampled_function *const s = context;
@@ -107,7 +86,24 @@ static int samples_at(arb_t f, const void *context, const struct pieces *p, cons
     return STATUS_OK;
 }
 
-struct pieces_function pieces_of_samples(const struct sampled_function *s)
+int sampled_function_write(struct emit *e, struct pieces *p, function_of_ball *value, const void *what)
 {
-    return (struct pieces_function){samples_at, s};
+    const slong rows = p->rows, blocks = (rows + BLOCK_ROWS - 1) / BLOCK_ROWS;
+    const struct sampled_function s = {p, value, what, xmalloc((size_t)blocks * sizeof *s.block)};
+    int status = STATUS_OK;
+    for (slong i = 0; i < blocks; i++) {
+        struct block *const b = &s.block[i];
+        const struct cell from = pieces_cell(p, i * BLOCK_ROWS);
+        const struct cell to = pieces_cell(p, FLINT_MIN((i + 1) * BLOCK_ROWS, rows) - 1);
+        b->lo = ldexp(from.lo, (int)from.octave);
+        b->hi = ldexp(to.hi, (int)to.octave);
+        arb_poly_init(b->polynomial);
+        status = status || block_make(b, &s) || block_check(b, &s);
+    }
+    if (status == STATUS_OK)
+        status = pieces_write(e, p, (struct pieces_function){samples_at, &s});
+    for (slong i = 0; i < blocks; i++)
+        arb_poly_clear(s.block[i].polynomial);
+    free(s.block);
+    return status;
 }

@@ -12,18 +12,7 @@
 /* f at y, or at y 2^k of octave k, enclosed with a working precision of `prec` bits if `proved`, otherwise a sample */
 typedef void function_of_ball(arb_t f, const void *what, const arb_t y, bool proved, slong prec);
 
-struct sampled_function {
-    const struct pieces *p; /* the grid; VARIABLE_OTHER, or one of octaves */
-    function_of_ball *value;
-    const void *what;
-    struct block *block;
-    slong blocks;
-};
-
-/* Returns 0, or 1 after reporting where the function could not be sampled. sampled_function_clear in either case. */
-int sampled_function_make(struct sampled_function *s);
-void sampled_function_clear(struct sampled_function *s);
-
-struct pieces_function pieces_of_samples(const struct sampled_function *s);
+/* Cuts p, a table of VARIABLE_OTHER or one of octaves, and writes it, as pieces_write. */
+int sampled_function_write(struct emit *e, struct pieces *p, function_of_ball *value, const void *what);
 
 #endif

@@ -391,12 +391,7 @@ static int emit_times(struct emit *e, const struct time_rows *rows, slong head_b
                        .title = rows->title,
                        .head_bits = head_bits,
                        .least_bits = rows->least_bits};
-    struct sampled_function f = {.p = &p, .value = time_at, .what = rows};
-    int status = sampled_function_make(&f);
-    if (status == STATUS_OK)
-        status = pieces_write(e, &p, pieces_of_samples(&f));
-    sampled_function_clear(&f);
-    return status;
+    return sampled_function_write(e, &p, time_at, rows);
 }
 
 /* head_bits of c_0, 0: all */

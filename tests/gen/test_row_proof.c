@@ -154,27 +154,25 @@ static int clear_proof(void **state)
     {                                                                                                                  \
         .name = "rows", .title = "rows", .root = 2, .degree = 10, .octave_bits = 3, __VA_ARGS__                        \
     }
-static const struct pieces tables[] =
-    {
-        TABLE(.quantity = EPS_ZERO_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8,
-              .plain = 8),
-        TABLE(.quantity = EPS_ZERO_FORCE, .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .end = 0.9, .rows = 16,
-              .plain = 4),
-        TABLE(.quantity = EPS_ZERO_FORCE, .variable = VARIABLE_POWER_OCTAVES, .first = -8, .end = 0.015625, .rows = 16,
-              .plain = 16),
-        TABLE(.quantity = LOSS_QUOTIENT_ZERO_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8,
-              .plain = 8, .head_bits = 26),
-        TABLE(.quantity = DURATION_ZERO_FORCE, .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .end = 0.9, .rows = 16,
-              .plain = 16),
-        TABLE(.quantity = MAX_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8, .plain = 8),
-},
-                           inverse_tables[] = {
-                               TABLE(.quantity = BETA_QUOTIENT_ZERO_OVERLAP, .variable = VARIABLE_LOSS, .step = 0.0625,
-                                     .end = 0.5, .rows = 9, .plain = 9, .head_bits = 26),
-                               TABLE(.quantity = BETA_QUOTIENT_ZERO_FORCE, .variable = VARIABLE_ROOT_LOSS,
-                                     .step = 0.03125, .end = 0.5, .rows = 24, .plain = 24, .head_bits = 26),
-                               TABLE(.quantity = BETA_ZERO_OVERLAP, .variable = VARIABLE_EPS_OCTAVES, .first = -2,
-                                     .end = 0.5, .rows = 8, .plain = 8),
+static const struct pieces tables[] = {
+    TABLE(.quantity = EPS_ZERO_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8, .plain = 8),
+    TABLE(.quantity = EPS_ZERO_FORCE, .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .end = 0.9, .rows = 16,
+          .plain = 4),
+    TABLE(.quantity = EPS_ZERO_FORCE, .variable = VARIABLE_POWER_OCTAVES, .first = -8, .end = 0.015625, .rows = 16,
+          .plain = 16),
+    TABLE(.quantity = LOSS_QUOTIENT_ZERO_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8,
+          .plain = 8, .head_bits = 26),
+    TABLE(.quantity = DURATION_ZERO_FORCE, .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .end = 0.9, .rows = 16,
+          .plain = 16),
+    TABLE(.quantity = MAX_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8, .plain = 8),
+};
+static const struct pieces inverse_tables[] = {
+    TABLE(.quantity = BETA_QUOTIENT_ZERO_OVERLAP, .variable = VARIABLE_LOSS, .step = 0.0625, .end = 0.5, .rows = 9,
+          .plain = 9, .head_bits = 26),
+    TABLE(.quantity = BETA_QUOTIENT_ZERO_FORCE, .variable = VARIABLE_ROOT_LOSS, .step = 0.03125, .end = 0.5, .rows = 24,
+          .plain = 24, .head_bits = 26),
+    TABLE(.quantity = BETA_ZERO_OVERLAP, .variable = VARIABLE_EPS_OCTAVES, .first = -2, .end = 0.5, .rows = 8,
+          .plain = 8),
 };
 
 /* What turns the proof of one row red: any coefficient but c_0 wrong by 2^-49 of the row's value, c_0' dropped, and a
