@@ -154,6 +154,19 @@ TEST(test_zero_force)
     }
 }
 
+/* |C_(k+1)/C_k| -> 1/h* */
+TEST(test_radius)
+{
+    LOCAL(series, s);
+    LOCAL(arb, x, y, z);
+    assert_int_equal(series_compute(s, 60, &law_sphere, 80), 0);
+    assert_int_equal(collision_h_star(y, 80), 0);
+    arb_poly_get_coeff_arb(x, s->c, 60);
+    arb_poly_get_coeff_arb(z, s->c, 59);
+    LET(x, 80, "z/x/y", z, x, y);
+    assert_true(fabs(middle(x) + 1) < 0.05);
+}
+
 /* Peaks of memory in docs/speed/generator.csv, less the 7.5 MB of a program that computes little */
 TEST(test_memory)
 {
@@ -167,4 +180,4 @@ TEST(test_memory)
     }
 }
 
-RUN_TESTS(test_collisions, test_exact_zeros, test_verdicts, test_zero_force, test_memory)
+RUN_TESTS(test_collisions, test_exact_zeros, test_verdicts, test_zero_force, test_radius, test_memory)
