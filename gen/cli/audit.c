@@ -8,7 +8,6 @@
 
 #include "cli/commands.h"
 #include "contact/contact.h"
-#include "contact/contact_rows.h"
 #include "cor/audit.h"
 #include "support/console.h"
 #include "support/output.h"

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/subcommand.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"

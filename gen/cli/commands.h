@@ -4,7 +4,7 @@
 #define COR_GEN_CLI_COMMANDS_H
 
 #include "approximation/pade.h"
-#include "cli/subcommand.h"
+#include "cli/options.h"
 #include "embed/request.h"
 #include "fit/data.h"
 #include "plan/plan.h"

@@ -6,7 +6,6 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "contact/contact_rows.h"
 #include "support/console.h"
 #include "support/gnuplot.h"
 

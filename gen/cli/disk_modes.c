@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "cli/commands.h"
-#include "cli/subcommand.h"
 #include "disk/modes.h"
 #include "support/console.h"
 #include "support/digits.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/subcommand.h"
+#include "cli/options.h"
 
 #include <errno.h>
 #include <stdlib.h>

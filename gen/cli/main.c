@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/commands.h"
-#include "cli/subcommand.h"
 #include "support/console.h"
 
 /* The subcommands in the order of corgen --help. A new subcommand needs a file beside this one and a line here. */

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "cli/commands.h"
-#include "cli/subcommand.h"
 #include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/subcommand.h"
 #include "series/trajectory.h"
 #include "support/console.h"
 #include "support/local.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "contact/contact_rows.h"
+#include "contact/contact.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "contact/contact_rows.h"
+#include "contact/contact.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact/contact_rows.h"
 #include "support/console.h"
 #include "support/output.h"
 

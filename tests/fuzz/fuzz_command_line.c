@@ -16,7 +16,6 @@
 
 #include "approximation/interpolant.h"
 #include "cli/commands.h"
-#include "cli/subcommand.h"
 #include "disk/modes.h"
 #include "embed/choose.h"
 #include "fuzz.h"
