@@ -83,74 +83,58 @@ int contact_end(const struct contacts *contacts, int contact)
     return cor_scene_ends_differ(&contacts->contact[0]) ? COR_BOTH_ENDS : COR_END_ZERO_OVERLAP;
 }
 
-/* The impacts of the rows, in seconds, or in a unit of its own where mass and stiffness are not known */
-struct timed {
-    const double *speed_m_s;
-    size_t rows, speeds;
-    struct cor_scene_contact contact[COR_SCENE_ENDS];
-    int end[COR_SCENE_ENDS];
-    struct cor_scene_impact *impact;
-    bool known;
-    double time_step;
+/* A row, in seconds, or in a unit of its own where mass and stiffness are not known */
+struct row {
+    const struct cor_scene_contact *contact;
+    double speed_m_s, elastic_duration_s;
+    int end;
+    struct cor_scene_impact impact;
 };
 
-static double elastic_duration(const struct timed *t, size_t row)
+static bool is_end(const struct row *row, int end)
 {
-    return cor_scene_elastic_duration_s(&t->contact[row / t->speeds], t->speed_m_s[row % t->speeds]);
-}
-
-static bool is_end(const struct timed *t, size_t row, int end)
-{
-    return t->end[row / t->speeds] == COR_BOTH_ENDS || t->end[row / t->speeds] == end;
+    return row->end == COR_BOTH_ENDS || row->end == end;
 }
 
 /* The largest step for a tolerance, in three digits, of which the last is rounded down: cor_scene_step_for has no more.
  */
-static int step_for(struct timed *t, const struct cor_simulator_request *request)
+static int step_for(double *time_step, const struct row *row, size_t rows, const struct cor_simulator_request *request)
 {
     double least = INFINITY, n;
-    for (size_t i = 0; i < t->rows; i++)
-        for (int end = 0; end < COR_SCENE_ENDS; end++) {
-            if (!is_end(t, i, end))
-                continue;
-            const int status = cor_scene_step_for(&n, &t->contact[i / t->speeds], t->speed_m_s[i % t->speeds], end,
-                                                  request->step_tolerance, request->integrator);
-            if (status == COR_FAULT_STEP)
-                return fail("no time step found at which bias and scatter of eps stay below %g at %g m/s",
-                            request->step_tolerance, t->speed_m_s[i % t->speeds]);
-            if (status != COR_FAULT_NONE)
-                return contact_status(status);
-            least = fmin(least, elastic_duration(t, i) / n);
-        }
+    for (size_t i = 0; i < COR_SCENE_ENDS * rows; i++) {
+        const struct row *const r = &row[i / COR_SCENE_ENDS];
+        const int end = (int)(i % COR_SCENE_ENDS);
+        if (!is_end(r, end))
+            continue;
+        const int status =
+            cor_scene_step_for(&n, r->contact, r->speed_m_s, end, request->step_tolerance, request->integrator);
+        if (status == COR_FAULT_STEP)
+            return fail("no time step found at which bias and scatter of eps stay below %g at %g m/s",
+                        request->step_tolerance, r->speed_m_s);
+        if (status != COR_FAULT_NONE)
+            return contact_status(status);
+        least = fmin(least, r->elastic_duration_s / n);
+    }
     const double unit = pow(10, floor(log10(least)) - 2);
-    t->time_step = floor(least / unit) * unit;
+    *time_step = floor(least / unit) * unit;
     return STATUS_OK;
 }
 
-/* Fills all but speeds and rows. */
-static int timed_fill(struct timed *t, const struct contacts *contacts, const struct cor_simulator_request *request)
+/* The impacts of all rows but contacts, speeds and ends, and the time step */
+static int fill_rows(double *time_step, struct row *row, size_t rows, const struct cor_simulator_request *request)
 {
     double least = INFINITY; /* the shortest duration, of the ends that are known */
-    t->known = !isnan(contacts->contact[0].mass_kg);
-    for (int i = 0; i < contacts->count; i++) {
-        t->contact[i] = contacts->contact[i];
-        t->end[i] = contact_end(contacts, i);
-        if (!t->known)
-            t->contact[i].mass_kg = t->contact[i].stiffness = 1;
-    }
-    for (size_t i = 0; i < t->rows; i++) {
-        progress("impacts", (long)i, (long)t->rows);
-        const int status =
-            contact_status(cor_scene_impact(&t->impact[i], &t->contact[i / t->speeds], t->speed_m_s[i % t->speeds]));
+    for (size_t i = 0; i < rows; i++) {
+        struct row *const r = &row[i];
+        progress("impacts", (long)i, (long)rows);
+        const int status = contact_status(cor_scene_impact(&r->impact, r->contact, r->speed_m_s));
         if (status != STATUS_OK)
             return status;
-        for (int end = 0; end < COR_SCENE_ENDS; end++)
-            least = fmin(least, t->impact[i].duration_s[end]);
+        r->elastic_duration_s = cor_scene_elastic_duration_s(r->contact, r->speed_m_s);
+        least = fmin(least, fmin(r->impact.duration_s[0], r->impact.duration_s[1]));
     }
-    t->time_step = request->time_step_s > 0 ? request->time_step_s
-                   : isinf(least)           ? (double)NAN
-                                            : least / request->steps;
-    return request->step_tolerance > 0 ? step_for(t, request) : STATUS_OK;
+    *time_step = request->time_step_s > 0 ? request->time_step_s : isinf(least) ? (double)NAN : least / request->steps;
+    return request->step_tolerance > 0 ? step_for(time_step, row, rows, request) : STATUS_OK;
 }
 
 /* ---- the impacts ---- */
@@ -171,15 +155,15 @@ static const struct cor_scene_quantity *corrected_quantity(const struct contacts
 enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6 };
 
 /* Bias and scatter of a row, and its corrected damping; NaN where the step is too long or too short */
-static int add_step(struct table *table, const struct timed *t, size_t row, const struct cor_simulator_request *request,
-                    const struct cor_scene_quantity *quantity)
+static int add_step(struct table *table, const struct row *row, double time_step,
+                    const struct cor_simulator_request *request, const struct cor_scene_quantity *quantity)
 {
-    const struct cor_scene_contact *const contact = &t->contact[row / t->speeds];
-    const double speed = t->speed_m_s[row % t->speeds], steps = elastic_duration(t, row) / t->time_step;
+    const struct cor_scene_contact *const contact = row->contact;
+    const double speed = row->speed_m_s, steps = row->elastic_duration_s / time_step;
     struct cor_step_error error;
     struct cor_scene_contact corrected;
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
-        if (!is_end(t, row, end))
+        if (!is_end(row, end))
             continue;
         int status = cor_scene_step_error(&error, contact, speed, end, steps, request->integrator);
         if (status != COR_FAULT_NONE && status != COR_FAULT_STEP)
@@ -201,15 +185,25 @@ static int add_step(struct table *table, const struct timed *t, size_t row, cons
 int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
                  int digits)
 {
-    const double *const speed_m_s = request->speed_m_s;
-    const size_t speeds = request->speeds;
+    const size_t speeds = request->speeds, rows = (size_t)contacts->count * speeds;
     const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* by Hertz */
-    struct timed t = {.speed_m_s = speed_m_s, .rows = (size_t)contacts->count * speeds, .speeds = speeds};
-    t.impact = xmalloc(t.rows * sizeof *t.impact);
-    int status = timed_fill(&t, contacts, request);
+    const double known = isnan(contacts->contact[0].mass_kg) ? (double)NAN : 1;
+    struct cor_scene_contact timed[COR_SCENE_ENDS];
+    struct row *const row = xmalloc(rows * sizeof *row);
+    double time_step = NAN;
+    for (int i = 0; i < contacts->count; i++) {
+        timed[i] = contacts->contact[i];
+        if (isnan(known))
+            timed[i].mass_kg = timed[i].stiffness = 1;
+    }
+    for (size_t i = 0; i < rows; i++)
+        row[i] = (struct row){.contact = &timed[i / speeds],
+                              .speed_m_s = request->speed_m_s[i % speeds],
+                              .end = contact_end(contacts, (int)(i / speeds))};
+    int status = fill_rows(&time_step, row, rows, request);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     const char *const *const end = ends_of(contacts);
-    const bool both = t.end[0] == COR_BOTH_ENDS;
+    const bool both = contact_end(contacts, 0) == COR_BOTH_ENDS;
     char header[HEADER], kinds[] = "nnnnnnnnnnnnnnnnnn";
     if (contacts->count > 1)
         kinds[9 + (request->step_errors ? (both ? 4 : 2) : 0) + (request->step_corrected ? 2 : 0)] = 't';
@@ -224,33 +218,33 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
              request->step_corrected ? quantity->name : "", contacts->count > 1 ? ",measured_end" : "",
              spheres ? ",contact_radius_m,max_pressure_pa" : "");
     table_init(table, header, kinds);
-    for (size_t i = 0; i < t.rows && status == STATUS_OK; i++) {
-        const double known = t.known ? 1 : (double)NAN;
-        const double value[] = {t.impact[i].beta,
-                                t.impact[i].eps[END_ZERO_OVERLAP],
-                                t.impact[i].eps[END_ZERO_FORCE],
-                                t.impact[i].duration_s[END_ZERO_OVERLAP] * known,
-                                t.impact[i].duration_s[END_ZERO_FORCE] * known,
-                                t.impact[i].max_overlap_m * known,
-                                cor_scene_force_max_n(&contacts->contact[i / speeds], speed_m_s[i % speeds]),
-                                t.time_step * known};
+    for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
+        const struct cor_scene_contact *const contact = &contacts->contact[i / speeds];
+        const struct cor_scene_impact *const impact = &row[i].impact;
+        const double value[] = {impact->beta,
+                                impact->eps[END_ZERO_OVERLAP],
+                                impact->eps[END_ZERO_FORCE],
+                                impact->duration_s[END_ZERO_OVERLAP] * known,
+                                impact->duration_s[END_ZERO_FORCE] * known,
+                                impact->max_overlap_m * known,
+                                cor_scene_force_max_n(contact, row[i].speed_m_s),
+                                time_step * known};
         char text[DECIMAL_TEXT];
-        progress("impacts", (long)i, (long)t.rows);
-        table_add_text(table, decimal_text(text, speed_m_s[i % speeds]));
+        progress("impacts", (long)i, (long)rows);
+        table_add_text(table, decimal_text(text, row[i].speed_m_s));
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             table_add_number(table, value[k], digits);
         if (request->step_errors)
-            status = add_step(table, &t, i, request, quantity);
+            status = add_step(table, &row[i], time_step, request, quantity);
         if (contacts->count > 1)
             table_add_text(table,
                            is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull") : contact_end_options[i / speeds]);
         if (spheres) {
-            const struct cor_scene_contact *const contact = &contacts->contact[i / speeds];
-            table_add_number(table, cor_scene_contact_radius(contact, t.impact[i].max_overlap_m), digits);
-            table_add_number(table, cor_scene_pressure(contact, t.impact[i].max_overlap_m), digits);
+            table_add_number(table, cor_scene_contact_radius(contact, impact->max_overlap_m), digits);
+            table_add_number(table, cor_scene_pressure(contact, impact->max_overlap_m), digits);
         }
     }
-    free(t.impact);
+    free(row);
     progress_end();
     return status;
 }
