@@ -57,21 +57,13 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     return status;
 }
 
-static int check_memory(const struct disk_modes_arguments *o)
-{
-    const double needed = (double)o->count * bytes_needed((double)o->digits), memory = console_memory();
-    return memory > 0 && needed > memory
-               ? fail("%ld modes to %ld digits need about %.3g GB of memory, and %.3g GB may be used", (long)o->count,
-                      (long)o->digits, needed / 1e9, memory / 1e9)
-               : STATUS_OK;
-}
-
 static int run_disk_modes(const void *arguments)
 {
     const struct disk_modes_arguments *const o = arguments;
     int status = options_disk_poisson(&o->poisson);
     if (status == STATUS_OK)
-        status = check_memory(o);
+        status = console_need((double)o->count * bytes_needed((double)o->digits), "", "%ld modes to %ld digits need",
+                              (long)o->count, (long)o->digits);
     const struct proved_table table = {o->digits, o, fill_table, NULL};
     return status == STATUS_OK ? proved_table_write(&table, &o->common) : status;
 }

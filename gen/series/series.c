@@ -70,9 +70,8 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
     const struct start start = start_of(order, law, bits);
     slong prec = start.prec, terms = start.terms;
     const double bytes = series_bytes(order, law, bits); /* known before hours of computing */
-    if (console_memory() > 0 && bytes > console_memory())
-        return fail("order %ld to %ld bits needs about %.3g GB of memory, and %.3g GB may be used", (long)order,
-                    (long)bits, bytes / 1e9, console_memory() / 1e9);
+    if (console_need(bytes, "", "order %ld to %ld bits needs", (long)order, (long)bits) != STATUS_OK)
+        return STATUS_FAILED;
     for (int attempt = 0; attempt < 16; attempt++) {
         switch (turning_point_series(s->y, s->tau, order, terms, law, bits + 8, prec)) {
         case TURNING_POINT_FEW_TERMS:

@@ -118,12 +118,26 @@ static double physical_memory(void)
     return pages > 0 && page > 0 ? (double)pages * (double)page : 0.0;
 }
 
-double console_memory(void)
+static double memory_limit(void)
 {
     const double physical = physical_memory();
     struct rlimit limit;
     const bool limited = getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
     return limited && !(physical > 0 && physical < (double)limit.rlim_cur) ? (double)limit.rlim_cur : physical;
+}
+
+int console_need(double bytes, const char *advice, const char *format, ...)
+{
+    const double memory = memory_limit();
+    if (!(memory > 0) || bytes <= memory)
+        return STATUS_OK;
+    va_list arguments;
+    va_start(arguments, format);
+    char *const what = xvprintf(format, arguments);
+    va_end(arguments);
+    fail("%s about %.3g GB of memory, and %.3g GB may be used%s", what, bytes / 1e9, memory / 1e9, advice);
+    free(what);
+    return STATUS_FAILED;
 }
 
 /* The shadow memory of a sanitizer exceeds the physical memory. */

@@ -20,9 +20,10 @@ void console_start(void);
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Bytes of memory that this process may use: those of the machine, or fewer where a limit is set (ulimit -d); 0 if the
- * system does not report them. */
-double console_memory(void);
+/* Fails where so many bytes are more than this process may use, those of the machine, or fewer where a limit is set
+ * (ulimit -d): "<message> about 9 GB of memory, and 2 GB may be used<advice>". Not where the system does not report
+ * them. */
+int console_need(double bytes, const char *advice, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Rewrites one line on a terminal, from the first second of a step on. The functions print nothing if stderr is not a
  * terminal, or in a thread other than the one that called console_start. Call progress("step", done, total) repeatedly,

@@ -43,15 +43,6 @@ static bool is_soft(const struct sweep *sweep)
     return !sweep->hard_wall && !sweep->rayleigh;
 }
 
-static int refuse_memory(const struct sweep *sweep)
-{
-    const double modes = sweep->modes.largest, needed = modes * (double)MODE_BYTES, memory = console_memory();
-    if (memory > 0 && needed > memory)
-        return fail("%.0f modes need about %.3g GB of memory, and %.3g GB may be used", modes, needed / 1e9,
-                    memory / 1e9);
-    return STATUS_OK;
-}
-
 /* ---- modes ---- */
 
 static int find_modes(struct collide *run, size_t material)
@@ -88,12 +79,8 @@ static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *mo
                                cor_status_text(status));
         most = fmax(most, (double)cor_disk_collision_workspace(modes, n, &options));
     }
-    const double memory = console_memory();
     const int threads = parallel_threads();
-    if (memory > 0 && most * threads > memory)
-        return fail("%d threads need about %.3g GB of memory, and %.3g GB may be used; choose fewer --threads", threads,
-                    most * threads / 1e9, memory / 1e9);
-    return STATUS_OK;
+    return console_need(most * threads, "; choose fewer --threads", "%d threads need", threads);
 }
 
 /* ---- rows ---- */
@@ -280,7 +267,8 @@ static int run_checked(struct collide *run, const struct sweep_request *request)
     /* one plausible mode stands for those that are not found yet, since no refusal depends on the modes */
     static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
     const struct cor_disk_modes modes = {run->sweep.poisson.nearest[0], 1, &mode};
-    int status = run->sweep.hard_wall ? STATUS_OK : refuse_memory(&run->sweep);
+    const double most = run->sweep.modes.largest;
+    int status = run->sweep.hard_wall ? STATUS_OK : console_need(most * MODE_BYTES, "", "%.0f modes need", most);
     if (status == STATUS_OK && is_soft(&run->sweep))
         status = refuse_corners(&run->sweep, &modes);
     if (status == STATUS_OK && request->plot)
