@@ -26,29 +26,23 @@ static const struct subcommand *subcommand_named(const struct subcommand *const 
     return NULL;
 }
 
-static int subcommand_start(const struct subcommand *cmd, const void *arguments)
+static int subcommand_start(const struct subcommand *cmd, int argc, char **argv)
 {
-    const struct option_common *const common = arguments;
-    if (common->profile)
-        profile_enable();
-    const int status = cmd->run(arguments);
-    progress_end();
-    profile_report();
-    return status;
-}
-
-static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, char **argv)
-{
-    void *arguments = xmalloc(cmd->size);
-    memcpy(arguments, cmd->defaults, cmd->size);
+    struct option_common *const common = xmalloc(cmd->size); /* and what follows in its struct of arguments */
+    memcpy(common, cmd->defaults, cmd->size);
     bool help;
-    int status = options_parse(arguments, cmd->options, argc, argv, &help);
-    if (status == STATUS_OK && help)
+    int status = options_parse(common, cmd->options, argc, argv, &help);
+    if (status == STATUS_OK && help) {
         fputs(cmd->help, stdout);
-    else if (status == STATUS_OK)
-        status = subcommand_start(cmd, arguments);
-    options_clear(arguments, cmd->options);
-    free(arguments);
+    } else if (status == STATUS_OK) {
+        if (common->profile)
+            profile_enable();
+        status = cmd->run(common);
+        progress_end();
+        profile_report();
+    }
+    options_clear(common, cmd->options);
+    free(common);
     return status;
 }
 
@@ -81,7 +75,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
                    ? STATUS_OK
                    : usage_error("--completion takes one shell, bash or zsh, as corgen --completion bash");
     const struct subcommand *const cmd = subcommand_named(table, argc < 2 ? NULL : name);
-    return cmd ? subcommand_parse_and_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
+    return cmd ? subcommand_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
 }
 
 int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)

@@ -35,19 +35,13 @@ static int columns_of(struct column column[MOST_COLUMNS], const struct sample_po
     return n;
 }
 
-static const char *interpolation_name(const struct sample_request *request)
-{
-    if (request->cubic)
-        return request->log ? "cubic Hermite interpolation in ln(speed)" : "cubic Hermite interpolation in the speed";
-    return request->log ? "linear interpolation in ln(speed)" : "linear interpolation in the speed";
-}
-
 /* One sentence about the table, for every format that has comments */
 static void print_promise(FILE *file, const char *before, const struct sample *sample,
                           const struct sample_request *request, const char *after)
 {
-    fprintf(file, "%s%zu points; %s gives %s with a relative error of %.4g at most.%s\n", before, sample->best.count,
-            interpolation_name(request), request->duration ? "eps and duration" : "eps", sample->best.error, after);
+    fprintf(file, "%s%zu points; %s interpolation in %s gives %s with a relative error of %.4g at most.%s\n", before,
+            sample->best.count, request->cubic ? "cubic Hermite" : "linear", request->log ? "ln(speed)" : "the speed",
+            request->duration ? "eps and duration" : "eps", sample->best.error, after);
     char law[CONTACT_LAW_TEXT];
     fprintf(file, "%s%s, contact ends at %s.%s\n", before, contact_law_text(law, request->contact, request->law),
             cor_end_names[request->end], after);

@@ -173,11 +173,6 @@ static int report_rows(const struct sweep_printer *p)
                       beyond ? "are beyond Rayleigh's theory" : "did not reach the tolerance", p->failed);
 }
 
-static void print_line(void *context, const char *line)
-{
-    sweep_print(context, line);
-}
-
 /* The line that identifies a sweep by its command, malloc'ed */
 static char *title_of(const struct sweep *s)
 {
@@ -211,7 +206,7 @@ static int collide_to_output(struct collide *run, const struct sweep_request *re
     if (status == STATUS_OK)
         status = collide_all(run, run->journal.lines);
     if (status == STATUS_OK && kept)
-        status = journal_read(&run->journal, print_line, &run->printer);
+        status = journal_read(&run->journal, sweep_print, &run->printer);
     if (status == STATUS_OK)
         sweep_print_end(&run->printer);
     if (status == STATUS_OK || ferror(out.file))

@@ -269,8 +269,9 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
     table_print_start(&p->table, format, file);
 }
 
-void sweep_print(struct sweep_printer *p, const char *line)
+void sweep_print(void *printer, const char *line)
 {
+    struct sweep_printer *const p = printer;
     struct table *const table = &p->table;
     for (int j = 0; j < table->columns; j++) {
         const size_t length = strcspn(line, ",");

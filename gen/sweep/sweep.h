@@ -67,7 +67,7 @@ struct sweep_printer {
     uint64_t rows, tolerance_not_reached, beyond_theory, failed; /* failed: rows without eps */
 };
 void sweep_print_start(struct sweep_printer *printer, const struct sweep *sweep, enum output_format format, FILE *file);
-void sweep_print(struct sweep_printer *printer, const char *line);
+void sweep_print(void *printer, const char *line);
 void sweep_print_end(struct sweep_printer *printer);
 
 #endif

@@ -92,28 +92,22 @@ static slong ritz_count(const fmpq_t nu, slong n, const arb_t w, slong pairs)
 {
     struct field field[RITZ_MAX];
     const slong size = ritz_fields(field, n, pairs);
-    arb_mat_t a;
-    LOCAL(arb, ratio, scale, x, y);
-    arb_mat_init(a, size, size);
-    arb_set_fmpq(ratio, nu, RITZ_PREC);
-    LET(scale, RITZ_PREC, "-(1 - nu^2)*w", nu, w);
-    for (slong i = 0; i < size; i++) {
+    LOCAL_MATRIX(size, size, a);
+    LOCAL(arb, x);
+    for (slong i = 0; i < size; i++)
         for (slong j = 0; j < size; j++) {
             const slong p = field[i].p, q = field[j].p, sp = field[i].sigma, sq = field[j].sigma;
             const slong ring_p = 1 + n * sp, ring_q = 1 + n * sq;
-            const slong shear_p = sp * (p - 1) - n, shear_q = sq * (q - 1) - n;
+            const slong shear = (sp * (p - 1) - n) * (sq * (q - 1) - n);
+            const slong all = 2 * (p * q + ring_p * ring_q) + shear, of_nu = 2 * (p * ring_q + q * ring_p) - shear;
             /* (eps_rr eps_rr + eps_pp eps_pp + nu (..) + (1 - nu)/2 gamma gamma)/(p + q) */
-            arb_mul_si(x, ratio, 2 * (p * ring_q + q * ring_p) - shear_p * shear_q, RITZ_PREC);
-            arb_add_si(x, x, 2 * (p * q + ring_p * ring_q) + shear_p * shear_q, RITZ_PREC);
+            LET(x, RITZ_PREC, "all + of_nu*nu", all, of_nu, nu);
             if (p + q > 0)
-                arb_div_si(x, x, 2 * (p + q), RITZ_PREC);
+                LET(x, RITZ_PREC, "x/(2*(p + q))", x, p, q);
             else
                 assert_true(arb_contains_zero(x)); /* the translation */
-            arb_mul_si(y, scale, 1 + sp * sq, RITZ_PREC);
-            arb_div_si(y, y, p + q + 2, RITZ_PREC);
-            arb_add(arb_mat_entry(a, i, j), x, y, RITZ_PREC);
+            LET(arb_mat_entry(a, i, j), RITZ_PREC, "x - (1 - nu^2)*w*(1 + sp*sq)/(p + q + 2)", x, nu, w, sp, sq, p, q);
         }
-    }
     slong negative = 0;
     for (slong k = 0; k < size; k++) {
         const arb_struct *pivot = arb_mat_entry(a, k, k);
@@ -125,7 +119,6 @@ static slong ritz_count(const fmpq_t nu, slong n, const arb_t w, slong pairs)
                 arb_submul(arb_mat_entry(a, i, j), x, arb_mat_entry(a, k, j), RITZ_PREC);
         }
     }
-    arb_mat_clear(a);
     return negative;
 }
 
