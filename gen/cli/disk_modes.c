@@ -8,12 +8,6 @@
 #include "support/digits.h"
 #include "support/parallel.h"
 
-/* Memory of one mode: three numbers, their texts, and its place in the table */
-static double bytes_needed(double digits)
-{
-    return 600 + 3 * (digits + digits * 3.33 / 8);
-}
-
 enum { NUMBERS = 3 }; /* of a mode: omega, C, S */
 
 struct spelling {
@@ -61,9 +55,11 @@ static int run_disk_modes(const void *arguments)
 {
     const struct disk_modes_arguments *const o = arguments;
     int status = options_disk_poisson(&o->poisson);
+    /* of one mode: three numbers, their texts, and its place in the table */
+    const double bytes = 600 + 3 * ((double)o->digits + (double)o->digits * 3.33 / 8);
     if (status == STATUS_OK)
-        status = console_need((double)o->count * bytes_needed((double)o->digits), "", "%ld modes to %ld digits need",
-                              (long)o->count, (long)o->digits);
+        status =
+            console_need((double)o->count * bytes, "", "%ld modes to %ld digits need", (long)o->count, (long)o->digits);
     const struct proved_table table = {o->digits, o, fill_table, NULL};
     return status == STATUS_OK ? proved_table_write(&table, &o->common) : status;
 }

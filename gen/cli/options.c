@@ -367,13 +367,6 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
     return status == STATUS_OK ? check_files(arguments, rules, given) : status;
 }
 
-static int parse_law(struct option_law *law)
-{
-    const char *const elastic = law->elastic ? law->elastic : "3/2", *damping = law->damping ? law->damping : "1/2";
-    const char *const wrong = law_parse(&law->exponents, elastic, damping);
-    return wrong ? usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong) : STATUS_OK;
-}
-
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help)
 {
     const size_t n = count_rules(rules);
@@ -388,8 +381,12 @@ int options_parse(void *arguments, const struct option_rule *rules, int argc, ch
     *help = false;
     int status = parse_all(arguments, rules, accepted, given, argc, argv, help);
     for (size_t i = 0; i < n && !*help && status == STATUS_OK; i++)
-        if (rules[i].kind == OPTION_ELASTIC)
-            status = parse_law((void *)((char *)arguments + rules[i].offset));
+        if (rules[i].kind == OPTION_ELASTIC) {
+            struct option_law *const law = (void *)((char *)arguments + rules[i].offset);
+            const char *const a = law->elastic ? law->elastic : "3/2", *const b = law->damping ? law->damping : "1/2";
+            const char *const wrong = law_parse(&law->exponents, a, b);
+            status = wrong ? usage_error("--elastic %s --damping %s: %s", a, b, wrong) : STATUS_OK;
+        }
     free(accepted);
     free(given);
     return status;

@@ -132,15 +132,6 @@ static int fill_pieces(struct sampler *c, double low, double high)
     return STATUS_OK;
 }
 
-/* Returns STATUS_OK, or STATUS_FAILED after a message. In both cases c->piece is to be freed. */
-static int find_pieces(struct sampler *c)
-{
-    if (!cor_scene_needs_solver(c->request->contact))
-        return STATUS_OK;
-    const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
-    return fill_pieces(c, log(c->request->speed_min) - margin, log(c->request->speed_max) + margin);
-}
-
 static double function_place(const struct sampler *c, double speed_m_s)
 {
     return c->request->log ? log(speed_m_s) : speed_m_s;
@@ -205,14 +196,6 @@ struct segment {
     double x[2], value[2], slope[2];
 };
 
-static struct segment segment_of(const struct sampler *c, int quantity, double left, double right)
-{
-    struct segment s = {{left, right}, {function_value(c, quantity, left), function_value(c, quantity, right)}, {0, 0}};
-    for (int i = 0; c->request->cubic && i < 2; i++)
-        s.slope[i] = function_slope(c, quantity, function_speed(c, s.x[i]));
-    return s;
-}
-
 /* The interpolant between the ends of the segment, at the fraction t of its length */
 static double segment_value(const struct sampler *c, const struct segment *s, double t)
 {
@@ -233,7 +216,9 @@ static double error_at(const struct sampler *c, const struct segment *s, int qua
  * through it and its neighbours */
 static double quantity_error(const struct sampler *c, int quantity, double left, double right, int places)
 {
-    const struct segment s = segment_of(c, quantity, left, right);
+    struct segment s = {{left, right}, {function_value(c, quantity, left), function_value(c, quantity, right)}, {0, 0}};
+    for (int i = 0; c->request->cubic && i < 2; i++)
+        s.slope[i] = function_slope(c, quantity, function_speed(c, s.x[i]));
     double error[CHECK_PLACES + 1] = {0};
     int at = 1;
     for (int i = 1; i < places; i++) {
@@ -357,24 +342,19 @@ static double equalise(const struct sampler *c, double *x, size_t segments, doub
 
 /* ---- tables ---- */
 
-/* Speeds inside the range are rounded to 12 digits, as they are printed; their values are those of the rounded speeds.
- */
-static double printed_speed(double speed_m_s)
-{
-    char text[DECIMAL_TEXT];
-    snprintf(text, sizeof text, "%.12g", speed_m_s);
-    return strtod(text, NULL);
-}
-
 /* All numbers of the points are in one block, which begins with the speeds. */
 static void points_fill(struct sample_points *p, const struct sampler *c, const double *x, size_t count)
 {
     double *next = xrealloc(p->speed_m_s, (1 + 2 * SAMPLE_QUANTITIES) * count * sizeof(double));
     *p = (struct sample_points){.count = count, .speed_m_s = next};
-    for (size_t i = 0; i < count; i++)
-        p->speed_m_s[i] = i == 0           ? c->request->speed_min
-                          : i + 1 == count ? c->request->speed_max
-                                           : printed_speed(function_speed(c, x[i]));
+    /* speeds inside the range as they are printed, and the values of these speeds */
+    for (size_t i = 1; i + 1 < count; i++) {
+        char text[DECIMAL_TEXT];
+        snprintf(text, sizeof text, "%.12g", function_speed(c, x[i]));
+        p->speed_m_s[i] = strtod(text, NULL);
+    }
+    p->speed_m_s[0] = c->request->speed_min;
+    p->speed_m_s[count - 1] = c->request->speed_max;
     for (int q = 0; q < c->quantities; q++) {
         p->value[q] = next += count;
         p->slope[q] = c->request->cubic ? next += count : NULL;
@@ -433,8 +413,9 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
     c.low = function_place(&c, request->speed_min);
     c.high = function_place(&c, request->speed_max);
     int status = check_values(&c);
-    if (status == STATUS_OK)
-        status = find_pieces(&c);
+    const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
+    if (status == STATUS_OK && cor_scene_needs_solver(request->contact))
+        status = fill_pieces(&c, log(request->speed_min) - margin, log(request->speed_max) + margin);
     if (status == STATUS_OK) {
         double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x);
         status = choose_points(sample, &c, x);

@@ -24,11 +24,6 @@ static int refuse_model(const char *name, size_t length)
     return refuse_word(word, allowed, "", "--law: '%.*s' is not a model", (int)length, name);
 }
 
-static bool end_matches(const struct fit_model *model, const char *end)
-{
-    return !end || strcmp(model->end, end) == 0 || strcmp(model->end, "both") == 0;
-}
-
 static bool is_word(const char *text, size_t length, const char *word)
 {
     return strlen(word) == length && strncmp(text, word, length) == 0;
@@ -44,9 +39,11 @@ int fit_request_models(struct fit_request *request, const char *names, const cha
         bool known = all;
         next = name[length] ? name + length + 1 : NULL;
         for (size_t i = 0; i < fit_model_count; i++) {
-            const bool named = all || is_word(name, length, fit_models[i].name);
+            const struct fit_model *const m = &fit_models[i];
+            const bool named = all || is_word(name, length, m->name);
+            const bool ends = !end || strcmp(m->end, end) == 0 || strcmp(m->end, "both") == 0;
             known = known || named;
-            request->wanted[i] = request->wanted[i] || (named && end_matches(&fit_models[i], end));
+            request->wanted[i] = request->wanted[i] || (named && ends);
             marked = marked || request->wanted[i];
         }
         if (!known)

@@ -29,12 +29,6 @@ static double incomplete_beta(double a, double b, double part, double rest)
     return ball_middle(x);
 }
 
-/* P(|T| < t) = I_x(1/2, nu/2), x = t^2/(nu + t^2) */
-static double student_probability(double t, double freedom)
-{
-    return incomplete_beta(0.5, freedom / 2, t * t, freedom);
-}
-
 static double student_density(double t, double freedom)
 {
     const double pi = 3.14159265358979323846;
@@ -49,7 +43,8 @@ double student_quantile(enum distribution_level level, size_t degrees_of_freedom
     const double n = (double)degrees_of_freedom;
     double t = normal_quantile(level);
     for (int i = 0; i < MAX_STEPS; i++) {
-        const double missing = level_probability[level] - student_probability(t, n);
+        /* P(|T| < t) = I_x(1/2, n/2), x = t^2/(n + t^2) */
+        const double missing = level_probability[level] - incomplete_beta(0.5, n / 2, t * t, n);
         t += missing / (2 * student_density(t, n));
         if (fabs(missing) < 1e-13)
             break;

@@ -103,13 +103,6 @@ static double scale_whitened(const struct problem *p, double ratio, double base,
 
 /* ---- residuals ---- */
 
-/* sign(z) sqrt(rho(z)): least squares of these minimise the sum of Huber's rho. */
-static double huber_root(double z)
-{
-    const double size = fabs(z);
-    return size <= FIT_HUBER ? z : copysign(sqrt(FIT_HUBER * (2 * size - FIT_HUBER)), z);
-}
-
 /* All coordinates from those that are not held */
 static void whole_theta(double whole[FIT_MAX_PARAMETERS], const struct problem *p, const double *free_theta)
 {
@@ -134,8 +127,9 @@ static void residuals(const struct problem *p, const double *theta, double *resi
         scale_whitened(p, p->ratio, whiten(p, 0, residual), residual, residual);
     }
     for (size_t i = 0; i < p->points; i++) {
-        const double z = residual[i] / (p->has_sigma ? p->point[i].sigma : p->scale);
-        residual[i] = p->robust ? huber_root(z) : z;
+        const double z = residual[i] / (p->has_sigma ? p->point[i].sigma : p->scale), size = fabs(z);
+        /* sign(z) sqrt(rho(z)): least squares of these minimise the sum of Huber's rho */
+        residual[i] = !p->robust || size <= FIT_HUBER ? z : copysign(sqrt(FIT_HUBER * (2 * size - FIT_HUBER)), z);
     }
 }
 

@@ -68,14 +68,6 @@ static void remark_data(const struct fit_data *data, FILE *file)
         fprintf(file, "Columns that are not read: %s.\n", data->unused);
 }
 
-/* The two errors of bounces, for the model with the least AIC */
-static void remark_noise(const struct fit_comparison *c, FILE *file)
-{
-    const struct fit_estimate *const e = &c->estimate[fit_models[c->ranked[0]].curve];
-    fprintf(file, "sigma of a time %.2g s, of eps at a bounce %.2g, from the residuals of %s.\n", e->time_sigma_s,
-            e->time_sigma_s * sqrt(e->ratio), fit_models[c->ranked[0]].title);
-}
-
 /* "viscoelastic zero-overlap, plate zero-overlap": the models of one curve */
 static void print_models_of(const struct fit_comparison *c, enum fit_curve curve, FILE *file)
 {
@@ -188,13 +180,14 @@ void fit_report_remarks(const struct fit_report *report, FILE *file)
                 comparison->too_many_parameters == 1 ? " is" : "s are");
     if (comparison->models == 0)
         return;
+    const struct fit_model *const first = &fit_models[comparison->ranked[0]];
+    const struct fit_estimate *const e = &comparison->estimate[first->curve];
     if (report->data->bounce)
-        remark_noise(comparison, file);
+        fprintf(file, "sigma of a time %.2g s, of eps at a bounce %.2g, from the residuals of %s.\n", e->time_sigma_s,
+                e->time_sigma_s * sqrt(e->ratio), first->title);
     remark_outliers(report, file);
     fprintf(file, "p: probability of so large %s, if the model is right; below %g it does not fit.\n",
-            comparison->estimate[fit_models[comparison->ranked[0]].curve].p_of_chi2 ? "a chi2"
-                                                                                    : "means of neighbouring residuals",
-            FIT_SIGNIFICANCE);
+            e->p_of_chi2 ? "a chi2" : "means of neighbouring residuals", FIT_SIGNIFICANCE);
     remark_curves(comparison, file);
     remark_verdict(comparison, file);
 }

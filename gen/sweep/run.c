@@ -114,20 +114,14 @@ static int row_finished(void *context, uint64_t number, const void *bytes)
     return ferror(run->printer.file) ? STATUS_FAILED : STATUS_OK; /* output_commit reports the reason */
 }
 
-/* If a row that is left takes as long as a row of this run */
-static double seconds_left(const struct collide *run)
-{
-    if (run->done == 0)
-        return -1;
-    const double seconds = run->rows_seconds + clock_seconds() - run->rows_started;
-    const double rows = seconds * (double)(run->sweep.rows - run->finished) / (double)run->done;
-    return rows + run->modes_seconds * (double)run->materials_left;
-}
-
+/* The time left, if a row takes as long as one of this run; not known before the first */
 static void sweep_tick(void *context)
 {
-    struct collide *run = context;
-    progress_left("collisions", (long)run->finished, (long)run->sweep.rows, seconds_left(run));
+    const struct collide *const run = context;
+    const double seconds = run->rows_seconds + clock_seconds() - run->rows_started;
+    const double rows = seconds * (double)(run->sweep.rows - run->finished) / (double)run->done;
+    progress_left("collisions", (long)run->finished, (long)run->sweep.rows,
+                  run->done == 0 ? -1 : rows + run->modes_seconds * (double)run->materials_left);
 }
 
 /* Collides all rows from `first` on. */

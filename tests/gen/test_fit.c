@@ -321,17 +321,12 @@ TEST(aic_is_that_of_the_likelihood)
 
 /* ---- how often chance does it ---- */
 
-static double binomial_probability(int n, int k, double p)
-{
-    return exp(lgamma(n + 1.) - lgamma(k + 1.) - lgamma(n - k + 1.) + k * log(p) + (n - k) * log1p(-p));
-}
-
 /* P(X <= k) of n draws with probability p */
 static double lower_tail(int n, int k, double p)
 {
     double sum = 0;
     for (int i = 0; i <= k; i++)
-        sum += binomial_probability(n, i, p);
+        sum += exp(lgamma(n + 1.) - lgamma(i + 1.) - lgamma(n - i + 1.) + i * log(p) + (n - i) * log1p(-p));
     return sum;
 }
 
