@@ -185,10 +185,10 @@ static double yield_stress_pa(double theta, const struct fit_bodies *bodies)
 #define ZERO_FORCE(NAME) NAME, "zero-force", NAME " zero-force"
 #define BOTH_ENDS(NAME) NAME, "both", NAME
 /* One parameter, its function of the coordinate, and both where the bodies are known */
-#define ONE(PARAMETER, VALUE) true, {PARAMETER}, NULL, VALUE, NULL
-#define KNOWN(PARAMETER, VALUE, WITH_BODIES, VALUE_WITH_BODIES) true, {PARAMETER}, WITH_BODIES, VALUE, VALUE_WITH_BODIES
+#define ONE(PARAMETER, VALUE) {PARAMETER}, NULL, VALUE, NULL
+#define KNOWN(PARAMETER, VALUE, WITH_BODIES, VALUE_WITH_BODIES) {PARAMETER}, WITH_BODIES, VALUE, VALUE_WITH_BODIES
 #define SPHERE KNOWN("g_star_m_s", g_star_m_s, "dissipation_time_s", dissipation_time_s)
-#define SPHERE_AND(SECOND) true, {"g_star_m_s", SECOND}, "dissipation_time_s", g_star_m_s, dissipation_time_s
+#define SPHERE_AND(SECOND) {"g_star_m_s", SECOND}, "dissipation_time_s", g_star_m_s, dissipation_time_s
 #define DASHPOT KNOWN("beta_at_1_m_s", exp, "damping_coefficient_n_s_m", damping_coefficient_kg_s)
 const struct fit_model fit_models[] = {
     {ZERO_OVERLAP("viscoelastic"), FIT_SPHERE_ZERO_OVERLAP, SPHERE},
@@ -203,13 +203,13 @@ const struct fit_model fit_models[] = {
     {BOTH_ENDS("hunt-crossley"), FIT_HUNT_CROSSLEY, ONE("dissipation_s_m", exp)},
     {ZERO_OVERLAP("hertz-dashpot"), FIT_HERTZ_DASHPOT_ZERO_OVERLAP, DASHPOT},
     {ZERO_FORCE("hertz-dashpot"), FIT_HERTZ_DASHPOT_ZERO_FORCE, DASHPOT},
-    {BOTH_ENDS("power-law"), FIT_POWER_LAW, false, {"eps_at_1_m_s", "exponent"}, NULL, exp, NULL},
+    {BOTH_ENDS("power-law"), FIT_POWER_LAW, {"eps_at_1_m_s", "exponent"}, NULL, exp, NULL},
     {BOTH_ENDS("elastic-plastic"), FIT_ELASTIC_PLASTIC,
      KNOWN("yield_speed_m_s", exp, "yield_stress_pa", yield_stress_pa)},
-    {BOTH_ENDS("adhesive"), FIT_ADHESIVE, true, {"eps_dry", "adhesion_speed_m_s"}, NULL, identity, NULL},
+    {BOTH_ENDS("adhesive"), FIT_ADHESIVE, {"eps_dry", "adhesion_speed_m_s"}, NULL, identity, NULL},
     {ZERO_OVERLAP("adhesive-viscoelastic"), FIT_ADHESIVE_SPHERE_ZERO_OVERLAP, SPHERE_AND("adhesion_speed_m_s")},
     {ZERO_FORCE("adhesive-viscoelastic"), FIT_ADHESIVE_SPHERE_ZERO_FORCE, SPHERE_AND("adhesion_speed_m_s")},
-    {BOTH_ENDS("wet"), FIT_WET, true, {"eps_dry", "liquid_speed_m_s"}, NULL, identity, NULL},
+    {BOTH_ENDS("wet"), FIT_WET, {"eps_dry", "liquid_speed_m_s"}, NULL, identity, NULL},
     {ZERO_OVERLAP("wet-viscoelastic"), FIT_WET_SPHERE_ZERO_OVERLAP, SPHERE_AND("liquid_speed_m_s")},
     {ZERO_FORCE("wet-viscoelastic"), FIT_WET_SPHERE_ZERO_FORCE, SPHERE_AND("liquid_speed_m_s")},
 };

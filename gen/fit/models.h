@@ -63,7 +63,6 @@ struct fit_bodies {
 struct fit_model {
     const char *name, *end, *title; /* "viscoelastic", "zero-overlap", and both; end and title "both" and the name */
     enum fit_curve curve;
-    bool is_contact; /* derived from a law of force; the power law is not */
     const char *parameter[FIT_MAX_PARAMETERS];
     const char *parameter_with_bodies; /* replaces the first; NULL: bodies do not matter */
     /* The parameter as a monotonic function of theta; with bodies where they matter */

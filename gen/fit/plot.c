@@ -87,24 +87,21 @@ static bool is_drawn(const struct fit_comparison *c, int panel)
     return c->used[panels[panel].first] || c->used[panels[panel].last];
 }
 
-/* Zero overlap, or the only curve, is a full line in blue; zero force is dashed in red. */
-static const char *colour(int curve, int panel)
-{
-    return curve > (int)panels[panel].first ? "red" : "blue";
-}
-
-/* `row` 0: curves and points; 1: what the points are off by */
+/* `row` 0: curves and points; 1: what the points are off by. Zero overlap, or the only curve, is a full line in blue;
+ * zero force is dashed in red. */
 static void plot_panel(FILE *script, const struct fit_comparison *c, const struct fit_data *data, int panel, int row)
 {
     const char *const points = data->has_sigma ? ":3 with yerrorbars" : " with points";
     fprintf(script, row == 0 ? "plot $data using 1:2%s pt 7 ps 0.35 lc rgb grey notitle" : "plot 0 lc rgb black lw 0.7",
             points);
-    for (int curve = (int)panels[panel].first; curve <= (int)panels[panel].last; curve++)
+    for (int curve = (int)panels[panel].first; curve <= (int)panels[panel].last; curve++) {
+        const bool blue = curve == (int)panels[panel].first;
         if (c->used[curve] && row == 0)
-            fprintf(script, ", $curve%d using 1:2 with lines lw 2 dt %s lc rgb %s", curve,
-                    curve > (int)panels[panel].first ? "(8,5)" : "1", colour(curve, panel));
+            fprintf(script, ", $curve%d using 1:2 with lines lw 2 dt %s lc rgb %s", curve, blue ? "1" : "(8,5)",
+                    blue ? "blue" : "red");
         else if (c->used[curve])
-            fprintf(script, ", $residual%d using 1:2%s pt 7 ps 0.3 lc rgb %s", curve, points, colour(curve, panel));
+            fprintf(script, ", $residual%d using 1:2%s pt 7 ps 0.3 lc rgb %s", curve, points, blue ? "blue" : "red");
+    }
     fputs("\n", script);
 }
 

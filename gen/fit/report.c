@@ -116,30 +116,28 @@ static void remark_curves(const struct fit_comparison *c, FILE *file)
 
 static void remark_verdict(const struct fit_comparison *c, FILE *file)
 {
-    int contacts = 0, accepted_contacts = 0, accepted = 0, judged = 0;
+    int contacts = 0, accepted_contacts = 0, judged = 0; /* the power law is no law of contact */
     const struct fit_model *best = NULL;
     for (int i = 0; i < c->models; i++) {
         const struct fit_model *const model = &fit_models[c->ranked[i]];
-        const struct fit_estimate *const e = &c->estimate[model->curve];
-        const bool known = !isnan(e->p_value), fits = known && fit_is_accepted(e);
+        const bool contact = model->curve != FIT_POWER_LAW, known = !isnan(c->estimate[model->curve].p_value),
+                   fits = known && fit_is_accepted(&c->estimate[model->curve]);
         judged += known;
-        contacts += model->is_contact && known;
-        accepted_contacts += fits && model->is_contact;
-        accepted += fits;
+        contacts += contact && known;
+        accepted_contacts += contact && fits;
         best = fits && !best ? model : best;
     }
-    if (judged == 0) {
+    if (judged == 0)
         fprintf(file, "The points are too few to judge any of these models. Of them, %s has the least AIC.\n",
                 fit_models[c->ranked[0]].title);
-    } else if (accepted == 0) {
+    else if (!best)
         fprintf(file, "None of these models fits the data%s.\n",
                 judged < c->models ? ", of those that the points are enough to judge" : "");
-    } else if (contacts > 0 && accepted_contacts == 0) {
+    else if (contacts > 0 && accepted_contacts == 0)
         fputs("None of these laws of contact fits the data. The power law does; it is a formula without a contact.\n",
               file);
-    } else {
+    else
         fprintf(file, "Of the models that fit, %s has the least AIC.\n", best->title);
-    }
 }
 
 static void remark_outliers(const struct fit_report *report, FILE *file)
