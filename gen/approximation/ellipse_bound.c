@@ -213,8 +213,6 @@ static double largest_beta(const struct cover *work, double rho)
     const double middle = (interval->lo + interval->hi) / 2, half = (interval->hi - interval->lo) / 2;
     const struct complex_ball x = {middle, 0, half * (rho + 1 / rho) / 2};
     struct complex_ball beta, log_beta;
-    if (interval->variable == INTERVAL_LOG)
-        return exp(x.re + x.radius);
     damping_of(&beta, &log_beta, work, x);
     return ball_above(beta);
 }

@@ -8,7 +8,7 @@
 /* The search range of an inverse */
 struct search {
     const struct interpolant *f;
-    enum quantity eps, loss_quotient;
+    enum quantity function; /* eps or (1 - eps)/beta */
     bool of_loss;
     enum interval_variable variable;
     double lo, hi;
@@ -23,7 +23,7 @@ enum { SEARCH_BITS = 128 };
 static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = s->prec, root = s->f->layout->root;
-    interpolant_at(y, s->f, s->of_loss ? s->loss_quotient : s->eps, s->variable, w, prec);
+    interpolant_at(y, s->f, s->function, s->variable, w, prec);
     if (!s->of_loss) {
         LET(y, prec, "log(y) - wanted", y, wanted);
     } else if (s->variable == INTERVAL_ROOT) {
@@ -96,7 +96,7 @@ static void choose_stretch(struct search *s, const arb_t wanted)
 {
     const struct interpolant *f = s->f;
     const struct interpolant_layout *layout = f->layout;
-    const enum quantity eps = sampled_quantity(interpolant_end(f, s->eps));
+    const enum quantity eps = sampled_quantity(interpolant_end(f, s->function));
     s->variable = INTERVAL_ROOT;
     s->lo = 0;
     s->hi = last_sampled_root(f, eps);
@@ -117,17 +117,17 @@ static void choose_stretch(struct search *s, const arb_t wanted)
 
 int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
-    const bool force = quantity == BETA_ZERO_FORCE || quantity == BETA_QUOTIENT_ZERO_FORCE;
+    static const enum quantity function[] = {[BETA_ZERO_OVERLAP] = EPS_ZERO_OVERLAP,
+                                             [BETA_ZERO_FORCE] = EPS_ZERO_FORCE,
+                                             [BETA_QUOTIENT_ZERO_OVERLAP] = LOSS_QUOTIENT_ZERO_OVERLAP,
+                                             [BETA_QUOTIENT_ZERO_FORCE] = LOSS_QUOTIENT_ZERO_FORCE,
+                                             [BETA_APPROACH_ONLY] = EPS_APPROACH_ONLY,
+                                             [BETA_QUOTIENT_APPROACH_ONLY] = LOSS_QUOTIENT_APPROACH_ONLY};
     struct search s = {.f = f,
                        .prec = SEARCH_BITS,
-                       .eps = force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP,
-                       .loss_quotient = force ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP,
+                       .function = function[quantity],
                        .of_loss = quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE ||
                                   quantity == BETA_QUOTIENT_APPROACH_ONLY};
-    if (quantity >= EPS_APPROACH_ONLY) {
-        s.eps = EPS_APPROACH_ONLY;
-        s.loss_quotient = LOSS_QUOTIENT_APPROACH_ONLY;
-    }
     LOCAL(arb, w, wanted);
     if (s.of_loss)
         arb_root_ui(wanted, x, (ulong)f->layout->root, INTERPOLANT_BITS);
@@ -136,7 +136,7 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
     choose_stretch(&s, wanted);
     const int status = solve_search(w, &s, wanted);
     if (s.of_loss) { /* (1 - eps)/beta has a limit at beta = 0 */
-        interpolant_at(y, f, s.loss_quotient, s.variable, w, prec);
+        interpolant_at(y, f, s.function, s.variable, w, prec);
         arb_inv(y, y, prec);
     } else {
         interpolant_beta(y, f, s.variable, w, prec);

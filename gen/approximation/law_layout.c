@@ -212,44 +212,20 @@ static double octave_of(double x)
 }
 
 /* The parts: what a part of the tables of eps holds instead of eps, counted from the quantity of zero overlap (-1:
- * nothing else), its stem and title where `%s` is the end of contact; stem of the others; its variable; where it begins
- * and ends. Rows that end at 0 are none. */
-enum border { AT_ZERO, NEAR_END, MIDDLE_END, TAIL_FIRST, TAIL_END, BELOW_FIRST, BELOW_END, AT_HALF, BY_EPS };
+ * nothing else), its stem and title where `%s` is the end of contact; stem of the others; its variable */
 static const struct part {
     int holds;
     const char *stem_of_eps, *title_of_eps, *stem;
     enum variable variable;
-    enum border first, end;
     slong head_bits;
 } parts[] = {
-    {LOSS_QUOTIENT_ZERO_OVERLAP, "near_loss_%s", "(1 - eps)/beta at %s", "near_%s", VARIABLE_BETA, AT_ZERO, NEAR_END,
-     HEAD_BITS},
-    {-1, "middle_eps_%s", "eps at %s", "middle_%s", VARIABLE_BETA_OCTAVES, NEAR_END, MIDDLE_END, 0},
-    {-1, "tail_eps_%s", "eps at %s", "tail_%s", VARIABLE_LOG_OCTAVES, TAIL_FIRST, TAIL_END, 0},
-    {-1, "below_eps_%s", "eps at %s", "below_%s", VARIABLE_BELOW_OCTAVES, BELOW_FIRST, BELOW_END, 0},
-    {BETA_QUOTIENT_ZERO_OVERLAP, "near_beta_%s", "beta/(1 - eps) at %s", NULL, VARIABLE_LOSS, AT_ZERO, AT_HALF,
-     HEAD_BITS},
-    {BETA_ZERO_OVERLAP, "beta_%s", "beta at %s", NULL, VARIABLE_EPS_OCTAVES, BY_EPS, AT_HALF, 0},
+    {LOSS_QUOTIENT_ZERO_OVERLAP, "near_loss_%s", "(1 - eps)/beta at %s", "near_%s", VARIABLE_BETA, HEAD_BITS},
+    {-1, "middle_eps_%s", "eps at %s", "middle_%s", VARIABLE_BETA_OCTAVES, 0},
+    {-1, "tail_eps_%s", "eps at %s", "tail_%s", VARIABLE_LOG_OCTAVES, 0},
+    {-1, "below_eps_%s", "eps at %s", "below_%s", VARIABLE_BELOW_OCTAVES, 0},
+    {BETA_QUOTIENT_ZERO_OVERLAP, "near_beta_%s", "beta/(1 - eps) at %s", NULL, VARIABLE_LOSS, HEAD_BITS},
+    {BETA_ZERO_OVERLAP, "beta_%s", "beta at %s", NULL, VARIABLE_EPS_OCTAVES, 0},
 };
-
-static double border_at(enum border border, const struct law_layout *layout, enum quantity quantity)
-{
-    const bool below = is_of_overlap(quantity) && layout->threshold < HUGE_VAL;
-    const double at[] = {
-        [AT_ZERO] = 0,
-        [NEAR_END] = layout->near_end,
-        [MIDDLE_END] = below ? layout->overlap_end : LAW_MIDDLE_END,
-        [TAIL_FIRST] = LAW_TAIL_FIRST,
-        [TAIL_END] = below                          ? 0
-                     : quantity == EPS_ZERO_OVERLAP ? layout->overlap_log
-                                                    : layout->last_log,
-        [BELOW_FIRST] = layout->below_first,
-        [BELOW_END] = below ? layout->below_end : 0,
-        [AT_HALF] = 0.5,
-        [BY_EPS] = NAN,
-    };
-    return at[border];
-}
 
 /* Rows of a root of beta, or of the loss, of a derived layout */
 static void set_root(struct pieces *p, const struct law_layout *layout, enum quantity quantity)
@@ -272,6 +248,19 @@ static void add_table(struct law_layout *layout, enum law_part part, enum quanti
     const bool eps = is_eps(quantity), other = eps && form->holds >= 0;
     const bool time =
         quantity == DURATION_ZERO_OVERLAP || quantity == DURATION_ZERO_FORCE || quantity == TIME_OF_MAX_OVERLAP;
+    const bool below = is_of_overlap(quantity) && layout->threshold < HUGE_VAL;
+    const struct {
+        double first, end; /* rows that end at 0 are none */
+    } range[] = {
+        [PART_NEAR] = {0, layout->near_end},
+        [PART_MIDDLE] = {layout->near_end, below ? layout->overlap_end : LAW_MIDDLE_END},
+        [PART_TAIL] = {LAW_TAIL_FIRST, below                          ? 0
+                                       : quantity == EPS_ZERO_OVERLAP ? layout->overlap_log
+                                                                      : layout->last_log},
+        [PART_BELOW] = {layout->below_first, below ? layout->below_end : 0},
+        [PART_INVERSE_NEAR] = {0, 0.5},
+        [PART_INVERSE] = {NAN, 0.5},
+    };
     struct law_table *const table = &layout->table[layout->tables];
     *table = (struct law_table){.part = part, .serves = quantity};
     snprintf(table->stem, sizeof table->stem, eps ? form->stem_of_eps : form->stem, eps ? ends[quantity] : stem);
@@ -280,14 +269,14 @@ static void add_table(struct law_layout *layout, enum law_part part, enum quanti
     *p = (struct pieces){.quantity = other ? (enum quantity)(form->holds + (int)quantity) : quantity,
                          .variable = form->variable,
                          .root = 1,
-                         .first = border_at(form->first, layout, quantity),
-                         .end = border_at(form->end, layout, quantity),
+                         .first = range[part].first,
+                         .end = range[part].end,
                          .degree = DEGREE,
                          .octave_bits = PIECES_OCTAVE_BITS,
                          .head_bits = eps ? form->head_bits : 0,
                          .least_bits = time || part >= PART_INVERSE_NEAR ? LEAST_BITS_OF_TIMES : LEAST_BITS,
                          .most_rest = MOST_REST};
-    if (form->first == AT_ZERO)
+    if (p->first == 0)
         set_root(p, layout, quantity);
     else
         p->first = octave_of(p->first);

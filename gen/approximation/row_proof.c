@@ -113,17 +113,14 @@ void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quant
                     double hi)
 {
     const struct interval *const interval = &f->layout->interval[i];
-    LOCAL(arb, a, b, middle, half);
-    arb_set_d(a, lo);
-    arb_set_d(b, hi);
-    unit_place(a, a, interval->lo, interval->hi, PREC);
-    unit_place(b, b, interval->lo, interval->hi, PREC);
-    LET(middle, PREC, "(a + b)/2", a, b);
-    LET(half, PREC, "(b - a)/2", a, b);
+    const double from = interval->lo, to = interval->hi;
+    LOCAL(arb, radius, middle, half);
+    LET(middle, PREC, "(lo + hi - from - to)/(to - from)", lo, hi, from, to);
+    LET(half, PREC, "(hi - lo)/(to - from)", lo, hi, from, to);
     enclosed_rescale(y, &f->samples[i].polynomial[quantity], middle, half, PREC);
     arb_poly_set_round(y, y, ENCLOSED_BITS);
-    arb_set_d(a, error);
-    enclosed_add_radius(y, a);
+    arb_set_d(radius, error);
+    enclosed_add_radius(y, radius);
     enclosed_shorten(y);
 }
 

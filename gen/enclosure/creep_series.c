@@ -13,10 +13,10 @@ enum {
 
 /* ---- the formal time Theta_n(r, k) = -2 ln(r) + sum_j r^j q_j(k) ---- */
 
-/* Polynomials in e = k - 1, 1 <= j <= CREEP_SERIES_ORDER: q_j, q_j', and s_j = (1 + j/2) q_j' + k q_j'', which bounds
- * what Theta_j lacks. */
+/* Polynomials in e = k - 1, 1 <= j <= CREEP_SERIES_ORDER: q_j, and s_j = (1 + j/2) q_j' + k q_j'', which bounds what
+ * Theta_j lacks. */
 struct formal_time {
-    fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], slope[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
+    fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
 };
 
 /* q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). The right side vanishes at k = 1, which gives q_j(1). */
@@ -28,15 +28,14 @@ static void formal_time_init(struct formal_time *f)
     fmpq_poly_set_coeff_si(k, 1, 1);
     fmpq_poly_set_si(sum, -1);
     for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
-        FOR_ALL(fmpq_poly, init, &f->q[j], &f->slope[j], &f->source[j]);
-        fmpq_poly_set(&f->slope[j], sum);
+        FOR_ALL(fmpq_poly, init, &f->q[j], &f->source[j]);
         fmpq_poly_integral(&f->q[j], sum);
         fmpq_poly_get_coeff_fmpq(constant, sum, 0);
         fmpq_set_si(ratio, -2, (ulong)j);
         fmpq_mul(constant, constant, ratio);
         fmpq_poly_set_coeff_fmpq(&f->q[j], 0, constant);
 
-        fmpq_poly_mul(sum, k, &f->slope[j]);
+        fmpq_poly_mul(sum, k, sum);
         fmpq_poly_scalar_mul_si(term, &f->q[j], j);
         fmpq_poly_scalar_div_si(term, term, 2);
         fmpq_poly_add(sum, sum, term);
@@ -49,7 +48,7 @@ static void formal_time_init(struct formal_time *f)
 static void formal_time_clear(struct formal_time *f)
 {
     for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
-        FOR_ALL(fmpq_poly, clear, &f->q[j], &f->slope[j], &f->source[j]);
+        FOR_ALL(fmpq_poly, clear, &f->q[j], &f->source[j]);
     }
 }
 
@@ -86,8 +85,10 @@ static void contraction(arb_t factor, const arb_t low, const arb_t high)
 static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, slong first, slong last)
 {
     LOCAL(arb, term);
+    LOCAL(fmpq_poly, slope);
     for (slong j = first + 1; j <= last; j++) {
-        largest_in_tube(term, &f->slope[j], r, j);
+        fmpq_poly_derivative(slope, &f->q[j]);
+        largest_in_tube(term, slope, r, j);
         arb_add(bound, bound, term, BOUND_BITS);
     }
 }

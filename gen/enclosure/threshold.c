@@ -90,19 +90,15 @@ static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *l
     LOCAL(bracket, b);
     LOCAL(arb, x, f);
     bool enclosed = false;
-    arb_one(b->low);
-    bool sound = height_above(b->f_low, b->low, c_star, law, prec);
-    while (sound && arb_is_negative(b->f_low)) {
-        arb_mul_2exp_si(b->low, b->low, -1);
-        sound = height_above(b->f_low, b->low, c_star, law, prec);
-    }
-    arb_mul_2exp_si(b->high, b->low, 1);
-    sound = sound && height_above(b->f_high, b->high, c_star, law, prec);
-    while (sound && arb_is_positive(b->f_high)) {
-        arb_swap(b->low, b->high);
-        arb_swap(b->f_low, b->f_high);
-        arb_mul_2exp_si(b->high, b->low, 1);
-        sound = height_above(b->f_high, b->high, c_star, law, prec);
+    bool sound = true, known[2] = {false, false};
+    arb_one(x);
+    while (sound && !(known[0] && known[1])) {
+        sound = height_above(f, x, c_star, law, prec);
+        const bool below = arb_is_positive(f);
+        arb_set(below ? b->low : b->high, x);
+        arb_set(below ? b->f_low : b->f_high, f);
+        known[below] = true;
+        arb_mul_2exp_si(x, x, below ? 1 : -1);
     }
     for (int i = 0; i < SEARCH_STEPS && sound && !enclosed; i++) {
         bracket_guess(x, b, prec);

@@ -20,7 +20,7 @@
  * x a/R dx along a path from 0 to 2 above gamma, 1 and x_R, on which nothing is singular. */
 
 struct wave_parameters {
-    acb_t gamma, gamma2;
+    acb_srcptr gamma, gamma2;
 };
 
 static int pressure_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
@@ -94,7 +94,7 @@ static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 /* x a/R from `from` to `to` along a straight line; where x is large, sqrt(x^2 - gamma^2) and sqrt(x^2 - 1) are a and b,
  * where it is small i sqrt(gamma^2 - x^2) and i sqrt(1 - x^2), which have no cut there. Both are equal on the path. */
 struct path_parameters {
-    acb_t from, step, gamma2;
+    acb_srcptr from, step, gamma2;
     bool large;
 };
 
@@ -116,18 +116,16 @@ static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong orde
 /* from 0 over 7/8 + 7/8 i to 2 */
 static void path_integral(acb_t y, const acb_t gamma2, slong prec)
 {
-    struct path_parameters p = {.large = false};
-    LOCAL(acb, part);
-    FOR_ALL(acb, init, p.from, p.step, p.gamma2);
-    acb_set(p.gamma2, gamma2);
-    acb_set_d_d(p.step, 0.875, 0.875);
+    LOCAL(acb, from, step, part, parameter);
+    struct path_parameters p = {from, step, parameter, false};
+    acb_set(parameter, gamma2); /* which may be y */
+    acb_set_d_d(step, 0.875, 0.875);
     wave_integral(y, path_integrand, &p, prec);
     p.large = true;
-    acb_set(p.from, p.step);
-    LET_COMPLEX(p.step, false, prec, "2 - p.from", p.from);
+    acb_swap(from, step);
+    LET_COMPLEX(step, false, prec, "2 - from", from);
     wave_integral(part, path_integrand, &p, prec);
     acb_add(y, y, part, prec);
-    FOR_ALL(acb, clear, p.from, p.step, p.gamma2);
 }
 
 /* (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) for real gamma */
@@ -144,21 +142,19 @@ static void wave_factor_by_path(acb_t j, const acb_t gamma2, slong prec)
 
 void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
 {
-    struct wave_parameters p;
-    LOCAL(acb, part);
-    FOR_ALL(acb, init, p.gamma, p.gamma2);
-    LET_COMPLEX(p.gamma2, false, prec + 20, "tau^2/(1 + tau^2)", tau);
-    LET_COMPLEX(p.gamma, false, prec + 20, "tau/sqrt(1 + tau^2)", tau);
+    LOCAL(acb, gamma, gamma2, part);
+    struct wave_parameters p = {gamma, gamma2};
+    LET_COMPLEX(gamma2, false, prec + 20, "tau^2/(1 + tau^2)", tau);
+    LET_COMPLEX(gamma, false, prec + 20, "tau/sqrt(1 + tau^2)", tau);
     if (route == WAVE_BY_PATH) {
-        wave_factor_by_path(j, p.gamma2, prec);
+        wave_factor_by_path(j, gamma2, prec);
     } else {
         wave_integral(j, pressure_integrand, &p, prec);
         wave_integral(part, shear_integrand, &p, prec);
         acb_add(j, j, part, prec);
-        rayleigh_share(part, p.gamma2, prec + 20);
+        rayleigh_share(part, gamma2, prec + 20);
         acb_add(j, j, part, prec);
     }
-    FOR_ALL(acb, clear, p.gamma, p.gamma2);
 }
 
 /* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, which is tau = 1. */
