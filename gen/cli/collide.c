@@ -59,17 +59,6 @@ static void pressing_force(arb_t force, const struct collide_arguments *o, const
         arb_set_fmpq(force, F, prec);
 }
 
-static int problem_solve(struct collision *c, const arb_t beta, const arb_t force, const struct collide_arguments *o,
-                         slong bits)
-{
-    if (!arb_is_zero(force))
-        return collision_solve_pressed(c, beta, force, &o->law.exponents, o->end, bits);
-    if (o->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
-        return collision_solve(c, beta, &o->law.exponents, bits);
-    return (o->end == END_ZERO_FORCE ? collision_solve_force : collision_solve_overlap)(c, beta, &o->law.exponents,
-                                                                                        bits);
-}
-
 /* beta as a number of every format: a decimal as given, with a digit before its point and one behind; a ratio rounded
  * to the digits of the table, or to one more where it lies in the middle of two. */
 static char *beta_text(const struct collide_arguments *o, const arb_t beta)
@@ -135,7 +124,8 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     else
         arb_set_fmpq(beta, o->beta.value, 3 * bits + 256);
     pressing_force(pressing, o, time_unit, 3 * bits + 256);
-    int status = o->threshold ? STATUS_OK : problem_solve(&collision, beta, pressing, o, bits);
+    int status =
+        o->threshold ? STATUS_OK : collision_solve_pressed(&collision, beta, pressing, &o->law.exponents, o->end, bits);
     for (int end = 0; end < 2 && o->threshold && status == STATUS_OK; end++)
         if (is_printed(STICKING + end, o))
             status = collision_sticking_force(sticking + end, beta, &o->law.exponents, end, bits);

@@ -28,11 +28,9 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
             "beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to %g", beta,
             (long)law.b.num, (long)law.b.den, (long)law.a.num, (long)law.a.den, ENCLOSED_BETA_MAX);
     LOCAL_INIT(collision, c, (&c));
-    LOCAL(arb, x);
+    LOCAL(arb, x, force);
     arb_set_d(x, beta);
-    const int status = (end == COR_BOTH_ENDS        ? collision_solve
-                        : end == COR_END_ZERO_FORCE ? collision_solve_force
-                                                    : collision_solve_overlap)(&c, x, &law, CONTACT_BITS);
+    const int status = collision_solve_pressed(&c, x, force, &law, end, CONTACT_BITS);
     *impact = (struct cor_scaled_impact){{ball_middle(c.eps_zero_overlap), ball_middle(c.eps_zero_force)},
                                          {ball_middle(c.t_zero_overlap), ball_middle(c.t_zero_force)},
                                          ball_middle(c.x_max)};

@@ -180,9 +180,8 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
 {
     const bool force = end == END_ZERO_FORCE && law_force_ends(law) && !arb_is_zero(beta);
     LOCAL_INIT(collision, c, (&c));
-    const int status = !arb_is_zero(pressing)
-                           ? collision_solve_pressed(&c, beta, pressing, law, end, bits)
-                           : (force ? collision_solve_force : collision_solve_overlap)(&c, beta, law, bits);
+    const int status =
+        collision_solve_pressed(&c, beta, pressing, law, force ? END_ZERO_FORCE : END_ZERO_OVERLAP, bits);
     arb_set(eps, force ? c.eps_zero_force : c.eps_zero_overlap);
     return status ? STATUS_FAILED : STATUS_OK;
 }

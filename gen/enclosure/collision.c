@@ -165,6 +165,8 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
     enum { MOST_BITS = 1 << 11 };
     const bool elastic = arb_is_zero(beta), alone = end == END_ZERO_FORCE && law_force_ends(law) && !elastic;
     const enum ends ends = alone ? ENDS_ZERO_FORCE : end == END_ZERO_OVERLAP ? ENDS_ZERO_OVERLAP : ENDS_BOTH;
+    if (arb_is_zero(force))
+        return ends_solve(c, beta, 1, law, end == END_ZERO_FORCE && !elastic ? ENDS_ZERO_FORCE : ends, bits);
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta) || !arb_is_positive(force))
         return fail("the damping beta of a collision must be a number >= 0, its constant force one > 0");
     for (slong prec = bits + 2 * GUARD_BITS; prec < MOST_BITS + 2 * bits; prec += prec / 2) {

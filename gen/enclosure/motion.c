@@ -96,11 +96,10 @@ static bool find_turning_point(struct motion *m)
     return crossing != TAYLOR_UNDECIDED;
 }
 
-/* Sets `end` to the place where the overlap vanishes, or to the end of the step. */
+/* Sets `end`, the end of the step, to the place where the overlap vanishes. */
 static bool find_zero_overlap(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
-    arb_set(end, y->step);
     const enum taylor_crossing crossing = taylor_crosses(end, y, TAYLOR_W, m->begin, y->step);
     m->parted = crossing == TAYLOR_CROSSED;
     if (m->parted)
@@ -271,72 +270,56 @@ static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
     LET(slope, y->prec, "-(y->v/(y->w^difference*y->c2))", y->v, y->w, difference, y->c2);
 }
 
-/* Whether the motion goes on after the current state. If not, sets the outcome. */
-static bool motion_goes_on(enum motion_outcome *outcome, struct motion *m, enum motion_goal goal,
-                           const struct slow_manifold *manifold, slong bits)
+/* The events of the current step from the turning point on. Returns false if the intervals do not decide. */
+static bool find_ends(struct motion *m)
 {
-    bool ends = false;
-    *outcome = MOTION_DONE;
-    if (m->pressing.any) {
-        ends = stays(m, goal);
-    } else if (manifold && m->turned && (m->released || !m->force_ends)) {
-        LOCAL(arb, place, slope);
-        manifold_state(place, slope, &m->y);
-        ends = slow_manifold_reached(manifold, place, slope, bits);
-        if (!ends && arb_gt(place, manifold->last)) { /* the state left the domain of the manifold without reaching
-                                                       * it */
-            *outcome = arb_rel_accuracy_bits(slope) > bits ? MOTION_MISSED : MOTION_IMPRECISE;
-            ends = true;
-        }
-    } else if (m->released && creeps(&m->y)) {
-        arb_zero(m->c->eps_zero_overlap);
-        arb_pos_inf(m->c->t_zero_overlap);
-        ends = true;
-    }
-    return !ends;
-}
-
-/* Makes one step: records its events and advances the state. Returns true while the motion goes on. */
-static bool motion_step(enum motion_outcome *outcome, struct motion *m, enum motion_goal goal)
-{
-    struct taylor *y = &m->y;
-    struct pressing *const p = &m->pressing;
+    const struct pressing *const p = &m->pressing;
     LOCAL(arb, end);
-    *outcome = MOTION_IMPRECISE;
-    taylor_expand(y);
-    bool decided = taylor_choose_step(y) && (m->turned || find_turning_point(m));
-    bool reached = m->turned && goal == MOTION_TURNING_POINT;
-    if (decided && m->turned && !reached) {
-        decided = p->stuck || find_zero_overlap(m, end);
-        if (p->stuck)
-            arb_set(end, y->step);
-        if (decided && m->force_ends && !m->released && !p->held)
-            decided = find_zero_force(m, end);
-        if (decided && m->parted && !m->released) {
-            decided = !p->any || !m->force_ends;
-            release_at_end(m);
-        }
-        reached = m->parted || (m->released && goal == MOTION_ZERO_FORCE);
-    }
-    if (decided && reached)
-        *outcome = MOTION_DONE;
-    if (decided && !reached) {
-        taylor_advance(y, y->step);
-        arb_zero(m->begin);
-        decided = arb_rel_accuracy_bits(y->w) >= LEAST_BITS && arb_rel_accuracy_bits(y->t) >= LEAST_BITS;
-    }
-    return decided && !reached;
+    arb_set(end, m->y.step);
+    if ((!p->stuck && !find_zero_overlap(m, end)) ||
+        (m->force_ends && !m->released && !p->held && !find_zero_force(m, end)))
+        return false;
+    const bool at_end = m->parted && !m->released;
+    if (at_end)
+        release_at_end(m);
+    return !at_end || !p->any || !m->force_ends;
 }
 
+/* Steps until the goal is reached. The slow manifold, if there is one, ends the motion where it comes within 2^-bits. */
 static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal, const struct slow_manifold *manifold,
                                          slong bits)
 {
-    enum motion_outcome outcome;
+    struct taylor *y = &m->y;
     const slong most = m->pressing.any ? PRESSED_STEPS : TAYLOR_MAX_STEPS;
+    LOCAL(arb, place, slope);
     for (slong step = 0; step < most; step++) {
         progress("collision", step, 0);
-        if (!motion_step(&outcome, m, goal) || !motion_goes_on(&outcome, m, goal, manifold, bits))
-            return outcome;
+        taylor_expand(y);
+        if (!taylor_choose_step(y) || (!m->turned && !find_turning_point(m)))
+            return MOTION_IMPRECISE;
+        if (m->turned && goal == MOTION_TURNING_POINT)
+            return MOTION_DONE;
+        if (m->turned && !find_ends(m))
+            return MOTION_IMPRECISE;
+        if (m->parted || (m->released && goal == MOTION_ZERO_FORCE))
+            return MOTION_DONE;
+        taylor_advance(y, y->step);
+        arb_zero(m->begin);
+        if (arb_rel_accuracy_bits(y->w) < LEAST_BITS || arb_rel_accuracy_bits(y->t) < LEAST_BITS)
+            return MOTION_IMPRECISE;
+        if (m->pressing.any) {
+            if (stays(m, goal))
+                return MOTION_DONE;
+        } else if (manifold && m->turned && (m->released || !m->force_ends)) {
+            manifold_state(place, slope, y);
+            if (slow_manifold_reached(manifold, place, slope, bits))
+                return MOTION_DONE;
+            if (arb_gt(place, manifold->last)) /* it left the domain of the manifold */
+                return arb_rel_accuracy_bits(slope) > bits ? MOTION_MISSED : MOTION_IMPRECISE;
+        } else if (m->released && creeps(y)) {
+            stay(m->c->eps_zero_overlap, m->c->t_zero_overlap);
+            return MOTION_DONE;
+        }
     }
     return MOTION_ENDLESS;
 }
