@@ -159,19 +159,16 @@ struct ratio interpolant_press_power(const struct law *law);
  * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
 void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                     const arb_t x, slong prec);
-void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec);
 
 /* The quantity at beta, in any variable that has an interval for it */
 void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t beta, slong prec);
 
-/* The quantity at beta = exp(u) divided by its power of beta, if an interval has FORM_POWER. For spheres 2 <= u <= 10,
- * except for eps at zero overlap, which is h*^5 beta^-5 there. The second function returns the power. */
-void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec);
+/* The number that an interval of FORM_POWER stores, or else the quantity: in u divided by its power of beta, for
+ * spheres 2 <= u <= 10, except for eps at zero overlap, which is h*^5 beta^-5 there; in v for q = 0 the duration times
+ * eps^((a-1)/(a+1)), both of zero overlap, which is regular at beta_c. The second function returns the power. */
+void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
+                      const arb_t x, slong prec);
 struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity);
-
-/* The quantity at beta_c - exp(v); for q = 0 the duration times eps^((a-1)/(a+1)), both of zero overlap, which is
- * regular at beta_c. */
-void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t v, slong prec);
 
 /* An inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6 (zero force)
  * to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after reporting the failure. */

@@ -105,7 +105,7 @@ static void backward(arb_t y, const struct interpolant *f, enum quantity quantit
     const struct ratio a = f->layout->law.a, b = f->layout->law.b, q = law_speed_exponent(&f->layout->law);
     LOCAL(arb, beta, eps, h, w, part);
     interpolant_beta(beta, f, INTERVAL_ROOT, x, prec);
-    interpolant_value(eps, f, EPS_ZERO_OVERLAP, x, prec);
+    interpolant_at(eps, f, EPS_ZERO_OVERLAP, INTERVAL_ROOT, x, prec);
     const bool elastic = arb_is_zero(beta); /* h = w = 0 */
     if (!elastic) {
         LET(h, prec, "eps^q*beta", eps, q, beta);
@@ -114,14 +114,14 @@ static void backward(arb_t y, const struct interpolant *f, enum quantity quantit
     }
     if (quantity == DURATION_ZERO_FORCE) {
         arb_poly_evaluate(part, f->backward_time, w, prec);
-        interpolant_value(y, f, DURATION_ZERO_OVERLAP, x, prec);
+        interpolant_at(y, f, DURATION_ZERO_OVERLAP, INTERVAL_ROOT, x, prec);
         LET(y, prec, "y - part*h*eps^((1 - a)/(1 + a))", y, part, h, eps, a);
         return;
     }
     arb_poly_evaluate(part, f->backward, w, prec);
     if (quantity == LOSS_QUOTIENT_ZERO_FORCE) {
         /* (1 - eps G)/beta = (1 - eps)/beta - eps (G - 1)/beta */
-        interpolant_value(y, f, LOSS_QUOTIENT_ZERO_OVERLAP, x, prec);
+        interpolant_at(y, f, LOSS_QUOTIENT_ZERO_OVERLAP, INTERVAL_ROOT, x, prec);
         if (!elastic)
             LET(y, prec, "y - (part - 1)*eps/beta", y, part, eps, beta);
     } else {
@@ -188,24 +188,15 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
     restore(y, f, stored, quantity != stored, form, variable, x, prec);
 }
 
-void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec)
-{
-    interpolant_at(y, f, quantity, INTERVAL_ROOT, z, prec);
-}
-
-void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
+void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
+                      const arb_t x, slong prec)
 {
     quantity = interpolant_end(f, quantity);
-    interpolant_polynomial_at(y, f, interval_at(f, quantity, INTERVAL_LOG, u, true), quantity, u, prec);
-}
-
-void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t v, slong prec)
-{
-    const int i = interval_at(f, quantity, INTERVAL_BELOW, v, false);
+    const int i = interval_at(f, quantity, variable, x, variable == INTERVAL_LOG);
     const enum interval_form form = f->layout->interval[i].form;
-    interpolant_polynomial_at(y, f, i, quantity, v, prec);
+    interpolant_polynomial_at(y, f, i, quantity, x, prec);
     if (form != FORM_POWER)
-        restore(y, f, quantity, false, form, INTERVAL_BELOW, v, prec);
+        restore(y, f, quantity, false, form, variable, x, prec);
 }
 
 /* ---- the quantity at any beta ---- */

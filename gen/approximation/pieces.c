@@ -99,15 +99,15 @@ static int collision_at(arb_t value, const void *interpolant, const struct piece
             break;
         }
         root_of_beta(x, p, f, y);
-        interpolant_value(value, f, p->quantity, x, WORKING_BITS);
+        interpolant_at(value, f, p->quantity, INTERVAL_ROOT, x, WORKING_BITS);
         break;
     case VARIABLE_POWER_OCTAVES: /* beta^5 = z^10 */
         arb_root_ui(x, x, 10, WORKING_BITS);
-        interpolant_value(value, f, p->quantity, x, WORKING_BITS);
+        interpolant_at(value, f, p->quantity, INTERVAL_ROOT, x, WORKING_BITS);
         break;
     case VARIABLE_LOG_BETA:
     case VARIABLE_LOG_OCTAVES:
-        interpolant_tail(value, f, p->quantity, x, WORKING_BITS);
+        interpolant_tail(value, f, p->quantity, INTERVAL_LOG, x, WORKING_BITS);
         break;
     case VARIABLE_BETA_OCTAVES:
         arb_log(x, x, WORKING_BITS);
@@ -115,7 +115,7 @@ static int collision_at(arb_t value, const void *interpolant, const struct piece
         break;
     case VARIABLE_BELOW_OCTAVES:
         arb_log(x, x, WORKING_BITS);
-        interpolant_below(value, f, p->quantity, x, WORKING_BITS);
+        interpolant_tail(value, f, p->quantity, INTERVAL_BELOW, x, WORKING_BITS);
         break;
     case VARIABLE_ROOT_LOSS:
         arb_pow_ui(x, y, (ulong)p->root, WORKING_BITS);

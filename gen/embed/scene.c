@@ -53,11 +53,11 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
         LET(eps, EMBED_BITS, "s->h_star_5/beta^5", s->h_star_5, beta);
     } else if (b < FORCE_FAR) {
         arb_sqrt(z, beta, EMBED_BITS);
-        interpolant_value(eps, s->interpolant, overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, z, EMBED_BITS);
+        interpolant_at(eps, s->interpolant, overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, INTERVAL_ROOT, z, EMBED_BITS);
     } else {
         arb_log(z, beta, EMBED_BITS);
         if (log(b) < LOG_FAR)
-            interpolant_tail(eps, s->interpolant, EPS_ZERO_FORCE, z, EMBED_BITS);
+            interpolant_tail(eps, s->interpolant, EPS_ZERO_FORCE, INTERVAL_LOG, z, EMBED_BITS);
         else
             far_force(eps, s, beta, z);
         LET(eps, EMBED_BITS, "eps*beta^(-5/3)", eps, beta);

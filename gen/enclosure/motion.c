@@ -285,7 +285,7 @@ static bool find_ends(struct motion *m)
     return !at_end || !p->any || !m->force_ends;
 }
 
-/* Steps until the goal is reached. The slow manifold, if there is one, ends the motion where it comes within 2^-bits. */
+/* Steps until the goal is reached. The slow manifold, if there is one, ends it where it comes within 2^-bits. */
 static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal, const struct slow_manifold *manifold,
                                          slong bits)
 {

@@ -34,14 +34,14 @@ TEST(test_small_beta)
         arb_sqr(beta, z, PREC);
         assert_int_equal(collision_solve(c, beta, &law_sphere, 110), 0);
         for (int q = 0; q < QUANTITIES; q++) {
-            interpolant_value(y, f, (enum quantity)q, z, PREC);
+            interpolant_at(y, f, (enum quantity)q, INTERVAL_ROOT, z, PREC);
             worst = fmax(worst, relative(y, c->field[q]));
             if (q != EPS_ZERO_OVERLAP && q != EPS_ZERO_FORCE)
                 continue;
             const arb_srcptr eps = c->field[q];
             LET(exact, PREC, "(1 - eps)/beta", eps, beta);
-            interpolant_value(y, f, q == EPS_ZERO_FORCE ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP, z,
-                              PREC);
+            interpolant_at(y, f, q == EPS_ZERO_FORCE ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP,
+                           INTERVAL_ROOT, z, PREC);
             worst = fmax(worst, relative(y, exact));
         }
     }
@@ -49,9 +49,9 @@ TEST(test_small_beta)
     for (int side = -1; side <= 1; side += 2) { /* the values of an interval of places contain those at its ends */
         arb_set_d(z, 0.4);
         arb_add_error_2exp_si(z, -20);
-        interpolant_value(exact, f, MAX_OVERLAP, z, PREC);
+        interpolant_at(exact, f, MAX_OVERLAP, INTERVAL_ROOT, z, PREC);
         arb_set_d(z, 0.4 + side * 0x1p-20);
-        interpolant_value(y, f, MAX_OVERLAP, z, PREC);
+        interpolant_at(y, f, MAX_OVERLAP, INTERVAL_ROOT, z, PREC);
         assert_true(arb_contains(exact, y));
     }
     assert_int_equal(interpolant_check(&error, f, 3), 0);
@@ -72,7 +72,7 @@ TEST(test_check_at_ends)
     assert_non_null(f);
     arb_one(one);
     assert_int_equal(collision_solve(c, one, &law_sphere, 110), 0);
-    interpolant_value(y, f, MAX_OVERLAP, one, PREC);
+    interpolant_at(y, f, MAX_OVERLAP, INTERVAL_ROOT, one, PREC);
     assert_int_equal(interpolant_check(&error, f, 3), 0);
     check(error >= 0.99 * relative(y, c->x_max) && error < 1e-3, "%g, at beta = 1: %g", error, relative(y, c->x_max));
     interpolant_free(f);
