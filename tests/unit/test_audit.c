@@ -475,9 +475,9 @@ TEST(texts)
     tolerance = 1e-9; /* too small to look for a time step, which takes long */
     for (size_t k = 0; k < sizeof inputs / sizeof *inputs; k++) {
         const size_t size = strlen(inputs[k][1]);
-        for (size_t i = k; i <= size; i += 2 * (size_t)check_number("COR_TEST_DIVISOR", 1))
+        for (size_t i = k; i <= size; i += few_or_all(6, 2) * (size_t)check_number("COR_TEST_DIVISOR", 1))
             audit_bytes(inputs[k][0], inputs[k][1], i, NAN);
-        for (size_t i = k; i < size; i += 5 * (size_t)check_number("COR_TEST_DIVISOR", 1))
+        for (size_t i = k; i < size; i += few_or_all(15, 5) * (size_t)check_number("COR_TEST_DIVISOR", 1))
             for (const char *with = "\"$({&*\n-/"; *with; with++) {
                 memcpy(longest, inputs[k][1], size);
                 longest[i] = *with;
