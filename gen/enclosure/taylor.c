@@ -69,7 +69,7 @@ void taylor_init(struct taylor *y, const struct law *law, slong degree, slong pr
     y->time_slope = power_of_w(y, law->d - 1);
     y->elastic = power_of_w(y, law->ad - m);
     arb_struct *const outer = power_of_w(y, law->d - 1 + m), *const damping = power_of_w(y, law->bd - m);
-    y->damped = product_new(y, 0, damping, y->v);
+    y->damped = damping == y->one ? y->v : product_new(y, 0, damping, y->v);
     y->whole_force = product_new(y, 0, outer, y->force); /* the last product */
     FOR_ALL(mag, init, y->error_w, y->error_v, y->error_t);
     FOR_ALL(arb, init, y->c1, y->c2, y->c3, y->step);
@@ -87,10 +87,16 @@ void taylor_clear(struct taylor *y)
     FOR_ALL(arb, clear, y->c1, y->c2, y->c3, y->step);
 }
 
-/* The bits with which coefficient n is computed. This decides widths alone: every ball has its round-off. */
-static slong coefficient_bits(const struct taylor *y, slong n)
+/* A step is an eighth of the radius of convergence: 3 bits a term. */
+slong taylor_degree(slong prec)
 {
-    return FLINT_MAX(y->prec - STEP_BITS * n, 0) + COEFFICIENT_GUARD;
+    return prec / 3 + 10;
+}
+
+/* The bits with which coefficient n is computed. This decides widths alone: every ball has its round-off. */
+static slong coefficient_bits(slong prec, slong n)
+{
+    return FLINT_MAX(prec - STEP_BITS * n, 0) + COEFFICIENT_GUARD;
 }
 
 /* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g: the sum over i + j = n. If
@@ -98,7 +104,7 @@ static slong coefficient_bits(const struct taylor *y, slong n)
 static void convolve(const struct taylor_product *product, slong n, slong first, const struct taylor *y)
 {
     arb_struct *const out = product->out, *const f = product->f, *const g = product->g;
-    const slong terms = n - first + 1, prec = coefficient_bits(y, n);
+    const slong terms = n - first + 1, prec = coefficient_bits(y->prec, n);
     LOCAL(arb, sum, own);
     if (f == g) {
         /* a square: each pair of different factors counts once with twice its value */
@@ -123,7 +129,7 @@ static void expand_block(struct taylor *y, slong first, slong end)
 {
     LOCAL(arb, x);
     for (slong n = first; n < end; n++) {
-        const slong prec = coefficient_bits(y, n);
+        const slong prec = coefficient_bits(y->prec, n);
         for (int i = 0; i < y->products; i++) {
             if (i == y->products - 1) {
                 arb_mul(y->force + n, y->c1, y->damped + n, prec);
@@ -149,7 +155,7 @@ static void add_known_terms(const struct taylor_product *product_of, slong first
 {
     arb_struct *const out = product_of->out, *const f = product_of->f, *const g = product_of->g;
     const slong length = end - first, known = middle - first, others = first == 0 ? known : length;
-    const slong prec = coefficient_bits(y, middle);
+    const slong prec = coefficient_bits(y->prec, middle);
     arb_ptr product = _arb_vec_init(length), left = _arb_vec_init(length), right = _arb_vec_init(known);
     for (int i = 0; i < (first == 0 || f == g ? 1 : 2); i++) {
         _arb_vec_set_round(left, i == 0 ? g : f, others, prec);
@@ -222,7 +228,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
  * the bounds are convex functions of log R, so that they have one minimum each. */
 static void residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
 {
-    enum { PER_OCTAVE = 4 };
+    enum { PER_OCTAVE = 2 };
     bool falling = true;
     LOCAL(arb, residual_v, residual_t);
     arb_pos_inf(least_v);
@@ -327,13 +333,11 @@ bool taylor_choose_step(struct taylor *y)
 }
 
 /* Components that are formulas of the enclosed w and v. Powers whose factor vanishes count as 1. */
-static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s)
+static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t w,
+                          const arb_t v, slong prec)
 {
-    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, prec = y->prec, m = FLINT_MIN(ad, bd);
+    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, m = FLINT_MIN(ad, bd);
     const arb_srcptr c1 = y->c1, c2 = y->c2;
-    LOCAL(arb, w, v, force);
-    taylor_value(w, y, TAYLOR_W, s);
-    taylor_value(v, y, TAYLOR_V, s);
     if (component == TAYLOR_FORCE) {
         LET(value, prec, "c1*w^(bd - m)*v + c2*w^(ad - m)", c1, w, bd, m, v, c2, ad);
     } else if (component == TAYLOR_DAMPING_EXCESS) {
@@ -342,27 +346,37 @@ static void formula_value(arb_t value, const struct taylor *y, enum taylor_compo
         /* F' = (c2 a w^(ad-1) v + c1 b w^(bd-1) v^2) - c1 w^(bd+d-1) F, with d w' = v and v' = -w^(d-1) F */
         const slong least = FLINT_MIN(ad > 0 ? ad - 1 : WORD_MAX, bd > 0 ? bd - 1 : d - 1), rest = bd + d - 1 - least;
         const slong by_a = FLINT_MAX(ad - 1 - least, 0), by_b = FLINT_MAX(bd - 1 - least, 0);
+        LOCAL(arb, force);
         LET(force, prec, "d*c1*w^rest*(c1*w^bd*v + c2*w^ad)", d, c1, w, rest, bd, v, c2, ad);
         LET(value, prec, "(ad*c2*w^by_a + bd*c1*w^by_b*v)*v - force", ad, c2, w, by_a, bd, c1, by_b, v, force);
     }
 }
 
-void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s)
+/* With fewer bits than y->prec the terms that these bits do not show are left out, and the value is no enclosure. */
+static void value_with(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s, slong prec)
 {
-    const arb_srcptr f = component == TAYLOR_W ? y->w : component == TAYLOR_V ? y->v : y->t;
     if (component >= TAYLOR_FORCE) {
-        formula_value(value, y, component, s);
+        LOCAL(arb, w, v);
+        value_with(w, y, TAYLOR_W, s, prec);
+        value_with(v, y, TAYLOR_V, s, prec);
+        formula_value(value, y, component, w, v, prec);
         return;
     }
+    const arb_srcptr f = component == TAYLOR_W ? y->w : component == TAYLOR_V ? y->v : y->t;
     LOCAL(arb, sum, place);
-    for (slong n = y->degree; n >= 0; n--) {
-        const slong prec = coefficient_bits(y, n);
-        arb_set_round(place, s, prec);
-        arb_mul(sum, sum, place, prec);
-        arb_add(sum, sum, f + n, prec);
+    for (slong n = prec < y->prec ? FLINT_MIN(taylor_degree(prec), y->degree) : y->degree; n >= 0; n--) {
+        const slong bits = coefficient_bits(prec, n);
+        arb_set_round(place, s, bits);
+        arb_mul(sum, sum, place, bits);
+        arb_add(sum, sum, f + n, bits);
     }
     arb_swap(value, sum);
     arb_add_error_mag(value, component == TAYLOR_W ? y->error_w : component == TAYLOR_V ? y->error_v : y->error_t);
+}
+
+void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s)
+{
+    value_with(value, y, component, s, y->prec);
 }
 
 void taylor_advance(struct taylor *y, const arb_t s)
@@ -405,43 +419,75 @@ void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f)
     b->side = above ? 1 : -1;
 }
 
+/* Sets the values at both ends of the bracket; whether prec bits show that the zero is between them */
+static bool has_signs(struct bracket *b, const struct taylor *y, enum taylor_component component, slong prec)
+{
+    value_with(b->f_low, y, component, b->low, prec);
+    value_with(b->f_high, y, component, b->high, prec);
+    return arb_is_positive(b->f_low) && arb_is_negative(b->f_high);
+}
+
+/* Makes the bracket narrow around x, where the component is f: to where a line of the bracket's slope leaves f, or
+ * twice, four times, ... as wide. */
+static bool surround(struct bracket *b, const struct taylor *y, enum taylor_component component, const arb_t x,
+                     const arb_t f, const arb_t begin, const arb_t end, slong prec)
+{
+    const slong bits = y->prec + COEFFICIENT_GUARD;
+    bool signs = false;
+    LOCAL(arb, width, least);
+    LET(width, NORM_BITS, "2*abs(f)*(b->high - b->low)/(b->f_low - b->f_high)", f, b->high, b->low, b->f_low,
+        b->f_high);
+    arb_get_ubound_arf(arb_midref(width), width, NORM_BITS);
+    mag_zero(arb_radref(width));
+    arb_get_mid_arb(least, end);
+    arb_mul_2exp_si(least, least, -prec);
+    if (!arb_is_finite(width) || arb_lt(width, least))
+        arb_set(width, least);
+    for (slong i = 0; i < prec && !signs; i++) {
+        LET(b->low, bits, "max(x - width, begin)", x, width, begin);
+        LET(b->high, bits, "min(x + width, end)", x, width, end);
+        arb_get_mid_arb(b->low, b->low);
+        arb_get_mid_arb(b->high, b->high);
+        signs = has_signs(b, y, component, prec);
+        arb_mul_2exp_si(width, width, 1);
+    }
+    b->side = 0;
+    return signs;
+}
+
 /* Encloses the zero of a component in [begin, end], where it falls from positive to negative and is known to have only
- * one: the Illinois method on midpoints finds it, and signs on both sides prove it. */
+ * one. The Illinois method finds it, with few bits at first; signs on both sides prove it, with all. */
 static bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
                         const arb_t end)
 {
-    enum { STEPS = 200 };
+    enum { STEPS = 200, FIRST_BITS = 64 };
+    slong prec = FLINT_MIN(FIRST_BITS, y->prec);
     LOCAL(bracket, b);
-    LOCAL(arb, x, f, width);
-    bool found = false, proved = false;
+    LOCAL(arb, x, f);
     arb_get_mid_arb(b->low, begin);
     arb_get_mid_arb(b->high, end);
-    taylor_value(b->f_low, y, component, b->low);
-    taylor_value(b->f_high, y, component, b->high);
+    while (!has_signs(b, y, component, prec) && prec < y->prec)
+        prec = FLINT_MIN(2 * prec, y->prec);
     arb_get_mid_arb(b->f_low, b->f_low);
     arb_get_mid_arb(b->f_high, b->f_high);
-    for (int i = 0; i < STEPS && !found; i++) {
-        bracket_guess(x, b, y->prec);
-        taylor_value(f, y, component, x);
-        found = arb_contains_zero(f);
-        if (!found)
-            bracket_shrink(b, x, f);
+    bool found = false, signs = true;
+    while (signs && !found) {
+        const bool all = prec == y->prec;
+        bool zero = false;
+        for (int i = 0; i < STEPS && !zero; i++) {
+            bracket_guess(x, b, y->prec + COEFFICIENT_GUARD); /* as fine as the round-off of f */
+            value_with(f, y, component, x, prec);
+            zero = arb_contains_zero(f);
+            if (!zero)
+                bracket_shrink(b, x, f);
+        }
+        prec = FLINT_MIN(2 * prec, y->prec);
+        signs = surround(b, y, component, x, f, begin, end, prec);
+        found = all && signs;
     }
-    arb_get_mid_arb(width, end);
-    arb_mul_2exp_si(width, width, -y->prec);
-    for (slong i = 0; i < y->prec && !proved; i++) {
-        LET(b->low, y->prec, "max(x - width, begin)", x, width, begin);
-        LET(b->high, y->prec, "min(x + width, end)", x, width, end);
-        arb_get_mid_arb(b->low, b->low);
-        arb_get_mid_arb(b->high, b->high);
-        taylor_value(b->f_low, y, component, b->low);
-        taylor_value(b->f_high, y, component, b->high);
-        proved = arb_is_positive(b->f_low) && arb_is_negative(b->f_high);
-        arb_mul_2exp_si(width, width, 1);
-    }
-    if (proved)
+    if (found)
         arb_union(root, b->low, b->high, y->prec);
-    return proved;
+    return found;
 }
 
 enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum taylor_component component,
@@ -468,10 +514,4 @@ bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component
         taylor_advance(y, y->step);
     }
     return false;
-}
-
-/* A step is an eighth of the radius of convergence: 3 bits a term. */
-slong taylor_degree(slong prec)
-{
-    return prec / 3 + 10;
 }
