@@ -59,6 +59,19 @@ TEST(test_remainder)
         }
 }
 
+/* One term of the linear oscillator, w = sigma and v = 1: no bound is nearer to what is missed, here 1 - cos(h). */
+TEST(test_one_term)
+{
+    const struct law law = law_of("1", "0");
+    struct taylor y;
+    LOCAL(arb, claimed);
+    taylor_start(&y, &law, 1, 20, "0", 0);
+    arf_set_mag(arb_midref(claimed), y.error_v);
+    assert_true(HOLDS(60, "claimed > y.step^2/2*sinc(y.step/2)^2", claimed, y.step));
+    assert_true(HOLDS(60, "claimed < 4*y.step^2", claimed, y.step));
+    taylor_clear(&y);
+}
+
 /* A step of the linear oscillator, entire as its solution is, never spans a zero of the overlap unseen. */
 TEST(test_step_is_short)
 {
@@ -133,4 +146,4 @@ TEST(test_online_products)
     }
 }
 
-RUN_TESTS(test_remainder, test_online_products, test_step_is_short, test_step_under_a_force)
+RUN_TESTS(test_remainder, test_one_term, test_online_products, test_step_is_short, test_step_under_a_force)
