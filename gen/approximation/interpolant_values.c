@@ -68,34 +68,26 @@ static int interval_at(const struct interpolant *f, enum quantity quantity, enum
 void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_variable variable, const arb_t x,
                       slong prec)
 {
-    if (variable == INTERVAL_ROOT) {
-        arb_pow_ui(beta, x, (ulong)f->layout->root, prec);
-    } else {
-        arb_exp(beta, x, prec);
-        if (variable == INTERVAL_BELOW)
-            arb_sub(beta, f->threshold, beta, prec);
-    }
+    static const char *const of_place[] = {
+        [INTERVAL_ROOT] = "x^root", [INTERVAL_LOG] = "exp(x)", [INTERVAL_BELOW] = "f->threshold - exp(x)"};
+    const slong root = f->layout->root;
+    LET(beta, prec, of_place[variable], x, root, f->threshold);
 }
 
 /* The quantity, or (1 - eps)/beta, from the number that an interval stores */
 static void restore(arb_t y, const struct interpolant *f, enum quantity stored, bool loss, enum interval_form form,
                     enum interval_variable variable, const arb_t x, slong prec)
 {
+    static const char *const eps_or_loss[][2] = {[FORM_VALUE] = {"y", "(1 - y)/beta"},
+                                                 [FORM_QUOTIENT] = {"1 - y*beta", "y"},
+                                                 [FORM_LOG] = {"exp(y)", "-expm1(y)/beta"},
+                                                 [FORM_POWER] = {"y*scale", "(1 - y*scale)/beta"}};
     LOCAL(arb, beta, scale);
-    if (form == FORM_POWER) {
+    if (form == FORM_POWER)
         interpolant_power(scale, x, interpolant_tail_power(&f->layout->law, stored), prec);
-        arb_mul(y, y, scale, prec);
-    }
-    if (!is_eps(stored))
-        return;
     if (loss || form == FORM_QUOTIENT)
         interpolant_beta(beta, f, variable, x, prec);
-    if (form == FORM_QUOTIENT && !loss)
-        LET(y, prec, "1 - y*beta", y, beta);
-    else if (form == FORM_LOG && !loss)
-        arb_exp(y, y, prec);
-    else if (form != FORM_QUOTIENT && loss)
-        LET(y, prec, form == FORM_LOG ? "-expm1(y)/beta" : "(1 - y)/beta", y, beta);
+    LET(y, prec, is_eps(stored) || form == FORM_POWER ? eps_or_loss[form][loss] : "y", y, beta, scale);
 }
 
 /* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
@@ -108,9 +100,8 @@ static void backward(arb_t y, const struct interpolant *f, enum quantity quantit
     interpolant_at(eps, f, EPS_ZERO_OVERLAP, INTERVAL_ROOT, x, prec);
     const bool elastic = arb_is_zero(beta); /* h = w = 0 */
     if (!elastic) {
-        LET(h, prec, "eps^q*beta", eps, q, beta);
-        LET(w, prec, "h^((a + 1)/(a - b))", h, a, b);
-        LET(h, prec, "h^(1/(a - b))", h, a, b);
+        LET(h, prec, "(eps^q*beta)^(1/(a - b))", eps, q, beta, a, b);
+        LET(w, prec, "h^(a + 1)", h, a);
     }
     if (quantity == DURATION_ZERO_FORCE) {
         arb_poly_evaluate(part, f->backward_time, w, prec);

@@ -132,14 +132,12 @@ static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const s
     const double far = FAR_BITS * (double)(law->ad + law->d) / 2 / (law->d == 1 ? 0.5 : 1) - 4;
     slong prec = bits + GUARD_BITS;
     bool proved[2] = {false, false};
-    LOCAL(arb, rest, middle, width);
+    LOCAL(arb, rest, middle);
     arb_div(rest, beta, low, prec);
     if (!(log2(arf_get_d(arb_midref(rest), ARF_RND_UP)) * (double)q.den / (double)q.num < far))
         return fail("the damping is too strong for the threshold of the force to be enclosed");
     for (slong i = 0; i < 4 * (bits + SEARCH_STEPS); i++) {
-        arb_sub(width, high, low, prec);
-        arb_mul_2exp_si(width, width, bits + 8);
-        const bool narrow = arb_lt(width, low);
+        const bool narrow = HOLDS(prec, "(high - low)*2^(bits + 8) < low", high, low, bits);
         if (narrow && proved[0] && proved[1]) {
             arb_union(middle, low, high, prec);
             LET(force, prec, "(middle/beta)^(2*law->a/n)", middle, beta, law->a, n);
@@ -167,8 +165,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
     enum { DOUBLINGS = 60, ENOUGH = 40 };
     LOCAL(bracket, b);
     LOCAL(arb, rest, force);
-    double low = 0, high = 0;
-    bool below = false, above = false;
+    double low = -HUGE_VAL, high = HUGE_VAL; /* log2 of the places so far */
     double place = log2(fmin(ball_middle(beta), 0.5));
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_set_d(damping, exp2(place));
@@ -176,20 +173,20 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
             return fail("the damping is too strong for the threshold of the force to be enclosed");
         const bool is_low = arf_sgn(arb_midref(rest)) > 0;
         *(is_low ? &low : &high) = place;
-        *(is_low ? &below : &above) = true;
         arb_get_mid_arb(is_low ? b->low : b->high, damping);
         arb_get_mid_arb(is_low ? b->f_low : b->f_high, rest);
-        const bool both = below && above;
+        const bool both = isfinite(low) && isfinite(high);
         if ((both && (arb_is_finite(b->f_high) || high - low < 1e-12)) || place > DOUBLINGS || place < -1000)
             break;
         place = both ? (low + high) / 2 : place + (is_low ? 1 : -1);
     }
-    if (below && above && !arb_is_finite(b->f_high) && law_speed_exponent(law).num > 0) {
+    const bool both = isfinite(low) && isfinite(high);
+    if (both && !arb_is_finite(b->f_high) && law_speed_exponent(law).num > 0) {
         arb_set(low_end, b->low);
         arb_set(high_end, b->high);
         return STATUS_OK;
     }
-    if (!(below && above && arb_is_finite(b->f_high)))
+    if (!(both && arb_is_finite(b->f_high)))
         return fail("there is no threshold: at this damping the bodies never part, even without a force");
     for (int i = 0; i < SEARCH_STEPS; i++) {
         bracket_guess(damping, b, SEARCH_BITS);

@@ -30,13 +30,10 @@ double slow_manifold_depth(const struct law *law, slong bits)
 /* Upper bound of sum_{m >= first} |f_m| y^m. */
 static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, slong prec)
 {
-    LOCAL(arb, term, power);
     arb_zero(sum);
-    arb_pow_ui(power, y, (ulong)first, prec);
     for (slong m = first; m < f->length; m++) {
-        arb_abs(term, f->coeffs + m);
-        arb_addmul(sum, term, power, prec);
-        arb_mul(power, power, y, prec);
+        const arb_srcptr c = f->coeffs + m;
+        LET(sum, prec, "sum + abs(c)*y^m", sum, c, y, m);
     }
     arb_get_ubound_arf(arb_midref(sum), sum, prec);
     mag_zero(arb_radref(sum));
@@ -175,12 +172,7 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
 }
 
 /* All manifolds so far, the last one first. Threads that need a manifold wait while another computes one. */
-static struct kept {
-    struct slow_manifold manifold;
-    slong bits;
-    bool closed;
-    struct kept *next;
-} * kept_manifolds;
+static struct slow_manifold *kept_manifolds;
 static pthread_mutex_t kept_lock = PTHREAD_MUTEX_INITIALIZER;
 
 const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, slong prec)
@@ -189,18 +181,17 @@ const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, 
     enum { PREC_STEP = 32 };
     prec = (prec + PREC_STEP - 1) / PREC_STEP * PREC_STEP;
     pthread_mutex_lock(&kept_lock);
-    struct kept *k = kept_manifolds;
-    while (k && !(k->bits == bits && k->manifold.prec == prec && law_equal(&k->manifold.law, law)))
-        k = k->next;
-    if (!k) {
-        k = xmalloc(sizeof *k);
-        k->bits = bits;
-        k->closed = manifold_make(&k->manifold, law, bits, prec);
-        k->next = kept_manifolds;
-        kept_manifolds = k;
+    struct slow_manifold *m = kept_manifolds;
+    while (m && !(m->bits == bits && m->prec == prec && law_equal(&m->law, law)))
+        m = m->next;
+    if (!m) {
+        m = xmalloc(sizeof *m);
+        *m = (struct slow_manifold){.bits = bits, .next = kept_manifolds};
+        m->closed = manifold_make(m, law, bits, prec);
+        kept_manifolds = m;
     }
     pthread_mutex_unlock(&kept_lock);
-    return k->closed ? &k->manifold : NULL;
+    return m->closed ? m : NULL;
 }
 
 bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)
@@ -218,12 +209,11 @@ bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y
     /* sum_k inverse_k [y^(k-kappa)/(k-kappa)]/n from y to `last` */
     arb_zero(time);
     for (slong k = 0; k < m->inverse->length; k++) {
+        const arb_srcptr c = m->inverse->coeffs + k;
         time_power(x, m, k, m->last);
-        arb_addmul(time, x, m->inverse->coeffs + k, m->prec);
-        time_power(x, m, k, y);
-        arb_submul(time, x, m->inverse->coeffs + k, m->prec);
+        time_power(error, m, k, y);
+        LET(time, m->prec, "time + c*(x - error)/m->n", time, c, x, error, m->n);
     }
-    LET(time, m->prec, "time/m->n", time, m->n);
     arb_add_error(time, m->time_error);
     /* |1/p - 1/P| <= eta/(3/4 - eta)^2 < 2 eta, integrated like the term of degree 0 */
     eta_of(eta, m, bits);

@@ -39,18 +39,15 @@ static slong residual(const fmpq_poly_struct *row, slong order, slong terms, con
 {
     const slong d = law->d, du = law->bd + d, ds = law->ad + d, n = FLINT_MIN((order + 1) * du, (terms + 1) * ds);
     const struct ratio beta = {5, 7}, a = law->a, b = law->b;
-    LOCAL(fmpq, c, e);
+    LOCAL(fmpq, c, other);
     LOCAL(fmpq_poly, x, velocity, sum, log, power);
     slong wrong = 0;
     for (slong k = 0; k <= order; k++)
         for (slong j = 0; j <= terms && k * du + j * ds < n; j++) {
-            const slong i = k * du + j * ds;
-            LOCAL(fmpq, other);
             fmpq_poly_get_coeff_fmpq(c, row + k, j);
-            EXACT(c, "c*beta^k", c, beta, k);
-            fmpq_poly_get_coeff_fmpq(other, x, i);
-            fmpq_add(other, other, c);
-            fmpq_poly_set_coeff_fmpq(x, i, other);
+            fmpq_poly_get_coeff_fmpq(other, x, k * du + j * ds);
+            EXACT(c, "other + c*beta^k", other, c, beta, k);
+            fmpq_poly_set_coeff_fmpq(x, k * du + j * ds, c);
         }
     for (slong i = 0; i < n; i++) {
         fmpq_poly_get_coeff_fmpq(c, x, i);
@@ -60,19 +57,17 @@ static slong residual(const fmpq_poly_struct *row, slong order, slong terms, con
         fmpq_poly_set_coeff_fmpq(sum, i, c);
     }
     fmpq_poly_log_series(log, x, n);
-    EXACT(e, "a", a);
-    fmpq_poly_scalar_mul_fmpq(power, log, e);
-    fmpq_poly_exp_series(power, power, n);
-    fmpq_poly_shift_left(power, power, ds);
-    fmpq_poly_add(sum, sum, power);
-    EXACT(e, "b", b);
-    fmpq_poly_scalar_mul_fmpq(power, log, e);
-    fmpq_poly_exp_series(power, power, n);
-    fmpq_poly_mullow(power, power, velocity, n);
-    EXACT(e, "beta", beta);
-    fmpq_poly_scalar_mul_fmpq(power, power, e);
-    fmpq_poly_shift_left(power, power, du);
-    fmpq_poly_add(sum, sum, power);
+    for (int elastic = 0; elastic < 2; elastic++) {
+        EXACT(c, elastic ? "a" : "b", a, b);
+        fmpq_poly_scalar_mul_fmpq(power, log, c);
+        fmpq_poly_exp_series(power, power, n);
+        EXACT(c, elastic ? "1" : "beta", beta);
+        fmpq_poly_scalar_mul_fmpq(power, power, c);
+        if (!elastic)
+            fmpq_poly_mullow(power, power, velocity, n);
+        fmpq_poly_shift_left(power, power, elastic ? ds : du);
+        fmpq_poly_add(sum, sum, power);
+    }
     for (slong i = 0; i < n; i++) {
         fmpq_poly_get_coeff_fmpq(c, sum, i);
         wrong += !fmpq_is_zero(c);
