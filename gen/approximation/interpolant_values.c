@@ -87,7 +87,8 @@ static void restore(arb_t y, const struct interpolant *f, enum quantity stored, 
         interpolant_power(scale, x, interpolant_tail_power(&f->layout->law, stored), prec);
     if (loss || form == FORM_QUOTIENT)
         interpolant_beta(beta, f, variable, x, prec);
-    LET(y, prec, is_eps(stored) || form == FORM_POWER ? eps_or_loss[form][loss] : "y", y, beta, scale);
+    if (is_eps(stored) || form == FORM_POWER)
+        LET(y, prec, eps_or_loss[form][loss], y, beta, scale);
 }
 
 /* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
