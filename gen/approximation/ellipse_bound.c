@@ -54,17 +54,9 @@ struct cover {
     atomic_int balls;
 };
 
-/* A ball of the interval's variable that contains the square |Re - re| <= half, |Im - im| <= half about its middle */
-static struct complex_ball ball_around(const struct interval *interval, double re, double im, double half)
-{
-    const struct complex_ball square = ball_widened(ball_of(re, im), half * (1.4142135623730952 * (1 + 1e-9)));
-    return ball_add(ball_of((interval->lo + interval->hi) / 2, 0),
-                    ball_times(square, (interval->hi - interval->lo) / 2));
-}
-
-/* Raises the bounds to the moduli of the numbers that the interval stores in a square, as `stored` gives them. Where it
- * returns false, the quarters of the square do. The largest modulus is that of the boundary of the ellipse, where a
- * quotient by beta has no 0/0. */
+/* Raises the bounds to the moduli of the numbers that the interval stores in the square |Re - re| <= half, |Im - im| <=
+ * half about its middle, as `stored` gives them for a ball around it. Where that is false, the quarters do. The largest
+ * modulus is that of the boundary of the ellipse, where a quotient by beta has no 0/0. */
 static void cover_square(struct cover *work, double re, double im, double half, int depth)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
@@ -78,7 +70,11 @@ static void cover_square(struct cover *work, double re, double im, double half, 
         return;
     }
     struct complex_ball y[QUANTITIES] = {{0, 0, 0}};
-    bool known = work->stored(y, work, ball_around(work->interval, re, im, half));
+    const struct interval *const interval = work->interval;
+    const struct complex_ball square = ball_widened(ball_of(re, im), half * (1.4142135623730952 * (1 + 1e-9)));
+    const struct complex_ball x =
+        ball_add(ball_of((interval->lo + interval->hi) / 2, 0), ball_times(square, (interval->hi - interval->lo) / 2));
+    bool known = work->stored(y, work, x);
     for (int q = 0; q < QUANTITIES && most >= 1 - 1e-9; q++)
         known = known && (!(work->set & 1u << q) || isfinite(ball_above(y[q])));
     for (int k = 0; k < 4 && !known; k++)
@@ -206,17 +202,6 @@ static bool stored_by_law(struct complex_ball y[QUANTITIES], const struct cover 
     return known;
 }
 
-/* Upper bound of |beta| in the ellipse */
-static double largest_beta(const struct cover *work, double rho)
-{
-    const struct interval *const interval = work->interval;
-    const double middle = (interval->lo + interval->hi) / 2, half = (interval->hi - interval->lo) / 2;
-    const struct complex_ball x = {middle, 0, half * (rho + 1 / rho) / 2};
-    struct complex_ball beta, log_beta;
-    damping_of(&beta, &log_beta, work, x);
-    return ball_above(beta);
-}
-
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho)
 {
     struct cover work = {
@@ -224,15 +209,6 @@ int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *inter
     return cover_ellipse(&work, rho) ? STATUS_OK
                                      : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho,
                                             interval->lo, interval->hi);
-}
-
-/* Near the sticking speed v_s, what is left of the energy at the end is as small as v/v_s - 1. */
-static double resolution_at(const struct interpolant *f, const struct interval *interval)
-{
-    const struct interpolant_layout *const layout = f->layout;
-    const double q = fabs(ratio_double(law_speed_exponent(&layout->law)));
-    const double distance = fmin(fabs(interval->lo - layout->press_log), fabs(interval->hi - layout->press_log)) / q;
-    return fmin(1, NEAR_STICKING * distance);
 }
 
 bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
@@ -247,11 +223,15 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
     /* zero overlap: in ln(beta), n > 0 */
     const bool pressed = f->layout->press != NULL;
     const bool may_be_strong = force || (log && !pressed && law_fall_power(law).num > 0);
-    const double above = (interval->lo + interval->hi) / 2 - (force ? STRONG_FORCE : STRONG_OVERLAP);
+    const double lo = interval->lo, hi = interval->hi, log_sticking = f->layout->press_log;
+    const double above = (lo + hi) / 2 - (force ? STRONG_FORCE : STRONG_OVERLAP);
     const bool strong = may_be_strong && above > 0;
-    work.path = complex_law_path(law, largest_beta(&work, rho), strong);
-    if (pressed)
-        work.path.resolution = resolution_at(f, interval);
+    struct complex_ball beta, log_beta; /* in all of the ellipse */
+    damping_of(&beta, &log_beta, &work, (struct complex_ball){(lo + hi) / 2, 0, (hi - lo) / 2 * (rho + 1 / rho) / 2});
+    work.path = complex_law_path(law, ball_above(beta), strong);
+    if (pressed) /* near the sticking speed v_s, what is left of the energy at the end is as small as v/v_s - 1 */
+        work.path.resolution = fmin(1, NEAR_STICKING * fmin(fabs(lo - log_sticking), fabs(hi - log_sticking)) /
+                                           fabs(ratio_double(law_speed_exponent(law))));
     if (cover_ellipse(&work, rho))
         return true;
     work.path.strong = !strong;

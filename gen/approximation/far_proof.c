@@ -156,12 +156,6 @@ static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double
 
 /* ---- all cells ---- */
 
-/* exp(x) - 1 for a bound x of a logarithm's modulus */
-static double relative(double x)
-{
-    return x < 0x1p-20 ? x * (1 + x) : HUGE_VAL;
-}
-
 static double cell_error(const struct far_proof *proof, enum quantity quantity, const double *c, double lo, double hi)
 {
     LOCAL(arb_poly, difference, scale);
@@ -179,7 +173,9 @@ static double cell_error(const struct far_proof *proof, enum quantity quantity, 
     for (int k = -POINTS; k <= POINTS && done; k++)
         known = fmax(known, enclosed_ratio_at(difference, scale, k / (double)POINTS));
     error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
-    return quantity == BETA_ZERO_FORCE ? relative(error) : error;
+    if (quantity != BETA_ZERO_FORCE)
+        return error;
+    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* of a logarithm: exp(error) - 1 */
 }
 
 double far_proof_bits(const struct far_proof *proof, enum quantity quantity, const double *c)

@@ -43,14 +43,6 @@ static struct ratio far_excess(const struct law *law, bool fall)
     return fall ? RATIO("(a - 1)/(2*b - a + 1) - leading", a, b, leading) : RATIO("a/(b + 1) - leading", a, b, leading);
 }
 
-/* u of sample k: 9.5, 10, ... for spheres, larger if mu falls more slowly */
-static double far_place(const struct law *law, slong k)
-{
-    const struct ratio power = law_mu_power(law);
-    const double sphere = 5.0 / 3, own = ratio_double(power);
-    return (9.5 + 0.5 * (double)k) * (own == sphere ? 1 : sphere / own);
-}
-
 static bool has_far(const struct interpolant *f, enum quantity quantity)
 {
     const struct interpolant_layout *layout = f->layout;
@@ -97,8 +89,10 @@ int interpolant_make_far(struct interpolant *f)
     interval.count = INTERPOLANT_FAR + (falls_apart(&f->layout->law) && has_far(f, DURATION_ZERO_OVERLAP));
     struct samples s;
     samples_init(&s, interval.count);
+    /* u of sample k: 9.5, 10, ... for spheres, larger if mu falls more slowly */
+    const double slower = 5.0 / 3 / ratio_double(law_mu_power(&f->layout->law));
     for (slong k = 0; k < interval.count; k++)
-        interpolant_place(s.beta + k, s.node + k, f, &interval, far_place(&f->layout->law, k));
+        interpolant_place(s.beta + k, s.node + k, f, &interval, (9.5 + 0.5 * (double)k) * slower);
     int status = samples_collide(&s, 1, f, &interval, "collisions at large beta");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (holds(&interval, (enum quantity)q) && !fit_far(f, (enum quantity)q, &s))

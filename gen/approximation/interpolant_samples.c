@@ -154,15 +154,6 @@ static int interval_sample(arb_ptr value, const struct interpolant *f, const str
     return fail("a sample of the collision could not be rounded to %ld bits", (long)bits);
 }
 
-static void place_nodes(struct samples *s, const struct interpolant *f, const struct interval *interval)
-{
-    const slong n = interval->count;
-    for (slong j = 0; j < n; j++)
-        interpolant_place(s->beta + j, s->node + j, f, interval,
-                          (interval->lo + interval->hi) / 2 +
-                              (interval->hi - interval->lo) / 2 * chebyshev_point(j, n));
-}
-
 void interpolant_through_samples(arb_poly_t p, const struct samples *s, const struct interval *interval,
                                  enum quantity quantity)
 {
@@ -182,15 +173,6 @@ double interpolant_beta_near(const struct interpolant *f, const struct interval 
     arb_set_d(place, x);
     interpolant_beta(beta, f, interval->variable, place, INTERPOLANT_BITS);
     return ball_middle(beta);
-}
-
-/* Whether [beta_min, beta_max] meets an interval. The far coefficients continue the last u. */
-static bool needed(const struct interpolant *f, const struct interval *interval, double beta_min, double beta_max)
-{
-    const double x = interpolant_beta_near(f, interval, interval->lo);
-    const double y = interpolant_beta_near(f, interval, interval->hi);
-    const bool last = interval == &f->layout->interval[f->layout->intervals - 1];
-    return beta_max >= fmin(x, y) && (beta_min <= fmax(x, y) || (last && interval->variable == INTERVAL_LOG));
 }
 
 static int make_constants(struct interpolant *f, double beta_max)
@@ -286,9 +268,16 @@ static int make_samples(struct interpolant *f, double beta_min, double beta_max)
 {
     const struct interpolant_layout *const layout = f->layout;
     for (int i = 0; i < layout->intervals; i++) {
-        f->samples[i].known = needed(f, &layout->interval[i], beta_min, beta_max);
-        if (f->samples[i].known)
-            place_nodes(&f->samples[i], f, &layout->interval[i]);
+        /* [beta_min, beta_max] meets the interval; the far coefficients continue the last u */
+        const struct interval *const interval = &layout->interval[i];
+        struct samples *const s = &f->samples[i];
+        const double lo = interval->lo, hi = interval->hi;
+        const double x = interpolant_beta_near(f, interval, lo), y = interpolant_beta_near(f, interval, hi);
+        const bool continued = i == layout->intervals - 1 && interval->variable == INTERVAL_LOG;
+        s->known = beta_max >= fmin(x, y) && (beta_min <= fmax(x, y) || continued);
+        for (slong j = 0; j < interval->count && s->known; j++)
+            interpolant_place(s->beta + j, s->node + j, f, interval,
+                              (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, interval->count));
     }
     const int status = samples_collide(f->samples, layout->intervals, f, layout->interval, "collisions");
     for (int i = 0; i < layout->intervals; i++)

@@ -164,13 +164,14 @@ static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, doubl
 }
 
 /* For q > 0: finds the first half octave of beta up to 8, or the first eighth of an octave of ln(beta), from which eps
- * is a power. */
-static int find_fall(struct law_layout *layout)
+ * is a power. Sets h* = v_f^q. */
+static int find_fall(double *h_star, struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;
     bool fallen = false;
     LOCAL(arb, v_f);
     int status = collision_final_speed(v_f, law, CONSTANT_BITS);
+    *h_star = pow(ball_middle(v_f), ratio_double(law_speed_exponent(law)));
     layout->overlap_end = LAW_MIDDLE_END;
     layout->overlap_log = 0;
     if (status == STATUS_OK)
@@ -186,20 +187,6 @@ static int find_fall(struct law_layout *layout)
         status = is_fallen(&fallen, law, v_f, exp(layout->overlap_log));
     }
     progress_end();
-    return status;
-}
-
-/* The radius of convergence of eps in beta: h* = v_f^q, or the threshold */
-static int find_radius(double *radius, struct law_layout *layout)
-{
-    const struct law *law = &layout->interpolant.law;
-    LOCAL(arb, v_f);
-    if (law_fall_power(law).num <= 0) {
-        *radius = layout->threshold;
-        return STATUS_OK;
-    }
-    const int status = collision_final_speed(v_f, law, 64);
-    *radius = pow(ball_middle(v_f), ratio_double(law_speed_exponent(law)));
     return status;
 }
 
@@ -341,14 +328,14 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > (double)MOST_POWER)
         return fail("eps falls like beta^(-%.0f) in this law: no table holds that",
                     -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)));
-    double radius = 1;
-    int status = n.num > 0 ? find_fall(layout) : find_threshold(layout);
-    if (status == STATUS_OK)
-        status = find_radius(&radius, layout);
+    double radius; /* of convergence of eps in beta: h* = v_f^q, or the threshold */
+    const int status = n.num > 0 ? find_fall(&radius, layout) : find_threshold(layout);
+    if (n.num <= 0)
+        radius = layout->threshold;
     layout->near_end = exp2(floor(log2(fmin(radius, 1))) - (double)NEAR_OCTAVES);
     make_intervals(layout);
-    for (int i = 0; i < 2 && law_is_linear(law); i++) /* eps falls faster for linear laws, and their collisions are
-                                                       * cheap */
+    /* eps falls faster for linear laws, and their collisions are cheap */
+    for (int i = 0; i < 2 && law_is_linear(law); i++)
         law_layout_refine(layout);
     make_tables(layout);
     return status;

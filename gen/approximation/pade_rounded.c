@@ -193,13 +193,6 @@ static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magni
     LET(error, BITS, "error/abs(at_centre + (z - centre)*rise)*gamma", error, at_centre, z, centre, rise, gamma);
 }
 
-static void set_magnitude(arb_poly_t magnitude, const arb_poly_t p)
-{
-    arb_poly_set(magnitude, p);
-    for (slong i = 0; i < arb_poly_length(p); i++)
-        arb_abs(arb_poly_get_coeff_ptr(magnitude, i), arb_poly_get_coeff_ptr(p, i));
-}
-
 /* (1 + n)/(1 - d) (1 + u)^rounded - 1 */
 static double quotient_error(const arb_t n, const arb_t d, slong rounded)
 {
@@ -242,7 +235,9 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
     for (int i = 0; i < 3; i++) {
         FOR_ALL(arb_poly, init, magnitude[i], slope[i]);
         arb_init(error[i]);
-        set_magnitude(magnitude[i], poly[i]);
+        arb_poly_set(magnitude[i], poly[i]);
+        for (slong k = 0; k < arb_poly_length(poly[i]); k++)
+            arb_abs(magnitude[i]->coeffs + k, poly[i]->coeffs + k);
         arb_poly_derivative(slope[i], poly[i], BITS);
     }
     *eps = *loss = 0;

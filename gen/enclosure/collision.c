@@ -94,16 +94,6 @@ static enum motion_outcome attempt(struct collision *c, const arb_t beta, const 
     return outcome;
 }
 
-/* Solves the collision without damping by (51). */
-static void elastic_solve(struct collision *c, const struct law *law, slong prec)
-{
-    turning_point_elastic(c->x_max, c->t_max, law, prec);
-    arb_one(c->eps_zero_overlap);
-    arb_one(c->eps_zero_force);
-    arb_mul_2exp_si(c->t_zero_overlap, c->t_max, 1);
-    arb_set(c->t_zero_force, c->t_zero_overlap);
-}
-
 /* `below`: how far beta is below the threshold of zero overlap, if that is known */
 static int ends_solve(struct collision *c, const arb_t beta, double below, const struct law *law, enum ends ends,
                       slong bits)
@@ -112,8 +102,12 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
     if (!arb_is_finite(beta) || !(force ? arb_is_positive(beta) : arb_is_nonnegative(beta)))
         return fail("the damping beta of a collision%s must be a number %s 0", force ? " that ends without force" : "",
                     force ? ">" : ">=");
-    if (arb_is_zero(beta)) {
-        elastic_solve(c, law, bits + GUARD_BITS);
+    if (arb_is_zero(beta)) { /* (51) */
+        turning_point_elastic(c->x_max, c->t_max, law, bits + GUARD_BITS);
+        arb_one(c->eps_zero_overlap);
+        arb_one(c->eps_zero_force);
+        arb_mul_2exp_si(c->t_zero_overlap, c->t_max, 1);
+        arb_set(c->t_zero_force, c->t_zero_overlap);
         return STATUS_OK;
     }
     struct route r = route_of(beta, below, law, ends, bits);

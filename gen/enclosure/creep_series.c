@@ -103,12 +103,6 @@ static void bound_step(arb_t bound, const struct formal_time *f, slong order, co
     LET(bound, BOUND_BITS, "bound*factor + source/least", bound, factor, source, least);
 }
 
-/* The order that suits 1/r = y: its last term is nearly the smallest. */
-static slong order_at(double y)
-{
-    return FLINT_MIN((slong)y, CREEP_SERIES_ORDER);
-}
-
 /* |dTheta/dk| <= (24/25)/r^2 begins, at r = 1/FIRST_Y; steps lead to 1/CREEP_SERIES_LEAST_Y. */
 static void start_bound(arb_t bound, const struct formal_time *f)
 {
@@ -116,7 +110,8 @@ static void start_bound(arb_t bound, const struct formal_time *f)
     LET(bound, BOUND_BITS, "24*FIRST_Y^2/25", FIRST_Y);
     slong order = 0;
     for (slong i = FIRST_Y * STEPS_PER_Y; i < CREEP_SERIES_LEAST_Y * STEPS_PER_Y; i++) {
-        const slong next = FLINT_MAX(order_at((double)i / (double)STEPS_PER_Y), FIRST_ORDER);
+        /* the order that suits 1/r = i/STEPS_PER_Y: its last term is nearly the smallest */
+        const slong next = FLINT_MAX(FLINT_MIN(i / STEPS_PER_Y, CREEP_SERIES_ORDER), FIRST_ORDER);
         LET(high, BOUND_BITS, "STEPS_PER_Y/i", STEPS_PER_Y, i);
         LET(low, BOUND_BITS, "STEPS_PER_Y/(i + 1)", STEPS_PER_Y, i);
         add_terms(bound, f, high, order, next);
