@@ -38,12 +38,10 @@ void plan_init(struct plan *plan, slong points, double speed_min, double speed_m
 
 void plan_clear(struct plan *plan)
 {
-    plan_spheres_clear(plan);
     for (int i = 0; i < plan->models; i++) {
         free(plan->model[i].value);
         free(plan->model[i].error);
         free(plan->model[i].use);
-        free(plan->model[i].coefficient);
     }
     free(plan->model);
     free(plan->speed);

@@ -10,8 +10,6 @@
 #include "embed/request.h"
 #include "support/output.h"
 
-struct embed_form;
-
 enum plan_quantity { PLAN_EPS, PLAN_CONTACT_TIME, PLAN_COMPRESSION };
 extern const char *const plan_quantity_names[]; /* ends with NULL */
 
@@ -34,17 +32,6 @@ enum plan_verdict {
     PLAN_SHOWN    /* not for use: shows the cost of a mistake */
 };
 
-/* A model of spheres as a function of a speed and its beta; none where only the values at the points exist */
-enum plan_formula {
-    PLAN_NO_FORMULA,
-    PLAN_CONSTANT,
-    PLAN_POWER_LAW,
-    PLAN_SIMPLE_THEORY,
-    PLAN_TABLE_1,
-    PLAN_QUOTIENT, /* of polynomials */
-    PLAN_HEADER
-};
-
 struct plan_model {
     char name[PLAN_NAME]; /* without commas and quotation marks */
     double *value;        /* value at each point; NaN: none */
@@ -58,11 +45,6 @@ struct plan_model {
     bool outside, shown;
     bool promised; /* the error is the library's bound; the uncertainty of the reference does not count */
     enum plan_verdict verdict;
-    enum plan_formula formula; /* spheres */
-    double number[4];
-    double *coefficient; /* of a quotient of degrees m and n in beta or its square root; malloc'ed */
-    slong m, n, root;
-    const struct embed_form *form;
 };
 
 struct plan {
@@ -79,8 +61,7 @@ struct plan {
     double *uncertainty; /* uncertainty of `truth`, in the unit of the errors */
     struct plan_model *model;
     int models;
-    int chosen;  /* -1: none */
-    void *owned; /* data to which the models point; spheres.c */
+    int chosen; /* -1: none */
 };
 
 /* Sets points from speed_min to speed_max, both included, at equal distances of their logarithms. */
@@ -107,8 +88,6 @@ void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
                  const struct cor_scene_contact *pressed, slong points);
 int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points);
-void plan_spheres_clear(struct plan *plan); /* *owned alone, for plan_clear */
-double plan_model_eps(const struct plan_model *model, double speed, double beta);
 
 /* 1 - eps^2 to first order at a speed in m/s, the energy that elastic waves alone take, as cor_contact_wave_loss
  * computes it, from a sphere that hits a massive wall, a half-space with the density of the sphere. NaN for a scene

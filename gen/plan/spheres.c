@@ -104,35 +104,15 @@ static double eps_horner(const double *c, slong degree, double z)
     return y;
 }
 
-double plan_model_eps(const struct plan_model *m, double speed, double beta)
+/* The quotient of polynomials of degrees m and n */
+static double eps_quotient(const double *c, slong m, slong n, double z)
 {
-    const double z = m->root == 2 ? sqrt(beta) : beta;
-    switch (m->formula) {
-    case PLAN_CONSTANT:
-        return m->number[0];
-    case PLAN_POWER_LAW:
-        return fmin(1, m->number[0] * pow(speed, -m->number[1]));
-    case PLAN_SIMPLE_THEORY:
-        return cor_sphere_eps_simple(beta);
-    case PLAN_TABLE_1:
-        return cor_sphere_eps_published_pade(beta);
-    case PLAN_QUOTIENT:
-        return eps_horner(m->coefficient, m->m, z) / eps_horner(m->coefficient + m->m + 1, m->n, z);
-    case PLAN_HEADER:
-        return embed_form_value(m->form, speed, false);
-    case PLAN_NO_FORMULA:
-        break;
-    }
-    return (double)NAN;
+    return eps_horner(c, m, z) / eps_horner(c + m + 1, n, z);
 }
 
-/* Makes the model a quotient of polynomials of degrees m and n; returns the coefficients, to be filled. */
-static double *set_quotient(struct plan_model *model, slong m, slong n, slong root)
+static double eps_mueller_poeschel(double beta)
 {
-    model->m = m;
-    model->n = n;
-    model->root = root;
-    return model->coefficient = xmalloc((size_t)(m + n + 2) * sizeof *model->coefficient);
+    return eps_quotient(mueller_poeschel, 1, 4, sqrt(beta));
 }
 
 static double speed_exponent(const struct spheres *s)
@@ -140,20 +120,15 @@ static double speed_exponent(const struct spheres *s)
     return ratio_double(law_speed_exponent(&s->scene.law));
 }
 
-/* Sets all but the name of a model, of which values and errors are those of its formula, if it has one. */
+/* Sets all but name and values of a model, and its errors unless they are a promise. */
 static void model_is(const struct spheres *s, struct plan_model *m, const double *cost, const char *leaves_out,
-                     char *use, enum plan_formula formula)
+                     char *use)
 {
-    const struct plan *const plan = s->plan;
     m->cost = embed_cost(cost, s->request->purpose);
     m->leaves_out = leaves_out;
     m->use = use;
-    m->formula = formula;
-    if (formula == PLAN_NO_FORMULA)
-        return;
-    for (slong i = 0; i < plan->points; i++)
-        m->value[i] = plan_model_eps(m, plan->speed[i], plan->at[i]);
-    plan_compare(plan, m, true);
+    if (!m->promised)
+        plan_compare(s->plan, m, true);
 }
 
 /* A model without values, the library's: the error is its promise. */
@@ -183,14 +158,15 @@ static void add_constants(const struct spheres *s)
         /* eps falls or rises with the speed, so its ends a and b determine the best constant: 2 a b/(a + b) has the
          * smallest relative error */
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
-        m->number[0] =
+        const double eps =
             s->scene.constant ? first : ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
+        for (slong i = 0; i <= last; i++)
+            m->value[i] = eps;
         model_is(s, m, cost_constant,
                  s->scene.constant       ? "nothing; eps is the same at every speed"
                  : speed_exponent(s) < 0 ? "that eps rises with the speed"
                                          : "that eps falls with the speed",
-                 xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", m->number[0]),
-                 PLAN_CONSTANT);
+                 xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", eps));
     }
 }
 
@@ -201,18 +177,18 @@ static void add_power_law(const struct spheres *s)
     struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
     struct plan_model *m = plan_add(plan, "power law min(1; a speed^-b)");
-    const double b = log(plan->truth[0] / plan->truth[last]) / log(plan->speed[last] / plan->speed[0]);
+    const double slope = log(plan->truth[0] / plan->truth[last]) / log(plan->speed[last] / plan->speed[0]);
     double low = (double)INFINITY, high = -(double)INFINITY;
     for (slong i = 0; i <= last; i++) {
-        const double rest = log(plan->truth[i]) + b * log(plan->speed[i]);
+        const double rest = log(plan->truth[i]) + slope * log(plan->speed[i]);
         low = fmin(low, rest);
         high = fmax(high, rest);
     }
-    m->number[0] = ten_digits(2 / (exp(-low) + exp(-high)));
-    m->number[1] = ten_digits(b);
+    const double a = ten_digits(2 / (exp(-low) + exp(-high))), b = ten_digits(slope);
+    for (slong i = 0; i <= last; i++)
+        m->value[i] = fmin(1, a * pow(plan->speed[i], -b));
     model_is(s, m, cost_power, speed_exponent(s) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest",
-             xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]),
-             PLAN_POWER_LAW);
+             xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", a, -b));
 }
 
 /* C statements that define `contact` */
@@ -260,21 +236,23 @@ static void add_published(const struct spheres *s)
     struct plan *const plan = s->plan;
     static const struct {
         const char *name, *leaves_out, *call, *after;
-        enum plan_formula formula;
+        double (*eps)(double beta);
         const double *cost;
     } published[] = {{"simple theory (27)", "C_3 and all after it",
-                      "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))", "", PLAN_SIMPLE_THEORY, cost_simple},
+                      "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))", "", cor_sphere_eps_simple,
+                      cost_simple},
                      {"Pade [1/4] as printed in 1999 (35)", "a_3 and all after it; zero force",
-                      "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))", "", PLAN_TABLE_1,
-                      cost_published},
+                      "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))", "",
+                      cor_sphere_eps_published_pade, cost_published},
                      {"Pade [1/4] as printed in 2011", "what follows beta^(5/2); zero overlap",
                       "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))",
-                      "/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", PLAN_QUOTIENT, cost_mueller}};
+                      "/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", eps_mueller_poeschel, cost_mueller}};
     for (size_t i = 0; i < sizeof published / sizeof *published; i++) {
         struct plan_model *const m = plan_add(plan, "%s", published[i].name);
-        memcpy(set_quotient(m, 1, 4, 2), mueller_poeschel, sizeof mueller_poeschel);
+        for (slong k = 0; k < plan->points; k++)
+            m->value[k] = published[i].eps(plan->at[k]);
         model_is(s, m, published[i].cost, published[i].leaves_out,
-                 call_of_beta(s, published[i].call, published[i].after), published[i].formula);
+                 call_of_beta(s, published[i].call, published[i].after));
     }
 }
 
@@ -284,7 +262,7 @@ static void add_pade(const struct spheres *s, const struct pade *f, slong root, 
     struct plan *const plan = s->plan;
     const slong m = f->numerator, n = f->denominator;
     struct plan_model *model = plan_add(plan, "%s [%ld/%ld]", two_point ? "two-point Pade" : "Pade", (long)m, (long)n);
-    double *const c = set_quotient(model, m, n, root);
+    double *const c = xmalloc((size_t)(m + n + 2) * sizeof *c);
     LOCAL(arb, x);
     for (slong k = 0; k <= m + n + 1; k++) {
         arb_poly_get_coeff_arb(x, k <= m ? f->p : f->q, k <= m ? k : k - m - 1);
@@ -301,6 +279,9 @@ static void add_pade(const struct spheres *s, const struct pade *f, slong root, 
         const double beta = low + (high - low) * k / (double)PADE_POINTS;
         model->outside = model->outside || !(eps_horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
     }
+    for (slong i = 0; i < plan->points; i++)
+        model->value[i] = eps_quotient(c, m, n, root == 2 ? sqrt(plan->at[i]) : plan->at[i]);
+    free(c);
     model_is(s, model, form.cost,
              two_point ? "terms between series and limit"
                        : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it"),
@@ -308,8 +289,7 @@ static void add_pade(const struct spheres *s, const struct pade *f, slong root, 
                      "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
                      (long)m, (long)n, two_point ? " --two-point" : "", contact_end_options[s->scene.end],
                      two_point ? "two_point_" : "", contact_end_names[s->scene.end], (long)m, (long)n,
-                     root == 2 ? "sqrt(beta)" : "beta"),
-             PLAN_QUOTIENT);
+                     root == 2 ? "sqrt(beta)" : "beta"));
 }
 
 static void add_pades(const struct spheres *s)
@@ -354,9 +334,10 @@ static void add_header(const struct spheres *s, const char *tolerance)
     struct plan_model *m = plan_add(s->plan, "header: %s %s", embed_family_name(chosen, &s->scene), size);
     for (char *c = m->name; *c; c++)
         *c = (char)(*c == ',' ? ';' : *c);
-    m->form = f;
     m->elsewhere = f->error;
-    model_is(s, m, f->cost, "speeds outside the range", embed_command(s->request, tolerance), PLAN_HEADER);
+    for (slong i = 0; i < s->plan->points; i++)
+        m->value[i] = embed_form_value(f, s->plan->speed[i], false);
+    model_is(s, m, f->cost, "speeds outside the range", embed_command(s->request, tolerance));
 }
 
 /* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */
@@ -369,7 +350,7 @@ static void add_library(const struct spheres *s)
     char call[TEXT];
     snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", contact_end_names[s->scene.end]);
     model_promise(plan, m, promise);
-    model_is(s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""), PLAN_NO_FORMULA);
+    model_is(s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""));
 }
 
 /* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
@@ -397,7 +378,7 @@ static void add_function_of_beta(const struct spheres *s)
         source = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n#include \"law.h\"",
                          ratio_text(law->a).text, ratio_text(law->b).text);
     model_is(s, m, crossley ? cost_crossley : cost_function, "nothing; good at every speed",
-             xprintf("%s\ndouble eps = %s(%s * pow(speed, %.17g));\n", source, call, beta, q), PLAN_NO_FORMULA);
+             xprintf("%s\ndouble eps = %s(%s * pow(speed, %.17g));\n", source, call, beta, q));
     free(source);
     flint_free(beta);
 }
@@ -407,8 +388,7 @@ static void add_other_end(const struct spheres *s)
     struct plan *const plan = s->plan;
     struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options[other_end(s)]);
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
-    plan_compare(plan, m, true);
-    model_is(s, m, cost_library, "which end the contact has", NULL, PLAN_NO_FORMULA);
+    model_is(s, m, cost_library, "which end the contact has", NULL);
     m->shown = true;
 }
 
@@ -556,7 +536,6 @@ static int plan_scene(struct spheres *s, slong points, const struct embed_reques
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
     plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
-    plan->owned = s;
     plan->argument = "beta";
     plan->quantity = "eps";
     plan->unit = "relative error";
@@ -568,6 +547,11 @@ static int plan_scene(struct spheres *s, slong points, const struct embed_reques
     if (status == STATUS_OK)
         add_models(s, embed->number[EMBED_TOLERANCE].text);
     profile_step(NULL);
+    for (int i = 0; i < FAMILIES; i++)
+        embed_form_clear(&s->form[i]);
+    embed_scene_clear(&s->scene);
+    arb_clear(s->h_star);
+    free(s->other);
     return status;
 }
 
@@ -586,23 +570,9 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
         embed.number[EMBED_TOLERANCE] = coarsest;
     int status = embed_request_check(&embed);
     if (status == STATUS_OK) {
-        struct spheres *const s = xmalloc(sizeof *s);
-        *s = (struct spheres){.plan = plan, .request = request, .contact = contact, .pressed = pressed};
-        status = plan_scene(s, points, &embed);
+        struct spheres s = {.plan = plan, .request = request, .contact = contact, .pressed = pressed};
+        status = plan_scene(&s, points, &embed);
     }
     decimal_clear(&coarsest);
     return status;
-}
-
-void plan_spheres_clear(struct plan *plan)
-{
-    struct spheres *s = plan->owned;
-    if (!s)
-        return;
-    for (int i = 0; i < FAMILIES; i++)
-        embed_form_clear(&s->form[i]);
-    embed_scene_clear(&s->scene);
-    arb_clear(s->h_star);
-    free(s->other);
-    free(s);
 }

@@ -7,7 +7,6 @@
 #include "ball.h"
 #include "contact/contact.h"
 #include "cor/cor.h"
-#include "embed/form.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
 #include "request.h"
@@ -90,21 +89,6 @@ static void check_choice(struct plan *plan, struct random_state *r)
     }
 }
 
-/* The chosen model between the points. */
-static void check_chosen(const struct plan *plan, struct random_state *r)
-{
-    const struct plan_model *m = &plan->model[plan->chosen];
-    assert_int_not_equal(m->formula, PLAN_NO_FORMULA);
-    for (size_t i = 0; i < points(6); i++) {
-        const double speed = random_log(r, plan->speed[0], plan->speed[plan->points - 1]), beta = beta_of(speed);
-        double overlap, force;
-        eps_solve(&overlap, &force, beta);
-        const double error = fabs(plan_model_eps(m, speed, beta) / force - 1);
-        check(error <= plan->tolerance, "%s at speed %.17g is off by %.3g, more than %.3g", m->name, speed, error,
-              plan->tolerance);
-    }
-}
-
 /* ---- spheres ---- */
 
 /* The plan of a contact with g*; its request may be cleared then */
@@ -167,15 +151,13 @@ TEST(test_spheres)
               above);
     }
 
-    /* the choice: a header, of a command that names the scene; between the points too */
+    /* the choice: a header, of a command that names the scene, with what gen.embed finds between the points */
     const struct plan_model *m = &plan.model[plan.chosen];
     assert_true(strncmp(m->name, "header: ", 8) == 0);
-    assert_true(m->elsewhere == m->form->error && m->worst >= m->elsewhere);
-    assert_true(m->cost == (m->form->cost[USE_SCALAR] + 4 * m->form->cost[USE_ARRAY]) / 5);
+    assert_true(m->elsewhere > 0 && m->elsewhere <= plan.tolerance && m->worst >= m->elsewhere);
     assert_string_equal(m->use, "corgen embed --speed-min 0.01 --speed-max 1 --tolerance 1e-3 --g-star 400 "
                                 "--end zero-force --for balanced --output cor_scene_eps.h\n"
                                 "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n");
-    check_chosen(&plan, &draw);
     /* what the library promises is not less than what it does */
     struct cor_sphere_contact contact;
     assert_int_equal(cor_sphere_contact_init_g_star(&contact, G_STAR), COR_OK);
@@ -196,7 +178,6 @@ TEST(test_spheres)
     plan.tolerance = 0.2;
     plan_choose(&plan);
     assert_true(plan.model[plan.chosen].cost == 0);
-    check_chosen(&plan, &draw);
     check_choice(&plan, &draw);
     plan_clear(&plan);
 }
