@@ -83,14 +83,6 @@ int sweep_count(struct sweep *sweep)
     return STATUS_OK;
 }
 
-void sweep_clear(struct sweep *sweep)
-{
-    values_clear(&sweep->speed);
-    values_clear(&sweep->poisson);
-    values_clear(&sweep->alpha);
-    values_clear(&sweep->modes);
-}
-
 uint64_t sweep_rows_of_material(const struct sweep *sweep)
 {
     return sweep->rows / sweep->poisson.count;

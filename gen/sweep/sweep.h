@@ -45,7 +45,6 @@ extern const struct values_rule sweep_speed, sweep_poisson, sweep_alpha, sweep_m
 
 /* Computes the rows from the lists. STATUS_OK, or STATUS_USAGE after a message if there are too many rows. */
 int sweep_count(struct sweep *sweep);
-void sweep_clear(struct sweep *sweep);
 
 void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number);
 uint64_t sweep_rows_of_material(const struct sweep *sweep);

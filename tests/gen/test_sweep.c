@@ -119,6 +119,14 @@ static struct sweep sweep_of(const char *speed, const char *poisson, const char 
     return sweep;
 }
 
+static void sweep_clear(struct sweep *sweep)
+{
+    values_clear(&sweep->speed);
+    values_clear(&sweep->poisson);
+    values_clear(&sweep->alpha);
+    values_clear(&sweep->modes);
+}
+
 TEST(test_product)
 {
     struct sweep sweep = sweep_of("0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1");
