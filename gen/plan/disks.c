@@ -100,19 +100,14 @@ static int collide_rigid(struct disks *d, double *value, double *uncertainty, do
     return status == COR_OK || status == COR_TOLERANCE_NOT_REACHED ? STATUS_OK : STATUS_FAILED;
 }
 
-static bool is_relative(const struct disks *d)
-{
-    return d->quantity != PLAN_EPS;
-}
-
 static int find_truth(struct disks *d, slong i)
 {
     struct plan *const plan = d->plan;
-    const double coarsest = is_relative(d) ? COARSEST_TRUTH_OF_OTHERS : COARSEST_TRUTH;
+    const double coarsest = plan->relative ? COARSEST_TRUTH_OF_OTHERS : COARSEST_TRUTH;
     const double tolerance = fmin(fmax(TRUTH_SHARE * plan->tolerance, FINEST_TRUTH), coarsest);
     double coarse, of_coarse;
     int status = collide_rigid(d, &plan->truth[i], &plan->uncertainty[i], tolerance, plan->speed[i]);
-    if (status == STATUS_OK && is_relative(d)) {
+    if (status == STATUS_OK && plan->relative) {
         status = collide_rigid(d, &coarse, &of_coarse, COARSE_TOLERANCE, plan->speed[i]);
         plan->uncertainty[i] = 2 * fabs(coarse / plan->truth[i] - 1);
     }
@@ -141,13 +136,6 @@ static const char *quantity_field(const struct disks *d)
     return quantities[d->quantity].field;
 }
 
-static void model_is(struct plan_model *m, double cost, const char *leaves_out, char *use)
-{
-    m->cost = cost;
-    m->leaves_out = leaves_out;
-    m->use = use;
-}
-
 /* A rigid wall: the error of eps is its promised bound, that of the other quantities the difference from the
  * reference. */
 static int add_rigid(struct disks *d, int k)
@@ -159,17 +147,15 @@ static int add_rigid(struct disks *d, int k)
         double uncertainty;
         m->value[i] = plan->truth[i];
         m->error[i] = rigid[k].tolerance / (2 * plan->truth[i]);
-        if (is_relative(d))
+        if (plan->relative)
             status = collide_rigid(d, &m->value[i], &uncertainty, rigid[k].tolerance, plan->speed[i]);
     }
-    m->promised = !is_relative(d);
-    if (!m->promised)
-        plan_compare(plan, m, true);
-    model_is(m, rigid[k].cost, "nothing; estimated, not proved",
-             xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
-                     "struct cor_disk_hard_wall out;\n"
-                     "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
-                     rigid[k].tolerance, d->number[COR_SCENE_POISSON].text, quantity_field(d)));
+    m->promised = !plan->relative;
+    plan_model_is(plan, m, rigid[k].cost, "nothing; estimated, not proved",
+                  xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
+                          "struct cor_disk_hard_wall out;\n"
+                          "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
+                          rigid[k].tolerance, d->number[COR_SCENE_POISSON].text, quantity_field(d)));
     return status;
 }
 
@@ -186,15 +172,14 @@ static void add_dynamics(const struct disks *d, int k)
         m->value[i] = quantity_of(d, c[i].eps, c[i].contact_time, c[i].max_compression);
         steps += (double)c[i].steps / (double)plan->points;
     }
-    plan_compare(plan, m, is_relative(d));
     char *table = modes_text(d, modes);
     char *alpha =
         hardness > 0 ? xprintf("fmax(%d, %g / v)", COR_DISK_COLLISION_MIN_ALPHA, hardness) : xprintf("%g", PAPER_ALPHA);
-    model_is(m, steps * (NS_STEP + NS_STEP_MODE * (double)modes), dynamics[k].leaves_out,
-             xprintf("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
-                     "struct cor_disk_collision out;\n"
-                     "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
-                     table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d)));
+    plan_model_is(plan, m, steps * (NS_STEP + NS_STEP_MODE * (double)modes), dynamics[k].leaves_out,
+                  xprintf("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
+                          "struct cor_disk_collision out;\n"
+                          "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
+                          table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d)));
     free(table);
     free(alpha);
 }
@@ -215,13 +200,13 @@ static void add_rayleigh(const struct disks *d)
                 m->value[i] = sqrt(1 - (out.fraction + out.tail));
             m->outside = m->outside || status != COR_OK;
         }
-        plan_compare(plan, m, false);
         char *table = modes_text(d, taken[k]);
-        model_is(m, NS_RAYLEIGH + NS_RAYLEIGH_MODE * (double)taken[k], "that vibrations act back on the load",
-                 xprintf("%sstruct cor_disk_modes cut = {modes->nu, %zu, modes->mode};\nstruct cor_disk_rayleigh out;\n"
-                         "int status = cor_disk_rayleigh(&cut, %zu, COR_DISK_DATUM_CENTRE_OF_MASS, v, &out, NULL);\n"
-                         "double eps = sqrt(1 - (out.fraction + out.tail));\n",
-                         table, taken[k], taken[k]));
+        plan_model_is(
+            plan, m, NS_RAYLEIGH + NS_RAYLEIGH_MODE * (double)taken[k], "that vibrations act back on the load",
+            xprintf("%sstruct cor_disk_modes cut = {modes->nu, %zu, modes->mode};\nstruct cor_disk_rayleigh out;\n"
+                    "int status = cor_disk_rayleigh(&cut, %zu, COR_DISK_DATUM_CENTRE_OF_MASS, v, &out, NULL);\n"
+                    "double eps = sqrt(1 - (out.fraction + out.tail));\n",
+                    table, taken[k], taken[k]));
         free(table);
     }
 }
@@ -231,8 +216,7 @@ static void add_constant(struct plan *plan, const char *name, const char *eps, c
     struct plan_model *const m = plan_add(plan, "%s", name);
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = strtod(eps, NULL);
-    plan_compare(plan, m, false);
-    model_is(m, 0, leaves_out, xprintf("double eps = %s;\n", eps));
+    plan_model_is(plan, m, 0, leaves_out, xprintf("double eps = %s;\n", eps));
 }
 
 static void add_models_of_eps(const struct disks *d)
@@ -261,8 +245,9 @@ static void add_models_of_eps(const struct disks *d)
             m->outside || !(plan->speed[i] >= COR_DISK_EPS_MIN_SPEED && plan->speed[i] <= COR_DISK_EPS_MAX_SPEED);
     }
     m->promised = true;
-    model_is(m, NS_EPS_TABLE, "nothing; estimated, not proved",
-             xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->number[COR_SCENE_POISSON].text));
+    plan_model_is(
+        plan, m, NS_EPS_TABLE, "nothing; estimated, not proved",
+        xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->number[COR_SCENE_POISSON].text));
 }
 
 typedef double law(double speed, double nu, enum cor_disk_datum datum);
@@ -278,17 +263,15 @@ static void add_laws(const struct disks *d)
     struct plan_model *m = plan_add(plan, "leading logarithm (61)");
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = (time ? cor_disk_contact_time_leading_log : cor_disk_max_compression_leading_log)(plan->speed[i]);
-    plan_compare(plan, m, true);
-    model_is(m, NS_LEADING_LOG, "all beside ln(4/v); vibrations",
-             xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d), called));
+    plan_model_is(plan, m, NS_LEADING_LOG, "all beside ln(4/v); vibrations",
+                  xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d), called));
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
             m->value[i] = function(plan->speed[i], d->modes.nu, (enum cor_disk_datum)k);
-        plan_compare(plan, m, true);
-        model_is(m, quantities[d->quantity].ns_law, "vibrations",
-                 xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n", quantity_field(d),
-                         called, d->number[COR_SCENE_POISSON].text, datum[k]));
+        plan_model_is(plan, m, quantities[d->quantity].ns_law, "vibrations",
+                      xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n", quantity_field(d),
+                              called, d->number[COR_SCENE_POISSON].text, datum[k]));
     }
 }
 
@@ -317,7 +300,7 @@ static char *disks_title(const struct plan *plan, const struct disks *d)
     return xprintf("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
                    "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
                    d->number[COR_SCENE_POISSON].text, d->number[EMBED_SPEED_MIN].text, d->number[EMBED_SPEED_MAX].text,
-                   plan->quantity, plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
+                   plan->quantity, plan->truth[0], plan->truth[last], uncertainty, plan->relative ? ", relative" : "");
 }
 
 static int disks_fill(struct disks *d)
@@ -337,7 +320,6 @@ static int disks_fill(struct disks *d)
     parallel_for(collide_soft, d, DYNAMICS * plan->points, "collisions");
     plan->argument = "speed";
     plan->quantity = quantities[d->quantity].name;
-    plan->unit = is_relative(d) ? "relative error" : "error";
     plan->note =
         "Error: the largest of the points, two digits, rounded up; taken where error and uncertainty of what it is\n"
         "compared with are below 0.97 of the tolerance. Of cor_disk_eps and the rigid wall: what the library "
@@ -347,7 +329,7 @@ static int disks_fill(struct disks *d)
         "accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
     plan->title = disks_title(plan, d);
-    (is_relative(d) ? add_laws : add_models_of_eps)(d);
+    (plan->relative ? add_laws : add_models_of_eps)(d);
     for (int k = 0; k < DYNAMICS; k++)
         add_dynamics(d, k);
     for (int k = 0; k < RIGID && status == STATUS_OK; k++)
@@ -366,6 +348,7 @@ int plan_disks(struct plan *plan, const struct embed_request *request, enum plan
         return status;
     plan_init(plan, points ? points : PLAN_DEFAULT_POINTS_DISKS, low, high);
     plan->tolerance = tolerance;
+    plan->relative = quantity != PLAN_EPS;
     struct disks d = {.plan = plan, .number = request->number, .quantity = quantity};
     profile_step("modes");
     status = disk_modes_rounded(&d.modes, request->number[COR_SCENE_POISSON].value, MOST_MODES);

@@ -65,11 +65,14 @@ struct plan_model *plan_add(struct plan *plan, const char *format, ...)
     return model;
 }
 
-void plan_compare(const struct plan *plan, struct plan_model *model, bool relative)
+void plan_model_is(const struct plan *plan, struct plan_model *model, double cost, const char *leaves_out, char *use)
 {
-    for (slong i = 0; i < plan->points; i++) {
+    model->cost = cost;
+    model->leaves_out = leaves_out;
+    model->use = use;
+    for (slong i = 0; i < plan->points && !model->promised; i++) {
         const double off = fabs(model->value[i] - plan->truth[i]);
-        model->error[i] = relative ? off / plan->truth[i] : off;
+        model->error[i] = plan->relative ? off / plan->truth[i] : off;
     }
 }
 
@@ -150,7 +153,7 @@ static void print_text(const struct plan *plan, FILE *file)
 {
     char error[32], cost[32], tolerance[DECIMAL_TEXT];
     fprintf(file, "%s", plan->title);
-    fprintf(file, "Wanted: %s, %s at most %s.\n\n", plan->quantity, plan->unit,
+    fprintf(file, "Wanted: %s, %s at most %s.\n\n", plan->quantity, plan->relative ? "relative error" : "error",
             decimal_text(tolerance, plan->tolerance));
     fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error",
             strcmp(plan->argument, "beta") == 0 ? "at beta" : "at speed", "cost", "", "leaves out");

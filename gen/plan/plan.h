@@ -35,7 +35,7 @@ enum plan_verdict {
 struct plan_model {
     char name[PLAN_NAME]; /* without commas and quotation marks */
     double *value;        /* value at each point; NaN: none */
-    double *error;        /* error at each point: relative, but absolute for eps of disks */
+    double *error;        /* error at each point */
     double worst;         /* largest error, `elsewhere` included; INFINITY if an error is missing */
     slong worst_at;
     double cost;            /* nanoseconds for each collision */
@@ -51,7 +51,7 @@ struct plan {
     const char *argument; /* name of the points' argument: "beta" or "speed" */
     const char *quantity; /* "eps", "contact time", "largest compression" */
     char *title;          /* lines that end with \n */
-    const char *unit;     /* meaning of the tolerance: "relative error", "error" */
+    bool relative;        /* errors and tolerance are */
     const char *note;     /* origin of errors and costs; lines that end with \n */
     char *remark;         /* a remark beside the models; lines that end with \n; NULL: none */
     double tolerance;
@@ -71,8 +71,9 @@ void plan_clear(struct plan *plan);
 /* Adds a model with values NaN. The name is a format. The pointer is valid until the next call. */
 struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Sets error = |value/truth - 1|, or |value - truth|, at every point. */
-void plan_compare(const struct plan *plan, struct plan_model *model, bool relative);
+/* Sets cost, leaves_out and use and, unless the error is promised, error = |value/truth - 1|, or |value - truth|, at
+ * every point. */
+void plan_model_is(const struct plan *plan, struct plan_model *model, double cost, const char *leaves_out, char *use);
 
 /* Sets worst and verdict of all models, and `chosen`. Among the models that meet the tolerance at every point, with the
  * uncertainty of the reference added, the cheapest is chosen, and among equally cheap ones the one with the smallest

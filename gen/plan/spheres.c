@@ -120,15 +120,10 @@ static double speed_exponent(const struct spheres *s)
     return ratio_double(law_speed_exponent(&s->scene.law));
 }
 
-/* Sets all but name and values of a model, and its errors unless they are a promise. */
 static void model_is(const struct spheres *s, struct plan_model *m, const double *cost, const char *leaves_out,
                      char *use)
 {
-    m->cost = embed_cost(cost, s->request->purpose);
-    m->leaves_out = leaves_out;
-    m->use = use;
-    if (!m->promised)
-        plan_compare(s->plan, m, true);
+    plan_model_is(s->plan, m, embed_cost(cost, s->request->purpose), leaves_out, use);
 }
 
 /* A model without values, the library's: the error is its promise. */
@@ -538,7 +533,7 @@ static int plan_scene(struct spheres *s, slong points, const struct embed_reques
     plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
     plan->argument = "beta";
     plan->quantity = "eps";
-    plan->unit = "relative error";
+    plan->relative = true;
     plan->tolerance = embed_number(s->request, EMBED_TOLERANCE);
     plan->note = notes[s->request->purpose];
     profile_step("collisions");
