@@ -90,13 +90,9 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
                  const struct cor_scene_contact *pressed, slong points);
 int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points);
 
-/* 1 - eps^2 to first order at a speed in m/s, the energy that elastic waves alone take, as cor_contact_wave_loss
- * computes it, from a sphere that hits a massive wall, a half-space with the density of the sphere. NaN for a scene
- * without a wall or without materials. */
-double plan_wave_loss(const struct embed_request *request, double speed);
-
-/* A sentence about this loss at the scene's largest speed, malloc'ed, where eps is the restitution from the scene's
- * dissipation time. NULL if the loss is NaN. */
+/* A sentence, malloc'ed, about the energy that elastic waves alone take, as cor_contact_wave_loss computes it, from a
+ * sphere that hits a massive wall, a half-space with the density of the sphere, at the scene's largest speed. There eps
+ * is the restitution from the scene's dissipation time. NULL for a scene without a wall or without materials */
 char *plan_wave_remark(const struct embed_request *request, double speed, double eps);
 
 #endif
