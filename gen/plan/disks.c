@@ -291,18 +291,6 @@ static int check_range(const struct decimal *number, double low, double high, do
     return STATUS_OK;
 }
 
-static char *disks_title(const struct plan *plan, const struct disks *d)
-{
-    const slong last = plan->points - 1;
-    double uncertainty = 0;
-    for (slong i = 0; i <= last; i++)
-        uncertainty = fmax(uncertainty, plan->uncertainty[i]);
-    return xprintf("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
-                   "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
-                   d->number[COR_SCENE_POISSON].text, d->number[EMBED_SPEED_MIN].text, d->number[EMBED_SPEED_MAX].text,
-                   plan->quantity, plan->truth[0], plan->truth[last], uncertainty, plan->relative ? ", relative" : "");
-}
-
 static int disks_fill(struct disks *d)
 {
     struct plan *const plan = d->plan;
@@ -328,7 +316,14 @@ static int disks_fill(struct disks *d)
         "by\n"
         "accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
-    plan->title = disks_title(plan, d);
+    double uncertainty = 0;
+    for (slong i = 0; i < plan->points; i++)
+        uncertainty = fmax(uncertainty, plan->uncertainty[i]);
+    plan->title = xprintf("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
+                          "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
+                          d->number[COR_SCENE_POISSON].text, d->number[EMBED_SPEED_MIN].text,
+                          d->number[EMBED_SPEED_MAX].text, plan->quantity, plan->truth[0],
+                          plan->truth[plan->points - 1], uncertainty, plan->relative ? ", relative" : "");
     (plan->relative ? add_laws : add_models_of_eps)(d);
     for (int k = 0; k < DYNAMICS; k++)
         add_dynamics(d, k);

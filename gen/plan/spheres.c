@@ -458,19 +458,6 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
 
 /* ---- the plan ---- */
 
-static char *spheres_title(const struct spheres *s)
-{
-    const struct plan *const plan = s->plan;
-    const slong last = plan->points - 1;
-    const struct embed_request *const scene = s->request;
-    return xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                   scene->law == COR_LAW_PLATE    ? "A sphere and a plate"
-                   : law_is_sphere(&s->scene.law) ? "Spheres"
-                                                  : law_equation(&s->scene.law).text,
-                   scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text, cor_end_names[scene->end],
-                   plan->at[0], plan->at[last], plan->truth[0], plan->truth[last]);
-}
-
 #define NOTE(times)                                                                                                    \
     "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of the\n" \
     "tolerance. Of the library: what it promises. Cost: ns for one eps, " times ".\n"                                  \
@@ -498,7 +485,14 @@ static char *spheres_remark(const struct spheres *s)
 static void add_models(struct spheres *s, const char *header)
 {
     const bool sphere = law_is_sphere(&s->scene.law);
-    s->plan->title = spheres_title(s);
+    const struct plan *const p = s->plan;
+    const slong last = p->points - 1;
+    s->plan->title = xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
+                             s->request->law == COR_LAW_PLATE ? "A sphere and a plate"
+                             : sphere                         ? "Spheres"
+                                                              : law_equation(&s->scene.law).text,
+                             s->request->number[EMBED_SPEED_MIN].text, s->request->number[EMBED_SPEED_MAX].text,
+                             cor_end_names[s->request->end], p->at[0], p->at[last], p->truth[0], p->truth[last]);
     s->plan->remark = spheres_remark(s);
     add_constants(s);
     if (!s->scene.constant) {
