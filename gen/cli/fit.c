@@ -13,14 +13,6 @@
 
 /* ---- bodies ---- */
 
-static bool bodies_given(const struct embed_request *scene)
-{
-    for (int number = COR_SCENE_YOUNG; number <= COR_SCENE_DISSIPATION_TIME_2; number++)
-        if (embed_given(scene, number))
-            return true;
-    return scene->wall;
-}
-
 /* Fills the bodies. A wall may be a plate, if its density is known. */
 static int read_bodies(struct fit_bodies *bodies, const struct embed_request *request)
 {
@@ -116,7 +108,10 @@ static int run_fit(const void *arguments)
     int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : contact_end_options[o->end]);
     if (status == STATUS_OK)
         status = read_form(&form, o);
-    if (status == STATUS_OK && bodies_given(&o->scene)) {
+    bool given = o->scene.wall;
+    for (int number = COR_SCENE_YOUNG; number <= COR_SCENE_DISSIPATION_TIME_2; number++)
+        given = given || embed_given(&o->scene, number);
+    if (status == STATUS_OK && given) {
         status = read_bodies(&bodies, &o->scene);
         request.bodies = &bodies;
     }

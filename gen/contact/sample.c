@@ -196,20 +196,14 @@ struct segment {
     double x[2], value[2], slope[2];
 };
 
-/* The interpolant between the ends of the segment, at the fraction t of its length */
-static double segment_value(const struct sampler *c, const struct segment *s, double t)
-{
-    if (!c->request->cubic)
-        return s->value[0] + t * (s->value[1] - s->value[0]);
-    const double width = s->x[1] - s->x[0], rest = 1 - t;
-    return rest * rest * ((1 + 2 * t) * s->value[0] + t * width * s->slope[0]) +
-           t * t * ((3 - 2 * t) * s->value[1] - rest * width * s->slope[1]);
-}
-
+/* The error of the interpolant between the ends of the segment, at the fraction t of its length */
 static double error_at(const struct sampler *c, const struct segment *s, int quantity, double t)
 {
-    const double exact = function_value(c, quantity, s->x[0] + t * (s->x[1] - s->x[0]));
-    return fabs(segment_value(c, s, t) / exact - 1);
+    const double width = s->x[1] - s->x[0], rest = 1 - t, exact = function_value(c, quantity, s->x[0] + t * width);
+    const double linear = s->value[0] + t * (s->value[1] - s->value[0]);
+    const double cubic = rest * rest * ((1 + 2 * t) * s->value[0] + t * width * s->slope[0]) +
+                         t * t * ((3 - 2 * t) * s->value[1] - rest * width * s->slope[1]);
+    return fabs((c->request->cubic ? cubic : linear) / exact - 1);
 }
 
 /* The largest error of one quantity in a segment: the largest of evenly spaced places, and the vertex of the parabola

@@ -29,23 +29,18 @@ static double incomplete_beta(double a, double b, double part, double rest)
     return ball_middle(x);
 }
 
-static double student_density(double t, double freedom)
-{
-    const double pi = 3.14159265358979323846;
-    return exp(lgamma((freedom + 1) / 2) - lgamma(freedom / 2) - (freedom + 1) / 2 * log1p(t * t / freedom)) /
-           sqrt(freedom * pi);
-}
-
 /* Newton's method from the normal quantile, which is smaller. P(|T| < t) is concave in t > 0, so that the steps ascend.
  */
 double student_quantile(enum distribution_level level, size_t degrees_of_freedom)
 {
     const double n = (double)degrees_of_freedom;
+    const double pi = 3.14159265358979323846,
+                 density = exp(lgamma((n + 1) / 2) - lgamma(n / 2)) / sqrt(n * pi); /* at 0 */
     double t = normal_quantile(level);
     for (int i = 0; i < MAX_STEPS; i++) {
         /* P(|T| < t) = I_x(1/2, n/2), x = t^2/(n + t^2) */
         const double missing = level_probability[level] - incomplete_beta(0.5, n / 2, t * t, n);
-        t += missing / (2 * student_density(t, n));
+        t += missing / (2 * density * exp(-(n + 1) / 2 * log1p(t * t / n)));
         if (fabs(missing) < 1e-13)
             break;
     }

@@ -525,24 +525,15 @@ static double huber_factor(const struct problem *p, const double *theta)
     return psi2 / (n - p->parameters) / (fmax(slope, 1) / n);
 }
 
-/* The excess of the profile over its minimum at the ends of the interval */
-static double profile_threshold(const struct problem *p, const double *theta, double minimum,
-                                enum distribution_level level)
-{
-    const size_t freedom = p->points - (size_t)p->parameters;
-    const double quantile = p->has_sigma ? normal_quantile(level) : student_quantile(level, freedom);
-    double unit = 1;
-    if (p->robust)
-        unit = huber_factor(p, theta);
-    else if (!p->has_sigma)
-        unit = minimum / (double)freedom;
-    return quantile * quantile * unit;
-}
-
 static void find_intervals(struct fit_estimate *e, struct problem *p, double minimum)
 {
+    const size_t freedom = p->points - (size_t)p->parameters;
+    const double unit = p->robust ? huber_factor(p, e->theta) : p->has_sigma ? 1 : minimum / (double)freedom;
     for (int level = 0; level < LEVELS; level++) {
-        const double threshold = profile_threshold(p, e->theta, minimum, (enum distribution_level)level);
+        const enum distribution_level l = (enum distribution_level)level;
+        const double quantile = p->has_sigma ? normal_quantile(l) : student_quantile(l, freedom);
+        const double threshold =
+            quantile * quantile * unit; /* the excess of the profile over its minimum at the ends */
         for (int j = 0; j < p->parameters; j++) {
             struct fit_interval *const interval = &e->interval[j][level];
             interval->low = interval->high = e->theta[j];

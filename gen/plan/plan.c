@@ -139,16 +139,6 @@ static void print_error(char *text, size_t size, double error)
     snprintf(text, size, "%.2g", ceil(error / unit * (1 - 1e-12)) * unit);
 }
 
-/* Prints the lines of `text` with an indentation. */
-static void print_lines(FILE *file, const char *indent, const char *text)
-{
-    while (text && *text) {
-        const int length = (int)strcspn(text, "\n");
-        fprintf(file, "%s%.*s\n", indent, length, text);
-        text += length + (text[length] == '\n');
-    }
-}
-
 static void print_text(const struct plan *plan, FILE *file)
 {
     char error[32], cost[32], tolerance[DECIMAL_TEXT];
@@ -172,7 +162,8 @@ static void print_text(const struct plan *plan, FILE *file)
         print_error(error, sizeof error, m->worst);
         print_cost(cost, sizeof cost, m->cost);
         fprintf(file, "Take: %s. Error %s, cost %s; leaves out %s.\n\n", m->name, error, cost, m->leaves_out);
-        print_lines(file, "    ", m->use);
+        for (const char *line = m->use; line && *line; line = strchr(line, '\n') + 1)
+            fprintf(file, "    %.*s\n", (int)strcspn(line, "\n"), line);
         fprintf(file, "\n");
     }
     if (plan->remark)
