@@ -91,17 +91,6 @@ bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t li
     return regular;
 }
 
-/* [0/n] is 1 over the series of 1/eps. The exact zero of that series is known, but interval (ball) arithmetic in a
- * linear system cannot show it. */
-static void pade_of_reciprocal(struct pade *f, const arb_poly_t c, slong n, const struct law *law, slong prec)
-{
-    arb_poly_one(f->p);
-    restitution_power(f->q, c, (struct ratio){-1, 1}, law, n + 1, prec);
-    _arb_poly_normalise(f->q);
-    f->numerator = 0;
-    f->denominator = n;
-}
-
 /* The block due to an exact zero in the series of eps (power 1) or of 1/eps (power -1). With C_k = 0 the entry [k/0] is
  * [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist; likewise [0/k] of 1/eps. */
 static bool known_block(struct pade_block *b, const struct pade_request *r)
@@ -383,12 +372,17 @@ static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pad
         status = series_eps(c, &f->root, r->end, m + n, &r->law, prec);
         if (status)
             break;
-        if (m == 0 && r->end == END_ZERO_OVERLAP) {
-            pade_of_reciprocal(f, c, n, &r->law, prec);
-            *regular = true;
-        } else {
+        if (m > 0 || r->end != END_ZERO_OVERLAP) {
             *regular = pade_of_series(f, c, m, n, prec);
+            break;
         }
+        /* 1 over the series of 1/eps, whose exact zero is known, but a linear system of balls cannot show it */
+        arb_poly_one(f->p);
+        restitution_power(f->q, c, (struct ratio){-1, 1}, &r->law, n + 1, prec);
+        _arb_poly_normalise(f->q);
+        f->numerator = 0;
+        f->denominator = n;
+        *regular = true;
         break;
     case PADE_TWO_POINT: {
         LOCAL(arb, limit);

@@ -38,50 +38,28 @@ slong pieces_columns(const struct pieces *p)
 }
 
 /* Rows of floats: row 0 up to 2^first, then octaves of equal cells */
-static struct cell float_cell(const struct pieces *p, slong row)
-{
-    if (row == 0)
-        return (struct cell){0, 0, ldexp(1, (int)p->first), 0, true};
-    const slong above = row - 1, cells = WORD(1) << p->octave_bits, octaves = above / cells;
-    const int octave = (int)(p->first + (double)octaves);
-    const double width = ldexp(1, octave - (int)p->octave_bits);
-    const double lo = ldexp(1, octave) + (double)(above % cells) * width;
-    return (struct cell){lo + width / 2, lo, lo + width, 0, true};
-}
-
 struct cell pieces_cell(const struct pieces *p, slong row)
 {
-    if (p->floats)
-        return float_cell(p, row);
-    struct cell cell = {.plain = row < p->plain};
+    if (p->floats && row == 0)
+        return (struct cell){0, 0, ldexp(1, (int)p->first), 0, true};
+    struct cell cell = {.plain = p->floats || row < p->plain};
     double step = p->step;
-    if (by_octaves(p)) {
-        const slong cells = WORD(1) << p->octave_bits;
+    if (p->floats || by_octaves(p)) {
+        const slong cells = WORD(1) << p->octave_bits, above = row - p->floats;
         step = 1.0 / (double)cells;
-        cell.octave = (slong)p->first + row / cells;
-        cell.node = 1 + step * ((double)(row % cells) + 0.5);
+        cell.octave = (slong)p->first + above / cells;
+        cell.node = 1 + step * ((double)(above % cells) + 0.5);
     } else {
         cell.node = p->first + (double)row * step;
     }
     cell.lo = cell.node - step / 2;
     cell.hi = cell.node + step / 2;
+    if (p->floats) /* in beta itself */
+        return (struct cell){ldexp(cell.node, (int)cell.octave), ldexp(cell.lo, (int)cell.octave),
+                             ldexp(cell.hi, (int)cell.octave), 0, true};
     if (!by_octaves(p) && p->variable != VARIABLE_LOG_BETA)
         cell.lo = fmax(cell.lo, 0);
     return cell;
-}
-
-/* The root of beta at y, the interpolant's variable near beta = 0 */
-static void root_of_beta(arb_t z, const struct pieces *p, const struct interpolant *f, const arb_t y)
-{
-    if (p->variable == VARIABLE_ROOT_BETA && p->root == f->layout->root) {
-        arb_set(z, y);
-        return;
-    }
-    if (p->variable == VARIABLE_ROOT_BETA)
-        arb_pow_ui(z, y, (ulong)p->root, WORKING_BITS);
-    else
-        arb_set(z, y);
-    arb_root_ui(z, z, (ulong)f->layout->root, WORKING_BITS);
 }
 
 static int collision_at(arb_t value, const void *interpolant, const struct pieces *p, const struct cell *cell,
@@ -98,7 +76,11 @@ static int collision_at(arb_t value, const void *interpolant, const struct piece
             interpolant_at_beta(value, f, p->quantity, y, WORKING_BITS);
             break;
         }
-        root_of_beta(x, p, f, y);
+        /* the root of beta at y, the interpolant's variable near beta = 0 */
+        if (p->variable == VARIABLE_BETA || p->root != f->layout->root) {
+            arb_pow_ui(x, y, p->variable == VARIABLE_BETA ? 1 : (ulong)p->root, WORKING_BITS);
+            arb_root_ui(x, x, (ulong)f->layout->root, WORKING_BITS);
+        }
         interpolant_at(value, f, p->quantity, INTERVAL_ROOT, x, WORKING_BITS);
         break;
     case VARIABLE_POWER_OCTAVES: /* beta^5 = z^10 */
@@ -152,17 +134,6 @@ static double between(const struct pieces *p, const struct cell *cell, double fr
     return ldexp(nearbyint(ldexp(cell->lo + (cell->hi - cell->lo) * fraction, 40)), -40);
 }
 
-/* c_0 rounded to few bits, or to those of a double */
-static void round_head(arb_t head, const struct pieces *p, const arb_t value)
-{
-    if (p->head_bits > 0) {
-        arf_set_round(arb_midref(head), arb_midref(value), p->head_bits, ARF_RND_NEAR);
-        mag_zero(arb_radref(head));
-    } else {
-        arb_set_d(head, ball_middle(value));
-    }
-}
-
 static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f, const struct cell *cell)
 {
     const slong n = p->degree;
@@ -184,7 +155,10 @@ static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f
     arb_poly_interpolate_barycentric(polynomial, t, quotient, n, WORKING_BITS);
     for (slong k = 0; k < n; k++)
         arb_poly_get_coeff_arb(c + 2 + k, polynomial, k);
-    round_head(node, p, c);
+    /* c_0 rounded to few bits, or to those of a double */
+    arb_set_d(node, ball_middle(c));
+    if (p->head_bits > 0)
+        arf_set_round(arb_midref(node), arb_midref(c), p->head_bits, ARF_RND_NEAR);
     arb_sub(c + 1, c, node, WORKING_BITS);
     if (p->head_bits > 0)
         arb_set(c, node);

@@ -124,18 +124,6 @@ void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quant
     enclosed_shorten(y);
 }
 
-/* Proves the stated bounds again. */
-static int prove_stated(struct ellipse_bound *bound, const struct interval *interval)
-{
-    const struct ellipse_bound stated = *bound;
-    const int status = ellipse_bound_make(bound, interval, stated.rho);
-    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
-        if (!(bound->modulus[q] <= stated.modulus[q]))
-            return fail("quantity %d on the ellipse around [%g, %g]: the proved bound %g is above the stated %g", q,
-                        interval->lo, interval->hi, bound->modulus[q], stated.modulus[q]);
-    return status;
-}
-
 /* ---- the constant of the creep ---- */
 
 /* C from collision j of an interval in ln(beta): the time from zero force to zero overlap, without the series. Returns
@@ -193,8 +181,13 @@ static int prove_interval(struct interpolant_proof *proof, int i, unsigned quant
     const unsigned set = ellipse_bound_set(interval) & quantities;
     if (!proof->f->samples[i].known)
         return STATUS_OK;
-    struct ellipse_bound bound = ellipse_stated[i];
-    int status = source == ELLIPSES_PROVED ? prove_stated(&bound, interval) : STATUS_OK;
+    const struct ellipse_bound *const stated = &ellipse_stated[i];
+    struct ellipse_bound bound = *stated;
+    int status = source == ELLIPSES_PROVED ? ellipse_bound_make(&bound, interval, stated->rho) : STATUS_OK;
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+        if (!(bound.modulus[q] <= stated->modulus[q]))
+            status = fail("quantity %d on the ellipse around [%g, %g]: the proved bound %g is above the stated %g", q,
+                          interval->lo, interval->hi, bound.modulus[q], stated->modulus[q]);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (set & 1u << q)
             status = interpolant_error(&proof->error[i][q], proof->f, i, (enum quantity)q, &bound);
@@ -287,15 +280,6 @@ static void stored_on(arb_poly_t y, const struct piece *w, enum quantity quantit
     interpolant_on(y, w->proof->f, w->i, quantity, w->proof->error[w->i][quantity], lo, hi);
 }
 
-static void creep_duration(arb_poly_t y, const struct piece *w, double lo, double hi)
-{
-    LOCAL(arb_poly, eps, time, mu);
-    stored_on(eps, w, EPS_ZERO_FORCE, lo, hi);
-    stored_on(time, w, DURATION_ZERO_FORCE, lo, hi);
-    LET_FUNCTION(mu, "exp(-5*w->x/3)", w->x);
-    interpolant_proof_creep(y, w->proof, eps, time, w->x, mu); /* not finite without a proof */
-}
-
 static void piece_init(struct piece *w, const struct interpolant_proof *proof, const struct pieces *p, slong row, int i,
                        double lo, double hi)
 {
@@ -304,10 +288,15 @@ static void piece_init(struct piece *w, const struct interpolant_proof *proof, c
     w->cell = pieces_cell(p, row);
     FOR_ALL(arb_poly, init, w->x, w->stored, w->beta);
     enclosed_variable(w->x, lo, hi);
-    if (is_creep(w->interval, stored))
-        creep_duration(w->stored, w, lo, hi);
-    else
+    if (is_creep(w->interval, stored)) {
+        LOCAL(arb_poly, eps, time, mu);
+        stored_on(eps, w, EPS_ZERO_FORCE, lo, hi);
+        stored_on(time, w, DURATION_ZERO_FORCE, lo, hi);
+        LET_FUNCTION(mu, "exp(-5*w->x/3)", w->x);
+        interpolant_proof_creep(w->stored, w->proof, eps, time, w->x, mu); /* not finite without a proof */
+    } else {
         stored_on(w->stored, w, stored, lo, hi);
+    }
     if (w->interval->variable == INTERVAL_ROOT)
         enclosed_multiply(w->beta, w->x, w->x);
     else
