@@ -36,15 +36,6 @@ static int read_text(struct cor_audit_text *text, struct texts *texts, const cha
     return 0;
 }
 
-static void clear_texts(struct texts *texts)
-{
-    for (int i = 0; i < texts->count; i++) {
-        free((char *)(uintptr_t)texts->text[i].name);
-        free((char *)(uintptr_t)texts->text[i].text);
-    }
-    free(texts->text);
-}
-
 /* ---- findings ---- */
 
 static const char columns[] = "line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,advice";
@@ -175,7 +166,11 @@ static int audit_file(struct audit_run *run, struct cor_audit_memory *memory, co
         status = usage_error("%s is not a text: it holds zero bytes", text.name);
     else if (found == COR_AUDIT_UNKNOWN)
         status = usage_error("%s: no simulator is recognised; name it by --for, as --for lammps", text.name);
-    clear_texts(&run->texts);
+    for (int i = 0; i < run->texts.count; i++) {
+        free((char *)(uintptr_t)run->texts.text[i].name);
+        free((char *)(uintptr_t)run->texts.text[i].text);
+    }
+    free(run->texts.text);
     return status;
 }
 

@@ -24,21 +24,6 @@ static int check_request(const struct sample_arguments *o, const struct sample_r
     return STATUS_OK;
 }
 
-static int write_sample(const struct sample_arguments *o, const struct sample_request *request)
-{
-    struct sample sample;
-    struct output out;
-    int status = sample_choose(&sample, request);
-    if (status == STATUS_OK)
-        status = output_open(&out, o->common.output);
-    if (status == STATUS_OK) {
-        sample_print(out.file, &sample, request, (enum sample_format)o->common.format);
-        status = output_commit(&out);
-    }
-    sample_clear(&sample);
-    return status;
-}
-
 static int run_sample(const void *arguments)
 {
     const struct sample_arguments *const o = arguments;
@@ -61,9 +46,20 @@ static int run_sample(const void *arguments)
     if (status == STATUS_OK && o->duration && isnan(contacts.contact[0].mass_kg))
         status = usage_error("--durations needs bodies, or --stiffness and --effective-mass, which set the unit of "
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
+    if (status != STATUS_OK)
+        return status;
+    contact_warn_yield(&contacts, request.speed_max);
+    struct sample sample;
+    struct output out;
+    status = sample_choose(&sample, &request);
     if (status == STATUS_OK)
-        contact_warn_yield(&contacts, request.speed_max);
-    return status == STATUS_OK ? write_sample(o, &request) : status;
+        status = output_open(&out, o->common.output);
+    if (status == STATUS_OK) {
+        sample_print(out.file, &sample, &request, (enum sample_format)o->common.format);
+        status = output_commit(&out);
+    }
+    sample_clear(&sample);
+    return status;
 }
 
 static const char help[] =

@@ -51,13 +51,6 @@ struct reader {
 
 /* ---- messages ---- */
 
-/* The name of a column in the file: that of the speed may have a unit. */
-static const char *name_in_file(const struct reader *r, enum column column)
-{
-    const bool has_unit = column == SPEED && r->form.unit != FIT_UNIT_OF_COLUMN && r->place[r->form.unit] >= 0;
-    return column_names[has_unit ? (enum column)r->form.unit : column];
-}
-
 __attribute__((format(printf, 3, 4))) static int refuse(const struct reader *r, enum column column, const char *format,
                                                         ...)
 {
@@ -66,9 +59,12 @@ __attribute__((format(printf, 3, 4))) static int refuse(const struct reader *r, 
     va_start(arguments, format);
     vsnprintf(why, sizeof why, format, arguments);
     va_end(arguments);
-    return column == COLUMNS
-               ? usage_error("%s: line %ld: %s", r->name, r->number, why)
-               : usage_error("%s: line %ld, column %s: %s", r->name, r->number, name_in_file(r, column), why);
+    if (column == COLUMNS)
+        return usage_error("%s: line %ld: %s", r->name, r->number, why);
+    /* the name of the speed may have a unit */
+    const bool has_unit = column == SPEED && r->form.unit != FIT_UNIT_OF_COLUMN && r->place[r->form.unit] >= 0;
+    const char *const name = column_names[has_unit ? (enum column)r->form.unit : column];
+    return usage_error("%s: line %ld, column %s: %s", r->name, r->number, name, why);
 }
 
 static int refuse_cell(const struct reader *r, enum column column, const char *text, const char *allowed)

@@ -68,19 +68,6 @@ static void remark_data(const struct fit_data *data, FILE *file)
         fprintf(file, "Columns that are not read: %s.\n", data->unused);
 }
 
-/* "viscoelastic zero-overlap, plate zero-overlap": the models of one curve */
-static void print_models_of(const struct fit_comparison *c, enum fit_curve curve, FILE *file)
-{
-    const char *separator = "";
-    for (int i = 0; i < c->models; i++) {
-        const struct fit_model *const model = &fit_models[c->ranked[i]];
-        if (model->curve != curve)
-            continue;
-        fprintf(file, "%s%s", separator, model->title);
-        separator = ", ";
-    }
-}
-
 enum { P_VALUE = 32 };
 static const char *p_value_text(char text[P_VALUE], const struct fit_estimate *e)
 {
@@ -109,7 +96,12 @@ static void remark_curves(const struct fit_comparison *c, FILE *file)
         named[curve] = true;
         char p_value[P_VALUE];
         fprintf(file, "  %-12s %-13s ", verdict_on(e), p_value_text(p_value, e));
-        print_models_of(c, curve, file);
+        const char *separator = "";
+        for (int k = i; k < c->models; k++)
+            if (fit_models[c->ranked[k]].curve == curve) {
+                fprintf(file, "%s%s", separator, fit_models[c->ranked[k]].title);
+                separator = ", ";
+            }
         fputs("\n", file);
     }
 }

@@ -36,25 +36,18 @@ static int make_table(struct cor_disk_modes *table, double nu, int level_count)
     return status;
 }
 
-static int find_table(struct cor_disk_modes *table, struct hard_wall_tables *tables, int i)
-{
-    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-    pthread_mutex_lock(&lock);
-    const int status = tables->table[i].mode ? COR_OK : make_table(&tables->table[i], tables->nu, levels[i]);
-    *table = tables->table[i];
-    pthread_mutex_unlock(&lock);
-    return status;
-}
-
 int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance,
                       size_t max_steps, double speed)
 {
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     const struct cor_disk_hard_wall_options options = {tolerance, max_steps};
     int status = COR_TOLERANCE_NOT_REACHED;
     *out = (struct cor_disk_hard_wall){NAN, NAN, NAN, NAN, NAN, 0};
     for (int i = 0; i < HARD_WALL_TABLES && status == COR_TOLERANCE_NOT_REACHED; i++) {
-        struct cor_disk_modes table;
-        status = find_table(&table, tables, i);
+        pthread_mutex_lock(&lock);
+        status = tables->table[i].mode ? COR_OK : make_table(&tables->table[i], tables->nu, levels[i]);
+        const struct cor_disk_modes table = tables->table[i];
+        pthread_mutex_unlock(&lock);
         if (status != COR_OK)
             break;
         status = cor_disk_hard_wall(&table, table.count, &options, speed, out);
