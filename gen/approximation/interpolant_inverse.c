@@ -79,18 +79,6 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
     return found ? STATUS_OK : fail("an inverse of the collision was not found");
 }
 
-/* The end of the last interval in the root of beta that holds samples of eps */
-static double last_sampled_root(const struct interpolant *f, enum quantity eps)
-{
-    double last = f->layout->interval[0].hi;
-    for (int i = 0; i < f->layout->intervals; i++) {
-        const struct interval *const interval = &f->layout->interval[i];
-        if (interval->variable == INTERVAL_ROOT && holds(interval, eps) && f->samples[i].known)
-            last = fmax(last, interval->hi);
-    }
-    return last;
-}
-
 /* Chooses the first variable whose range reaches the zero. */
 static void choose_stretch(struct search *s, const arb_t wanted)
 {
@@ -99,7 +87,10 @@ static void choose_stretch(struct search *s, const arb_t wanted)
     const enum quantity eps = sampled_quantity(interpolant_end(f, s->function));
     s->variable = INTERVAL_ROOT;
     s->lo = 0;
-    s->hi = last_sampled_root(f, eps);
+    s->hi = layout->interval[0].hi; /* the end of the last interval in the root of beta that holds samples of eps */
+    for (int i = 0; i < layout->intervals; i++)
+        if (layout->interval[i].variable == INTERVAL_ROOT && holds(&layout->interval[i], eps) && f->samples[i].known)
+            s->hi = fmax(s->hi, layout->interval[i].hi);
     if (interpolant_last(f, eps, INTERVAL_LOG) > -HUGE_VAL && !beyond(s, s->hi, wanted)) {
         s->variable = INTERVAL_LOG;
         s->lo = (double)layout->root * log(s->hi);

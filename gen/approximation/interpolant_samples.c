@@ -192,18 +192,6 @@ static int make_constants(struct interpolant *f, double beta_max)
     return beyond_samples ? collision_final_speed(f->final_speed, law, CONSTANT_BITS) : STATUS_OK;
 }
 
-/* Computes G and T if the intervals near beta = 0 do not sample zero force. */
-static void make_backward(struct interpolant *f)
-{
-    const struct interpolant_layout *layout = f->layout;
-    if (layout->press || holds(&layout->interval[0], EPS_ZERO_FORCE) || !law_force_ends(&layout->law))
-        return;
-    LOCAL(fmpq_poly, G, T);
-    restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
-    arb_poly_set_fmpq_poly(f->backward, G, INTERPOLANT_BITS);
-    arb_poly_set_fmpq_poly(f->backward_time, T, INTERPOLANT_BITS);
-}
-
 void samples_init(struct samples *s, slong count)
 {
     s->known = true;
@@ -301,7 +289,12 @@ struct interpolant *interpolant_new(const struct interpolant_layout *layout, dou
     FOR_ALL(arb_poly, init, f->backward, f->backward_time);
 
     int status = make_constants(f, beta_max);
-    make_backward(f);
+    if (!layout->press && !holds(&layout->interval[0], EPS_ZERO_FORCE) && law_force_ends(&layout->law)) {
+        LOCAL(fmpq_poly, G, T); /* near beta = 0 nothing samples zero force */
+        restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
+        arb_poly_set_fmpq_poly(f->backward, G, INTERPOLANT_BITS);
+        arb_poly_set_fmpq_poly(f->backward_time, T, INTERPOLANT_BITS);
+    }
     if (status == STATUS_OK)
         status = make_samples(f, beta_min, beta_max);
     const struct interval *last = &layout->interval[layout->intervals - 1];

@@ -212,26 +212,15 @@ static void piece_end(arb_t z, const struct pade_rounded *r, slong beta_max, slo
         LET(z, BITS, "((beta_max/near)^((k - PIECES)/PIECES)*near)^(1/r->root)", beta_max, near, k, PIECES, r->root);
 }
 
-/* Whether a partial sum of Horner's rule may exceed the doubles: sum |p_i| z^i at the largest z bounds all */
-static bool may_overflow(arb_poly_t magnitude[3], const struct pade_rounded *r, slong beta_max)
-{
-    bool may = false;
-    LOCAL(arb, z, sum);
-    arb_set_si(z, beta_max);
-    arb_root_ui(z, z, (ulong)r->root, BITS);
-    for (int i = 0; i < 3; i++) {
-        arb_poly_evaluate(sum, magnitude[i], z, BITS);
-        may = may || !arb_is_finite(sum) || arf_cmpabs_2exp_si(arb_midref(sum), DBL_MAX_EXP - 2) > 0;
-    }
-    return may;
-}
-
 void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max)
 {
     const arb_poly_struct *poly[3] = {r->p_double, r->q_double, r->l_double};
     arb_poly_t magnitude[3], slope[3];
     arb_t error[3];
-    LOCAL(arb, z, low, high);
+    LOCAL(arb, z, low, high, sum);
+    arb_set_si(z, beta_max);
+    arb_root_ui(z, z, (ulong)r->root, BITS);
+    *eps = *loss = 0;
     for (int i = 0; i < 3; i++) {
         FOR_ALL(arb_poly, init, magnitude[i], slope[i]);
         arb_init(error[i]);
@@ -239,10 +228,11 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
         for (slong k = 0; k < arb_poly_length(poly[i]); k++)
             arb_abs(magnitude[i]->coeffs + k, poly[i]->coeffs + k);
         arb_poly_derivative(slope[i], poly[i], BITS);
+        /* a partial sum of Horner's rule may exceed the doubles: sum |p_i| z^i at the largest z bounds all */
+        arb_poly_evaluate(sum, magnitude[i], z, BITS);
+        if (!arb_is_finite(sum) || arf_cmpabs_2exp_si(arb_midref(sum), DBL_MAX_EXP - 2) > 0)
+            *eps = *loss = INFINITY;
     }
-    *eps = *loss = 0;
-    if (may_overflow(magnitude, r, beta_max))
-        *eps = *loss = INFINITY;
     for (slong k = 0; k < (beta_max > PADE_NEAR ? 2 : 1) * PIECES; k++) {
         piece_end(low, r, beta_max, k);
         piece_end(high, r, beta_max, k + 1);
