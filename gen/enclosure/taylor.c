@@ -207,7 +207,7 @@ static void component_norm(arb_t norm, arb_srcptr f, slong first, const struct t
     arb_set_upper(norm, sum);
 }
 
-/* (6.2) at one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
+/* By one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
 static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor *y, const mag_t h, double ratio)
 {
     const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, N = y->degree;
@@ -223,7 +223,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
         residual_t);
 }
 
-/* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
+/* Polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
  * radius gives a valid bound; the best is a little inside the radius of convergence, 2^STEP_BITS h. The logarithms of
  * the bounds are convex functions of log R, so that they have one minimum each. */
 static void residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
@@ -242,8 +242,7 @@ static void residuals(arb_t least_v, arb_t least_t, const struct taylor *y, cons
 }
 
 /* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
- * polynomials: docs/theory.md, 6, equations (6.2) to (6.5). Sets the remainders. Returns false if it does not
- * succeed. */
+ * polynomials (docs/theory.md, 6). Sets the remainders. Returns false if it does not succeed. */
 static bool prove_step(struct taylor *y, const arb_t step)
 {
     const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd;
@@ -261,7 +260,7 @@ static bool prove_step(struct taylor *y, const arb_t step)
     arb_div_si(residual_w, residual_w, d, NORM_BITS);
     residuals(residual_v, residual_t, y, h_mag);
 
-    /* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives
+    /* L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives
      * a valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
     LET(by_v, NORM_BITS, "abs(c1)*w^(d - 1 + bd)", c1, w, d, bd);
     LET(by_w, NORM_BITS, "(d - 1 + ad)*abs(c2)*w^ad + (d - 1)*abs(c3)", d, ad, c2, w, c3);
@@ -272,7 +271,7 @@ static bool prove_step(struct taylor *y, const arb_t step)
         arb_one(kappa);
     LET(lipschitz, NORM_BITS, "max(by_w/kappa + by_v, kappa/d)", by_w, kappa, by_v, d);
 
-    /* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube; and t' =
+    /* |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube; and t' =
      * w^(d-1), which involves no t. */
     LET(error_v, NORM_BITS, "max(residual_w*kappa, residual_v)*h*exp(lipschitz*h)", residual_w, kappa, residual_v, h,
         lipschitz);
@@ -283,7 +282,7 @@ static bool prove_step(struct taylor *y, const arb_t step)
     arb_get_mag(y->error_t, error_t);
 
     /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w on each side, which is more than half of 2^-TUBE_BITS. And
-     * (6.5): w has no pair of zeros inside the step, which its signs at both ends would not show. One of two conditions
+     * w has no pair of zeros inside the step, which its signs at both ends would not show. One of two conditions
      * suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed v/d. Under
      * a constant force only the first one shows that v has no such pair, either (24). */
     return HOLDS(NORM_BITS, "error_w < w/2^(TUBE_BITS + 1)", error_w, w, TUBE_BITS) &&
