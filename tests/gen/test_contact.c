@@ -15,18 +15,28 @@
 /* ---- the force in SI units, integrated ---- */
 
 struct law_of_force {
-    double mass, stiffness, coefficient, a, b, speed;
+    double mass, speed;
     double unit; /* of time; that of length is speed unit */
+    double a, b;
+    long double elastic, damping; /* the forces at a unit of length, and there at a speed of 1 m/s */
 };
 
-enum { ROOT = 4 /* exponents are quarters */ };
+enum { ROOT = 4 /* exponents are quarters: x = w^4 units of length */ };
+
+static struct law_of_force force_law(double mass, double stiffness, double coefficient, double a, double b,
+                                     double speed)
+{
+    const double unit = pow(mass / stiffness, 1 / (a + 1)) * pow(speed, (1 - a) / (1 + a));
+    return (struct law_of_force){
+        mass, speed, unit, a, b, stiffness * powl(speed * unit, a), coefficient * powl(speed * unit, b)};
+}
 
 static long double force_of(long double w, long double v, const void *of)
 {
     const struct law_of_force *const f = of;
-    const long double x = motion_power(w, ROOT) * f->speed * f->unit;
-    return (f->stiffness * powl(x, f->a) + f->coefficient * powl(x, f->b) * v * f->speed) * f->unit /
-           (f->mass * f->speed);
+    return (f->elastic * motion_power(w, (int)(ROOT * f->a)) +
+            f->damping * motion_power(w, (int)(ROOT * f->b)) * v * f->speed) *
+           f->unit / (f->mass * f->speed);
 }
 
 /* x/speed times the derivative of the force in SI units by the time */
@@ -34,9 +44,10 @@ static long double force_slope(const long double *y, const void *of)
 {
     const struct motion *const m = of;
     const struct law_of_force *const f = m->of;
-    const long double x = motion_power(y[0], ROOT) * f->speed * f->unit, v = y[1], acceleration = -motion_force(y, m);
-    return f->stiffness * f->a * powl(x, f->a) * v +
-           f->coefficient * powl(x, f->b) * (f->b * v * v * f->speed + x / f->unit * acceleration);
+    const long double w = y[0], v = y[1], acceleration = -motion_force(y, m);
+    return f->elastic * f->a * motion_power(w, (int)(ROOT * f->a)) * v +
+           f->damping * motion_power(w, (int)(ROOT * f->b)) * f->speed *
+               (f->b * v * v + motion_power(w, ROOT) * acceleration);
 }
 
 /* The force is largest at the start, or at a peak on the way in. */
@@ -71,15 +82,9 @@ static void against_integration(const struct cor_scene_impact *got, double force
                                 double end_error)
 {
     const struct cor_exponents law = contact->law;
-    const double a = (double)law.elastic / law.denominator, b = (double)law.damping / law.denominator;
-    const struct law_of_force f = {.mass = contact->mass_kg,
-                                   .stiffness = contact->stiffness,
-                                   .coefficient = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT),
-                                   .a = a,
-                                   .b = b,
-                                   .speed = speed,
-                                   .unit = pow(contact->mass_kg / contact->stiffness, 1 / (a + 1)) *
-                                           pow(speed, (1 - a) / (1 + a))};
+    const struct law_of_force f =
+        force_law(contact->mass_kg, contact->stiffness, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT),
+                  (double)law.elastic / law.denominator, (double)law.damping / law.denominator, speed);
     struct cor_scene_impact want;
     double want_force;
     integrate(&want, &want_force, &f, got->duration_s[0] > 0 && isfinite(got->duration_s[0]));
@@ -533,9 +538,7 @@ TEST(chrono_finds_the_radius)
         const double found[] = {number_after(lines, "SetDefaultEffectiveCurvatureRadius(", 0.1), r1 * r2 / (r1 + r2)};
         const double mass = contacts.contact[0].mass_kg;
         for (int k = 0; k < 2; k++) {
-            const double stiffness = kn * found[k];
-            const struct law_of_force f = {
-                mass, stiffness, gn * mass * found[k], 1.5, 0.5, speed, pow(mass / stiffness, 0.4) * pow(speed, -0.2)};
+            const struct law_of_force f = force_law(mass, kn * found[k], gn * mass * found[k], 1.5, 0.5, speed);
             struct cor_scene_impact impact;
             double force;
             integrate(&impact, &force, &f, false);
