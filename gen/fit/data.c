@@ -105,8 +105,10 @@ static int read_line(struct reader *r)
     if (length > 0 && r->line[length - 1] == '\r')
         length--;
     r->line[length] = '\0';
-    if (r->number == 1 && length >= 3 && memcmp(r->line, "\xef\xbb\xbf", 3) == 0)
+    if (r->number == 1 && length >= 3 && memcmp(r->line, "\xef\xbb\xbf", 3) == 0) {
         r->line += 3;
+        length -= 3;
+    }
     const char *const utf_16 = r->number == 1 ? utf_16_name(r->line, length) : NULL;
     if (utf_16)
         return refuse(r, COLUMNS, "the text is %s; allowed: UTF-8, as from iconv -f %s -t UTF-8 FILE", utf_16, utf_16);
