@@ -153,6 +153,19 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct la
     return ends_solve(c, beta, 1, law, ENDS_ZERO_FORCE, bits);
 }
 
+/* x'' + beta x^b x' = force - 1 >= 0: the overlap grows without bound, or under the force 1 until the damping has used
+ * up the speed. */
+static void never_parts(struct collision *c, const arb_t beta, const arb_t force, const struct law *law, slong prec)
+{
+    const struct ratio b = law->b;
+    for (int i = 0; i < COLLISION_FIELDS; i++)
+        arb_pos_inf(c->field[i]);
+    arb_zero(c->eps_zero_overlap);
+    arb_zero(c->eps_zero_force);
+    if (arb_is_one(force) && !arb_is_zero(beta))
+        LET(c->x_max, prec, "((b + 1)/beta)^(1/(b + 1))", b, beta);
+}
+
 int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct law *law, int end,
                             slong bits)
 {
@@ -163,7 +176,12 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
         return ends_solve(c, beta, 1, law, end == END_ZERO_FORCE && !elastic ? ENDS_ZERO_FORCE : ends, bits);
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta) || !arb_is_positive(force))
         return fail("the damping beta of a collision must be a number >= 0, its constant force one > 0");
-    for (slong prec = bits + 2 * GUARD_BITS; prec < MOST_BITS + 2 * bits; prec += prec / 2) {
+    const bool below = law->ad > 0 || HOLDS(bits, "force < 1", force);
+    if (!below && (arb_is_one(force) || HOLDS(bits, "force > 1", force))) {
+        never_parts(c, beta, force, law, bits + 2 * GUARD_BITS);
+        return STATUS_OK;
+    }
+    for (slong prec = bits + 2 * GUARD_BITS; below && prec < MOST_BITS + 2 * bits; prec += prec / 2) {
         arb_indeterminate(c->eps_zero_overlap);
         arb_indeterminate(c->t_zero_overlap);
         const enum motion_outcome outcome =
