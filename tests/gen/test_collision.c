@@ -8,6 +8,7 @@
 #include "enclosure/closed_form.h"
 #include "enclosure/collision.h"
 #include "enclosure/motion.h"
+#include "enclosure/slow_manifold.h"
 #include "series/restitution.h"
 #include "series/turning_point.h"
 
@@ -254,9 +255,13 @@ TEST(test_slow_manifold)
         {"1", "2", "700"},  {"1/2", "0", "12"}, {"1", "1", "85"},   {"0", "1/2", "1000"},
     };
     LOCAL(collision, slow, direct);
-    LOCAL(arb, beta);
+    LOCAL(arb, beta, p, slope);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct law law = law_of(cases[i][0], cases[i][1]);
+        const struct slow_manifold *const m = slow_manifold_of(&law, 24, 250);
+        arb_poly_evaluate2(p, slope, m->p, m->last, 250);
+        assert_false(HOLDS(250, "abs(1 - p + (law.a - law.b)*m->last*p^2 - m->n*m->last^2*p*slope) > m->nu", p, law.a,
+                           law.b, m->last, m->n, slope, m->nu));
         set_number(beta, cases[i][2]);
         assert_int_equal(motion_solve_slow(slow, beta, &law, 24, 250), MOTION_DONE);
         assert_int_equal(motion_solve(direct, beta, &law, MOTION_ZERO_OVERLAP, 450), MOTION_DONE);
@@ -490,6 +495,7 @@ TEST(test_one_end)
         assert_int_equal(collision_solve(both, beta, &law_sphere, 60), i < 3);
         assert_int_equal(collision_solve_overlap(both, beta, &law_sphere, 60), i < 3);
         assert_int_equal(collision_solve_force(both, beta, &law_sphere, 60), 1);
+        assert_int_equal(collision_solve_pressed(both, beta, none, &law_sphere, 1, 60), i < 3);
     }
 }
 

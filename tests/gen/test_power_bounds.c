@@ -146,4 +146,23 @@ TEST(test_one_term)
     jet_free(t.x_to_a, 1);
 }
 
-RUN_TESTS(test_trajectories, test_one_term)
+/* Z = 1 + U: of 1 - Z V, V = 1 - U from a block of two rows, U^2 is all there is, and 1/(1 - U) the bound. */
+TEST(test_rest_of_block)
+{
+    enum { ORDER = 2, TERMS = 3 };
+    struct trajectory t = {.law = law_sphere, .order = ORDER, .terms = TERMS, .prec = PREC, .shift = 0};
+    struct power_evidence e;
+    LOCAL(power_bounds, b);
+    t.x = jet_new(ORDER + 1);
+    arb_poly_one(t.x);
+    arb_poly_one(t.x + 1);
+    t.x_to_a = t.x_to_b1 = rows_power(t.x, law_sphere.a, ORDER, TERMS + 1);
+    power_evidence_init(&e, &t, 2, 2);
+    assert_true(power_bounds_prove(b, &e, 0.5, 1));
+    assert_true(HOLDS(PREC, "abs(b->inverse - 2) < 1/2^20", b->inverse));
+    power_evidence_clear(&e);
+    jet_free(t.x, ORDER + 1);
+    jet_free(t.x_to_a, ORDER + 1);
+}
+
+RUN_TESTS(test_trajectories, test_one_term, test_rest_of_block)

@@ -146,4 +146,35 @@ TEST(test_online_products)
     }
 }
 
-RUN_TESTS(test_remainder, test_one_term, test_online_products, test_step_is_short, test_step_under_a_force)
+/* The signs of all terms on both sides enclose a zero. That of w = (1 - s)^3 is known to 2^-4 if w is to 2^-12; that of
+ * 1 - s + s^60/2^20 is another one without the last term, which a search with few bits leaves out. */
+TEST(test_zero)
+{
+    static const int cubic[] = {1, -3, 3, -1};
+    const struct law law = law_of("1", "0");
+    LOCAL(arb, root, begin, end, x);
+    for (int k = 1; k <= 40; k++)
+        for (int flat = 0; flat < 2; flat++) {
+            struct taylor y;
+            taylor_init(&y, &law, 60, 128);
+            for (int n = 0; n < (flat ? 4 : 2); n++)
+                arb_set_si(y.w + n, flat ? cubic[n] : 1 - 2 * n);
+            arb_set_si(y.w + 60, !flat);
+            arb_mul_2exp_si(y.w + 60, y.w + 60, -20);
+            mag_set_ui_2exp_si(y.error_w, (ulong)flat, -12);
+            arb_set_d(end, 1 + (flat ? k + 1 : k / 16.0) / 16);
+            assert_int_equal(taylor_crosses(root, &y, TAYLOR_W, begin, end), TAYLOR_CROSSED);
+            if (flat) {
+                arb_one(x);
+                arb_add_error_2exp_si(x, -4);
+                check(arb_contains(root, x), "the enclosure in [0, 1 + %d/16] leaves possible zeros out", k + 1);
+            } else {
+                LET(x, 200, "1 - root + root^60/2^20", root);
+                check(arb_contains_zero(x), "the enclosure in [0, 1 + %d/256] leaves the zero out", k);
+                assert_bits(root, 30);
+            }
+            taylor_clear(&y);
+        }
+}
+
+RUN_TESTS(test_remainder, test_one_term, test_zero, test_online_products, test_step_is_short, test_step_under_a_force)
