@@ -395,6 +395,11 @@ TEST(test_journal_damaged)
     journal_close(&journal, false);
     assert_int_equal(go_on(), LINES);
     assert_part(whole_file, whole_size, "a row more", 0);
+    static const char foreign[][8] = {"x", "x\n", "c\0mine", "z\n1,2\n"}; /* is refused, and stays as it was */
+    for (size_t i = 0; i < COUNT_OF(foreign); i++) {
+        assert_int_equal(go_on_from(foreign[i], sizeof foreign[i], "foreign", i), -1);
+        assert_part(foreign[i], sizeof foreign[i], "foreign", i);
+    }
 }
 
 /* What other processes and a full disk do to it meanwhile */
