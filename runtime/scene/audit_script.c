@@ -127,6 +127,12 @@ static int type_at(const struct audit *a, int i)
     return type >= 1 && type <= (double)AUDIT_TYPES ? (int)type - 1 : -1;
 }
 
+/* An end of a range of types, from 0 */
+static int range_end(const char *word)
+{
+    return (int)fmax(fmin(strtod(word, NULL), 1e9), 0) - 1;
+}
+
 /* "3", "*", "2*", "*4" and "2*4" as types from 0 */
 static int range_of(const char *word, int *first, int *last)
 {
@@ -136,8 +142,8 @@ static int range_of(const char *word, int *first, int *last)
         *first = *last = (int)(type >= 1 && type <= (double)AUDIT_TYPES ? type - 1 : -1);
         return *first >= 0;
     }
-    *first = star > word ? (int)strtol(word, NULL, 10) - 1 : 0;
-    *last = star[1] ? (int)strtol(star + 1, NULL, 10) - 1 : AUDIT_TYPES - 1;
+    *first = star > word ? range_end(word) : 0;
+    *last = star[1] ? range_end(star + 1) : AUDIT_TYPES - 1;
     return *first >= 0 && *first < AUDIT_TYPES && *last >= *first;
 }
 

@@ -410,6 +410,7 @@ TEST(missing)
         {"pair_coeff * * hertz 1e7\n", "missing or no numbers"},
         {"pair_coeff * * hertz 1e7 much\n", "missing or no numbers"},
         {"pair_coeff 1 x hertz 1e7 0.5\n", "types"},
+        {"pair_coeff 4294967297* * hertz 1e7 0.5\n", "types"},
         {"pair_coeff * * mdr 1 2 3 4 5 6\n", "mdr"},
         {"pair_coeff * * hertz 1e7 0.5 damping magic\n", "magic"},
         {"include missing\n", "cannot include missing"},
