@@ -5,15 +5,15 @@
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "support/console.h"
 #include "support/decimal.h"
-#include "support/output.h"
 #include "support/words.h"
 
-enum { MOST_BYTES = 1 << 30, LINE_LENGTH = 65536, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
+enum { LINE_LENGTH = 65536, BUFFER = 2 * LINE_LENGTH + 1, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
 
 const char *const fit_unit_names[] = {[FIT_M_S] = "m/s", [FIT_CM_S] = "cm/s", [FIT_MM_S] = "mm/s", NULL};
 static const double unit_m_s[] = {[FIT_M_S] = 1, [FIT_CM_S] = 0.01, [FIT_MM_S] = 0.001};
@@ -39,6 +39,8 @@ static const struct decimal_range time_range = {"0", "1e30", true, true, true, "
 
 struct reader {
     const char *name;
+    FILE *file;       /* NULL: all of the text is in memory */
+    char *buffer;     /* of the file, BUFFER bytes */
     char *next, *end; /* the text behind the line */
     long number;      /* of the line */
     bool ended;       /* there are no more lines */
@@ -93,7 +95,16 @@ static const char *utf_16_name(const char *line, size_t length)
 /* Ends a line at its end, which is LF or CR LF. A UTF-8 byte-order mark before the first line is skipped. */
 static int read_line(struct reader *r)
 {
-    const char *const feed = memchr(r->next, '\n', (size_t)(r->end - r->next));
+    const char *feed = memchr(r->next, '\n', (size_t)(r->end - r->next));
+    if (!feed && r->file && r->end - r->next <= LINE_LENGTH) {
+        const size_t rest = (size_t)(r->end - r->next);
+        memmove(r->buffer, r->next, rest);
+        r->next = r->buffer;
+        r->end = r->buffer + rest + fread(r->buffer + rest, 1, BUFFER - 1 - rest, r->file);
+        if (ferror(r->file))
+            return fail("cannot read %s: %s", r->name, strerror(errno));
+        feed = memchr(r->next, '\n', (size_t)(r->end - r->next));
+    }
     size_t length = (size_t)((feed ? feed : r->end) - r->next);
     r->line = r->next;
     r->next += length + (feed != NULL);
@@ -503,11 +514,10 @@ static int read_table(struct fit_data *data, struct reader *r)
     return status;
 }
 
-int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form)
+static int read_all(struct fit_data *data, struct reader *r)
 {
-    struct reader r = {.name = name, .next = text, .end = text + size, .form = *form};
     *data = (struct fit_data){0};
-    const int status = read_table(data, &r);
+    const int status = read_table(data, r);
     progress_end();
     if (status != STATUS_OK) {
         fit_data_clear(data);
@@ -519,15 +529,24 @@ int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *n
     return STATUS_OK;
 }
 
+int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form)
+{
+    struct reader r = {.name = name, .next = text, .end = text + size, .form = *form};
+    return read_all(data, &r);
+}
+
 int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form)
 {
-    size_t size;
-    const char *const name = strcmp(path, "-") == 0 ? "standard input" : path;
-    char *const text = read_file(path, MOST_BYTES, &size);
-    if (!text)
-        return fail("cannot read %s: %s", name, strerror(errno));
-    const int status = fit_data_parse(data, text, size, name, form);
-    free(text);
+    const bool standard = strcmp(path, "-") == 0;
+    struct reader r = {
+        .name = standard ? "standard input" : path, .file = standard ? stdin : fopen(path, "r"), .form = *form};
+    if (!r.file)
+        return fail("cannot read %s: %s", r.name, strerror(errno));
+    r.buffer = r.next = r.end = xmalloc(BUFFER);
+    const int status = read_all(data, &r);
+    free(r.buffer);
+    if (!standard)
+        fclose(r.file);
     return status;
 }
 
