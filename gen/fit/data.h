@@ -54,7 +54,7 @@ struct fit_form {
 
 /* Reads the file, or standard input if the path is "-", as docs/fit.md has it. Flight k of a ball lasts T_k = t_(k+1) -
  * t_k; eps = T_(k+1)/T_k at the bounce between two flights. Returns STATUS_OK, STATUS_USAGE after a message with line
- * and column, or STATUS_FAILED if the file cannot be read or has 2^30 bytes. */
+ * and column, or STATUS_FAILED if the file cannot be read. */
 int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form);
 /* The same of a text, before text[size] == '\0', which is written to. `name` names it in messages. */
 int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form);
