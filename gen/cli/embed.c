@@ -4,7 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "embed/choose.h"
+#include "embed/form.h"
 #include "support/console.h"
 
 static int write_header(const struct embed_arguments *o, const struct embed_scene *s, const struct embed_form *form)

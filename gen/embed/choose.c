@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "embed/choose.h"
+#include "embed/form.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "approximation/pade.h"
-#include "embed/form.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/local.h"
@@ -48,65 +47,52 @@ static struct embed_form form_blank(const struct embed_scene *s, enum embed_fami
     return f;
 }
 
-/* Whether f, with its numbers filled in, meets the tolerance */
-static bool form_meets(struct embed_form *f, const struct embed_scene *s)
+static double balanced_cost(const struct embed_form *f)
 {
-    embed_form_assess(f, &s->samples, COARSE);
-    if (!(f->error <= s->tolerance))
-        return false;
-    embed_form_assess(f, &s->samples, 1);
-    return f->error <= margin * s->tolerance;
+    return embed_cost(f->cost, PURPOSE_BALANCED);
 }
 
-/* Keeps the cheaper of both in *best, if f is good at all, and clears the other. Returns `good`. */
-static bool form_keep_cheaper(struct embed_form *best, struct embed_form *f, bool good)
+/* Fits a form, or takes its numbers from a quotient in beta^(1/series_root), and keeps it in *best if it meets the
+ * tolerance and costs less. Returns whether it meets the tolerance. */
+static bool try_form(struct embed_form *best, struct embed_form f, const struct embed_scene *s,
+                     const struct pade *quotient)
 {
-    f->found = good;
-    if (good)
-        embed_form_price(f);
-    if (!good || (best->found && embed_cost(best->cost, PURPOSE_BALANCED) <= embed_cost(f->cost, PURPOSE_BALANCED))) {
-        embed_form_clear(f);
-    } else {
-        embed_form_clear(best);
-        *best = *f;
+    f.found = quotient     ? embed_fit_quotient(&f, s, quotient->p, quotient->q)
+              : f.rows > 0 ? embed_fit_pieces(&f, s)
+                           : embed_fit_rational(&f, s);
+    for (slong stride = COARSE; f.found && stride >= 1; stride /= COARSE) {
+        embed_form_assess(&f, &s->samples, stride);
+        f.found = f.error <= (stride > 1 ? 1 : margin) * s->tolerance;
     }
-    return good;
+    if (f.found)
+        embed_form_price(&f);
+    if (f.found && !(best->found && balanced_cost(best) <= balanced_cost(&f))) {
+        embed_form_clear(best);
+        *best = f;
+        return true;
+    }
+    embed_form_clear(&f);
+    return f.found;
 }
 
-static bool try_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable, slong m,
-                         slong n)
-{
-    struct embed_form f = form_blank(s, best->family, variable, m, n);
-    return form_keep_cheaper(best, &f, embed_fit_rational(&f, s) && form_meets(&f, s));
-}
-
-/* Searches the degrees nearest to the diagonal. */
+/* Polynomials, or the degrees nearest to the diagonal */
 static void search_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable)
 {
-    for (slong total = 1; total <= RATIONAL_MAX; total++) {
-        const slong half = total / 2;
-        if (try_rational(best, s, variable, half, total - half) ||
-            (total % 2 && try_rational(best, s, variable, half + 1, half)) ||
-            (total % 2 == 0 && half > 0 && try_rational(best, s, variable, half - 1, half + 1)))
+    const bool polynomial = best->family == FAMILY_POLYNOMIAL_BETA;
+    for (slong total = 1; total <= (polynomial ? POLYNOMIAL_MAX : RATIONAL_MAX); total++) {
+        const slong m = polynomial ? total : total / 2, other = total % 2 ? m + 1 : m - 1;
+        if (try_form(best, form_blank(s, best->family, variable, m, total - m), s, NULL) ||
+            (!polynomial && try_form(best, form_blank(s, best->family, variable, other, total - other), s, NULL)))
             return;
     }
-}
-
-static void search_polynomial(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable)
-{
-    for (slong degree = 1; degree <= POLYNOMIAL_MAX; degree++)
-        if (try_rational(best, s, variable, degree, 0))
-            return;
 }
 
 /* ---- from the series at beta = 0 ---- */
 
-static bool try_quotient(struct embed_form *best, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
-                         slong m, slong n)
+static bool try_quotient(struct embed_form *best, const struct embed_scene *s, const struct pade *f, slong m, slong n)
 {
-    struct embed_form f =
-        form_blank(s, best->family, s->series_root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED, m, n);
-    return form_keep_cheaper(best, &f, embed_fit_quotient(&f, s, p, q) && form_meets(&f, s));
+    const enum embed_variable variable = s->series_root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED;
+    return try_form(best, form_blank(s, best->family, variable, m, n), s, f);
 }
 
 /* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). And how near to it, chosen,
@@ -116,12 +102,11 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
 
 static void search_series(struct embed_form *best, const struct embed_scene *s)
 {
-    LOCAL(arb_poly, p, one);
-    arb_poly_one(one);
-    for (slong degree = 1; degree <= EMBED_SERIES; degree++) {
-        arb_poly_set_trunc(p, s->series, degree + 1);
-        if (try_quotient(best, s, p, one, degree, 0))
-            break;
+    LOCAL_INIT(pade, f, (&f));
+    arb_poly_one(f.q);
+    for (slong degree = 1; degree <= EMBED_SERIES && !best->found; degree++) {
+        arb_poly_set_trunc(f.p, s->series, degree + 1);
+        try_quotient(best, s, &f, degree, 0);
     }
     if (!best->found && s->beta_max > NEAR_CONVERGENCE * CONVERGENCE)
         snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, %g", CONVERGENCE);
@@ -134,7 +119,7 @@ static void search_pade(struct embed_form *best, const struct embed_scene *s)
         for (slong skew = total % 2; skew <= PADE_SKEW && skew <= total && !best->found; skew += 2) {
             const slong m = (total - skew) / 2, n = total - m;
             if (pade_of_series(&f, s->series, m, n, EMBED_BITS))
-                try_quotient(best, s, f.p, f.q, m, n);
+                try_quotient(best, s, &f, m, n);
         }
 }
 
@@ -145,31 +130,36 @@ static void search_two_point(struct embed_form *best, const struct embed_scene *
         snprintf(best->why, sizeof best->why, "at zero force large beta has no power law to match");
     for (slong m = 0; s->end == END_ZERO_OVERLAP && 2 * m + 5 <= PADE_MAX && !best->found; m++)
         if (pade_two_point_of_series(&f, s->series, s->h_star_5, m, EMBED_BITS))
-            try_quotient(best, s, f.p, f.q, m, m + 5);
+            try_quotient(best, s, &f, m, m + 5);
 }
 
 /* ---- tables ---- */
 
+static slong table_bytes(const struct embed_form *f)
+{
+    return f->rows * (f->numerator + 1) * (f->single ? 4 : 8);
+}
+
 static void search_pieces_beta(struct embed_form *best, const struct embed_scene *s)
 {
-    for (slong degree = 1; degree <= PIECE_DEGREE_MAX && !best->found; degree++)
-        for (slong rows = 4; rows <= ROWS_MAX && !best->found; rows *= 2) {
-            if (rows * (degree + 1) * (s->single ? 4 : 8) > EMBED_TABLE_BYTES)
-                break;
-            struct embed_form f = form_blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED, degree, 0);
-            f.rows = rows;
-            form_keep_cheaper(best, &f, embed_fit_pieces_beta(&f, s) && form_meets(&f, s));
-        }
+    for (slong degree = 1; degree <= PIECE_DEGREE_MAX && !best->found; degree++) {
+        struct embed_form f = form_blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED, degree, 0);
+        for (f.rows = 4; f.rows <= ROWS_MAX && table_bytes(&f) <= EMBED_TABLE_BYTES && !best->found; f.rows *= 2)
+            try_form(best, f, s, NULL);
+    }
 }
 
 static void search_pieces_speed(struct embed_form *best, const struct embed_scene *s)
 {
     for (slong least = 0, most = EMBED_TABLE_BYTES; most <= EMBED_TABLE_BYTES_MOST; least = most, most *= 2)
-        for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX) && !best->found;
-             degree++)
+        for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX); degree++)
             for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
                 struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED, degree, 0);
-                form_keep_cheaper(best, &f, embed_fit_pieces_speed(&f, s, bits, least, most) && form_meets(&f, s));
+                f.low_bits = (s->single ? 23 : 52) - bits;
+                f.first = embed_bits_of(&f, s->speed_min) >> f.low_bits;
+                f.rows = (slong)((embed_bits_of(&f, s->speed_max) >> f.low_bits) - f.first) + 1;
+                if (table_bytes(&f) > least && table_bytes(&f) <= most)
+                    try_form(best, f, s, NULL);
             }
     if (!best->found)
         snprintf(best->why, sizeof best->why, "no table of %d bytes or less meets the tolerance",
@@ -201,9 +191,9 @@ static void search_family(void *context, slong family)
                                                                            [FAMILY_PIECES_SPEED] = search_pieces_speed};
     *form = form_blank(s, (enum embed_family)family, SPEED, 0, 0);
     if (s->constant) {
-        snprintf(form->why, sizeof form->why, "eps is the same at every speed");
         if (family == FAMILY_RATIONAL_SPEED)
-            try_rational(form, s, SPEED, 0, 0);
+            try_form(form, *form, s, NULL);
+        snprintf(form->why, sizeof form->why, "eps is the same at every speed");
     } else if (family <= FAMILY_TWO_POINT && (!law_is_sphere(&s->law) || !arb_is_zero(s->liquid_speed) || s->pressed)) {
         snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only%s",
                  s->pressed                     ? ", without a constant force"
@@ -212,11 +202,9 @@ static void search_family(void *context, slong family)
     } else if (searches[family]) {
         searches[family](form, s);
     } else {
-        void (*const search)(struct embed_form *, const struct embed_scene *, enum embed_variable) =
-            family == FAMILY_POLYNOMIAL_BETA ? search_polynomial : search_rational;
-        search(form, s, variable[family]);
+        search_rational(form, s, variable[family]);
         if (s->end == END_ZERO_FORCE && variable[family] == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
-            search(form, s, TENTH_ROOT_OF_SPEED);
+            search_rational(form, s, TENTH_ROOT_OF_SPEED);
     }
 }
 
@@ -232,14 +220,10 @@ enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose
 {
     enum embed_family best = FAMILIES;
     double least = INFINITY;
-    for (int i = 0; i < FAMILIES; i++) {
-        if (!form[i].found)
-            continue;
-        const double cost = embed_cost(form[i].cost, purpose);
-        if (cost < least) {
-            least = cost;
+    for (int i = 0; i < FAMILIES; i++)
+        if (form[i].found && embed_cost(form[i].cost, purpose) < least) {
+            least = embed_cost(form[i].cost, purpose);
             best = (enum embed_family)i;
         }
-    }
     return best;
 }

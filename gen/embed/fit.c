@@ -136,6 +136,7 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);
     LOCAL(arb, x, eps, term);
+    LOCAL_VECTOR(c, count + 1);
     LOCAL_MATRIX(count, count, a);
     LOCAL_MATRIX(count, 1, b);
     for (slong j = 0; j < count; j++) { /* p(x) - eps (q_0 + ... + q_(n-1) x^(n-1)) = eps x^n */
@@ -153,15 +154,12 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
             arb_mul(term, term, x, EMBED_BITS);
         }
     }
-    bool good = arb_mat_solve(b, a, b, EMBED_BITS);
-    if (good) {
-        LOCAL_VECTOR(c, count + 1);
-        for (slong k = 0; k < count; k++)
-            arb_set(c + k, arb_mat_entry(b, k, 0));
-        arb_one(c + count);
-        good = finish_quotient(f, c, scale);
-    }
-    return good;
+    if (!arb_mat_solve(b, a, b, EMBED_BITS))
+        return false;
+    for (slong k = 0; k < count; k++)
+        arb_set(c + k, arb_mat_entry(b, k, 0));
+    arb_one(c + count);
+    return finish_quotient(f, c, scale);
 }
 
 bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q)
@@ -179,66 +177,42 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
     return finish_quotient(f, c, 0);
 }
 
-/* Fits a row: the polynomial in t through eps at `count` Chebyshev points t of [lo, hi]. */
-static void fit_row(arb_ptr row, arb_ptr t, arb_ptr eps, slong count)
-{
-    LOCAL(arb_poly, polynomial);
-    arb_poly_interpolate_newton(polynomial, t, eps, count, EMBED_BITS);
-    for (slong k = 0; k < count; k++)
-        arb_poly_get_coeff_arb(row + k, polynomial, k);
-}
-
-bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
+/* Row by row the polynomial in its argument t through eps at Chebyshev points */
+bool embed_fit_pieces(struct embed_form *f, const struct embed_scene *s)
 {
     const slong columns = f->numerator + 1;
-    const double error = 2 * embed_root_error(f->refinement, f->single) + (f->single ? 1e-6 : 1e-14);
-    const double lo = pow(s->speed_min, 0.2) * (1 - error), hi = pow(s->speed_max, 0.2) * (1 + error);
-    f->slope = embed_rounded(s, (double)f->rows / (hi - lo));
-    f->shift = embed_rounded(s, -lo * f->slope);
+    const bool of_speed = f->family == FAMILY_PIECES_SPEED;
+    const double least = pow(s->speed_min, 0.2), most = pow(s->speed_max, 0.2);
+    if (!of_speed) {
+        const double error = 2 * embed_root_error(f->refinement, f->single) + (f->single ? 1e-6 : 1e-14);
+        const double lo = least * (1 - error), hi = most * (1 + error);
+        f->slope = embed_rounded(s, (double)f->rows / (hi - lo));
+        f->shift = embed_rounded(s, -lo * f->slope);
+    }
     LOCAL_VECTOR(exact, f->rows * columns);
     LOCAL_VECTOR(t, columns);
     LOCAL_VECTOR(eps, columns);
     LOCAL(arb, x);
+    LOCAL(arb_poly, polynomial);
     for (slong row = 0; row < f->rows; row++) {
-        for (slong j = 0; j < columns; j++) {
-            double y = ((double)row + (1 + chebyshev_point(j, columns)) / 2 - f->shift) / f->slope;
-            y = fmin(fmax(y, pow(s->speed_min, 0.2) * (1 + 1e-14)), pow(s->speed_max, 0.2) * (1 - 1e-14));
-            arb_set_d(x, y);
-            eps_at(eps + j, f, s, x);
-            const double shift = f->shift - (double)row;
-            LET(t + j, EMBED_BITS, "x*f->slope + shift", x, f->slope, shift);
-        }
-        fit_row(exact + row * columns, t, eps, columns);
-    }
-    return round_numbers(f, exact, f->rows * columns);
-}
-
-bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits, slong more_than,
-                            slong at_most)
-{
-    const slong columns = f->numerator + 1;
-    f->low_bits = (f->single ? 23 : 52) - fraction_bits;
-    f->first = embed_bits_of(f, s->speed_min) >> f->low_bits;
-    f->rows = (slong)((embed_bits_of(f, s->speed_max) >> f->low_bits) - f->first) + 1;
-    const slong bytes = f->rows * columns * (f->single ? 4 : 8);
-    if (bytes <= more_than || bytes > at_most)
-        return false;
-    LOCAL_VECTOR(exact, f->rows * columns);
-    LOCAL_VECTOR(t, columns);
-    LOCAL_VECTOR(eps, columns);
-    LOCAL(arb, g);
-    for (slong row = 0; row < f->rows; row++) {
-        const double start = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
-        const double end = embed_from_bits(f, (f->first + (uint64_t)row + 1) << f->low_bits);
-        const double lo = fmax(start, s->speed_min), hi = fmin(end, s->speed_max);
-        const slong used = hi - lo > 1e-6 * (end - start) ? columns : 1;
+        const double start = embed_row_start(f, row), end = embed_row_start(f, row + 1);
+        const double lo = fmax(start, s->speed_min), hi = fmin(end, s->speed_max), shift = f->shift - (double)row;
+        const slong used = of_speed && hi - lo <= 1e-6 * (end - start) ? 1 : columns;
         for (slong j = 0; j < used; j++) {
-            const double x = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, used);
-            arb_set_d(g, fmin(fmax(x, lo), hi));
-            embed_scene_eps(eps + j, s, g);
-            LET(t + j, EMBED_BITS, "g - start", g, start);
+            const double place = chebyshev_point(j, used);
+            if (of_speed) {
+                arb_set_d(x, fmin(fmax((lo + hi) / 2 + (hi - lo) / 2 * place, lo), hi));
+                LET(t + j, EMBED_BITS, "x - start", x, start);
+            } else {
+                const double y = ((double)row + (1 + place) / 2 - f->shift) / f->slope;
+                arb_set_d(x, fmin(fmax(y, least * (1 + 1e-14)), most * (1 - 1e-14)));
+                LET(t + j, EMBED_BITS, "x*f->slope + shift", x, f->slope, shift);
+            }
+            eps_at(eps + j, f, s, x);
         }
-        fit_row(exact + row * columns, t, eps, used);
+        arb_poly_interpolate_newton(polynomial, t, eps, used, EMBED_BITS);
+        for (slong k = 0; k < used; k++)
+            arb_poly_get_coeff_arb(exact + row * columns + k, polynomial, k);
     }
     return round_numbers(f, exact, f->rows * columns);
 }

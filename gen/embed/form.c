@@ -78,6 +78,11 @@ double embed_from_bits(const struct embed_form *f, uint64_t bits)
     return f->single ? (double)narrow : wide;
 }
 
+double embed_row_start(const struct embed_form *f, slong row)
+{
+    return embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
+}
+
 /* It counts its operations. */
 struct arithmetic {
     bool single, fused;

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A form computes eps from the speed in the arithmetic of the header. The struct holds its cost and its error. */
+/* A form computes eps from the speed in the arithmetic of the header. The struct holds its cost and its error. Its
+ * coefficients, the search for the cheapest one that meets a scene's tolerance, its proof and its header */
 #ifndef COR_GEN_EMBED_FORM_H
 #define COR_GEN_EMBED_FORM_H
 
 #include <stdint.h>
+#include <stdio.h>
 
 #include "embed/scene.h"
 
@@ -122,6 +124,8 @@ void embed_form_size(char *text, size_t size, const struct embed_form *f);
 /* The bits of a number of the header's type, and the number that has them. */
 uint64_t embed_bits_of(const struct embed_form *f, double x);
 double embed_from_bits(const struct embed_form *f, uint64_t bits);
+/* The first speed of a row of FAMILY_PIECES_SPEED */
+double embed_row_start(const struct embed_form *f, slong row);
 
 /* ---- coefficients ----
  *
@@ -137,12 +141,60 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s);
  * may be 1 */
 bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q);
 
-/* Polynomials of degree f->numerator on f->rows equal pieces of the fifth root */
-bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s);
+/* Polynomials of degree f->numerator on f->rows pieces: FAMILY_PIECES_BETA on equal ones of the fifth root;
+ * FAMILY_PIECES_SPEED on those that f->first and f->low_bits make */
+bool embed_fit_pieces(struct embed_form *f, const struct embed_scene *s);
 
-/* Polynomials on pieces that begin where the leading `bits` bits of the significand change. Returns false also if their
- * table takes more than at_most bytes, or not more than more_than. */
-bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits, slong more_than,
-                            slong at_most);
+/* ---- the choice (choose.c) ---- */
+
+/* Fills form[FAMILIES], one for each family, found or not: the cheapest member that meets the scene's tolerance. */
+void embed_search(struct embed_form *form, const struct embed_scene *s);
+
+/* The cheapest family for a purpose, or FAMILIES if none was found. */
+enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose);
+
+/* ---- the proof (proof.c, docs/embed.md, "Tolerance") ----
+ *
+ * A bound of a form's error at every speed of its scene. The formula with the header's coefficients is compared with
+ * the proved interpolant of the collision as functions (row_proof.h), beyond it with what is proved at large beta
+ * (far_proof.h), and the rounding errors are added. */
+
+/* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR.
+ * tests/gen/test_embed.c encloses d at EMBED_FAR; d falls as beta grows (docs/theory.md, 4). */
+#define EMBED_FAR 7.0
+#define EMBED_FAR_ERROR 2.7e-17
+
+struct embed_proof {
+    double error;    /* relative, of eps from the header; infinite without a proof */
+    double formula;  /* of that the formula without rounding */
+    double rounding; /* and the rounding */
+    bool proved;     /* the error, at every speed of the range from this one on, m/s */
+    double from;
+};
+
+/* Proves the error of a form of spheres, sampled before. For other laws only the rounding has a bound. Returns
+ * STATUS_OK, also without a proof, or STATUS_FAILED after a message if an interpolant is shown to be wrong. */
+int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s);
+
+/* Proved bounds of the rounding errors of a form in the arithmetic of its header (rounding.c). They assume IEEE 754
+ * arithmetic rounded to nearest with a correctly rounded square root, and hold for fused products and others in any
+ * mixture. */
+struct embed_rounding {
+    double error; /* relative, of the result; includes the error of the root of the speed */
+    double root;  /* relative, of that root */
+    double place; /* absolute, of the place in a table in beta; 0 for other forms */
+};
+
+/* Returns false if no bound was found. */
+bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form *f);
+
+/* ---- the header (header.c) ---- */
+
+/* One function, and a banner that states the choice and its reasons */
+void embed_header_write(FILE *file, const struct embed_request *request, const struct embed_scene *s,
+                        const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof);
+
+/* A malloc'ed text about the failed families: "neither a series ..., nor ..." */
+char *embed_failures(const struct embed_scene *s, const struct embed_form *form);
 
 #endif

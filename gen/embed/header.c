@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
-#include "embed/choose.h"
+#include "embed/form.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "embed/proof.h"
+#include "embed/form.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -155,7 +155,7 @@ static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb
 static void part_place(arb_poly_t y, const struct prover *w, slong row)
 {
     const struct embed_form *const f = w->f;
-    const double start = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
+    const double start = embed_row_start(f, row);
     if (f->family == FAMILY_PIECES_SPEED)
         LET_FUNCTION(y, "y - start", y, start);
     else if (f->family == FAMILY_PIECES_BETA)
@@ -293,8 +293,8 @@ static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
     for (slong row = 0; row < f->rows; row++) {
         double lo, hi;
         if (f->family == FAMILY_PIECES_SPEED) {
-            lo = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
-            hi = embed_from_bits(f, (f->first + (uint64_t)row + 1) << f->low_bits);
+            lo = embed_row_start(f, row);
+            hi = embed_row_start(f, row + 1);
         } else {
             lo = pow(fmax((double)row - rounding->place - f->shift, 0) / f->slope, 5) * (1 - 10 * SLACK);
             hi = pow(((double)row + 1 + rounding->place - f->shift) / f->slope, 5) * (1 + 10 * SLACK);

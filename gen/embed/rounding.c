@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "embed/proof.h"
+#include "embed/form.h"
 
 #include <float.h>
 #include <math.h>
@@ -286,8 +286,8 @@ static void bound_cell(void *context, slong i)
     }
     double lo = 0, hi = 1, error = w->place;
     if (f->family == FAMILY_PIECES_SPEED) {
-        const double start = embed_from_bits(f, (f->first + (uint64_t)i) << f->low_bits);
-        const double end = embed_from_bits(f, (f->first + (uint64_t)i + 1) << f->low_bits);
+        const double start = embed_row_start(f, i);
+        const double end = embed_row_start(f, i + 1);
         lo = fmax(f->speed_min - start, 0);
         hi = fmin(end, f->speed_max) - start;
         error = 0;

@@ -12,7 +12,7 @@
 #include "cor/hertz_dashpot.h"
 #include "cor/law.h"
 #include "cor/sphere.h"
-#include "embed/choose.h"
+#include "embed/form.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
 #include "support/console.h"

@@ -17,7 +17,7 @@
 #include "approximation/interpolant.h"
 #include "cli/commands.h"
 #include "disk/modes.h"
-#include "embed/choose.h"
+#include "embed/form.h"
 #include "fuzz.h"
 #include "support/console.h"
 #include "support/parallel.h"

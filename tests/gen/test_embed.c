@@ -6,10 +6,7 @@
 
 #include "ball.h"
 #include "contact/contact.h"
-#include "embed/choose.h"
 #include "embed/form.h"
-#include "embed/proof.h"
-#include "embed/scene.h"
 #include "enclosure/collision.h"
 #include "request.h"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "ball.h"
-#include "embed/proof.h"
+#include "embed/form.h"
 #include "enclosure/collision.h"
 #include "support/local.h"
 
