@@ -13,7 +13,7 @@
 #include "support/parallel.h"
 
 enum {
-    FIRST_PARTS = 4, /* of an interval, for a form without a table */
+    FIRST_PARTS = 4, /* of an interval in sqrt(beta) */
     DEPTH = 12,      /* halvings of a part, at most */
     HALVINGS = 2,    /* of polynomials on a part */
     POINTS = 6,      /* on each side of a part's middle, where the error is evaluated first */
@@ -32,129 +32,95 @@ enum {
 /* More than the rounding of a few functions of libm */
 #define SLACK 1e-13
 
-/* lo <= x <= hi in an interval of the interpolant, or in ln(beta), and the row of the table there */
+/* lo <= x <= hi, where x is the variable of an interval of the sphere's interpolant or ln(beta), the row of the table
+ * there, and the bound of the error */
 struct part {
     int interval;
+    bool by_log;
     slong row;
-    double lo, hi;
+    double lo, hi, error;
 };
 
 struct prover {
     const struct embed_form *f;
     const struct embed_scene *s;
     struct interpolant_proof *interpolant; /* spheres */
-    struct law_proof *law;                 /* other laws, whose parts are in ln(beta) */
+    struct law_proof *law;                 /* other laws */
     enum quantity quantity;
     struct far_proof far; /* for beta >= exp(10) at zero force */
     bool far_known;
-    arb_t speed_factor; /* of a wet contact: dry speed = speed_factor beta^(1/q) */
-    arb_t factor;       /* variable = factor beta^(1/(q root)), q = 1/5 for spheres */
     double enough;
     double from; /* the first speed with a proof */
     struct part *part;
     slong parts;
-    double *error; /* of each part */
 };
 
 /* ---- a part ---- */
 
-/* eps at zero overlap for beta >= EMBED_FAR, as a function of x = ln(beta) */
-static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct prover *w)
-{
-    const double error = EMBED_FAR_ERROR;
-    LOCAL(arb, radius);
-    LET_FUNCTION(eps, "exp(-5*x)*w->s->h_star_5", x, w->s->h_star_5);
-    enclosed_range(radius, eps);
-    LET(radius, ENCLOSED_BITS, "abs(radius)*error", radius, error);
-    enclosed_add_radius(eps, radius);
-}
-
-/* eps at zero force beyond the intervals; false without a proof */
-static bool far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prover *w, const struct part *part)
-{
-    return w->far_known && far_proof_function(eps, &w->far, EPS_ZERO_FORCE, part->lo, part->hi) &&
-           LET_FUNCTION(eps, "eps*exp(-5*x/3)", eps, x);
-}
-
-/* Dry eps of a closed form; x = ln(speed) */
-static bool closed_eps(arb_poly_t eps, arb_poly_t x, const struct embed_scene *s, const struct part *part)
-{
-    LOCAL(arb_poly, t);
-    enclosed_variable(x, part->lo, part->hi);
-    if (!s->plastic) {
-        arb_poly_set_arb(eps, s->eps);
-        return true;
-    }
-    return LET_FUNCTION(t, "exp(-x)*s->yield_speed", x, s->yield_speed) && LET_FUNCTION(t, "t*sqrt(5/(6 - t^2))", t) &&
-           LET_FUNCTION(eps, "sqrt(sqrt(108*t/((t^2 + 5)^2*(t + 2))))", t);
-}
-
-/* x, beta and eps as functions of t; for laws other than the sphere's x = ln(beta), and not beta. Returns false without
- * a proof. */
+/* x and eps as functions of t, and beta where x is not its logarithm. Of a closed form beta is the speed. Returns false
+ * without a proof. */
 static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
                            const struct part *part)
 {
-    if (w->s->by_speed)
-        return closed_eps(eps, x, w->s, part);
+    const struct embed_scene *const s = w->s;
+    const double error = EMBED_FAR_ERROR;
+    LOCAL(arb_poly, t);
+    LOCAL(arb, radius);
     if (w->law)
         return law_proof_eps(eps, x, w->law, part->interval, part->lo, part->hi);
-    if (part->interval != FAR) {
+    if (!s->by_speed && part->interval != FAR) {
         interpolant_proof_eps(eps, beta, x, w->interpolant, part->interval, w->quantity, part->lo, part->hi);
         return true;
     }
     enclosed_variable(x, part->lo, part->hi);
-    LET_FUNCTION(beta, "exp(x)", x);
+    arb_poly_set_arb(eps, s->eps);
+    if (s->by_speed)
+        return !s->plastic || (LET_FUNCTION(t, "exp(-x)*s->yield_speed", x, s->yield_speed) &&
+                               LET_FUNCTION(t, "t*sqrt(5/(6 - t^2))", t) &&
+                               LET_FUNCTION(eps, "sqrt(sqrt(108*t/((t^2 + 5)^2*(t + 2))))", t));
     if (w->quantity != EPS_ZERO_OVERLAP)
-        return far_eps_force(eps, x, w, part);
-    far_eps_overlap(eps, x, w);
+        return w->far_known && far_proof_function(eps, &w->far, EPS_ZERO_FORCE, part->lo, part->hi) &&
+               LET_FUNCTION(eps, "eps*exp(-5*x/3)", eps, x);
+    LET_FUNCTION(eps, "exp(-5*x)*s->h_star_5", x, s->h_star_5);
+    enclosed_range(radius, eps);
+    LET(radius, ENCLOSED_BITS, "abs(radius)*error", radius, error);
+    enclosed_add_radius(eps, radius);
     return true;
 }
 
-/* The variable of the polynomials as a power of beta: the speed is proportional to beta^(1/q) */
-static struct ratio variable_power(const struct embed_scene *s, const struct embed_form *f)
-{
-    const struct ratio q = law_speed_exponent(&s->law);
-    const slong root = embed_roots[f->variable].degree;
-    return RATIO("1/(q*root)", q, root);
-}
-
-/* The variable of the polynomials; x is sqrt(beta) or ln(beta) */
-static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t x, const struct prover *w, bool by_log)
+/* The variable of the polynomials. In a liquid v = v_d + s, where v_d is the dry speed, and eps becomes eps v = eps_d
+ * v_d - s; under a constant force v is less by the origin. Then the variable is a root of v. */
+static bool part_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
+                          const struct prover *w, bool by_log)
 {
     static const char *const of_root[] = {[SPEED] = "beta^5*factor",
                                           [SQRT_OF_SPEED] = "beta^2*x*factor",
                                           [FOURTH_ROOT_OF_SPEED] = "sqrt(x)*beta*factor",
                                           [FIFTH_ROOT_OF_SPEED] = "beta*factor",
                                           [TENTH_ROOT_OF_SPEED] = "x*factor"};
-    const struct ratio power = variable_power(w->s, w->f);
-    const arb_srcptr factor = w->factor;
-    return LET_FUNCTION(y, by_log ? "exp(power*x)*factor" : of_root[w->f->variable], power, x, beta, factor);
-}
-
-/* The variable where the speed is not that of beta: a root of v. In a liquid v = v_d + s, where v_d is the dry speed,
- * and eps becomes eps v = eps_d v_d - s; under a constant force v is less by the shift. */
-static bool moved_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
-                           const struct prover *w, bool by_log)
-{
-    const struct ratio q = law_speed_exponent(&w->s->law), power = RATIO("1/q", q);
-    const double origin = w->s->origin;
-    const arb_srcptr lost = w->s->liquid_speed, factor = w->speed_factor;
-    LET_FUNCTION(v, by_log ? "exp(power*x)*factor" : "beta^5*factor", power, x, beta, factor);
-    if (!w->s->pressed)
-        LET_FUNCTION(eps, "eps*v - lost", eps, v, lost);
-    LET_FUNCTION(v, w->s->pressed ? "v - origin" : "v + lost", v, origin, lost);
+    const struct embed_scene *const s = w->s;
+    const bool moved = s->pressed || !arb_is_zero(s->liquid_speed);
     const struct embed_root *const root = &embed_roots[w->f->variable];
-    const slong degree = root->degree;
-    bool done = LET_FUNCTION(y, root->fifth ? "exp(log(v)/degree)" : "v", v, degree);
+    const slong degree = root->degree, first = moved ? 1 : degree;
+    const struct ratio q = law_speed_exponent(&s->law), power = RATIO("1/(q*first)", q, first);
+    LOCAL(arb, factor);
+    LET(factor, EMBED_BITS, "s->beta_enclosed^-power", s->beta_enclosed, power);
+    const char *const formula = by_log ? "exp(power*x)*factor" : of_root[moved ? SPEED : w->f->variable];
+    bool done = LET_FUNCTION(moved ? v : y, formula, power, x, beta, factor);
+    if (!moved)
+        return done;
+    if (!s->pressed)
+        LET_FUNCTION(eps, "eps*v - s->liquid_speed", eps, v, s->liquid_speed);
+    LET_FUNCTION(v, s->pressed ? "v - s->origin" : "v + s->liquid_speed", v, s->origin, s->liquid_speed);
+    done = LET_FUNCTION(y, root->fifth ? "exp(log(v)/degree)" : "v", v, degree);
     for (int k = 0; k < root->square_roots && !root->fifth && done; k++)
         done = LET_FUNCTION(y, "sqrt(y)", y);
     return done;
 }
 
 /* The argument of the polynomials of a row: its distance from the start of the row */
-static void part_place(arb_poly_t y, const struct prover *w, slong row)
+static void part_place(arb_poly_t y, const struct embed_form *f, slong row)
 {
-    const struct embed_form *const f = w->f;
     const double start = embed_row_start(f, row);
     if (f->family == FAMILY_PIECES_SPEED)
         LET_FUNCTION(y, "y - start", y, start);
@@ -176,16 +142,12 @@ static double part_error(const struct prover *w, const struct part *part, int de
 {
     const struct embed_form *const f = w->f;
     const double *const c = f->number + (f->rows > 0 ? part->row * (f->numerator + 1) : 0);
-    const bool by_log = w->s->by_speed || w->law || part->interval == FAR ||
-                        interpolant_sphere_proof.interval[part->interval].variable == INTERVAL_LOG;
-    const bool wet = !arb_is_zero(w->s->liquid_speed);
     LOCAL(arb_poly, eps, beta, x, y, p, v);
     double error = HUGE_VAL, known = 0;
-    if (part_functions(eps, beta, x, w, part) &&
-        (wet || w->s->pressed ? moved_variable(y, eps, v, beta, x, w, by_log) : part_variable(y, beta, x, w, by_log))) {
-        part_place(y, w, part->row);
+    if (part_functions(eps, beta, x, w, part) && part_variable(y, eps, v, beta, x, w, part->by_log)) {
+        part_place(y, f, part->row);
         part_polynomial(p, c, f->numerator, y);
-        if (wet)
+        if (!arb_is_zero(w->s->liquid_speed))
             enclosed_multiply(p, p, v);
         if (f->denominator > 0) { /* |p - q eps|/|q eps| */
             part_polynomial(x, c + f->numerator + 1, f->denominator, y);
@@ -199,9 +161,8 @@ static double part_error(const struct prover *w, const struct part *part, int de
     }
     if (error <= known || depth == 0 || !(part->lo < part->hi))
         return error;
-    const double middle = part->lo / 2 + part->hi / 2;
-    const struct part lower = {part->interval, part->row, part->lo, middle},
-                      upper = {part->interval, part->row, middle, part->hi};
+    struct part lower = *part, upper = *part;
+    lower.hi = upper.lo = part->lo / 2 + part->hi / 2;
     const double first = part_error(w, &lower, depth - 1);
     return isfinite(first) ? fmax(first, part_error(w, &upper, depth - 1)) : first;
 }
@@ -209,78 +170,78 @@ static double part_error(const struct prover *w, const struct part *part, int de
 static void prove_part(void *context, slong i)
 {
     const struct prover *const w = context;
-    w->error[i] = part_error(w, &w->part[i], DEPTH);
+    w->part[i].error = part_error(w, &w->part[i], DEPTH);
 }
 
 /* ---- the parts of a range of speeds ---- */
 
-static void add_parts(struct prover *w, int interval, slong row, double lo, double hi, double longest)
+static void add_parts(struct prover *w, struct part part, double longest)
 {
+    const double lo = part.lo, hi = part.hi;
     const int count = (int)fmax(1, ceil((hi - lo) / longest));
     w->part = xrealloc(w->part, (size_t)(w->parts + count) * sizeof *w->part);
     for (int k = 0; k < count; k++) {
-        const double next = k + 1 < count ? lo + (hi - lo) * (k + 1) / count : hi;
-        w->part[w->parts++] = (struct part){interval, row, lo + (hi - lo) * k / count, next};
+        part.lo = lo + (hi - lo) * k / count;
+        part.hi = k + 1 < count ? lo + (hi - lo) * (k + 1) / count : hi;
+        w->part[w->parts++] = part;
     }
 }
 
-/* sqrt(beta) or ln(beta) at a speed, as the nearest double below it or above it */
-static double place_of_speed(const struct prover *w, double speed, bool by_log, bool above)
+/* ln(beta) at a speed, as the nearest double below it or above it */
+static double place_of_speed(const struct prover *w, double speed, bool above)
 {
     LOCAL(arb, x);
     arb_set_d(x, speed);
     embed_scene_beta(x, w->s, x, true);
-    (by_log ? arb_log : arb_sqrt)(x, x, EMBED_BITS);
+    arb_log(x, x, EMBED_BITS);
     return ball_end(x, above);
 }
 
-/* The same for a law other than the sphere's, where ln(beta) may rise or fall with the speed */
-static bool cover_law_range(struct prover *w, slong row, double lo, double hi)
+/* A part from u = ln(beta) on, but for its end, in an interval that is proved up to *end. Returns false if there is none.
+ * Parts of spheres begin a little earlier, but not before their interval, and end there, for u may be off by SLACK. */
+static bool part_from(struct part *part, double *end, const struct prover *w, double u)
 {
-    const double a = place_of_speed(w, lo, true, false), b = place_of_speed(w, hi, true, false);
-    const double last = fmax(place_of_speed(w, lo, true, true), place_of_speed(w, hi, true, true));
-    for (double u = fmin(a, b), end; u <= last; u = end) {
-        const int i = law_proof_interval(&end, w->law, u);
-        if (i < 0)
-            return false;
-        add_parts(w, i, row, u, fmin(end, last), LOG_PART);
-        if (end >= last)
-            break;
-    }
-    return true;
-}
-
-/* Adds parts that cover all speeds from lo to hi. Returns false if there is a gap. */
-static bool cover_range(struct prover *w, slong row, double lo, double hi)
-{
-    if (w->s->by_speed) {
-        add_parts(w, 0, row, place_of_speed(w, lo, true, false), place_of_speed(w, hi, true, true), LOG_PART);
+    const struct interpolant_layout *const layout = &interpolant_sphere_proof;
+    *part = (struct part){.by_log = true, .lo = u};
+    *end = HUGE_VAL;
+    if (w->s->by_speed)
+        return true;
+    if (w->law)
+        return (part->interval = law_proof_interval(end, w->law, u)) >= 0;
+    for (int i = 0; w->interpolant && i < layout->intervals; i++) {
+        const struct interval *const interval = &layout->interval[i];
+        part->by_log = interval->variable == INTERVAL_LOG;
+        *end = part->by_log ? interval->hi : 2 * log(interval->hi) + SLACK;
+        if (!isfinite(w->interpolant->error[i][w->quantity]) || !(u < *end) ||
+            u < (part->by_log ? interval->lo : 2 * log(interval->lo) + SLACK))
+            continue;
+        part->interval = i;
+        part->lo = fmax(part->by_log ? u - 2 * SLACK : exp(u / 2) * (1 - SLACK), interval->lo);
         return true;
     }
-    if (w->law)
-        return cover_law_range(w, row, lo, hi);
-    const double last = interpolant_sphere_proof.interval[interpolant_sphere_proof.intervals - 1].hi;
-    const double far = w->quantity == EPS_ZERO_OVERLAP ? log(EMBED_FAR) + SLACK : last;
-    const double root_end = place_of_speed(w, hi, false, true), log_end = place_of_speed(w, hi, true, true);
-    double root = place_of_speed(w, lo, false, false), log_place = place_of_speed(w, lo, true, false);
-    bool covered = false;
-    for (int i = 0; w->interpolant && i < interpolant_sphere_proof.intervals && !covered; i++) {
-        const struct interval *const interval = &interpolant_sphere_proof.interval[i];
-        const bool by_log = interval->variable == INTERVAL_LOG;
-        const double place = by_log ? log_place : root, end = by_log ? log_end : root_end;
-        if (!isfinite(w->interpolant->error[i][w->quantity]) || place < interval->lo || place >= interval->hi)
-            continue;
-        covered = end <= interval->hi;
-        add_parts(w, i, row, place, covered ? end : interval->hi,
-                  by_log ? LOG_PART : (interval->hi - interval->lo) / (double)FIRST_PARTS);
-        root = by_log ? root_end : interval->hi;
-        log_place = by_log ? interval->hi : 2 * log(root) - SLACK;
+    *end = HUGE_VAL;
+    *part = (struct part){.interval = FAR, .by_log = true, .lo = u - 2 * SLACK};
+    return u >=
+           (w->quantity == EPS_ZERO_OVERLAP ? log(EMBED_FAR) + 3 * SLACK : layout->interval[layout->intervals - 1].hi);
+}
+
+/* Adds parts that cover all speeds from lo to hi, where ln(beta) may rise or fall. Returns false if there is a gap. */
+static bool cover_range(struct prover *w, slong row, double lo, double hi)
+{
+    const double last = fmax(place_of_speed(w, lo, true), place_of_speed(w, hi, true));
+    double u = fmin(place_of_speed(w, lo, false), place_of_speed(w, hi, false)), end = -HUGE_VAL;
+    for (; end < last && u <= last; u = end) {
+        struct part part;
+        if (!part_from(&part, &end, w, u))
+            return false;
+        const struct interval *const interval = &interpolant_sphere_proof.interval[part.by_log ? 0 : part.interval];
+        part.row = row;
+        part.hi = fmin(end, last);
+        if (!part.by_log)
+            part.hi = fmin(exp(part.hi / 2) * (1 + SLACK), interval->hi);
+        add_parts(w, part, part.by_log ? LOG_PART : (interval->hi - interval->lo) / (double)FIRST_PARTS);
     }
-    if (!covered && log_place >= far) {
-        add_parts(w, FAR, row, log_place, log_end, LOG_PART);
-        covered = true;
-    }
-    return covered;
+    return true;
 }
 
 /* Adds the parts of a form. Returns false if there is a gap. */
@@ -291,11 +252,8 @@ static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
     if (f->rows == 0)
         covered = cover_range(w, 0, w->from, f->speed_max);
     for (slong row = 0; row < f->rows; row++) {
-        double lo, hi;
-        if (f->family == FAMILY_PIECES_SPEED) {
-            lo = embed_row_start(f, row);
-            hi = embed_row_start(f, row + 1);
-        } else {
+        double lo = embed_row_start(f, row), hi = embed_row_start(f, row + 1);
+        if (f->family == FAMILY_PIECES_BETA) {
             lo = pow(fmax((double)row - rounding->place - f->shift, 0) / f->slope, 5) * (1 - 10 * SLACK);
             hi = pow(((double)row + 1 + rounding->place - f->shift) / f->slope, 5) * (1 + 10 * SLACK);
         }
@@ -313,11 +271,10 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
 {
     proof->proved = cover_form(w, rounding);
     proof->from = w->from + w->s->origin;
-    w->error = xmalloc((size_t)(w->parts + 1) * sizeof *w->error);
     parallel_for(prove_part, w, w->parts, "proof");
     proof->formula = w->parts > 0 ? 0 : HUGE_VAL;
     for (slong i = 0; i < w->parts; i++)
-        proof->formula = fmax(proof->formula, isnan(w->error[i]) ? HUGE_VAL : w->error[i]);
+        proof->formula = fmax(proof->formula, isnan(w->part[i].error) ? HUGE_VAL : w->part[i].error);
     /* (1 + formula)(1 + rounding) - 1 */
     proof->error = (proof->formula + proof->rounding * (1 + proof->formula)) * (1 + 1e-12);
     if (!isfinite(proof->error) || !proof->proved) {
@@ -380,19 +337,12 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     w.far_known = w.interpolant && w.quantity == EPS_ZERO_FORCE && s->beta_max > exp(FAR_PROOF_FROM);
     if (w.far_known)
         status = far_proof_init(&w.far, NULL, s->beta_max);
-    if (status == STATUS_OK) {
-        const struct ratio q = law_speed_exponent(&s->law), power = variable_power(s, f);
-        FOR_ALL(arb, init, w.factor, w.speed_factor);
-        LET(w.speed_factor, EMBED_BITS, "s->beta_enclosed^(-1/q)", s->beta_enclosed, q);
-        LET(w.factor, EMBED_BITS, "s->beta_enclosed^-power", s->beta_enclosed, power);
+    if (status == STATUS_OK)
         prove_formula(proof, &w, &rounding);
-        FOR_ALL(arb, clear, w.factor, w.speed_factor);
-    }
     if (w.far_known)
         far_proof_clear(&w.far);
     interpolant_proof_free(w.interpolant);
     law_proof_free(w.law);
     free(w.part);
-    free(w.error);
     return status;
 }

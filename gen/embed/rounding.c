@@ -24,15 +24,11 @@ enum {
 /* Upper limit of |1 - g r^5| for the start of the fifth root; its series are of little use beyond. */
 #define SEED_LIMIT 0.2
 
-/* Half a unit in the last place of 1, and half of the smallest positive number */
-struct arithmetic {
+/* Half a unit in the last place of 1, half of the smallest positive number, and the largest one, of doubles and of
+ * floats */
+static const struct arithmetic {
     double unit, least, most;
-};
-
-static struct arithmetic arithmetic_of(bool single)
-{
-    return single ? (struct arithmetic){0x1p-24, 0x1p-150, (double)FLT_MAX} : (struct arithmetic){0x1p-53, 0, DBL_MAX};
-}
+} arithmetic[] = {{0x1p-53, 0, DBL_MAX}, {0x1p-24, 0x1p-150, (double)FLT_MAX}};
 
 /* ---- a result and its error ---- */
 
@@ -84,7 +80,7 @@ static void rounded_mul_add(struct rounded *z, const struct rounded *x, const st
 {
     LOCAL(arb, addend);
     arb_set_d(addend, c);
-    double error = ball_magnitude(x->exact) * y->error + rounded_size(y) * x->error;
+    const double error = ball_magnitude(x->exact) * y->error + rounded_size(y) * x->error;
     arb_mul(z->exact, x->exact, y->exact, BITS);
     z->error = error * RAISE;
     z->error += rounding_of(z, a);
@@ -159,9 +155,13 @@ static double root_step_distance(const double *c, slong degree, double e)
     return most < 0.5 ? -power_of_error(-most, 0.2) * RAISE + 1e-18 : HUGE_VAL;
 }
 
-/* The rounding error of the result of that step, in units in which r = 1, so that g = 1 - x */
-static double root_step_rounding(const double *c, slong degree, double e, const struct arithmetic *a)
+/* A bound of the relative distance of the step's result from g^(-1/5), with its rounding, in units in which r = 1, so
+ * that g = 1 - x */
+static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
 {
+    const double exact = root_step_distance(c, degree, e);
+    if (isinf(exact))
+        return HUGE_VAL;
     LOCAL(rounded, r, fourth, product, off, series);
     LOCAL(arb, radius);
     arb_one(r->exact);
@@ -174,17 +174,8 @@ static double root_step_rounding(const double *c, slong degree, double e, const 
     rounded_mul_add(off, product, fourth, 1, a);
     rounded_horner(series, c, degree, 1, off, a);
     rounded_mul_add(series, r, series, 0, a);
-    return series->error;
-}
-
-/* A bound of the relative distance of the step's result from g^(-1/5) */
-static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
-{
-    const double exact = root_step_distance(c, degree, e);
-    if (isinf(exact))
-        return HUGE_VAL;
     const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
-    return both(exact, root_step_rounding(c, degree, e, a) / least) * RAISE;
+    return both(exact, series->error / least) * RAISE;
 }
 
 /* Relative error of the fifth root of the speed */
@@ -239,7 +230,7 @@ static double least_size(const arb_t x)
  * x_error, absolute. The cell is widened by that. */
 static double cell_bound(const struct embed_form *f, const double *c, double lo, double hi, double x_error)
 {
-    const struct arithmetic a = arithmetic_of(f->single);
+    const struct arithmetic *const a = &arithmetic[f->single];
     const slong m = f->numerator, n = f->denominator;
     LOCAL(arb, middle, radius, value, slope, q_value, q_slope);
     LOCAL(rounded, x, p, q);
@@ -247,18 +238,18 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
     arb_set_d(radius, ((hi - lo) / 2 + x_error + 1e-15 * fabs(hi) + DBL_MIN) * RAISE);
     arb_set(x->exact, middle);
     arb_add_error(x->exact, radius);
-    rounded_polynomial(p, c, m, x, f->rows == 0, &a);
+    rounded_polynomial(p, c, m, x, f->rows == 0, a);
     cell_values(value, slope, c, m, middle, radius);
     double least = least_size(value), relative = p->error / least;
     arb_div(slope, slope, value, BITS);
     if (n > 0) {
-        rounded_polynomial(q, c + m + 1, n, x, true, &a);
+        rounded_polynomial(q, c + m + 1, n, x, true, a);
         cell_values(q_value, q_slope, c + m + 1, n, middle, radius);
         const double of_q = q->error / least_size(q_value);
         relative = of_q < 0.5 ? (relative + of_q) / (1 - of_q) : HUGE_VAL;
-        relative += (1 + relative) * a.unit;
+        relative += (1 + relative) * a->unit;
         least /= ball_magnitude(q_value);
-        relative += a.least / least;
+        relative += a->least / least;
         LET(slope, BITS, "slope - q_slope/q_value", slope, q_slope, q_value);
     }
     const double of_x = expm1(ball_magnitude(slope) * x_error);
@@ -277,6 +268,7 @@ static void bound_cell(void *context, slong i)
 {
     struct cells *const w = context;
     const struct embed_form *const f = w->f;
+    const slong row = i / ROW_CELLS;
     if (f->rows == 0) {
         const double step = log(w->hi / w->lo) / (double)CELLS;
         const double lo = w->lo * exp(step * (double)i) * (1 - 1e-12),
@@ -284,54 +276,36 @@ static void bound_cell(void *context, slong i)
         w->bound[i] = cell_bound(f, f->number, lo, hi, w->root * hi * RAISE);
         return;
     }
-    double lo = 0, hi = 1, error = w->place;
+    double lo = 0, hi = 1;
     if (f->family == FAMILY_PIECES_SPEED) {
-        const double start = embed_row_start(f, i);
-        const double end = embed_row_start(f, i + 1);
+        const double start = embed_row_start(f, row);
         lo = fmax(f->speed_min - start, 0);
-        hi = fmin(end, f->speed_max) - start;
-        error = 0;
+        hi = fmin(embed_row_start(f, row + 1), f->speed_max) - start;
     }
-    w->bound[i] = 0;
-    for (int k = 0; k < ROW_CELLS; k++) {
-        const double bound = cell_bound(f, f->number + i * (f->numerator + 1), lo + (hi - lo) * k / (double)ROW_CELLS,
-                                        lo + (hi - lo) * (k + 1) / (double)ROW_CELLS, error);
-        w->bound[i] = isnan(bound) ? HUGE_VAL : fmax(w->bound[i], bound);
-    }
-}
-
-/* speed^(1/5) slope (1 + error) + shift - limit, as a lower or an upper bound */
-static double place_beyond(const struct embed_form *f, double speed, double error, double limit, bool above)
-{
-    LOCAL(arb, y);
-    LET(y, ENCLOSED_BITS, "speed^(1/5)*f->slope", speed, f->slope);
-    LET(y, ENCLOSED_BITS, "y + y*error + f->shift - limit", y, error, f->shift, limit);
-    return ball_end(y, above);
-}
-
-/* Absolute error of the place x slope + shift in a table; infinite if a place may be outside the table. Rounding keeps
- * the sum on its side of 0 and below the number of rows. */
-static double place_bound(const struct cells *w, const struct arithmetic *a)
-{
-    const struct embed_form *const f = w->f;
-    const double most = (double)f->rows, of_product = (w->root + a->unit * (1 + w->root)) * RAISE;
-    const bool inside = place_beyond(f, f->speed_min, -of_product, 0, false) >= 0 &&
-                        place_beyond(f, f->speed_max, of_product, most * (1 - a->unit), true) <= 0;
-    return inside ? (w->hi * f->slope * of_product + most * a->unit) * (1 + 1e-6) : HUGE_VAL;
+    const double width = (hi - lo) / (double)ROW_CELLS, first = lo + width * (double)(i % ROW_CELLS);
+    w->bound[i] = cell_bound(f, f->number + row * (f->numerator + 1), first, first + width, w->place);
 }
 
 bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form *f)
 {
-    const struct arithmetic a = arithmetic_of(f->single);
+    const struct arithmetic *const a = &arithmetic[f->single];
     const double power = 1 / (double)embed_roots[f->variable].degree;
-    const slong count = f->rows > 0 ? f->rows : CELLS;
+    const slong count = f->rows > 0 ? f->rows * ROW_CELLS : CELLS;
     struct cells w = {.f = f,
                       .lo = pow(f->speed_min, power) * (1 - 1e-12),
                       .hi = pow(f->speed_max, power) * (1 + 1e-12),
-                      .root = variable_bound(f, &a),
+                      .root = variable_bound(f, a),
                       .bound = xmalloc((size_t)count * sizeof(double))};
-    if (f->family == FAMILY_PIECES_BETA)
-        w.place = place_bound(&w, &a);
+    if (f->family == FAMILY_PIECES_BETA) {
+        /* the place x slope + shift, which rounding keeps on its side of 0 and below the number of rows */
+        const double most = (double)f->rows, end = most * (1 - a->unit);
+        const double of_product = (w.root + a->unit * (1 + w.root)) * RAISE;
+        const bool inside = HOLDS(ENCLOSED_BITS, "f->speed_min^(1/5)*f->slope*(1 - of_product) + f->shift > 0",
+                                  f->speed_min, f->slope, of_product, f->shift) &&
+                            HOLDS(ENCLOSED_BITS, "f->speed_max^(1/5)*f->slope*(1 + of_product) + f->shift < end",
+                                  f->speed_max, f->slope, of_product, f->shift, end);
+        w.place = inside ? (w.hi * f->slope * of_product + most * a->unit) * (1 + 1e-6) : HUGE_VAL;
+    }
     *bound = (struct embed_rounding){.root = w.root, .place = w.place};
     bool found = w.root < 0.01 && w.place < 0.01;
     if (found)
