@@ -19,12 +19,16 @@ static int read_bodies(struct fit_bodies *bodies, const struct embed_request *re
     struct cor_scene scene;
     struct cor_scene_fault fault;
     struct cor_sphere_contact contact;
+    char text[COR_SCENE_FAULT_TEXT];
     int status = embed_request_scene(&scene, request);
     if (status != STATUS_OK)
         return status;
-    if (cor_scene_check_bodies(&fault, &scene, COR_SCENE_DENSE_WALL) != COR_FAULT_NONE)
-        return embed_refuse_bodies(&fault, "bodies have --young, --poisson, --radius and --density or --mass, as "
-                                           "--young 7e10 --poisson 0.24 --radius 0.01 --density 2500");
+    if (cor_scene_check_bodies(&fault, &scene, COR_SCENE_DENSE_WALL) != COR_FAULT_NONE) {
+        cor_scene_fault_text(text, sizeof text, &fault, "",
+                             "bodies have --young, --poisson, --radius and --density or --mass, as --young 7e10 "
+                             "--poisson 0.24 --radius 0.01 --density 2500");
+        return usage_error("%s", text);
+    }
     bodies->body_1 = cor_scene_body(&scene, 1);
     bodies->body_2 = cor_scene_body(&scene, 2);
     bodies->density_2_kg_m3 = scene.wall && !cor_scene_mass_is_given(&scene, 2)

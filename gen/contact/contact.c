@@ -14,15 +14,9 @@ const char *const contact_law_names[] = {COR_LAW_NAMES, "plate", "elastic-plasti
 enum { CONTACT_BITS = 64 };
 #define ENCLOSED_BETA_MAX 1e12 /* beyond, the bits and the seconds of an enclosure grow without use */
 
-struct law contact_law(const struct cor_exponents *exponents)
-{
-    const slong a = exponents->elastic, b = exponents->damping, d = exponents->denominator;
-    return (struct law){RATIO("a/d", a, d), RATIO("b/d", b, d), d, a, b};
-}
-
 int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponents *exponents, double beta, int end)
 {
-    const struct law law = contact_law(exponents);
+    const struct law law = embed_law(exponents);
     if (!(beta <= ENCLOSED_BETA_MAX))
         return -usage_error(
             "beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to %g", beta,
@@ -66,7 +60,7 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     int status = embed_request_scene(&contacts->scene, request);
     if (status != STATUS_OK)
         return status;
-    contacts->law = contact_law(&contacts->scene.law);
+    contacts->law = embed_law(&contacts->scene.law);
     contacts->scene.solver = contact_enclosed;
     status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
     return status < 0 ? STATUS_FAILED : status == COR_FAULT_NONE ? STATUS_OK : refuse(&fault, request, &contacts->law);

@@ -34,8 +34,6 @@ void contact_warn_yield(const struct contacts *contacts, double speed_m_s);
 /* The exit status of a function of cor/scene.h for such a contact */
 int contact_status(int status);
 
-struct law contact_law(const struct cor_exponents *exponents);
-
 cor_scene_solver contact_enclosed;
 
 /* ---- contact_rows.c: the tables of corgen contact, the numbers of a contact and a row for each impact speed ---- */

@@ -14,50 +14,22 @@ static exact number_of(const struct embed_request *request, int which, int body)
     return embed_number_of_body(request, which, body)->value;
 }
 
-/* (1 - nu^2)/Y */
-static void compliance_of(fmpq_t c, const struct embed_request *request, int body)
-{
-    const exact nu = number_of(request, COR_SCENE_POISSON, body), Y = number_of(request, COR_SCENE_YOUNG, body);
-    EXACT(c, "(1 - nu^2)/Y", nu, Y);
-}
-
-/* A_i; of viscosities (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y */
-static void dissipation_time_of(fmpq_t time, const struct embed_request *request, int body)
+/* A_i as given, 0 if not; of viscosities (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y */
+static void dissipation_time_of(arb_t time, const struct embed_request *request, int body, slong prec)
 {
     const char *const viscosity = request->viscosity[body == 2 && request->viscosity[1] ? 1 : 0];
-    fmpq_zero(time);
-    if (!viscosity) {
-        if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
-            fmpq_set(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body));
-        return;
-    }
     const exact nu = number_of(request, COR_SCENE_POISSON, body), Y = number_of(request, COR_SCENE_YOUNG, body);
     struct decimal eta[2] = {{0}};
-    embed_viscosity(eta, viscosity);
-    EXACT(time, "(1 + nu)/(1 - nu)*(2/3*(1 - nu + nu^2)*eta[0].value + (1 - 2*nu)^2*eta[1].value)/Y", nu, eta[0].value,
-          eta[1].value, Y);
+    arb_zero(time);
+    if (viscosity) {
+        embed_viscosity(eta, viscosity);
+        LET(time, prec, "(1 + nu)/(1 - nu)*(2/3*(1 - nu + nu^2)*eta[0].value + (1 - 2*nu)^2*eta[1].value)/Y", nu,
+            eta[0].value, eta[1].value, Y);
+    } else if (embed_given(request, COR_SCENE_DISSIPATION_TIME)) {
+        arb_set_fmpq(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body), prec);
+    }
     decimal_clear(&eta[0]);
     decimal_clear(&eta[1]);
-}
-
-/* m_i, or m_i = (4/3) pi R_i^3 density_i if the mass is not given */
-static void mass_of(arb_t mass, const struct embed_request *request, int body, slong prec)
-{
-    const exact R = number_of(request, COR_SCENE_RADIUS, body), density = number_of(request, COR_SCENE_DENSITY, body);
-    if (embed_mass_is_given(request, body))
-        arb_set_fmpq(mass, number_of(request, COR_SCENE_MASS, body), prec);
-    else
-        LET(mass, prec, "4*R^3*density*pi/3", R, density);
-}
-
-/* m/Z, Z = 4 h^2 sqrt(E rho/(3 (1 - nu^2))) of the plate */
-static void plate_time(arb_t time, const struct embed_request *request, const arb_t mass, slong prec)
-{
-    const exact h = request->number[COR_SCENE_PLATE_THICKNESS].value,
-                density = number_of(request, COR_SCENE_DENSITY, 2);
-    LOCAL(fmpq, c);
-    compliance_of(c, request, 2);
-    LET(time, prec, "mass/sqrt(16*h^4*density/(3*c))", mass, h, density, c);
 }
 
 /* m, K, A and R = 1/(1/R_1 + 1/R_2) of a contact */
@@ -76,13 +48,14 @@ static void contact_clear(struct contact *c)
 }
 LOCAL_STRUCT(contact)
 
-/* K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies. A wall and a plate have 1/R =
- * 1/m = 0; a plate has A_2 = 0, and m/Z is added to A. Or a spring and an effective mass. */
+/* K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies, c_i = (1 - nu_i^2)/Y_i. m_i is
+ * given or (4/3) pi R_i^3 rho_i. A wall and a plate have 1/R = 1/m = 0; a plate of the thickness h has A_2 = 0, and m/Z
+ * is added to A, Z = 4 h^2 sqrt(rho_2/(3 c_2)). Or a spring and an effective mass. */
 static void contact_of(struct contact *c, const struct embed_request *request, slong prec)
 {
+    const exact h = request->number[COR_SCENE_PLATE_THICKNESS].value;
     const bool plate = request->law == COR_LAW_PLATE;
-    LOCAL(fmpq, own, compliance, inverse_radius, weighted, x);
-    LOCAL(arb, mass);
+    LOCAL(arb, own, compliance, curvature, time, mass);
     if (!embed_given(request, COR_SCENE_YOUNG)) {
         arb_set_fmpq(c->mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
         arb_set_fmpq(c->stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
@@ -91,24 +64,28 @@ static void contact_of(struct contact *c, const struct embed_request *request, s
         return;
     }
     for (int body = 1; body <= 2; body++) {
-        compliance_of(own, request, body);
-        fmpq_add(compliance, compliance, own);
-        dissipation_time_of(x, request, body);
+        const exact nu = number_of(request, COR_SCENE_POISSON, body), Y = number_of(request, COR_SCENE_YOUNG, body),
+                    R = number_of(request, COR_SCENE_RADIUS, body), m = number_of(request, COR_SCENE_MASS, body),
+                    density = number_of(request, COR_SCENE_DENSITY, body);
+        LET(own, prec, "(1 - nu^2)/Y", nu, Y);
+        LET(compliance, prec, "compliance + own", compliance, own);
+        dissipation_time_of(time, request, body, prec);
         if (body == 1 || !plate)
-            fmpq_addmul(weighted, x, own);
-        if (body == 2 && (request->wall || plate))
-            continue;
-        fmpq_inv(x, number_of(request, COR_SCENE_RADIUS, body));
-        fmpq_add(inverse_radius, inverse_radius, x);
-        mass_of(mass, request, body, prec);
-        LET(c->mass, prec, "c->mass + 1/mass", c->mass, mass);
+            LET(c->time, prec, "c->time + time*own", c->time, time, own);
+        if (body == 1 || !(request->wall || plate)) {
+            LET(curvature, prec, "curvature + 1/R", curvature, R);
+            LET(mass, prec, embed_mass_is_given(request, body) ? "mass + 1/m" : "mass + 3/(4*R^3*density*pi)", mass, m,
+                R, density);
+        }
     }
-    arb_inv(c->mass, c->mass, prec);
-    LET(c->radius, prec, "1/inverse_radius", inverse_radius);
-    LET(c->stiffness, prec, "sqrt(16/(9*compliance^2*inverse_radius))", compliance, inverse_radius);
-    if (plate)
-        plate_time(c->time, request, c->mass, prec);
-    LET(c->time, prec, "c->time + weighted/compliance", c->time, weighted, compliance);
+    LET(c->mass, prec, "1/mass", mass);
+    LET(c->radius, prec, "1/curvature", curvature);
+    LET(c->stiffness, prec, "4/3/compliance*sqrt(c->radius)", compliance, c->radius);
+    LET(c->time, prec, "c->time/compliance", c->time, compliance);
+    if (plate) {
+        const exact density = number_of(request, COR_SCENE_DENSITY, 2);
+        LET(c->time, prec, "c->time + c->mass/(4*h^2*sqrt(density/(3*own)))", c->time, c->mass, h, density, own);
+    }
 }
 
 /* ---- beta ---- */
@@ -144,12 +121,6 @@ static void beta_of_force(arb_t beta, const struct embed_request *request, const
 
 /* ---- a constant force ---- */
 
-/* -2a/(a+1): the power of the speed in f */
-static struct ratio force_power(const struct law *law)
-{
-    return RATIO("-2*law->a/(law->a + 1)", law->a);
-}
-
 /* (F/m) (m/K)^(1/(a+1)), F = m G + 2 pi w R */
 void embed_contact_force(arb_t force, const struct embed_request *request, const struct law *law, slong prec)
 {
@@ -160,10 +131,10 @@ void embed_contact_force(arb_t force, const struct embed_request *request, const
     if (!heavy && !sticky)
         return;
     contact_of(c, request, prec);
-    if (sticky)
-        LET(force, prec, "2*pi*w*c->radius/c->mass", w, c->radius, c->mass);
     if (heavy)
-        LET(force, prec, "force + G", force, G);
+        arb_set_fmpq(force, G, prec);
+    if (sticky)
+        LET(force, prec, "force + 2*pi*w*c->radius/c->mass", force, w, c->radius, c->mass);
     LET(force, prec, "force*(c->mass/c->stiffness)^(1/(law->a + 1))", force, c->mass, c->stiffness, law->a);
 }
 
@@ -213,7 +184,7 @@ static int beta_of_restitution(arb_t beta, const struct embed_request *request, 
                                const struct law *law)
 {
     const exact eps = request->number[COR_SCENE_RESTITUTION].value, at = request->number[COR_SCENE_AT].value;
-    const struct ratio q = law_speed_exponent(law), power = force_power(law);
+    const struct ratio q = law_speed_exponent(law), power = RATIO("-2*law->a/(law->a + 1)", law->a); /* of the force */
     if (fmpq_is_one(eps) || law_is_linear(law)) {
         arb_set_d(beta, cor_scene_beta(contact, 1));
         return STATUS_OK;

@@ -15,29 +15,12 @@ static const char default_name[] = "cor_scene_eps";
 
 static void append_command(FILE *t, const struct embed_request *request)
 {
-    int column = 15;
-    fprintf(t, "Written by:  corgen embed");
-    for (int i = 0; i < EMBED_NUMBERS; i++) {
-        const char *const text = embed_text(request, embed_number_in_order(i));
-        if (!text)
-            continue;
-        const char *name = embed_number_name(embed_number_in_order(i));
-        const int width = (int)(strlen(name) + strlen(text)) + 4;
-        if ((column += width) > 85) {
-            fprintf(t, " \\\n                ");
-            column = width;
-        }
-        fprintf(t, " --%s %s", name, text);
-    }
-    char law[EMBED_LAW_OPTIONS];
-    fprintf(t, "%s%s%s%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
-            request->adhesion_model ? " --adhesion-model " : "",
-            request->adhesion_model ? embed_adhesion_names[request->adhesion_model] : "",
-            embed_law_options(law, request), contact_end_options[request->end], embed_type_names[request->type],
-            embed_purpose_names[request->purpose]);
-    if (request->name)
-        fprintf(t, " --name %s", request->name);
-    fprintf(t, "\nChecked by:  the same command, whose output is the same to the byte\n");
+    char *const options = embed_options(request, 85);
+    fprintf(t, "Written by:  corgen embed%s \\\n                 --end %s --type %s --for %s%s%s\n", options,
+            contact_end_options[request->end], embed_type_names[request->type], embed_purpose_names[request->purpose],
+            request->name ? " --name " : "", request->name ? request->name : "");
+    fprintf(t, "Checked by:  the same command, whose output is the same to the byte\n");
+    free(options);
 }
 
 static void append_alternatives(FILE *t, const struct embed_scene *s, const struct embed_form *form,

@@ -24,23 +24,6 @@ double embed_number(const struct embed_request *request, int number)
     return decimal_value(&request->number[number]);
 }
 
-const char *embed_text(const struct embed_request *request, int number)
-{
-    const int body = number == COR_SCENE_VISCOSITY_2;
-    return number == COR_SCENE_VISCOSITY || body ? request->viscosity[body] : request->number[number].text;
-}
-
-int embed_number_in_order(int i)
-{
-    return (i + EMBED_SPEED_MIN) % EMBED_NUMBERS;
-}
-
-const char *embed_number_name(int number)
-{
-    static const char *const range[] = {"speed-min", "speed-max", "tolerance"};
-    return number < COR_SCENE_NUMBERS ? cor_scene_number_names[number] : range[number - COR_SCENE_NUMBERS];
-}
-
 const struct decimal *embed_number_of_body(const struct embed_request *request, int number, int body)
 {
     const int second = number + COR_SCENE_BODY;
@@ -53,26 +36,22 @@ bool embed_mass_is_given(const struct embed_request *request, int body)
     return embed_given(request, own ? COR_SCENE_MASS_2 : COR_SCENE_MASS);
 }
 
-/* The range of the header's type, and the attainable accuracy of eps */
-struct type_limits {
-    const char *name;
-    double speed_least, speed_most, tolerance_least;
-};
-
-static double rounded(const struct embed_request *request, int which)
-{
-    const double x = embed_number(request, which);
-    return request->type == EMBED_FLOAT ? (double)(float)x : x;
-}
-
 int embed_request_check(const struct embed_request *request)
 {
-    static const struct type_limits limits[] = {[EMBED_DOUBLE] = {"double", 1e-270, 1e270, 1e-15},
-                                                [EMBED_FLOAT] = {"float", (double)FLT_MIN, (double)FLT_MAX, 4e-7}};
-    const struct type_limits *const type = &limits[request->type];
-    const double min = rounded(request, EMBED_SPEED_MIN), max = rounded(request, EMBED_SPEED_MAX);
-    const double tolerance = embed_number(request, EMBED_TOLERANCE);
+    /* the range of the header's type, and the attainable accuracy of eps */
+    static const struct limits {
+        const char *name;
+        double speed_least, speed_most, tolerance_least;
+    } limits[] = {[EMBED_DOUBLE] = {"double", 1e-270, 1e270, 1e-15},
+                  [EMBED_FLOAT] = {"float", (double)FLT_MIN, (double)FLT_MAX, 4e-7}};
+    const struct limits *const type = &limits[request->type];
     const struct decimal *const number = request->number;
+    double min = embed_number(request, EMBED_SPEED_MIN), max = embed_number(request, EMBED_SPEED_MAX);
+    const double tolerance = embed_number(request, EMBED_TOLERANCE);
+    if (request->type == EMBED_FLOAT) {
+        min = (double)(float)min;
+        max = (double)(float)max;
+    }
     if (!(min >= type->speed_least))
         return usage_error("--speed-min %s m/s is too small for a %s; at least %.2g", number[EMBED_SPEED_MIN].text,
                            type->name, type->speed_least);
@@ -88,33 +67,46 @@ int embed_request_check(const struct embed_request *request)
     return STATUS_OK;
 }
 
-/* ---- the law ---- */
-
-int embed_request_law(struct law *law, const struct embed_request *request)
+struct law embed_law(const struct cor_exponents *exponents)
 {
-    const struct cor_exponents *const named = &cor_law_exponents[request->law];
-    const slong d = named->denominator;
-    const struct ratio_text a = ratio_text(RATIO("named->elastic/d", named->elastic, d)),
-                            b = ratio_text(RATIO("named->damping/d", named->damping, d));
-    const char *const elastic = request->elastic ? request->elastic : a.text;
-    const char *const damping = request->damping ? request->damping : b.text;
-    const char *const wrong = law_parse(law, elastic, damping);
-    return wrong ? usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong) : STATUS_OK;
+    const slong a = exponents->elastic, b = exponents->damping, d = exponents->denominator;
+    return (struct law){RATIO("a/d", a, d), RATIO("b/d", b, d), d, a, b};
 }
 
-const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_request *request)
+char *embed_options(const struct embed_request *request, int width)
 {
-    text[0] = '\0';
-    if (request->elastic || request->damping)
-        snprintf(text, EMBED_LAW_OPTIONS, "%s%s%s%s", request->elastic ? " --elastic " : "",
-                 request->elastic ? request->elastic : "", request->damping ? " --damping " : "",
-                 request->damping ? request->damping : "");
-    else if (request->law != COR_LAW_VISCOELASTIC)
-        snprintf(text, EMBED_LAW_OPTIONS, " --law %s", cor_law_names[request->law]);
+    static const char *const range[] = {"speed-min", "speed-max", "tolerance"};
+    char *text = NULL;
+    size_t size;
+    int column = 15;
+    FILE *const t = open_memstream(&text, &size);
+    for (int i = 0; i < EMBED_NUMBERS; i++) {
+        const int k = (i + EMBED_SPEED_MIN) % EMBED_NUMBERS, second = k == COR_SCENE_VISCOSITY_2;
+        const char *const name = k < COR_SCENE_NUMBERS ? cor_scene_number_names[k] : range[k - COR_SCENE_NUMBERS];
+        const char *const value =
+            second || k == COR_SCENE_VISCOSITY ? request->viscosity[second] : request->number[k].text;
+        if (!value)
+            continue;
+        const int length = (int)(strlen(name) + strlen(value)) + 4;
+        if ((column += length) > width) {
+            fputs(" \\\n                ", t);
+            column = length;
+        }
+        fprintf(t, " --%s %s", name, value);
+    }
+    if (request->wall)
+        fputs(" --wall", t);
+    if (request->adhesion_model)
+        fprintf(t, " --adhesion-model %s", embed_adhesion_names[request->adhesion_model]);
+    if (request->elastic)
+        fprintf(t, " --elastic %s", request->elastic);
+    if (request->damping)
+        fprintf(t, " --damping %s", request->damping);
+    if (!request->elastic && !request->damping && request->law != COR_LAW_VISCOELASTIC)
+        fprintf(t, " --law %s", cor_law_names[request->law]);
+    fclose(t);
     return text;
 }
-
-/* ---- the scene ---- */
 
 bool embed_viscosity(struct decimal eta[2], const char *text)
 {
@@ -128,10 +120,13 @@ bool embed_viscosity(struct decimal eta[2], const char *text)
 
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request)
 {
-    struct law law;
-    const int status = embed_request_law(&law, request);
-    if (status != STATUS_OK)
-        return status;
+    struct law law = embed_law(&cor_law_exponents[request->law]);
+    const struct ratio_text a = ratio_text(law.a), b = ratio_text(law.b);
+    const char *const elastic = request->elastic ? request->elastic : a.text;
+    const char *const damping = request->damping ? request->damping : b.text;
+    const char *const wrong = law_parse(&law, elastic, damping);
+    if (wrong)
+        return usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong);
     *scene = (struct cor_scene){.law = {(int)law.ad, (int)law.bd, (int)law.d},
                                 .plate = request->law == COR_LAW_PLATE,
                                 .plastic = request->law == COR_LAW_ELASTIC_PLASTIC,
@@ -150,11 +145,4 @@ int embed_request_scene(struct cor_scene *scene, const struct embed_request *req
         decimal_clear(&eta[1]);
     }
     return STATUS_OK;
-}
-
-int embed_refuse_bodies(const struct cor_scene_fault *fault, const char *rule)
-{
-    char text[COR_SCENE_FAULT_TEXT];
-    cor_scene_fault_text(text, sizeof text, fault, "", rule);
-    return usage_error("%s", text);
 }

@@ -35,14 +35,12 @@ struct embed_request {
 
 bool embed_given(const struct embed_request *request, int number);
 double embed_number(const struct embed_request *request, int number); /* the nearest double */
-/* As written, viscosities too; NULL: not given */
-const char *embed_text(const struct embed_request *request, int number);
 /* Reads "ETA1,ETA2", two numbers without a sign. */
 bool embed_viscosity(struct decimal eta[2], const char *text);
 
-/* The options of the numbers in the order of a command line: " --speed-min 0.1", the i-th of EMBED_NUMBERS */
-int embed_number_in_order(int i);
-const char *embed_number_name(int number);
+/* The options of a request from " --speed-min 0.1" to " --law tsuji" as written, malloc'ed, without those of the header
+ * alone. Lines of numbers that would be longer than `width` are continued as in a banner. */
+char *embed_options(const struct embed_request *request, int width);
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
@@ -50,18 +48,11 @@ const char *embed_number_name(int number);
  * on stderr. */
 int embed_request_check(const struct embed_request *request);
 
-/* The law of a request, and its scene without a solver. Both return STATUS_OK, or STATUS_USAGE after a message. A
- * viscosity that cannot be read is negative. */
-int embed_request_law(struct law *law, const struct embed_request *request);
+struct law embed_law(const struct cor_exponents *exponents);
+
+/* The scene of a request without a solver. Returns STATUS_OK, or STATUS_USAGE after a message. A viscosity that cannot
+ * be read is negative. */
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
-
-/* Says what is wrong with bodies, by a fault of cor_scene_check_bodies; `rule` says what bodies have. Returns
- * STATUS_USAGE. */
-int embed_refuse_bodies(const struct cor_scene_fault *fault, const char *rule);
-
-/* " --law tsuji", " --elastic 2 --damping 1/2", or nothing for viscoelastic spheres by default */
-enum { EMBED_LAW_OPTIONS = 192 };
-const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_request *request);
 
 /* As cor_scene_of_body and cor_scene_mass_is_given, exactly as written */
 const struct decimal *embed_number_of_body(const struct embed_request *request, int number, int body);

@@ -29,26 +29,14 @@ double embed_rounded(const struct embed_scene *s, double x)
 
 /* ---- eps ---- */
 
-/* eps beta^(5/3) at zero force, ln(beta) > 10 */
-static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, const arb_t u)
-{
-    const arb_srcptr a = interpolant_far(s->interpolant, EPS_ZERO_FORCE);
-    LOCAL(arb, mu, order);
-    LET(mu, EMBED_BITS, "beta^(-5/3)", beta);
-    /* ((a_8 u + ...) mu + (a_4 u + ...)) mu + a_1 u + a_0 */
-    static const int first[] = {0, 2, 5, INTERPOLANT_FAR};
-    arb_zero(y);
-    for (int i = 2; i >= 0; i--) {
-        _arb_poly_evaluate(order, a + first[i], first[i + 1] - first[i], u, EMBED_BITS);
-        LET(y, EMBED_BITS, "y*mu + order", y, mu, order);
-    }
-}
-
+/* Of spheres. At zero force beyond ln(beta) = 10 eps beta^(5/3) = ((a_8 u + ...) mu + (a_4 u + ...)) mu + a_1 u + a_0.
+ * The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta)
 {
+    static const int first[] = {0, 2, 5, INTERPOLANT_FAR}; /* of a_0, ... */
     const double b = ball_middle(beta);
     const bool overlap = s->end == END_ZERO_OVERLAP;
-    LOCAL(arb, z);
+    LOCAL(arb, z, mu, order, y);
     if (overlap && b >= OVERLAP_FAR) {
         LET(eps, EMBED_BITS, "s->h_star_5/beta^5", s->h_star_5, beta);
     } else if (b < FORCE_FAR) {
@@ -56,13 +44,16 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
         interpolant_at(eps, s->interpolant, overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, INTERVAL_ROOT, z, EMBED_BITS);
     } else {
         arb_log(z, beta, EMBED_BITS);
+        LET(mu, EMBED_BITS, "beta^(-5/3)", beta);
         if (log(b) < LOG_FAR)
-            interpolant_tail(eps, s->interpolant, EPS_ZERO_FORCE, INTERVAL_LOG, z, EMBED_BITS);
-        else
-            far_force(eps, s, beta, z);
-        LET(eps, EMBED_BITS, "eps*beta^(-5/3)", eps, beta);
+            interpolant_tail(y, s->interpolant, EPS_ZERO_FORCE, INTERVAL_LOG, z, EMBED_BITS);
+        for (int i = 2; i >= 0 && !(log(b) < LOG_FAR); i--) {
+            _arb_poly_evaluate(order, interpolant_far(s->interpolant, EPS_ZERO_FORCE) + first[i],
+                               first[i + 1] - first[i], z, EMBED_BITS);
+            LET(y, EMBED_BITS, "y*mu + order", y, mu, order);
+        }
+        arb_mul(eps, y, mu, EMBED_BITS);
     }
-    /* The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 }
 
 static bool is_wet(const struct embed_scene *s)
@@ -107,10 +98,8 @@ static void take_sample(void *context, slong i)
     struct embed_scene *const s = context;
     struct embed_samples *const samples = &s->samples;
     const double place = (double)i / (EMBED_SAMPLES - 1);
-    const double speed = i == 0 ? s->speed_min
-                         : i + 1 < EMBED_SAMPLES
-                             ? embed_rounded(s, s->speed_min * pow(s->speed_max / s->speed_min, place))
-                             : s->speed_max;
+    const double speed =
+        i + 1 < EMBED_SAMPLES ? embed_rounded(s, s->speed_min * pow(s->speed_max / s->speed_min, place)) : s->speed_max;
     LOCAL(arb, g, eps);
     samples->speed[i] = fmin(fmax(speed, s->speed_min), s->speed_max);
     arb_set_d(g, samples->speed[i]);
@@ -265,30 +254,27 @@ enum { CHECK_POINTS = 4, ATTEMPTS = 3 };
 
 static int scene_collide_law(struct embed_scene *s)
 {
+    const struct ratio q = law_speed_exponent(&s->law);
     double error = INFINITY;
-    int status = STATUS_OK;
     if (s->pressed)
         pressed_layout(s);
-    else
-        status = law_layout_init(&s->layout, &s->law);
-    if (status == STATUS_OK && !s->pressed && s->end == END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold) {
-        const double q = 1 / (double)law_speed_exponent(&s->law).num * (double)law_speed_exponent(&s->law).den;
+    else if (law_layout_init(&s->layout, &s->law))
+        return STATUS_FAILED;
+    else if (s->end == END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold)
         return usage_error("at zero overlap the bodies part only above %.6g m/s (beta below %.6g); --speed-min is not",
-                           s->speed_min * pow(s->layout.threshold / s->beta_max, q), s->layout.threshold);
-    }
-    if (status == STATUS_OK && !s->pressed)
+                           s->speed_min * pow(s->layout.threshold / s->beta_max, 1 / ratio_double(q)),
+                           s->layout.threshold);
+    else
         law_layout_restrict(&s->layout, quantity_of(s), s->beta_min);
-    for (int attempt = 0; status == STATUS_OK && error > INTERPOLANT_LIMIT && attempt < ATTEMPTS; attempt++) {
-        if (attempt > 0) {
-            interpolant_free(s->interpolant); /* while the layout is as it was */
+    for (int attempt = 0; attempt < ATTEMPTS && error > INTERPOLANT_LIMIT; attempt++) {
+        interpolant_free(s->interpolant); /* while the layout is as it was */
+        if (attempt > 0)
             law_layout_refine(&s->layout);
-        }
         s->interpolant = interpolant_new(&s->layout.interpolant, s->beta_min * (1 - 1e-9), s->beta_max * (1 + 1e-9));
-        status = s->interpolant ? interpolant_check(&error, s->interpolant, CHECK_POINTS) : STATUS_FAILED;
+        if (!s->interpolant || interpolant_check(&error, s->interpolant, CHECK_POINTS) != STATUS_OK)
+            return STATUS_FAILED;
     }
-    if (status == STATUS_OK && error > INTERPOLANT_LIMIT)
-        return fail("the interpolant of the collision is off by %.1e", error);
-    return status == STATUS_OK ? STATUS_OK : STATUS_FAILED;
+    return error <= INTERPOLANT_LIMIT ? STATUS_OK : fail("the interpolant of the collision is off by %.1e", error);
 }
 
 /* An eps that does not depend on the speed is that of --restitution as it is written. */
@@ -333,6 +319,7 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
     const int status = s->plastic ? embed_contact_yield_speed(s->yield_speed, request, contact, EMBED_BITS)
                                   : scene_collide_once(s, request);
     s->by_speed = true;
+    s->constant = false;
     s->law = law_sphere;
     s->law.b = s->law.a; /* q = 1 */
     s->law.bd = s->law.ad;
@@ -343,12 +330,10 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
     LOCAL(arb, onset);
     arb_add(onset, s->yield_speed, s->liquid_speed, EMBED_BITS);
     const double below = ball_end(onset, false);
-    if (is_wet(s))
-        return s->speed_min > below * (1 + 1e-15) ? STATUS_OK
-                                                  : usage_error("in a liquid a header of --law elastic-plastic begins "
-                                                                "above the onset of yield, %.6g m/s; --speed-min does "
-                                                                "not",
-                                                                below);
+    if (is_wet(s) && !(s->speed_min > below * (1 + 1e-15)))
+        return usage_error("in a liquid a header of --law elastic-plastic begins above the onset of yield, %.6g m/s; "
+                           "--speed-min does not",
+                           below);
     s->constant = s->speed_max <= below;
     if (s->speed_min > below || s->constant)
         return STATUS_OK;
@@ -361,45 +346,37 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact)
 {
-    *s = (struct embed_scene){.end = (enum contact_end)request->end, .single = request->type == EMBED_FLOAT};
+    const struct law law = embed_law(&contact->law);
+    int status = STATUS_OK;
+    *s = (struct embed_scene){.end = (enum contact_end)request->end,
+                              .single = request->type == EMBED_FLOAT,
+                              .tolerance = embed_number(request, EMBED_TOLERANCE),
+                              .law = law,
+                              .named = law,
+                              .plastic = contact->plastic,
+                              .constant = (law_is_linear(&law) || contact->damping == 0) && !contact->plastic};
     FOR_ALL(arb, init, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
             s->press, s->sticking_speed);
     arb_poly_init(s->series);
-    int status = embed_request_check(request);
-    if (status == STATUS_OK)
-        status = embed_request_law(&s->law, request);
-    if (status != STATUS_OK)
-        return status;
     s->speed_min = embed_rounded(s, embed_number(request, EMBED_SPEED_MIN));
     s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
-    s->tolerance = embed_number(request, EMBED_TOLERANCE);
-    s->named = s->law;
-    s->plastic = contact->plastic;
-    s->constant = (law_is_linear(&s->law) || contact->damping == 0) && !s->plastic;
+    s->pressed = contact->force_n > 0 && !s->constant;
     embed_contact_liquid_speed(s->liquid_speed, request, EMBED_BITS);
-    if (is_wet(s)) {
-        const double sticking = cor_scene_sticking_speed(contact, request->end);
-        if (!(s->speed_min > sticking))
-            return usage_error("up to %.6g m/s the liquid holds the bodies, and eps is 0; --speed-min is not above it",
-                               sticking);
-    }
-    if (s->plastic) {
-        status = scene_by_speed(s, request, contact);
-        return status == STATUS_OK ? scene_prepare(s, request) : status;
-    }
-    status = embed_contact_beta_per_root(s->beta_enclosed, request, contact, &s->law, EMBED_BITS);
+    const double held = is_wet(s) ? cor_scene_sticking_speed(contact, request->end) : 0;
+    if (!(s->speed_min > held))
+        return usage_error("up to %.6g m/s the liquid holds the bodies, and eps is 0; --speed-min is not above it",
+                           held);
+    if (!s->plastic)
+        status = embed_contact_beta_per_root(s->beta_enclosed, request, contact, &law, EMBED_BITS);
     arb_set(s->beta_per_root, s->beta_enclosed);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);
-    s->pressed = contact->force_n > 0 && !s->constant;
     if (status == STATUS_OK && s->pressed)
         status = find_sticking_speed(s, request);
     if (status == STATUS_OK && s->pressed)
         status = shift_speeds(s);
-    if (status == STATUS_OK && s->constant && is_wet(s)) {
-        s->constant = false;
+    if (status == STATUS_OK && (s->plastic || (s->constant && is_wet(s))))
         status = scene_by_speed(s, request, contact);
-    }
     return status == STATUS_OK ? scene_prepare(s, request) : status;
 }
 

@@ -2,6 +2,7 @@
 /* Viscoelastic spheres, or bodies of another law: models of eps, from formulas that simulations use to corgen's
  * headers, compared with collisions */
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -301,23 +302,6 @@ static void add_pades(const struct spheres *s)
                 add_pade(s, &f, s->scene.series_root, true);
 }
 
-/* The command line with the options of the scene and a tolerance */
-static char *embed_command(const struct embed_request *scene, const char *tolerance)
-{
-    char line[TEXT] = "", law[EMBED_LAW_OPTIONS];
-    size_t length = 0;
-    for (int i = 0; i < EMBED_NUMBERS; i++) {
-        const int number = embed_number_in_order(i);
-        if (embed_text(scene, number) && length < sizeof line)
-            length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s", embed_number_name(number),
-                                       number == EMBED_TOLERANCE ? tolerance : embed_text(scene, number));
-    }
-    return xprintf("corgen embed%s%s%s --end %s --for %s --output cor_scene_eps.h\n"
-                   "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                   line, scene->wall ? " --wall" : "", embed_law_options(law, scene), contact_end_options[scene->end],
-                   embed_purpose_names[scene->purpose]);
-}
-
 static void add_header(const struct spheres *s, const char *tolerance)
 {
     const enum embed_family chosen = embed_choose(s->form, s->request->purpose);
@@ -332,7 +316,14 @@ static void add_header(const struct spheres *s, const char *tolerance)
     m->elsewhere = f->error;
     for (slong i = 0; i < s->plan->points; i++)
         m->value[i] = embed_form_value(f, s->plan->speed[i], false);
-    model_is(s, m, f->cost, "speeds outside the range", embed_command(s->request, tolerance));
+    struct embed_request request = *s->request;
+    request.number[EMBED_TOLERANCE].text = tolerance;
+    char *const options = embed_options(&request, INT_MAX);
+    model_is(s, m, f->cost, "speeds outside the range",
+             xprintf("corgen embed%s --end %s --for %s --output cor_scene_eps.h\n"
+                     "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
+                     options, contact_end_options[request.end], embed_purpose_names[request.purpose]));
+    free(options);
 }
 
 /* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */

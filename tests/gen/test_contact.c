@@ -183,8 +183,7 @@ struct given {
 static struct contacts contacts_of(int law, int end, const struct given *bodies, const struct given *given)
 {
     struct cor_scene_fault fault;
-    struct contacts c = {.scene = scene_without_numbers((enum cor_law)law),
-                         .law = contact_law(&cor_law_exponents[law])};
+    struct contacts c = {.scene = scene_without_numbers((enum cor_law)law), .law = embed_law(&cor_law_exponents[law])};
     c.scene.plate = law == COR_LAW_PLATE;
     c.scene.end = end;
     c.scene.solver = contact_enclosed;
@@ -330,7 +329,7 @@ TEST(collisions_under_a_constant_force)
     for (size_t l = 0; l < COUNT_OF(laws); l++)
         for (size_t i = 0; i < COUNT_OF(betas); i++)
             for (size_t k = 0; k < COUNT_OF(forces); k++) {
-                const struct law law = contact_law(&laws[l]);
+                const struct law law = embed_law(&laws[l]);
                 struct cor_scene_contact contact = {
                     .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = forces[k]};
                 LOCAL(collision, c);
@@ -369,7 +368,7 @@ TEST(thresholds_of_a_constant_force)
     for (size_t l = 0; l < COUNT_OF(laws); l++)
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             for (double b = 0.05; b < 1; b *= 10) {
-                const struct law law = contact_law(&laws[l]);
+                const struct law law = embed_law(&laws[l]);
                 LOCAL(collision, c);
                 arb_set_d(beta, b);
                 assert_int_equal(collision_sticking_force(force, beta, &law, end, 70), 0);
