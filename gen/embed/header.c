@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include "embed/form.h"
 
 #include <math.h>
@@ -63,85 +62,71 @@ static void append_title(FILE *t, const struct embed_scene *s, const char *name)
     fprintf(t, "    %s %s(%s speed);\n\n", type, name, type);
 }
 
-enum { EVIDENCE = 96 };
-
 static bool proved_everywhere(const struct embed_proof *proof, const struct embed_scene *s)
 {
     return proof->proved && !(proof->from > s->speed_min + s->origin);
 }
 
-/* How the tolerance is known */
-static const char *evidence(char text[EVIDENCE], const struct embed_scene *s, const struct embed_proof *proof)
+/* The middle of a ball to 20 digits */
+static struct bound_text middle_text(const arb_t x)
 {
-    if (!(proof->error <= s->tolerance) && isfinite(proof->error))
-        snprintf(text, EVIDENCE, "sampled, below; proved: %s", emit_bound(proof->error).text);
-    else if (proof->proved && !proved_everywhere(proof, s))
-        snprintf(text, EVIDENCE, "proved from %.6g m/s on, sampled below that", proof->from);
-    else
-        snprintf(text, EVIDENCE, "%s, below", proof->proved ? "proved" : "sampled");
+    struct bound_text text;
+    char *const digits = arb_get_str(x, 20, ARB_STR_NO_RADIUS);
+    snprintf(text.text, sizeof text.text, "%s", digits);
+    flint_free(digits);
     return text;
-}
-
-static void append_sticking(FILE *t, const struct embed_request *request, const struct embed_scene *s)
-{
-    if (!s->pressed)
-        return;
-    char *sticking = arb_get_str(s->sticking_speed, 20, ARB_STR_NO_RADIUS);
-    fprintf(t,
-            "A constant force presses the bodies together, and up to v_s = %s m/s (enclosed)\n"
-            "they stay so: eps = 0.",
-            sticking);
-    if (embed_number(request, EMBED_SPEED_MIN) <= s->onset)
-        fprintf(t, " The function is 0 up to %.17g m/s, where eps is %.2g.", s->onset, s->samples.eps[0]);
-    fprintf(t, "\n");
-    flint_free(sticking);
 }
 
 static void append_scene(FILE *t, const struct embed_request *request, const struct embed_scene *s,
                          const struct embed_proof *proof)
 {
-    char known[EVIDENCE];
-    char *beta = arb_get_str(s->plastic ? s->yield_speed : s->beta_per_root, 20, ARB_STR_NO_RADIUS);
-    char *liquid = arb_get_str(s->liquid_speed, 20, ARB_STR_NO_RADIUS);
     fprintf(t, "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n", request->number[EMBED_SPEED_MIN].text,
             request->number[EMBED_SPEED_MAX].text,
             request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)");
     if (s->plastic)
-        fprintf(t, "v_y = %s m/s, the impact speed from which they yield%s.\n", beta,
+        fprintf(t, "v_y = %s m/s, the impact speed from which they yield%s.\n", middle_text(s->yield_speed).text,
                 s->onset > 0 || s->constant ? "; eps = 1 up to it" : "");
     else if (!s->by_speed)
-        fprintf(t, "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n", beta,
+        fprintf(t, "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n", middle_text(s->beta_per_root).text,
                 ratio_power(law_speed_exponent(&s->law)).text, s->beta_min, s->beta_max);
     if (!arb_is_zero(s->liquid_speed))
         fprintf(t,
                 "A liquid takes s = %s m/s on the way in and on the way out: with dry eps(v - s)\n"
                 "at the speed v - s, eps = (eps(v - s) (v - s) - s)/v.\n",
-                liquid);
-    append_sticking(t, request, s);
-    fprintf(t,
-            "Accuracy: relative error of eps at most %s, approximation and rounding together (%s).\n"
-            "Outside: %s; negative or NaN -> NaN.\n\n",
-            request->number[EMBED_TOLERANCE].text, evidence(known, s, proof),
+                middle_text(s->liquid_speed).text);
+    if (s->pressed)
+        fprintf(t,
+                "A constant force presses the bodies together, and up to v_s = %s m/s (enclosed)\n"
+                "they stay so: eps = 0.",
+                middle_text(s->sticking_speed).text);
+    if (s->pressed && embed_number(request, EMBED_SPEED_MIN) <= s->onset)
+        fprintf(t, " The function is 0 up to %.17g m/s, where eps is %.2g.", s->onset, s->samples.eps[0]);
+    fprintf(t, "%sAccuracy: relative error of eps at most %s, approximation and rounding together (",
+            s->pressed ? "\n" : "", request->number[EMBED_TOLERANCE].text);
+    if (!(proof->error <= s->tolerance) && isfinite(proof->error))
+        fprintf(t, "sampled, below; proved: %s", emit_bound(proof->error).text);
+    else if (proof->proved && !proved_everywhere(proof, s))
+        fprintf(t, "proved from %.6g m/s on, sampled below that", proof->from);
+    else
+        fprintf(t, "%s, below", proof->proved ? "proved" : "sampled");
+    fprintf(t, ").\nOutside: %s; negative or NaN -> NaN.\n\n",
             s->pressed ? "0 as above, otherwise the value at the nearer end, of +inf too"
                        : "the value at the nearer end, of speed 0 and +inf too");
-    flint_free(liquid);
-    flint_free(beta);
 }
 
 static void append_proof(FILE *t, const struct embed_scene *s, const struct embed_proof *proof)
 {
     if (!isfinite(proof->rounding))
         return;
-    const struct bound_text rounding = emit_bound(proof->rounding);
     if (!proof->proved)
-        fprintf(t, "Proved: rounding errors of %s at most, ", rounding.text);
+        fprintf(t, "Proved: rounding errors of ");
     else if (proved_everywhere(proof, s))
-        fprintf(t, "Proved at every speed of the range: %s at most, of which rounding %s,\n",
-                emit_bound(proof->error).text, rounding.text);
+        fprintf(t, "Proved at every speed of the range: %s at most, of which rounding ", emit_bound(proof->error).text);
     else
-        fprintf(t, "Proved from %.6g m/s on: %s at most, of which rounding %s,\n", proof->from,
-                emit_bound(proof->error).text, rounding.text);
-    fprintf(t, "with + - * / and sqrt rounded to nearest, products fused or not.\n");
+        fprintf(t, "Proved from %.6g m/s on: %s at most, of which rounding ", proof->from,
+                emit_bound(proof->error).text);
+    fprintf(t, "%s%s,%cwith + - * / and sqrt rounded to nearest, products fused or not.\n",
+            emit_bound(proof->rounding).text, proof->proved ? "" : " at most", proof->proved ? '\n' : ' ');
 }
 
 static void append_choice(FILE *t, const struct embed_request *request, const struct embed_scene *s,
@@ -218,20 +203,6 @@ static void emit_clamped(struct emit *e, const struct embed_form *f, const char 
     emit_copy(e, "$T", "g", "inside");
 }
 
-/* A step from an approximation r of g^(-1/5) to a better one */
-static void emit_root_step(struct emit *e, int step, const char *r, const char *out, const double *c, slong degree)
-{
-    char off[16], factor[16];
-    snprintf(off, sizeof off, "off_%d", step);
-    snprintf(factor, sizeof factor, "factor_%d", step);
-    emit_lines(e,
-               "    const $T square_$d = $s * $s;\n    const $T fourth_$d = square_$d * square_$d;\n"
-               "    const $T $s = 1.0$F - g * $s * fourth_$d;\n",
-               step, r, r, step, step, step, off, r, step);
-    emit_let_polynomial(e, factor, off, c, degree, 1);
-    emit_lines(e, "    const $T $s = $s * $s;\n", out, r, factor);
-}
-
 static void emit_fifth_root(struct emit *e, const struct embed_form *f, const char *name)
 {
     emit_lines(e, "    /* g^(-1/5), 3 % off: minus a fifth of the bits */\n");
@@ -249,9 +220,18 @@ static void emit_fifth_root(struct emit *e, const struct embed_form *f, const ch
         emit_copy(e, "double", "guess", "shifted");
     }
     emit_lines(e, "    /* and off = 1 - g guess^5, so that g^(-1/5) = guess (1 - off)^(-1/5) */\n");
-    emit_root_step(e, 1, "guess", f->refinement > 0 ? "better" : "inverse", embed_root_coefficients[f->single][0], 3);
-    if (f->refinement > 0)
-        emit_root_step(e, 2, "better", "inverse", embed_root_coefficients[f->single][1], f->refinement);
+    const char *r = "guess";
+    for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
+        static const char *const off[] = {"off_1", "off_2"}, *const factor[] = {"factor_1", "factor_2"};
+        const char *const out = k == 0 && f->refinement > 0 ? "better" : "inverse";
+        emit_lines(e,
+                   "    const $T square_$d = $s * $s;\n    const $T fourth_$d = square_$d * square_$d;\n"
+                   "    const $T $s = 1.0$F - g * $s * fourth_$d;\n",
+                   k + 1, r, r, k + 1, k + 1, k + 1, off[k], r, k + 1);
+        emit_let_polynomial(e, factor[k], off[k], embed_root_coefficients[f->single][k], k == 0 ? 3 : f->refinement, 1);
+        emit_lines(e, "    const $T $s = $s * $s;\n", out, r, factor[k]);
+        r = out;
+    }
     emit_lines(e, "    const $T square = inverse * inverse;\n    const $T $s = g * (square * square);\n", name);
 }
 
