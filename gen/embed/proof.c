@@ -197,8 +197,9 @@ static double place_of_speed(const struct prover *w, double speed, bool above)
     return ball_end(x, above);
 }
 
-/* A part from u = ln(beta) on, but for its end, in an interval that is proved up to *end. Returns false if there is none.
- * Parts of spheres begin a little earlier, but not before their interval, and end there, for u may be off by SLACK. */
+/* A part from u = ln(beta) on, but for its end, in an interval that is proved up to *end. Returns false if there is
+ * none. Parts of spheres begin a little earlier, but not before their interval, and end there, for u may be off by
+ * SLACK. */
 static bool part_from(struct part *part, double *end, const struct prover *w, double u)
 {
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
