@@ -185,25 +185,32 @@ static int solve(struct cor_scaled_impact *impact, const struct cor_scene_contac
     return contact->solver ? contact->solver(impact, &contact->law, beta, end) : COR_FAULT_SOLVER;
 }
 
-static int scaled_impact(struct cor_scaled_impact *impact, const struct cor_scene_contact *contact, double parameter)
+static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double parameter)
 {
     const struct functions *const f = functions_of(&contact->law);
     const double a = cor_elastic(&contact->law);
-    int status = COR_FAULT_NONE;
-    if (!f || f == &constant)
-        status = solve(impact, contact, parameter * beta_per_damping(contact), COR_BOTH_ENDS);
-    for (int end = 0; f && end < COR_SCENE_ENDS; end++) {
+    if (!f || f == &constant) {
+        struct cor_scaled_impact solved;
+        const int status = solve(&solved, contact, parameter * beta_per_damping(contact), COR_BOTH_ENDS);
+        if (status != COR_FAULT_NONE)
+            return status;
+        *impact = (struct cor_full_impact){
+            {solved.eps[0], solved.eps[1]}, {solved.duration[0], solved.duration[1]}, solved.max_overlap, NAN};
+        if (!f)
+            return status;
+    }
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
         impact->eps[end] = f->eps[end](parameter);
         if (f->duration[end])
             impact->duration[end] = f->duration[end](parameter);
         else if (f == &hunt_crossley)
             impact->duration[end] = cor_hunt_crossley_duration(parameter, a);
     }
-    if (f && f->max_overlap)
+    if (f->max_overlap)
         impact->max_overlap = f->max_overlap(parameter);
     else if (f == &hunt_crossley)
         impact->max_overlap = cor_hunt_crossley_max_overlap(parameter, a);
-    return status;
+    return COR_FAULT_NONE;
 }
 
 /* eps of the damping parameter, whether the contact has this end or not */
@@ -234,25 +241,33 @@ static int yields(const struct cor_scene_contact *contact, double speed_m_s)
     return contact->plastic && speed_m_s > contact->yield_speed_m_s;
 }
 
-/* Whether the impact is that of full_impact */
+/* Whether an impact is more than a law: with yield, adhesion or a constant force */
 static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
 {
     return yields(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
 }
 
-/* A collision with yield, adhesion or a constant force, in SI units */
-static int full_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+/* The collision of a dry contact in SI units, all NaN where it is not known; `force_max` only for a plate and where
+ * is_full */
+static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
+    static const struct cor_full_impact none = {{NAN, NAN}, {NAN, NAN}, NAN, NAN};
+    const double time = time_unit(contact, speed_m_s), force = contact->mass_kg * speed_m_s / time;
+    int status = COR_FAULT_NONE;
+    *impact = none;
     if (yields(contact, speed_m_s)) {
         cor_plastic_impact(impact, contact, speed_m_s);
-        return COR_FAULT_NONE;
+        return status;
     }
     if (contact->adhesion_j_m2 > 0)
-        return cor_jkr_impact(impact, contact, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), speed_m_s);
-    const double time = time_unit(contact, speed_m_s), force = contact->mass_kg * speed_m_s / time;
-    const int status =
-        cor_pressed_solve(impact, &contact->law, cor_scene_beta(contact, speed_m_s), contact->force_n / force);
+        status = cor_jkr_impact(impact, contact, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), speed_m_s);
+    else if (contact->force_n > 0)
+        status = cor_pressed_solve(impact, &contact->law, cor_scene_beta(contact, speed_m_s), contact->force_n / force);
+    else
+        status = scaled_impact(impact, contact, parameter_of(contact, speed_m_s));
     if (status != COR_FAULT_NONE)
+        *impact = none;
+    if (status != COR_FAULT_NONE || contact->adhesion_j_m2 > 0)
         return status;
     if (contact->plate) /* it takes up K x^a; the other term of the equation of motion is its own motion */
         impact->force_max = pow(impact->max_overlap, cor_elastic(&contact->law));
@@ -260,7 +275,15 @@ static int full_impact(struct cor_full_impact *impact, const struct cor_scene_co
     impact->max_overlap *= speed_m_s * time;
     for (int end = 0; end < COR_SCENE_ENDS; end++)
         impact->duration[end] *= time;
-    return COR_FAULT_NONE;
+    return status;
+}
+
+/* Sets the speed that a liquid leaves. Returns 0 where it leaves none. */
+static int touches(double *at, const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double s = contact->liquid_speed_m_s;
+    *at = s > 0 ? speed_m_s - s : speed_m_s;
+    return !(s > 0) || *at > 0;
 }
 
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end)
@@ -282,84 +305,58 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
 
 int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
 {
-    *eps = NAN;
-    if (contact->liquid_speed_m_s > 0) {
-        const struct cor_scene_contact dry = cor_dry_contact(contact);
-        const double left = speed_m_s - contact->liquid_speed_m_s;
-        *eps = 0;
-        const int status = left > 0 ? cor_scene_eps(eps, &dry, left, end) : COR_FAULT_NONE;
-        *eps = cor_scene_has_end(contact, end) ? cor_wet_eps(*eps, speed_m_s, contact->liquid_speed_m_s) : (double)NAN;
-        return status;
-    }
-    if (!cor_scene_has_end(contact, end))
-        return COR_FAULT_NONE;
-    if (!is_full(contact, speed_m_s))
-        return eps_of(eps, contact, parameter_of(contact, speed_m_s), end);
-    if (yields(contact, speed_m_s)) { /* without the duration, which takes longer */
-        *eps = cor_elastic_plastic_eps(speed_m_s / contact->yield_speed_m_s);
-        return COR_FAULT_NONE;
-    }
     struct cor_full_impact impact;
-    const int status = full_impact(&impact, contact, speed_m_s);
-    *eps = status == COR_FAULT_NONE ? impact.eps[end] : NAN;
-    return status;
-}
-
-static int wet_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
-{
-    const struct cor_scene_contact dry = cor_dry_contact(contact);
-    const double s = contact->liquid_speed_m_s;
+    double at;
     int status = COR_FAULT_NONE;
-    *impact = (struct cor_scene_impact){NAN, {0, 0}, {NAN, NAN}, 0};
-    if (speed_m_s > s)
-        status = cor_scene_impact(impact, &dry, speed_m_s - s);
-    for (int end = 0; end < COR_SCENE_ENDS; end++)
-        impact->eps[end] = cor_scene_has_end(contact, end) ? cor_wet_eps(impact->eps[end], speed_m_s, s) : (double)NAN;
+    *eps = NAN;
+    if (!cor_scene_has_end(contact, end))
+        return status;
+    if (!touches(&at, contact, speed_m_s)) {
+        *eps = 0;
+    } else if (!is_full(contact, at)) {
+        status = eps_of(eps, contact, parameter_of(contact, at), end);
+    } else if (yields(contact, at)) { /* without the duration, which takes longer */
+        *eps = cor_elastic_plastic_eps(at / contact->yield_speed_m_s);
+    } else {
+        status = dry_impact(&impact, contact, at);
+        *eps = impact.eps[end];
+    }
+    if (contact->liquid_speed_m_s > 0)
+        *eps = cor_wet_eps(*eps, speed_m_s, contact->liquid_speed_m_s);
     return status;
 }
 
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
-    if (contact->liquid_speed_m_s > 0)
-        return wet_impact(impact, contact, speed_m_s);
-    struct cor_scaled_impact scaled;
-    struct cor_full_impact full;
-    double time = 1, length = 1;
-    int status;
-    if (is_full(contact, speed_m_s)) {
-        status = full_impact(&full, contact, speed_m_s);
-        scaled = (struct cor_scaled_impact){
-            {full.eps[0], full.eps[1]}, {full.duration[0], full.duration[1]}, full.max_overlap};
-    } else {
-        time = time_unit(contact, speed_m_s);
-        length = speed_m_s * time;
-        status = scaled_impact(&scaled, contact, parameter_of(contact, speed_m_s));
+    struct cor_full_impact full = {{0, 0}, {NAN, NAN}, 0, 0}; /* nothing touches */
+    const double s = contact->liquid_speed_m_s;
+    double at;
+    int status = COR_FAULT_NONE;
+    impact->beta = NAN;
+    if (touches(&at, contact, speed_m_s)) {
+        status = dry_impact(&full, contact, at);
+        impact->beta = yields(contact, at) ? 0 : cor_scene_beta(contact, at);
     }
-    impact->beta = yields(contact, speed_m_s) ? 0 : cor_scene_beta(contact, speed_m_s);
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
-        const int defined = status == COR_FAULT_NONE && cor_scene_has_end(contact, end);
-        impact->eps[end] = defined ? scaled.eps[end] : NAN;
-        impact->duration_s[end] = defined ? scaled.duration[end] * time : NAN;
+        const int has = cor_scene_has_end(contact, end);
+        impact->eps[end] = !has ? (double)NAN : s > 0 ? cor_wet_eps(full.eps[end], speed_m_s, s) : full.eps[end];
+        impact->duration_s[end] = has ? full.duration[end] : (double)NAN;
     }
-    impact->max_overlap_m = status == COR_FAULT_NONE ? scaled.max_overlap * length : NAN;
+    impact->max_overlap_m = full.max_overlap;
     return status;
 }
 
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    if (contact->liquid_speed_m_s > 0) {
-        const struct cor_scene_contact dry = cor_dry_contact(contact);
-        const double left = speed_m_s - contact->liquid_speed_m_s;
-        return left > 0 ? cor_scene_force_max_n(&dry, left) : 0;
-    }
-    if (is_full(contact, speed_m_s)) {
-        struct cor_full_impact impact;
-        return full_impact(&impact, contact, speed_m_s) == COR_FAULT_NONE ? impact.force_max : NAN;
-    }
-    const double parameter = parameter_of(contact, speed_m_s);
-    const double force = contact->plate ? pow(cor_sphere_max_overlap(parameter), cor_elastic(&contact->law))
-                                        : cor_law_force_max(&contact->law, parameter);
-    return contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s) * force;
+    struct cor_full_impact impact;
+    double at;
+    if (!touches(&at, contact, speed_m_s))
+        return 0;
+    if (!is_full(contact, at) && !contact->plate)
+        return contact->mass_kg * at / time_unit(contact, at) *
+               cor_law_force_max(&contact->law, parameter_of(contact, at));
+    dry_impact(&impact, contact, at);
+    return impact.force_max;
 }
 
 /* ---- the damping from other quantities ---- */
@@ -373,7 +370,7 @@ static int eps_at(double *eps, const struct cor_scene_contact *contact, double b
         return eps_of(eps, contact, beta, end);
     trial.damping = beta / beta_per_damping(contact) * pow(speed_m_s, -cor_scene_speed_exponent(contact));
     trial.plastic = 0;
-    const int status = full_impact(&impact, &trial, speed_m_s);
+    const int status = dry_impact(&impact, &trial, speed_m_s);
     *eps = impact.eps[end];
     return status;
 }
@@ -403,29 +400,25 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end)
 {
     const int is_constant = cor_law_is_constant(&contact->law);
+    const int pressed = (contact->force_n > 0 || contact->adhesion_j_m2 > 0) && !isnan(speed_m_s);
     const double q = cor_scene_speed_exponent(contact);
     const struct functions *const f = functions_of(&contact->law);
+    double parameter = 0;
     int status = COR_FAULT_NONE;
     switch (number) {
     case COR_SCENE_DISSIPATION_TIME:
-        value = 1.5 * value * contact->stiffness; /* C */
-        contact->damping = value * beta_per_coefficient(contact) / beta_per_damping(contact);
-        return status;
     case COR_SCENE_DAMPING_COEFFICIENT:
+        if (number == COR_SCENE_DISSIPATION_TIME)
+            value = 1.5 * value * contact->stiffness; /* C */
         contact->damping = value * beta_per_coefficient(contact) / beta_per_damping(contact);
-        return status;
+        break;
     case COR_SCENE_G_STAR:
         contact->damping = is_constant ? NAN : pow(value, -q) / first_coefficient(&contact->law);
-        return status;
+        break;
     case COR_SCENE_BETA:
         contact->damping = is_constant ? value / beta_per_damping(contact) : value * pow(speed_m_s, -q);
-        return status;
-    case COR_SCENE_ZETA:
-        contact->damping = is_constant ? value : NAN;
-        return status;
-    case COR_SCENE_RESTITUTION: {
-        const int pressed = (contact->force_n > 0 || contact->adhesion_j_m2 > 0) && !isnan(speed_m_s);
-        double parameter = 0;
+        break;
+    case COR_SCENE_RESTITUTION:
         if (f && !pressed)
             parameter = f->damping[end](value);
         else if (value < 1)
@@ -433,10 +426,9 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
         if (pressed && is_constant)
             parameter /= beta_per_damping(contact);
         contact->damping = is_constant ? parameter : parameter * pow(speed_m_s, -q);
-        return status;
-    }
+        break;
     default:
-        contact->damping = NAN;
-        return status;
+        contact->damping = number == COR_SCENE_ZETA && is_constant ? value : (double)NAN;
     }
+    return status;
 }

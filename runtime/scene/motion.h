@@ -141,8 +141,7 @@ int cor_jkr_has_law(const struct cor_exponents *law);
 /* The collision above the yield speed, in SI units */
 void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 
-/* The contact without its liquid, and the speed below which the liquid holds the bodies */
-struct cor_scene_contact cor_dry_contact(const struct cor_scene_contact *contact);
+/* The speed below which a liquid holds the bodies */
 double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end);
 
 #endif

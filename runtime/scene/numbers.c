@@ -18,38 +18,14 @@ const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE] = {
 const char *const cor_end_names[COR_ENDS] = {"zero overlap", "zero force", "limited", "approach only", "an instant"};
 
 /* In the order of enum cor_scene_number */
-const char *const cor_scene_number_names[COR_SCENE_NUMBERS] = {"g-star",
-                                                               "young",
-                                                               "poisson",
-                                                               "radius",
-                                                               "density",
-                                                               "mass",
-                                                               "dissipation-time",
-                                                               "viscosity",
-                                                               "bulk-viscosity",
-                                                               "young-2",
-                                                               "poisson-2",
-                                                               "radius-2",
-                                                               "density-2",
-                                                               "mass-2",
-                                                               "dissipation-time-2",
-                                                               "viscosity-2",
-                                                               "bulk-viscosity-2",
-                                                               "beta",
-                                                               "at",
-                                                               "stiffness",
-                                                               "damping-coefficient",
-                                                               "effective-mass",
-                                                               "restitution",
-                                                               "zeta",
-                                                               "plate-thickness",
-                                                               "gravity",
-                                                               "adhesion",
-                                                               "yield-stress",
-                                                               "viscosity-liquid",
-                                                               "gap-outer",
-                                                               "gap-inner",
-                                                               "duration"};
+#define OF_BODY(which)                                                                                                 \
+    "young" which, "poisson" which, "radius" which, "density" which, "mass" which, "dissipation-time" which,           \
+        "viscosity" which, "bulk-viscosity" which
+const char *const cor_scene_number_names[] = {"g-star",      OF_BODY(""),    OF_BODY("-2"),         "beta",
+                                              "at",          "stiffness",    "damping-coefficient", "effective-mass",
+                                              "restitution", "zeta",         "plate-thickness",     "gravity",
+                                              "adhesion",    "yield-stress", "viscosity-liquid",    "gap-outer",
+                                              "gap-inner",   "duration"};
 
 int cor_scene_given(const struct cor_scene *scene, int number)
 {
@@ -73,22 +49,20 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
 {
     static const int needed[] = {COR_SCENE_YOUNG, COR_SCENE_POISSON, COR_SCENE_RADIUS, COR_SCENE_DISSIPATION_TIME};
     const int count = (int)(sizeof needed / sizeof *needed) - !(options & COR_SCENE_DISSIPATES);
-    const int dense = cor_scene_given(scene, COR_SCENE_DENSITY_2), massive = cor_scene_given(scene, COR_SCENE_MASS_2);
-    *fault = (struct cor_scene_fault){COR_FAULT_NONE, COR_SCENE_DENSITY, COR_SCENE_MASS, 0};
-    for (int i = 0; i < count && !fault->fault; i++)
-        if (!cor_scene_given(scene, needed[i]))
-            *fault = (struct cor_scene_fault){COR_FAULT_MISSING, needed[i], needed[i], 0};
-    if (fault->fault)
-        return fault->fault;
+    const int dense = cor_scene_given(scene, COR_SCENE_DENSITY_2), massive = cor_scene_given(scene, COR_SCENE_MASS_2),
+              may_be_dense = options & COR_SCENE_DENSE_WALL;
+    struct cor_scene_fault f = {COR_FAULT_NONE, COR_SCENE_DENSITY, COR_SCENE_MASS, 0};
     if (cor_scene_given(scene, COR_SCENE_DENSITY) == cor_scene_given(scene, COR_SCENE_MASS))
-        fault->fault = COR_FAULT_ONE_OF;
+        f.fault = COR_FAULT_ONE_OF;
     else if (dense && massive)
-        *fault = (struct cor_scene_fault){COR_FAULT_EXCLUDED, COR_SCENE_DENSITY_2, COR_SCENE_MASS_2, 0};
-    else if (scene->wall &&
-             (cor_scene_given(scene, COR_SCENE_RADIUS_2) || massive || (dense && !(options & COR_SCENE_DENSE_WALL))))
-        *fault = (struct cor_scene_fault){
-            COR_FAULT_WALL, options & COR_SCENE_DENSE_WALL ? COR_SCENE_RADIUS_2 : COR_SCENE_DENSITY_2, 0, 0};
-    return fault->fault;
+        f = (struct cor_scene_fault){COR_FAULT_EXCLUDED, COR_SCENE_DENSITY_2, COR_SCENE_MASS_2, 0};
+    else if (scene->wall && (cor_scene_given(scene, COR_SCENE_RADIUS_2) || massive || (dense && !may_be_dense)))
+        f = (struct cor_scene_fault){COR_FAULT_WALL, may_be_dense ? COR_SCENE_RADIUS_2 : COR_SCENE_DENSITY_2, 0, 0};
+    for (int i = count - 1; i >= 0; i--) /* the first of them counts, and before all else */
+        if (!cor_scene_given(scene, needed[i]))
+            f = (struct cor_scene_fault){COR_FAULT_MISSING, needed[i], needed[i], 0};
+    *fault = f;
+    return f.fault;
 }
 
 /* ---- faults in words ---- */

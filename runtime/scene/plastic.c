@@ -198,19 +198,13 @@ double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s)
     return liquid_speed_m_s == 0 ? eps : speed_m_s > liquid_speed_m_s ? fmax(rest, 0) : 0;
 }
 
-struct cor_scene_contact cor_dry_contact(const struct cor_scene_contact *contact)
-{
-    struct cor_scene_contact dry = *contact;
-    dry.liquid_speed_m_s = 0;
-    return dry;
-}
-
 double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
 {
     /* The speed at contact whose dry rebound has the speed s; the dry rebound grows with the impact speed. */
     const double s = contact->liquid_speed_m_s;
-    const struct cor_scene_contact dry = cor_dry_contact(contact);
+    struct cor_scene_contact dry = *contact;
     double low, high = s, eps = 0, rebound = 0, last;
+    dry.liquid_speed_m_s = 0;
     do { /* eps <= 1: the rebound from `low` is not faster than s */
         low = high;
         high *= 2;

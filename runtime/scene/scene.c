@@ -13,6 +13,19 @@ static int refuse(struct cor_scene_fault *fault, int what, int number, int other
     return what;
 }
 
+/* A fault where it holds */
+struct rule {
+    int broken, fault, number, other;
+};
+
+/* Refuses by the first rule that is broken; the last one is {0}. */
+static int refuse_first(struct cor_scene_fault *fault, const struct rule *rule)
+{
+    while (!rule->broken && rule->fault != COR_FAULT_NONE)
+        rule++;
+    return rule->broken ? refuse(fault, rule->fault, rule->number, rule->other) : COR_FAULT_NONE;
+}
+
 /* ---- bodies, or a spring ---- */
 
 /* Anything of a body but its dissipation. A spring may end at a wall. */
@@ -28,16 +41,15 @@ static int has_bodies(const struct cor_scene *scene)
 
 static int check_bodies(struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
-    const int thick = cor_scene_given(scene, COR_SCENE_PLATE_THICKNESS);
-    if (cor_scene_check_bodies(fault, scene, 0) != COR_FAULT_NONE)
-        return fault->fault;
-    if (!scene->plate)
-        return thick ? refuse(fault, COR_FAULT_PLATE_LAW, COR_SCENE_PLATE_THICKNESS, 0) : COR_FAULT_NONE;
-    if (!thick || cor_scene_given(scene, COR_SCENE_RADIUS_2) || cor_scene_given(scene, COR_SCENE_MASS_2) || scene->wall)
-        return refuse(fault, COR_FAULT_PLATE_NUMBERS, COR_SCENE_PLATE_THICKNESS, 0);
-    return cor_scene_given(scene, COR_SCENE_DENSITY_2) || cor_scene_given(scene, COR_SCENE_DENSITY)
-               ? COR_FAULT_NONE
-               : refuse(fault, COR_FAULT_PLATE_DENSITY, COR_SCENE_DENSITY_2, 0);
+    const int thick = cor_scene_given(scene, COR_SCENE_PLATE_THICKNESS), plate = scene->plate;
+    const int dense = cor_scene_given(scene, COR_SCENE_DENSITY_2) || cor_scene_given(scene, COR_SCENE_DENSITY);
+    const int sphere_2 = cor_scene_given(scene, COR_SCENE_RADIUS_2) || cor_scene_given(scene, COR_SCENE_MASS_2);
+    const struct rule rules[] = {
+        {thick && !plate, COR_FAULT_PLATE_LAW, COR_SCENE_PLATE_THICKNESS, 0},
+        {plate && (!thick || sphere_2 || scene->wall), COR_FAULT_PLATE_NUMBERS, COR_SCENE_PLATE_THICKNESS, 0},
+        {plate && !dense, COR_FAULT_PLATE_DENSITY, COR_SCENE_DENSITY_2, 0},
+        {0}};
+    return cor_scene_check_bodies(fault, scene, 0) != COR_FAULT_NONE ? fault->fault : refuse_first(fault, rules);
 }
 
 /* The number of a viscosity of a body, its own or that of body 1; -1: none is given */
@@ -100,18 +112,19 @@ static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault 
     const int bodies = has_bodies(scene), stiff = cor_scene_given(scene, COR_SCENE_STIFFNESS),
               massive = cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS),
               timed = cor_scene_given(scene, COR_SCENE_DURATION);
-    if (timed && (bodies || stiff))
-        return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_DURATION, stiff ? COR_SCENE_STIFFNESS : COR_SCENE_YOUNG);
-    if (bodies && (stiff || massive))
-        return refuse(fault, COR_FAULT_TWO_CONTACTS, COR_SCENE_STIFFNESS, COR_SCENE_YOUNG);
-    if (scene->plate && !bodies)
-        return refuse(fault, COR_FAULT_PLATE_BODIES, COR_SCENE_YOUNG, COR_SCENE_PLATE_THICKNESS);
-    if (bodies && !cor_law_is_hertz(&scene->law))
-        return refuse(fault, COR_FAULT_NOT_HERTZ, COR_SCENE_YOUNG, COR_SCENE_STIFFNESS);
+    const struct rule rules[] = {
+        {timed && (bodies || stiff), COR_FAULT_EXCLUDED, COR_SCENE_DURATION,
+         stiff ? COR_SCENE_STIFFNESS : COR_SCENE_YOUNG},
+        {bodies && (stiff || massive), COR_FAULT_TWO_CONTACTS, COR_SCENE_STIFFNESS, COR_SCENE_YOUNG},
+        {scene->plate && !bodies, COR_FAULT_PLATE_BODIES, COR_SCENE_YOUNG, COR_SCENE_PLATE_THICKNESS},
+        {bodies && !cor_law_is_hertz(&scene->law), COR_FAULT_NOT_HERTZ, COR_SCENE_YOUNG, COR_SCENE_STIFFNESS},
+        {!bodies && (stiff || timed) != massive, COR_FAULT_SPRING,
+         massive ? COR_SCENE_STIFFNESS : COR_SCENE_EFFECTIVE_MASS, 0},
+        {0}};
+    if (refuse_first(fault, rules) != COR_FAULT_NONE)
+        return fault->fault;
     if (bodies)
         return set_materials(contact, fault, scene);
-    if ((stiff || timed) != massive)
-        return refuse(fault, COR_FAULT_SPRING, massive ? COR_SCENE_STIFFNESS : COR_SCENE_EFFECTIVE_MASS, 0);
     contact->stiffness = scene->number[COR_SCENE_STIFFNESS];
     contact->mass_kg = scene->number[COR_SCENE_EFFECTIVE_MASS];
     return COR_FAULT_NONE;
@@ -121,29 +134,29 @@ static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault 
 static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     static const double pi = 3.14159265358979323846;
-    const int heavy = cor_scene_given(scene, COR_SCENE_GRAVITY), sticky = cor_scene_given(scene, COR_SCENE_ADHESION);
-    if (sticky != (scene->adhesion_model != COR_ADHESION_NONE))
-        return refuse(fault, COR_FAULT_ADHESION, COR_SCENE_ADHESION, 0);
-    const int jkr = scene->adhesion_model == COR_ADHESION_JKR;
-    if (jkr && (scene->plate || scene->plastic || heavy || !cor_jkr_has_law(&scene->law)))
-        return refuse(fault, COR_FAULT_ADHESION_MODEL, COR_SCENE_ADHESION, heavy ? COR_SCENE_GRAVITY : 0);
-    if (cor_scene_given(scene, COR_SCENE_DURATION))
-        return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_DURATION, heavy ? COR_SCENE_GRAVITY : COR_SCENE_ADHESION);
-    if (heavy && !scene->wall && !scene->plate)
-        return refuse(fault, COR_FAULT_GRAVITY, COR_SCENE_GRAVITY, 0);
-    if (heavy && isnan(contact->mass_kg))
-        return refuse(fault, COR_FAULT_NO_SCALES, COR_SCENE_GRAVITY, 0);
-    if (sticky && isnan(contact->radius_m))
-        return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_ADHESION, 0);
+    const int heavy = cor_scene_given(scene, COR_SCENE_GRAVITY), sticky = cor_scene_given(scene, COR_SCENE_ADHESION),
+              jkr = scene->adhesion_model == COR_ADHESION_JKR, cause = heavy ? COR_SCENE_GRAVITY : COR_SCENE_ADHESION;
+    const int other_than_jkr = scene->plate || scene->plastic || heavy || !cor_jkr_has_law(&scene->law);
+    const struct rule rules[] = {
+        {sticky != (scene->adhesion_model != COR_ADHESION_NONE), COR_FAULT_ADHESION, COR_SCENE_ADHESION, 0},
+        {jkr && other_than_jkr, COR_FAULT_ADHESION_MODEL, COR_SCENE_ADHESION, heavy ? COR_SCENE_GRAVITY : 0},
+        {cor_scene_given(scene, COR_SCENE_DURATION), COR_FAULT_EXCLUDED, COR_SCENE_DURATION, cause},
+        {heavy && !scene->wall && !scene->plate, COR_FAULT_GRAVITY, COR_SCENE_GRAVITY, 0},
+        {heavy && isnan(contact->mass_kg), COR_FAULT_NO_SCALES, COR_SCENE_GRAVITY, 0},
+        {sticky && isnan(contact->radius_m), COR_FAULT_NO_BODIES, COR_SCENE_ADHESION, 0},
+        {0}};
+    if (!heavy && !sticky && !scene->adhesion_model)
+        return COR_FAULT_NONE;
+    if (refuse_first(fault, rules) != COR_FAULT_NONE)
+        return fault->fault;
     if (heavy)
         contact->force_n += contact->mass_kg * scene->number[COR_SCENE_GRAVITY];
     if (jkr)
         contact->adhesion_j_m2 = scene->number[COR_SCENE_ADHESION];
     else if (sticky)
         contact->force_n += 2 * pi * scene->number[COR_SCENE_ADHESION] * contact->radius_m;
-    return contact->force_n >= 0 && contact->force_n < INFINITY
-               ? COR_FAULT_NONE
-               : refuse(fault, COR_FAULT_RANGE, heavy ? COR_SCENE_GRAVITY : COR_SCENE_ADHESION, 0);
+    return contact->force_n >= 0 && contact->force_n < INFINITY ? COR_FAULT_NONE
+                                                                : refuse(fault, COR_FAULT_RANGE, cause, 0);
 }
 
 /* ---- the damping ---- */
@@ -177,35 +190,30 @@ static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_
 static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scene,
                      const struct cor_scene_contact *contact, int way)
 {
-    const int constant = cor_law_is_constant(&scene->law), bodies = has_bodies(scene);
+    const int constant = cor_law_is_constant(&scene->law), bodies = has_bodies(scene), material = is_material(way);
     const int needs_at = way == COR_SCENE_RESTITUTION || way == COR_SCENE_BETA;
     const int at = cor_scene_given(scene, COR_SCENE_AT), timed = cor_scene_given(scene, COR_SCENE_DURATION);
-    if (scene->plate && way >= 0 && !is_material(way))
-        return refuse(fault, COR_FAULT_PLATE_DAMPING, way, 0);
-    if (is_material(way) && !cor_law_is(&scene->law, 3, 1))
-        return refuse(fault, COR_FAULT_NOT_SPHERE, way, constant ? 0 : COR_SCENE_AT);
-    if (way == COR_SCENE_G_STAR && constant)
-        return refuse(fault, COR_FAULT_CONSTANT, way, 0);
-    if (way == COR_SCENE_ZETA && !constant)
-        return refuse(fault, COR_FAULT_NOT_CONSTANT, way, 0);
-    if (way == COR_SCENE_VISCOSITY && !bodies)
-        return refuse(fault, COR_FAULT_NO_BODIES, way, 0);
-    if ((way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_DAMPING_COEFFICIENT) &&
-        !(contact->mass_kg > 0 && contact->stiffness > 0))
-        return refuse(fault, COR_FAULT_NO_SCALES, way, 0);
-    if (needs_at && !constant && !at)
-        return refuse(fault, COR_FAULT_NO_SPEED, way, COR_SCENE_AT);
-    if (timed && scene->law.elastic != scene->law.denominator && !at)
-        return refuse(fault, COR_FAULT_NO_SPEED, COR_SCENE_DURATION, COR_SCENE_AT);
-    if (at && !needs_at && !timed)
-        return refuse(fault, COR_FAULT_SPEED_ALONE, COR_SCENE_AT, 0);
-    static const int second[] = {COR_SCENE_VISCOSITY, COR_SCENE_DISSIPATION_TIME};
-    for (int i = 0; i < 2; i++)
-        if (cor_scene_given(scene, second[i] + COR_SCENE_BODY) && !cor_scene_given(scene, second[i]))
-            return refuse(fault, COR_FAULT_FIRST_MISSING, second[i] + COR_SCENE_BODY, second[i]);
-    if (is_material(way) && cor_scene_given(scene, way + COR_SCENE_BODY) && (!bodies || scene->plate))
-        return refuse(fault, COR_FAULT_NO_SECOND_BODY, way + COR_SCENE_BODY, 0);
-    return COR_FAULT_NONE;
+    const int scaled = contact->mass_kg > 0 && contact->stiffness > 0;
+    const int second = material && cor_scene_given(scene, way + COR_SCENE_BODY);
+    const struct rule rules[] = {
+        {scene->plate && way >= 0 && !material, COR_FAULT_PLATE_DAMPING, way, 0},
+        {material && !cor_law_is(&scene->law, 3, 1), COR_FAULT_NOT_SPHERE, way, constant ? 0 : COR_SCENE_AT},
+        {way == COR_SCENE_G_STAR && constant, COR_FAULT_CONSTANT, way, 0},
+        {way == COR_SCENE_ZETA && !constant, COR_FAULT_NOT_CONSTANT, way, 0},
+        {way == COR_SCENE_VISCOSITY && !bodies, COR_FAULT_NO_BODIES, way, 0},
+        {(way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_DAMPING_COEFFICIENT) && !scaled, COR_FAULT_NO_SCALES,
+         way, 0},
+        {needs_at && !constant && !at, COR_FAULT_NO_SPEED, way, COR_SCENE_AT},
+        {timed && scene->law.elastic != scene->law.denominator && !at, COR_FAULT_NO_SPEED, COR_SCENE_DURATION,
+         COR_SCENE_AT},
+        {at && !needs_at && !timed, COR_FAULT_SPEED_ALONE, COR_SCENE_AT, 0},
+        {cor_scene_given(scene, COR_SCENE_VISCOSITY_2) && !cor_scene_given(scene, COR_SCENE_VISCOSITY),
+         COR_FAULT_FIRST_MISSING, COR_SCENE_VISCOSITY_2, COR_SCENE_VISCOSITY},
+        {cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME_2) && !cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME),
+         COR_FAULT_FIRST_MISSING, COR_SCENE_DISSIPATION_TIME_2, COR_SCENE_DISSIPATION_TIME},
+        {second && (!bodies || scene->plate), COR_FAULT_NO_SECOND_BODY, way + COR_SCENE_BODY, 0},
+        {0}};
+    return refuse_first(fault, rules);
 }
 
 /* K for the duration: times are (m/K)^(1/(a+1)) times those of a contact with m = K = 1. */
@@ -229,27 +237,26 @@ static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *
 {
     const double *const number = scene->number;
     const int stress = cor_scene_given(scene, COR_SCENE_YIELD_STRESS), at = cor_scene_given(scene, COR_SCENE_AT);
+    int way;
     if (stress && isnan(contact->radius_m))
         return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_YIELD_STRESS, 0);
     if (stress)
         contact->yield_speed_m_s = cor_scene_yield_speed(contact, number[COR_SCENE_YIELD_STRESS]);
     if (!scene->plastic)
         return COR_FAULT_NONE;
-    int way;
     if (find_way(&way, fault, scene) == COR_FAULT_TWO_WAYS)
         return fault->fault;
-    if (way >= 0 && way != COR_SCENE_RESTITUTION)
-        return refuse(fault, COR_FAULT_YIELD_DAMPING, way, 0);
-    if (cor_scene_given(scene, COR_SCENE_DURATION))
-        return refuse(fault, COR_FAULT_YIELD_DAMPING, COR_SCENE_DURATION, 0);
-    if (contact->force_n > 0 || contact->adhesion_j_m2 > 0)
-        return refuse(fault, COR_FAULT_PRESSED_LAW, COR_SCENE_YIELD_STRESS, 0);
-    if (way >= 0 && stress)
-        return refuse(fault, COR_FAULT_EXCLUDED, COR_SCENE_YIELD_STRESS, way);
-    if (way < 0 && !stress)
-        return refuse(fault, COR_FAULT_NO_YIELD, COR_SCENE_YIELD_STRESS, COR_SCENE_RESTITUTION);
-    if (at != (way >= 0))
-        return refuse(fault, at ? COR_FAULT_SPEED_ALONE : COR_FAULT_NO_SPEED, at ? COR_SCENE_AT : way, COR_SCENE_AT);
+    const struct rule rules[] = {
+        {way >= 0 && way != COR_SCENE_RESTITUTION, COR_FAULT_YIELD_DAMPING, way, 0},
+        {cor_scene_given(scene, COR_SCENE_DURATION), COR_FAULT_YIELD_DAMPING, COR_SCENE_DURATION, 0},
+        {contact->force_n > 0 || contact->adhesion_j_m2 > 0, COR_FAULT_PRESSED_LAW, COR_SCENE_YIELD_STRESS, 0},
+        {way >= 0 && stress, COR_FAULT_EXCLUDED, COR_SCENE_YIELD_STRESS, way},
+        {way < 0 && !stress, COR_FAULT_NO_YIELD, COR_SCENE_YIELD_STRESS, COR_SCENE_RESTITUTION},
+        {at && way < 0, COR_FAULT_SPEED_ALONE, COR_SCENE_AT, COR_SCENE_AT},
+        {!at && way >= 0, COR_FAULT_NO_SPEED, way, COR_SCENE_AT},
+        {0}};
+    if (refuse_first(fault, rules) != COR_FAULT_NONE)
+        return fault->fault;
     if (at)
         contact->yield_speed_m_s = number[COR_SCENE_AT] / cor_elastic_plastic_speed_ratio(number[way]);
     refuse(fault, COR_FAULT_NONE, 0, 0);
@@ -261,22 +268,20 @@ static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *
 
 static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
+    const double outer = scene->number[COR_SCENE_GAP_OUTER], inner = scene->number[COR_SCENE_GAP_INNER];
     int given = 0, missing = 0;
-    for (int number = COR_SCENE_LIQUID_VISCOSITY; number <= COR_SCENE_GAP_INNER; number++) {
-        given = cor_scene_given(scene, number) ? number : given;
-        missing = cor_scene_given(scene, number) ? missing : number;
-    }
+    for (int number = COR_SCENE_LIQUID_VISCOSITY; number <= COR_SCENE_GAP_INNER; number++)
+        *(cor_scene_given(scene, number) ? &given : &missing) = number;
+    const struct rule rules[] = {
+        {missing, COR_FAULT_LIQUID, missing, 0},
+        {isnan(contact->radius_m), COR_FAULT_NO_BODIES, COR_SCENE_LIQUID_VISCOSITY, 0},
+        {contact->force_n > 0 || contact->adhesion_j_m2 > 0, COR_FAULT_PRESSED_LAW, COR_SCENE_LIQUID_VISCOSITY, 0},
+        {!(outer > inner), COR_FAULT_GAPS, COR_SCENE_GAP_OUTER, COR_SCENE_GAP_INNER},
+        {0}};
     if (!given)
         return COR_FAULT_NONE;
-    if (missing)
-        return refuse(fault, COR_FAULT_LIQUID, missing, 0);
-    if (isnan(contact->radius_m))
-        return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_LIQUID_VISCOSITY, 0);
-    if (contact->force_n > 0 || contact->adhesion_j_m2 > 0)
-        return refuse(fault, COR_FAULT_PRESSED_LAW, COR_SCENE_LIQUID_VISCOSITY, 0);
-    const double outer = scene->number[COR_SCENE_GAP_OUTER], inner = scene->number[COR_SCENE_GAP_INNER];
-    if (!(outer > inner))
-        return refuse(fault, COR_FAULT_GAPS, COR_SCENE_GAP_OUTER, COR_SCENE_GAP_INNER);
+    if (refuse_first(fault, rules) != COR_FAULT_NONE)
+        return fault->fault;
     contact->liquid_speed_m_s =
         cor_scene_liquid_speed(contact, scene->number[COR_SCENE_LIQUID_VISCOSITY], outer, inner);
     return contact->liquid_speed_m_s < INFINITY ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
@@ -322,19 +327,15 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
                                            .radius_m = NAN,
                                            .damping = NAN,
                                            .solver = scene->solver};
+    static int (*const set[])(struct cor_scene_contact *, struct cor_scene_fault *,
+                              const struct cor_scene *) = {set_scales, set_force, set_yield, set_liquid};
+    int contacts_set = 1, status = COR_FAULT_NONE;
     refuse(fault, COR_FAULT_NONE, 0, 0);
-    *count = 0;
     contacts[0] = contacts[1] = none;
     if (scene->plate && scene->end == COR_END_ZERO_FORCE)
-        return refuse(fault, COR_FAULT_PLATE_END, 0, 0);
-    int contacts_set = 1, status = set_scales(&contacts[0], fault, scene);
-    if (status == COR_FAULT_NONE && (cor_scene_given(scene, COR_SCENE_GRAVITY) ||
-                                     cor_scene_given(scene, COR_SCENE_ADHESION) || scene->adhesion_model))
-        status = set_force(&contacts[0], fault, scene);
-    if (status == COR_FAULT_NONE)
-        status = set_yield(&contacts[0], fault, scene);
-    if (status == COR_FAULT_NONE)
-        status = set_liquid(&contacts[0], fault, scene);
+        status = refuse(fault, COR_FAULT_PLATE_END, 0, 0);
+    for (size_t i = 0; i < sizeof set / sizeof *set && status == COR_FAULT_NONE; i++)
+        status = set[i](&contacts[0], fault, scene);
     if (status == COR_FAULT_NONE && !scene->plastic)
         status = set_damping(contacts, &contacts_set, fault, scene);
     for (int i = 0; i < contacts_set && status == COR_FAULT_NONE; i++)
