@@ -35,24 +35,10 @@ static long double first_radius(const struct cor_scene_contact *s)
     return cbrtl(2 * pi * (long double)s->adhesion_j_m2 * R * R / modulus);
 }
 
-/* Contact radius of the end, by bisection of the slope of overlap or force over the radius */
+/* Contact radius of the end: where the slope of the overlap over it, or that of the force, is 0 */
 static long double last_radius(const struct cor_scene_contact *s, int end)
 {
-    const long double c_0 = first_radius(s), h = 1e-5L;
-    long double low = 0.1L * c_0, high = c_0;
-    for (int k = 0; k < 60; k++) {
-        const long double c = (low + high) / 2;
-        long double slope, force, above, below;
-        overlap_of(s, c, &slope, &force);
-        overlap_of(s, c * (1 + h), &above, &below);
-        const long double larger = below;
-        overlap_of(s, c * (1 - h), &above, &below);
-        if ((end == COR_JKR_TAIL ? slope : larger - below) > 0)
-            high = c;
-        else
-            low = c;
-    }
-    return high;
+    return first_radius(s) * powl(end == COR_JKR_TAIL ? 0.25L : 0.75L, 2 / 3.0L);
 }
 
 /* The energy from the first touch to the end: Simpson's rule for the force over the overlap */
