@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "runtime/scene/exponents.h"
 #include "runtime/scene/simulators.h"
 #include "web/web.h"
 
@@ -279,13 +278,11 @@ double web_realised(const struct cor_simulator_model *model, const struct web_re
 {
     const struct web_asked asked = web_asked(r);
     const double own = cor_simulator_realised(model, asked.eps);
-    struct cor_scene_contact c = r->contact[0];
     double eps = NAN;
     if (model->law == COR_LAW_IMPULSE || isnan(own) || cor_law_is_constant(&cor_law_exponents[model->law]))
         return own;
-    c.law = cor_law_exponents[model->law];
-    c.plate = 0;
-    cor_scene_set_damping(&c, COR_SCENE_BETA, model->damping_of_e(asked.eps), asked.speed_m_s, 0);
+    const struct cor_scene_contact c = cor_model_contact(r->contact[0], &cor_law_exponents[model->law],
+                                                         model->damping_of_e(asked.eps), asked.speed_m_s);
     if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE)
         cor_scene_eps(&eps, &c, speed_m_s, (int)model->end);
     return eps;

@@ -132,10 +132,10 @@ struct pair {
 
 static struct pair pair_of(const struct audit *a, const struct audit_contact *contact, int i, int j, int largest)
 {
-    static const double pi = 3.14159265358979323846;
     struct pair pair = {0, 0, {&a->type[i], &a->type[j]}};
     for (int k = 0; k < (contact->wall ? 1 : 2); k++) {
-        const double radius = pair.type[k]->radius[largest], mass = 4 * pi / 3 * pow(radius, 3) * pair.type[k]->density;
+        const double radius = pair.type[k]->radius[largest],
+                     mass = 4 * COR_PI / 3 * pow(radius, 3) * pair.type[k]->density;
         pair.radius += 1 / radius;
         pair.mass += 1 / mass;
     }
@@ -155,7 +155,6 @@ static double modulus(const struct pair *pair)
 /* Sets mass, stiffness and radius. A mass that cancels, as where all numbers are per unit of mass, is 1. */
 static void set_scales(struct cor_scene_contact *scene, const struct audit_contact *contact, const struct pair *pair)
 {
-    static const double pi = 3.14159265358979323846;
     const double root = sqrt(pair->radius), l = log(contact->number);
     scene->radius_m = pair->radius;
     scene->mass_kg = pair->mass;
@@ -176,7 +175,7 @@ static void set_scales(struct cor_scene_contact *scene, const struct audit_conta
     }
     case AUDIT_CONTACT_TIME:
         scene->mass_kg = isnan(pair->mass) ? 1 : pair->mass;
-        scene->stiffness = scene->mass_kg * (pi * pi + l * l) / (contact->stiffness * contact->stiffness);
+        scene->stiffness = scene->mass_kg * (COR_PI * COR_PI + l * l) / (contact->stiffness * contact->stiffness);
         break;
     case AUDIT_PER_MASS:
         scene->mass_kg = 1;
@@ -264,9 +263,8 @@ static struct outcome solve(const struct audit *a, const struct cor_simulator_mo
         o.eps = impact.eps[o.end];
         /* without a speed only a linear spring has one duration */
         o.duration = isnan(speed) && !is_linear(contact) ? (double)NAN : impact.duration_s[o.end];
-    } else if (cor_scene_eps(&o.eps, &o.scene, at, (int)o.end) != COR_OK) {
-        o.eps = (double)NAN;
-    }
+    } else
+        cor_scene_eps(&o.eps, &o.scene, at, (int)o.end);
     return o;
 }
 

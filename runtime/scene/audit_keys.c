@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "runtime/scene/audit.h"
+#include "runtime/scene/exponents.h"
 
 /* ---- keywords ---- */
 
@@ -438,7 +439,6 @@ static int elements_of(struct audit *a, const char *key, struct elements *e)
 /* MFiX takes a 50th, or another fraction, of the shortest contact of two particles with linear springs. */
 static void set_mfix_step(struct audit *a, double stiffness, double factor)
 {
-    static const double pi = 3.14159265358979323846;
     double shortest = INFINITY;
     for (const struct audit_contact *c = a->contact; c < a->contact + a->contacts; c++) {
         if (c->wall || c->unknown)
@@ -446,9 +446,9 @@ static void set_mfix_step(struct audit *a, double stiffness, double factor)
         double inverse = 0;
         for (int k = 0; k < 2; k++) {
             const struct audit_type *const t = &a->type[c->first[k]];
-            inverse += 3 / (4 * pi * pow(t->radius[0], 3) * t->density);
+            inverse += 3 / (4 * COR_PI * pow(t->radius[0], 3) * t->density);
         }
-        const double l = log(c->number), duration = sqrt((pi * pi + l * l) / (inverse * stiffness));
+        const double l = log(c->number), duration = sqrt((COR_PI * COR_PI + l * l) / (inverse * stiffness));
         if (duration < shortest || isnan(duration)) /* NaN stays: what is not known may be the shortest */
             shortest = duration;
     }

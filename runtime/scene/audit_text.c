@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "runtime/scene/audit.h"
+#include "runtime/scene/exponents.h"
 
 int audit_is(const char *text, const char *other)
 {
@@ -342,7 +343,7 @@ static double call(const char *name, size_t size, double x, double y)
             return functions[i].one(x);
         if (functions[i].two)
             return functions[i].two(x, y);
-        return *name == 'f' ? x : x * 3.14159265358979323846 / 180;
+        return *name == 'f' ? x : x * COR_PI / 180;
     }
     return (double)NAN;
 }
@@ -386,7 +387,7 @@ static double named(struct parser *p)
     if (size > 2 && audit_starts(name, "v_"))
         return variable_value(p, name + 2, size - 2);
     if (size >= 2 && (audit_starts(end - 2, "pi") || audit_starts(end - 2, "PI")))
-        return 3.14159265358979323846;
+        return COR_PI;
     return size == 2 && audit_starts(name, "dt") ? p->a->time_step / p->a->time : (double)NAN;
 }
 

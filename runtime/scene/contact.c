@@ -224,7 +224,7 @@ static int eps_of(double *eps, const struct cor_scene_contact *contact, double p
     const int at = cor_scene_ends_differ(contact) ? end : COR_END_ZERO_OVERLAP;
     struct cor_scaled_impact impact = {{1, 1}, {0, 0}, 0};
     const int status = parameter > 0 ? solve(&impact, contact, parameter, at) : COR_FAULT_NONE;
-    *eps = impact.eps[at];
+    *eps = status == COR_FAULT_NONE ? impact.eps[at] : (double)NAN;
     return status;
 }
 

@@ -5,6 +5,8 @@
 
 #include "cor/scene.h"
 
+#define COR_PI 3.14159265358979323846
+
 static inline double cor_elastic(const struct cor_exponents *law)
 {
     return (double)law->elastic / (double)law->denominator;

@@ -98,11 +98,10 @@ struct units {
 
 static struct units units_of(const struct cor_scene_contact *contact, double coefficient)
 {
-    static const double pi = 3.14159265358979323846;
     const double w = contact->adhesion_j_m2, R = contact->radius_m, b = cor_damping(&contact->law);
-    const double modulus = 0.75 * contact->stiffness / sqrt(R); /* E* */
-    const double radius = cbrt(2 * pi * w * R * R / modulus);   /* c_0 */
-    struct units unit = {.length = radius * radius / R, .force = pi * w * R, .power = (int)(4 * b)};
+    const double modulus = 0.75 * contact->stiffness / sqrt(R);   /* E* */
+    const double radius = cbrt(2 * COR_PI * w * R * R / modulus); /* c_0 */
+    struct units unit = {.length = radius * radius / R, .force = COR_PI * w * R, .power = (int)(4 * b)};
     unit.time = sqrt(contact->mass_kg * unit.length / unit.force);
     unit.speed = unit.length / unit.time;
     unit.kappa = coefficient * pow(unit.length, b) * unit.speed / unit.force;

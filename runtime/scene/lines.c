@@ -275,30 +275,22 @@ static const char *template_of(const struct cor_simulator_model *model, const st
 /* The contact that the model makes, for durations and eps */
 static struct cor_scene_contact contact_made(const struct block *block, const struct task *task)
 {
-    struct cor_scene_contact c = task->contact[PAIR][0];
-    if (!task->has_law) {
-        c.law = cor_law_exponents[block->model->law];
-        c.plate = 0;
-    }
-    cor_scene_set_damping(&c, cor_law_is_constant(&c.law) ? COR_SCENE_ZETA : COR_SCENE_BETA, block->damping,
-                          block->speed_m_s, 0);
-    return c;
+    return cor_model_contact(task->contact[PAIR][0], task->has_law ? NULL : &cor_law_exponents[block->model->law],
+                             block->damping, block->speed_m_s);
 }
 
 /* eps at a speed; NaN: not known */
 static double realised(const struct block *block, const struct task *task, double speed_m_s)
 {
     const struct cor_simulator_model *const model = block->model;
-    const double constant = cor_law_eps(model->law, model->end, block->damping);
     double eps = NAN;
     if (cor_simulator_has_function(model))
         cor_scene_eps(&eps, task->request->contacts, speed_m_s, end_of(task->request->scene));
     else if (model->law == COR_LAW_IMPULSE || cor_law_is_constant(&cor_law_exponents[model->law]))
-        eps = constant;
+        eps = cor_law_eps(model->law, model->end, block->damping);
     else if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE) {
         const struct cor_scene_contact c = contact_made(block, task);
-        if (cor_scene_eps(&eps, &c, speed_m_s, (int)model->end) != COR_FAULT_NONE)
-            eps = NAN;
+        cor_scene_eps(&eps, &c, speed_m_s, (int)model->end);
     }
     return eps;
 }

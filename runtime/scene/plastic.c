@@ -9,7 +9,7 @@
  * cancellation. */
 #include "runtime/scene/motion.h"
 
-static const double pi = 3.14159265358979323846;
+#include "runtime/scene/exponents.h"
 
 /* ---- eps ---- */
 
@@ -117,7 +117,7 @@ double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yi
 
 double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double a = (double)contact->law.elastic / contact->law.denominator;
+    const double a = cor_elastic(&contact->law);
     return pow((a + 1) / 2 * contact->mass_kg / contact->stiffness * speed_m_s * speed_m_s, 1 / (a + 1));
 }
 
@@ -130,7 +130,7 @@ double cor_scene_contact_radius(const struct cor_scene_contact *contact, double 
 double cor_scene_pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
     const double yields = contact->plastic ? cor_scene_elastic_overlap(contact, contact->yield_speed_m_s) : INFINITY;
-    return 1.5 * contact->stiffness * sqrt(fmin(overlap_m, yields)) / (pi * contact->radius_m);
+    return 1.5 * contact->stiffness * sqrt(fmin(overlap_m, yields)) / (COR_PI * contact->radius_m);
 }
 
 /* ---- an impact above the yield speed ----
@@ -146,7 +146,7 @@ enum { TERMS = 30 };
  * powers of theta^2; they fall like pi^(-2k). */
 static double hertz_time(double r, double gap)
 {
-    const double angle = pi / 2 - 2 * asin(sqrt(gap / 2)), square = angle * angle;
+    const double angle = COR_PI / 2 - 2 * asin(sqrt(gap / 2)), square = angle * angle;
     double a[TERMS], c[TERMS], sum = 1, power = 1;
     a[0] = c[0] = 1;
     for (int n = 1; n < TERMS; n++) {
@@ -187,7 +187,7 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
     const double radius = contact->radius_m, gap = gap_outer_m - gap_inner_m;
     /* ln(1 + z) keeps its accuracy where the gaps are nearly equal */
     const double logarithm = gap < gap_inner_m ? log1p(gap / gap_inner_m) : log(gap_outer_m / gap_inner_m);
-    return 6 * pi * viscosity_pa_s * radius * radius / contact->mass_kg * logarithm;
+    return 6 * COR_PI * viscosity_pa_s * radius * radius / contact->mass_kg * logarithm;
 }
 
 double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s)

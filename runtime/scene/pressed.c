@@ -106,8 +106,6 @@ struct oscillation {
     double zeta, frequency; /* sqrt(|1 - zeta^2|) */
 };
 
-static const double pi = 3.14159265358979323846;
-
 /* y(time) of y(0) = value, y'(0) = slope */
 static double oscillation_at(const struct oscillation *o, double value, double slope, double time)
 {
@@ -125,7 +123,7 @@ static double oscillation_zero(const struct oscillation *o, double value, double
     const double w = o->frequency, rest = slope + o->zeta * value, ratio = -value / rest;
     if (o->zeta < 1) {
         const double phase = atan2(w * value, -rest);
-        return (phase > 0 ? phase : phase + pi) / w;
+        return (phase > 0 ? phase : phase + COR_PI) / w;
     }
     if (!(ratio > 0))
         return INFINITY;
@@ -147,7 +145,7 @@ static void linear_solve(struct cor_full_impact *impact, double beta, double f)
 {
     const struct oscillation o = {beta / 2, sqrt(fabs((1 - beta / 2) * (1 + beta / 2)))};
     const double a = f - beta, jerk = -beta * a - 1; /* the second and the third derivative of x at first */
-    const double half = o.zeta < 1 ? pi / o.frequency : INFINITY;
+    const double half = o.zeta < 1 ? COR_PI / o.frequency : INFINITY;
     const double turn = oscillation_zero(&o, 1, a), peak = oscillation_zero(&o, jerk, -beta * jerk - a);
     const double back = turn + half; /* the second turning point */
     impact->max_overlap = isinf(turn) ? f : f + oscillation_at(&o, -f, 1, turn);

@@ -62,7 +62,6 @@ static int viscosity_of(const struct cor_scene *scene, int body)
 
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body)
 {
-    static const double pi = 3.14159265358979323846;
     const int viscosity = viscosity_of(scene, body);
     const double time = cor_scene_of_body(scene, COR_SCENE_DISSIPATION_TIME, body);
     struct cor_body b = {cor_scene_of_body(scene, COR_SCENE_YOUNG, body),
@@ -71,7 +70,7 @@ struct cor_body cor_scene_body(const struct cor_scene *scene, int body)
         b.radius_m = cor_scene_of_body(scene, COR_SCENE_RADIUS, body);
         b.mass_kg = cor_scene_mass_is_given(scene, body)
                         ? cor_scene_of_body(scene, COR_SCENE_MASS, body)
-                        : 4 * pi / 3 * pow(b.radius_m, 3) * cor_scene_of_body(scene, COR_SCENE_DENSITY, body);
+                        : 4 * COR_PI / 3 * pow(b.radius_m, 3) * cor_scene_of_body(scene, COR_SCENE_DENSITY, body);
     }
     if (viscosity >= 0)
         b.dissipation_time_s = cor_dissipation_time_viscous_s(scene->number[viscosity], scene->number[viscosity + 1],
@@ -133,7 +132,6 @@ static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault 
 /* The constant force F = m G + 2 pi w R */
 static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
-    static const double pi = 3.14159265358979323846;
     const int heavy = cor_scene_given(scene, COR_SCENE_GRAVITY), sticky = cor_scene_given(scene, COR_SCENE_ADHESION),
               jkr = scene->adhesion_model == COR_ADHESION_JKR, cause = heavy ? COR_SCENE_GRAVITY : COR_SCENE_ADHESION;
     const int other_than_jkr = scene->plate || scene->plastic || heavy || !cor_jkr_has_law(&scene->law);
@@ -154,7 +152,7 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
     if (jkr)
         contact->adhesion_j_m2 = scene->number[COR_SCENE_ADHESION];
     else if (sticky)
-        contact->force_n += 2 * pi * scene->number[COR_SCENE_ADHESION] * contact->radius_m;
+        contact->force_n += 2 * COR_PI * scene->number[COR_SCENE_ADHESION] * contact->radius_m;
     return contact->force_n >= 0 && contact->force_n < INFINITY ? COR_FAULT_NONE
                                                                 : refuse(fault, COR_FAULT_RANGE, cause, 0);
 }

@@ -691,7 +691,6 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
  * each of two bodies is K = (4/3) sqrt(R) s/2^(3/2). */
 double cor_simulator_word(const char *word, const struct cor_simulator_wish *wish, double number)
 {
-    static const double pi = 3.14159265358979323846;
     const double k = wish->contacts->stiffness, m = wish->contacts->mass_kg, radius = wish->contacts->radius_m;
     const double l = log(number);
     const struct {
@@ -708,7 +707,7 @@ double cor_simulator_word(const char *word, const struct cor_simulator_wish *wis
                  {"kn", k / sqrt(radius)},
                  {"E", 0.75 * k / sqrt(radius)},
                  {"2m", 2 * m},
-                 {"tc", sqrt(m / k * (pi * pi + l * l))},
+                 {"tc", sqrt(m / k * (COR_PI * COR_PI + l * l))},
                  {"timeconst", sqrt(m / k) / number},
                  {"simbody", sqrt(4.5) * k / sqrt(radius)},
                  {"young", wish->scene->number[COR_SCENE_YOUNG]},

@@ -3,7 +3,10 @@
 #ifndef COR_RUNTIME_SCENE_SIMULATORS_H
 #define COR_RUNTIME_SCENE_SIMULATORS_H
 
+#include <math.h>
+
 #include "cor/scene.h"
+#include "runtime/scene/exponents.h"
 
 /* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero
  * force */
@@ -12,6 +15,18 @@ double cor_thornton_gamma(double e);
 double cor_tsuji_alpha(double e);
 /* beta as a function of e: Flores et al. (2011) */
 double cor_flores_beta(double e);
+
+/* The contact with the law of a model (NULL: its own) and with the damping of the model at a speed */
+static inline struct cor_scene_contact cor_model_contact(struct cor_scene_contact c, const struct cor_exponents *law,
+                                                         double damping, double speed_m_s)
+{
+    if (law) {
+        c.law = *law;
+        c.plate = 0;
+    }
+    c.damping = cor_law_is_constant(&c.law) ? damping : damping * pow(speed_m_s, -cor_scene_speed_exponent(&c));
+    return c;
+}
 
 /* Whether a version, by cor_simulator_version, has the model; 0: any version will do */
 static inline int cor_model_has_version(const struct cor_simulator_model *model, long version)

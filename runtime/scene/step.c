@@ -8,6 +8,7 @@
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
+#include "runtime/scene/simulators.h"
 
 const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step", "leapfrog", "symplectic-euler",
                                                                "verlet-full-step", NULL};
@@ -251,20 +252,15 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
 double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
                                   int same_law, double damping)
 {
-    struct cor_scene_contact contact = *wish->contacts, corrected;
-    const int integrator = cor_simulator_integrator(model->simulator);
     if (model->law == COR_LAW_IMPULSE)
         return damping;
-    if (!same_law)
-        contact.law = cor_law_exponents[model->law];
-    if (model->law == COR_LAW_HUNT_CROSSLEY) {
-        contact.law = wish->contacts->law;
-        contact.law.damping = contact.law.elastic;
-    }
-    contact.plate = 0;
-    contact.damping = cor_law_is_constant(&contact.law)
-                          ? damping
-                          : damping * pow(wish->speed_m_s, -cor_scene_speed_exponent(&contact));
-    cor_scene_step_corrected(&corrected, &contact, wish->speed_m_s, (int)model->end, wish->steps, integrator);
+    const int crossley = model->law == COR_LAW_HUNT_CROSSLEY, a = wish->contacts->law.elastic;
+    const struct cor_exponents law =
+        crossley ? (struct cor_exponents){a, a, wish->contacts->law.denominator} : cor_law_exponents[model->law];
+    const struct cor_scene_contact contact =
+        cor_model_contact(*wish->contacts, same_law && !crossley ? NULL : &law, damping, wish->speed_m_s);
+    struct cor_scene_contact corrected;
+    cor_scene_step_corrected(&corrected, &contact, wish->speed_m_s, (int)model->end, wish->steps,
+                             cor_simulator_integrator(model->simulator));
     return damping * (corrected.damping / contact.damping);
 }

@@ -49,6 +49,10 @@ TEST(forces)
     check_near(cor_law_force_max(&crossley, 1e-9), pow(1.25, 0.6), 1e-8);
     check_near(cor_law_force_max(&crossley, 0.1), cor_law_force_max(&crossley, nextafter(0.1, 1)), 1e-14);
     check_nan(cor_law_force_max(&tsuji, -1), cor_law_force_max(&sphere, NAN), cor_law_force_max(&crossley, INFINITY));
+    /* eps of a law without functions takes a solver */
+    const struct cor_scene_contact contact = {.law = {2, 1, 1}, .mass_kg = 1, .stiffness = 1, .damping = 1};
+    double eps = 0;
+    assert_true(cor_scene_eps(&eps, &contact, 1, COR_END_ZERO_FORCE) == COR_FAULT_SOLVER && isnan(eps));
     /* exponents of too many powers are refused, and soon */
     const struct cor_exponents many = {900000007, 700000001, 999999989};
     const double begin = processor_seconds();
