@@ -187,13 +187,6 @@ static void set_scales(struct cor_scene_contact *scene, const struct audit_conta
     }
 }
 
-/* What a contact realises at one speed */
-struct outcome {
-    enum cor_end end;
-    double damping, eps, duration;
-    struct cor_scene_contact scene;
-};
-
 static int is_linear(const struct audit_contact *contact)
 {
     return contact->spring != AUDIT_HERTZ && contact->spring != AUDIT_MATERIAL;
@@ -228,44 +221,45 @@ static double eps_of_impedance(const double impedance[3], double frequency, doub
     return (double)NAN;
 }
 
-static struct outcome solve(const struct audit *a, const struct cor_simulator_model *model,
-                            const struct audit_contact *contact, const struct pair *pair, double speed)
+/* Sets what a contact realises at one speed, in the units of the text: its end, law, damping, eps and duration. Returns
+ * the contact. */
+static struct cor_scene_contact solve(struct cor_audit_finding *f, const struct audit *a,
+                                      const struct cor_simulator_model *model, const struct audit_contact *contact,
+                                      const struct pair *pair, double speed)
 {
-    struct outcome o = {contact->limited ? COR_END_ZERO_FORCE : model->end,
-                        (double)NAN,
-                        (double)NAN,
-                        (double)NAN,
-                        {.law = cor_law_exponents[model->law], .damping = (double)NAN, .solver = a->options->solver}};
+    struct cor_scene_contact scene = {
+        .law = cor_law_exponents[model->law], .damping = (double)NAN, .solver = a->options->solver};
+    f->end = contact->limited ? COR_END_ZERO_FORCE : (int)model->end;
+    f->law = (int)model->law;
     if (model->law == COR_LAW_TSUJI && contact->spring != AUDIT_NO_SPRING && is_linear(contact))
-        o.scene.law = cor_law_exponents[COR_LAW_LINEAR];
-    set_scales(&o.scene, contact, pair);
+        scene.law = cor_law_exponents[COR_LAW_LINEAR];
+    set_scales(&scene, contact, pair);
     if (!model->damping_of_e)
-        o.damping = model->damping_of_number(contact->number, &o.scene, speed);
+        f->damping = model->damping_of_number(contact->number, &scene, speed);
     else if (contact->number >= model->least && contact->number <= model->most)
-        o.damping = model->damping_of_e(contact->number);
-    const int constant = cor_law_is_constant(&o.scene.law);
-    if (!(o.damping >= 0 && o.damping < INFINITY) || (isnan(speed) && !constant))
-        return o;
+        f->damping = model->damping_of_e(contact->number);
+    const double damping = f->damping, at = isnan(speed) ? 1 : speed;
+    if (!(damping >= 0 && damping < INFINITY) || (isnan(speed) && !cor_law_is_constant(&scene.law)))
+        return scene;
     if (contact->impedance[2] > 0) {
         if (!isnan(speed))
-            o.eps = eps_of_impedance(contact->impedance, sqrt(o.scene.stiffness), o.damping, speed);
-        o.damping = (double)NAN; /* it depends on the overlap */
-        return o;
+            f->realised = eps_of_impedance(contact->impedance, sqrt(scene.stiffness), damping, speed);
+        f->damping = (double)NAN; /* it depends on the overlap */
+        return scene;
     }
-    o.scene.damping = constant ? o.damping : o.damping * pow(speed, -cor_scene_speed_exponent(&o.scene));
-    if ((int)o.end >= (int)COR_SCENE_ENDS) {
-        o.eps = cor_law_eps(model->law, o.end, o.damping);
-        return o;
+    scene = cor_model_contact(scene, NULL, damping, speed);
+    if (f->end >= (int)COR_SCENE_ENDS) {
+        f->realised = cor_law_eps(model->law, model->end, damping);
+        return scene;
     }
-    const double at = isnan(speed) ? 1 : speed;
     struct cor_scene_impact impact;
-    if (cor_scene_impact(&impact, &o.scene, at) == COR_OK) {
-        o.eps = impact.eps[o.end];
+    if (cor_scene_impact(&impact, &scene, at) == COR_OK) {
+        f->realised = impact.eps[f->end];
         /* without a speed only a linear spring has one duration */
-        o.duration = isnan(speed) && !is_linear(contact) ? (double)NAN : impact.duration_s[o.end];
+        f->duration_s = isnan(speed) && !is_linear(contact) ? (double)NAN : impact.duration_s[f->end];
     } else
-        cor_scene_eps(&o.eps, &o.scene, at, (int)o.end);
-    return o;
+        cor_scene_eps(&f->realised, &scene, at, f->end);
+    return scene;
 }
 
 /* ---- advice ---- */
@@ -307,14 +301,14 @@ static void advise_asked(struct audit *a, const struct cor_simulator_model *mode
 }
 
 /* What is missing for eps, or for the duration */
-static void advise_missing(struct audit *a, const struct outcome *o, double speed)
+static void advise_missing(struct audit *a, const struct cor_scene_contact *scene, double speed)
 {
-    const int scales = !(o->scene.mass_kg > 0 && o->scene.stiffness > 0);
-    audit_say(a, scales && isnan(o->scene.radius_m)  ? "The radius is not in the text: give --radius."
-                 : scales && isnan(o->scene.mass_kg) ? "The density is not in the text: give --density."
-                 : scales                            ? "The stiffness could not be read."
-                 : isnan(speed)                      ? "eps depends on the impact speed: give --speed."
-                                                     : "This law has no function in libcor.");
+    const int scales = !(scene->mass_kg > 0 && scene->stiffness > 0);
+    audit_say(a, scales && isnan(scene->radius_m)  ? "The radius is not in the text: give --radius."
+                 : scales && isnan(scene->mass_kg) ? "The density is not in the text: give --density."
+                 : scales                          ? "The stiffness could not be read."
+                 : isnan(speed)                    ? "eps depends on the impact speed: give --speed."
+                                                   : "This law has no function in libcor.");
 }
 
 /* ---- the time step ---- */
@@ -324,16 +318,16 @@ enum { PHASES = 128, PHASES_LEAST = 16, STEPS_OF_PHASES = 1 << 20 }; /* of cor_s
 #define STEPS_OF_SEARCH 2e7                                          /* of cor_scene_step_for, with this tolerance */
 #define LEAST_SEARCHED 1e-4
 
-/* Adds the error of the time step. Returns whether eps stays as near as the tolerance allows to `asked`, or, where that
- * is NaN, to what a time step of zero realises. */
-static int add_step(struct audit *a, struct cor_audit_finding *f, const struct outcome *o, double speed, double asked)
+/* Adds the error of the time step. Returns whether eps stays as near as the tolerance allows to what is asked, or, if
+ * nothing is, to what a time step of zero realises. */
+static int add_step(struct audit *a, struct cor_audit_finding *f, const struct cor_scene_contact *scene, double speed)
 {
     const double at = isnan(speed) ? 1 : speed, step = a->time_step / a->time;
-    const double elastic = cor_scene_elastic_duration_s(&o->scene, at), steps = elastic / step;
-    const double collision = o->duration / step, wished = isnan(asked) ? o->eps : asked;
+    const double elastic = cor_scene_elastic_duration_s(scene, at), steps = elastic / step;
+    const double collision = f->duration_s / step, wished = isnan(f->asked) ? f->realised : f->asked;
     const double allowed = a->options->tolerance * wished;
     struct cor_step_error error;
-    /* without a speed o->duration is NaN where the number of steps depends on it */
+    /* without a speed the duration is NaN where the number of steps depends on it */
     if (a->integrator == COR_NO_INTEGRATOR || !(collision > 0 && collision < INFINITY))
         return 1;
     if (steps < COR_SCENE_STEPS_MIN) {
@@ -341,22 +335,21 @@ static int add_step(struct audit *a, struct cor_audit_finding *f, const struct o
         return 0;
     }
     const double cost = fmax(PHASES_LEAST * collision, fmin(PHASES * collision, STEPS_OF_PHASES));
-    if (cost > a->steps_left ||
-        cor_scene_step_error(&error, &o->scene, at, (int)o->end, steps, a->integrator) != COR_OK)
+    if (cost > a->steps_left || cor_scene_step_error(&error, scene, at, f->end, steps, a->integrator) != COR_OK)
         return 1;
     a->steps_left -= cost;
     f->step_bias = error.bias;
     f->step_scatter = error.scatter;
-    if (fabs(o->eps + error.bias - wished) <= allowed && error.scatter <= allowed)
+    if (fabs(f->realised + error.bias - wished) <= allowed && error.scatter <= allowed)
         return 1;
     if (fabs(error.bias) <= allowed && error.scatter <= allowed)
         return 0; /* it is not the step that is to blame */
-    audit_say(a, "The time step makes eps % in the mean, with the standard deviation %.", o->eps + error.bias,
+    audit_say(a, "The time step makes eps % in the mean, with the standard deviation %.", f->realised + error.bias,
               error.scatter);
     double least;
     if (allowed >= LEAST_SEARCHED && a->steps_left >= STEPS_OF_SEARCH) {
         a->steps_left -= STEPS_OF_SEARCH;
-        if (cor_scene_step_for(&least, &o->scene, at, (int)o->end, allowed, a->integrator) == COR_OK)
+        if (cor_scene_step_for(&least, scene, at, f->end, allowed, a->integrator) == COR_OK)
             audit_say(a, "A time step of % or less keeps both errors below %.", elastic / least, allowed);
     }
     return 0;
@@ -364,8 +357,7 @@ static int add_step(struct audit *a, struct cor_audit_finding *f, const struct o
 
 /* ---- reports ---- */
 
-static void report(struct audit *a, const struct audit_contact *contact, const char *pair_name, const struct pair *pair,
-                   double speed)
+static void report(struct audit *a, const struct audit_contact *contact, const struct pair *pair, double speed)
 {
     const struct cor_simulator_model *model = contact->model ? model_named(a->simulator, contact->model) : NULL;
     const struct cor_simulator_model *other = model ? other_version(model) : NULL;
@@ -376,7 +368,7 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
     struct cor_audit_finding f = empty_finding(a);
     f.file = contact->file;
     f.line = contact->line;
-    f.pair = pair_name;
+    f.pair = a->pair;
     f.speed_m_s = speed;
     f.time_step_s = a->time_step;
     a->advice[0] = a->instead[0] = a->model[0] = '\0';
@@ -398,43 +390,29 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
     if (model && model->damping_of_e)
         f.asked = contact->number;
     if (model && !contact->unknown) {
-        const struct outcome o = solve(a, model, contact, pair, speed_here);
-        f.end = (int)o.end;
-        f.law = (int)model->law;
-        f.damping = o.damping;
-        f.realised = o.eps;
-        f.duration_s = o.duration * a->time;
+        const struct cor_scene_contact scene = solve(&f, a, model, contact, pair, speed_here);
         if (model->damping_of_e) {
-            f.as_asked = fabs(o.eps - f.asked) <= a->options->tolerance * f.asked;
+            f.as_asked = fabs(f.realised - f.asked) <= a->options->tolerance * f.asked;
             if (!f.as_asked)
-                advise_asked(a, model, contact, o.eps);
-            f.as_asked = add_step(a, &f, &o, speed_here, f.asked) && f.as_asked;
+                advise_asked(a, model, contact, f.realised);
+            f.as_asked = add_step(a, &f, &scene, speed_here) && f.as_asked;
             if (other && version == 0)
                 audit_say(a, "The model $ realises %.", other->model, cor_simulator_realised(other, contact->number));
-        } else if (isnan(o.eps)) {
-            advise_missing(a, &o, speed);
+        } else if (isnan(f.realised)) {
+            advise_missing(a, &scene, speed);
         } else {
             f.as_asked = -1;
-            add_step(a, &f, &o, speed_here, (double)NAN);
-            if (!cor_law_is_constant(&o.scene.law))
+            add_step(a, &f, &scene, speed_here);
+            if (!cor_law_is_constant(&scene.law))
                 audit_say(a, model->advice);
         }
+        f.duration_s *= a->time;
     }
     a->found++;
     a->unsettled += f.as_asked == 0;
     f.advice = a->advice;
     f.instead = a->instead;
     a->options->report(a->options->context, &f);
-}
-
-static void report_speeds(struct audit *a, const struct audit_contact *contact, const char *name,
-                          const struct pair *pair)
-{
-    const size_t given = a->options->speeds, speeds = given ? given : (size_t)a->speeds;
-    for (size_t i = 0; i < speeds; i++)
-        report(a, contact, name, pair, given ? a->options->speed_m_s[i] : a->speed[i]);
-    if (speeds == 0)
-        report(a, contact, name, pair, (double)NAN);
 }
 
 static int same_number(double x, double y)
@@ -482,10 +460,12 @@ static void report_pair(struct audit *a, const struct audit_contact *contact, in
 {
     const int one_size = same_number(a->type[i].radius[0], a->type[i].radius[1]) &&
                          same_number(a->type[j].radius[0], a->type[j].radius[1]);
+    const size_t given = a->options->speeds, speeds = given ? given : (size_t)a->speeds;
     for (int largest = 0; largest < (one_size ? 1 : 2); largest++) {
         const struct pair pair = pair_of(a, contact, i, j, largest);
         name_types(a, contact, i, j, all, one_size ? 0 : 1 + largest);
-        report_speeds(a, contact, a->pair, &pair);
+        for (size_t k = 0; k < (speeds > 0 ? speeds : 1); k++)
+            report(a, contact, &pair, speeds == 0 ? (double)NAN : given ? a->options->speed_m_s[k] : a->speed[k]);
     }
 }
 

@@ -304,7 +304,7 @@ void audit_set_variable(struct audit *a, const char *name, const char *text, int
 struct parser {
     struct audit *a;
     const char *at;
-    int depth;
+    int depth; /* of expressions in expressions, from 0 */
 };
 static double expression(struct parser *p, int level);
 
@@ -319,7 +319,7 @@ static double variable_value(struct parser *p, const char *name, size_t size)
     const struct audit_variable *const variable = audit_variable_named(p->a, name, size);
     if (!variable || p->depth >= AUDIT_DEPTH)
         return (double)NAN;
-    struct parser inner = {p->a, variable->text, p->depth + 1};
+    struct parser inner = {p->a, variable->text, p->depth};
     const double value = expression(&inner, 0);
     skip_space(&inner);
     return *inner.at ? (double)NAN : value;
@@ -362,9 +362,7 @@ static double named(struct parser *p)
         int arguments = 0;
         do {
             p->at++;
-            p->depth++;
             const double value = expression(p, 0);
-            p->depth--;
             if (arguments < 2)
                 argument[arguments] = value;
             arguments++;
@@ -398,9 +396,7 @@ static double primary(struct parser *p)
         return (double)NAN;
     if (*p->at == '(') {
         p->at++;
-        p->depth++;
         const double value = expression(p, 0);
-        p->depth--;
         skip_space(p);
         if (*p->at != ')')
             return (double)NAN;
@@ -409,9 +405,7 @@ static double primary(struct parser *p)
     }
     if (*p->at == '-' || *p->at == '+' || *p->at == '!') {
         const char sign = *p->at++;
-        p->depth++;
         const double value = expression(p, 5);
-        p->depth--;
         return sign == '-' ? -value : sign == '+' ? value : (double)(value == 0);
     }
     return is_letter(*p->at) ? named(p) : read_number(&p->at);
@@ -468,24 +462,24 @@ static double operate(const char *operation, double x, double y)
 /* Operators of at least this level; those of one level from the left */
 static double expression(struct parser *p, int level)
 {
+    p->depth++;
     double value = primary(p);
     for (;;) {
         int next = -1;
         skip_space(p);
         const char *const operation = operator_at(p->at, &next);
         if (!operation || next < level || p->a->evaluations > AUDIT_EVALUATIONS)
-            return value;
+            break;
         p->at += strlen(operation);
-        p->depth++;
-        const double right = expression(p, next + 1);
-        p->depth--;
-        value = operate(operation, value, right);
+        value = operate(operation, value, expression(p, next + 1));
     }
+    p->depth--;
+    return value;
 }
 
 double audit_value(struct audit *a, const char *text)
 {
-    struct parser p = {a, text, 0};
+    struct parser p = {a, text, -1};
     const double value = expression(&p, 0);
     skip_space(&p);
     return *p.at || !isfinite(value) ? (double)NAN : value;
