@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The clocks of corgen, of the benchmarks and of the figures of the papers. */
+/* The clock of corgen, of the benchmarks and of the figures of the papers. */
 #ifndef COR_GEN_SUPPORT_CLOCK_H
 #define COR_GEN_SUPPORT_CLOCK_H
 
 #include <time.h>
 
 /* Seconds of a monotonic clock; only differences have a meaning. */
-double clock_seconds(void);
-
-/* The time `seconds` from now, for a condition that waits by CLOCK_MONOTONIC */
-struct timespec clock_deadline(double seconds);
+static inline double clock_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
 
 #endif

@@ -4,12 +4,14 @@
 #endif
 #include "support/parallel.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "support/clock.h"
@@ -44,25 +46,31 @@ static const double PROGRESS_SECONDS = 0.2;
 struct loop {
     void (*task)(void *context, slong i);
     void *context;
-    void (*tick)(void *context); /* NULL: the progress of progress_enter */
+    int (*finish)(void *context, slong i); /* or NULL, and no tick and no list `ready` */
+    void (*tick)(void *context);
     slong count;
     atomic_long next;
-    pthread_mutex_t mutex; /* protects done */
+    atomic_int status;
+    pthread_mutex_t mutex; /* protects what follows */
     pthread_cond_t is_done;
-    slong done;
+    slong done, finished;
+    bool *ready;
 };
 
 /* Does one task, if any remains. */
 static bool loop_step(struct loop *loop)
 {
     const slong i = atomic_fetch_add(&loop->next, 1);
-    if (i >= loop->count)
+    if (i >= loop->count || loop->status)
         return false;
     within_task = true;
     loop->task(loop->context, i);
     within_task = false;
     pthread_mutex_lock(&loop->mutex);
-    if (++loop->done == loop->count)
+    if (loop->finish)
+        for (loop->ready[i] = true; !loop->status && loop->finished < loop->count && loop->ready[loop->finished];)
+            loop->status = loop->finish(loop->context, loop->finished++);
+    if (++loop->done == loop->count || loop->status)
         pthread_cond_signal(&loop->is_done);
     pthread_mutex_unlock(&loop->mutex);
     return true;
@@ -78,7 +86,7 @@ static void *loop_thread(void *argument)
 
 static void loop_tick(struct loop *loop)
 {
-    if (loop->tick)
+    if (loop->finish)
         loop->tick(loop->context);
     else
         progress_at(loop->done);
@@ -88,8 +96,9 @@ static void loop_tick(struct loop *loop)
 static void loop_watch(struct loop *loop)
 {
     pthread_mutex_lock(&loop->mutex);
-    while (loop->done < loop->count) {
-        const struct timespec until = clock_deadline(PROGRESS_SECONDS);
+    while (loop->done < loop->count && !loop->status) {
+        const double time = clock_seconds() + PROGRESS_SECONDS, whole = floor(time);
+        const struct timespec until = {(time_t)whole, (long)(1e9 * (time - whole))};
         pthread_cond_timedwait(&loop->is_done, &loop->mutex, &until);
         loop_tick(loop);
     }
@@ -104,7 +113,7 @@ static void loop_run(struct loop *loop)
     sigset_t all, before; /* no signal for the threads, so that the thread that cleans up receives them */
     slong started = 0;
     pthread_condattr_init(&attributes);
-    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC); /* that of clock_deadline */
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC); /* that of clock_seconds */
     pthread_cond_init(&loop->is_done, &attributes);
     pthread_condattr_destroy(&attributes);
     pthread_mutex_init(&loop->mutex, NULL);
@@ -138,8 +147,13 @@ void parallel_for(void (*task)(void *context, slong i), void *context, slong cou
     progress_leave();
 }
 
-void parallel_watched(void (*task)(void *context, slong i), void *context, slong count, void (*tick)(void *context))
+int parallel_in_order(void (*task)(void *context, slong i), int (*finish)(void *context, slong i),
+                      void (*tick)(void *context), void *context, slong count)
 {
-    struct loop loop = {.task = task, .context = context, .tick = tick, .count = count};
+    struct loop loop = {.task = task, .context = context, .finish = finish, .tick = tick, .count = count};
+    loop.ready = xmalloc((size_t)count);
+    memset(loop.ready, 0, (size_t)count);
     loop_run(&loop);
+    free(loop.ready);
+    return loop.status;
 }

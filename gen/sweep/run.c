@@ -15,8 +15,8 @@
 #include "support/gnuplot.h"
 #include "support/parallel.h"
 
-/* Memory for each mode while the modes are found, measured. */
-enum { MODE_BYTES = 900 };
+/* Memory for each mode while the modes are found, measured; rows of one parallel loop, whose results memory holds */
+enum { MODE_BYTES = 900, ROWS_AT_A_TIME = 1 << 14 };
 
 /* More cannot be told from one another. */
 enum { MOST_CURVES = 12, CURVE_TITLE = 3 * DECIMAL_TEXT };
@@ -33,6 +33,8 @@ struct collide {
 
     double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
     uint64_t finished, done;                          /* rows in all, and rows of this run */
+    uint64_t first;                                   /* of a loop, with ROWS_AT_A_TIME results */
+    struct sweep_result *result;
     size_t materials_left;
 };
 
@@ -85,16 +87,17 @@ static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *mo
 
 /* ---- rows ---- */
 
-static void collide_row(void *context, uint64_t number, void *result)
+static void collide_row(void *context, slong i)
 {
     struct collide *run = context;
-    sweep_collide(result, &run->sweep, number, &run->modes, &run->tables);
+    sweep_collide(&run->result[i], &run->sweep, run->first + (uint64_t)i, &run->modes, &run->tables);
 }
 
-static int row_finished(void *context, uint64_t number, const void *bytes)
+static int row_finished(void *context, slong i)
 {
     struct collide *run = context;
-    const struct sweep_result *const result = bytes;
+    const struct sweep_result *const result = &run->result[i];
+    const uint64_t number = run->first + (uint64_t)i;
     char line[SWEEP_LINE];
     sweep_line(line, &run->sweep, result);
     if (result->status == COR_ERROR_MEMORY)
@@ -127,7 +130,6 @@ static void sweep_tick(void *context)
 /* Collides all rows from `first` on. */
 static int collide_all(struct collide *run, uint64_t first)
 {
-    const struct threads_work work = {run, sizeof(struct sweep_result), collide_row, row_finished, sweep_tick};
     const uint64_t each = sweep_rows_of_material(&run->sweep);
     run->finished = first;
     if (first > 0 && first < run->sweep.rows && run->journal.last) {
@@ -135,8 +137,10 @@ static int collide_all(struct collide *run, uint64_t first)
         run->again_row = first - 1;
         first--;
     }
-    for (; first < run->sweep.rows; first = (first / each + 1) * each) {
+    run->result = xmalloc(ROWS_AT_A_TIME * sizeof *run->result);
+    for (uint64_t end; first < run->sweep.rows; first = end) {
         const size_t material = (size_t)(first / each);
+        end = (first / each + 1) * each;
         run->materials_left = run->sweep.poisson.count - material - 1;
         int status = find_modes(run, material);
         if (status == STATUS_OK && is_soft(&run->sweep))
@@ -145,7 +149,10 @@ static int collide_all(struct collide *run, uint64_t first)
             return status;
         profile_step("collisions");
         run->rows_started = clock_seconds();
-        status = threads_run(&work, first, (first / each + 1) * each);
+        for (run->first = first; run->first < end && status == STATUS_OK; run->first += ROWS_AT_A_TIME) {
+            const uint64_t rows = end - run->first < ROWS_AT_A_TIME ? end - run->first : ROWS_AT_A_TIME;
+            status = parallel_in_order(collide_row, row_finished, sweep_tick, run, (slong)rows);
+        }
         run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
         if (status != STATUS_OK)
@@ -281,6 +288,7 @@ int sweep_run(const struct sweep_request *request)
     if (status == STATUS_OK)
         status = run_checked(&run, request);
     free((void *)run.modes.mode);
+    free(run.result);
     hard_wall_tables_clear(&run.tables);
     return status;
 }

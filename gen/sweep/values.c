@@ -141,31 +141,27 @@ static int values_add_member(struct values *values, const struct values_rule *ru
     return status;
 }
 
-struct place {
-    double value;
-    size_t index;
-};
-
+/* Of places in a list: by value, and equal values in their order */
 static int compare_places(const void *a, const void *b)
 {
-    const struct place *x = a, *y = b;
-    if (x->value != y->value)
-        return x->value < y->value ? -1 : 1;
-    return x->index < y->index ? -1 : x->index > y->index;
+    const double *const *x = a, *const *y = b;
+    if (**x != **y)
+        return **x < **y ? -1 : 1;
+    return *x < *y ? -1 : *x > *y;
 }
 
 static void values_drop_repeated(struct values *values)
 {
-    struct place *place = xmalloc(values->count * sizeof *place);
+    double **place = xmalloc(values->count * sizeof *place);
     bool *repeated = xmalloc(values->count * sizeof *repeated);
     /* in reverse, so that a stable sort would not hide a comparison that ignores the index */
     for (size_t i = 0; i < values->count; i++)
-        place[values->count - 1 - i] = (struct place){values->nearest[i], i};
+        place[values->count - 1 - i] = values->nearest + i;
     qsort(place, values->count, sizeof *place, compare_places);
     for (size_t i = 0; i < values->count; i++)
-        repeated[place[i].index] = i > 0 && place[i].value == place[i - 1].value;
-    values->least = place[0].value;
-    values->largest = place[values->count - 1].value;
+        repeated[place[i] - values->nearest] = i > 0 && *place[i] == *place[i - 1];
+    values->least = *place[0];
+    values->largest = *place[values->count - 1];
     size_t kept = 0;
     for (size_t i = 0; i < values->count; i++) {
         if (!repeated[i]) {

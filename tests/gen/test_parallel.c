@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tasks on several threads: each once, never more at a time than there are threads, and tasks within tasks. */
+/* Tasks on several threads: each once, never more at a time than there are threads, tasks within tasks, and results in
+ * order. */
 #include "support/console.h" /* before cmocka, which has a macro fail */
 
 #include <stdatomic.h>
@@ -91,4 +92,62 @@ TEST(test_without_threads)
     assert_int_equal(atomic_load(&party.most_at_once), 1);
 }
 
-RUN_TESTS(test_without_threads, test_tasks)
+enum { ROWS = 40000, FAILURE = 7 };
+
+static struct crowd {
+    slong value[ROWS], next, stop_at; /* the task that is handed back next, and the last one */
+    slong slow, long_from;            /* a task that takes 300 ms, and the first that takes 10 ms */
+    atomic_int begun;                 /* of those */
+    int ticks;
+} crowd;
+
+static void crowd_work(void *context, slong i)
+{
+    struct crowd *const c = context;
+    if (parallel_threads() > 1 && (i % 997 == 0 || i == c->slow))
+        nanosleep(&(struct timespec){0, i == c->slow ? 300000000 : 3000000}, NULL);
+    if (i >= c->long_from) {
+        c->begun++;
+        nanosleep(&(struct timespec){0, 10000000}, NULL);
+    }
+    c->value[i] = i * i;
+}
+
+static int crowd_finish(void *context, slong i)
+{
+    struct crowd *const c = context;
+    check(i == c->next && c->value[i] == i * i, "task %ld", (long)i);
+    c->next++;
+    return i == c->stop_at ? FAILURE : 0;
+}
+
+static void crowd_tick(void *context)
+{
+    ((struct crowd *)context)->ticks++;
+}
+
+/* Every task once and in order, from any number of threads, and to where it is stopped */
+TEST(test_in_order)
+{
+    for (int threads = 1; threads <= 3; threads++) {
+        static const struct {
+            slong count, stop_at, slow, long_from, handed_back;
+        } runs[] = {{0, ROWS, ROWS, ROWS, 0},
+                    {5, ROWS, ROWS, ROWS, 5},
+                    {ROWS, ROWS, 100, ROWS, ROWS},
+                    {ROWS, 1234, 100, ROWS, 1235},
+                    {ROWS, 999, ROWS, 1000, 1000}}; /* of the tasks that wait then, none begins */
+        parallel_use(threads);
+        for (size_t k = 0; k < COUNT_OF(runs); k++) {
+            crowd = (struct crowd){.stop_at = runs[k].stop_at, .slow = runs[k].slow, .long_from = runs[k].long_from};
+            assert_int_equal(parallel_in_order(crowd_work, crowd_finish, crowd_tick, &crowd, runs[k].count),
+                             runs[k].stop_at < ROWS ? FAILURE : 0);
+            assert_int_equal(crowd.next, runs[k].handed_back);
+            check(crowd.begun < 30 * threads, "%d tasks of %d threads began", crowd.begun, threads);
+            check(crowd.ticks > 0 || runs[k].count < ROWS || runs[k].slow == ROWS, "no tick of %d threads", threads);
+        }
+    }
+    parallel_use(0);
+}
+
+RUN_TESTS(test_without_threads, test_tasks, test_in_order)

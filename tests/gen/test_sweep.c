@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: lists, rows, the threads that compute them, and the journal that survives whatever ends it. */
+/* Sweeps: lists, rows, and the journal that survives whatever ends it. */
 #define _DEFAULT_SOURCE /* mkdtemp, truncate */
-#include <stdatomic.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,7 +10,6 @@
 #include "check.h"
 
 #include "cor/status.h"
-#include "support/parallel.h"
 #include "sweep/run.h"
 
 /* ---- lists ---- */
@@ -210,74 +208,6 @@ TEST(test_digits)
         char longest[DECIMAL_TEXT], *const cell = strstr(line, ",100,") + 5;
         check((double)strcspn(cell, ",") <= fmin(4 - log10(error), (double)strlen(decimal_text(longest, eps))),
               "%g: %s", error, line);
-    }
-}
-
-/* ---- the threads ---- */
-
-enum { TASKS = 40000 };
-
-struct crowd {
-    atomic_uint_fast64_t next;
-    uint64_t stop_at, slow, long_from; /* tasks from there take 10 ms */
-    atomic_int begun;                  /* of them */
-    bool uneven;
-};
-
-static void crowd_work(void *context, uint64_t task, void *result)
-{
-    struct crowd *crowd = context;
-    if (crowd->uneven && (task % 997 == 0 || task == crowd->slow)) {
-        const struct timespec nap = {0, task == crowd->slow ? 300000000 : 3000000};
-        nanosleep(&nap, NULL);
-    }
-    if (task >= crowd->long_from) {
-        crowd->begun++;
-        nanosleep(&(struct timespec){0, 10000000}, NULL);
-    }
-    const bool right = task < atomic_load(&crowd->next) + THREADS_AT_A_TIME;
-    const uint64_t value = right ? task * task : 1;
-    memcpy(result, &value, sizeof value);
-}
-
-static int crowd_finish(void *context, uint64_t task, const void *result)
-{
-    struct crowd *crowd = context;
-    uint64_t value;
-    memcpy(&value, result, sizeof value);
-    check(task == crowd->next && value == task * task, "task %llu", (unsigned long long)task);
-    crowd->next++;
-    return task == crowd->stop_at ? 7 : 0;
-}
-
-/* Every task once and in order, from any number of threads, in runs one behind the other, and to where it is stopped.
- */
-TEST(test_threads)
-{
-    for (int count = 1; count <= 3; count++) {
-        struct crowd crowd = {.stop_at = UINT64_MAX, .slow = 100, .long_from = UINT64_MAX, .uneven = count > 1};
-        const struct threads_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_finish, NULL};
-        parallel_use(count);
-        assert_int_equal(threads_run(&work, 0, 0), 0);
-        assert_int_equal(threads_run(&work, 0, 5), 0);
-        assert_int_equal(threads_run(&work, 5, TASKS), 0);
-        assert_int_equal(crowd.next, TASKS);
-        crowd.next = 1000;
-        crowd.stop_at = 1234;
-        assert_int_equal(threads_run(&work, 1000, TASKS), 7);
-        assert_int_equal(crowd.next, 1235);
-        /* of the tasks that wait then, none begins */
-        crowd.next = 0;
-        crowd.slow = UINT64_MAX;
-        crowd.stop_at = 999;
-        crowd.long_from = 1000;
-        assert_int_equal(threads_run(&work, 0, TASKS), 7);
-        check(crowd.begun < 30 * count, "%d tasks of %d threads began", crowd.begun, count);
-        crowd.long_from = UINT64_MAX;
-        crowd.next = 3;
-        crowd.stop_at = UINT64_MAX;
-        assert_int_equal(threads_run(&work, 3, 20), 0);
-        assert_int_equal(crowd.next, 20);
     }
 }
 
@@ -491,5 +421,5 @@ TEST(test_rayleigh)
     sweep_clear(&sweep);
 }
 
-RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_threads, test_journal_damaged,
+RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_journal_damaged,
           test_journal_shared, test_longest_list, test_hard_wall, test_digits, test_rayleigh)
