@@ -18,7 +18,7 @@ enum {
     TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/theory.md, 4 */
     GUARD_BITS = 64,     /* more bits than requested */
     LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, start value */
-    ATTEMPTS = 4,        /* the last has eight times the bits of the first */
+    MOST_TIMES = 8,      /* the bits of the last attempt, those of the first being 1 */
     ROOT_BITS = 40,      /* relative bits of a printed root */
     PLACE_DIGITS = 8
 };
@@ -468,7 +468,8 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
 
     const slong degrees = r->numerator + r->denominator;
     /* A truly degenerate entry never becomes regular, so the block is reported after a few doublings. */
-    struct precision p = precision_doubling(bits + LOSS_PER_DEGREE * degrees + GUARD_BITS, ATTEMPTS);
+    const slong first = bits + LOSS_PER_DEGREE * degrees + GUARD_BITS;
+    struct precision p = precision_doubling(first, MOST_TIMES * first);
     slong power = 0;
     const char *open = NULL;
     int status = 1;

@@ -19,6 +19,8 @@ static int check_request(const struct tables_request *o)
     if (o->digits && (o->poisson.text || o->check || o->all || o->directory))
         return usage_error("--digits prints the digits of all tables and goes with no other option%s",
                            o->poisson.text ? "; corgen disk-modes prints those of modes" : "");
+    if (o->directory && strcmp(o->directory, "-") == 0)
+        return usage_error("--output: '-' is no directory; files go to one, and --digits prints all numbers");
     if (!o->poisson.text)
         return STATUS_OK;
     if (strlen(o->poisson.text) > DISK_TABLE_POISSON)

@@ -2,6 +2,7 @@
 #include "disk/modes.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -123,7 +124,7 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
     struct disk disk = *wide;
     LOCAL(arf, low, high, middle);
     LOCAL(arb, x);
-    struct precision p = precision_doubling_to(bits < limit / 4 ? 64 : bits, limit);
+    struct precision p = precision_doubling(bits < limit / 4 ? 64 : bits, limit);
     disk.prec = p.bits;
     bool found = false, enclosed = false, enough = p.bits <= limit;
 
@@ -197,13 +198,13 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, s
 
 struct work {
     const struct disk *disk; /* with more bits than any step needs */
+    slong digits;
     struct disk_mode *mode;
-    struct precision *precision;
     slong *which; /* modes to be computed */
-    bool *failed;
+    struct precision precision;
+    atomic_bool failed;
     slong *below;
     const arb_struct *w;
-    slong digits;
 };
 
 /* The lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it. If they
@@ -237,18 +238,21 @@ static bool number_is_decided(const arb_t x, slong digits)
 
 static void enclose_one(void *pointer, slong i)
 {
-    const struct work *work = pointer;
-    const slong index = work->which[i];
-    struct disk_mode *mode = &work->mode[index];
-    struct precision *p = &work->precision[index];
+    struct work *const work = pointer;
+    struct disk_mode *const mode = &work->mode[work->which[i]];
+    struct precision p = work->precision;
     LOCAL(arb, start);
     arb_set(start, mode->omega);
     bool decided = false;
     do {
-        decided = enclose(mode, work->disk, start, p->bits, p->limit) && number_is_decided(mode->omega, work->digits) &&
+        decided = enclose(mode, work->disk, start, p.bits, p.limit) && number_is_decided(mode->omega, work->digits) &&
                   number_is_decided(mode->c, work->digits) && number_is_decided(mode->s, work->digits);
-    } while (!decided && precision_raise(p));
-    work->failed[index] = !decided;
+    } while (!decided && precision_raise(&p));
+    if (!decided && !atomic_exchange(&work->failed, true)) {
+        char what[96];
+        snprintf(what, sizeof what, "mode n = %ld, l = %ld", (long)mode->n, (long)mode->l);
+        precision_spent(&p, what, work->digits);
+    }
 }
 
 static int by_omega(const void *a, const void *b)
@@ -261,7 +265,7 @@ static void count_order(void *pointer, slong i)
 {
     const struct work *work = pointer;
     const slong n = i;
-    struct precision p = precision_doubling_to(64, 2 * precision_start(work->digits).limit);
+    struct precision p = precision_doubling(64, 2 * precision_start(work->digits).limit);
     do {
         struct disk disk = *work->disk;
         disk.prec = p.bits;
@@ -297,51 +301,35 @@ static slong count_all(const struct disk_modes *modes, slong count, const struct
 static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong digits)
 {
     const size_t count = (size_t)modes->count;
+    struct disk_mode *const mode = modes->mode;
     struct work work = {.disk = wide,
                         .digits = digits,
-                        .mode = modes->mode,
-                        .precision = xmalloc(count * sizeof *work.precision),
+                        .mode = mode,
                         .which = xmalloc(count * sizeof *work.which),
-                        .failed = xmalloc(count * sizeof *work.failed)};
-    for (slong i = 0; i < modes->count; i++) {
-        work.precision[i] = precision_start(digits);
-        work.which[i] = i;
-    }
-    int status = STATUS_OK;
+                        .precision = precision_start(digits)};
     slong todo = modes->count;
-    while (todo > 0 && status == STATUS_OK) {
+    for (slong i = 0; i < todo; i++)
+        work.which[i] = i;
+    while (todo > 0 && !work.failed) {
         parallel_for(enclose_one, &work, todo, "enclosing modes");
-        for (slong i = 0; i < todo && status == STATUS_OK; i++) {
-            const struct disk_mode *mode = &modes->mode[work.which[i]];
-            if (work.failed[work.which[i]]) {
-                char what[96];
-                snprintf(what, sizeof what, "mode n = %ld, l = %ld", (long)mode->n, (long)mode->l);
-                status = precision_spent(&work.precision[work.which[i]], what, digits);
-            }
-        }
-        /* A mode that is computed twice may change its place, and its precision moves with it. Both modes of a pair
-         * therefore get the same precision. */
-        qsort(modes->mode, count, sizeof *modes->mode, by_omega);
+        qsort(mode, count, sizeof *mode, by_omega);
         todo = 0;
-        for (slong i = 1; i < modes->count && status == STATUS_OK; i++) {
-            if (arb_lt(modes->mode[i - 1].omega, modes->mode[i].omega))
+        for (slong i = 1; i < modes->count; i++) {
+            if (arb_lt(mode[i - 1].omega, mode[i].omega))
                 continue;
             if (todo == 0 || work.which[todo - 1] != i - 1)
                 work.which[todo++] = i - 1;
             work.which[todo++] = i;
         }
-        for (slong i = 0; i < todo && status == STATUS_OK; i++) {
-            struct precision *p = &work.precision[work.which[i]];
-            if (!precision_raise(p))
-                status = fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not decide which is lower",
-                              (long)modes->mode[work.which[i > 0 ? i - 1 : 0]].n, (long)modes->mode[work.which[i]].n,
-                              ball_middle(modes->mode[work.which[i]].omega), (long)p->bits);
+        if (todo > 0 && !work.failed && !precision_raise(&work.precision)) {
+            fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not decide which is lower",
+                 (long)mode[work.which[0]].n, (long)mode[work.which[1]].n, ball_middle(mode[work.which[0]].omega),
+                 (long)work.precision.bits);
+            work.failed = true;
         }
     }
-    free(work.precision);
     free(work.which);
-    free(work.failed);
-    return status;
+    return work.failed ? STATUS_FAILED : STATUS_OK;
 }
 
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits)

@@ -8,6 +8,7 @@
 
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/emit_c.h"
 
 const char *const plan_quantity_names[] = {
     [PLAN_EPS] = "eps", [PLAN_CONTACT_TIME] = "contact-time", [PLAN_COMPRESSION] = "compression", NULL};
@@ -135,8 +136,7 @@ static void print_error(char *text, size_t size, double error)
         snprintf(text, size, "%s", isinf(error) ? "none" : "0");
         return;
     }
-    const double unit = pow(10, floor(log10(error)) - 1);
-    snprintf(text, size, "%.2g", ceil(error / unit * (1 - 1e-12)) * unit);
+    snprintf(text, size, "%.2g", strtod(emit_bound(error * (1 - 1e-12)).text, NULL));
 }
 
 static void print_text(const struct plan *plan, FILE *file)

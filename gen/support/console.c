@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -112,24 +113,20 @@ static void *gmp_realloc(void *old, size_t old_size, size_t size)
     return xrealloc(old, size);
 }
 
+/* Bytes of the machine; infinite where the system does not tell, as other limits are */
 static double physical_memory(void)
 {
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-    return pages > 0 && page > 0 ? (double)pages * (double)page : 0.0;
-}
-
-static double memory_limit(void)
-{
-    const double physical = physical_memory();
-    struct rlimit limit;
-    const bool limited = getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-    return limited && !(physical > 0 && physical < (double)limit.rlim_cur) ? (double)limit.rlim_cur : physical;
+    return pages > 0 && page > 0 ? (double)pages * (double)page : (double)INFINITY;
 }
 
 int console_need(double bytes, const char *advice, const char *format, ...)
 {
-    const double memory = memory_limit();
-    if (!(memory > 0) || bytes <= memory)
+    struct rlimit limit;
+    double memory = physical_memory();
+    if (getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        memory = fmin(memory, (double)limit.rlim_cur);
+    if (bytes <= memory)
         return STATUS_OK;
     va_list arguments;
     va_start(arguments, format);
@@ -155,11 +152,11 @@ int console_need(double bytes, const char *advice, const char *format, ...)
 /* Beyond the physical memory a machine swaps or kills the process. A refused allocation can be reported. */
 static void limit_memory_to_physical(void)
 {
-    const rlim_t physical = (rlim_t)physical_memory();
+    const double physical = physical_memory();
     struct rlimit limit;
-    if (SANITIZED || physical == 0 || getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= physical)
+    if (SANITIZED || isinf(physical) || getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= (rlim_t)physical)
         return;
-    limit.rlim_cur = physical;
+    limit.rlim_cur = (rlim_t)physical;
     setrlimit(RLIMIT_DATA, &limit);
 }
 
@@ -190,25 +187,6 @@ static struct {
     int depth; /* number of entered steps that are not left yet */
 } outer;
 
-/* Whether to write the line now. Sets *elapsed to the seconds since the first call of the step. */
-static bool progress_due(double *elapsed)
-{
-    static int terminal = -1;
-    if (terminal < 0)
-        terminal = isatty(STDERR_FILENO);
-    if (!terminal)
-        return false;
-    const double now = clock_seconds();
-    if (progress_started < 0)
-        progress_started = now;
-    *elapsed = now - progress_started;
-    if (*elapsed < 1 || now - progress_updated < 1.0 / (double)UPDATES_PER_SECOND)
-        return false;
-    progress_updated = now;
-    progress_shown = true;
-    return true;
-}
-
 static void progress_erase(void)
 {
     line_erase();
@@ -217,9 +195,19 @@ static void progress_erase(void)
 
 static void progress_show(const char *step, long done, long total, double left)
 {
-    double elapsed;
-    if (!progress_due(&elapsed))
+    static int terminal = -1;
+    if (terminal < 0)
+        terminal = isatty(STDERR_FILENO);
+    if (!terminal)
         return;
+    const double now = clock_seconds();
+    if (progress_started < 0)
+        progress_started = now;
+    const double elapsed = now - progress_started;
+    if (elapsed < 1 || now - progress_updated < 1.0 / (double)UPDATES_PER_SECOND)
+        return;
+    progress_updated = now;
+    progress_shown = true;
     if (total > 0)
         fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
     else

@@ -32,31 +32,14 @@ static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong least_bits
 /* The shortest spelling that shows every digit of "-12345" with the point after the first `point` digits */
 static char *digits_spell(const char *mantissa, long point)
 {
-    size_t size = strlen(mantissa) + 48;
-    char *text = xmalloc(size);
-    char *end = text;
-    if (*mantissa == '-')
-        *end++ = *mantissa++;
-    long n = (long)strlen(mantissa);
-    if (point > 0 && point <= n) {
-        memcpy(end, mantissa, (size_t)point);
-        end += point;
-        if (point < n)
-            *end++ = '.';
-        memcpy(end, mantissa + point, (size_t)(n - point) + 1);
-    } else if (point <= 0 && -point <= LEADING_ZEROS_MAX) {
-        *end++ = '0';
-        *end++ = '.';
-        memset(end, '0', (size_t)-point);
-        end += -point;
-        memcpy(end, mantissa, (size_t)n + 1);
-    } else {
-        *end++ = *mantissa++;
-        if (*mantissa)
-            *end++ = '.';
-        snprintf(end, size - (size_t)(end - text), "%se%ld", mantissa, point - 1);
-    }
-    return text;
+    static const char zeros[LEADING_ZEROS_MAX + 1] = "0000";
+    const char *const sign = *mantissa == '-' ? "-" : "", *const digits = mantissa + strlen(sign);
+    const long n = (long)strlen(digits);
+    if (point > 0 && point <= n)
+        return xprintf("%s%.*s%s%s", sign, (int)point, digits, point < n ? "." : "", digits + point);
+    if (point <= 0 && -point <= LEADING_ZEROS_MAX)
+        return xprintf("%s0.%.*s%s", sign, (int)-point, zeros, digits);
+    return xprintf("%s%c%s%se%ld", sign, *digits, n > 1 ? "." : "", digits + 1, point - 1);
 }
 
 char *digits_of_ball(const arb_t x, slong digits)
@@ -116,18 +99,10 @@ struct precision precision_start(slong digits)
     return (struct precision){.bits = bits, .step = FIRST_STEP, .limit = 3 * bits + 512};
 }
 
-struct precision precision_doubling(slong bits, int attempts)
+struct precision precision_doubling(slong bits, slong limit)
 {
-    /* the step doubles, too: bits + bits, + 2 bits, + 4 bits, ... */
-    return (struct precision){.bits = bits, .step = bits, .limit = bits << (attempts - 1)};
-}
-
-struct precision precision_doubling_to(slong bits, slong limit)
-{
-    int attempts = 1;
-    while (bits << attempts <= limit)
-        attempts++;
-    return precision_doubling(bits, attempts);
+    /* the step doubles, too: bits + bits, + 2 bits, + 4 bits, ..., from the last half of the limit on no more */
+    return (struct precision){.bits = bits, .step = bits, .limit = limit / 2 + 1};
 }
 
 bool precision_raise(struct precision *p)

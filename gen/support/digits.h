@@ -32,11 +32,8 @@ struct precision {
  * number that is undecided there must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
 struct precision precision_start(slong digits);
 
-/* Start from `bits` bits, which double with each attempt, for `attempts` attempts in all. */
-struct precision precision_doubling(slong bits, int attempts);
-
 /* Start from `bits` bits, which double as long as they do not exceed `limit`. */
-struct precision precision_doubling_to(slong bits, slong limit);
+struct precision precision_doubling(slong bits, slong limit);
 
 /* Raises the number of bits. Returns false at the limit. */
 bool precision_raise(struct precision *p);

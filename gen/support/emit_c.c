@@ -34,14 +34,23 @@ static void put_comment(FILE *file, const char *text)
 
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner)
 {
-    e->file = file;
-    e->guard = guard;
-    e->decimal = false;
-    e->single = false;
-    e->shared = false;
+    *e = (struct emit){.file = file};
     fprintf(file, "/* SPDX-License-Identifier: MIT */\n");
     put_comment(file, banner);
     fprintf(file, "#ifndef %s\n#define %s\n", guard, guard);
+}
+
+void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *what, const char *how,
+                      const char *includes)
+{
+    char *const guard = xprintf("COR_GENERATED_%s_TABLES_H", name),
+                *const banner =
+                    xprintf("%s\nWritten by:  corgen tables\nChecked by:  corgen tables --check\n\n%s", what, how);
+    emit_capitals(guard);
+    emit_open(e, file, guard, banner);
+    fputs(includes, file);
+    free(guard);
+    free(banner);
 }
 
 void emit_close(struct emit *e)

@@ -10,7 +10,6 @@
 
 struct emit {
     FILE *file;
-    const char *guard;
     bool single;              /* emit_lines and those after it write float */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                    * hexadecimal */
@@ -31,6 +30,12 @@ void emit_digits(FILE *file);
  * text can end the comment early. */
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner);
 void emit_close(struct emit *e);
+
+/* The same for NAME_tables.h of generated/: `what` it has, the commands that write and check it, and how its errors are
+ * known; then lines that include other headers */
+void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *what, const char *how,
+                      const char *includes);
+#define EMIT_INCLUDE_ROWS "#include \"runtime/table/rows.h\"\n"
 
 /* Writes a comment on lines of its own, after an empty line. */
 void emit_comment(struct emit *e, const char *format, ...) __attribute__((format(printf, 2, 3)));

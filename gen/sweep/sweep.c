@@ -10,6 +10,7 @@
 #include "cor/status.h"
 #include "disk/modes.h"
 #include "support/console.h"
+#include "support/emit_c.h"
 
 const struct values_rule sweep_speed = {
     "speed",
@@ -152,18 +153,6 @@ static const char *status_word(char text[DECIMAL_TEXT], int status)
     return text;
 }
 
-/* Two digits of an error, rounded up */
-static const char *error_text(char text[DECIMAL_TEXT], double error)
-{
-    if (!(error > 0 && error < (double)INFINITY))
-        return decimal_text(text, error);
-    snprintf(text, DECIMAL_TEXT, "%.1e", error);
-    const int up = strtod(text, NULL) < error, digits = 10 * (text[0] - '0') + text[2] - '0';
-    const int exponent = (int)strtol(strchr(text, 'e') + 1, NULL, 10);
-    snprintf(text, DECIMAL_TEXT, "%de%d", digits + up, exponent - 1);
-    return decimal_text(text, strtod(text, NULL));
-}
-
 /* A number with so many decimals, or significant digits, or a shorter text that reads back to the same double */
 static const char *known_text(char text[DECIMAL_TEXT], bool decimals, int digits, double x)
 {
@@ -184,7 +173,7 @@ static const char *cell_text(char text[DECIMAL_TEXT], char kind, int decimals, d
     case COLUMN_SMALL:
         return known_text(text, false, SMALL_DIGITS, x);
     case COLUMN_ERROR:
-        return error_text(text, x);
+        return decimal_text(text, x > 0 ? strtod(emit_bound(x).text, NULL) : x);
     case COLUMN_COUNT:
     case COLUMN_STEPS:
         snprintf(text, DECIMAL_TEXT, "%.0f", x);

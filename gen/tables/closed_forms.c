@@ -216,22 +216,18 @@ static int emit_form(struct emit *e, const struct closed_form *law, enum form fo
     return pieces_write(e, &p, (struct pieces_function){closed_form_at, &rows});
 }
 
-static const char banner[] =
+static const char what[] =
     "eps and beta or zeta of eps for the linear dashpot, Tsuji's damping and Hunt and Crossley's law: rows of short\n"
     "polynomials around the nodes of uniform grids and by octaves. Evaluated by runtime/law/closed_form.h. Source:\n"
-    "docs/laws.md; form: docs/internals.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "The rows interpolate enclosures to 200 bits. Errors of the rows stand above each table (sampled); errors of\n"
-    "evaluation: include/cor/law.h (sampled).\n";
+    "docs/laws.md; form: docs/internals.md.\n",
+                  how[] = "The rows interpolate enclosures to 200 bits. Errors of the rows stand above each table "
+                          "(sampled); errors of\n"
+                          "evaluation: include/cor/law.h (sampled).\n";
 
 int closed_form_tables_write(FILE *file)
 {
     struct emit e;
-    emit_open(&e, file, "COR_GENERATED_CLOSED_FORM_TABLES_H", banner);
-    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
+    emit_open_tables(&e, file, "closed_form", what, how, EMIT_INCLUDE_ROWS);
     int status = STATUS_OK;
     for (int i = 0; i < LAWS; i++)
         for (int form = LOSS_QUOTIENT; form <= DAMPING && status == STATUS_OK; form++)

@@ -268,6 +268,5 @@ int tables_run(const struct tables_request *request)
     for (int i = 0; i < CONTENTS; i++)
         free(c[i].text);
     sphere_tables_clear();
-    disk_limits_clear();
     return status;
 }

@@ -73,13 +73,11 @@ int disk_file_write(FILE *file, const struct disk_table *table);
 
 struct cor_disk_limit_piece;
 
-/* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. The table stays in memory until
- * disk_limits_clear. */
+/* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. */
 int disk_limits_collide(void); /* computes all collisions */
 /* Whether a table is in memory: that of disk_limits_collide, or that with which corgen was built, with other pieces
  * unless `piece` is NULL. A corgen of COR_BOOTSTRAP is built with none. */
 bool disk_limits_known(const struct cor_disk_limit_piece *piece);
-void disk_limits_clear(void);
 
 /* Writes the table in memory. */
 int disk_limits_write(FILE *file);

@@ -241,21 +241,18 @@ static void write_embedded(FILE *file, struct emit *e, const struct law_tables *
 
 static void write_included(FILE *file, struct emit *e, const struct law_tables *t, const char *accuracy)
 {
-    char *const banner =
+    char *const what =
         xprintf("Hertz's contact with a constant dashpot, %s, x(0) = 0, x'(0) = 1,\n"
-                "both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: "
-                "docs/theory.md, 9;\n"
-                "form: docs/internals.md.\n"
-                "\n"
-                "Written by:  corgen tables\n"
-                "Checked by:  corgen tables --check\n"
-                "\n"
-                "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits "
-                "of\neach. In the functions\n%s",
-                law_equation(&t->layout.interpolant.law).text, accuracy);
-    emit_open(e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);
-    fprintf(file, "\n#include \"runtime/table/law.h\"\n#include \"runtime/table/rows.h\"\n");
-    free(banner);
+                "both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: docs/theory.md, 9;\n"
+                "form: docs/internals.md.\n",
+                law_equation(&t->layout.interpolant.law).text);
+    char *const how =
+        xprintf("Each double is the one nearest to its coefficient: proved; corgen tables --digits prints "
+                "25 digits of\neach. In the functions\n%s",
+                accuracy);
+    emit_open_tables(e, file, "hertz_dashpot", what, how, "\n#include \"runtime/table/law.h\"\n" EMIT_INCLUDE_ROWS);
+    free(what);
+    free(how);
 }
 
 /* prefix: of the functions, where the library has them; NULL: an embedded header */

@@ -373,34 +373,28 @@ static const struct time_rows disk_rows[] = {
 };
 enum { DISK_ROWS = sizeof disk_rows / sizeof *disk_rows, DISK_HEAD_BITS = 26 };
 
-static int emit_times(struct emit *e, const struct time_rows *rows, slong head_bits)
-{
-    const bool octaves = !rows->damping;
-    const slong count =
-        (slong)(octaves ? log2(rows->end / rows->from) / rows->step : (rows->end - rows->from) / rows->step + 0.5);
-    struct pieces p = {.variable = octaves ? VARIABLE_BETA_OCTAVES : VARIABLE_OTHER,
-                       .words = rows->variable,
-                       .first = octaves ? log2(rows->from) : rows->from + rows->step / 2,
-                       .step = rows->step,
-                       .end = rows->end,
-                       .octave_bits = octaves ? (slong)-log2(rows->step) : 0,
-                       .rows = count,
-                       .plain = count,
-                       .degree = 10,
-                       .name = rows->name,
-                       .title = rows->title,
-                       .head_bits = head_bits,
-                       .least_bits = rows->least_bits};
-    return sampled_function_write(e, &p, time_at, rows);
-}
-
 /* head_bits of c_0, 0: all */
 static int emit_rows_of(struct emit *e, const struct time_rows *rows, int n, slong head_bits)
 {
     int status = STATUS_OK;
-    for (int i = 0; i < n && status == STATUS_OK; i++) {
+    for (int i = 0; i < n && status == STATUS_OK; i++, rows++) {
+        const bool octaves = !rows->damping;
+        const double cells = octaves ? log2(rows->end / rows->from) : rows->end - rows->from;
+        struct pieces p = {.variable = octaves ? VARIABLE_BETA_OCTAVES : VARIABLE_OTHER,
+                           .words = rows->variable,
+                           .first = octaves ? log2(rows->from) : rows->from + rows->step / 2,
+                           .step = rows->step,
+                           .end = rows->end,
+                           .octave_bits = octaves ? (slong)-log2(rows->step) : 0,
+                           .rows = (slong)(cells / rows->step + (octaves ? 0 : 0.5)),
+                           .degree = 10,
+                           .name = rows->name,
+                           .title = rows->title,
+                           .head_bits = head_bits,
+                           .least_bits = rows->least_bits};
+        p.plain = p.rows;
         progress("tables of laws", i, n);
-        status = emit_times(e, &rows[i], head_bits);
+        status = sampled_function_write(e, &p, time_at, rows);
     }
     progress_end();
     return status;
@@ -462,10 +456,11 @@ static slong far_row(arb_ptr row, const struct far_form *f)
     return columns;
 }
 
-static int far_emit(struct emit *e, const struct far_form *f, int n)
+static int far_emit(struct emit *e, const char *comment, const struct far_form *f, int n)
 {
     LOCAL_VECTOR(row, FAR_MOST);
     int status = STATUS_OK;
+    emit_comment(e, "%s", comment);
     for (int i = 0; i < n && status == STATUS_OK; i++) {
         const slong columns = far_row(row, &f[i]);
         status = columns > 0 ? emit_one_row(e, f[i].name, row, columns) : STATUS_FAILED;
@@ -539,41 +534,32 @@ static const struct far_form overlap_far = {
     .name = "cor_rows_tsuji_far_overlap_factor", .equation = overlap_equation, .terms = 8, .split = 1};
 
 /* How both files are made and known: the end of their banners */
-#define SOURCE_OF_ROWS                                                                                                 \
-    "Written by:  corgen tables\n"                                                                                     \
-    "Checked by:  corgen tables --check\n"                                                                             \
-    "\n"                                                                                                               \
-    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures "   \
-    "by\n"                                                                                                             \
-    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table\n"    \
-    "(sampled); errors of evaluation: include/cor/law.h (sampled).\n"
+static const char how_times[] =
+    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
+    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table\n"
+    "(sampled); errors of evaluation: include/cor/law.h (sampled).\n";
 
-static const char tsuji_banner[] =
+static const char tsuji_times[] =
     "Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the\n"
     "sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
-    "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n"
-    "\n" SOURCE_OF_ROWS;
+    "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n";
 
 int tsuji_tables_write(FILE *file)
 {
     struct emit e;
-    emit_open(&e, file, "COR_GENERATED_TSUJI_TABLES_H", tsuji_banner);
-    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
-    int status = emit_rows_of(&e, tsuji_rows, TSUJI_ROWS, 0);
-    emit_comment(&e,
+    emit_open_tables(&e, file, "tsuji", tsuji_times, how_times, EMIT_INCLUDE_ROWS);
+    const int status =
+        emit_rows_of(&e, tsuji_rows, TSUJI_ROWS, 0) ||
+        far_emit(&e,
                  "ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u\n"
                  "+ mu (a_2 + a_3 u + a_4 u^2); with the limited damper and mu = 1/zeta: t = a_0 + a_0' + (a_1 + a_1') "
-                 "mu\n"
-                 "+ a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). Through enclosed values with u = 13, "
-                 "13.75, ...");
-    if (status == STATUS_OK)
-        status = far_emit(&e, tsuji_far, TSUJI_FORMS);
-    emit_comment(&e, "y >= 10: V = y^(-4/5) (v_0 + v_0' + v_1/y^2 + ... + v_7/y^14), through values at y = 10 ... 52; "
-                     "relative error below 2^-57, sampled.");
-    if (status == STATUS_OK)
-        status = overlap_far_check(&overlap_far);
-    if (status == STATUS_OK)
-        status = far_emit(&e, &overlap_far, 1);
+                 "mu\n+ a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). Through enclosed values with u = 13, 13.75, ...",
+                 tsuji_far, TSUJI_FORMS) ||
+        overlap_far_check(&overlap_far) ||
+        far_emit(&e,
+                 "y >= 10: V = y^(-4/5) (v_0 + v_0' + v_1/y^2 + ... + v_7/y^14), through values at y = 10 ... 52; "
+                 "relative error below 2^-57, sampled.",
+                 &overlap_far, 1);
     emit_close(&e);
     return status;
 }
@@ -636,52 +622,46 @@ static void rebound_coefficients(arb_ptr c, const struct far_form *f)
 static const struct far_form loading_far[] = {LOADING_FAR(1, {1, 2}), LOADING_FAR(3_2, {3, 5})},
                              rebound_far[] = {REBOUND_FAR(1, {1, 2}), REBOUND_FAR(3_2, {3, 5})};
 
-static const char crossley_banner[] =
+static const char crossley_times[] =
     "Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units of\n"
     "(m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in ln(1 + beta), "
     "and\n"
     "what follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: docs/laws.md; form:\n"
-    "docs/internals.md.\n"
-    "\n" SOURCE_OF_ROWS;
+    "docs/internals.md.\n";
 
 int hunt_crossley_tables_write(FILE *file)
 {
     struct emit e;
-    emit_open(&e, file, "COR_GENERATED_HUNT_CROSSLEY_TABLES_H", crossley_banner);
-    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
-    int status = emit_rows_of(&e, crossley_rows, CROSSLEY_ROWS, 0);
-    emit_comment(&e, "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
-                     "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K "
-                     "exact, k_j through\n"
-                     "three enclosed values.");
-    if (status == STATUS_OK)
-        status = far_emit(&e, loading_far, 2);
-    emit_comment(&e, "s >= 4.5: the rebound takes beta^(2k-1) (a+1)^-k ((a+1) U^(1-k) + U^-k (c_1/U + ... + "
-                     "c_11/U^11)),\n"
-                     "U = 1 + beta - ln(1 + beta). Exact coefficients.");
-    if (status == STATUS_OK)
-        status = far_emit(&e, rebound_far, 2);
+    emit_open_tables(&e, file, "hunt_crossley", crossley_times, how_times, EMIT_INCLUDE_ROWS);
+    const int status =
+        emit_rows_of(&e, crossley_rows, CROSSLEY_ROWS, 0) ||
+        far_emit(&e,
+                 "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
+                 "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K "
+                 "exact, k_j through\nthree enclosed values.",
+                 loading_far, 2) ||
+        far_emit(&e,
+                 "s >= 4.5: the rebound takes beta^(2k-1) (a+1)^-k ((a+1) U^(1-k) + U^-k (c_1/U + ... + c_11/U^11)),\n"
+                 "U = 1 + beta - ln(1 + beta). Exact coefficients.",
+                 rebound_far, 2);
     emit_close(&e);
     return status;
 }
 
-static const char disk_law_banner[] =
+static const char disk_law[] =
     "Contact time and load of the disk's quasistatic law by q, which is ln(limit/compression) or 2 ln(limit/speed):\n"
     "rows of short polynomials by octaves of q. Evaluated by\n"
-    "runtime/disk/quasistatic_rows.c. Source: docs/theory-disks.md, 12; form: docs/internals.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "The rows interpolate polynomials through samples: of the time by two Gauss rules of 56 points, of the load by\n"
-    "Lambert's W. The polynomials agree with enclosures to 1e-20 at two places of each block of rows. Errors of the\n"
-    "rows stand above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
+    "runtime/disk/quasistatic_rows.c. Source: docs/theory-disks.md, 12; form: docs/internals.md.\n",
+                  how_disk_law[] = "The rows interpolate polynomials through samples: of the time by two Gauss rules "
+                                   "of 56 points, of the load by\n"
+                                   "Lambert's W. The polynomials agree with enclosures to 1e-20 at two places of each "
+                                   "block of rows. Errors of the\n"
+                                   "rows stand above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
 
 int disk_law_tables_write(FILE *file)
 {
     struct emit e;
-    emit_open(&e, file, "COR_GENERATED_DISK_LAW_TABLES_H", disk_law_banner);
-    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
+    emit_open_tables(&e, file, "disk_law", disk_law, how_disk_law, EMIT_INCLUDE_ROWS);
     const int status = emit_rows_of(&e, disk_rows, DISK_ROWS, DISK_HEAD_BITS);
     emit_close(&e);
     return status;

@@ -76,20 +76,7 @@ struct limits {
     struct cor_disk_limit_piece piece[PLACES_MAX];
     uint16_t square[SQUARES], place[PLACES_MAX];
 };
-static struct limits *table;
-
-void disk_limits_clear(void)
-{
-    free(table);
-    table = NULL;
-}
-
-static void start_table(void)
-{
-    disk_limits_clear();
-    table = xmalloc(sizeof *table);
-    memset(table, 0, sizeof *table);
-}
+static struct limits table[1];
 
 /* ---- the plane ---- */
 
@@ -488,7 +475,7 @@ int disk_limits_collide(void)
     struct scenes scenes = {0};
     struct cell *cell = xmalloc(ROOTS * sizeof *cell);
     int cells = ROOTS, status = STATUS_OK;
-    start_table();
+    memset(table, 0, sizeof table);
     for (int i = 0; i < ROOTS; i++)
         cell[i] = (struct cell){.x = i % X_ROOTS * ROOT_SIDE, .nu = i / X_ROOTS * ROOT_SIDE};
     while (cells > 0 && status == STATUS_OK)
@@ -634,8 +621,8 @@ static void read_cells(void)
 bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 {
 #ifndef COR_BOOTSTRAP
-    if (!table || piece) {
-        start_table();
+    if (!table->known || piece) {
+        memset(table, 0, sizeof table);
         table->scenes = COR_DISK_LIMIT_SCENES;
         table->seconds = COR_DISK_LIMIT_SECONDS;
         table->pieces = sizeof cor_disk_limit_piece / sizeof *cor_disk_limit_piece;
@@ -648,33 +635,28 @@ bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 #else
     (void)piece;
 #endif
-    return table && table->known;
+    return table->known;
 }
 
 /* ---- check of the table ---- */
 
 struct check {
-    long places, between, wrong;
-    double worst, worst_between; /* largest difference on the grid, and between the points relative to the
-                                  * uncertainty */
+    long places[2], wrong; /* on the grid, and between its points */
+    double worst[2];       /* the largest difference there, and relative to the uncertainty */
 };
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
 {
     const struct cor_disk_limit_table t = evaluable();
     const int32_t place = 2 * sixth_of(cell);
-    const bool on_grid = (scene->x - cell->x) % place == 0 && (scene->nu - cell->nu) % place == 0;
+    const bool between = (scene->x - cell->x) % place != 0 || (scene->nu - cell->nu) % place != 0;
     const double x = (double)scene->x / (double)ROOT_SIDE, nu = (double)scene->nu / (double)ROOT_SIDE;
     const double value = cor_disk_limit_value(cor_disk_limit_find(&t, x, nu), x, nu);
     const double uncertainty = cor_disk_limit_uncertainty(&t, x, nu);
     const double off = fabs(scene->value * COR_DISK_LIMIT_UNIT - value);
-    const double allowed = on_grid ? DISK_LIMITS_AGREE : uncertainty;
-    check->places += on_grid;
-    check->between += !on_grid;
-    if (on_grid)
-        check->worst = fmax(check->worst, off);
-    else
-        check->worst_between = fmax(check->worst_between, off / uncertainty);
+    const double allowed = between ? uncertainty : DISK_LIMITS_AGREE;
+    check->places[between]++;
+    check->worst[between] = fmax(check->worst[between], between ? off / uncertainty : off);
     if (!(off <= allowed) && check->wrong++ < SAMPLE_MISSES)
         fprintf(stderr, "corgen: " DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed\n",
                 speed_at(scene->x), nu_at(scene->nu), off, allowed);
@@ -684,12 +666,11 @@ static int check_verdict(const struct check *check, const char *of_what)
 {
     if (check->wrong)
         return fail("%s: %ld of %ld collisions (%s) are not as the table says", DISK_LIMITS_FILE, check->wrong,
-                    check->places + check->between, of_what);
-    printf("collided again at %ld places of %s (%s): 1 - eps^2 differs by %.1e at most", check->places,
-           DISK_LIMITS_FILE, of_what, check->worst);
-    if (check->between)
-        printf("; at %ld between them, by %.2f of the uncertainty", check->between, check->worst_between);
-    printf("\n");
+                    check->places[0] + check->places[1], of_what);
+    printf(
+        "collided again at %ld places of %s (%s): 1 - eps^2 differs by %.1e at most; at %ld between them, by %.2f of "
+        "the uncertainty\n",
+        check->places[0], DISK_LIMITS_FILE, of_what, check->worst[0], check->places[1], check->worst[1]);
     return STATUS_OK;
 }
 

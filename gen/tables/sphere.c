@@ -280,47 +280,41 @@ int sphere_header_write(FILE *file)
     return status;
 }
 
-static const char tables_banner[] =
+static const char tables_of_sphere[] =
     "The rows of cor_sphere.h for the library, and those of damped approach. Evaluated by runtime/sphere/eval.h and\n"
-    "approach_only.c. Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
-    "each. Errors of the rows stand above each table. Errors of evaluation: include/cor/sphere.h.\n";
+    "approach_only.c. Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n",
+                  how_tables[] =
+                      "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 "
+                      "digits of\n"
+                      "each. Errors of the rows stand above each table. Errors of evaluation: include/cor/sphere.h.\n";
 
 int sphere_tables_write(FILE *file)
 {
     if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
-    emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
-    fprintf(file, "\n#include \"runtime/table/rows.h\"\n"
-                  "#define COR_SPHERE_ROWS_ONLY\n#include \"generated/cor_sphere.h\"\n");
+    emit_open_tables(&e, file, "sphere", tables_of_sphere, how_tables,
+                     "\n" EMIT_INCLUDE_ROWS "#define COR_SPHERE_ROWS_ONLY\n#include \"generated/cor_sphere.h\"\n");
     const int status = law_tables_emit_approach(&e, &data.tables, "cor_rows");
     emit_close(&e);
     return status;
 }
 
-static const char floats_banner[] =
-    "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float\n"
-    "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/table/float_lanes.h. Source:\n"
-    "docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "Errors of the rows, evaluated exactly, stand above each table: sampled. Errors of evaluation in float\n"
-    "arithmetic: include/cor/sphere.h, measured at every float.\n";
+static const char
+    floats_of_sphere[] =
+        "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float\n"
+        "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/table/float_lanes.h. Source:\n"
+        "docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n",
+    how_floats[] =
+        "Errors of the rows, evaluated exactly, stand above each table: sampled. Errors of evaluation in float\n"
+        "arithmetic: include/cor/sphere.h, measured at every float.\n";
 
 int sphere_float_tables_write(FILE *file)
 {
     if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
-    emit_open(&e, file, "COR_GENERATED_SPHERE_FLOAT_TABLES_H", floats_banner);
-    emit_lines(&e, "#include \"runtime/table/rows.h\"\n");
+    emit_open_tables(&e, file, "sphere_float", floats_of_sphere, how_floats, EMIT_INCLUDE_ROWS);
     emit_comment(&e,
                  "A row: value = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))), t = beta - node, in columns c_0, c_1, c_2,\n"
                  "c_3. The node is 0 in row 0, and the middle of the cell in the other rows. The lower 16 bits of\n"

@@ -57,15 +57,10 @@ static double round_series(arb_ptr c)
     return error;
 }
 
-static const char wave_banner[] =
+static const char what[] =
     "J(nu) of a half-space, the part of its compliance that radiates elastic waves, as a Chebyshev series in\n"
     "tau = sqrt(1 - 2 nu): J = sum c_k T_k(8 tau/7 - 1), 0 <= tau <= sqrt(3), -1 <= nu <= 1/2. Evaluated by\n"
-    "runtime/sphere/waves.c. Source: docs/laws.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "Error: proved, see below.\n";
+    "runtime/sphere/waves.c. Source: docs/laws.md.\n";
 
 int wave_tables_write(FILE *file)
 {
@@ -75,8 +70,7 @@ int wave_tables_write(FILE *file)
     /* Trefethen, Approximation Theory and Approximation Practice, theorem 8.2 */
     const double cut = 4 * WAVE_ELLIPSE_BOUND * pow(WAVE_ELLIPSE, -(SAMPLES - 1)) / (WAVE_ELLIPSE - 1);
     struct emit e;
-    emit_open(&e, file, "COR_GENERATED_WAVE_TABLES_H", wave_banner);
-    emit_lines(&e, "#include \"runtime/number/inline.h\"\n");
+    emit_open_tables(&e, file, "wave", what, "Error: proved, see below.\n", "#include \"runtime/number/inline.h\"\n");
     emit_comment(
         &e,
         "The polynomial of degree %d through %d enclosed samples is off by %s at most, proved: |J| is below %g on\n"

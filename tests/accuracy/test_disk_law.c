@@ -210,7 +210,7 @@ static int search_laws(uint64_t points)
             const enum cor_disk_datum datum = (enum cor_disk_datum)choice(3);
             const double x = random_argument(f, nu, datum), y = f->value(x, nu, datum);
             double error = -1;
-            struct precision p = precision_doubling_to(128, 5000);
+            struct precision p = precision_doubling(128, 5000);
             do {
                 if (!disk_value(exact, f, x, nu, datum, p.bits)) {
                     printf("the reference contradicts (57) at %a\n", x);
@@ -296,7 +296,7 @@ static int search_contact_time(uint64_t points)
         const enum cor_disk_datum datum = (enum cor_disk_datum)choice(3);
         const double v = random_argument(&disk_functions[COUNT_OF(disk_functions) - 1], nu, datum); /* a speed */
         double radius = 1;
-        struct precision p = precision_doubling_to(160, 5000);
+        struct precision p = precision_doubling(160, 5000);
         do {
             disk_contact_time(tau, halved, v, nu, datum, 5, p.bits);
             radius = arb_is_finite(tau) ? mag_get_d(arb_radref(tau)) : 1;

@@ -126,12 +126,12 @@ TEST(test_precision_ends)
     assert_in_range(raised, 3, 20);
     assert_true(p.bits >= p.limit);
 
-    p = precision_doubling(100, 4);
+    p = precision_doubling(100, 800);
     for (slong bits = 100; bits <= 800; bits *= 2) {
         assert_int_equal(p.bits, bits);
         assert_int_equal(precision_raise(&p), bits < 800);
     }
-    p = precision_doubling(100, 1);
+    p = precision_doubling(100, 199);
     assert_false(precision_raise(&p));
 }
 

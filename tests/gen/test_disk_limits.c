@@ -36,7 +36,6 @@ TEST(test_samples)
         piece[i].coefficient[0] += 10;
     assert_true(disk_limits_known(piece));
     assert_int_equal(disk_limits_check_sample(1), 1);
-    disk_limits_clear();
 }
 
 /* The uncertainty of a cell whose 16 values are those of a polynomial of degree 3, and one or none of the 9 collisions

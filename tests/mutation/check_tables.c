@@ -18,6 +18,5 @@ int main(int argc, char **argv)
     for (int i = 0; i < n; i++)
         free(c[i].text);
     sphere_tables_clear();
-    disk_limits_clear();
     return status != STATUS_OK || reds > 0;
 }
