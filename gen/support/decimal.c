@@ -116,22 +116,17 @@ bool decimal_inside(const struct decimal_range *range, const fmpq_t x)
 
 double decimal_nearest(const fmpq_t x)
 {
-    const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
-    mpfr_t y;
-    mpq_t q;
-    mpq_init(q);
-    mpfr_init2(y, DBL_MANT_DIG);
-    fmpq_get_mpq(q, x);
-    /* the exponents of doubles, as the manual of MPFR has it */
-    mpfr_set_emin(DBL_MIN_EXP - DBL_MANT_DIG + 1);
-    mpfr_set_emax(DBL_MAX_EXP);
-    mpfr_subnormalize(y, mpfr_set_q(y, q, MPFR_RNDN), MPFR_RNDN);
-    const double nearest = mpfr_get_d(y, MPFR_RNDN);
-    mpfr_set_emin(least);
-    mpfr_set_emax(most);
-    mpfr_clear(y);
-    mpq_clear(q);
-    return nearest + 0;
+    LOCAL(arb, ball);
+    LOCAL(arf, low, high);
+    double nearest = 0, other = 1;
+    for (slong prec = 128; nearest != other; prec *= 2) {
+        arb_set_fmpq(ball, x, prec);
+        arb_get_lbound_arf(low, ball, prec);
+        arb_get_ubound_arf(high, ball, prec);
+        nearest = arf_get_d(low, ARF_RND_NEAR);
+        other = arf_get_d(high, ARF_RND_NEAR);
+    }
+    return nearest + 0; /* no -0 */
 }
 
 double decimal_value(const struct decimal *x)

@@ -8,25 +8,13 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "support/local.h"
 
 enum { GUARD_BITS = 32, LEADING_ZEROS_MAX = 4 };
 
 slong digits_to_bits(slong digits)
 {
     return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
-}
-
-/* Initialises lower <= x <= upper with the ends of the interval x, rounded outwards, and exactly if x is exact. Returns
- * 0 if x has no finite ends of one sign that MPFR can hold. */
-static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong least_bits)
-{
-    const slong prec = FLINT_MAX(arb_bits(x), least_bits) + GUARD_BITS;
-    mpfr_init2(lower, prec);
-    mpfr_init2(upper, prec);
-    arb_get_interval_mpfr(lower, upper, x);
-    mpfr_check_range(lower, 0, MPFR_RNDD);
-    mpfr_check_range(upper, 0, MPFR_RNDU);
-    return mpfr_number_p(lower) && mpfr_number_p(upper) && mpfr_sgn(lower) * mpfr_sgn(upper) > 0;
 }
 
 /* The shortest spelling that shows every digit of "-12345" with the point after the first `point` digits */
@@ -51,10 +39,16 @@ char *digits_of_ball(const arb_t x, slong digits)
     if (arf_is_pos_inf(arb_midref(x)))
         return xstrdup("inf");
 
+    /* both ends, rounded outwards, and exact if x is */
+    const slong prec = FLINT_MAX(arb_bits(x), digits_to_bits(digits)) + GUARD_BITS;
     mpfr_t lower, upper;
     char *text = NULL;
-    /* cppcheck-suppress uninitvar ; it sets both */
-    if (ball_ends(lower, upper, x, digits_to_bits(digits))) {
+    mpfr_init2(lower, prec);
+    mpfr_init2(upper, prec);
+    arb_get_interval_mpfr(lower, upper, x);
+    mpfr_check_range(lower, 0, MPFR_RNDD);
+    mpfr_check_range(upper, 0, MPFR_RNDU);
+    if (mpfr_number_p(lower) && mpfr_number_p(upper) && mpfr_sgn(lower) * mpfr_sgn(upper) > 0) {
         mpfr_exp_t lower_point, upper_point;
         char *a = mpfr_get_str(NULL, &lower_point, 10, (size_t)digits, lower, MPFR_RNDN);
         char *b = mpfr_get_str(NULL, &upper_point, 10, (size_t)digits, upper, MPFR_RNDN);
@@ -70,23 +64,15 @@ char *digits_of_ball(const arb_t x, slong digits)
 
 int digits_to_double(double *y, const arb_t x)
 {
-    if (arb_is_zero(x)) {
-        *y = 0;
-        return 1;
-    }
-    mpfr_t lower, upper;
-    int same = 0;
-    /* cppcheck-suppress uninitvar ; it sets both */
-    if (ball_ends(lower, upper, x, DBL_MANT_DIG)) {
-        double a = mpfr_get_d(lower, MPFR_RNDN);
-        double b = mpfr_get_d(upper, MPFR_RNDN);
-        same = a == b && isfinite(a);
-        if (same)
-            *y = a;
-    }
-    mpfr_clear(lower);
-    mpfr_clear(upper);
-    return same;
+    const slong prec = FLINT_MAX(arb_bits(x), DBL_MANT_DIG) + GUARD_BITS;
+    LOCAL(arf, lower, upper);
+    arb_get_lbound_arf(lower, x, prec);
+    arb_get_ubound_arf(upper, x, prec);
+    const double a = arf_get_d(lower, ARF_RND_NEAR), b = arf_get_d(upper, ARF_RND_NEAR);
+    const int decided = a == b && isfinite(a) && (!arb_contains_zero(x) || arb_is_zero(x));
+    if (decided)
+        *y = a;
+    return decided;
 }
 
 /* ---- more bits ---- */

@@ -105,10 +105,9 @@ static const char *real_type(const struct emit *e)
     return e->single ? "float" : "double";
 }
 
-/* The text of a number of the type in C and C++, which reads back to the same bits */
+/* The shortest text of a number of the type in C and C++ that reads back to the same bits */
 static const char *real(char text[NUMBER_MAX], const struct emit *e, double x)
 {
-    /* the shortest such text */
     const int most = e->single ? 9 : 17;
     for (int digits = 1; digits <= most; digits++) {
         snprintf(text, NUMBER_MAX, "%.*g", digits, x);
@@ -129,19 +128,6 @@ void emit_digits(FILE *file)
         fprintf(file, "table,row,column,value,digits\n");
 }
 
-/* A number of a table by its row and column, with its digits, where these are wanted */
-static int put_digits(const struct emit *e, const arb_t x, slong column, double y)
-{
-    if (!digits_file || (e->decimal && !e->shared))
-        return STATUS_OK;
-    char *text = number_text(x);
-    if (!text)
-        return fail("%s: a number is not known well enough to be shown", e->table);
-    fprintf(digits_file, "%s,%ld,%ld,%a,%s\n", e->table, (long)e->row, (long)column, y, text);
-    free(text);
-    return STATUS_OK;
-}
-
 /* Elements of a table, {...}, separated by commas, in lines that are filled */
 static void put_number(struct emit *e, const char *number, bool opens, bool closes)
 {
@@ -153,15 +139,19 @@ static void put_number(struct emit *e, const char *number, bool opens, bool clos
     e->column += fprintf(e->file, "%s%s%s", opens ? "{" : "", number, closes ? "}" : "");
 }
 
+/* A number of a table by its row and column, and with its digits where these are wanted */
 static int put_ball(struct emit *e, const arb_t x, slong column, bool opens, bool closes)
 {
     double y;
     char number[NUMBER_MAX];
-    if (!digits_to_double(&y, x))
+    const bool digits = digits_file && (!e->decimal || e->shared);
+    char *const text = digits ? number_text(x) : NULL;
+    if ((digits && !text) || !digits_to_double(&y, x))
         return fail("%s, row %ld: number %ld is not known well enough to be rounded", e->table, (long)e->row,
                     (long)column);
-    if (put_digits(e, x, column, y))
-        return STATUS_FAILED;
+    if (digits)
+        fprintf(digits_file, "%s,%ld,%ld,%a,%s\n", e->table, (long)e->row, (long)column, y, text);
+    free(text);
     if (e->decimal)
         real(number, e, y);
     else
@@ -193,11 +183,7 @@ void emit_rows_open(struct emit *e, const char *type, const char *name, slong ro
 
 int emit_row(struct emit *e, arb_srcptr value, slong columns)
 {
-    int status = STATUS_OK;
-    for (slong i = 0; i < columns && status == STATUS_OK; i++)
-        status = put_ball(e, value + i, i, i == 0, i + 1 == columns);
-    e->row++;
-    return status;
+    return emit_struct(e, NULL, 0, value, columns);
 }
 
 void emit_float_row(struct emit *e, const double *value, slong columns)
@@ -300,9 +286,7 @@ void emit_geometry_real(struct emit *e, const char *table, const char *what, dou
 
 void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n)
 {
-    char number[NUMBER_MAX];
-    snprintf(number, sizeof number, n < 0 ? "(%ld)" : "%ld", (long)n);
-    emit_lines(e, "#define $S_$s $s\n", table, what, number);
+    emit_lines(e, n < 0 ? "#define $S_$s ($d)\n" : "#define $S_$s $d\n", table, what, (int)n);
 }
 
 /* The bits of a number of the type, as an integer */

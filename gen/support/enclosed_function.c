@@ -123,7 +123,7 @@ bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
     LOCAL(arb, least, most);
     arb_poly_set(s, p);
     for (slong k = 0; k < arb_poly_length(s); k++)
-        arb_get_mid_arb(arb_poly_get_coeff_ptr(s, k), arb_poly_get_coeff_ptr(s, k));
+        mag_zero(arb_radref(s->coeffs + k));
     const bool positive = arb_poly_length(s) > 0 && arb_is_positive(arb_poly_get_coeff_ptr(s, 0));
     if (positive)
         arb_poly_sqrt_series(s, s, MOST_DEGREE / 2, ENCLOSED_BITS);
@@ -209,12 +209,10 @@ double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
 double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings)
 {
     LOCAL(arb, x, y);
-    LOCAL(mag, mag);
     enclosed_range(x, f);
     enclosed_range(y, g);
     arb_div(x, x, y, ENCLOSED_BITS);
-    arb_get_mag(mag, x);
-    double bound = mag_get_d(mag);
+    double bound = ball_magnitude(x);
     if (bound > known * NEAR_KNOWN && halvings > 0) {
         LOCAL(arb_poly, part, scale);
         bound = 0;

@@ -102,33 +102,18 @@ bool output_is_direct(const char *path)
     return !target;
 }
 
-/* The file system's number of the folder in which a name stands */
-static bool folder_status(struct stat *folder, const char *name)
-{
-    char *const path = beside(name, ".");
-    const bool found = stat(path, folder) == 0;
-    free(path);
-    return found;
-}
-
-static bool same_inode(const struct stat *x, const struct stat *y)
-{
-    return x->st_dev == y->st_dev && x->st_ino == y->st_ino;
-}
-
-static int status_of(struct stat *status, const char *path)
-{
-    return path ? stat(path, status) : fstat(STDOUT_FILENO, status);
-}
-
 bool output_same_file(const char *path, const char *other)
 {
     struct stat x, y;
-    const bool exists = status_of(&x, path) == 0, other_exists = status_of(&y, other) == 0;
-    if (exists || other_exists || !path || !other)
-        return exists && other_exists && S_ISREG(x.st_mode) && same_inode(&x, &y);
-    return folder_status(&x, path) && folder_status(&y, other) && same_inode(&x, &y) &&
-           strcmp(file_name(path), file_name(other)) == 0;
+    char *const folder = beside(path ? path : "", "."), *const other_folder = beside(other ? other : "", ".");
+    bool exists = (path ? stat(path, &x) : fstat(STDOUT_FILENO, &x)) == 0;
+    bool other_exists = (other ? stat(other, &y) : fstat(STDOUT_FILENO, &y)) == 0;
+    bool may_be = exists && other_exists && S_ISREG(x.st_mode);
+    if (!exists && !other_exists && path && other && strcmp(file_name(path), file_name(other)) == 0)
+        may_be = stat(folder, &x) == 0 && stat(other_folder, &y) == 0;
+    free(folder);
+    free(other_folder);
+    return may_be && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
 /* ---- opening ---- */
@@ -348,12 +333,10 @@ char *read_file(const char *path, size_t most, size_t *size)
 void table_init(struct table *t, const char *header, const char *kinds)
 {
     *t = (struct table){.header = xstrdup(header), .kinds = xstrdup(kinds)};
-    for (char *name = t->header; name;) {
+    char *rest, *name = strtok_r(t->header, ",", &rest);
+    for (; name; name = strtok_r(NULL, ",", &rest)) {
         t->column = xrealloc(t->column, (size_t)(t->columns + 1) * sizeof *t->column);
         t->column[t->columns++] = name;
-        name = strchr(name, ',');
-        if (name)
-            *name++ = '\0';
     }
 }
 
