@@ -131,11 +131,6 @@ static char *modes_text(const struct disks *d, size_t count)
                    poisson, count);
 }
 
-static const char *quantity_field(const struct disks *d)
-{
-    return quantities[d->quantity].field;
-}
-
 /* A rigid wall: the error of eps is its promised bound, that of the other quantities the difference from the
  * reference. */
 static int add_rigid(struct disks *d, int k)
@@ -155,7 +150,7 @@ static int add_rigid(struct disks *d, int k)
                   xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
                           "struct cor_disk_hard_wall out;\n"
                           "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
-                          rigid[k].tolerance, d->number[COR_SCENE_POISSON].text, quantity_field(d)));
+                          rigid[k].tolerance, d->number[COR_SCENE_POISSON].text, quantities[d->quantity].field));
     return status;
 }
 
@@ -179,7 +174,7 @@ static void add_dynamics(const struct disks *d, int k)
                   xprintf("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
                           "struct cor_disk_collision out;\n"
                           "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
-                          table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d)));
+                          table, alpha, COLLISION_TOLERANCE, modes, quantities[d->quantity].field));
     free(table);
     free(alpha);
 }
@@ -263,15 +258,16 @@ static void add_laws(const struct disks *d)
     struct plan_model *m = plan_add(plan, "leading logarithm (61)");
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = (time ? cor_disk_contact_time_leading_log : cor_disk_max_compression_leading_log)(plan->speed[i]);
-    plan_model_is(plan, m, NS_LEADING_LOG, "all beside ln(4/v); vibrations",
-                  xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d), called));
+    plan_model_is(
+        plan, m, NS_LEADING_LOG, "all beside ln(4/v); vibrations",
+        xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantities[d->quantity].field, called));
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
             m->value[i] = function(plan->speed[i], d->modes.nu, (enum cor_disk_datum)k);
         plan_model_is(plan, m, quantities[d->quantity].ns_law, "vibrations",
-                      xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n", quantity_field(d),
-                              called, d->number[COR_SCENE_POISSON].text, datum[k]));
+                      xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
+                              quantities[d->quantity].field, called, d->number[COR_SCENE_POISSON].text, datum[k]));
     }
 }
 

@@ -53,22 +53,15 @@ int usage_error(const char *format, ...)
 
 /* Memory. GMP and FLINT would abort; exit() runs the clean-up of unfinished files. */
 
-static FLINT_NORETURN void out_of_memory(size_t size)
-{
-    fail("out of memory: a block of %zu bytes was refused; ask for fewer digits or a lower order", size);
-    exit(STATUS_FAILED);
-}
-
 static FLINT_NORETURN void library_gave_up(void)
 {
-    fail("the arithmetic library could not go on; its own message stands above");
-    exit(STATUS_FAILED);
+    exit(fail("the arithmetic library could not go on; its own message stands above"));
 }
 
 static void *granted(void *p, size_t size)
 {
     if (!p)
-        out_of_memory(size);
+        exit(fail("out of memory: a block of %zu bytes was refused; ask for fewer digits or a lower order", size));
     return p;
 }
 

@@ -186,13 +186,6 @@ static bool take_over(int fd, const struct stat *old)
     return (same_owner || fchown(fd, old->st_uid, old->st_gid) == 0) && fchmod(fd, old->st_mode & 07777) == 0;
 }
 
-static mode_t mode_of_new_file(void)
-{
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666 & ~mask;
-}
-
 /* Writes all bytes to the disk and closes the descriptor; errno is that of the first failure. */
 static bool write_and_close(int fd, const struct output *out)
 {
@@ -243,8 +236,11 @@ static int output_prepare(struct output *out)
         out->temporary = NULL;
         return STATUS_OK;
     }
-    if (!exists)
-        fchmod(fd, mode_of_new_file());
+    if (!exists) {
+        const mode_t mask = umask(0);
+        umask(mask);
+        fchmod(fd, 0666 & ~mask);
+    }
     return write_and_close(fd, out) ? STATUS_OK : output_failure("write", out);
 }
 
@@ -415,14 +411,6 @@ static void print_escaped(const char *text, const char *escaped, char before, FI
     fputc('"', file);
 }
 
-static void print_csv_cell(char kind, const char *cell, FILE *file)
-{
-    if (strpbrk(cell, ",\"\n"))
-        print_escaped(cell, "\"", '"', file);
-    else
-        fputs(!*cell && kind != TABLE_TEXT ? "nan" : cell, file);
-}
-
 /* A cell that is no number of JSON, as nan and inf, is null, and so is an empty text. */
 static void print_json_cell(const struct table *t, char kind, const char *cell, FILE *file)
 {
@@ -449,7 +437,10 @@ void table_print_rows(const struct table *t, enum output_format format, bool fir
         const bool last = j + 1 == t->columns;
         print_progress(t, i);
         if (format == FORMAT_CSV) {
-            print_csv_cell(t->kinds[j], t->cell[i], file);
+            if (strpbrk(t->cell[i], ",\"\n"))
+                print_escaped(t->cell[i], "\"", '"', file);
+            else
+                fputs(!*t->cell[i] && t->kinds[j] != TABLE_TEXT ? "nan" : t->cell[i], file);
             fputc(last ? '\n' : ',', file);
         } else {
             fprintf(file, "%s\"%s\": ", j ? ", " : i || !first ? ",\n  {" : "\n  {", t->column[j]);

@@ -20,10 +20,10 @@ void parallel_use(int threads);
  * in the progress line. If a task calls parallel_for, its own thread does the inner tasks in sequence. */
 void parallel_for(void (*task)(void *context, slong i), void *context, slong count, const char *step);
 
-/* The same, and finish(context, i) as soon as the tasks up to i are done: in order, one at a time, on any thread. A value
- * other than 0 ends the run, so that no further task begins, and is returned; otherwise 0 is. tick(context), never at
- * the same time as finish(), is called by the calling thread several times a second, or after each task that it does
- * itself, instead of a progress line. */
+/* The same, and finish(context, i) as soon as the tasks up to i are done: in order, one at a time, on any thread. A
+ * value other than 0 ends the run, so that no further task begins, and is returned; otherwise 0 is. tick(context),
+ * never at the same time as finish(), is called by the calling thread several times a second, or after each task that
+ * it does itself, instead of a progress line. */
 int parallel_in_order(void (*task)(void *context, slong i), int (*finish)(void *context, slong i),
                       void (*tick)(void *context), void *context, slong count);
 

@@ -7,58 +7,58 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-enum { EXTRA_BITS = 160, WORKING_BITS = 320, HEAD_BITS = 26 };
+enum { WORKING_BITS = 320, EXPONENT_BITS = 480, HEAD_BITS = 26 };
 
 /* Bits that each row must reach: 0.7 units of the last place, beside 0.6 of the evaluation */
 #define LEAST_BITS 53.5
 
 /* ---- L = -ln(eps), x > 0 ---- */
 
-typedef void exponent_function(arb_t L, const arb_t x, slong prec);
+typedef void exponent_function(arb_t L, const arb_t x);
 
-static void approach_only(arb_t L, const arb_t zeta, slong prec)
+static void approach_only(arb_t L, const arb_t zeta)
 {
-    closed_form_angle(L, zeta, prec);
-    LET(L, prec, "zeta*L", zeta, L);
+    closed_form_angle(L, zeta, EXPONENT_BITS);
+    LET(L, EXPONENT_BITS, "zeta*L", zeta, L);
 }
 
-static void zero_force(arb_t L, const arb_t zeta, slong prec)
+static void zero_force(arb_t L, const arb_t zeta)
 {
-    closed_form_angle(L, zeta, prec);
-    LET(L, prec, "2*zeta*L", zeta, L);
+    closed_form_angle(L, zeta, EXPONENT_BITS);
+    LET(L, EXPONENT_BITS, "2*zeta*L", zeta, L);
 }
 
-static void zero_overlap(arb_t L, const arb_t zeta, slong prec)
+static void zero_overlap(arb_t L, const arb_t zeta)
 {
-    LET(L, prec, "pi*zeta/sqrt((1 - zeta)*(1 + zeta))", zeta);
+    LET(L, EXPONENT_BITS, "pi*zeta/sqrt((1 - zeta)*(1 + zeta))", zeta);
 }
 
-static void inverse_zero_overlap(arb_t zeta, const arb_t L, slong prec)
+static void inverse_zero_overlap(arb_t zeta, const arb_t L)
 {
-    LET(zeta, prec, "L/sqrt(pi^2 + L^2)", L);
+    LET(zeta, EXPONENT_BITS, "L/sqrt(pi^2 + L^2)", L);
 }
 
-static void limited(arb_t L, const arb_t zeta, slong prec)
+static void limited(arb_t L, const arb_t zeta)
 {
     LOCAL(arb, R, C);
-    LET(R, prec, "sqrt(1 + 8*zeta^2)", zeta);
-    LET(C, prec, "zeta*sqrt(2*(R + 3)/(R*(R + 1)))", zeta, R);
-    zero_force(L, C, prec);
-    LET(L, prec, "(R + 1)/(R + 3)*L", R, L);
+    LET(R, EXPONENT_BITS, "sqrt(1 + 8*zeta^2)", zeta);
+    LET(C, EXPONENT_BITS, "zeta*sqrt(2*(R + 3)/(R*(R + 1)))", zeta, R);
+    zero_force(L, C);
+    LET(L, EXPONENT_BITS, "(R + 1)/(R + 3)*L", R, L);
 }
 
 /* eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta) */
-static void crossley(arb_t L, const arb_t beta, slong prec)
+static void crossley(arb_t L, const arb_t beta)
 {
     LOCAL(arb, w);
-    LET(w, prec, "-(1 + beta)*exp(-1 - beta)", beta);
-    arb_lambertw(w, w, 0, prec);
-    LET(L, prec, "-log((1 + w)/beta)", w, beta);
+    LET(w, EXPONENT_BITS, "-(1 + beta)*exp(-1 - beta)", beta);
+    arb_lambertw(w, w, 0, EXPONENT_BITS);
+    LET(L, EXPONENT_BITS, "-log((1 + w)/beta)", w, beta);
 }
 
-static void crossley_approach_only(arb_t L, const arb_t beta, slong prec)
+static void crossley_approach_only(arb_t L, const arb_t beta)
 {
-    LET(L, prec, "-log(2*(beta - log1p(beta))/beta^2)/2", beta);
+    LET(L, EXPONENT_BITS, "-log(2*(beta - log1p(beta))/beta^2)/2", beta);
 }
 
 /* ---- laws ---- */
@@ -94,18 +94,8 @@ static const char *variable_of(const struct closed_form *law)
 /* dL/dx at x = 0, or dx/dL */
 static void slope_at_0(arb_t slope, const struct closed_form *law, bool of_inverse)
 {
-    const slong p = of_inverse ? law->over : law->slope, q = of_inverse ? law->slope : law->over;
-    if (law->is_crossley)
-        LET(slope, WORKING_BITS, "p/q", p, q);
-    else if (of_inverse)
-        LET(slope, WORKING_BITS, "p/q/pi", p, q);
-    else
-        LET(slope, WORKING_BITS, "p/q*pi", p, q);
-}
-
-static void exponent_of(arb_t L, const struct closed_form *law, const arb_t x)
-{
-    law->exponent(L, x, WORKING_BITS + EXTRA_BITS);
+    const slong sign = of_inverse ? -1 : 1, power = law->is_crossley ? 0 : sign, p = law->slope, q = law->over;
+    LET(slope, WORKING_BITS, "(p/q)^sign*pi^power", p, q, sign, power);
 }
 
 /* x where L is `wanted` > 0. Where L is concave, the secant method from two values on the left stays there. Both sides
@@ -115,14 +105,14 @@ static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted
     enum { STEPS = 60 };
     LOCAL(arb, slope, off, last, last_off);
     if (law->inverse) {
-        law->inverse(x, wanted, WORKING_BITS + EXTRA_BITS);
+        law->inverse(x, wanted);
         return STATUS_OK;
     }
     slope_at_0(slope, law, false);
     LET(x, WORKING_BITS, "wanted/slope", wanted, slope);
     for (int k = 0; k < STEPS; k++) {
         arb_get_mid_arb(x, x);
-        exponent_of(off, law, x);
+        law->exponent(off, x);
         LET(off, WORKING_BITS, "wanted - off", wanted, off);
         if (HOLDS(WORKING_BITS, "abs(off) < wanted/2^220", off, wanted))
             break;
@@ -134,8 +124,8 @@ static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted
     }
     LET(last, WORKING_BITS, "x - x/2^200", x);
     LET(last_off, WORKING_BITS, "x + x/2^200", x);
-    exponent_of(off, law, last);
-    exponent_of(slope, law, last_off);
+    law->exponent(off, last);
+    law->exponent(slope, last_off);
     if (!arb_lt(off, wanted) || !arb_gt(slope, wanted))
         return fail("%s: the inverse is not known well enough", law->title);
     arb_union(x, last, last_off, WORKING_BITS);
@@ -161,7 +151,7 @@ static int closed_form_at(arb_t f, const void *context, const struct pieces *p, 
         return STATUS_OK;
     }
     if (rows->form == LOSS_QUOTIENT || rows->form == EPS) {
-        exponent_of(L, rows->law, x);
+        rows->law->exponent(L, x);
         if (rows->form == EPS)
             LET(f, WORKING_BITS, "exp(-L)", L);
         else

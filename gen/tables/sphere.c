@@ -100,6 +100,7 @@ static const struct {
     {DURATION_ZERO_FORCE, "cor_rows_far_duration_zero_force"},
     {MAX_OVERLAP, "cor_rows_far_max_overlap"},
     {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap"},
+    {BETA_ZERO_FORCE, "cor_rows_far_beta_zero_force"}, /* the inverse of the first */
 };
 enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 
@@ -110,37 +111,30 @@ enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 static struct {
     bool made;
     struct law_tables tables;
-    double far_bits[FAR_TABLES], inverse_bits; /* proved */
+    double far_bits, inverse_bits; /* proved, of all formulas for large beta and of the inverse */
 } data;
-
-/* Proves the formula with the coefficients of a row. */
-static int prove_far_row(double *bits, const struct far_proof *proof, enum quantity quantity, arb_srcptr row,
-                         slong columns, double least_bits)
-{
-    double c[FAR_COLUMNS];
-    for (slong i = 0; i < columns; i++)
-        if (!digits_to_double(&c[i], row + i))
-            return fail("a coefficient for large beta is not known well enough to be rounded");
-    *bits = far_proof_bits(proof, quantity, c);
-    return *bits >= least_bits ? STATUS_OK
-                               : fail("the formula of quantity %d for large beta: %.2f bits are proved, not the %.1f "
-                                      "it must reach",
-                                      quantity, *bits, least_bits);
-}
 
 /* Proves the formulas for large beta and the inverse of the one for eps. */
 static int prove_far(const struct law_tables *t, const struct interpolant_proof *rows)
 {
     struct far_proof proof;
+    double c[FAR_COLUMNS];
     LOCAL_VECTOR(row, FAR_COLUMNS);
     int status = far_proof_init(&proof, rows, INFINITY);
+    data.far_bits = data.inverse_bits = INFINITY;
     for (int i = 0; i < FAR_TABLES && status == STATUS_OK; i++) {
-        law_tables_far_row(row, t, far_tables[i].quantity);
-        status = prove_far_row(&data.far_bits[i], &proof, far_tables[i].quantity, row, FAR_COLUMNS, FAR_BITS);
-    }
-    if (status == STATUS_OK) {
-        law_tables_far_row(row, t, BETA_ZERO_FORCE);
-        status = prove_far_row(&data.inverse_bits, &proof, BETA_ZERO_FORCE, row, INVERSE_COLUMNS, INVERSE_BITS);
+        const enum quantity quantity = far_tables[i].quantity;
+        const bool inverse = quantity == BETA_ZERO_FORCE;
+        const slong columns = law_tables_far_row(row, t, quantity);
+        for (slong k = 0; k < columns && status == STATUS_OK; k++)
+            if (!digits_to_double(&c[k], row + k))
+                status = fail("a coefficient for large beta is not known well enough to be rounded");
+        const double bits = status == STATUS_OK ? far_proof_bits(&proof, quantity, c) : 0;
+        const double least = inverse ? INVERSE_BITS : FAR_BITS;
+        double *const of_all = inverse ? &data.inverse_bits : &data.far_bits;
+        *of_all = fmin(*of_all, bits);
+        if (status == STATUS_OK && !(bits >= least))
+            status = fail("%s: %.2f bits are proved, not the %.1f it must reach", far_tables[i].name, bits, least);
     }
     far_proof_clear(&proof);
     return status;
@@ -181,14 +175,6 @@ void sphere_tables_clear(void)
     data.made = false;
 }
 
-static double least_far_bits(void)
-{
-    double bits = data.far_bits[0];
-    for (int i = 1; i < FAR_TABLES; i++)
-        bits = fmin(bits, data.far_bits[i]);
-    return bits;
-}
-
 /* A comment with the proved relative error, rounded up */
 static void emit_far_comment(struct emit *e, const char *form, double bits)
 {
@@ -210,17 +196,19 @@ static int emit_tables(struct emit *e)
         e,
         "u = ln(beta) >= 10: a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3),\n"
         "mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5.",
-        least_far_bits());
-    for (int i = 0; i < FAR_TABLES; i++)
-        if (law_tables_emit_far(e, &data.tables, far_tables[i].quantity, far_tables[i].name))
-            return STATUS_FAILED;
-    emit_far_comment(
-        e,
-        "eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +\n"
-        "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
-        "inversion. Columns a, a', b_0, ..., c_4.",
-        data.inverse_bits);
-    return law_tables_emit_far(e, &data.tables, BETA_ZERO_FORCE, "cor_rows_far_beta_zero_force");
+        data.far_bits);
+    int status = STATUS_OK;
+    for (int i = 0; i < FAR_TABLES && status == STATUS_OK; i++) {
+        if (far_tables[i].quantity == BETA_ZERO_FORCE)
+            emit_far_comment(
+                e,
+                "eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +\n"
+                "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
+                "inversion. Columns a, a', b_0, ..., c_4.",
+                data.inverse_bits);
+        status = law_tables_emit_far(e, &data.tables, far_tables[i].quantity, far_tables[i].name);
+    }
+    return status;
 }
 
 static const char header_banner[] =
