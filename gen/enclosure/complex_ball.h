@@ -90,7 +90,9 @@ static inline struct complex_ball ball_mul(struct complex_ball x, struct complex
 
 static inline struct complex_ball ball_times(struct complex_ball x, double factor)
 {
-    return ball_mul(x, ball_of(factor, 0));
+    const double a = fabs(factor);
+    return (struct complex_ball){x.re * factor, x.im * factor,
+                                 raised(a * x.radius + COMPLEX_BALL_ROUNDING * ball_size(x) * a)};
 }
 
 /* |1/(c + d) - 1/c| = |d|/|c (c + d)|. The result is not finite if the ball may contain 0. */

@@ -74,12 +74,18 @@ static struct slopes fall(const struct path *p, struct complex_ball r, struct co
                            ball_mul(ball_sub(r, ball_sqr(a)), square), ball_times(ball_mul(a, b), 2)};
 }
 
+/* What is left of the path, its end minus the place */
+static struct complex_ball rest_of(const struct path *p)
+{
+    return ball_neg(ball_mul(p->length, plus(p->s, -1)));
+}
+
 /* kappa = -q, q = exp(L), r = mu/q = exp(rest), M = y (1 + r) + q: dy/dL = -q y/(2 M), its derivative by y =
  * -q^2/(2 M^2), dt/dL = -1/M */
 static struct slopes before(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
     (void)p;
-    const struct complex_ball q = ball_exp(L), r = ball_exp(p->rest);
+    const struct complex_ball q = ball_exp(L), r = ball_exp(rest_of(p));
     const struct complex_ball inverse = ball_inv(ball_add(ball_mul(plus(r, 1), y), q));
     const struct complex_ball part = ball_mul(q, inverse);
     return (struct slopes){ball_times(ball_mul(part, y), -0.5), ball_times(ball_sqr(part), -0.5), ball_neg(inverse)};
@@ -100,7 +106,7 @@ static struct slopes last(const struct path *p, struct complex_ball delta, struc
  * = kappa (M - y)/(2 M^2), dt/dL = -1/M */
 static struct slopes after(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
-    const struct complex_ball q = ball_exp(L), r = ball_exp(p->rest), kappa = ball_sub(p->c2, q);
+    const struct complex_ball q = ball_exp(L), r = ball_exp(rest_of(p)), kappa = ball_sub(p->c2, q);
     const struct complex_ball others = ball_sub(ball_add(q, r), ball_times(p->c2, 2));
     const struct complex_ball inverse = ball_inv(ball_add(others, y));
     const struct complex_ball part = ball_times(ball_mul(kappa, inverse), 0.5);

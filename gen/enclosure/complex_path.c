@@ -23,7 +23,7 @@ static struct slopes path_slopes(struct path *p, struct complex_ball s, struct c
         ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
         COMPLEX_BALL_ROUNDING * ball_size(p->length) +
             raised(p->begin.radius * raised(1 - s.re + s.radius) + p->end.radius * raised(s.re + s.radius)));
-    p->rest = ball_sub(p->beyond, ball_mul(p->length, ball_add(s, ball_of(-1, 0))));
+    p->s = s;
     struct slopes f = p->equation(p, at, y);
     f.slope = ball_mul(f.slope, p->length);
     f.derivative = ball_mul(f.derivative, p->length);

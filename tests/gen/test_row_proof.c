@@ -113,7 +113,8 @@ TEST(test_complex_plane)
     }
 }
 
-/* Beyond h*, on the negative axis of beta, no motion turns: no ball there, and no ellipse that reaches it. */
+/* Beyond h*, on the negative axis of beta, no motion turns: no ball there, and no ellipse that reaches it. From rho =
+ * 7.92 on this one does; that of 8 is refused after 6000 balls, which take seconds. */
 TEST(test_singular)
 {
     leave_to_turn(0, 3);
@@ -121,7 +122,7 @@ TEST(test_singular)
     struct ellipse_bound bound;
     assert_false(complex_collision_root(&c, (struct complex_ball){0, 1.2, 0.03}, true));
     assert_true(complex_collision_root(&c, (struct complex_ball){0.1, 0.7, 0.001}, true));
-    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere_proof.interval[0], 8), 1);
+    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere_proof.interval[0], (double)few_or_all(16, 8)), 1);
     /* an ellipse inside another has no larger bound */
     struct ellipse_bound inner;
     assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere_proof.interval[7], 4), 0);
