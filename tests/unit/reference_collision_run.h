@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A whole collision in the type REAL, which is wider than double; included once for each such type by
- * reference_collision.c, after reference_collision_series.h for double and for REAL. */
+ * reference_collision.c, which defines struct disk. NAME(x) is x with the type's prefix. */
 
 /* cos(angle) - 1 and sin(angle), |angle| < 1 */
 static void NAME(small_angle)(REAL angle, REAL *cos_less_1, REAL *sine)
@@ -36,164 +36,193 @@ static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
     }
 }
 
-struct NAME(solver) {
-    struct NAME(series) wide;
-    struct double_series narrow;
-    REAL *weight, *position, *velocity; /* weight: of each point, in both quadrants */
+/* Coefficients of t^k. `rise` is alpha k x_k, which the recurrence of the exponential needs. */
+struct NAME(series) {
+    REAL *table;           /* [point][row]: what the sum of a row moves the rim by */
+    REAL *shape, *weight;  /* [point]: alpha (cos(phi) - 1); of the rule, for both quadrants */
+    REAL *position;        /* [k][1 + n]: x_0 + 1 and Q; the state is k = 0 and 1 */
+    REAL *rise, *pressure; /* [k][point]: without the shape; with the weight */
+    REAL *sum;             /* [row] */
 };
 
+/* The memory of a run, to be freed */
+static REAL *NAME(take)(const struct disk *disk, struct NAME(series) * s)
+{
+    const size_t k = (size_t)disk->effort->order + 2, points = disk->points, rows = disk->rows;
+    REAL **const to[] = {&s->table, &s->shape, &s->weight, &s->position, &s->rise, &s->pressure, &s->sum};
+    const size_t count[] = {rows * points, points, points, k * (1 + disk->n), k * points, k * points, rows};
+    size_t used = 0;
+    for (size_t i = 0; i < sizeof to / sizeof *to; i++)
+        used += count[i];
+    REAL *const memory = take(used, sizeof(REAL));
+    used = 0;
+    for (size_t i = 0; i < sizeof to / sizeof *to; used += count[i++])
+        *to[i] = memory + used;
+    return memory;
+}
+
 /* The rule's points and what each row moves the rim by there: cos(n phi) cos(phi), and -sin(n phi) sin(phi) */
-static void NAME(place_points)(const struct disk *disk, struct NAME(solver) * s)
+static void NAME(place_points)(const struct disk *disk, const struct NAME(series) * s)
 {
     const REAL quarter = NAME(pi)() / 2;
     REAL node[GAUSS], weight[GAUSS];
     NAME(gauss_rule)(node, weight);
     for (size_t j = 0; j < disk->points; j++) {
-        const size_t panel = j / GAUSS, at = j % GAUSS;
-        const REAL phi = quarter * (2 * panel + 1 + node[at]) / (2 * disk->panels);
-        REAL half_cos, half_sin, c[2], cos_phi, sin_phi;
+        const size_t panels = disk->points / GAUSS, panel = j / GAUSS, at = j % GAUSS;
+        const REAL phi = quarter * (2 * panel + 1 + node[at]) / (2 * panels);
+        REAL half_cos, half_sin, c[2] = {1, 0}; /* cos(n phi) and sin(n phi) */
         NAME(small_angle)(phi / 2, &half_cos, &half_sin);
-        s->weight[j] = quarter * weight[at] / disk->panels;
-        s->wide.shape[j] = -2 * half_sin * half_sin;
-        s->narrow.shape[j] = (double)s->wide.shape[j];
-        cos_phi = 1 + s->wide.shape[j];
-        sin_phi = 2 * half_sin * (1 + half_cos);
-        c[0] = 1; /* cos(n phi) and sin(n phi) */
-        c[1] = 0;
-        for (size_t n = 0; n <= disk->n_max; n++) {
-            const size_t row = disk->row_of[n];
-            for (size_t i = 0; row < disk->rows && i < 2; i++) {
-                const REAL value = i == 0 ? c[0] * cos_phi : -c[1] * sin_phi;
-                const size_t by_point = (panel * disk->rows + row + i) * GAUSS + at;
-                const size_t by_row = (row / GROUP * disk->points + j) * GROUP + (row + i) % GROUP;
-                s->wide.by_point[by_point] = s->wide.by_row[by_row] = value;
-                s->narrow.by_point[by_point] = s->narrow.by_row[by_row] = (double)value;
-            }
+        const REAL cos_phi = 1 - 2 * half_sin * half_sin, sin_phi = 2 * half_sin * (1 + half_cos);
+        s->weight[j] = quarter * weight[at] / panels;
+        s->shape[j] = disk->alpha * (-2 * half_sin * half_sin);
+        for (size_t row = 0; row < disk->rows; row += 2) {
             const REAL next = c[0] * cos_phi - c[1] * sin_phi;
+            s->table[j * disk->rows + row] = c[0] * cos_phi;
+            s->table[j * disk->rows + row + 1] = -c[1] * sin_phi;
             c[1] = c[1] * cos_phi + c[0] * sin_phi;
             c[0] = next;
         }
     }
 }
 
-/* The panels whose pressure matters during a step: those above the negligible position and within `depth` of the
- * farthest point in alpha x. Returns the longest step for which they are all. */
-static double NAME(choose_panels)(struct disk *disk, const struct effort *effort, const struct NAME(solver) * s)
+/* x_k at the active points, but for the shape of the disk */
+static void NAME(rim)(const struct disk *disk, const struct NAME(series) * s, int k)
 {
-    const double *const x = s->narrow.rise, *const speed = s->narrow.rise + disk->points; /* alpha x, alpha x' */
+    const REAL *const position = s->position + (size_t)k * (1 + disk->n);
+    const REAL factor = (REAL)disk->alpha * (k > 0 ? k : 1);
+    REAL *const rise = s->rise + (size_t)k * disk->points;
+    for (size_t r = 0; r < disk->rows; r++)
+        s->sum[r] = 0;
+    for (size_t i = 0; i < disk->n; i++) {
+        REAL *const sum = s->sum + 2 * disk->mode[i].n;
+        sum[0] += disk->mode[i].c * position[1 + i];
+        sum[1] += disk->mode[i].s * position[1 + i];
+    }
+    for (size_t j = 0; j < disk->active; j++) {
+        REAL x = position[0];
+        for (size_t r = 0; r < disk->rows; r++)
+            x += s->sum[r] * s->table[j * disk->rows + r];
+        rise[j] = factor * x;
+    }
+}
+
+/* f = exp(alpha x): k f_k = sum_{i = 1 .. k} alpha i x_i f_{k - i} */
+static void NAME(press)(const struct disk *disk, const struct NAME(series) * s, int k)
+{
+    const size_t points = disk->points;
+    for (size_t j = 0; j < disk->active; j++) {
+        REAL sum = 0;
+        for (size_t i = 1; i <= (size_t)k; i++)
+            sum += s->rise[i * points + j] * s->pressure[((size_t)k - i) * points + j];
+        s->pressure[(size_t)k * points + j] = k > 0 ? sum / k : s->weight[j] * NAME(exp)(s->rise[j] + s->shape[j]);
+    }
+}
+
+/* The wall's forces of the order k, and with them the positions of the order k + 2 */
+static void NAME(accelerate)(const struct disk *disk, const struct NAME(series) * s, int k)
+{
+    const size_t width = 1 + disk->n, at = (size_t)(k + 2) * width;
+    const REAL *const pressure = s->pressure + (size_t)k * disk->points;
+    const REAL *const position = s->position + (size_t)k * width;
+    const REAL orders = (REAL)(k + 1) * (REAL)(k + 2), mass = NAME(pi)();
+    REAL load = 0;
+    for (size_t r = 0; r < disk->rows; r += 2) {
+        REAL c = 0, sine = 0;
+        for (size_t j = 0; j < disk->active; j++) {
+            c += pressure[j] * s->table[j * disk->rows + r];
+            sine += pressure[j] * s->table[j * disk->rows + r + 1];
+        }
+        s->sum[r] = c;
+        s->sum[r + 1] = sine;
+    }
+    for (size_t j = 0; j < disk->active; j++)
+        load += pressure[j];
+    disk->load[k] = (double)load;
+    s->position[at] = -load / (mass * orders);
+    for (size_t i = 0; i < disk->n; i++) {
+        const struct cor_disk_mode *const m = &disk->mode[i];
+        const REAL force = m->c * s->sum[2 * m->n] + m->s * s->sum[2 * m->n + 1];
+        s->position[at + 1 + i] = -((REAL)m->omega * (REAL)m->omega * position[1 + i] + force / mass) / orders;
+    }
+    for (size_t i = at; i < at + width; i++)
+        disk->path[i] = (double)s->position[i];
+}
+
+/* The points whose pressure matters during a step end with the last that is above the negligible position and within
+ * ln(tolerance) of the farthest point in alpha x. Returns the longest step for which they are all. */
+static double NAME(choose_points)(struct disk *disk, const struct NAME(series) * s)
+{
     double farthest = -HUGE_VAL, fastest = disk->alpha * disk->speed;
-    disk->active = disk->panels;
-    for (size_t i = 0; i < disk->panels; i++)
-        disk->panel[i] = i;
+    disk->active = disk->points;
     for (int k = 0; k < 2; k++)
-        double_rim(disk, &s->narrow, k);
+        NAME(rim)(disk, s, k);
     for (size_t j = 0; j < disk->points; j++) {
-        farthest = fmax(farthest, x[j] + disk->alpha * s->narrow.shape[j]);
-        fastest = fmax(fastest, fabs(speed[j]));
+        farthest = fmax(farthest, (double)(s->rise[j] + s->shape[j]));
+        fastest = fmax(fastest, fabs((double)s->rise[disk->points + j]));
     }
-    const double nothing = disk->alpha * negligible_position(disk, effort);
-    disk->active = 0;
-    for (size_t i = 0; i < disk->panels; i++) {
-        double most = -HUGE_VAL;
-        for (size_t j = i * GAUSS; j < (i + 1) * GAUSS; j++)
-            most = fmax(most, x[j] + disk->alpha * s->narrow.shape[j]);
-        if (most > fmax(nothing, farthest + log(effort->tolerance) - MARGIN))
-            disk->panel[disk->active++] = i;
-    }
-    const double most_speed = fabs(s->narrow.position[1 + disk->n]) + swing(disk, s->narrow.position, 1);
+    const double nothing = disk->alpha * negligible_position(disk);
+    const double least = fmax(nothing, farthest + log(disk->effort->tolerance) - MARGIN);
+    while (disk->active > 0 && (double)(s->rise[disk->active - 1] + s->shape[disk->active - 1]) <= least)
+        disk->active--;
+    const double most_speed = fabs(disk->path[1 + disk->n]) + swing(disk, 1);
     return disk->active > 0 ? MARGIN / 4 / fastest : (nothing - farthest + MARGIN / 4) / (disk->alpha * most_speed);
 }
 
 /* Taylor coefficients of a step from the state; returns its length. */
-static double NAME(expand)(struct disk *disk, const struct effort *effort, const struct NAME(solver) * s)
+static double NAME(expand)(struct disk *disk, const struct NAME(series) * s)
 {
-    const size_t n = disk->n;
-    for (size_t i = 0; i <= n; i++) {
-        s->wide.position[i] = s->position[i];
-        s->wide.position[1 + n + i] = s->velocity[i];
-        s->narrow.position[i] = (double)s->position[i];
-        s->narrow.position[1 + n + i] = (double)s->velocity[i];
+    const double h = NAME(choose_points)(disk, s);
+    for (int k = 0; k < disk->effort->order; k++) {
+        NAME(rim)(disk, s, k);
+        NAME(press)(disk, s, k);
+        NAME(accelerate)(disk, s, k);
     }
-    double h = NAME(choose_panels)(disk, effort, s);
-    for (int k = 0; k < effort->order; k++) {
-        if (k >= effort->wide_orders) {
-            double_rim(disk, &s->narrow, k);
-            double_press(disk, &s->narrow, k);
-            double_accelerate(disk, &s->narrow, k);
-        } else {
-            NAME(rim)(disk, &s->wide, k);
-            if (k > 0)
-                NAME(press)(disk, &s->wide, k);
-            for (size_t a = 0; a < disk->active; a++)
-                for (size_t j = disk->panel[a] * GAUSS; j < (disk->panel[a] + 1) * GAUSS; j++) {
-                    const size_t at = (size_t)k * disk->points + j;
-                    if (k == 0)
-                        s->wide.pressure[j] =
-                            s->weight[j] * NAME(exp)(s->wide.rise[j] + disk->alpha * s->wide.shape[j]);
-                    s->narrow.rise[at] = (double)s->wide.rise[at];
-                    s->narrow.pressure[at] = (double)s->wide.pressure[at];
-                }
-            NAME(accelerate)(disk, &s->wide, k);
-            s->narrow.load[k] = (double)s->wide.load[k];
-            for (size_t i = (size_t)(k + 2) * (1 + n); i < (size_t)(k + 3) * (1 + n); i++)
-                s->narrow.position[i] = (double)s->wide.position[i];
-        }
-        h = fmin(h, step_allowed(disk, effort, s->narrow.position, k + 2));
-    }
-    return h;
+    return fmin(h, step_allowed(disk));
 }
 
 /* The state a time h later */
-static void NAME(advance)(const struct disk *disk, const struct effort *effort, const struct NAME(solver) * s, double h)
+static void NAME(advance)(const struct disk *disk, const struct NAME(series) * s, double h)
 {
-    const size_t n = disk->n;
-    for (size_t i = 0; i <= n; i++) {
+    const size_t width = 1 + disk->n;
+    for (size_t i = 0; i < width; i++) {
         REAL position = 0, velocity = 0;
-        for (int k = effort->order + 1; k >= 0; k--) {
-            const size_t at = (size_t)k * (1 + n) + i;
-            const REAL coefficient = k < effort->wide_orders + 2 ? s->wide.position[at] : s->narrow.position[at];
+        for (size_t k = (size_t)disk->effort->order + 2; k-- > 0;) {
             velocity = velocity * h + position;
-            position = position * h + coefficient;
+            position = position * h + s->position[k * width + i];
         }
-        s->position[i] = position;
-        s->velocity[i] = velocity;
+        disk->path[i] = (double)(s->position[i] = position);
+        disk->path[width + i] = (double)(s->position[width + i] = velocity);
     }
 }
 
 /* 0, or 2 after MOST_STEPS */
-static int NAME(collide)(struct disk *disk, const struct effort *effort, struct course *course)
+static int NAME(collide)(struct disk *disk)
 {
-    struct pool pool = {{0}, 0};
-    struct NAME(solver) s;
-    const double reach = negligible_position(disk, effort);
+    const double reach = negligible_position(disk);
+    struct NAME(series) s;
+    REAL *const memory = NAME(take)(disk, &s), *const velocity = s.position + 1 + disk->n;
     double time = reach / disk->speed;
-    NAME(take)(disk, effort->wide_orders + 2, &pool, &s.wide);
-    double_take(disk, effort->order + 2, &pool, &s.narrow);
-    s.weight = pool_take(&pool, disk->points, sizeof(REAL));
-    s.position = pool_take(&pool, 1 + disk->n, sizeof(REAL));
-    s.velocity = pool_take(&pool, 1 + disk->n, sizeof(REAL));
-    disk->panel = pool_take(&pool, disk->panels, sizeof *disk->panel);
-    s.wide.mass = NAME(pi)();
-    s.narrow.mass = (double)s.wide.mass;
+    int steps = 0;
     NAME(place_points)(disk, &s);
     s.position[0] = reach;
-    s.velocity[0] = disk->speed;
-    for (course->steps = 0; course->steps < MOST_STEPS; course->steps++) {
-        const double h = NAME(expand)(disk, effort, &s);
-        if (s.velocity[0] < 0 && disk->active == 0 && s.narrow.position[0] + swing(disk, s.narrow.position, 0) < reach)
+    velocity[0] = disk->speed;
+    NAME(advance)(disk, &s, 0);
+    for (; steps < MOST_STEPS; steps++) {
+        const double h = NAME(expand)(disk, &s);
+        if (velocity[0] < 0 && disk->active == 0 && disk->path[0] + swing(disk, 0) < reach)
             break;
-        follow(disk, effort, &s.narrow, course, time, h);
-        NAME(advance)(disk, effort, &s, h);
+        follow(disk, time, h);
+        NAME(advance)(disk, &s, h);
         time += h;
     }
     const REAL speed = disk->speed;
-    course->eps = (long double)(-s.velocity[0] / speed);
-    course->one_minus_eps2 = 0;
+    disk->eps = (long double)(-velocity[0] / speed);
+    disk->one_minus_eps2 = 0;
     for (size_t i = 0; i < disk->n; i++) {
-        const REAL p = s.velocity[1 + i] / speed, q = disk->mode[i].omega * s.position[1 + i] / speed;
-        course->after[i] = (double)(p * p + q * q);
-        course->one_minus_eps2 += course->after[i];
+        const REAL p = velocity[1 + i] / speed, q = disk->mode[i].omega * s.position[1 + i] / speed;
+        disk->after[i] = (double)(p * p + q * q);
+        disk->one_minus_eps2 += disk->after[i];
     }
-    pool_free(&pool);
-    return course->steps < MOST_STEPS ? 0 : 2;
+    free(memory);
+    return steps < MOST_STEPS ? 0 : 2;
 }
