@@ -32,9 +32,6 @@ struct disk_row {
 
 void disk_csv(struct disk_bench *bench, const struct disk_row *row);
 
-/* C^2 (2 I)^2 of mode[0..n-1], n > 0, in long double, for the contact law's constant b: quadrature.c */
-void disk_quadrature(const struct cor_disk_mode *mode, size_t n, long double b, double speed, long double *fraction);
-
 /* Exits with the text of the status, unless it is COR_OK or the other one. */
 void disk_must(int status, int other);
 

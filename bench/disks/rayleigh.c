@@ -8,6 +8,7 @@
 #include <cor/status.h>
 
 #include "disk.h"
+#include "reference_rayleigh.h"
 
 enum { MODES = 1800, SPEEDS = 8, NEIGHBOURS = 25 };
 
@@ -81,7 +82,7 @@ static void each_mode(struct disk_bench *bench)
     timing_measure(job, SPEEDS, bench->timing);
     for (int i = 0; i < SPEEDS; i++) {
         const double speed = task[i].speed;
-        disk_quadrature(modes->mode, MODES, b, speed, integral);
+        reference_rayleigh(modes->mode, MODES, b, speed, integral);
         disk_csv(bench, &(struct disk_row){"rayleigh", "cor", speed, NAN, MODES, job[i].best_ns / 1e9,
                                            worst_error(modes->mode, fraction[i], integral)});
     }

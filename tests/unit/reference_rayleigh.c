@@ -8,7 +8,7 @@
  * singularities: the truth, by another route than the library's, which leaves the real axis. */
 #include <tgmath.h>
 
-#include "disk.h"
+#include "reference_rayleigh.h"
 
 typedef long double real;
 enum { POINTS = 28, HALVINGS = 40 }; /* of a panel; of the panels towards each end: rounding is what is left */
@@ -105,7 +105,7 @@ static void add_panel(real *integral, const struct cor_disk_mode *mode, size_t n
     }
 }
 
-void disk_quadrature(const struct cor_disk_mode *mode, size_t n, long double b, double speed, long double *fraction)
+void reference_rayleigh(const struct cor_disk_mode *mode, size_t n, long double b, double speed, long double *fraction)
 {
     struct rule rule;
     const real q0 = fmax(2 * ((real)1.5 * log((real)2) + (real)b - 1 - log((real)speed)), (real)0);
