@@ -2,8 +2,6 @@
 #include "reference.h"
 
 #include "ball_value.h"
-#include "series/restitution.h"
-#include "series/series.h"
 #include "support/formula.h"
 #include "support/local.h"
 
@@ -11,17 +9,17 @@
 #include <stdbool.h>
 
 enum {
-    BITS = 128,
-    /* beta below 2^FIRST_BINADE: series, TERMS in beta and as many in sqrt(beta) */
+    BITS = 160,
+    /* beta below 2^FIRST_BINADE: one cell in sqrt(beta) */
     FIRST_BINADE = -3,
-    TERMS = 24,
     /* beyond 2^LAST_BINADE: powers and logarithms; three binades more serve as their period */
     LAST_BINADE = 45,
     BINADES = LAST_BINADE + 3 - FIRST_BINADE,
     /* cells of a binade: quarters in the first ones, where singularities in the complex plane are near, then one */
     QUARTERED = 7,
     QUARTERS = 4,
-    CELLS = QUARTERED * QUARTERS + BINADES - QUARTERED,
+    IN_ROOT = QUARTERED * QUARTERS + BINADES - QUARTERED,
+    CELLS,
     POINTS = 27,
     /* from 2^MANIFOLD_BINADE on the unloading joins the slow manifold long before its end */
     MANIFOLD_BINADE = 4,
@@ -29,36 +27,36 @@ enum {
 };
 
 /* The polynomial c[0] + low + c[1] x + ...; low is what c[0] lost to rounding. */
-struct cell {
+static struct cell {
     long double low, c[POINTS];
-};
-
-/* value = beta^power (even(beta) + sqrt(beta) odd(beta)) */
-struct small {
-    int power;
-    long double low, even[TERMS], odd[TERMS];
-};
-
-static struct cell cells[QUANTITIES][CELLS];
-static struct small series[ALL_QUANTITIES];
+} cells[ALL_QUANTITIES][CELLS];
 static long double h_star_5, ln2;
 
-/* A cell and its range of beta. */
+/* A cell and its range of beta, or in the first of sqrt(beta). */
 struct place {
     int index;
     long double middle, half;
 };
 
-/* Where beta is, 2^FIRST_BINADE <= beta < 2^(LAST_BINADE + 3). */
+/* Where beta is, beta < 2^(LAST_BINADE + 3). */
 static struct place place_of(long double beta)
 {
     int exponent;
     const long double mantissa = 2 * frexpl(beta, &exponent); /* in [1, 2) */
     const int binade = exponent - 1 - FIRST_BINADE;
+    const double root = sqrt(ldexp(1, FIRST_BINADE - 2));
+    if (beta < ldexpl(1, FIRST_BINADE))
+        return (struct place){IN_ROOT, root, root};
     const int parts = binade < QUARTERED ? QUARTERS : 1, part = (int)((mantissa - 1) * (long double)parts);
     const int first = binade < QUARTERED ? binade * QUARTERS : QUARTERED * QUARTERS + binade - QUARTERED;
     const long double half = ldexpl(1, exponent - 2) / (long double)parts;
     return (struct place){first + part, ldexpl(1, exponent - 1) + (long double)(2 * part + 1) * half, half};
+}
+
+/* Whether the cells in sqrt(beta) are of the value over beta */
+static bool is_loss(int quantity)
+{
+    return quantity == LOSS_ZERO_OVERLAP || quantity == LOSS_ZERO_FORCE || quantity == LOSS_APPROACH_ONLY;
 }
 
 /* ---- the motion ----
@@ -72,10 +70,12 @@ static struct place place_of(long double beta)
 
 enum { DEGREE = 32, LENGTH };
 
-/* Relative size of the terms that a step leaves out, and of what is left of the past on the slow manifold. */
-static const double STEP_LOG2 = -90, JOINED_LOG2 = -90;
+/* Relative size of the terms that a step leaves out, less where damping is weak and f large beside its value at the
+ * end; and of what is left of the past on the slow manifold */
+static const double STEP_LOG2 = -90, STEP_IN_ROOT_LOG2 = -150, JOINED_LOG2 = -90;
 
 static struct {
+    double left_out;
     arb_t mu, step;
     arb_ptr w, f, s;         /* Taylor coefficients at the state in hand, LENGTH of each */
     arb_ptr v, square, rest; /* X', w^2, w f - mu f + mu^2 w^2 */
@@ -100,12 +100,12 @@ static void convolve(arb_t out, arb_srcptr x, arb_srcptr y, slong n)
     arb_approx_dot(out, NULL, 0, x, 1, y + n, -1, n + 1, BITS);
 }
 
-/* log2 of the longest step at which coefficients of this size, relative to scale, stay below STEP_LOG2. */
+/* log2 of the longest step at which coefficients of this size, relative to scale, stay below m.left_out. */
 static double step_log2(arb_srcptr c, double scale)
 {
     double least = HUGE_VAL;
     for (slong n = DEGREE - 3; n <= DEGREE; n++)
-        least = fmin(least, (STEP_LOG2 + scale - log2_size(c + n)) / (double)n);
+        least = fmin(least, (m.left_out + scale - log2_size(c + n)) / (double)n);
     return least;
 }
 
@@ -154,18 +154,17 @@ static bool negative_at_end(arb_srcptr component)
     return arb_is_negative(x);
 }
 
-/* Where a component that is positive at 0 and negative at the end of the step is zero, by Newton's method */
+/* Where a component that is positive at 0 and negative at the end of the step is zero */
 static void motion_zero(arb_t sigma, arb_srcptr component)
 {
-    LOCAL(arb, x, y, slope);
-    arb_set(x, m.step);
-    for (int i = 0; i < 9; i++) {
-        _arb_poly_evaluate2_horner(y, slope, component, LENGTH, x, BITS);
-        arb_div(y, y, slope, BITS);
-        arb_sub(x, x, y, BITS);
-        arb_get_mid_arb(x, x);
+    LOCAL(arb, low, high, middle, y);
+    arb_set(high, m.step);
+    for (int i = 0; i < BITS; i++) {
+        LET(middle, BITS, "(low + high)/2", low, high);
+        motion_value(y, component, middle);
+        arb_set(arb_is_positive(y) ? low : high, middle);
     }
-    arb_set(sigma, x);
+    arb_set(sigma, high);
 }
 
 /* ---- the fall ----
@@ -211,6 +210,7 @@ static void fall_build(arb_t end_speed)
         arb_mul_2exp_si(fall_series + n, fall_series + n, 1);
         arb_div_si(fall_series + n, fall_series + n, n, 2 * BITS);
     }
+    m.left_out = STEP_LOG2;
     arb_one(m.mu);
     motion_start();
     arb_set_si(m.w, FALL_DEGREE);
@@ -249,97 +249,7 @@ static void first_split(long double *c, long double *low, const arb_t x)
     *low = ball_value(less);
 }
 
-/* From a power series in beta (stride 1) or sqrt(beta) (stride 2) without its first terms, of which `power` are even */
-static void small_set(enum quantity quantity, const arb_poly_t g, int stride, int power)
-{
-    struct small *const small = &series[quantity];
-    LOCAL(arb, c);
-    small->power = power;
-    for (slong k = 0; k < TERMS; k++) {
-        arb_poly_get_coeff_arb(c, g, stride * (k + power));
-        small->even[k] = ball_value(c);
-        if (k == 0)
-            first_split(&small->even[0], &small->low, c);
-        if (stride == 2) {
-            arb_poly_get_coeff_arb(c, g, 2 * (k + power) + 1);
-            small->odd[k] = ball_value(c);
-        }
-    }
-}
-
-/* eps and 1 - eps */
-static void small_set_eps(enum quantity eps, enum quantity loss, arb_poly_t g, int stride)
-{
-    small_set(eps, g, stride, 0);
-    arb_poly_neg(g, g);
-    small_set(loss, g, stride, 1);
-}
-
-/* g(z^2) */
-static void in_root(arb_poly_t in_z, const arb_poly_t g)
-{
-    LOCAL(arb_poly, z_2);
-    arb_poly_set_coeff_si(z_2, 2, 1);
-    arb_poly_compose(in_z, g, z_2, 2 * BITS);
-}
-
-/* T_zero_overlap = tau(beta) + eps^(-1/5) tau(-h), h = beta eps^(1/5); T_zero_force = T_zero_overlap - beta T(w),
- * w = h^(5/2). As power series in beta, and in z = sqrt(beta). */
-static void duration_series(arb_poly_t overlap, arb_poly_t force, const struct series *y, slong length)
-{
-    const slong n = y->order + 1;
-    LOCAL(arb_poly, root, h, x, T);
-    LOCAL(fmpq_poly, G_exact, T_exact);
-    LOCAL(arb, e);
-
-    LET(e, 2 * BITS, "1/5");
-    arb_poly_pow_arb_series(root, y->c, e, n, 2 * BITS);
-    arb_poly_shift_left(h, root, 1);
-    arb_poly_truncate(h, n);
-    arb_poly_neg(x, h);
-    arb_poly_compose_series(x, y->tau, x, n, 2 * BITS);
-    arb_poly_div_series(x, x, root, n, 2 * BITS);
-    arb_poly_add(overlap, x, y->tau, 2 * BITS);
-
-    restitution_zero_force_exact(G_exact, T_exact, length / 5 + 1, &law_sphere);
-    arb_poly_set_fmpq_poly(T, T_exact, 2 * BITS);
-    arb_poly_sqrt_series(x, y->c, n, 2 * BITS); /* w = beta^(5/2) eps^(1/2) */
-    in_root(h, x);
-    arb_poly_shift_left(h, h, 5);
-    arb_poly_truncate(h, length);
-    arb_poly_compose_series(x, T, h, length, 2 * BITS);
-    arb_poly_shift_left(x, x, 2);
-    in_root(force, overlap);
-    arb_poly_sub(force, force, x, 2 * BITS);
-}
-
-static int build_series(void)
-{
-    const slong order = TERMS + 2;
-    slong root;
-    LOCAL(series, y);
-    LOCAL(arb_poly, g, h);
-    LOCAL(arb, power);
-    if (series_compute(y, order, &law_sphere, BITS) != 0 ||
-        series_eps(g, &root, END_ZERO_FORCE, 2 * order, &law_sphere, BITS) != 0)
-        return 1;
-    small_set_eps(EPS_ZERO_FORCE, LOSS_ZERO_FORCE, g, 2);
-    small_set(MAX_OVERLAP, y->y, 1, 0);
-    small_set(TIME_OF_MAX_OVERLAP, y->tau, 1, 0);
-    duration_series(g, h, y, 2 * order);
-    small_set(DURATION_ZERO_OVERLAP, g, 1, 0);
-    small_set(DURATION_ZERO_FORCE, h, 2, 0);
-    /* damped while approaching only: (y/y_0)^(5/4) */
-    arb_poly_get_coeff_arb(power, y->y, 0);
-    arb_poly_scalar_div(g, y->y, power, 2 * BITS);
-    arb_set_d(power, 1.25);
-    arb_poly_pow_arb_series(g, g, power, order + 1, 2 * BITS);
-    small_set_eps(EPS_APPROACH_ONLY, LOSS_APPROACH_ONLY, g, 1);
-    small_set_eps(EPS_ZERO_OVERLAP, LOSS_ZERO_OVERLAP, y->c, 1);
-    return 0;
-}
-
-/* All quantities at one beta >= 1/8, but for eps at zero overlap where the manifold serves */
+/* All quantities at one beta > 0, but for a duration, and eps at zero overlap where the manifold serves */
 static void collide(arb_ptr value, const arb_t beta)
 {
     static const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP,
@@ -380,29 +290,38 @@ static void collide(arb_ptr value, const arb_t beta)
     LET(x, 2 * BITS, "beta^(-2/3)", beta);
     for (size_t i = 0; i < sizeof scaled / sizeof *scaled; i++)
         arb_mul(value + scaled[i], value + scaled[i], x, BITS);
-    arb_sub_si(x, value + EPS_ZERO_FORCE, 1, BITS);
-    arb_neg(value + LOSS_ZERO_FORCE, x);
-    arb_sub_si(x, value + EPS_ZERO_OVERLAP, 1, BITS);
-    arb_neg(value + LOSS_ZERO_OVERLAP, x);
+    arb_set(x, value + MAX_OVERLAP);
+    LET(value + EPS_APPROACH_ONLY, BITS, "sqrt(4/5)*x^(5/4)", x);
+    for (int eps = 0; eps < ALL_QUANTITIES; eps++)
+        if (is_loss(eps + LOSS_OF_EPS)) {
+            arb_sub_si(x, value + eps, 1, BITS);
+            arb_neg(value + eps + LOSS_OF_EPS, x);
+        }
 }
 
 /* The polynomials of a cell through the values at x_j of [-1, 1] */
 static void build_cell(struct place place, arb_srcptr x)
 {
-    LOCAL_VECTOR(values, QUANTITIES * POINTS);
-    LOCAL_VECTOR(value, QUANTITIES);
+    LOCAL_VECTOR(values, ALL_QUANTITIES * POINTS);
+    LOCAL_VECTOR(value, ALL_QUANTITIES);
     LOCAL(arb, beta, c);
     LOCAL(arb_poly, g);
     const double middle = (double)place.middle, half = (double)place.half;
+    m.left_out = place.index == IN_ROOT ? STEP_IN_ROOT_LOG2 : STEP_LOG2;
     for (slong j = 0; j < POINTS; j++) {
         arb_srcptr at = x + j;
         LET(beta, BITS, "middle + half*at", middle, half, at);
+        if (place.index == IN_ROOT)
+            arb_mul(beta, beta, beta, BITS);
         arb_get_mid_arb(beta, beta);
         collide(value, beta);
-        for (int q = 0; q < QUANTITIES; q++)
-            arb_set(values + q * POINTS + j, value + q);
+        for (int q = 0; q < ALL_QUANTITIES; q++)
+            if (place.index == IN_ROOT && is_loss(q))
+                arb_div(values + q * POINTS + j, value + q, beta, 2 * BITS);
+            else
+                arb_set(values + q * POINTS + j, value + q);
     }
-    for (int q = 0; q < QUANTITIES; q++) {
+    for (int q = 0; q < ALL_QUANTITIES; q++) {
         struct cell *cell = &cells[q][place.index];
         arb_poly_interpolate_barycentric(g, x, values + q * POINTS, POINTS, 2 * BITS);
         for (slong k = 0; k < POINTS; k++) {
@@ -414,7 +333,7 @@ static void build_cell(struct place place, arb_srcptr x)
     }
 }
 
-int reference_build(void)
+void reference_build(void)
 {
     LOCAL_VECTOR(x, POINTS); /* Chebyshev's points cos(pi (2 j + 1)/(2 POINTS)) */
     LOCAL_VECTOR(of_motion, 6 * LENGTH);
@@ -426,8 +345,6 @@ int reference_build(void)
     fall_p = of_fall;
     fall_series = of_fall + FALL_LENGTH;
     FOR_ALL(arb, init, m.mu, m.step, fall_constant);
-    if (build_series() != 0)
-        return 1;
     fall_build(c);
     h_star_5 = ball_value(c);
     for (slong j = 0; j < POINTS; j++) {
@@ -436,6 +353,7 @@ int reference_build(void)
         arb_cos_pi(c, c, BITS);
         arb_get_mid_arb(x + j, c);
     }
+    build_cell(place_of(0), x);
     for (long double beta = ldexpl(1, FIRST_BINADE); beta < ldexpl(1, LAST_BINADE + 3);) {
         const struct place place = place_of(beta);
         build_cell(place, x);
@@ -444,32 +362,20 @@ int reference_build(void)
     arb_const_log2(c, BITS);
     ln2 = ball_value(c);
     FOR_ALL(arb, clear, m.mu, m.step, fall_constant);
-    return 0;
 }
 
 /* ---- evaluation ---- */
-
-static long double small_value(const struct small *s, long double beta)
-{
-    long double even = s->even[TERMS - 1], odd = s->odd[TERMS - 1];
-    for (int k = TERMS - 2; k > 0; k--) {
-        even = even * beta + s->even[k];
-        odd = odd * beta + s->odd[k];
-    }
-    odd = odd * beta + s->odd[0];
-    const long double value = s->even[0] + (s->low + (even * beta + odd * sqrtl(beta)));
-    return s->power == 0 ? value : value * beta;
-}
 
 static long double cell_value(enum quantity quantity, long double beta)
 {
     const struct place place = place_of(beta);
     const struct cell *cell = &cells[quantity][place.index];
-    const long double x = (beta - place.middle) / place.half;
+    const bool in_root = place.index == IN_ROOT;
+    const long double x = ((in_root ? sqrtl(beta) : beta) - place.middle) / place.half;
     long double sum = cell->c[POINTS - 1];
     for (int k = POINTS - 2; k > 0; k--)
         sum = sum * x + cell->c[k];
-    return cell->c[0] + (cell->low + sum * x);
+    return (cell->c[0] + (cell->low + sum * x)) * (in_root && is_loss((int)quantity) ? beta : 1);
 }
 
 /* From beta = 8^k b with b in the last binades, value = 2^(power k) (value at b + log k ln 2 x), x = b for the duration
@@ -504,7 +410,7 @@ static long double large_value(enum quantity quantity, long double beta)
 static long double approach_value(enum quantity quantity, long double beta)
 {
     if (quantity != DURATION_APPROACH_ONLY && beta < ldexpl(1, FIRST_BINADE))
-        return small_value(&series[quantity], beta);
+        return cell_value(quantity, beta);
     const long double eps = sqrtl(0.8L) * powl(reference_value(MAX_OVERLAP, beta), 1.25L);
     if (quantity != DURATION_APPROACH_ONLY)
         return quantity == EPS_APPROACH_ONLY ? eps : 1 - eps;
@@ -517,10 +423,10 @@ long double reference_value(enum quantity quantity, long double beta)
         return NAN;
     if (isinf(beta))
         return large[quantity].limit;
+    if (beta == 0 && (quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE || quantity == EPS_APPROACH_ONLY))
+        return 1;
     if (quantity >= QUANTITIES)
         return approach_value(quantity, beta);
-    if (beta < ldexpl(1, FIRST_BINADE))
-        return small_value(&series[quantity], beta);
     if (beta >= ldexpl(1, CLOSED_BINADE) && (quantity == EPS_ZERO_OVERLAP || quantity == LOSS_ZERO_OVERLAP)) {
         const long double square = beta * beta, eps = h_star_5 / (square * square * beta);
         return quantity == EPS_ZERO_OVERLAP ? eps : 1 - eps;

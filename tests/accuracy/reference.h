@@ -2,8 +2,8 @@
 /* The sphere functions in long double at every beta >= 0, fast enough for 10^9 points and good to a few 2^-64
  * where long double has 64 bits: what the doubles of the library are judged by.
  *
- * beta < 1/8           the exact series of corgen in beta and sqrt(beta)
- * 1/8 <= beta < 2^48   Chebyshev interpolation in beta within binades, the values integrated
+ * beta < 1/8           Chebyshev interpolation in sqrt(beta), of a loss over beta, the values integrated
+ * 1/8 <= beta < 2^48   the same in beta within binades
  * 2^48 <= beta         powers of beta and ln(beta), what is next is below 2^-70
  * zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
  *
@@ -48,9 +48,8 @@ enum quantity {
     PLAIN(beta_of_loss_approach_only, INVERSE_OF_LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)
 enum { LOSS_OF_EPS = LOSS_ZERO_OVERLAP - EPS_ZERO_OVERLAP };
 
-/* Makes the tables, some seconds; once, before any thread calls the functions below. Returns 0, or 1 after saying
- * what failed. */
-int reference_build(void);
+/* Makes the tables, some seconds; once, before any thread calls the functions below. */
+void reference_build(void);
 
 long double reference_value(enum quantity quantity, long double beta);
 
