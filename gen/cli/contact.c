@@ -64,40 +64,36 @@ static int check_options(const struct contact_arguments *o, const struct contact
 
 /* ---- the tables ---- */
 
-static void print_summary(FILE *file, const struct contact_arguments *o, const struct contacts *contacts, int digits)
-{
-    struct table table;
-    char text[CONTACT_LAW_TEXT];
-    contact_summary(&table, contacts, digits);
-    if (o->friction.text)
-        contact_oblique(&table, contacts, options_number(&o->friction, 0), digits);
-    if (o->common.format == FORMAT_TEXT)
-        fprintf(file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0], &contacts->law),
-                contacts->scene.plate ? ", a plate" : "");
-    table_print(&table, (enum output_format)o->common.format, file);
-    table_clear(&table);
-}
-
 static int print_tables(const struct contact_arguments *o, const struct contacts *contacts)
 {
-    const bool in_text = o->common.format == FORMAT_TEXT;
+    const enum output_format format = (enum output_format)o->common.format;
+    const bool in_text = format == FORMAT_TEXT, rows = o->speed.count > 0;
     const int digits = in_text ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS;
     const struct cor_simulator_request request = request_of(o, contacts);
-    struct table rows = {0};
+    struct table table = {0}, summary;
     struct output out;
-    int status = o->speed.count == 0 ? STATUS_OK : contact_rows(&rows, contacts, &request, digits);
+    char text[CONTACT_LAW_TEXT];
+    int status = rows ? contact_rows(&table, contacts, &request, digits) : STATUS_OK;
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
-        if (o->speed.count == 0 || in_text)
-            print_summary(out.file, o, contacts, digits);
-        if (o->speed.count > 0 && in_text)
+        if (in_text)
+            fprintf(out.file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0], &contacts->law),
+                    contacts->scene.plate ? ", a plate" : "");
+        if (in_text || !rows) {
+            contact_summary(&summary, contacts, digits);
+            if (o->friction.text)
+                contact_oblique(&summary, contacts, options_number(&o->friction, 0), digits);
+            table_print(&summary, format, out.file);
+            table_clear(&summary);
+        }
+        if (in_text && rows)
             fputs("\n", out.file);
-        if (o->speed.count > 0)
-            table_print(&rows, (enum output_format)o->common.format, out.file);
+        if (rows)
+            table_print(&table, format, out.file);
         status = output_commit(&out);
     }
-    table_clear(&rows);
+    table_clear(&table);
     return status;
 }
 
@@ -105,28 +101,13 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
 
 enum { CURVE_POINTS = 201 };
 
-/* eps at one end, at speeds whose logarithms are equally far apart */
-static int fill_curve(double *speed_m_s, double *eps, const struct contact_arguments *o,
-                      const struct cor_scene_contact *contact, int end)
-{
-    /* a single speed lies in the middle of two decades */
-    const double margin = o->speed.least < o->speed.largest ? 1 : 10;
-    const double low = o->speed.least / margin, high = o->speed.largest * margin;
-    for (int i = 0; i < CURVE_POINTS; i++) {
-        progress("picture", i, CURVE_POINTS);
-        speed_m_s[i] = low * pow(high / low, (double)i / (CURVE_POINTS - 1));
-        const int status = contact_status(cor_scene_eps(&eps[i], contact, speed_m_s[i], end));
-        if (status != STATUS_OK)
-            return status;
-    }
-    progress_end();
-    return STATUS_OK;
-}
-
+/* eps at speeds whose logarithms are equally far apart; a single speed lies in the middle of two decades */
 static int draw(const struct contact_arguments *o, const struct contacts *contacts)
 {
     static const char *const title[COR_SCENE_ENDS] = {"contact ends at zero overlap", "contact ends at zero force"};
-    static double speed_m_s[COR_SCENE_ENDS][CURVE_POINTS], eps[COR_SCENE_ENDS][CURVE_POINTS];
+    static double speed_m_s[CURVE_POINTS], eps[COR_SCENE_ENDS][CURVE_POINTS];
+    const double margin = o->speed.least < o->speed.largest ? 1 : 10;
+    const double low = o->speed.least / margin, high = o->speed.largest * margin;
     struct eps_curve curve[COR_SCENE_ENDS];
     size_t curves = 0;
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
@@ -134,10 +115,15 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
         const bool wanted = o->scene.end == OPTIONS_NOT_GIVEN || o->scene.end == end;
         if (!wanted || !cor_scene_has_end(contact, end) || (curves > 0 && !cor_scene_ends_differ(contact)))
             continue;
-        const int status = fill_curve(speed_m_s[curves], eps[curves], o, contact, end);
-        if (status != STATUS_OK)
-            return status;
-        curve[curves] = (struct eps_curve){title[end], speed_m_s[curves], eps[curves], CURVE_POINTS};
+        for (int i = 0; i < CURVE_POINTS; i++) {
+            progress("picture", i, CURVE_POINTS);
+            speed_m_s[i] = low * pow(high / low, (double)i / (CURVE_POINTS - 1));
+            const int status = contact_status(cor_scene_eps(&eps[curves][i], contact, speed_m_s[i], end));
+            if (status != STATUS_OK)
+                return status;
+        }
+        progress_end();
+        curve[curves] = (struct eps_curve){title[end], speed_m_s, eps[curves], CURVE_POINTS};
         curves++;
     }
     return eps_plot(o->plot, law_equation(&contacts->law).text, "impact speed (m/s)", 0, curve, curves);

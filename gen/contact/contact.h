@@ -59,7 +59,7 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
 /* The end of a row: that of the contact, or COR_BOTH_ENDS */
 int contact_end(const struct contacts *contacts, int contact);
 
-/* ---- contact_simulator.c: lines for the input of a simulator that realise a contact (cor/scene.h) ---- */
+/* ---- lines for the input of a simulator that realise a contact (cor/scene.h) ---- */
 
 /* The word that asks for the list of simulators instead of a name, or of the models of one instead of its version */
 #define CONTACT_SIMULATOR_LIST "list"

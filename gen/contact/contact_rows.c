@@ -28,12 +28,10 @@ static const char *const *ends_of(const struct contacts *contacts)
 void contact_summary(struct table *table, const struct contacts *contacts, int digits)
 {
     const char *const *const end = ends_of(contacts);
+    const bool one = contacts->count == 1;
     char text[HEADER];
-    snprintf(text, sizeof text, "quantity,value_%s,value_%s,unit", end[0], end[1]);
-    if (contacts->count == 1)
-        table_init(table, "quantity,value,unit", "tnt");
-    else
-        table_init(table, text, "tnnt");
+    snprintf(text, sizeof text, one ? "quantity,value,unit" : "quantity,value_%s,value_%s,unit", end[0], end[1]);
+    table_init(table, text, one ? "tnt" : "tnnt");
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
         const struct cor_scene_quantity *const q = &cor_scene_quantities[i];
         if (isnan(cor_scene_quantity(&contacts->contact[0], q->number)))
@@ -120,23 +118,6 @@ static int step_for(double *time_step, const struct row *row, size_t rows, const
     return STATUS_OK;
 }
 
-/* The impacts of all rows but contacts, speeds and ends, and the time step */
-static int fill_rows(double *time_step, struct row *row, size_t rows, const struct cor_simulator_request *request)
-{
-    double least = INFINITY; /* the shortest duration, of the ends that are known */
-    for (size_t i = 0; i < rows; i++) {
-        struct row *const r = &row[i];
-        progress("impacts", (long)i, (long)rows);
-        const int status = contact_status(cor_scene_impact(&r->impact, r->contact, r->speed_m_s));
-        if (status != STATUS_OK)
-            return status;
-        r->elastic_duration_s = cor_scene_elastic_duration_s(r->contact, r->speed_m_s);
-        least = fmin(least, fmin(r->impact.duration_s[0], r->impact.duration_s[1]));
-    }
-    *time_step = request->time_step_s > 0 ? request->time_step_s : isinf(least) ? (double)NAN : least / request->steps;
-    return request->step_tolerance > 0 ? step_for(time_step, row, rows, request) : STATUS_OK;
-}
-
 /* ---- the impacts ---- */
 
 /* The quantity that is corrected; NULL: a contact without damping */
@@ -190,17 +171,28 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
     const double known = isnan(contacts->contact[0].mass_kg) ? (double)NAN : 1;
     struct cor_scene_contact timed[COR_SCENE_ENDS];
     struct row *const row = xmalloc(rows * sizeof *row);
-    double time_step = NAN;
+    double least = INFINITY; /* the shortest duration, of the ends that are known */
+    int status = STATUS_OK;
     for (int i = 0; i < contacts->count; i++) {
         timed[i] = contacts->contact[i];
         if (isnan(known))
             timed[i].mass_kg = timed[i].stiffness = 1;
     }
-    for (size_t i = 0; i < rows; i++)
-        row[i] = (struct row){.contact = &timed[i / speeds],
-                              .speed_m_s = request->speed_m_s[i % speeds],
-                              .end = contact_end(contacts, (int)(i / speeds))};
-    int status = fill_rows(&time_step, row, rows, request);
+    for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
+        struct row *const r = &row[i];
+        const double speed = request->speed_m_s[i % speeds];
+        *r = (struct row){.contact = &timed[i / speeds], .speed_m_s = speed};
+        r->end = contact_end(contacts, (int)(i / speeds));
+        r->elastic_duration_s = cor_scene_elastic_duration_s(r->contact, speed);
+        progress("impacts", (long)i, (long)rows);
+        status = contact_status(cor_scene_impact(&r->impact, r->contact, speed));
+        least = fmin(least, fmin(r->impact.duration_s[0], r->impact.duration_s[1]));
+    }
+    double time_step = request->time_step_s > 0 ? request->time_step_s
+                       : isinf(least)           ? (double)NAN
+                                                : least / request->steps;
+    if (status == STATUS_OK && request->step_tolerance > 0)
+        status = step_for(&time_step, row, rows, request);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     const char *const *const end = ends_of(contacts);
     const bool both = contact_end(contacts, 0) == COR_BOTH_ENDS;

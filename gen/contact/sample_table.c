@@ -47,8 +47,6 @@ static void print_promise(FILE *file, const char *before, const struct sample *s
             cor_end_names[request->end], after);
 }
 
-/* ---- text, csv, json ---- */
-
 static void print_table(FILE *file, const struct column *column, int columns, size_t rows, enum output_format format)
 {
     char header[MOST_COLUMNS * 32] = "";
@@ -66,22 +64,10 @@ static void print_table(FILE *file, const struct column *column, int columns, si
     table_clear(&table);
 }
 
-/* The table, and beside it the evenly spaced one */
-static void print_beside(FILE *file, const struct sample *sample, const struct sample_request *request)
+static void print_number(FILE *file, const struct column *column, int k, size_t i)
 {
-    struct column column[2 * MOST_COLUMNS];
-    int n = columns_of(column, &sample->best, request);
-    column[n++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};
-    column[n++] = (struct column){"even_eps", sample->even.value[0]};
-    print_promise(file, "", sample, request, "");
-    fprintf(file, "As many evenly spaced points: %.4g.", sample->even.error);
-    if (isfinite(sample->error_of_fewer))
-        fprintf(file, " One point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
-    fputs("\n\n", file);
-    print_table(file, column, n, sample->best.count, FORMAT_TEXT);
+    fprintf(file, "%.*g", k == 0 ? SPEED_DIGITS : VALUE_DIGITS, column[k].number[i]);
 }
-
-/* ---- C and Python ---- */
 
 /* "before NAME after" and the numbers of each column, four a line */
 static void print_lists(FILE *file, const struct column *column, int columns, size_t rows, const char *before,
@@ -89,80 +75,74 @@ static void print_lists(FILE *file, const struct column *column, int columns, si
 {
     for (int k = 0; k < columns; k++) {
         fprintf(file, "%s%s%s", before, column[k].name, open);
-        for (size_t i = 0; i < rows; i++)
-            fprintf(file, "%s%.*g%s", i % 4 == 0 ? "\n    " : " ", k == 0 ? SPEED_DIGITS : VALUE_DIGITS,
-                    column[k].number[i], i + 1 < rows ? "," : "");
+        for (size_t i = 0; i < rows; i++) {
+            fputs(i % 4 == 0 ? "\n    " : " ", file);
+            print_number(file, column, k, i);
+            fputs(i + 1 < rows ? "," : "", file);
+        }
         fprintf(file, "\n%s\n", close);
-    }
-}
-
-static void print_python(FILE *file, const struct sample *sample, const struct sample_request *request,
-                         const struct column *column, int columns)
-{
-    const char *const log = request->log ? "numpy.log(" : "", *const end = request->log ? ")" : "";
-    print_promise(file, "# ", sample, request, "");
-    if (request->cubic)
-        fprintf(file, "# scipy.interpolate.CubicHermiteSpline(%sspeed_m_s%s, eps, %s)(%sspeed%s)\n", log, end,
-                column[2].name, log, end);
-    else
-        fprintf(file, "# numpy.interp(%sspeed%s, %sspeed_m_s%s, eps)\n", log, end, log, end);
-    print_lists(file, column, columns, sample->best.count, "", " = [", "]");
-}
-
-/* ---- simulators ---- */
-
-static void print_modelica(FILE *file, const struct sample *sample, const struct sample_request *request,
-                           const struct column *column, int columns)
-{
-    fputs("#1\n", file);
-    print_promise(file, "# ", sample, request, "");
-    fprintf(file, "double eps(%zu,%d)  # speed_m_s, eps%s\n", sample->best.count, columns,
-            request->duration ? ", duration_s" : "");
-    for (size_t i = 0; i < sample->best.count; i++)
-        for (int k = 0; k < columns; k++)
-            fprintf(file, "%.*g%c", k == 0 ? SPEED_DIGITS : VALUE_DIGITS, column[k].number[i],
-                    k + 1 < columns ? ' ' : '\n');
-}
-
-static void print_openfoam(FILE *file, const struct sample *sample, const struct sample_request *request,
-                           const struct column *column, int columns)
-{
-    print_promise(file, "// ", sample, request, "");
-    for (int k = 1; k < columns; k++) {
-        fprintf(file, "%s table\n(\n", column[k].name);
-        for (size_t i = 0; i < sample->best.count; i++)
-            fprintf(file, "    (%.*g %.*g)\n", SPEED_DIGITS, column[0].number[i], VALUE_DIGITS, column[k].number[i]);
-        fputs(");\n", file);
     }
 }
 
 void sample_print(FILE *file, const struct sample *sample, const struct sample_request *request,
                   enum sample_format format)
 {
+    static const char *const before[] = {[SAMPLE_TEXT] = "",
+                                         [SAMPLE_C] = "/* ",
+                                         [SAMPLE_PYTHON] = "# ",
+                                         [SAMPLE_MODELICA] = "# ",
+                                         [SAMPLE_OPENFOAM] = "// "};
+    const char *const log = request->log ? "numpy.log(" : "", *const end = request->log ? ")" : "";
+    const size_t rows = sample->best.count;
     struct column column[MOST_COLUMNS];
-    const int columns = columns_of(column, &sample->best, request);
+    int columns = columns_of(column, &sample->best, request);
+    if (format == SAMPLE_MODELICA)
+        fputs("#1\n", file);
+    if (format != SAMPLE_CSV && format != SAMPLE_JSON)
+        print_promise(file, before[format], sample, request, format == SAMPLE_C ? " */" : "");
     switch (format) {
-    case SAMPLE_TEXT:
-        print_beside(file, sample, request);
+    case SAMPLE_TEXT: /* and beside it the evenly spaced table */
+        column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};
+        column[columns++] = (struct column){"even_eps", sample->even.value[0]};
+        fprintf(file, "As many evenly spaced points: %.4g.", sample->even.error);
+        if (isfinite(sample->error_of_fewer))
+            fprintf(file, " One point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
+        fputs("\n\n", file);
+        print_table(file, column, columns, rows, FORMAT_TEXT);
         break;
     case SAMPLE_CSV:
     case SAMPLE_JSON:
-        print_table(file, column, columns, sample->best.count, format == SAMPLE_CSV ? FORMAT_CSV : FORMAT_JSON);
+        print_table(file, column, columns, rows, format == SAMPLE_CSV ? FORMAT_CSV : FORMAT_JSON);
         break;
     case SAMPLE_C:
-        print_promise(file, "/* ", sample, request, " */");
-        fprintf(file, "enum { cor_sample_points = %zu };\n", sample->best.count);
-        print_lists(file, column, columns, sample->best.count, "static const double cor_sample_",
-                    "[cor_sample_points] = {", "};");
+        fprintf(file, "enum { cor_sample_points = %zu };\n", rows);
+        print_lists(file, column, columns, rows, "static const double cor_sample_", "[cor_sample_points] = {", "};");
         break;
     case SAMPLE_PYTHON:
-        print_python(file, sample, request, column, columns);
+        if (request->cubic)
+            fprintf(file, "# scipy.interpolate.CubicHermiteSpline(%sspeed_m_s%s, eps, %s)(%sspeed%s)\n", log, end,
+                    column[2].name, log, end);
+        else
+            fprintf(file, "# numpy.interp(%sspeed%s, %sspeed_m_s%s, eps)\n", log, end, log, end);
+        print_lists(file, column, columns, rows, "", " = [", "]");
         break;
     case SAMPLE_MODELICA:
-        print_modelica(file, sample, request, column, columns);
+        fprintf(file, "double eps(%zu,%d)  # speed_m_s, eps%s\n", rows, columns,
+                request->duration ? ", duration_s" : "");
+        for (size_t i = 0; i < rows; i++)
+            for (int k = 0; k < columns; k++) {
+                print_number(file, column, k, i);
+                putc(k + 1 < columns ? ' ' : '\n', file);
+            }
         break;
     case SAMPLE_OPENFOAM:
-        print_openfoam(file, sample, request, column, columns);
+        for (int k = 1; k < columns; k++) {
+            fprintf(file, "%s table\n(\n", column[k].name);
+            for (size_t i = 0; i < rows; i++)
+                fprintf(file, "    (%.*g %.*g)\n", SPEED_DIGITS, column[0].number[i], VALUE_DIGITS,
+                        column[k].number[i]);
+            fputs(");\n", file);
+        }
         break;
     }
 }
