@@ -47,18 +47,6 @@ static bool is_printed(int i, const struct collide_arguments *o)
            (end == OPTIONS_NOT_GIVEN || o->end == OPTIONS_NOT_GIVEN || o->end == end);
 }
 
-/* f = F T/(m g) in SI units; 0: none */
-static void pressing_force(arb_t force, const struct collide_arguments *o, const arb_t T, slong prec)
-{
-    const fmpq *const F = o->force.value, *const m = o->effective_mass.value, *const g = o->speed.value;
-    if (!o->force.text)
-        arb_zero(force);
-    else if (in_si(o))
-        LET(force, prec, "F*T/(m*g)", F, T, m, g);
-    else
-        arb_set_fmpq(force, F, prec);
-}
-
 /* beta as a number of every format: a decimal as given, with a digit before its point and one behind; a ratio rounded
  * to the digits of the table, or to one more where it lies in the middle of two. */
 static char *beta_text(const struct collide_arguments *o, const arb_t beta)
@@ -113,6 +101,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
         if (is_printed(i, o))
             snprintf(header + strlen(header), sizeof header - strlen(header), i ? ",%s" : "%s",
                      column[i].name[in_si(o)]);
+    const fmpq *const F = o->force.value, *const m = o->effective_mass.value, *const g = o->speed.value;
     profile_step("collision");
     table_init(table, header, "dddddddd");
     LOCAL(arb, beta, time_unit, force, pressing);
@@ -123,7 +112,8 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
         scales(beta, time_unit, o, 3 * bits + 256);
     else
         arb_set_fmpq(beta, o->beta.value, 3 * bits + 256);
-    pressing_force(pressing, o, time_unit, 3 * bits + 256);
+    if (o->force.text) /* F T/(m g) in SI units */
+        LET(pressing, 3 * bits + 256, in_si(o) ? "F*time_unit/(m*g)" : "F", F, time_unit, m, g);
     int status =
         o->threshold ? STATUS_OK : collision_solve_pressed(&collision, beta, pressing, &o->law.exponents, o->end, bits);
     for (int end = 0; end < 2 && o->threshold && status == STATUS_OK; end++)

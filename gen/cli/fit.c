@@ -44,23 +44,19 @@ static int read_bodies(struct fit_bodies *bodies, const struct embed_request *re
 static int write_results(const struct fit_arguments *o, const struct fit_report *report)
 {
     const enum output_format format = (enum output_format)o->common.format;
-    const char *const path[] = {o->common.output, o->plot};
-    const int outputs = o->plot ? 2 : 1;
-    struct output out[2];
-    int opened = 0, status = STATUS_OK;
-    while (opened < outputs && status == STATUS_OK) {
-        status = output_open(&out[opened], path[opened]);
-        opened += status == STATUS_OK;
-    }
+    struct output out[2] = {{0}};
+    int status = output_open(&out[0], o->common.output);
+    if (status == STATUS_OK && o->plot)
+        status = output_open(&out[1], o->plot);
     if (status == STATUS_OK && o->plot)
         status = fit_plot(report, file_name(o->data), out[1].file, o->plot);
     if (status != STATUS_OK) {
-        for (int i = 0; i < opened; i++)
-            output_discard(&out[i]);
+        output_discard(&out[0]);
+        output_discard(&out[1]);
         return status;
     }
     fit_report_print(report, format, out[0].file);
-    status = output_commit_all(out, outputs);
+    status = output_commit_all(out, o->plot ? 2 : 1);
     if (status == STATUS_OK && format != FORMAT_TEXT)
         fit_report_remarks(report, stderr);
     return status;
