@@ -124,17 +124,6 @@ static void take_samples(struct embed_scene *s)
                                        log(samples->speed[i] / samples->speed[i - step])));
 }
 
-static void expand(void *context, slong at_0)
-{
-    struct embed_scene *const s = context;
-    if (at_0) {
-        s->series_status = series_eps(s->series, &s->series_root, s->end, EMBED_SERIES, &s->law, EMBED_BITS);
-    } else if (s->end == END_ZERO_OVERLAP) {
-        s->limit_status = collision_h_star(s->h_star_5, EMBED_BITS / 2);
-        arb_pow_ui(s->h_star_5, s->h_star_5, 5, EMBED_BITS);
-    }
-}
-
 /* Spheres without a constant force */
 static int scene_collide(struct embed_scene *s)
 {
@@ -145,8 +134,11 @@ static int scene_collide(struct embed_scene *s)
         if (!s->interpolant)
             return STATUS_FAILED;
     }
-    parallel_for(expand, s, 2, "series");
-    return s->series_status || s->limit_status ? STATUS_FAILED : STATUS_OK;
+    if (series_eps(s->series, &s->series_root, s->end, EMBED_SERIES, &s->law, EMBED_BITS) ||
+        (overlap && collision_h_star(s->h_star_5, EMBED_BITS / 2)))
+        return STATUS_FAILED;
+    arb_pow_ui(s->h_star_5, s->h_star_5, 5, EMBED_BITS);
+    return STATUS_OK;
 }
 
 /* ---- a constant force ---- */

@@ -40,8 +40,7 @@ struct embed_scene {
     arb_t h_star_5;
     arb_poly_t series;
     slong series_root;
-    int limit_status, series_status; /* of the computation of both */
-    struct law_layout layout;        /* of another law's interpolant */
+    struct law_layout layout; /* of another law's interpolant */
 };
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320, EMBED_SERIES = 40 /* order */ };

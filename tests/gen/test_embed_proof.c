@@ -58,42 +58,40 @@ static struct embed_proof proof_of(const struct embed_form *f, const struct embe
     return proof;
 }
 
-/* The whole range is proved; the formula's bound is `error` or a little more; rounding is added. */
-static void assert_proved(const struct embed_form *f, const struct embed_scene *s, double error, const char *what)
-{
-    const struct embed_proof proof = proof_of(f, s);
-    check(proof.formula >= error * (1 - 1e-4) && proof.formula <= 1.1 * error && proof.proved,
-          "%s: an error of %g, %g proved", what, error, proof.formula);
-    assert_true(proof.rounding > 0 && proof.error >= proof.formula + proof.rounding);
-}
-
 /* ---- errors at a chosen place ---- */
 
-/* Multiplies p_0, ..., p_degree by c_0 + c_1 x + c_2 x^2. */
-static void multiply(double *p, slong degree, double c0, double c1, double c2)
+/* Gives a form the factor 1 + BUMP (1 - ((x - y)/width)^2), with its largest distance from 1, BUMP, at x = y: the ends
+ * of the range of its variable and a place between them */
+static void assert_bumps_proved(const struct embed_form *f, const struct embed_scene *s, const char *what)
 {
-    for (slong k = degree + 2; k >= 0; k--)
-        p[k] = (k <= degree ? c0 * p[k] : 0) + (k >= 1 && k - 1 <= degree ? c1 * p[k - 1] : 0) +
-               (k >= 2 ? c2 * p[k - 2] : 0);
+    const double power = 1 / (double)embed_roots[f->variable].degree;
+    const double lo = pow(s->speed_min, power), hi = pow(s->speed_max, power), unit = BUMP / ((hi - lo) * (hi - lo));
+    const slong m = f->numerator, n = f->denominator;
+    for (int i = 0; i < 3; i++) {
+        const double y = i == 0 ? lo : i == 1 ? hi : random_uniform(&draw, lo, hi);
+        const double factor[] = {1 + BUMP - unit * y * y, 2 * unit * y, -unit};
+        double number[40] = {0};
+        struct embed_form bumped = *f;
+        for (slong k = 0; k <= m; k++)
+            for (slong j = 0; j <= 2; j++)
+                number[k + j] += factor[j] * f->number[k];
+        if (n > 0)
+            memcpy(number + m + 3, f->number + m + 1, (size_t)(n + 1) * sizeof *number);
+        bumped.numerator += 2;
+        bumped.number = number;
+        const struct embed_proof proof = proof_of(&bumped, s);
+        check(proof.formula >= BUMP * (1 - 1e-4) && proof.formula <= 1.1 * BUMP && proof.proved,
+              "%s: an error of %g, %g proved", what, BUMP, proof.formula);
+        assert_true(proof.rounding > 0 && proof.error >= proof.formula + proof.rounding);
+    }
 }
 
-/* Gives a rational form the factor 1 + BUMP 2 x y/(x^2 + y^2), with its maximum BUMP at x = y. */
-static void bump(double *number, slong *numerator, slong *denominator, double y)
-{
-    double q[32];
-    memcpy(q, number + *numerator + 1, (size_t)(*denominator + 1) * sizeof *q);
-    multiply(number, *numerator, y * y, 2 * BUMP * y, 1);
-    multiply(q, *denominator, y * y, 0, 1);
-    *numerator += 2;
-    *denominator += 2;
-    memcpy(number + *numerator + 1, q, (size_t)(*denominator + 1) * sizeof *q);
-}
-
-/* eps = 32 h*^5/speed from beta = 8 to 20, beta = speed^(1/5)/2, where the power law replaces an interpolant: an error
- * at the ends and between them. The error of the power law itself, EMBED_FAR_ERROR, is part of the bound. */
+/* eps = 32 h*^5/speed from beta = 8 to 20, beta = speed^(1/5)/2, where the power law replaces an interpolant. Its own
+ * error, EMBED_FAR_ERROR, is part of the bound. */
 TEST(test_far_parts)
 {
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 16, 40, NULL);
+    LOCAL(arb, rest);
     assert_int_equal(collision_h_star(s.h_star_5, 128), 0);
     arb_pow_ui(s.h_star_5, s.h_star_5, 5, EMBED_BITS);
     const double h5 = middle(s.h_star_5);
@@ -101,26 +99,17 @@ TEST(test_far_parts)
     arb_set_d(s.beta_enclosed, 0.5);
     s.beta_min /= 2;
     s.beta_max /= 2;
-    for (int i = 0; i < 3; i++) {
-        double number[16] = {32 * h5, 0, 1};
-        struct embed_form f = form_of(&s, FAMILY_RATIONAL_SPEED, SPEED, 0, number);
-        f.denominator = 1;
-        if (i == 0) {
-            LOCAL(arb, rest);
-            LET(rest, EMBED_BITS, "abs(h5 - s.h_star_5)/h5", h5, s.h_star_5);
-            const double least = middle(rest) + EMBED_FAR_ERROR;
-            f.error = least; /* no halving of a part takes EMBED_FAR_ERROR away, which no sample shows */
-            const struct embed_proof proof = proof_of(&f, &s);
-            f.error = 0;
-            check(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least, "h*^5/g is off by %g, %g proved",
-                  least, proof.formula);
-        }
-        bump(number, &f.numerator, &f.denominator,
-             i == 0   ? s.speed_min
-             : i == 1 ? s.speed_max
-                      : random_uniform(&draw, s.speed_min, s.speed_max));
-        assert_proved(&f, &s, BUMP, "beyond beta = 7");
-    }
+    double number[] = {32 * h5, 0, 1};
+    struct embed_form f = form_of(&s, FAMILY_RATIONAL_SPEED, SPEED, 0, number);
+    f.denominator = 1;
+    LET(rest, EMBED_BITS, "abs(h5 - s.h_star_5)/h5", h5, s.h_star_5);
+    const double least = middle(rest) + EMBED_FAR_ERROR;
+    f.error = least; /* no halving of a part takes EMBED_FAR_ERROR away, which no sample shows */
+    const struct embed_proof proof = proof_of(&f, &s);
+    check(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least, "h*^5/g is off by %g, %g proved", least,
+          proof.formula);
+    f.error = 0;
+    assert_bumps_proved(&f, &s, "beyond beta = 7");
     clear_scene(&s);
 }
 
@@ -136,50 +125,34 @@ static struct interpolant *interpolant(void)
     return made;
 }
 
-static double eps_at(const struct embed_scene *s, double beta)
-{
-    return s->end == END_ZERO_OVERLAP ? cor_sphere_eps_zero_overlap(beta) : cor_sphere_eps_zero_force(beta);
-}
-
-/* The polynomial in x - start of degree `degree` through eps at Chebyshev points between lo and hi, x = beta or
+/* The polynomial in (x - start) unit of degree `degree` through eps at Chebyshev points between lo and hi, x = beta or
  * beta^5 */
 static void fit(double *c, slong degree, const struct embed_scene *s, double lo, double hi, bool of_speed, double start,
                 double unit)
 {
-    enum { MOST = 16 };
-    double x[MOST], y[MOST];
+    LOCAL_VECTOR(x, degree + 1);
+    LOCAL_VECTOR(eps, degree + 1);
+    LOCAL(arb_poly, p);
     for (slong i = 0; i <= degree; i++) {
-        const double at =
-            (lo + hi) / 2 + (hi - lo) / 2 * cos(acos(-1) * (2 * (double)i + 1) / (2 * (double)degree + 2));
-        x[i] = (at - start) * unit;
-        y[i] = eps_at(s, of_speed ? pow(at, 0.2) : at);
+        const double at = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(i, degree + 1);
+        const double beta = of_speed ? pow(at, 0.2) : at;
+        arb_set_d(x + i, (at - start) * unit);
+        arb_set_d(eps + i,
+                  s->end == END_ZERO_OVERLAP ? cor_sphere_eps_zero_overlap(beta) : cor_sphere_eps_zero_force(beta));
     }
-    for (slong k = 1; k <= degree; k++) /* divided differences */
-        for (slong i = degree; i >= k; i--)
-            y[i] = (y[i] - y[i - 1]) / (x[i] - x[i - k]);
-    memset(c, 0, (size_t)(degree + 1) * sizeof *c);
-    for (slong i = degree; i >= 0; i--) {
-        for (slong k = degree; k >= 1; k--)
-            c[k] = c[k - 1] - x[i] * c[k];
-        c[0] = y[i] - x[i] * c[0];
-    }
+    arb_poly_interpolate_newton(p, x, eps, degree + 1, EMBED_BITS);
+    for (slong k = 0; k <= degree; k++)
+        c[k] = middle(arb_poly_get_coeff_ptr(p, k));
 }
 
-/* A polynomial in beta from 0.15 to 0.95 in two intervals, with an error at the ends and between them */
+/* A polynomial in beta from 0.15 to 0.95 in two intervals */
 TEST(test_intervals)
 {
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
-    for (int i = 0; i < 3; i++) {
-        double number[40] = {0};
-        struct embed_form f = form_of(&s, FAMILY_RATIONAL_BETA, FIFTH_ROOT_OF_SPEED, 11, number);
-        fit(number, f.numerator, &s, s.beta_min, s.beta_max, false, 0, 1);
-        number[f.numerator + 1] = 1;
-        bump(number, &f.numerator, &f.denominator,
-             i == 0   ? s.beta_min
-             : i == 1 ? s.beta_max
-                      : random_uniform(&draw, s.beta_min, s.beta_max));
-        assert_proved(&f, &s, BUMP, "a rational function of beta");
-    }
+    double number[12];
+    const struct embed_form f = form_of(&s, FAMILY_POLYNOMIAL_BETA, FIFTH_ROOT_OF_SPEED, 11, number);
+    fit(number, f.numerator, &s, s.beta_min, s.beta_max, false, 0, 1);
+    assert_bumps_proved(&f, &s, "a polynomial in beta");
     clear_scene(&s);
 }
 
@@ -198,19 +171,15 @@ TEST(test_rows)
         f.rows = of_speed ? (slong)((embed_bits_of(&f, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
         double *const number = f.number = calloc((size_t)f.rows * (DEGREE + 1), sizeof *number);
         for (slong row = 0; row < f.rows; row++) {
-            const double lo = of_speed ? embed_from_bits(&f, (f.first + (uint64_t)row) << f.low_bits)
-                                       : ((double)row - f.shift) / f.slope;
-            const double hi = of_speed ? embed_from_bits(&f, (f.first + (uint64_t)row + 1) << f.low_bits)
-                                       : ((double)row + 1 - f.shift) / f.slope;
+            const double lo = of_speed ? embed_row_start(&f, row) : ((double)row - f.shift) / f.slope;
+            const double hi = of_speed ? embed_row_start(&f, row + 1) : ((double)row + 1 - f.shift) / f.slope;
             fit(number + row * (DEGREE + 1), DEGREE, &s, lo, hi, of_speed, lo, of_speed ? 1 : f.slope);
         }
         assert_true(proof_of(&f, &s).formula < BUMP / 10);
         /* the last row in the speed has one argument only */
         const slong row = (slong)random_below(&draw, (unsigned)(f.rows - of_speed));
         double *const c = number + row * (DEGREE + 1);
-        const double width = of_speed ? embed_from_bits(&f, (f.first + (uint64_t)row + 1) << f.low_bits) -
-                                            embed_from_bits(&f, (f.first + (uint64_t)row) << f.low_bits)
-                                      : 1;
+        const double width = of_speed ? embed_row_start(&f, row + 1) - embed_row_start(&f, row) : 1;
         for (int at_end = 0; at_end < 2; at_end++) {
             double kept[DEGREE + 1], power = 1, at_start = c[0], last = 0;
             memcpy(kept, c, sizeof kept);
@@ -250,31 +219,25 @@ TEST(test_gap)
 TEST(test_counts)
 {
     const double x = 16, x4 = x * x * x * x;
-    static const struct {
+    const struct {
         enum embed_variable variable;
         slong numerator, denominator;
-        bool single;
+        double units;
         double number[5];
         const char *what;
-    } form[] = {{SPEED, 1, 0, false, {3, 2}, "3 + 2 x"}, /* 2 x once and the sum once; largest at x = 16 */
-                {SPEED, 2, 0, false, {1, 0, 1}, "1 + x^2 by Horner's rule: two products and the sum"},
-                /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
-                {SPEED, 4, 0, false, {1, 0, 0, 0, 1}, "1 + x^4, split"},
-                /* at x = 16 both sums round once, products with 1 once, and the quotient */
-                {SPEED, 1, 1, false, {1, 1, 5, 1}, "(1 + x)/(5 + x)"},
-                /* sqrt(x) is rounded once, its root adds a half, and the product */
-                {SQRT_OF_SPEED, 1, 0, false, {0, 1}, "sqrt(x)"},
-                {FOURTH_ROOT_OF_SPEED, 1, 0, false, {0, 1}, "x^(1/4)"},
-                /* float numbers below the smallest normal one: half of the smallest positive one, 2^-150, besides */
-                {SPEED, 1, 0, true, {0, 0x1p-127}, "2^-127 x in float"}};
-    const double units[] = {1 + 2 * x / (3 + 2 * x),
-                            1 + 2 * x * x / (1 + x * x),
-                            2 + 4 * x4 / (1 + x4),
-                            (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1,
-                            2,
-                            2.5,
-                            (1 + 4) * 0x1p29};
-    for (size_t i = 0; i < sizeof form / sizeof *form; i++) {
+    } form[] = {
+        {SPEED, 1, 0, 1 + 2 * x / (3 + 2 * x), {3, 2}, "3 + 2 x"}, /* 2 x once and the sum once; largest at x = 16 */
+        {SPEED, 2, 0, 1 + 2 * x * x / (1 + x * x), {1, 0, 1}, "1 + x^2 by Horner's rule: two products and the sum"},
+        /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
+        {SPEED, 4, 0, 2 + 4 * x4 / (1 + x4), {1, 0, 0, 0, 1}, "1 + x^4, split"},
+        /* at x = 16 both sums round once, products with 1 once, and the quotient */
+        {SPEED, 1, 1, (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1, {1, 1, 5, 1}, "(1 + x)/(5 + x)"},
+        /* sqrt(x) is rounded once, its root adds a half, and the product */
+        {SQRT_OF_SPEED, 1, 0, 2, {0, 1}, "sqrt(x)"},
+        {FOURTH_ROOT_OF_SPEED, 1, 0, 2.5, {0, 1}, "x^(1/4)"},
+        /* float numbers below the smallest normal one: half of the smallest positive one, 2^-150, besides */
+        {SPEED, 1, 0, (1 + 4) * 0x1p29, {0, 0x1p-127}, "2^-127 x in float"}};
+    for (size_t i = 0; i < COUNT_OF(form); i++) {
         double number[5];
         memcpy(number, form[i].number, sizeof number);
         const struct embed_form f = {.variable = form[i].variable,
@@ -282,12 +245,12 @@ TEST(test_counts)
                                      .speed_max = 16,
                                      .numerator = form[i].numerator,
                                      .denominator = form[i].denominator,
-                                     .single = form[i].single,
+                                     .single = i + 1 == COUNT_OF(form),
                                      .number = number};
         struct embed_rounding bound;
         assert_true(embed_rounding_bound(&bound, &f));
-        check(bound.error >= units[i] * UNIT * (1 - 1e-9) && bound.error <= units[i] * UNIT * 1.02,
-              "%s: %g units proved, %g by hand", form[i].what, bound.error / UNIT, units[i]);
+        check(bound.error >= form[i].units * UNIT * (1 - 1e-9) && bound.error <= form[i].units * UNIT * 1.02,
+              "%s: %g units proved, %g by hand", form[i].what, bound.error / UNIT, form[i].units);
     }
 }
 
