@@ -10,15 +10,32 @@
 
 enum { MAX_ORDER = 100000 };
 
-/* Rows of the coefficients of several series, up to the first that is undecided */
-static void add_rows(struct table *table, char undecided[PROVED_TABLE_NAME], const struct series_arguments *o,
-                     const arb_poly_struct *const *poly, int polys)
+/* Rows of the coefficients, up to the first that is undecided */
+static int fill_series(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
+    const struct series_arguments *const o = arguments;
+    const struct law *const law = &o->law.exponents;
+    const bool force = o->end == END_ZERO_FORCE;
+    char header[64];
+    slong root = 1;
+    LOCAL(series, s);
+    LOCAL(arb_poly, eps);
     LOCAL(arb, c);
+    profile_step("series");
+    const int status =
+        force ? series_eps(eps, &root, END_ZERO_FORCE, o->order, law, bits) : series_compute(s, o->order, law, bits);
+    snprintf(header, sizeof header,
+             !force      ? "k,y_k,tau_k,C_k"
+             : root == 1 ? "power_of_beta,coefficient"
+             : root == 2 ? "power_of_sqrt_beta,coefficient"
+                         : "power_of_beta_root_%ld,coefficient",
+             (long)root);
+    table_init(table, header, force ? "nd" : "nddd");
+    const arb_poly_struct *const poly[] = {force ? eps : s->y, s->tau, s->c};
     profile_step("digits");
-    for (slong k = 0; k <= o->order && !*undecided; k++) {
+    for (slong k = 0; k <= o->order && status == STATUS_OK && !*undecided; k++) {
         table_add_integer(table, k);
-        for (int i = 0; i < polys && !*undecided; i++) {
+        for (int i = 0; i < (force ? 1 : 3) && !*undecided; i++) {
             arb_poly_get_coeff_arb(c, poly[i], k);
             char *const text = digits_of_ball(c, o->digits);
             if (text)
@@ -27,36 +44,6 @@ static void add_rows(struct table *table, char undecided[PROVED_TABLE_NAME], con
                 snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld", (long)k);
         }
     }
-}
-
-static int fill_zero_overlap(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
-{
-    const struct series_arguments *const o = arguments;
-    profile_step("series");
-    table_init(table, "k,y_k,tau_k,C_k", "nddd");
-    LOCAL(series, s);
-    const int status = series_compute(s, o->order, &o->law.exponents, bits);
-    if (status == STATUS_OK)
-        add_rows(table, undecided, o, (const arb_poly_struct *const[]){s->y, s->tau, s->c}, 3);
-    return status;
-}
-
-static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
-{
-    char header[64];
-    const struct series_arguments *const o = arguments;
-    profile_step("series");
-    slong root = 1;
-    LOCAL(arb_poly, eps);
-    const int status = series_eps(eps, &root, END_ZERO_FORCE, o->order, &o->law.exponents, bits);
-    snprintf(header, sizeof header,
-             root == 1   ? "power_of_beta,coefficient"
-             : root == 2 ? "power_of_sqrt_beta,coefficient"
-                         : "power_of_beta_root_%ld,coefficient",
-             (long)root);
-    table_init(table, header, "nd");
-    if (status == STATUS_OK)
-        add_rows(table, undecided, o, (const arb_poly_struct *const[]){eps}, 1);
     return status;
 }
 
@@ -89,11 +76,7 @@ static int run_series(const void *arguments)
     const struct series_arguments *const o = arguments;
     if (o->exact && o->end != END_ZERO_FORCE)
         return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
-    const struct proved_table table = {o->digits, o,
-                                       o->exact                   ? fill_exact
-                                       : o->end == END_ZERO_FORCE ? fill_zero_force
-                                                                  : fill_zero_overlap,
-                                       NULL};
+    const struct proved_table table = {o->digits, o, o->exact ? fill_exact : fill_series, NULL};
     return proved_table_write(&table, &o->common);
 }
 

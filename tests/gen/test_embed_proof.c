@@ -60,24 +60,25 @@ static struct embed_proof proof_of(const struct embed_form *f, const struct embe
 
 /* ---- errors at a chosen place ---- */
 
-/* Gives a form the factor 1 + BUMP (1 - ((x - y)/width)^2), with its largest distance from 1, BUMP, at x = y: the ends
- * of the range of its variable and a place between them */
+/* Gives a form the factor 1 + BUMP 2 x y/(x^2 + y^2), with its maximum at x = y: the ends of the range of its variable
+ * and places between them */
 static void assert_bumps_proved(const struct embed_form *f, const struct embed_scene *s, const char *what)
 {
     const double power = 1 / (double)embed_roots[f->variable].degree;
-    const double lo = pow(s->speed_min, power), hi = pow(s->speed_max, power), unit = BUMP / ((hi - lo) * (hi - lo));
+    const double lo = pow(s->speed_min, power), hi = pow(s->speed_max, power);
     const slong m = f->numerator, n = f->denominator;
-    for (int i = 0; i < 3; i++) {
-        const double y = i == 0 ? lo : i == 1 ? hi : random_uniform(&draw, lo, hi);
-        const double factor[] = {1 + BUMP - unit * y * y, 2 * unit * y, -unit};
+    for (int i = 0; i <= 8; i++) {
+        const double y = lo * pow(hi / lo, i / 8.0), above[] = {y * y, 2 * BUMP * y, 1}, below[] = {y * y, 0, 1};
         double number[40] = {0};
         struct embed_form bumped = *f;
-        for (slong k = 0; k <= m; k++)
-            for (slong j = 0; j <= 2; j++)
-                number[k + j] += factor[j] * f->number[k];
-        if (n > 0)
-            memcpy(number + m + 3, f->number + m + 1, (size_t)(n + 1) * sizeof *number);
+        for (slong j = 0; j <= 2; j++) {
+            for (slong k = 0; k <= m; k++)
+                number[k + j] += above[j] * f->number[k];
+            for (slong k = 0; k <= n; k++)
+                number[m + 3 + k + j] += below[j] * (n > 0 ? f->number[m + 1 + k] : 1);
+        }
         bumped.numerator += 2;
+        bumped.denominator += 2;
         bumped.number = number;
         const struct embed_proof proof = proof_of(&bumped, s);
         check(proof.formula >= BUMP * (1 - 1e-4) && proof.formula <= 1.1 * BUMP && proof.proved,
@@ -145,14 +146,14 @@ static void fit(double *c, slong degree, const struct embed_scene *s, double lo,
         c[k] = middle(arb_poly_get_coeff_ptr(p, k));
 }
 
-/* A polynomial in beta from 0.15 to 0.95 in two intervals */
+/* A rational function of beta from 0.15 to 0.95 in two intervals */
 TEST(test_intervals)
 {
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
     double number[12];
-    const struct embed_form f = form_of(&s, FAMILY_POLYNOMIAL_BETA, FIFTH_ROOT_OF_SPEED, 11, number);
+    const struct embed_form f = form_of(&s, FAMILY_RATIONAL_BETA, FIFTH_ROOT_OF_SPEED, 11, number);
     fit(number, f.numerator, &s, s.beta_min, s.beta_max, false, 0, 1);
-    assert_bumps_proved(&f, &s, "a polynomial in beta");
+    assert_bumps_proved(&f, &s, "a rational function of beta");
     clear_scene(&s);
 }
 
