@@ -27,9 +27,8 @@ struct series_arguments {
 
 struct pade_arguments {
     struct option_common common;
-    slong numerator, denominator; /* OPTIONS_NOT_GIVEN if so */
+    struct pade_request request; /* without kind and law; degrees OPTIONS_NOT_GIVEN if so */
     slong digits;
-    enum contact_end end;
     bool two_point, as_published, force;
     const char *header; /* file of the C header, or NULL */
     struct option_law law;

@@ -178,16 +178,12 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
 /* Converts the options to a request, or reports a usage error. */
 static int read_request(struct pade_request *r, const struct pade_arguments *o)
 {
-    *r = (struct pade_request){.kind = o->as_published ? PADE_AS_PUBLISHED
-                                       : o->two_point  ? PADE_TWO_POINT
-                                                       : PADE_ORDINARY,
-                               .numerator = o->numerator,
-                               .denominator = o->denominator,
-                               .end = o->end,
-                               .law = o->law.exponents};
+    *r = o->request;
+    r->kind = o->as_published ? PADE_AS_PUBLISHED : o->two_point ? PADE_TWO_POINT : PADE_ORDINARY;
+    r->law = o->law.exponents;
     if (o->as_published && !law_is_sphere(&r->law))
         return usage_error("--as-published is the sphere's");
-    if (o->as_published && o->end != END_ZERO_OVERLAP)
+    if (o->as_published && r->end != END_ZERO_OVERLAP)
         return usage_error("--as-published: the paper ends the contact at zero overlap");
     if (o->as_published && r->numerator <= 0 && r->denominator <= 0) { /* not given */
         r->numerator = PUBLISHED_NUMERATOR;
@@ -226,14 +222,14 @@ static const char help[] =
 
 #define ARGUMENTS struct pade_arguments
 static const struct option_rule options[] = {
-    OPTION("numerator", WHOLE, numerator, .range.whole = {0, MAX_DEGREE},
+    OPTION("numerator", WHOLE, request.numerator, .range.whole = {0, MAX_DEGREE},
            .why = "a degree needs a linear system of that size"),
-    OPTION("denominator", WHOLE, denominator, .range.whole = {0, MAX_DEGREE},
+    OPTION("denominator", WHOLE, request.denominator, .range.whole = {0, MAX_DEGREE},
            .why = "a degree needs a linear system of that size"),
     OPTION("two-point", FLAG, two_point, .excludes = "as-published"),
     OPTION_PLAIN("as-published", FLAG, as_published),
     OPTION_DIGITS,
-    OPTION_END(end),
+    OPTION_END(request.end),
     OPTION_PLAIN("header", FILE, header),
     OPTION("force", FLAG, force, .needs = "header"),
     OPTION_FORMAT(option_formats),
@@ -242,5 +238,5 @@ static const struct option_rule options[] = {
     OPTION_COMMON,
 };
 
-SUBCOMMAND(pade, "pade", "Pade approximants of eps(beta)", .numerator = OPTIONS_NOT_GIVEN,
-           .denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS);
+SUBCOMMAND(pade, "pade", "Pade approximants of eps(beta)", .request.numerator = OPTIONS_NOT_GIVEN,
+           .request.denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS);

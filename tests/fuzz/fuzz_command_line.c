@@ -115,7 +115,7 @@ static bool solves_nothing(const struct embed_request *scene)
 
 FUZZED(trajectory, o->order <= 8 && o->terms <= 8)
 FUZZED(series, o->order <= 6 && o->digits <= 40 && simple_law(&o->law.exponents))
-FUZZED(pade, o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point &&
+FUZZED(pade, o->request.numerator + o->request.denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point &&
                  simple_law(&o->law.exponents))
 FUZZED(collide, o->digits <= 20 && short_number(&o->beta) && law_is_sphere(&o->law.exponents) && !o->stiffness.text &&
                     decimal_value(&o->beta) < 3)
