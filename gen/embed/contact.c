@@ -105,20 +105,6 @@ static void beta_of_g_star(arb_t beta, exact g_star, const struct law *law, slon
     LET(beta, prec, "1/(g_star^q*c)", g_star, q, c);
 }
 
-/* Of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9. C is given, or (3/2) A K. */
-static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
-{
-    LOCAL(contact, c);
-    LOCAL(arb, C);
-    contact_of(c, request, prec);
-    if (embed_given(request, COR_SCENE_DAMPING_COEFFICIENT))
-        arb_set_fmpq(C, request->number[COR_SCENE_DAMPING_COEFFICIENT].value, prec);
-    else
-        LET(C, prec, "c->time*c->stiffness*3/2", c->time, c->stiffness);
-    LET(beta, prec, "(c->mass/c->stiffness)^((law->b + 1)/(law->a + 1))*C/c->mass", c->mass, c->stiffness, law->a,
-        law->b, C);
-}
-
 /* ---- a constant force ---- */
 
 /* (F/m) (m/K)^(1/(a+1)), F = m G + 2 pi w R */
@@ -203,20 +189,25 @@ int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request 
                                 const struct cor_scene_contact *contact, const struct law *law, slong prec)
 {
     const exact zeta = request->number[COR_SCENE_ZETA].value, beta = request->number[COR_SCENE_BETA].value,
-                at = request->number[COR_SCENE_AT].value;
+                at = request->number[COR_SCENE_AT].value, C = request->number[COR_SCENE_DAMPING_COEFFICIENT].value;
     const struct ratio q = law_speed_exponent(law);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return beta_of_restitution(beta_per_root, request, contact, law);
-    if (embed_given(request, COR_SCENE_G_STAR))
+    if (embed_given(request, COR_SCENE_G_STAR)) {
         beta_of_g_star(beta_per_root, request->number[COR_SCENE_G_STAR].value, law, prec);
-    else if (embed_given(request, COR_SCENE_ZETA))
+    } else if (embed_given(request, COR_SCENE_ZETA)) {
         LET(beta_per_root, prec, "zeta*sqrt(2*(law->a + 1))", zeta, law->a);
-    else if (!embed_given(request, COR_SCENE_BETA))
-        beta_of_force(beta_per_root, request, law, prec);
-    else if (law_is_linear(law))
-        arb_set_fmpq(beta_per_root, beta, prec);
-    else
-        LET(beta_per_root, prec, "beta/at^q", beta, at, q);
+    } else if (embed_given(request, COR_SCENE_BETA)) {
+        LET(beta_per_root, prec, law_is_linear(law) ? "beta" : "beta/at^q", beta, at, q);
+    } else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
+        const bool given = embed_given(request, COR_SCENE_DAMPING_COEFFICIENT);
+        LOCAL(contact, c);
+        LOCAL(arb, damping);
+        contact_of(c, request, prec);
+        LET(damping, prec, given ? "C" : "c->time*c->stiffness*3/2", C, c->time, c->stiffness);
+        LET(beta_per_root, prec, "(c->mass/c->stiffness)^((law->b + 1)/(law->a + 1))*damping/c->mass", c->mass,
+            c->stiffness, law->a, law->b, damping);
+    }
     return STATUS_OK;
 }
 

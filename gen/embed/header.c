@@ -235,21 +235,6 @@ static void emit_fifth_root(struct emit *e, const struct embed_form *f, const ch
     emit_lines(e, "    const $T square = inverse * inverse;\n    const $T $s = g * (square * square);\n", name);
 }
 
-/* Defines the variable of the polynomials; returns its name. */
-static const char *emit_variable(struct emit *e, const struct embed_form *f)
-{
-    const struct embed_root *const root = &embed_roots[f->variable];
-    const char *x = "g";
-    if (root->fifth)
-        emit_fifth_root(e, f, x = root->square_roots > 0 ? "y" : "x");
-    for (int left = root->square_roots; left-- > 0;) {
-        const char *const next = left > 0 ? "half" : "x";
-        emit_lines(e, "    const $T $s = sqrt$F($s);\n", next, x);
-        x = next;
-    }
-    return x;
-}
-
 static void emit_split_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree)
 {
     char even[16], odd[16];
@@ -312,7 +297,15 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
         emit_lines(e, "    const $T more = speed - $x;\n", f->origin);
     if (!constant)
         emit_clamped(e, f, f->origin > 0 ? "more" : "speed", vector);
-    const char *const x = constant ? "g" : emit_variable(e, f);
+    const struct embed_root *const root = &embed_roots[f->variable];
+    const char *x = "g";
+    if (root->fifth)
+        emit_fifth_root(e, f, x = root->square_roots > 0 ? "y" : "x");
+    for (int left = root->square_roots; left-- > 0;) {
+        const char *const next = left > 0 ? "half" : "x";
+        emit_lines(e, "    const $T $s = sqrt$F($s);\n", next, x);
+        x = next;
+    }
     if (f->rows > 0) {
         emit_row_place(e, f, x);
         emit_let_row_polynomial(e, "eps", "row", "i", "t", f->numerator);
@@ -324,16 +317,6 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
             emit_split_polynomial(e, "q", x, f->number + f->numerator + 1, f->denominator);
     }
     emit_return(e, f, quotient ? "p / q" : "eps", vector);
-}
-
-static void emit_macros(struct emit *e, const char *name, const struct embed_request *request)
-{
-    static const char *const suffix[] = {"SPEED_MIN", "SPEED_MAX", "TOLERANCE"};
-    for (int i = 0; i < 3; i++) {
-        char value[NAME_MAX_HERE];
-        snprintf(value, sizeof value, "%.17g", embed_number(request, EMBED_SPEED_MIN + i));
-        emit_lines(e, "#define $S_$s $s$s\n", name, suffix[i], value, strpbrk(value, ".e") ? "" : ".0");
-    }
 }
 
 void embed_header_write(FILE *file, const struct embed_request *request, const struct embed_scene *s,
@@ -362,7 +345,12 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
                 "name of its own\"\n#endif\n",
                 name);
     fprintf(file, "\n%s\n", evaluator_inline);
-    emit_macros(&e, name, request);
+    for (int i = 0; i < 3; i++) {
+        static const char *const suffix[] = {"SPEED_MIN", "SPEED_MAX", "TOLERANCE"};
+        char value[NAME_MAX_HERE];
+        snprintf(value, sizeof value, "%.17g", embed_number(request, EMBED_SPEED_MIN + i));
+        emit_lines(&e, "#define $S_$s $s$s\n", name, suffix[i], value, strpbrk(value, ".e") ? "" : ".0");
+    }
     emit_comment(&e, "eps at an impact speed in m/s");
     emit_form(&e, name, &form[chosen], request->purpose != PURPOSE_SCALAR);
     emit_close(&e);

@@ -118,16 +118,6 @@ static bool part_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_
     return done;
 }
 
-/* The argument of the polynomials of a row: its distance from the start of the row */
-static void part_place(arb_poly_t y, const struct embed_form *f, slong row)
-{
-    const double start = embed_row_start(f, row);
-    if (f->family == FAMILY_PIECES_SPEED)
-        LET_FUNCTION(y, "y - start", y, start);
-    else if (f->family == FAMILY_PIECES_BETA)
-        LET_FUNCTION(y, "y*f->slope + f->shift - row", y, f->slope, f->shift, row);
-}
-
 static void part_polynomial(arb_poly_t p, const double *c, slong degree, const arb_poly_t y)
 {
     arb_poly_zero(p);
@@ -145,7 +135,12 @@ static double part_error(const struct prover *w, const struct part *part, int de
     LOCAL(arb_poly, eps, beta, x, y, p, v);
     double error = HUGE_VAL, known = 0;
     if (part_functions(eps, beta, x, w, part) && part_variable(y, eps, v, beta, x, w, part->by_log)) {
-        part_place(y, f, part->row);
+        const slong row = part->row;
+        const double start = embed_row_start(f, row);
+        if (f->family == FAMILY_PIECES_SPEED) /* the distance from the start of the row */
+            LET_FUNCTION(y, "y - start", y, start);
+        else if (f->family == FAMILY_PIECES_BETA)
+            LET_FUNCTION(y, "y*f->slope + f->shift - row", y, f->slope, f->shift, row);
         part_polynomial(p, c, f->numerator, y);
         if (!arb_is_zero(w->s->liquid_speed))
             enclosed_multiply(p, p, v);
@@ -245,8 +240,9 @@ static bool cover_range(struct prover *w, slong row, double lo, double hi)
     return true;
 }
 
-/* Adds the parts of a form. Returns false if there is a gap. */
-static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
+/* ---- the proof ---- */
+
+static void prove_formula(struct embed_proof *proof, struct prover *w, const struct embed_rounding *rounding)
 {
     const struct embed_form *const f = w->f;
     bool covered = true;
@@ -263,14 +259,7 @@ static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
         if (lo <= hi)
             covered = cover_range(w, row, lo, hi) && covered;
     }
-    return covered;
-}
-
-/* ---- the proof ---- */
-
-static void prove_formula(struct embed_proof *proof, struct prover *w, const struct embed_rounding *rounding)
-{
-    proof->proved = cover_form(w, rounding);
+    proof->proved = covered;
     proof->from = w->from + w->s->origin;
     parallel_for(prove_part, w, w->parts, "proof");
     proof->formula = w->parts > 0 ? 0 : HUGE_VAL;
@@ -282,15 +271,6 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
         proof->proved = false;
         proof->formula = proof->error = HUGE_VAL;
     }
-}
-
-/* A form that is one number, its coefficient */
-static void prove_constant(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
-{
-    LOCAL(arb, error);
-    LET(error, EMBED_BITS, "abs(f->number[0]/s->eps - 1)", f->number[0], s->eps);
-    *proof = (struct embed_proof){.error = ball_end(error, true), .proved = true};
-    proof->formula = proof->error;
 }
 
 /* The first speed of a scene with a constant force at which the cost of a proof is bounded, like every speed less the
@@ -309,8 +289,11 @@ static double first_proved(double beta[2], const struct embed_scene *s)
 
 int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
 {
-    if (s->constant) {
-        prove_constant(proof, f, s);
+    if (s->constant) { /* one number, the coefficient */
+        LOCAL(arb, error);
+        LET(error, EMBED_BITS, "abs(f->number[0]/s->eps - 1)", f->number[0], s->eps);
+        *proof = (struct embed_proof){.error = ball_end(error, true), .proved = true};
+        proof->formula = proof->error;
         return STATUS_OK;
     }
     struct embed_rounding rounding;

@@ -120,21 +120,6 @@ static void rounded_polynomial(struct rounded *y, const double *c, slong degree,
 
 /* ---- the fifth root ---- */
 
-/* Bound of |1 - g r^5| for the starts r of all speeds. The upper bits of r fall as those of g rise, so the ends of an
- * interval of speeds bound r. */
-static double seed_bound(const struct embed_form *f)
-{
-    const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = embed_bits_of(f, f->speed_max);
-    double bound = 0;
-    for (uint64_t bits = embed_bits_of(f, f->speed_min) & ~(step - 1); bits <= last; bits += step)
-        for (int fused = 0; fused < 2; fused++) {
-            const double lo = embed_from_bits(f, bits), hi = embed_from_bits(f, bits + step - 1);
-            const double most = embed_root_start(f, lo, fused), least = embed_root_start(f, hi, fused);
-            bound = fmax(bound, fmax(fabs(1 - hi * pow(most, 5)), fabs(1 - lo * pow(least, 5))));
-        }
-    return bound * (1 + 1e-9) + 1e-12;
-}
-
 /* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Without rounding, its relative distance
  * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. Returns a bound of |h|, infinite
  * if |H| may reach 1/2. */
@@ -178,24 +163,30 @@ static double root_step(const double *c, slong degree, double e, const struct ar
     return both(exact, series->error / least) * RAISE;
 }
 
-/* Relative error of the fifth root of the speed */
-static double fifth_root_bound(const struct embed_form *f, const struct arithmetic *a)
-{
-    const double e = seed_bound(f);
-    if (!(e < SEED_LIMIT))
-        return HUGE_VAL;
-    double r = root_step(embed_root_coefficients[f->single][0], 3, e, a);
-    if (f->refinement > 0)
-        r = root_step(embed_root_coefficients[f->single][1], f->refinement, power_of_error(r, 5) * RAISE, a);
-    /* g (r^2)^2 */
-    return both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
-}
-
-/* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. */
+/* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. Of the fifth
+ * root a start r is off by e >= |1 - g r^5|: the upper bits of r fall as those of g rise, so the ends of an interval of
+ * speeds bound r. */
 static double variable_bound(const struct embed_form *f, const struct arithmetic *a)
 {
     static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
-    double error = embed_roots[f->variable].fifth ? fifth_root_bound(f, a) : 0;
+    const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = embed_bits_of(f, f->speed_max);
+    double e = 0, error = 0;
+    if (embed_roots[f->variable].fifth) {
+        for (uint64_t bits = embed_bits_of(f, f->speed_min) & ~(step - 1); bits <= last; bits += step)
+            for (int fused = 0; fused < 2; fused++) {
+                const double lo = embed_from_bits(f, bits), hi = embed_from_bits(f, bits + step - 1);
+                const double most = embed_root_start(f, lo, fused), least = embed_root_start(f, hi, fused);
+                e = fmax(e, fmax(fabs(1 - hi * pow(most, 5)), fabs(1 - lo * pow(least, 5))));
+            }
+        e = e * (1 + 1e-9) + 1e-12;
+        if (!(e < SEED_LIMIT))
+            return HUGE_VAL;
+        double r = root_step(embed_root_coefficients[f->single][0], 3, e, a);
+        if (f->refinement > 0)
+            r = root_step(embed_root_coefficients[f->single][1], f->refinement, power_of_error(r, 5) * RAISE, a);
+        /* g (r^2)^2 */
+        error = both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
+    }
     for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
         error = 0.5 * error + a->unit;
     return error * (1 + more[f->variable]);

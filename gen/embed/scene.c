@@ -153,23 +153,6 @@ static int scene_collide(struct embed_scene *s)
 #define NEAR_STICKING 1e-3
 enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS = 100, MOST_PRESSED = 200 };
 
-/* c of f = c beta^(-2a/n), and the sticking speed, from f_1: in units in which the force is 1 the law has the damping
- * B = beta_1 f_1^(n/(2a)), the same at every speed, and the unit of speed is f_1^((a+1)/(2a)). */
-static int find_sticking_speed(struct embed_scene *s, const struct embed_request *request)
-{
-    const struct ratio a = s->law.a, n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
-    LOCAL(arb, force, damping, x);
-    embed_contact_force(force, request, &s->law, EMBED_BITS);
-    LET(s->press, EMBED_BITS, "s->beta_enclosed^(2*a/n)*force", s->beta_enclosed, a, n, force);
-    LET(damping, EMBED_BITS, "force^(n/(2*a))*s->beta_enclosed", force, n, a, s->beta_enclosed);
-    if (collision_sticking_speed(s->sticking_speed, damping, &s->law, (int)s->end, STICKING_BITS))
-        return STATUS_FAILED;
-    LET(s->sticking_speed, EMBED_BITS, "s->sticking_speed*force^((a + 1)/(2*a))", s->sticking_speed, force, a);
-    LET(x, EMBED_BITS, "log(s->sticking_speed^q*s->beta_enclosed)", s->sticking_speed, q, s->beta_enclosed);
-    s->sticking_log = ball_middle(x);
-    return STATUS_OK;
-}
-
 /* The neighbour of a number of the scene's type, 0 or more, towards zero or away from it */
 static double neighbour(const struct embed_scene *s, double x, double towards)
 {
@@ -183,12 +166,24 @@ static double rounded_down(const struct embed_scene *s, double x)
     return y > x ? neighbour(s, y, 0) : y;
 }
 
-/* Chooses shift, onset and the first speed. v - shift is exact for every v up to speed_max, because the shift is a
- * multiple of the last place of speed_max. */
-static int shift_speeds(struct embed_scene *s)
+/* c of f = c beta^(-2a/n), and the sticking speed, from f_1: in units in which the force is 1 the law has the damping
+ * B = beta_1 f_1^(n/(2a)), the same at every speed, and the unit of speed is f_1^((a+1)/(2a)). Then origin, onset and
+ * the first speed: v - origin is exact for every v up to speed_max, because the origin is a multiple of the last place
+ * of speed_max. */
+static int press(struct embed_scene *s, const struct embed_request *request)
 {
+    const struct ratio a = s->law.a, n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
+    LOCAL(arb, force, damping, x);
+    embed_contact_force(force, request, &s->law, EMBED_BITS);
+    LET(s->press, EMBED_BITS, "s->beta_enclosed^(2*a/n)*force", s->beta_enclosed, a, n, force);
+    LET(damping, EMBED_BITS, "force^(n/(2*a))*s->beta_enclosed", force, n, a, s->beta_enclosed);
+    if (collision_sticking_speed(s->sticking_speed, damping, &s->law, (int)s->end, STICKING_BITS))
+        return STATUS_FAILED;
+    LET(s->sticking_speed, EMBED_BITS, "s->sticking_speed*force^((a + 1)/(2*a))", s->sticking_speed, force, a);
+    LET(x, EMBED_BITS, "log(s->sticking_speed^q*s->beta_enclosed)", s->sticking_speed, q, s->beta_enclosed);
+    s->sticking_log = ball_middle(x);
     const double sticking = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_FLOOR);
-    const double below = rounded_down(s, sticking);
+    const double below = rounded_down(s, sticking), unit = s->speed_max - neighbour(s, s->speed_max, 0);
     double first = embed_rounded(s, sticking * (1 + STICKING_MARGIN));
     while (first < sticking * (1 + STICKING_MARGIN))
         first = neighbour(s, first, HUGE_VAL);
@@ -196,10 +191,8 @@ static int shift_speeds(struct embed_scene *s)
         return usage_error("up to %.6g m/s the bodies stay together, and eps is 0; --speed-max is not above it",
                            sticking);
     s->onset = s->speed_min > first ? below : neighbour(s, first, 0);
-    s->speed_min = fmax(s->speed_min, first);
-    const double unit = s->speed_max - neighbour(s, s->speed_max, 0);
     s->origin = floor(below / unit) * unit;
-    s->speed_min -= s->origin;
+    s->speed_min = fmax(s->speed_min, first) - s->origin;
     s->speed_max -= s->origin;
     return STATUS_OK;
 }
@@ -364,9 +357,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);
     if (status == STATUS_OK && s->pressed)
-        status = find_sticking_speed(s, request);
-    if (status == STATUS_OK && s->pressed)
-        status = shift_speeds(s);
+        status = press(s, request);
     if (status == STATUS_OK && (s->plastic || (s->constant && is_wet(s))))
         status = scene_by_speed(s, request, contact);
     return status == STATUS_OK ? scene_prepare(s, request) : status;

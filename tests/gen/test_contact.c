@@ -215,8 +215,7 @@ TEST(every_way_of_a_sphere)
                pow(1e-20 / cor_scene_damping(&contact, COR_SCENE_G_STAR), 0.2), 1e-4);
 }
 
-/* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. Integration of
- * the force in SI units lasts as long. */
+/* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. */
 TEST(stiffness_from_a_duration)
 {
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
@@ -224,7 +223,7 @@ TEST(stiffness_from_a_duration)
     for (size_t i = 0; i < COUNT_OF(laws); i++)
         for (int k = 0; k < 6; k++) {
             const int end = k % COR_SCENE_ENDS;
-            const double speed = pow(10, k - 3), eps = 0.95 - 0.15 * k, duration = 3e-4 * (k + 1);
+            const double speed = pow(10, k - 3), eps = 0.95 - 0.15 * k;
             struct cor_scene_fault fault;
             struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
             struct cor_scene_contact got[COR_SCENE_ENDS], want = {.law = laws[i],
@@ -239,21 +238,13 @@ TEST(stiffness_from_a_duration)
             scene.solver = contact_enclosed;
             scene_give(scene, {COR_SCENE_AT, speed}, {COR_SCENE_EFFECTIVE_MASS, want.mass_kg});
             assert_int_equal(cor_scene_set_damping(&want, COR_SCENE_RESTITUTION, eps, speed, end), 0);
-            struct cor_scene_impact impact = scene_impact(&want, speed);
+            const struct cor_scene_impact impact = scene_impact(&want, speed);
             scene.number[COR_SCENE_RESTITUTION] = impact.eps[end];
             scene.number[COR_SCENE_DURATION] = impact.duration_s[end];
             assert_int_equal(cor_scene_contacts(got, &count, &fault, &scene), 0);
             check_near(got[0].stiffness, want.stiffness, 1e-11);
             check_near(cor_scene_damping(&got[0], COR_SCENE_DAMPING_COEFFICIENT),
                        cor_scene_damping(&want, COR_SCENE_DAMPING_COEFFICIENT), 1e-11);
-            if (!in_turn(6 * i + (size_t)k, 12) || 2 * laws[i].damping > laws[i].elastic)
-                continue;
-            scene.number[COR_SCENE_DURATION] = duration;
-            assert_int_equal(cor_scene_contacts(got, &count, &fault, &scene), 0);
-            impact = scene_impact(&got[0], speed);
-            impact.eps[1 - end] = impact.duration_s[1 - end] = 0;
-            impact.duration_s[end] = duration;
-            against_integration(&impact, cor_scene_force_max_n(&got[0], speed), &got[0], speed, 1e-11, 1e-5);
         }
     /* without damping, and without --end: a contact for each end, which lasts as long at its own */
     const double a = 1.5, elastic = cor_hunt_crossley_duration(0, a);
