@@ -7,32 +7,14 @@
 #include "embed/form.h"
 #include "support/console.h"
 
-static int write_header(const struct embed_arguments *o, const struct embed_scene *s, const struct embed_form *form)
-{
-    const enum embed_family chosen = embed_choose(form, o->scene.purpose);
-    if (chosen == FAMILIES) {
-        char *why = embed_failures(s, form);
-        const int status = fail("no form meets the tolerance %s (%s)", o->scene.number[EMBED_TOLERANCE].text, why);
-        free(why);
-        return status;
-    }
-    struct embed_proof proof;
-    profile_step("proof");
-    if (embed_prove(&proof, &form[chosen], s) != STATUS_OK)
-        return STATUS_FAILED;
-    struct output out;
-    if (output_open(&out, o->common.output))
-        return STATUS_FAILED;
-    embed_header_write(out.file, &o->scene, s, form, chosen, &proof);
-    return output_commit(&out);
-}
-
 static int run_embed(const void *arguments)
 {
     const struct embed_arguments *const o = arguments;
     struct embed_scene scene;
     struct embed_form form[FAMILIES] = {{0}};
+    struct embed_proof proof;
     struct contacts contacts = {.count = 0};
+    struct output out;
     int status = embed_request_check(&o->scene);
     if (status == STATUS_OK)
         status = contacts_without_jkr(&contacts, &o->scene);
@@ -46,9 +28,22 @@ static int run_embed(const void *arguments)
     contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));
     profile_step("collisions, series");
     status = embed_scene_init(&scene, &o->scene, &contacts.contact[0]);
-    if (status == STATUS_OK) {
+    if (status == STATUS_OK)
         embed_search(form, &scene);
-        status = write_header(o, &scene, form);
+    const enum embed_family chosen = embed_choose(form, o->scene.purpose);
+    if (status == STATUS_OK && chosen == FAMILIES) {
+        char *const why = embed_failures(&scene, form);
+        status = fail("no form meets the tolerance %s (%s)", o->scene.number[EMBED_TOLERANCE].text, why);
+        free(why);
+    }
+    profile_step("proof");
+    if (status == STATUS_OK)
+        status = embed_prove(&proof, &form[chosen], &scene);
+    if (status == STATUS_OK)
+        status = output_open(&out, o->common.output);
+    if (status == STATUS_OK) {
+        embed_header_write(out.file, &o->scene, &scene, form, chosen, &proof);
+        status = output_commit(&out);
     }
     profile_step(NULL);
     for (int i = 0; i < FAMILIES; i++)

@@ -63,51 +63,26 @@ static int write_results(const struct fit_arguments *o, const struct fit_report 
 }
 
 static const char *const separator_names[] = {"comma", "semicolon", "tab", NULL};
-static int read_form(struct fit_form *form, const struct fit_arguments *o)
-{
-    static const char separators[] = ",;\t";
-    *form = (struct fit_form){.unit = (enum fit_unit)o->unit,
-                              .gravity_m_s2 = options_number(&o->gravity, FIT_GRAVITY_M_S2),
-                              .decimal_comma = o->decimal_comma};
-    for (int i = 0; o->separator && separator_names[i]; i++)
-        if (strcmp(o->separator, separator_names[i]) == 0 || strcmp(o->separator, (char[]){separators[i], '\0'}) == 0)
-            form->separator = separators[i];
-    return !o->separator || form->separator ? STATUS_OK
-                                            : usage_error("--separator: '%s' is not a separator; allowed: comma, "
-                                                          "semicolon, tab",
-                                                          o->separator);
-}
-
-static int fit_and_report(const struct fit_arguments *o, const struct fit_request *request, const struct fit_data *data)
-{
-    struct fit_report report = {.data = data, .request = request};
-    profile_step("fits");
-    fit_compare(&report.comparison, data, request);
-    if (report.comparison.models == 0)
-        return usage_error("%s has %zu points; allowed: at least one more than the parameters of the model", o->data,
-                           data->points);
-    profile_step("outliers");
-    fit_find_outliers(&report.outliers, data, request);
-    if (report.outliers.count > 0)
-        fit_compare(&report.without_outliers, &report.outliers.rest, request);
-    profile_step(NULL);
-    const int status = write_results(o, &report);
-    fit_data_clear(&report.outliers.rest);
-    return status;
-}
 
 static int run_fit(const void *arguments)
 {
+    static const char separators[] = ",;\t";
     const struct fit_arguments *const o = arguments;
     struct fit_request request = {.robust = o->robust};
     struct fit_bodies bodies;
-    struct fit_form form;
+    struct fit_form form = {.unit = (enum fit_unit)o->unit,
+                            .gravity_m_s2 = options_number(&o->gravity, FIT_GRAVITY_M_S2),
+                            .decimal_comma = o->decimal_comma};
     struct fit_data data;
+    struct fit_report report = {.data = &data, .request = &request};
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
     int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : contact_end_options[o->end]);
-    if (status == STATUS_OK)
-        status = read_form(&form, o);
+    for (int i = 0; o->separator && separator_names[i]; i++)
+        if (strcmp(o->separator, separator_names[i]) == 0 || strcmp(o->separator, (char[]){separators[i], '\0'}) == 0)
+            form.separator = separators[i];
+    if (status == STATUS_OK && o->separator && !form.separator)
+        status = usage_error("--separator: '%s' is not a separator; allowed: comma, semicolon, tab", o->separator);
     bool given = o->scene.wall;
     for (int number = COR_SCENE_YOUNG; number <= COR_SCENE_DISSIPATION_TIME_2; number++)
         given = given || embed_given(&o->scene, number);
@@ -119,12 +94,23 @@ static int run_fit(const void *arguments)
         status = fit_data_read(&data, o->data, &form);
     if (status != STATUS_OK)
         return status;
-    status = fit_and_report(o, &request, &data);
+    profile_step("fits");
+    fit_compare(&report.comparison, &data, &request);
+    if (report.comparison.models == 0) {
+        status = usage_error("%s has %zu points; allowed: at least one more than the parameters of the model", o->data,
+                             data.points);
+    } else {
+        profile_step("outliers");
+        fit_find_outliers(&report.outliers, &data, &request);
+        if (report.outliers.count > 0)
+            fit_compare(&report.without_outliers, &report.outliers.rest, &request);
+        profile_step(NULL);
+        status = write_results(o, &report);
+        fit_data_clear(&report.outliers.rest);
+    }
     fit_data_clear(&data);
     return status;
 }
-
-/* ---- the command line ---- */
 
 static const char help[] =
     "Usage: corgen fit DATA.csv [BODIES] [OPTION]...\n\n"

@@ -5,21 +5,8 @@
 #include "cli/scene_options.h"
 #include "support/console.h"
 
-static int plan_of_disks(struct plan *plan, const struct plan_arguments *o)
-{
-    if (!embed_given(&o->scene, COR_SCENE_POISSON))
-        return usage_error("corgen plan --disks needs --poisson, as --poisson 0.33; see corgen plan --help");
-    const int status = options_disk_poisson(&o->scene.number[COR_SCENE_POISSON]);
-    return status == STATUS_OK ? plan_disks(plan, &o->scene, o->quantity, o->points) : status;
-}
-
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
-    if (embed_given(&o->scene, COR_SCENE_POISSON)) {
-        const int status = options_check_real("poisson", &option_sphere_poisson, &o->scene.number[COR_SCENE_POISSON]);
-        if (status != STATUS_OK)
-            return status;
-    }
     /* the models are those of the contact without a constant force */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
@@ -40,9 +27,17 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 static int run_plan(const void *arguments)
 {
     const struct plan_arguments *const o = arguments;
+    const struct decimal *const poisson = &o->scene.number[COR_SCENE_POISSON];
     struct plan plan = {.chosen = -1};
-    int status = (o->disks ? plan_of_disks : plan_of_spheres)(&plan, o);
     struct output out;
+    int status = STATUS_OK;
+    if (o->disks && !poisson->text)
+        return usage_error("corgen plan --disks needs --poisson, as --poisson 0.33; see corgen plan --help");
+    if (poisson->text)
+        status =
+            o->disks ? options_disk_poisson(poisson) : options_check_real("poisson", &option_sphere_poisson, poisson);
+    if (status == STATUS_OK)
+        status = o->disks ? plan_disks(&plan, &o->scene, o->quantity, o->points) : plan_of_spheres(&plan, o);
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {

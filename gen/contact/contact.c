@@ -40,24 +40,11 @@ int contact_status(int status)
     return status < 0 ? -status : status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
 }
 
-/* ---- what is wrong with a request ---- */
-
-static int refuse(const struct cor_scene_fault *fault, const struct embed_request *request, const struct law *law)
-{
-    char text[COR_SCENE_FAULT_TEXT];
-    if (fault->fault == COR_FAULT_NO_DAMPING)
-        return fail("no damping found for which eps is %g", embed_number(request, COR_SCENE_RESTITUTION));
-    if (fault->fault == COR_FAULT_VISCOSITY)
-        return usage_error("--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as "
-                           "1e3,2e3",
-                           cor_scene_number_names[fault->number],
-                           request->viscosity[fault->number == COR_SCENE_VISCOSITY_2]);
-    cor_scene_fault_text(text, sizeof text, fault, law_equation(law).text, NULL);
-    return usage_error("%s", text);
-}
+/* ---- a request ---- */
 
 int contacts_of_request(struct contacts *contacts, const struct embed_request *request)
 {
+    char text[COR_SCENE_FAULT_TEXT];
     struct cor_scene_fault fault;
     int status = embed_request_scene(&contacts->scene, request);
     if (status != STATUS_OK)
@@ -65,7 +52,17 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     contacts->law = embed_law(&contacts->scene.law);
     contacts->scene.solver = contact_enclosed;
     status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
-    return status < 0 ? STATUS_FAILED : status == COR_FAULT_NONE ? STATUS_OK : refuse(&fault, request, &contacts->law);
+    if (status <= 0)
+        return status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
+    if (fault.fault == COR_FAULT_NO_DAMPING)
+        return fail("no damping found for which eps is %g", embed_number(request, COR_SCENE_RESTITUTION));
+    if (fault.fault == COR_FAULT_VISCOSITY)
+        return usage_error("--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as "
+                           "1e3,2e3",
+                           cor_scene_number_names[fault.number],
+                           request->viscosity[fault.number == COR_SCENE_VISCOSITY_2]);
+    cor_scene_fault_text(text, sizeof text, &fault, law_equation(&contacts->law).text, NULL);
+    return usage_error("%s", text);
 }
 
 int contacts_without_jkr(struct contacts *contacts, const struct embed_request *request)
