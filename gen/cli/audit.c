@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen audit: the restitution that the input of a simulator really gives. */
-#define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -174,16 +173,6 @@ static int audit_file(struct audit_run *run, struct cor_audit_memory *memory, co
     return status;
 }
 
-static void print_summary(const struct audit_run *run)
-{
-    fprintf(run->file, "%s%d contact%s: %d as asked within %.3g %%, %d not, %d asked for no e",
-            run->contacts ? "\n" : "", run->contacts, run->contacts == 1 ? "" : "s", run->as_asked,
-            100 * run->tolerance, run->not_as_asked, run->contacts - run->as_asked - run->not_as_asked);
-    if (run->not_read)
-        fprintf(run->file, "; %d line%s not read", run->not_read, run->not_read == 1 ? "" : "s");
-    fputs("\n", run->file);
-}
-
 static int run_audit(const void *arguments)
 {
     const struct audit_arguments *const o = arguments;
@@ -202,10 +191,16 @@ static int run_audit(const void *arguments)
         if (found == STATUS_USAGE)
             status = STATUS_USAGE;
     }
-    if (o->common.format == FORMAT_TEXT)
-        print_summary(&run);
-    else
+    if (o->common.format != FORMAT_TEXT) {
         table_print(&run.table, (enum output_format)o->common.format, run.file);
+    } else {
+        fprintf(run.file, "%s%d contact%s: %d as asked within %.3g %%, %d not, %d asked for no e",
+                run.contacts ? "\n" : "", run.contacts, run.contacts == 1 ? "" : "s", run.as_asked, 100 * run.tolerance,
+                run.not_as_asked, run.contacts - run.as_asked - run.not_as_asked);
+        if (run.not_read)
+            fprintf(run.file, "; %d line%s not read", run.not_read, run.not_read == 1 ? "" : "s");
+        fputs("\n", run.file);
+    }
     fclose(run.file);
     if (status != STATUS_USAGE) {
         const int written = output_text(o->common.output, text);

@@ -78,20 +78,6 @@ static void scales(arb_t beta, arb_t time_unit, const struct collide_arguments *
     LET(beta, prec, "(C/m)*(m/K)^((b + 1)/(a + 1))*g^q", C, m, K, a, b, g, q);
 }
 
-static int to_si(struct collision *c, arb_t force, const struct collide_arguments *o, const arb_t beta, const arb_t T,
-                 slong bits)
-{
-    const fmpq *const m = o->effective_mass.value, *const g = o->speed.value;
-    const slong prec = 3 * bits + 256;
-    const int status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &o->law.exponents, bits);
-    arb_mul(c->t_max, c->t_max, T, prec);
-    arb_mul(c->t_zero_overlap, c->t_zero_overlap, T, prec);
-    arb_mul(c->t_zero_force, c->t_zero_force, T, prec);
-    LET(c->x_max, prec, "c->x_max*T*g", c->x_max, T, g);
-    LET(force, prec, "force*m*g/T", force, m, g, T);
-    return status;
-}
-
 /* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
@@ -119,8 +105,15 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     for (int end = 0; end < 2 && o->threshold && status == STATUS_OK; end++)
         if (is_printed(STICKING + end, o))
             status = collision_sticking_force(sticking + end, beta, &o->law.exponents, end, bits);
-    if (status == STATUS_OK && in_si(o))
-        status = to_si(&collision, force, o, beta, time_unit, bits);
+    if (status == STATUS_OK && in_si(o)) {
+        const slong prec = 3 * bits + 256;
+        arb_ptr const time[] = {collision.t_max, collision.t_zero_overlap, collision.t_zero_force};
+        for (int i = 0; i < 3; i++)
+            arb_mul(time[i], time[i], time_unit, prec);
+        LET(collision.x_max, prec, "collision.x_max*time_unit*g", collision.x_max, time_unit, g);
+        status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &o->law.exponents, bits);
+        LET(force, prec, "force*m*g/time_unit", force, m, g, time_unit);
+    }
     profile_step("digits");
     const arb_struct *const value[COLUMNS] = {beta,
                                               collision.x_max,

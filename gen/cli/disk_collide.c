@@ -18,10 +18,12 @@ static const struct option_numbers hard_wall_tolerance = {
     .range = {TEXT_OF(COR_DISK_HARD_WALL_MIN_TOLERANCE), "1", true, false, true,
               "a number from " TEXT_OF(COR_DISK_HARD_WALL_MIN_TOLERANCE) " to below 1 (--hard-wall)"}};
 
-/* Soft walls need alpha and a number of modes; the hard wall has neither. */
-static int check_wall(const struct disk_collide_arguments *o)
+static int run_disk_collide(const void *arguments)
 {
-    const struct sweep *const sweep = &o->request.sweep;
+    const struct disk_collide_arguments *const o = arguments;
+    struct sweep_request request = o->request;
+    struct sweep *const sweep = &request.sweep;
+    /* soft walls need alpha and a number of modes; the hard wall has neither */
     const char *const missing = sweep->hard_wall                         ? NULL
                                 : !sweep->rayleigh && !sweep->alpha.text ? "alpha"
                                 : !sweep->modes.text                     ? "modes"
@@ -30,22 +32,13 @@ static int check_wall(const struct disk_collide_arguments *o)
         return usage_error(
             "corgen disk-collide needs --%s, as --%s 500, or --hard-wall; see corgen disk-collide --help", missing,
             missing);
-    if (sweep->hard_wall && o->tolerance.text)
-        return options_check_real("tolerance", &hard_wall_tolerance, &o->tolerance);
-    return STATUS_OK;
-}
-
-static int run_disk_collide(const void *arguments)
-{
-    const struct disk_collide_arguments *const o = arguments;
-    struct sweep_request request = o->request;
-    const int wrong = check_wall(o);
-    if (wrong)
-        return wrong;
+    if (sweep->hard_wall && o->tolerance.text &&
+        options_check_real("tolerance", &hard_wall_tolerance, &o->tolerance) != STATUS_OK)
+        return STATUS_USAGE;
     if (request.plot && gnuplot_check(request.plot) != STATUS_OK)
         return STATUS_USAGE;
-    request.sweep.tolerance = options_number(
-        &o->tolerance, strtod(request.sweep.hard_wall ? DEFAULT_HARD_WALL_TOLERANCE : DEFAULT_TOLERANCE, NULL));
+    sweep->tolerance =
+        options_number(&o->tolerance, strtod(sweep->hard_wall ? DEFAULT_HARD_WALL_TOLERANCE : DEFAULT_TOLERANCE, NULL));
     request.format = (enum output_format)o->common.format;
     request.output = o->common.output;
     return sweep_run(&request);

@@ -8,27 +8,15 @@
 #include "contact/sample.h"
 #include "support/console.h"
 
-static int check_request(const struct sample_arguments *o, const struct sample_request *request)
-{
-    const struct decimal *const number = o->scene.number;
-    const enum sample_format format = (enum sample_format)o->common.format;
-    if (!(request->speed_min < request->speed_max))
-        return usage_error("--speed-min %s is not below --speed-max %s, as --speed-min 0.01 --speed-max 10",
-                           number[EMBED_SPEED_MIN].text, number[EMBED_SPEED_MAX].text);
-    if (!(request->tolerance >= SAMPLE_FINEST && request->tolerance <= SAMPLE_COARSEST))
-        return usage_error("--tolerance %s is not from %g to %g, as 1e-3", number[EMBED_TOLERANCE].text, SAMPLE_FINEST,
-                           SAMPLE_COARSEST);
-    if ((o->log || o->cubic) && (format == SAMPLE_MODELICA || format == SAMPLE_OPENFOAM))
-        return usage_error("--format %s: its reader interpolates linearly in the speed; no --log or --cubic",
-                           sample_format_names[format]);
-    return STATUS_OK;
-}
-
 static int run_sample(const void *arguments)
 {
     const struct sample_arguments *const o = arguments;
+    const struct decimal *const number = o->scene.number;
+    const enum sample_format format = (enum sample_format)o->common.format;
     struct embed_request scene = o->scene;
     struct contacts contacts = {.count = 0};
+    struct sample sample;
+    struct output out;
     if (scene.end == OPTIONS_NOT_GIVEN)
         scene.end = END_ZERO_OVERLAP;
     const struct sample_request request = {.contact = &contacts.contact[0],
@@ -40,22 +28,27 @@ static int run_sample(const void *arguments)
                                            .log = o->log,
                                            .cubic = o->cubic,
                                            .duration = o->duration};
-    int status = check_request(o, &request);
-    if (status == STATUS_OK)
-        status = contacts_without_jkr(&contacts, &scene);
+    if (!(request.speed_min < request.speed_max))
+        return usage_error("--speed-min %s is not below --speed-max %s, as --speed-min 0.01 --speed-max 10",
+                           number[EMBED_SPEED_MIN].text, number[EMBED_SPEED_MAX].text);
+    if (!(request.tolerance >= SAMPLE_FINEST && request.tolerance <= SAMPLE_COARSEST))
+        return usage_error("--tolerance %s is not from %g to %g, as 1e-3", number[EMBED_TOLERANCE].text, SAMPLE_FINEST,
+                           SAMPLE_COARSEST);
+    if ((o->log || o->cubic) && (format == SAMPLE_MODELICA || format == SAMPLE_OPENFOAM))
+        return usage_error("--format %s: its reader interpolates linearly in the speed; no --log or --cubic",
+                           sample_format_names[format]);
+    int status = contacts_without_jkr(&contacts, &scene);
     if (status == STATUS_OK && o->duration && isnan(contacts.contact[0].mass_kg))
         status = usage_error("--durations needs bodies, or --stiffness and --effective-mass, which set the unit of "
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
     if (status != STATUS_OK)
         return status;
     contact_warn_yield(&contacts, request.speed_max);
-    struct sample sample;
-    struct output out;
     status = sample_choose(&sample, &request);
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
-        sample_print(out.file, &sample, &request, (enum sample_format)o->common.format);
+        sample_print(out.file, &sample, &request, format);
         status = output_commit(&out);
     }
     sample_clear(&sample);

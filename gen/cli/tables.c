@@ -7,35 +7,28 @@
 #include "support/console.h"
 #include "tables/files.h"
 
-static int check_request(const struct tables_request *o)
-{
-    if ((o->all || o->seed != OPTIONS_NOT_GIVEN) && o->poisson.text)
-        return usage_error("--%s is about the collisions of generated/" DISK_LIMITS_FILE ", not about --poisson",
-                           o->all ? "all" : "seed");
-    if (o->seed != OPTIONS_NOT_GIVEN && (o->all || !o->check))
-        return usage_error("--seed chooses the sample of --check without --all");
-    if (o->modes != 0 && !o->poisson.text)
-        return usage_error("--modes needs --poisson: the tables of generated/ have %d modes", DISK_TABLE_MODES);
-    if (o->digits && (o->poisson.text || o->check || o->all || o->directory))
-        return usage_error("--digits prints the digits of all tables and goes with no other option%s",
-                           o->poisson.text ? "; corgen disk-modes prints those of modes" : "");
-    if (o->directory && strcmp(o->directory, "-") == 0)
-        return usage_error("--output: '-' is no directory; files go to one, and --digits prints all numbers");
-    if (!o->poisson.text)
-        return STATUS_OK;
-    if (strlen(o->poisson.text) > DISK_TABLE_POISSON)
-        return usage_error("--poisson: a name of a file is made of it; %d characters at most, as 0.33",
-                           DISK_TABLE_POISSON);
-    return options_disk_poisson(&o->poisson);
-}
-
 static int run_tables(const void *arguments)
 {
-    const struct tables_arguments *const o = arguments;
-    struct tables_request request = o->request;
-    request.directory = o->common.output;
-    const int wrong = check_request(&request);
-    return wrong ? wrong : tables_run(&request);
+    const struct tables_arguments *const given = arguments;
+    struct tables_request o = given->request;
+    o.directory = given->common.output;
+    if ((o.all || o.seed != OPTIONS_NOT_GIVEN) && o.poisson.text)
+        return usage_error("--%s is about the collisions of generated/" DISK_LIMITS_FILE ", not about --poisson",
+                           o.all ? "all" : "seed");
+    if (o.seed != OPTIONS_NOT_GIVEN && (o.all || !o.check))
+        return usage_error("--seed chooses the sample of --check without --all");
+    if (o.modes != 0 && !o.poisson.text)
+        return usage_error("--modes needs --poisson: the tables of generated/ have %d modes", DISK_TABLE_MODES);
+    if (o.digits && (o.poisson.text || o.check || o.all || o.directory))
+        return usage_error("--digits prints the digits of all tables and goes with no other option%s",
+                           o.poisson.text ? "; corgen disk-modes prints those of modes" : "");
+    if (o.directory && strcmp(o.directory, "-") == 0)
+        return usage_error("--output: '-' is no directory; files go to one, and --digits prints all numbers");
+    if (o.poisson.text && strlen(o.poisson.text) > DISK_TABLE_POISSON)
+        return usage_error("--poisson: a name of a file is made of it; %d characters at most, as 0.33",
+                           DISK_TABLE_POISSON);
+    const int wrong = o.poisson.text ? options_disk_poisson(&o.poisson) : STATUS_OK;
+    return wrong ? wrong : tables_run(&o);
 }
 
 static const char help[] =
