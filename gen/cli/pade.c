@@ -105,9 +105,17 @@ static int write_header(const struct problem *problem)
     return status;
 }
 
-/* Prints the published numbers beside the coefficients, and their differences. */
-static void print_published(FILE *file, const struct pade *f)
+static void print_text(FILE *file, const struct table *table, const void *arguments)
 {
+    const struct problem *const problem = arguments;
+    const struct pade *const f = problem->f;
+    fprintf(file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator,
+            header_title(&problem->request, f->root));
+    table_print(table, FORMAT_TEXT, file);
+    fprintf(file, "\n");
+    pade_print_analysis(file, problem->analysis, "");
+    if (problem->request.kind != PADE_AS_PUBLISHED)
+        return;
     fprintf(file, "\nTable I prints     from the printed a_k\n");
     for (int k = 1; k <= 5; k++) {
         arb_srcptr x = k == 1 ? arb_poly_get_coeff_ptr(f->p, 1) : arb_poly_get_coeff_ptr(f->q, k - 1);
@@ -119,19 +127,6 @@ static void print_published(FILE *file, const struct pade *f)
     fprintf(file, "d_0 is near zero, so a_3 and a_4 rounded to six decimals fix d_1, d_2, d_3 to "
                   "about 2e-4 only.\nx = (g/g*)^(1/5). C_3 and C_4 behind these numbers are wrong: "
                   "corgen series has the right ones.\n");
-}
-
-static void print_text(FILE *file, const struct table *table, const void *arguments)
-{
-    const struct problem *const problem = arguments;
-    const struct pade *const f = problem->f;
-    fprintf(file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator,
-            header_title(&problem->request, f->root));
-    table_print(table, FORMAT_TEXT, file);
-    fprintf(file, "\n");
-    pade_print_analysis(file, problem->analysis, "");
-    if (problem->request.kind == PADE_AS_PUBLISHED)
-        print_published(file, f);
 }
 
 /* Rows of the coefficients, up to the first that is undecided */
@@ -175,10 +170,13 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     return refused ? STATUS_FAILED : write_header(problem);
 }
 
-/* Converts the options to a request, or reports a usage error. */
-static int read_request(struct pade_request *r, const struct pade_arguments *o)
+static int run_pade(const void *arguments)
 {
-    *r = o->request;
+    const struct pade_arguments *const o = arguments;
+    LOCAL(pade, f);
+    LOCAL(pade_analysis, a);
+    struct problem problem = {.given = o, .request = o->request, .f = f, .analysis = a};
+    struct pade_request *const r = &problem.request;
     r->kind = o->as_published ? PADE_AS_PUBLISHED : o->two_point ? PADE_TWO_POINT : PADE_ORDINARY;
     r->law = o->law.exponents;
     if (o->as_published && !law_is_sphere(&r->law))
@@ -191,19 +189,9 @@ static int read_request(struct pade_request *r, const struct pade_arguments *o)
     }
     if (r->numerator < 0 || r->denominator < 0)
         return usage_error("pade needs --numerator and --denominator");
-    const char *why = pade_refusal(r);
-    return why ? usage_error("%s", why) : STATUS_OK;
-}
-
-static int run_pade(const void *arguments)
-{
-    const struct pade_arguments *const o = arguments;
-    LOCAL(pade, f);
-    LOCAL(pade_analysis, a);
-    struct problem problem = {.given = o, .f = f, .analysis = a};
+    const char *const why = pade_refusal(r);
     const struct proved_table table = {o->digits, &problem, fill_table, print_text};
-    const int wrong = read_request(&problem.request, o);
-    return wrong ? wrong : proved_table_write(&table, &o->common);
+    return why ? usage_error("%s", why) : proved_table_write(&table, &o->common);
 }
 
 static const char help[] =

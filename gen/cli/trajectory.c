@@ -33,22 +33,11 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     return STATUS_OK;
 }
 
-/* t to the exponent of term j of row k, 1 + k (b+1) + j (a+1) */
-static void print_power(FILE *file, const struct law *law, slong k, slong j, bool latex)
-{
-    const struct ratio e = RATIO("1 + k*(law->b + 1) + j*(law->a + 1)", k, law->b, j, law->a);
-    const char *const open = latex ? "{" : e.den != 1 ? "(" : "", *const close = latex ? "}" : e.den != 1 ? ")" : "";
-    fputs("t", file);
-    if (e.den != 1)
-        fprintf(file, "^%s%ld/%ld%s", open, (long)e.num, (long)e.den, close);
-    else if (e.num != 1)
-        fprintf(file, "^%s%ld%s", open, (long)e.num, close);
-}
-
 /* The rows without their vanishing terms; dots stand for the terms beyond the requested ones. */
 static void print_rows(FILE *file, const struct table *table, const void *arguments)
 {
     const struct trajectory_arguments *const o = arguments;
+    const struct law *const law = &o->law.exponents;
     const bool latex = o->common.format == FORMAT_LATEX;
     char *const *cell = table->cell;
     fputs(latex ? "\\begin{aligned}\n" : "", file);
@@ -67,7 +56,15 @@ static void print_rows(FILE *file, const struct table *table, const void *argume
                 fprintf(file, latex ? "\\frac{%s}{%s}" : "%s/%s ", numerator, cell[3]);
             else if (strcmp(numerator, "1") != 0)
                 fprintf(file, latex ? "%s\\," : "%s ", numerator);
-            print_power(file, &o->law.exponents, k, j, latex);
+            /* t to the exponent of term j of row k */
+            const struct ratio e = RATIO("1 + k*(law->b + 1) + j*(law->a + 1)", k, law->b, j, law->a);
+            const char *const open = latex ? "{" : e.den != 1 ? "(" : "";
+            const char *const close = latex ? "}" : e.den != 1 ? ")" : "";
+            fputs("t", file);
+            if (e.den != 1)
+                fprintf(file, "^%s%ld/%ld%s", open, (long)e.num, (long)e.den, close);
+            else if (e.num != 1)
+                fprintf(file, "^%s%ld%s", open, (long)e.num, close);
         }
         fprintf(file, "%s%s", plus, latex ? "\\cdots" : "...");
         fputs(latex && k < o->order ? " \\\\\n" : "\n", file);

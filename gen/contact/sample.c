@@ -162,22 +162,16 @@ static double function_value(const struct sampler *c, int quantity, double x)
     return function_at_speed(c, quantity, function_speed(c, x));
 }
 
-/* The step in ln(speed) of a difference that does not reach beyond the onset of yield, where the second derivative
- * jumps; next to it the slope is off by SLOPE_LEAST times that jump. */
-static double slope_step(const struct sampler *c, double speed_m_s)
-{
-    const struct cor_scene_contact *const contact = c->request->contact;
-    if (!contact->plastic)
-        return SLOPE_STEP;
-    const double away = fabs(log(speed_m_s / (contact->yield_speed_m_s + contact->liquid_speed_m_s)));
-    return fmin(SLOPE_STEP, fmax(SLOPE_LEAST, away / (1.01 * SLOPE_REACH)));
-}
-
-/* d value/dx at a speed, by a central difference of order 6 in ln(speed); relative error below 1e-12 */
+/* d value/dx at a speed, by a central difference of order 6 in ln(speed); relative error below 1e-12. It does not reach
+ * beyond the onset of yield, where the second derivative jumps; next to it the slope is off by SLOPE_LEAST times that
+ * jump. */
 static double function_slope(const struct sampler *c, int quantity, double speed_m_s)
 {
     static const double weight[SLOPE_REACH] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
-    const double step = slope_step(c, speed_m_s);
+    const struct cor_scene_contact *const contact = c->request->contact;
+    const double away = fabs(log(speed_m_s / (contact->yield_speed_m_s + contact->liquid_speed_m_s)));
+    const double step =
+        contact->plastic ? fmin(SLOPE_STEP, fmax(SLOPE_LEAST, away / (1.01 * SLOPE_REACH))) : SLOPE_STEP;
     double sum = 0;
     for (int k = 1; k <= SLOPE_REACH; k++) {
         const double factor = exp(k * step);
@@ -386,29 +380,23 @@ static int choose_points(struct sample *sample, const struct sampler *c, double 
     return STATUS_OK;
 }
 
-/* eps and duration are monotonic, so that their values at both ends of the range bound them. */
-static int check_values(const struct sampler *c)
-{
-    const struct sample_request *const r = c->request;
-    for (int q = 0; q < c->quantities; q++) {
-        const double low = function_value(c, q, c->low), high = function_value(c, q, c->high);
-        if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
-            return usage_error("%s is %g at %g m/s and %g at %g m/s: a relative tolerance needs a number above 0; give "
-                               "a narrower range of speeds, or --end zero-force",
-                               q == 0 ? "eps" : "the duration", low, r->speed_min, high, r->speed_max);
-    }
-    return STATUS_OK;
-}
-
 int sample_choose(struct sample *sample, const struct sample_request *request)
 {
     struct sampler c = {.request = request, .quantities = request->duration ? 2 : 1};
     *sample = (struct sample){.error_of_fewer = INFINITY};
     c.low = function_place(&c, request->speed_min);
     c.high = function_place(&c, request->speed_max);
-    int status = check_values(&c);
+    /* eps and duration are monotonic, so that their values at both ends of the range bound them */
+    for (int q = 0; q < c.quantities; q++) {
+        const double low = function_value(&c, q, c.low), high = function_value(&c, q, c.high);
+        if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
+            return usage_error("%s is %g at %g m/s and %g at %g m/s: a relative tolerance needs a number above 0; give "
+                               "a narrower range of speeds, or --end zero-force",
+                               q == 0 ? "eps" : "the duration", low, request->speed_min, high, request->speed_max);
+    }
+    int status = STATUS_OK;
     const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
-    if (status == STATUS_OK && cor_scene_needs_solver(request->contact))
+    if (cor_scene_needs_solver(request->contact))
         status = fill_pieces(&c, log(request->speed_min) - margin, log(request->speed_max) + margin);
     if (status == STATUS_OK) {
         double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x);
