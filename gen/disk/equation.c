@@ -32,17 +32,10 @@ static int wave_set(struct wave *a, slong n, slong prec)
 {
     int decided = 1;
     LOCAL(arb, r, t);
-    LOCAL(mag, half);
-
-    arb_get_mag(half, a->z);
-    slong m = cor_mode_ladder_start(n + 1, sqrt(mag_get_d(half)), prec);
-    arb_div_si(r, a->z, 2 * (m + 1), prec);
-    arb_get_mag(half, r);
-    mag_mul_2exp_si(half, half, -1);
-    arb_mul_si(r, r, 3, prec);
-    arb_mul_2exp_si(r, r, -1);
-    arb_add_error_mag(r, half);
-
+    slong m = cor_mode_ladder_start(n + 1, sqrt(ball_magnitude(a->z)), prec);
+    LET(t, prec, "a->z/(4*(m + 1))", a->z, m);
+    arb_mul_si(r, t, 3, prec);
+    arb_add_error(r, t);
     a->zeros = 0;
     for (; m > n + 1 && decided; m--) {
         arb_sub_si(t, r, 2 * m, prec);

@@ -13,6 +13,7 @@
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/digits.h"
+#include "support/formula.h"
 #include "support/local.h"
 #include "support/parallel.h"
 
@@ -53,26 +54,12 @@ void disk_modes_clear(struct disk_modes *modes)
 
 /* ---- one mode, in interval (ball) arithmetic ---- */
 
-/* Sets w to the interval from low to high if the interval is proved to contain root (n, l) and no other root of this
- * n. */
-static bool proved_between(arb_t w, const struct disk *disk, slong n, slong l, const arf_t low, const arf_t high)
-{
-    arb_set_arf(w, low);
-    bool proved = disk_count(disk, n, w) == l;
-    arb_set_arf(w, high);
-    proved = proved && disk_count(disk, n, w) == l + 1;
-    arb_set_interval_arf(w, low, high, 2 * disk->prec);
-    return proved;
-}
-
 /* Applies Newton's method from the middle of w, then proves the result. Returns false if the method does not lead to
  * root (n, l). */
 static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
 {
     struct disk disk = *wide;
-    LOCAL(arb, step, next);
-    LOCAL(arf, low, high);
-    LOCAL(mag, width);
+    LOCAL(arb, step, low, high);
     bool proved = false;
 
     const slong full = bits + GUARD_BITS;
@@ -82,31 +69,23 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
         mag_zero(arb_radref(w));
         if (!disk_newton(step, &disk, n, w))
             break;
-        arb_sub_si(next, step, 1, prec);
-        arb_mul(next, next, w, prec);
-        arf_neg(arb_midref(w), arb_midref(next));
+        LET(w, prec, "w*(1 - step)", w, step);
+        mag_zero(arb_radref(w));
         const bool exact = arf_cmpabs_2exp_si(arb_midref(step), -full) < 0;
         const slong gained = exact ? full : -arf_abs_bound_lt_2exp_si(arb_midref(step));
         if (gained < NEWTON_SLACK || !arb_is_positive(w))
             break;
         if (prec == full && 2 * gained >= full + NEWTON_SLACK) {
             /* the next step would be below the width of the interval, so a bracket of twice that width suffices */
-            mag_set(width, arb_radref(step));
-            mag_mul_2exp_si(width, width, 1);
-            mag_set_ui_2exp_si(arb_radref(step), 1, 2 - bits - GUARD_BITS / 2);
-            mag_max(width, width, arb_radref(step));
-            for (int wider = 0; wider < WIDENINGS && !proved; wider++) {
-                arb_one(next);
-                mag_set(arb_radref(next), width);
-                arb_mul(next, next, w, 2 * full);
-                arb_get_lbound_arf(low, next, full);
-                arb_get_ubound_arf(high, next, full);
-                arb_set(next, w);
-                proved = arf_sgn(low) > 0 && proved_between(next, &disk, n, l, low, high);
-                mag_mul_2exp_si(width, width, GUARD_BITS / 4);
+            slong narrow =
+                (slong)fmin((double)(bits + GUARD_BITS / 2 - 2), -2 - mag_get_d_log2_approx(arb_radref(step)));
+            for (int wider = 0; wider < WIDENINGS && !proved; wider++, narrow -= GUARD_BITS / 4) {
+                LET(low, full, "w*(1 - 1/2^narrow)", w, narrow);
+                LET(high, full, "w*(1 + 1/2^narrow)", w, narrow);
+                proved = arb_is_positive(low) && disk_count(&disk, n, low) == l && disk_count(&disk, n, high) == l + 1;
             }
             if (proved)
-                arb_set(w, next);
+                arb_union(w, low, high, 2 * full);
             break;
         }
         if (prec < full) {
