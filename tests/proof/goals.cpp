@@ -48,11 +48,9 @@ namespace trace
 
 using namespace trace;
 
-static const char *const program = "goals";
-
 [[noreturn]] static void die(const std::string &what)
 {
-    fprintf(stderr, "%s: %s\n", program, what.c_str());
+    fprintf(stderr, "goals: %s\n", what.c_str());
     exit(1);
 }
 
@@ -302,15 +300,6 @@ static unsigned long part, parts = 1, files, written;
 /* Patterns of the names wanted, all if there are none */
 static std::vector<std::string> patterns;
 
-/* A name; or, of a table, whether a pattern begins with it */
-static bool is_wanted(const std::string &name, bool table = false)
-{
-    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string &pattern) {
-               return table ? pattern.compare(0, name.size(), name) == 0
-                            : fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-           });
-}
-
 /* The number of a constant, or NaN */
 static number constant_of(int id)
 {
@@ -486,7 +475,11 @@ struct gappa {
 
     void write(const std::string &name, const std::vector<std::string> &more, const std::string &conclusion) const
     {
-        if (!is_wanted(name) || files++ % parts != part)
+        if (!patterns.empty() && std::none_of(patterns.begin(), patterns.end(), [&](const std::string &pattern) {
+                return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+            }))
+            return;
+        if (files++ % parts != part)
             return;
         written++;
         const std::string path = std::string(output_directory) + "/" + name + ".g";
@@ -661,14 +654,6 @@ static void write_row_piece(const evaluator &f, const interval &p, int index)
         g.variable_in(l.x, known[l.x] = {p.low, p.high});
     }
     write_goals(numbered(f.name, index), g, result, known, f.ulp);
-}
-
-static void write_rows(const evaluator &f)
-{
-    const std::vector<interval> pieces = pieces_of(f.value, f.first, f.end);
-    for (std::size_t i = 0; i < pieces.size(); i++)
-        write_row_piece(f, pieces[i], (int)i);
-    printf("%s: %zu pieces of %d rows\n", f.name, pieces.size(), f.rows.count);
 }
 
 /* ---- tails ---- */
@@ -1286,11 +1271,12 @@ int main(int argc, char **argv)
         part = strtoul(argv[3], nullptr, 10) % parts;
         patterns.assign(argv + 5, argv + argc);
     }
-    for (const evaluator &f : row_tables)
-        if (is_wanted(f.name, true))
-            write_rows(f);
-    if (is_wanted("log", true))
-        write_log();
+    for (const evaluator &f : row_tables) {
+        const std::vector<interval> pieces = pieces_of(f.value, f.first, f.end);
+        for (std::size_t i = 0; i < pieces.size(); i++)
+            write_row_piece(f, pieces[i], (int)i);
+    }
+    write_log();
     write_tails();
     write_pairs();
     write_disk();

@@ -46,7 +46,6 @@ static std::vector<number> bits_of_rows(const char *file, const std::string &nam
  * error does, so the least kappa decides. */
 static void check_rows_at_speed(const evaluator &f, const char *file)
 {
-    number most = 0;
     const std::vector<number> bits = bits_of_rows(file, f.name);
     expect(bits.size() == (std::size_t)f.rows.count, f.name);
     for (int i = 0; i < f.rows.count; i++) {
@@ -55,9 +54,7 @@ static void check_rows_at_speed(const evaluator &f, const char *file)
         const number error = f.ulp * units_per_ulp + std::exp2(53 - bits[(std::size_t)i]) + 0.4 * kappa + small;
         const number bound = COR_CONTACT_EPS_MAX_ERROR(kappa) * 0x1p53;
         expect_at_most("eps at a speed, " + std::string(f.name) + " from x = " + hex(x), error, bound);
-        most = std::max(most, error / bound);
     }
-    printf("%s: %.3f of the bound of eps at a speed at most\n", f.name, most);
 }
 
 /* The other ways to eps, from x on */
@@ -138,10 +135,8 @@ static void check_seconds(void)
         {"largest overlap", overlap_ulp(overlap)},
         {"A of eps", inverse_ulp * units_per_ulp + fifth_root + 3},
     };
-    for (const auto &s : sums) {
+    for (const auto &s : sums)
         expect_at_most(s.what, s.ulp + small, COR_CONTACT_MAX_ULP);
-        printf("%s: %.2f ulp at most\n", s.what, s.ulp + small);
-    }
 }
 
 /* cor_contact_beta_of_root: within 1.001 units of factor (hi + lo), where hi has 26 bits and lo is small */
