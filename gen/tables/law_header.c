@@ -89,39 +89,28 @@ static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enu
     return status;
 }
 
-static int emit_quantity(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
+/* A quantity of beta, or the inverse of eps */
+static int emit_quantity(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity,
+                         bool inverse)
 {
-    static const char *const field[] = {"near", "middle", "tail", "below"};
+    static const char *const field[] = {"near", "middle", "tail", "below", "near", "rows"};
+    const char *const kind = inverse ? "inverse" : "quantity";
     int status = STATUS_OK;
     emit_lines(e,
-               "\nCOR_INLINE_LAW struct cor_inline_law_quantity cor_law_$s_$s(void)\n{\n"
-               "    struct cor_inline_law_quantity x = cor_inline_law_quantity_of();\n",
-               name, quantity_stem[quantity]);
+               "\nCOR_INLINE_LAW struct cor_inline_law_$s cor_law_$s_$s$s(void)\n{\n"
+               "    struct cor_inline_law_$s x = cor_inline_law_$s_of();\n",
+               kind, name, inverse ? "inverse_" : "", quantity_stem[quantity], kind, kind);
     for (int i = 0; i < t->layout.tables; i++) {
         const struct law_table *const table = &t->layout.table[i];
-        if (table->serves == quantity && table->part <= PART_BELOW)
+        if (table->serves == quantity && (table->part > PART_BELOW) == inverse)
             emit_table_field(e, field[table->part], &table->rows);
     }
-    if (law_tables_have_far(t, quantity))
+    if (!inverse && law_tables_have_far(t, quantity))
         emit_far_fields(e, t, name, quantity);
-    if (is_of_overlap(quantity) && t->layout.threshold < HUGE_VAL)
+    if (!inverse && is_of_overlap(quantity) && t->layout.threshold < HUGE_VAL)
         status = emit_threshold_fields(e, t, quantity);
     emit_lines(e, "    return x;\n}\n");
     return status;
-}
-
-static void emit_inverse(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
-{
-    emit_lines(e,
-               "\nCOR_INLINE_LAW struct cor_inline_law_inverse cor_law_$s_inverse_$s(void)\n{\n"
-               "    struct cor_inline_law_inverse x = cor_inline_law_inverse_of();\n",
-               name, quantity_stem[quantity]);
-    for (int i = 0; i < t->layout.tables; i++) {
-        const struct law_table *const table = &t->layout.table[i];
-        if (table->serves == quantity && table->part > PART_BELOW)
-            emit_table_field(e, table->part == PART_INVERSE ? "rows" : "near", &table->rows);
-    }
-    emit_lines(e, "    return x;\n}\n");
 }
 
 /* Writes the public functions PREFIX_eps_zero_overlap, ... */
@@ -166,9 +155,9 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!both && is_of_force((enum quantity)q))
             continue;
-        status = emit_quantity(e, t, name, (enum quantity)q);
+        status = emit_quantity(e, t, name, (enum quantity)q, false);
         if (is_eps((enum quantity)q))
-            emit_inverse(e, t, name, (enum quantity)q);
+            emit_quantity(e, t, name, (enum quantity)q, true);
     }
     emit_functions(e, t, name, prefix);
     return status;
