@@ -314,8 +314,7 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits)
 {
     disk_modes_clear(modes);
-    struct disk wide;
-    disk_init(&wide, nu, WIDE * precision_start(digits).limit);
+    LOCAL_INIT(disk, wide, (&wide, nu, WIDE * precision_start(digits).limit));
     profile_step("finding modes");
     slong found;
     struct cor_disk_mode *list = candidates(&found, &wide, count);
@@ -339,7 +338,6 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
             status =
                 fail("the count of the modes does not confirm the %ld lowest: it is %ld", (long)count, (long)total);
     }
-    disk_clear(&wide);
     progress_end();
     profile_step(NULL);
     if (status != STATUS_OK) {

@@ -258,35 +258,29 @@ static int draw(const struct sweep *sweep, const char *path)
                     "impact speed in units of (E/ρ)^{1/2}", (double)NAN, curve, curves);
 }
 
-static int run_checked(struct collide *run, const struct sweep_request *request)
-{
-    /* one plausible mode stands for those that are not found yet, since no refusal depends on the modes */
-    static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
-    const struct cor_disk_modes modes = {run->sweep.poisson.nearest[0], 1, &mode};
-    const double most = run->sweep.modes.largest;
-    int status = run->sweep.hard_wall ? STATUS_OK : console_need(most * MODE_BYTES, "", "%.0f modes need", most);
-    if (status == STATUS_OK && is_soft(&run->sweep))
-        status = refuse_corners(&run->sweep, &modes);
-    if (status == STATUS_OK && request->plot)
-        status = refuse_curves(run);
-    if (status == STATUS_OK)
-        status = collide_to_output(run, request);
-    if (run->sweep.eps && run->printer.rows == run->sweep.rows) {
-        const int drawn = draw(&run->sweep, request->plot);
-        status = status == STATUS_OK ? drawn : status;
-    }
-    free(run->sweep.eps);
-    table_clear(&run->printer.table); /* of a sweep that failed */
-    return status;
-}
-
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep};
+    /* one plausible mode stands for those that are not found yet, since no refusal depends on the modes */
+    static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
+    const struct cor_disk_modes modes = {run.sweep.poisson.nearest[0], 1, &mode};
+    const double most = run.sweep.modes.largest;
     parallel_use((int)request->threads);
     int status = sweep_count(&run.sweep);
+    if (status == STATUS_OK && !run.sweep.hard_wall)
+        status = console_need(most * MODE_BYTES, "", "%.0f modes need", most);
+    if (status == STATUS_OK && is_soft(&run.sweep))
+        status = refuse_corners(&run.sweep, &modes);
+    if (status == STATUS_OK && request->plot)
+        status = refuse_curves(&run);
     if (status == STATUS_OK)
-        status = run_checked(&run, request);
+        status = collide_to_output(&run, request);
+    if (run.sweep.eps && run.printer.rows == run.sweep.rows) {
+        const int drawn = draw(&run.sweep, request->plot);
+        status = status == STATUS_OK ? drawn : status;
+    }
+    free(run.sweep.eps);
+    table_clear(&run.printer.table); /* of a sweep that failed */
     free((void *)run.modes.mode);
     free(run.result);
     hard_wall_tables_clear(&run.tables);

@@ -86,11 +86,6 @@ static const struct closed_form laws[] = {
 };
 enum { LAWS = sizeof laws / sizeof *laws };
 
-static const char *variable_of(const struct closed_form *law)
-{
-    return law->is_crossley ? "beta" : "zeta";
-}
-
 /* dL/dx at x = 0, or dx/dL */
 static void slope_at_0(arb_t slope, const struct closed_form *law, bool of_inverse)
 {
@@ -172,17 +167,20 @@ static int closed_form_at(arb_t f, const void *context, const struct pieces *p, 
 
 static int emit_form(struct emit *e, const struct closed_form *law, enum form form)
 {
-    static const char *const quantity[] = {"_loss", "_eps", "_near_%s", "_%s"}, *const words[] = {"(1 - eps)/%s", "eps",
-                                                                                                  "%s/(1 - eps)", "%s"};
-    static const enum variable variable[] = {VARIABLE_OTHER, VARIABLE_BETA_OCTAVES, VARIABLE_LOSS,
-                                             VARIABLE_EPS_OCTAVES};
+    static const struct {
+        const char *part, *words; /* of the name, and of the title */
+        enum variable variable;
+    } of[] = {{"_loss", "(1 - eps)/%s", VARIABLE_OTHER},
+              {"_eps", "eps", VARIABLE_BETA_OCTAVES},
+              {"_near_%s", "%s/(1 - eps)", VARIABLE_LOSS},
+              {"_%s", "%s", VARIABLE_EPS_OCTAVES}};
     const bool grid = form == LOSS_QUOTIENT || form == DAMPING_QUOTIENT, inverse = form >= DAMPING_QUOTIENT;
-    const char *const x = variable_of(law);
+    const char *const x = law->is_crossley ? "beta" : "zeta";
     char part[16], stem[48], name[64], what[24], title[80], y[16];
-    snprintf(part, sizeof part, quantity[form], x);
+    snprintf(part, sizeof part, of[form].part, x);
     snprintf(stem, sizeof stem, law->stem, part);
     snprintf(name, sizeof name, "cor_rows_%s", stem);
-    snprintf(what, sizeof what, words[form], x);
+    snprintf(what, sizeof what, of[form].words, x);
     snprintf(title, sizeof title, "%s: %s", law->title, what);
     snprintf(y, sizeof y, grid ? "%s" : "%s 2^-k", x);
     struct pieces p = {.root = 1,
@@ -190,7 +188,7 @@ static int emit_form(struct emit *e, const struct closed_form *law, enum form fo
                        .name = name,
                        .title = title,
                        .least_bits = LEAST_BITS,
-                       .variable = variable[form],
+                       .variable = of[form].variable,
                        .words = inverse ? NULL : y,
                        .end = inverse ? 0.5
                               : grid  ? law->near_end

@@ -12,13 +12,6 @@
 
 enum { NAME_MAX_LENGTH = 128 };
 
-static int emit_polynomial(struct emit *e, const char *prefix, const char *suffix, const arb_poly_t p)
-{
-    char name[NAME_MAX_LENGTH];
-    snprintf(name, sizeof name, "%s%s", prefix, suffix);
-    return emit_doubles(e, name, p->coeffs, arb_poly_length(p));
-}
-
 /* A function NAME_WHAT of the variable: factor P(z)/Q(z) by Horner's rule, where P is the array NAME_p or NAME_l */
 static void emit_quotient(struct emit *e, const char *name, const char *what, const char *p, const struct pade *f,
                           const char *factor)
@@ -107,8 +100,12 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
         emit_error(e, h->name, "loss_max_rel", approximation.loss + loss);
         emit_error(e, h->name, "beta_max", (double)h->beta_max);
     }
-    status = emit_polynomial(e, h->name, "_p", r.p) || emit_polynomial(e, h->name, "_q", r.q) ||
-             emit_polynomial(e, h->name, "_l", r.l);
+    const arb_poly_struct *const array[] = {r.p, r.q, r.l};
+    for (int i = 0; i < 3 && status == STATUS_OK; i++) {
+        char name[NAME_MAX_LENGTH];
+        snprintf(name, sizeof name, "%s_%c", h->name, "pql"[i]);
+        status = emit_doubles(e, name, array[i]->coeffs, array[i]->length);
+    }
     if (status == 0) {
         emit_comment(e, "eps, and 1 - eps without cancellation near 0; NaN below 0%s",
                      f->root > 2 ? ". The rounding of pow is not part of the bounds." : "");

@@ -51,15 +51,13 @@ TEST(test_near_pair)
     assert_int_equal(disk_mode_solve(high, nu, 1, 51, 100), 0);
     const double first = middle(low->omega), second = middle(high->omega), gap = second / first - 1;
     check(gap > 4.1e-4 && gap < 4.3e-4, "gap %g", gap);
-    struct disk disk;
     LOCAL(arb, w);
-    disk_init(&disk, nu, 200);
+    LOCAL_INIT(disk, disk, (&disk, nu, 200));
     for (int i = 0; i < 4; i++) {
         arb_set_d(w, (i < 2 ? first : second) * (i % 2 ? 1 + 1e-9 : 1 - 1e-9));
         arb_sqr(w, w, 200);
         assert_int_equal(disk_count(&disk, 1, w), 50 + (i + 1) / 2);
     }
-    disk_clear(&disk);
 }
 
 /* ---- Rayleigh-Ritz ---- */
@@ -130,9 +128,8 @@ TEST(test_ritz)
     for (size_t i = 0; i < COUNT_OF(materials); i++) {
         LOCAL(fmpq, nu);
         LOCAL(arb, w);
-        struct disk disk;
         set_nu(nu, materials[i]);
-        disk_init(&disk, nu, 128);
+        LOCAL_INIT(disk, disk, (&disk, nu, 128));
         for (size_t k = 0; k < COUNT_OF(orders); k++) {
             const slong n = orders[k];
             for (int point = 0; point < POINTS; point++) {
@@ -156,7 +153,6 @@ TEST(test_ritz)
                     assert_int_equal(ritz_count(nu, n, w, PAIRS), l + (side > 0) + (n == 1));
                 }
             }
-        disk_clear(&disk);
     }
 }
 
@@ -418,17 +414,15 @@ TEST(every_mode)
 /* Number of modes below omega, the translation not counted, by the count that test_ritz knows */
 static slong count_below(const fmpq_t nu, double omega)
 {
-    struct disk disk;
     LOCAL(arb, w);
+    LOCAL_INIT(disk, disk, (&disk, nu, PREC));
     slong count = 0;
-    disk_init(&disk, nu, PREC);
     LET(w, PREC, "omega^2", omega);
     for (slong n = 0; n < ORDERS; n++) {
         const slong of_n = disk_count(&disk, n, w);
         assert_true(of_n >= 0);
         count += of_n;
     }
-    disk_clear(&disk);
     return count;
 }
 
@@ -536,9 +530,8 @@ TEST(test_orders)
     LOCAL(fmpq, nu);
     LOCAL(arb, w);
     for (size_t i = 0; i < COUNT_OF(materials); i++) {
-        struct disk disk;
         set_nu(nu, materials[i]);
-        disk_init(&disk, nu, 128);
+        LOCAL_INIT(disk, disk, (&disk, nu, 128));
         for (int k = 0; k < 40; k++) {
             const double omega = random_log(&draw, 0.5, 500);
             const slong orders = cor_mode_orders(omega);
@@ -547,7 +540,6 @@ TEST(test_orders)
             for (slong n = orders; n < orders + 3; n++)
                 assert_int_equal(disk_count(&disk, n, w), 0);
         }
-        disk_clear(&disk);
     }
 }
 
