@@ -21,30 +21,17 @@ enum { COUNT = 2048 };
 
 /* ---- exact values ---- */
 
-static long double exact_eps_overlap(long double zeta)
-{
-    return expl(-reference_ratio_exponent(LAW_ZERO_OVERLAP, zeta));
-}
-
-static long double exact_eps_force(long double zeta)
-{
-    return expl(-reference_ratio_exponent(LAW_ZERO_FORCE, zeta));
-}
-
-static long double exact_loss_force(long double zeta)
-{
-    return -expm1l(-reference_ratio_exponent(LAW_ZERO_FORCE, zeta));
-}
-
-static long double exact_eps_approach(long double zeta)
-{
-    return expl(-reference_ratio_exponent(LAW_APPROACH_ONLY, zeta));
-}
-
-static long double exact_eps_limited(long double zeta)
-{
-    return expl(-reference_ratio_exponent(LAW_LIMITED, zeta));
-}
+#define EXACT(name, end, value)                                                                                        \
+    static long double exact_##name(long double zeta)                                                                  \
+    {                                                                                                                  \
+        const long double l = reference_ratio_exponent(end, zeta);                                                     \
+        return value;                                                                                                  \
+    }
+EXACT(eps_overlap, LAW_ZERO_OVERLAP, expl(-l))
+EXACT(eps_force, LAW_ZERO_FORCE, expl(-l))
+EXACT(loss_force, LAW_ZERO_FORCE, -expm1l(-l))
+EXACT(eps_approach, LAW_APPROACH_ONLY, expl(-l))
+EXACT(eps_limited, LAW_LIMITED, expl(-l))
 
 /* a = 3/2: the energy at the largest overlap is that of a rebound without damping */
 static long double exact_overlap(long double beta)
@@ -318,11 +305,9 @@ int main(int argc, char **argv)
     static struct line lines[MAX_JOBS];
     struct job jobs[MAX_JOBS];
     int n = 0;
-    for (int i = 0; i < METHODS; i++) {
-        n += add_line(&lines[n], &methods[i], NO_LOOP);
-        for (int set = 0; methods[i].loop >= 0 && set < COR_INSTRUCTION_SETS; set++)
-            n += add_line(&lines[n], &methods[i], set);
-    }
+    for (const struct method *m = methods; m < methods + METHODS; m++)
+        for (int set = NO_LOOP; set < (m->loop >= 0 ? COR_INSTRUCTION_SETS : 0); set++)
+            n += add_line(&lines[n], m, set);
     for (int i = 0; i < n; i++)
         jobs[i] = (struct job){run_line, &lines[i], COUNT, 0};
     const int quick = argc > 1 && strcmp(argv[1], "--quick") == 0;

@@ -62,20 +62,12 @@ static void fill(const struct cor_disk_modes *of)
         }
 }
 
-/* Gauss's elimination of the first n equations */
+/* Gauss's elimination of the first n equations, which are positive definite: no pivot is sought */
 static int eliminate(int n)
 {
     for (int k = 0; k < n; k++) {
-        int best = k;
-        for (int i = k + 1; i < n; i++)
-            best = fabs(equation[i][k]) > fabs(equation[best][k]) ? i : best;
-        if (equation[best][k] == 0)
+        if (!(equation[k][k] > 0))
             return 1;
-        for (int j = k; j <= n && best != k; j++) {
-            const double swap = equation[k][j];
-            equation[k][j] = equation[best][j];
-            equation[best][j] = swap;
-        }
         for (int i = k + 1; i < n; i++) {
             const double factor = equation[i][k] / equation[k][k];
             for (int j = k; j <= n; j++)
