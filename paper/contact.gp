@@ -18,27 +18,21 @@ set format x "10^{%L}"
 set xrange [1e-6:0.5]
 set xlabel "impact speed v (√(E/ρ))"
 
-set title "contact time"
-set ylabel "τ (R √(ρ/E))" offset 0.5
-set yrange [0:14]
-set ytics 2
 set key bottom left
-plot csv using 1:3 skip 1 with lines lw 2.2 lc rgb green title "diameter", \
-     csv using 1:4 skip 1 with lines lw 2.2 lc rgb red title "as printed", \
-     csv using 1:2 skip 1 with lines lw 2.2 lc rgb blue title "centre of mass", \
-     csv using 1:5 skip 1 with lines lw 2 dt (8,5) lc rgb grey title "leading logarithm, (61)", \
-     limit using 2:6 index 0 skip 1 with lines lw 1.6 lc rgb black title "all modes, rigid wall", \
-     points using (chosen($1, $2, $3, $4) ? $4 : NaN):7 skip 1 \
-         with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics"
-
-set title "largest compression over speed"
-set ylabel "δ_{max}/v (R √(ρ/E))" offset 0.5
-set yrange [0:4.5]
-set ytics 1
-plot csv using 1:($7/$1) skip 1 with lines lw 2.2 lc rgb green title "diameter", \
-     csv using 1:($8/$1) skip 1 with lines lw 2.2 lc rgb red title "as printed", \
-     csv using 1:($6/$1) skip 1 with lines lw 2.2 lc rgb blue title "centre of mass", \
-     csv using 1:($9/$1) skip 1 with lines lw 2 dt (8,5) lc rgb grey title "leading logarithm, (61)", \
-     limit using 2:($7/$2) index 0 skip 1 with lines lw 1.6 lc rgb black title "all modes, rigid wall", \
-     points using (chosen($1, $2, $3, $4) ? $4 : NaN):($8/$4) skip 1 \
-         with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics"
+array datum[3] = ["diameter", "as printed", "centre of mass"]
+array column_of[3] = [3, 4, 2]
+array colour[3] = [green, red, blue]
+do for [q = 0:1] {
+    set title q == 0 ? "contact time" : "largest compression over speed"
+    set ylabel (q == 0 ? "τ" : "δ_{max}/v")." (R √(ρ/E))" offset 0.5
+    set yrange [0:(q == 0 ? 14 : 4.5)]
+    tick = 2 - q
+    set ytics tick
+    per(speed) = q == 0 ? 1 : speed
+    plot for [k = 1:3] csv using 1:(column(column_of[k] + 4*q)/per($1)) skip 1 \
+             with lines lw 2.2 lc rgb colour[k] title datum[k], \
+         csv using 1:(column(5 + 4*q)/per($1)) skip 1 with lines lw 2 dt (8,5) lc rgb grey title "leading logarithm, (61)", \
+         limit using 2:(column(6 + q)/per($2)) index 0 skip 1 with lines lw 1.6 lc rgb black title "all modes, rigid wall", \
+         points using (chosen($1, $2, $3, $4) ? $4 : NaN):(column(7 + q)/per($4)) skip 1 \
+             with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics"
+}

@@ -20,25 +20,18 @@ set object 1 rectangle from 0.03, graph 0 to 0.1, graph 1 fc rgb shade fillstyle
 set label 1 "beyond the theory" at 0.026, 1.9 right tc rgb grey font small
 set key top left
 
-set title "ν = 0.33"
 set ylabel "energy left in the modes/(m v^2/2)" offset 0.5
-plot csv using 1:2 skip 1 with lines lw 2.4 lc rgb blue title "centre of mass", \
-     csv using 1:8 skip 1 with lines lw 2.4 lc rgb red title "as printed", \
-     csv using 1:5 skip 1 with lines lw 2.4 lc rgb green title "diameter", \
-     csv using 1:4 skip 1 with lines lw 1.2 dt (4,3) lc rgb blue title "quadrupole alone", \
-     csv using 1:10 skip 1 with lines lw 1.2 dt (4,3) lc rgb red notitle, \
-     csv using 1:7 skip 1 with lines lw 1.2 dt (4,3) lc rgb green notitle, \
-     limit using 2:3 index 0 skip 1 with lines lw 1.8 lc rgb black title "all modes, rigid wall", \
-     slow using 1:2 skip 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics, extrapolated", \
-     full using 2:6 index 0 skip 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black notitle
-
-set title "ν = 0.9"
-unset key
-plot csv using 1:11 skip 1 with lines lw 2.4 lc rgb blue, \
-     csv using 1:17 skip 1 with lines lw 2.4 lc rgb red, \
-     csv using 1:14 skip 1 with lines lw 2.4 lc rgb green, \
-     csv using 1:13 skip 1 with lines lw 1.2 dt (4,3) lc rgb blue, \
-     csv using 1:19 skip 1 with lines lw 1.2 dt (4,3) lc rgb red, \
-     csv using 1:16 skip 1 with lines lw 1.2 dt (4,3) lc rgb green, \
-     limit using 2:3 index 1 with lines lw 1.8 lc rgb black, \
-     full using 2:6 index 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black
+array datum[3] = ["centre of mass", "as printed", "diameter"]
+array column_of[3] = [2, 8, 5]
+array colour[3] = [blue, red, green]
+do for [nu = 0:1] {
+    set title nu == 0 ? "ν = 0.33" : "ν = 0.9"
+    plot for [k = 1:3] csv using 1:column_of[k] + 9*nu skip 1 with lines lw 2.4 lc rgb colour[k] title datum[k], \
+         for [k = 1:3] csv using 1:column_of[k] + 9*nu + 2 skip 1 with lines lw 1.2 dt (4,3) lc rgb colour[k] \
+             title (k == 1 ? "quadrupole alone" : ""), \
+         limit using 2:3 index nu skip (nu == 0) with lines lw 1.8 lc rgb black title "all modes, rigid wall", \
+         slow using 1:(nu == 0 ? $2 : NaN) skip 1 \
+             with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics, extrapolated", \
+         full using 2:6 index nu skip (nu == 0) with points pt 12 ps 0.65 lw 1.3 lc rgb black notitle
+    unset key
+}

@@ -29,11 +29,9 @@ set ylabel "distance of ε to all modes and a rigid wall" offset 0.5
 set xrange [1e-5:2000]
 set yrange [3e-6:1]
 set key at screen 0.77,0.01 center bottom maxrows 4
-plot csv using (ms($6)):(model(56)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb grey title "56 modes", \
-     csv using (ms($6)):(model(112)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb amber title "112 modes", \
-     csv using (ms($6)):(model(225)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb red title "225 modes", \
-     csv using (ms($6)):(model(450)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb green title "450 modes", \
-     csv using (ms($6)):(model(900)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb violet title "900 modes", \
-     csv using (ms($6)):(model(1800)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb blue title "1800 modes", \
+array modes[6] = [56, 112, 225, 450, 900, 1800]
+array colour[6] = [grey, amber, red, green, violet, blue]
+plot for [k = 1:6] csv using (ms($6)):(model(modes[k])) skip 1 \
+         with linespoints pt 7 ps 0.5 lw 1.6 lc rgb colour[k] title sprintf("%d modes", modes[k]), \
      csv using (ms($6)):(other("cor_disk_eps")) skip 1 with points pt 5 ps 1 lc rgb blue title "cor\\_disk\\_eps (its uncertainty)", \
      csv using (ms($6)):(other("Rayleigh")) skip 1 with points pt 2 ps 1 lw 1.6 lc rgb black title "Rayleigh’s energy"

@@ -7,6 +7,7 @@ load "docs/style.gp"
 # Columns: 1 model, 2 speed, 3 error, 4 uncertainty of what it is compared with
 of(name) = strcol(1) eq name ? column(3) : NaN
 band(name) = strcol(1) eq name ? column(4) : NaN
+array modes[4] = ["10", "100", "940", "3600"]
 set logscale xy
 set xrange [0.003:0.3]
 set yrange [1e-4:1]
@@ -22,10 +23,8 @@ csv = rows."/eps.csv"
 plot csv using 2:(1e-4):(band("eps = 1")) skip 1 with filledcurves fc rgb shade title "below the reference’s uncertainty", \
      csv using 2:(of("eps = 1")) skip 1 with lines lw 2 dt (6,4) lc rgb black title "ε = 1", \
      csv using 2:(of("Rayleigh: 1000 modes and tail")) skip 1 with lines lw 2 lc rgb green title "Rayleigh, 1000 modes and tail", \
-     csv using 2:(of("dynamics: 10 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[1] title "10 modes, α = 56/v", \
-     csv using 2:(of("dynamics: 100 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[2] title "100 modes, α = 56/v", \
-     csv using 2:(of("dynamics: 940 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[3] title "940 modes, α = 56/v", \
-     csv using 2:(of("dynamics: 3600 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[4] title "3600 modes, α = 56/v", \
+     for [k = 1:4] csv using 2:(of("dynamics: ".modes[k]." modes; alpha = 56/v")) skip 1 \
+         with lines lw 2 lc rgb blues[k] title modes[k]." modes, α = 56/v", \
      csv using 2:(of("dynamics: 1800 modes; alpha = 22/v")) skip 1 with lines lw 2 dt (8,3) lc rgb red title "1800 modes, α = 22/v", \
      csv using 2:(of("dynamics: 1800 modes; alpha = 11/v")) skip 1 with lines lw 2 lc rgb red title "1800 modes, α = 11/v", \
      csv using 2:(of("dynamics: 940 modes; alpha = 500")) skip 1 with lines lw 1.6 dt (2,2) lc rgb grey title "940 modes, α = 500"
@@ -38,8 +37,7 @@ do for [q in "contact-time compression"] {
          csv using 2:(of("leading logarithm (61)")) skip 1 with lines lw 2 dt (6,4) lc rgb black title "leading logarithm, (61)", \
          csv using 2:(of("quasistatic law: centre of mass")) skip 1 with lines lw 2 lc rgb green title "law (57), from the centre of mass", \
          csv using 2:(of("quasistatic law: as printed")) skip 1 with lines lw 2 dt (8,3) lc rgb green title "law (57), as printed", \
-         csv using 2:(of("dynamics: 10 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[1] notitle, \
-         csv using 2:(of("dynamics: 100 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[2] notitle, \
-         csv using 2:(of("dynamics: 940 modes; alpha = 56/v")) skip 1 with lines lw 2 lc rgb blues[3] notitle, \
+         for [k = 1:3] csv using 2:(of("dynamics: ".modes[k]." modes; alpha = 56/v")) skip 1 \
+             with lines lw 2 lc rgb blues[k] notitle, \
          csv using 2:(of("dynamics: 1800 modes; alpha = 11/v")) skip 1 with lines lw 2 lc rgb red notitle
 }

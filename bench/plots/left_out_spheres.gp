@@ -27,10 +27,8 @@ do for [end in "overlap force"] {
          rows_of using 2:(of("simple theory")) skip 1 with lines lw 2 lc rgb red title "simple theory, (27)", \
          rows_of using 2:(of("Pade [1/4] as printed in ".year)) skip 1 with lines lw 2 dt (8,3) lc rgb red \
              title "Padé [1/4] as printed in ".year, \
-         rows_of using 2:(of("Pade [4/6]")) skip 1 with lines lw 2 lc rgb blues[1] title "Padé [4/6]", \
-         rows_of using 2:(of("Pade [6/9]")) skip 1 with lines lw 2 lc rgb blues[2] title "Padé [6/9]", \
-         rows_of using 2:(of("Pade [8/12]")) skip 1 with lines lw 2 lc rgb blues[3] title "Padé [8/12]", \
-         rows_of using 2:(of("Pade [10/15]")) skip 1 with lines lw 2 lc rgb blues[4] title "Padé [10/15]", \
+         for [k = 1:4] rows_of using 2:(of(sprintf("Pade [%d/%d]", 2*k + 2, 3*k + 3))) skip 1 \
+             with lines lw 2 lc rgb blues[k] title sprintf("Padé [%d/%d]", 2*k + 2, 3*k + 3), \
          rows_of using 2:(of("two-point Pade [8/13]")) skip 1 with lines lw 2 lc rgb green \
              title (end eq "overlap" ? "two-point Padé [8/13]" : "")
 }

@@ -5,22 +5,12 @@ stem = "realised"; home = "docs/laws"; width = 960; height = 520
 load "docs/style.gp"
 teal = "#00a0a0"; pink = "#d07090"
 
-set datafile missing ""
 set title "simulators asked for ε realise another"
 set xlabel "ε asked"
 set xrange [0:1]
 
 # Columns: 1 model, 3 asked, 4 realised
-is(part) = strstrt(strcol(1), part) > 0
-off(part) = is(part) ? column(4) - column(3) : NaN
-
-cut = "chrono: SMC; Hooke or Hertz"
-tsuji = "hertz; damping tsuji; releases"
-tsuji_limit = "hertz; damping tsuji; limit_damping"
-tsuji_new = "hertz; damping tsuji; source after"
-thornton = "granulars.jl"
-mfix = "mfix: DEM; HERTZIAN"
-flores = "chrono-multicore"
+off(part) = strstrt(strcol(1), part) > 0 ? column(4) - column(3) : NaN
 
 set ylabel "ε realised - ε asked"
 set yrange [-0.06:0.28]
@@ -34,10 +24,10 @@ set label "Flores: Chrono multicore" at 0.42, -0.046 left tc rgb violet
 set label "Thornton: YADE, Granulars.jl" at 0.985, -0.018 right tc rgb teal
 set label "LAMMPS tsuji since July 2026" at 0.07, 0.013 left tc rgb pink
 plot 0 w l lc rgb black dt 2 lw 1, \
-    csv every ::1 u 3:(off(tsuji_limit)) w l lc rgb amber lw 2, \
-    csv every ::1 u 3:(off(tsuji)) w l lc rgb red lw 2, \
-    csv every ::1 u 3:(off(cut)) w l lc rgb blue lw 2, \
-    csv every ::1 u 3:(off(mfix)) w l lc rgb green lw 2, \
-    csv every ::1 u 3:(off(flores)) w l lc rgb violet lw 2, \
-    csv every ::1 u 3:(off(thornton)) w l lc rgb teal lw 2, \
-    csv every ::1 u 3:(off(tsuji_new)) w l lc rgb pink lw 2
+    csv every ::1 u 3:(off("hertz; damping tsuji; limit_damping")) w l lc rgb amber lw 2, \
+    csv every ::1 u 3:(off("hertz; damping tsuji; releases")) w l lc rgb red lw 2, \
+    csv every ::1 u 3:(off("chrono: SMC; Hooke or Hertz")) w l lc rgb blue lw 2, \
+    csv every ::1 u 3:(off("mfix: DEM; HERTZIAN")) w l lc rgb green lw 2, \
+    csv every ::1 u 3:(off("chrono-multicore")) w l lc rgb violet lw 2, \
+    csv every ::1 u 3:(off("granulars.jl")) w l lc rgb teal lw 2, \
+    csv every ::1 u 3:(off("hertz; damping tsuji; source after")) w l lc rgb pink lw 2
