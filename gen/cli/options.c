@@ -55,19 +55,6 @@ static bool has_word(const char *words, const char *word)
 
 /* ---- values ---- */
 
-static int parse_whole(slong *value, const struct option_rule *rule, const char *text)
-{
-    const slong low = rule->range.whole.low, high = rule->range.whole.high;
-    errno = 0;
-    const long parsed = strtol(text, NULL, 10);
-    const bool digits_only = *text && text[strspn(text, "0123456789")] == '\0';
-    if (!digits_only || errno || parsed < low || parsed > high)
-        return usage_error("--%s: '%s' is not a whole number from %ld to %ld (%s)", rule->name, text, (long)low,
-                           (long)high, rule->why);
-    *value = parsed;
-    return STATUS_OK;
-}
-
 static int refuse_real(const char *name, const struct option_numbers *numbers, const char *unit, const char *text)
 {
     return usage_error("--%s: '%s' is not %s, written as 0.1, 1.5e-3 (exponent of at most %d digits)%s%s%s", name, text,
@@ -98,8 +85,8 @@ static bool is_unit(int *power, const char *text, size_t length, const char *uni
             return true;
     }
     *power = 3; /* of a density */
-    return strcmp(unit, "kg/m^3") == 0 && ((length == 6 && strncmp(text, "g/cm^3", length) == 0) ||
-                                           (length == 5 && strncmp(text, "g/cm3", length) == 0));
+    return strcmp(unit, "kg/m^3") == 0 &&
+           ((length == 6 && strncmp(text, "g/cm^3", 6) == 0) || (length == 5 && strncmp(text, "g/cm3", 5) == 0));
 }
 
 /* Refuses a number that its unit follows, and says the number without it. A list counts by its first number. */
@@ -123,73 +110,62 @@ static int check_unit(const struct option_rule *rule, const char *text)
     return usage_error("--%s: '%.*s' has a unit: write %s, in %s", rule->name, (int)length, text, number, rule->unit);
 }
 
-static int parse_real(struct decimal *value, const struct option_rule *rule, const char *text)
-{
-    if ((rule->range.number->forms & DECIMAL_INFINITE) && strcmp(text, "inf") == 0) {
-        decimal_set_infinite(value);
-        return STATUS_OK;
-    }
-    return decimal_parse(value, text, DECIMAL_EXPONENT_DIGITS)
-               ? options_check_real(rule->name, rule->range.number, value)
-               : refuse_real(rule->name, rule->range.number, rule->unit, text);
-}
-
-static int parse_word(int *place, const struct option_rule *rule, const char *text)
-{
-    for (int i = 0; rule->range.words[i]; i++) {
-        if (strcmp(text, rule->range.words[i]) == 0) {
-            *place = i;
-            return STATUS_OK;
-        }
-    }
-    return refuse_word(text, rule->range.words, "", "--%s: '%s' is not %s", rule->name, text, rule->why);
-}
-
-/* Reads a C identifier that is free in C and C++. */
-static int parse_c_name(const char **name, const struct option_rule *rule, const char *text)
-{
-#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"
-    const size_t length = strlen(text);
-    if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME)
-        return usage_error("--%s: '%s' is not a name for a function of C: letters, digits and _, %d at most",
-                           rule->name, text, OPTIONS_MAX_NAME);
-#undef LETTERS
-    const char *const taken = c_name_taken(text);
-    if (taken)
-        return usage_error("--%s: '%s' is %s; allowed: another name, as my_eps", rule->name, text, taken);
-    *name = text;
-    return STATUS_OK;
-}
-
 static int parse_value(void *field, const struct option_rule *rule, const char *text)
 {
+#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"
+    const char *const name = rule->name, *const *const words = rule->range.words;
+    const size_t length = text ? strlen(text) : 0; /* a flag has none */
     if (check_unit(rule, text) != STATUS_OK)
         return STATUS_USAGE;
     switch (rule->kind) {
     case OPTION_FLAG:
         *(bool *)field = true;
         return STATUS_OK;
-    case OPTION_WHOLE:
-        return parse_whole(field, rule, text);
+    case OPTION_WHOLE: {
+        const slong low = rule->range.whole.low, high = rule->range.whole.high;
+        errno = 0;
+        const long parsed = strtol(text, NULL, 10);
+        if (length == 0 || strspn(text, "0123456789") != length || errno || parsed < low || parsed > high)
+            return usage_error("--%s: '%s' is not a whole number from %ld to %ld (%s)", name, text, (long)low,
+                               (long)high, rule->why);
+        *(slong *)field = parsed;
+        return STATUS_OK;
+    }
     case OPTION_REAL:
-        return parse_real(field, rule, text);
+        if ((rule->range.number->forms & DECIMAL_INFINITE) && strcmp(text, "inf") == 0) {
+            decimal_set_infinite(field);
+            return STATUS_OK;
+        }
+        return decimal_parse(field, text, DECIMAL_EXPONENT_DIGITS)
+                   ? options_check_real(name, rule->range.number, field)
+                   : refuse_real(name, rule->range.number, rule->unit, text);
     case OPTION_WORD:
-        return parse_word(field, rule, text);
+        for (int i = 0; words[i]; i++)
+            if (strcmp(text, words[i]) == 0) {
+                *(int *)field = i;
+                return STATUS_OK;
+            }
+        return refuse_word(text, words, "", "--%s: '%s' is not %s", name, text, rule->why);
     case OPTION_LIST:
         return values_parse(field, rule->range.values, text);
-    case OPTION_C_NAME:
-        return parse_c_name(field, rule, text);
+    case OPTION_C_NAME: /* free in C and C++ */
+        if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME)
+            return usage_error("--%s: '%s' is not a name for a function of C: letters, digits and _, %d at most", name,
+                               text, OPTIONS_MAX_NAME);
+        if (c_name_taken(text))
+            return usage_error("--%s: '%s' is %s; allowed: another name, as my_eps", name, text, c_name_taken(text));
+        break;
     case OPTION_FILES:
-        return usage_error("--%s: write the files alone, without it", rule->name);
+        return usage_error("--%s: write the files alone, without it", name);
     case OPTION_TEXT:
     case OPTION_FILE:
     case OPTION_ELASTIC:
-        break;
+        if (length == 0)
+            return usage_error("--%s: the name is empty", name);
     }
-    if (*text == '\0')
-        return usage_error("--%s: the name is empty", rule->name);
     *(const char **)field = text;
     return STATUS_OK;
+#undef LETTERS
 }
 
 /* Whether a number, a constant of the program, is in the range */

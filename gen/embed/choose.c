@@ -178,17 +178,15 @@ static void search_family(void *context, slong family)
     const struct search *const work = context;
     const struct embed_scene *const s = work->scene;
     struct embed_form *const form = &work->form[family];
-    static const enum embed_variable variable[FAMILIES] = {[FAMILY_POLYNOMIAL_BETA] = FIFTH_ROOT_OF_SPEED,
-                                                           [FAMILY_RATIONAL_BETA] = FIFTH_ROOT_OF_SPEED,
-                                                           [FAMILY_RATIONAL_SPEED] = SPEED,
-                                                           [FAMILY_RATIONAL_SQRT] = SQRT_OF_SPEED,
-                                                           [FAMILY_RATIONAL_FOURTH] = FOURTH_ROOT_OF_SPEED};
-    static void (*const searches[FAMILIES])(struct embed_form *,
-                                            const struct embed_scene *) = {[FAMILY_SERIES] = search_series,
-                                                                           [FAMILY_PADE] = search_pade,
-                                                                           [FAMILY_TWO_POINT] = search_two_point,
-                                                                           [FAMILY_PIECES_BETA] = search_pieces_beta,
-                                                                           [FAMILY_PIECES_SPEED] = search_pieces_speed};
+    static const struct {
+        void (*search)(struct embed_form *, const struct embed_scene *); /* NULL: polynomials or rational functions */
+        enum embed_variable variable;
+    } families[FAMILIES] = {{search_series, SPEED},       {search_pade, SPEED},
+                            {search_two_point, SPEED},    {NULL, FIFTH_ROOT_OF_SPEED},
+                            {NULL, FIFTH_ROOT_OF_SPEED},  {search_pieces_beta, SPEED},
+                            {search_pieces_speed, SPEED}, {NULL, SPEED},
+                            {NULL, SQRT_OF_SPEED},        {NULL, FOURTH_ROOT_OF_SPEED}};
+    const enum embed_variable variable = families[family].variable;
     *form = form_blank(s, (enum embed_family)family, SPEED, 0, 0);
     if (s->constant) {
         if (family == FAMILY_RATIONAL_SPEED)
@@ -199,11 +197,11 @@ static void search_family(void *context, slong family)
                  s->pressed                     ? ", without a constant force"
                  : arb_is_zero(s->liquid_speed) ? ""
                                                 : ", dry ones");
-    } else if (searches[family]) {
-        searches[family](form, s);
+    } else if (families[family].search) {
+        families[family].search(form, s);
     } else {
-        search_rational(form, s, variable[family]);
-        if (s->end == END_ZERO_FORCE && variable[family] == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
+        search_rational(form, s, variable);
+        if (s->end == END_ZERO_FORCE && variable == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
             search_rational(form, s, TENTH_ROOT_OF_SPEED);
     }
 }

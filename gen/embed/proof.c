@@ -273,20 +273,6 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
     }
 }
 
-/* The first speed of a scene with a constant force at which the cost of a proof is bounded, like every speed less the
- * origin. Sets the end of beta[] next to the sticking speed to that of this speed. */
-static double first_proved(double beta[2], const struct embed_scene *s)
-{
-    const double speed =
-        fmax(s->speed_min, arf_get_d(arb_midref(s->sticking_speed), ARF_RND_UP) * STICKING_PROVED - s->origin);
-    const bool rises = law_speed_exponent(&s->law).num > 0;
-    LOCAL(arb, x);
-    arb_set_d(x, speed);
-    embed_scene_beta(x, s, x, false);
-    beta[rises ? 0 : 1] = ball_middle(x);
-    return speed;
-}
-
 int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
 {
     if (s->constant) { /* one number, the coefficient */
@@ -310,8 +296,14 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     int status = STATUS_OK;
     if (!s->by_speed && (!law_is_sphere(&s->law) || s->pressed)) {
         double beta[2] = {s->beta_min, s->beta_max};
-        if (s->pressed)
-            w.from = first_proved(beta, s);
+        if (s->pressed) { /* from a speed on at which the cost of a proof is bounded, less the origin as every speed */
+            const double speed = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_UP) * STICKING_PROVED - s->origin;
+            LOCAL(arb, x);
+            w.from = fmax(s->speed_min, speed);
+            arb_set_d(x, w.from);
+            embed_scene_beta(x, s, x, false);
+            beta[law_speed_exponent(&s->law).num > 0 ? 0 : 1] = ball_middle(x);
+        }
         w.law = law_proof_new(s->interpolant, w.quantity, beta[0], beta[1], LAW_PART_OF_ERROR * f->error);
         status = w.law ? STATUS_OK : STATUS_FAILED;
     } else if (!s->by_speed && s->interpolant) {
