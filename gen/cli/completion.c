@@ -20,14 +20,6 @@ static void print_subcommands(const struct subcommand *const *table, FILE *file)
         fprintf(file, "%s ", (*table++)->name);
 }
 
-static bool takes_file(const struct subcommand *cmd)
-{
-    const struct option_rule *rule = cmd->options;
-    while (rule->name && !(rule->operand && (rule->kind == OPTION_FILE || rule->kind == OPTION_FILES)))
-        rule++;
-    return rule->name;
-}
-
 /* ---- bash ---- */
 
 /* A branch for each option with a value, whose pattern is SUBCOMMAND:--OPTION; and one for all options */
@@ -46,11 +38,14 @@ static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
         }
         fputs(";;\n", file);
     }
+    bool files = false;
     fprintf(file, "        %s:*) words='", cmd->name);
-    for (const struct option_rule *rule = cmd->options; rule->name; rule++)
+    for (const struct option_rule *rule = cmd->options; rule->name; rule++) {
+        files = files || (rule->operand && (rule->kind == OPTION_FILE || rule->kind == OPTION_FILES));
         if (rule->kind != OPTION_FILES)
             fprintf(file, "--%s ", rule->name);
-    fprintf(file, "--help'%s ;;\n", takes_file(cmd) ? " files=1" : "");
+    }
+    fprintf(file, "--help'%s ;;\n", files ? " files=1" : "");
 }
 
 static void print_bash(const struct subcommand *const *table, FILE *file)

@@ -26,26 +26,6 @@ static const struct subcommand *subcommand_named(const struct subcommand *const 
     return NULL;
 }
 
-static int subcommand_start(const struct subcommand *cmd, int argc, char **argv)
-{
-    struct option_common *const common = xmalloc(cmd->size); /* and what follows in its struct of arguments */
-    memcpy(common, cmd->defaults, cmd->size);
-    bool help;
-    int status = options_parse(common, cmd->options, argc, argv, &help);
-    if (status == STATUS_OK && help) {
-        fputs(cmd->help, stdout);
-    } else if (status == STATUS_OK) {
-        if (common->profile)
-            profile_enable();
-        status = cmd->run(common);
-        progress_end();
-        profile_report();
-    }
-    options_clear(common, cmd->options);
-    free(common);
-    return status;
-}
-
 /* corgen help [SUBCOMMAND] */
 static int print_help(const struct subcommand *const *table, int argc, char **argv)
 {
@@ -75,7 +55,24 @@ static int run_word(const struct subcommand *const *table, const char *version, 
                    ? STATUS_OK
                    : usage_error("--completion takes one shell, bash or zsh, as corgen --completion bash");
     const struct subcommand *const cmd = subcommand_named(table, argc < 2 ? NULL : name);
-    return cmd ? subcommand_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
+    if (!cmd)
+        return STATUS_USAGE;
+    struct option_common *const common = xmalloc(cmd->size); /* and what follows in its struct of arguments */
+    memcpy(common, cmd->defaults, cmd->size);
+    bool help;
+    int status = options_parse(common, cmd->options, argc - 1, argv + 1, &help);
+    if (status == STATUS_OK && help) {
+        fputs(cmd->help, stdout);
+    } else if (status == STATUS_OK) {
+        if (common->profile)
+            profile_enable();
+        status = cmd->run(common);
+        progress_end();
+        profile_report();
+    }
+    options_clear(common, cmd->options);
+    free(common);
+    return status;
 }
 
 int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)

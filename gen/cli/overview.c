@@ -74,29 +74,25 @@ static bool in_table(const struct subcommand *const *table, const char *name)
     return *table;
 }
 
-static void print_task(const struct overview_task *task, const struct subcommand *const *table, FILE *file)
-{
-    bool titled = false;
-    for (const struct overview_row *row = task->row; row < task->row + MOST_ROWS && row->name; row++) {
-        if (!in_table(table, row->name))
-            continue;
-        if (!titled)
-            fprintf(file, "\n%s:\n", task->title);
-        titled = true;
-        fprintf(file, "  %-14s %s\n", row->name, row->use);
-    }
-    if (task->row[0].name && in_table(table, task->row[0].name))
-        fprintf(file, "  $ corgen %s\n", task->example);
-}
-
 void overview_print(const struct subcommand *const *table, FILE *file)
 {
     fputs("corgen computes what a simulation needs of a collision: the coefficient of restitution eps, durations and\n"
           "forces, in SI units, and the series, tables and C headers behind them with proved digits.\n\n"
           "Usage: corgen SUBCOMMAND [OPTION]...\n",
           file);
-    for (size_t i = 0; i < TASKS; i++)
-        print_task(&tasks[i], table, file);
+    for (const struct overview_task *task = tasks; task < tasks + TASKS; task++) {
+        const char *title = task->title;
+        for (const struct overview_row *row = task->row; row < task->row + MOST_ROWS && row->name; row++) {
+            if (!in_table(table, row->name))
+                continue;
+            if (title)
+                fprintf(file, "\n%s:\n", title);
+            title = NULL;
+            fprintf(file, "  %-14s %s\n", row->name, row->use);
+        }
+        if (in_table(table, task->row[0].name))
+            fprintf(file, "  $ corgen %s\n", task->example);
+    }
     fputs("\nTerms:\n", file);
     for (size_t i = 0; i < TERMS; i++)
         fprintf(file, "  %-14s %s\n", terms[i][0], terms[i][1]);

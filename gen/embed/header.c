@@ -114,21 +114,6 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
                        : "the value at the nearer end, of speed 0 and +inf too");
 }
 
-static void append_proof(FILE *t, const struct embed_scene *s, const struct embed_proof *proof)
-{
-    if (!isfinite(proof->rounding))
-        return;
-    if (!proof->proved)
-        fprintf(t, "Proved: rounding errors of ");
-    else if (proved_everywhere(proof, s))
-        fprintf(t, "Proved at every speed of the range: %s at most, of which rounding ", emit_bound(proof->error).text);
-    else
-        fprintf(t, "Proved from %.6g m/s on: %s at most, of which rounding ", proof->from,
-                emit_bound(proof->error).text);
-    fprintf(t, "%s%s,%cwith + - * / and sqrt rounded to nearest, products fused or not.\n",
-            emit_bound(proof->rounding).text, proof->proved ? "" : " at most", proof->proved ? '\n' : ' ');
-}
-
 static void append_choice(FILE *t, const struct embed_request *request, const struct embed_scene *s,
                           const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof)
 {
@@ -147,7 +132,18 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
             embed_family_name(chosen, s), size, rule[request->purpose], embed_purpose_names[request->purpose],
             emit_bound(f->error).text, f->error_at + f->origin, EMBED_SAMPLES,
             f->rows > 0 ? "No branch; one table." : "No branch, no table.");
-    append_proof(t, s, proof);
+    if (isfinite(proof->rounding)) {
+        if (!proof->proved)
+            fprintf(t, "Proved: rounding errors of ");
+        else if (proved_everywhere(proof, s))
+            fprintf(t, "Proved at every speed of the range: %s at most, of which rounding ",
+                    emit_bound(proof->error).text);
+        else
+            fprintf(t, "Proved from %.6g m/s on: %s at most, of which rounding ", proof->from,
+                    emit_bound(proof->error).text);
+        fprintf(t, "%s%s,%cwith + - * / and sqrt rounded to nearest, products fused or not.\n",
+                emit_bound(proof->rounding).text, proof->proved ? "" : " at most", proof->proved ? '\n' : ' ');
+    }
     fprintf(
         t, "\nThe cheapest of each kind. error: the largest found. ns are made from the operations and what they cost\n"
            "in a loop where that was measured (docs/embed.md): right as ratios. Division and square root run beside\n"
