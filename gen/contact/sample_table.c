@@ -35,18 +35,6 @@ static int columns_of(struct column column[MOST_COLUMNS], const struct sample_po
     return n;
 }
 
-/* One sentence about the table, for every format that has comments */
-static void print_promise(FILE *file, const char *before, const struct sample *sample,
-                          const struct sample_request *request, const char *after)
-{
-    fprintf(file, "%s%zu points; %s interpolation in %s gives %s with a relative error of %.4g at most.%s\n", before,
-            sample->best.count, request->cubic ? "cubic Hermite" : "linear", request->log ? "ln(speed)" : "the speed",
-            request->duration ? "eps and duration" : "eps", sample->best.error, after);
-    char law[CONTACT_LAW_TEXT];
-    fprintf(file, "%s%s, contact ends at %s.%s\n", before, contact_law_text(law, request->contact, request->law),
-            cor_end_names[request->end], after);
-}
-
 static void print_table(FILE *file, const struct column *column, int columns, size_t rows, enum output_format format)
 {
     char header[MOST_COLUMNS * 32] = "";
@@ -87,19 +75,27 @@ static void print_lists(FILE *file, const struct column *column, int columns, si
 void sample_print(FILE *file, const struct sample *sample, const struct sample_request *request,
                   enum sample_format format)
 {
-    static const char *const before[] = {[SAMPLE_TEXT] = "",
+    static const char *const before[] = {/* a line of a comment */
+                                         [SAMPLE_TEXT] = "",
                                          [SAMPLE_C] = "/* ",
                                          [SAMPLE_PYTHON] = "# ",
                                          [SAMPLE_MODELICA] = "# ",
                                          [SAMPLE_OPENFOAM] = "// "};
     const char *const log = request->log ? "numpy.log(" : "", *const end = request->log ? ")" : "";
+    const char *const begin = before[format], *const close = format == SAMPLE_C ? " */" : "";
     const size_t rows = sample->best.count;
+    char law[CONTACT_LAW_TEXT];
     struct column column[MOST_COLUMNS];
     int columns = columns_of(column, &sample->best, request);
     if (format == SAMPLE_MODELICA)
         fputs("#1\n", file);
     if (format != SAMPLE_CSV && format != SAMPLE_JSON)
-        print_promise(file, before[format], sample, request, format == SAMPLE_C ? " */" : "");
+        fprintf(file,
+                "%s%zu points; %s interpolation in %s gives %s with a relative error of %.4g at most.%s\n"
+                "%s%s, contact ends at %s.%s\n",
+                begin, rows, request->cubic ? "cubic Hermite" : "linear", request->log ? "ln(speed)" : "the speed",
+                request->duration ? "eps and duration" : "eps", sample->best.error, close, begin,
+                contact_law_text(law, request->contact, request->law), cor_end_names[request->end], close);
     switch (format) {
     case SAMPLE_TEXT: /* and beside it the evenly spaced table */
         column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};

@@ -115,8 +115,7 @@ static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
     if (n > 0) {
         LOCAL(arb, top);
         arb_set(top, c + count - 1);
-        for (slong k = 0; k < count; k++)
-            arb_div(c + k, c + k, top, EMBED_BITS);
+        _arb_vec_scalar_div(c, c, count, top, EMBED_BITS);
         arb_one(c + count - 1);
     }
     if (!round_numbers(f, c, count))
