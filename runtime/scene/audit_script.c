@@ -149,8 +149,9 @@ static int range_of(const char *word, int *first, int *last)
 
 /* ---- units ---- */
 
-static void set_units(struct audit *a, const char *style)
+static void read_units(struct audit *a)
 {
+    const char *const style = word(a, 1);
     static const struct {
         const char *name;
         double length, mass, time, step; /* in SI; the step of LAMMPS if none is set, in the units */
@@ -519,20 +520,14 @@ static void read_property(struct audit *a)
 }
 
 /* The models by LIGGGHTS' names, and their rows of cor_simulator_models; the second row is that of limitForce. */
+#define ROWS(name) name, name ", limitForce on"
 static const struct contact_model {
     const char *name, *rows[2];
     int stiff, hertz; /* by kn and gamman; Hertz's force */
-} contact_models[] = {
-    {"hertz",
-     {"hertz or hooke, coefficientRestitution", "hertz or hooke, coefficientRestitution, limitForce on"},
-     0,
-     1},
-    {"hooke",
-     {"hertz or hooke, coefficientRestitution", "hertz or hooke, coefficientRestitution, limitForce on"},
-     0,
-     0},
-    {"hertz/stiffness", {"hertz/stiffness, gamman", "hertz/stiffness, gamman, limitForce on"}, 1, 1},
-    {"hooke/stiffness", {"hooke/stiffness, gamman", "hooke/stiffness, gamman, limitForce on"}, 1, 0}};
+} contact_models[] = {{"hertz", {ROWS("hertz or hooke, coefficientRestitution")}, 0, 1},
+                      {"hooke", {ROWS("hertz or hooke, coefficientRestitution")}, 0, 0},
+                      {"hertz/stiffness", {ROWS("hertz/stiffness, gamman")}, 1, 1},
+                      {"hooke/stiffness", {ROWS("hooke/stiffness, gamman")}, 1, 0}};
 
 static const struct contact_model *contact_model(const char *name)
 {
@@ -798,11 +793,6 @@ static void read_fix(struct audit *a)
         read_velocity(a, speed + 1);
 }
 
-static void read_units(struct audit *a)
-{
-    set_units(a, word(a, 1));
-}
-
 static void read_include(struct audit *a)
 {
     const char *const name = word(a, 1); /* kept, for the words will be those of the included file */
@@ -863,7 +853,7 @@ static void execute(struct audit *a, const char *text)
 
 void audit_script(struct audit *a)
 {
-    set_units(a, "lj");
+    execute(a, "units lj");
     read_lines(a, NULL);
     end_of_system(a);
 }

@@ -23,7 +23,8 @@ const struct cor_simulator cor_simulators[] = {
     {"lammps", "LAMMPS", SCRIPT, "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes.",
      "timestep {dt}\n", "29 Sep 2021"},
     {"liggghts", "LIGGGHTS", SCRIPT,
-     "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types} in create_box.",
+     "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types_in_words} in "
+     "create_box.",
      "timestep {dt}\n", "3.8.0"},
     {"yade", "YADE", SCRIPT, "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0.",
      "O.dt = {dt}\n", "2023.02"},
@@ -306,6 +307,8 @@ static double time_step(const struct block *block, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_exponents *const law = &request->contacts->law;
+    const int end = block->model->end == COR_END_ZERO_OVERLAP ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE;
+    const size_t speeds = request->speeds > 0 ? request->speeds : 1;
     double least = INFINITY;
     if (request->time_step_s > 0)
         return request->time_step_s;
@@ -316,25 +319,19 @@ static double time_step(const struct block *block, const struct task *task)
     const struct cor_scene_contact c = contact_made(block, task);
     if (c.law.elastic * law->denominator != law->elastic * c.law.denominator)
         return NAN; /* another spring: its stiffness is the user's */
-    const size_t speeds = request->speeds > 0 ? request->speeds : 1;
     for (size_t i = 0; i < speeds; i++) {
         struct cor_scene_impact impact;
         const double speed = request->speeds > 0 ? request->speed_m_s[i] : block->speed_m_s;
-        double steps;
-        if (request->step_tolerance > 0) {
-            if (cor_scene_step_for(&steps, &c, speed, (int)block->model->end, request->step_tolerance,
-                                   integrator_of(task)) != COR_FAULT_NONE)
-                return NAN;
-            least = fmin(least, cor_scene_elastic_duration_s(&c, speed) / steps);
-            continue;
-        }
-        if (cor_scene_impact(&impact, &c, speed) != COR_FAULT_NONE)
+        double steps = request->steps > 0 ? request->steps : DEFAULT_STEPS;
+        if ((request->step_tolerance > 0 ? cor_scene_step_for(&steps, &c, speed, (int)block->model->end,
+                                                              request->step_tolerance, integrator_of(task))
+                                         : cor_scene_impact(&impact, &c, speed)) != COR_FAULT_NONE)
             return NAN;
-        least = fmin(least, impact.duration_s[block->model->end == COR_END_ZERO_OVERLAP ? 0 : 1]);
+        least = fmin(least,
+                     (request->step_tolerance > 0 ? cor_scene_elastic_duration_s(&c, speed) : impact.duration_s[end]) /
+                         steps);
     }
-    if (request->step_tolerance > 0)
-        return least;
-    return least > 0 && least < INFINITY ? least / (request->steps > 0 ? request->steps : DEFAULT_STEPS) : NAN;
+    return least > 0 && least < INFINITY ? least : NAN;
 }
 
 static double damping_of(const struct block *block, const struct task *task)
@@ -478,6 +475,8 @@ static void put_word(struct text *t, const char *word, const struct block *block
         put(t, two ? pairs[pair] : "* *");
     } else if (strcmp(word, "types") == 0) {
         put(t, two ? "2" : "1");
+    } else if (strcmp(word, "types_in_words") == 0) {
+        put(t, two ? "2 types" : "1 type");
     } else if (strcmp(word, "spring") == 0) {
         put(t, hooke ? "hooke " : "hertz ");
         put_word(t, hooke ? "K" : "kn", block, task, pair);
@@ -665,9 +664,7 @@ static void put_own_e(struct text *t, const struct block *block, const struct ta
 /* All of a model: comments, lines and time step. Returns whether the numbers are known. */
 static int put_block(struct text *t, const struct block *block, const struct task *task, const char *instead)
 {
-    char setup[SENTENCE];
     const struct cor_simulator_model *const model = block->model;
-    const char *const types = strstr(task->simulator->setup, "{types}");
     comment(t, "%s%s, %s (%s): contacts end at %s", instead, task->simulator->title, model->model, model->version,
             cor_end_names[model->end]);
     put_realised(t, block, task);
@@ -675,10 +672,9 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     put_own_e(t, block, task);
     put_mass(t, block, task);
     if (!*instead) {
-        snprintf(setup, sizeof setup, "%.*s%s%s", types ? (int)(types - task->simulator->setup) : (int)SENTENCE - 1,
-                 task->simulator->setup, types ? task->types == 2 ? "2 types" : "1 type" : "",
-                 types ? types + strlen("{types}") : "");
-        comment(t, "%s", setup);
+        t->commented++;
+        put_template(t, task->simulator->setup, block, task);
+        t->commented--;
         if (!task->request->version && !version_has(model, task->simulator->version))
             comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
                     task->simulator->title, task->simulator->version, task->simulator->version);
