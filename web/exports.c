@@ -70,24 +70,6 @@ static void put_exact(double x)
     web_put("%s", exact);
 }
 
-/* ---- the request ---- */
-
-/* Returns the number of contacts of the options, lines NAME=VALUE, or 0 if they are wrong; the last right ones stay. */
-WEB_EXPORT(web_read) int web_read(const char *options)
-{
-    return web_request_read(&web_now, &web_wrong, options) ? web_now.count : 0;
-}
-
-WEB_EXPORT(web_wrong_option) const char *web_wrong_option(void)
-{
-    return web_wrong.option;
-}
-
-WEB_EXPORT(web_wrong_text) const char *web_wrong_text(void)
-{
-    return web_wrong.text;
-}
-
 /* ---- the contact ---- */
 
 /* The csv of corgen contact without --speed */

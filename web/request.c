@@ -11,13 +11,12 @@
 struct web_request web_now;
 struct web_wrong web_wrong;
 
-__attribute__((format(printf, 3, 4))) static int refuse(struct web_wrong *wrong, const char *option, const char *format,
-                                                        ...)
+__attribute__((format(printf, 2, 3))) static int refuse(const char *option, const char *format, ...)
 {
     va_list arguments;
-    snprintf(wrong->option, sizeof wrong->option, "%s", option);
+    snprintf(web_wrong.option, sizeof web_wrong.option, "%s", option);
     va_start(arguments, format);
-    vsnprintf(wrong->text, sizeof wrong->text, format, arguments);
+    vsnprintf(web_wrong.text, sizeof web_wrong.text, format, arguments);
     va_end(arguments);
     return 0;
 }
@@ -66,31 +65,30 @@ static int is_number(double *value, const char *from, const char *to, const stru
            *value <= range->most;
 }
 
-static int read_number(double *value, struct web_wrong *wrong, const char *option, const char *text,
-                       const struct range *range)
+static int read_number(double *value, const char *option, const char *text, const struct range *range)
 {
     return is_number(value, text, text + strlen(text), range) ||
-           refuse(wrong, option, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option, text, range->allowed);
+           refuse(option, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option, text, range->allowed);
 }
 
-static int read_viscosity(double eta[2], struct web_wrong *wrong, const char *option, const char *text)
+static int read_viscosity(double eta[2], const char *option, const char *text)
 {
     const char *const comma = strchr(text, ',');
     if (comma && is_number(&eta[0], text, comma, &not_negative) &&
         is_number(&eta[1], comma + 1, text + strlen(text), &not_negative))
         return 1;
-    return refuse(wrong, option,
+    return refuse(option,
                   "--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as 1e3,2e3",
                   option, text);
 }
 
-static int read_speeds(struct web_request *r, struct web_wrong *wrong, const char *option, const char *text)
+static int read_speeds(struct web_request *r, const char *option, const char *text)
 {
     r->speeds = 0;
     for (const char *from = text;; from++) {
         const char *const to = from + strcspn(from, ",");
         if (r->speeds == WEB_SPEEDS || !is_number(&r->speed_m_s[r->speeds++], from, to, &positive))
-            return refuse(wrong, option,
+            return refuse(option,
                           "--%s: '%.*s' is not a finite number above 0 m/s; allowed: up to %d of them, with commas, as "
                           "0.1,1,10",
                           option, (int)(to - from), from, WEB_SPEEDS);
@@ -102,7 +100,7 @@ static int read_speeds(struct web_request *r, struct web_wrong *wrong, const cha
 
 /* ---- words ---- */
 
-static int read_law(struct web_request *r, struct web_wrong *wrong, const char *text)
+static int read_law(struct web_request *r, const char *text)
 {
     char why[300] = "";
     for (int law = 0; law <= COR_LAW_PLATE; law++) {
@@ -111,19 +109,19 @@ static int read_law(struct web_request *r, struct web_wrong *wrong, const char *
             return 1;
         snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "", cor_law_names[law]);
     }
-    return refuse(wrong, "law", "--law: '%s' is not a law; allowed: %s", text, why);
+    return refuse("law", "--law: '%s' is not a law; allowed: %s", text, why);
 }
 
-static int read_end(struct web_request *r, struct web_wrong *wrong, const char *text)
+static int read_end(struct web_request *r, const char *text)
 {
     r->scene.end = strcmp(text, "zero-overlap") == 0 ? COR_END_ZERO_OVERLAP
                    : strcmp(text, "zero-force") == 0 ? COR_END_ZERO_FORCE
                                                      : COR_BOTH_ENDS;
     return r->scene.end != COR_BOTH_ENDS ||
-           refuse(wrong, "end", "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force", text);
+           refuse("end", "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force", text);
 }
 
-static int read_simulator(struct web_request *r, struct web_wrong *wrong, const char *text)
+static int read_simulator(struct web_request *r, const char *text)
 {
     char why[COR_SIMULATOR_REASON];
     const struct cor_simulator_request unknown = {.simulator = text};
@@ -131,12 +129,12 @@ static int read_simulator(struct web_request *r, struct web_wrong *wrong, const 
     if (r->simulator)
         return 1;
     cor_simulator_lines(why, sizeof why, &unknown);
-    return refuse(wrong, "for", "%s", why);
+    return refuse("for", "%s", why);
 }
 
 /* ---- options ---- */
 
-static int read_option(struct web_request *r, struct web_wrong *wrong, const char *name, const char *value)
+static int read_option(struct web_request *r, const char *name, const char *value)
 {
     const struct {
         const char *name;
@@ -149,15 +147,15 @@ static int read_option(struct web_request *r, struct web_wrong *wrong, const cha
     r->steps_given = r->steps_given || strcmp(name, "steps") == 0;
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (strcmp(name, own[i].name) == 0)
-            return read_number(own[i].value, wrong, name, value, own[i].range);
+            return read_number(own[i].value, name, value, own[i].range);
     if (strcmp(name, "speed") == 0)
-        return read_speeds(r, wrong, name, value);
+        return read_speeds(r, name, value);
     if (strcmp(name, "law") == 0)
-        return read_law(r, wrong, value);
+        return read_law(r, value);
     if (strcmp(name, "end") == 0)
-        return read_end(r, wrong, value);
+        return read_end(r, value);
     if (strcmp(name, "for") == 0)
-        return read_simulator(r, wrong, value);
+        return read_simulator(r, value);
     if (strcmp(name, "simulator-version") == 0 || strcmp(name, "label") == 0) {
         snprintf(name[0] == 'l' ? r->label : r->version, WEB_VALUE, "%s", value);
         return 1;
@@ -168,10 +166,10 @@ static int read_option(struct web_request *r, struct web_wrong *wrong, const cha
         if (strcmp(name, cor_scene_number_names[number]) != 0 || strncmp(name, "bulk", 4) == 0)
             continue;
         if (number == COR_SCENE_VISCOSITY || number == COR_SCENE_VISCOSITY_2)
-            return read_viscosity(&r->scene.number[number], wrong, name, value);
-        return read_number(&r->scene.number[number], wrong, name, value, range_of(number));
+            return read_viscosity(&r->scene.number[number], name, value);
+        return read_number(&r->scene.number[number], name, value, range_of(number));
     }
-    return refuse(wrong, name, "'%s' is not an option; allowed are those of corgen contact, as young", name);
+    return refuse(name, "'%s' is not an option; allowed are those of corgen contact, as young", name);
 }
 
 /* The option at which a fault is shown: that of its number, or what lacks */
@@ -199,7 +197,7 @@ static const char *option_of(const struct cor_scene_fault *fault)
     }
 }
 
-static int make_contact(struct web_request *r, struct web_wrong *wrong)
+static int make_contact(struct web_request *r)
 {
     char why[COR_SCENE_FAULT_TEXT];
     struct cor_scene_fault fault = {0, 0, 0, 0};
@@ -207,13 +205,14 @@ static int make_contact(struct web_request *r, struct web_wrong *wrong)
     r->scene.plate = r->law == COR_LAW_PLATE;
     if (cor_scene_contacts(r->contact, &r->count, &fault, &r->scene) != COR_FAULT_NONE) {
         cor_scene_fault_text(why, sizeof why, &fault, cor_law_names[r->law], NULL);
-        return refuse(wrong, option_of(&fault), "%s", why);
+        return refuse(option_of(&fault), "%s", why);
     }
     return r->speed_min_m_s < r->speed_max_m_s ||
-           refuse(wrong, "speed-max", "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
+           refuse("speed-max", "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
 }
 
-int web_request_read(struct web_request *request, struct web_wrong *wrong, const char *options)
+/* Returns the number of contacts of the options, lines NAME=VALUE, or 0 if they are wrong; the last right ones stay. */
+WEB_EXPORT(web_read) int web_read(const char *options)
 {
     static struct web_request r;
     r = (struct web_request){.scene = {.end = COR_BOTH_ENDS}, .steps = 50, .tolerance = 1e-6};
@@ -222,7 +221,7 @@ int web_request_read(struct web_request *request, struct web_wrong *wrong, const
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
         r.scene.number[i] = NAN;
     if (strlen(options) >= WEB_OPTIONS)
-        return refuse(wrong, "", "the options are too long");
+        return refuse("", "the options are too long");
     snprintf(r.options, sizeof r.options, "%s", options);
     for (const char *line = options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         char name[WEB_NAME], value[WEB_VALUE];
@@ -230,14 +229,24 @@ int web_request_read(struct web_request *request, struct web_wrong *wrong, const
         if (length > to && to < sizeof name && length - to - 1 < sizeof value) {
             snprintf(name, sizeof name, "%.*s", (int)to, line);
             snprintf(value, sizeof value, "%.*s", (int)(length - to - 1), line + to + 1);
-            if (*value && !read_option(&r, wrong, name, value))
+            if (*value && !read_option(&r, name, value))
                 return 0;
         } else if (length > 0) {
-            return refuse(wrong, "", "an option is a line NAME=VALUE of up to 100 characters");
+            return refuse("", "an option is a line NAME=VALUE of up to 100 characters");
         }
     }
-    if (!make_contact(&r, wrong))
+    if (!make_contact(&r))
         return 0;
-    *request = r;
-    return 1;
+    web_now = r;
+    return r.count;
+}
+
+WEB_EXPORT(web_wrong_option) const char *web_wrong_option(void)
+{
+    return web_wrong.option;
+}
+
+WEB_EXPORT(web_wrong_text) const char *web_wrong_text(void)
+{
+    return web_wrong.text;
 }

@@ -35,17 +35,11 @@ struct web_request {
     char options[WEB_OPTIONS];                      /* as they were given */
 };
 
-/* What is wrong: the name of an option, and a sentence */
-struct web_wrong {
-    char option[WEB_NAME], text[COR_SIMULATOR_REASON];
-};
-
-/* Reads lines "name=value"; an empty value counts as not given. Returns whether the request is right; otherwise *wrong
- * says why not, and *request is not touched. */
-int web_request_read(struct web_request *request, struct web_wrong *wrong, const char *options);
-
+/* The last request that was right, and what is wrong with one that was not: the name of an option, and a sentence */
 extern struct web_request web_now;
-extern struct web_wrong web_wrong;
+extern struct web_wrong {
+    char option[WEB_NAME], text[COR_SIMULATOR_REASON];
+} web_wrong;
 
 /* ---- text that is written ---- */
 

@@ -458,12 +458,12 @@ static void set_mfix_step(struct audit *a, double stiffness, double factor)
 
 void audit_mfix(struct audit *a)
 {
-    enum { DIAMETER, DENSITY, YOUNG, POISSON, WALL_YOUNG, WALL_POISSON, KN, KN_WALL, FACTOR, PHASES, NUMBERS };
+    enum { DIAMETER, PHASES = 9, NUMBERS };
     static const char *const keys[NUMBERS] = {"D_P0",       "RO_S0", "E_YOUNG", "V_POISSON",      "EW_YOUNG",
                                               "VW_POISSON", "KN",    "KN_W",    "DTSOLID_FACTOR", "MMAX"};
     double stiffness[2] = {(double)NAN, (double)NAN};
     struct audit_type wall = {"wall", {(double)NAN, (double)NAN}, (double)NAN, (double)NAN, (double)NAN};
-    double factor = 50;
+    double factor = 50, phase_count;
     int hertz = 0, phases = 1;
     const char *fault = NULL, *value;
     size_t size;
@@ -479,17 +479,15 @@ void audit_mfix(struct audit *a)
                         audit_remark(a, "this is no number that can be read:", keys[k]);
                     break;
                 }
-                struct audit_type *const t = k == WALL_YOUNG || k == WALL_POISSON ? &wall : &a->type[i];
+                struct audit_type *const t = &a->type[i];
+                double *const numbers[NUMBERS] = {&t->radius[0], &t->density,   &t->young,     &t->poisson,
+                                                  &wall.young,   &wall.poisson, &stiffness[0], &stiffness[1],
+                                                  &factor,       &phase_count};
+                *numbers[k] = number;
                 if (k == DIAMETER)
                     t->radius[0] = t->radius[1] = number / 2;
                 else if (k == PHASES)
                     phases = number >= 1 && number < AUDIT_TYPES ? (int)number : phases;
-                else if (k == FACTOR)
-                    factor = number;
-                else if (k == KN || k == KN_WALL)
-                    stiffness[k == KN_WALL] = number;
-                else
-                    *(k == DENSITY ? &t->density : k == YOUNG || k == WALL_YOUNG ? &t->young : &t->poisson) = number;
             }
         }
         for (int of_wall = 0; of_wall < 2; of_wall++) {

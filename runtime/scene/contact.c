@@ -136,26 +136,17 @@ struct functions {
     double (*max_overlap)(double damping);
     double (*damping[COR_SCENE_ENDS])(double eps);
 };
-#define OF_BOTH_ENDS(law, parameter)                                                                                   \
-    {                                                                                                                  \
-        {cor_##law##_eps_zero_overlap, cor_##law##_eps_zero_force},                                                    \
-            {cor_##law##_duration_zero_overlap, cor_##law##_duration_zero_force}, cor_##law##_max_overlap,             \
-        {                                                                                                              \
-            cor_##law##_##parameter##_zero_overlap, cor_##law##_##parameter##_zero_force                               \
-        }                                                                                                              \
-    }
-static const struct functions sphere = OF_BOTH_ENDS(sphere, beta), linear = OF_BOTH_ENDS(linear, zeta),
-                              tsuji = OF_BOTH_ENDS(tsuji, zeta), dashpot = OF_BOTH_ENDS(hertz_dashpot, beta),
-                              /* durations and overlap depend on the elastic exponent, too */
-    hunt_crossley = {{cor_hunt_crossley_eps, cor_hunt_crossley_eps},
-                     {NULL, NULL},
-                     NULL,
-                     {cor_hunt_crossley_beta, cor_hunt_crossley_beta}},
-                              /* eps of q = 0 is that of zeta, whatever the exponents are */
-    constant = {{cor_linear_eps_zero_overlap, cor_linear_eps_zero_force},
-                {NULL, NULL},
-                NULL,
-                {cor_linear_zeta_zero_overlap, cor_linear_zeta_zero_force}};
+#define AT_ENDS(name) cor_##name##_zero_overlap, cor_##name##_zero_force
+#define OF_LAW(law, inverse)                                                                                           \
+    .eps = {AT_ENDS(law##_eps)}, .duration = {AT_ENDS(law##_duration)}, .max_overlap = cor_##law##_max_overlap,        \
+    .damping = {AT_ENDS(law##_##inverse)}
+static const struct functions sphere = {OF_LAW(sphere, beta)}, dashpot = {OF_LAW(hertz_dashpot, beta)},
+                              linear = {OF_LAW(linear, zeta)}, tsuji = {OF_LAW(tsuji, zeta)};
+/* eps of q = 0 is that of zeta, whatever the exponents are */
+static const struct functions constant = {.eps = {AT_ENDS(linear_eps)}, .damping = {AT_ENDS(linear_zeta)}};
+/* durations and overlap depend on the elastic exponent, too */
+static const struct functions hunt_crossley = {.eps = {cor_hunt_crossley_eps, cor_hunt_crossley_eps},
+                                               .damping = {cor_hunt_crossley_beta, cor_hunt_crossley_beta}};
 
 /* NULL: not a law of the library */
 static const struct functions *functions_of(const struct cor_exponents *law)

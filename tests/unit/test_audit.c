@@ -135,13 +135,11 @@ TEST(lammps)
     finds(1, 7, NAN, exp(-pi * ratio / sqrt(1 - ratio * ratio)), "gran/hooke, 1-wall");
 
     /* two sizes; the speed of fix pour; a pair without a line has the geometric mean */
-    assert_int_equal(
-        audit("units si\ncreate_box 2 b\npair_style granular\n"
-              "pair_coeff 1 1 hertz 1e7 0.9 damping coeff_restitution\n"
-              "pair_coeff 2 2 hertz 1e7 0.4 damping coeff_restitution\n"
-              "fix p all pour 100 1 4767548 vol 0.1 10 diam range 0.01 0.02 dens 2500 2500 vel 0 0 0 0 -3\n",
-              NAN),
-        COR_AUDIT_AS_ASKED);
+    audits(COR_AUDIT_AS_ASKED, NAN,
+           "units si\ncreate_box 2 b\npair_style granular\n"
+           "pair_coeff 1 1 hertz 1e7 0.9 damping coeff_restitution\n"
+           "pair_coeff 2 2 hertz 1e7 0.4 damping coeff_restitution\n"
+           "fix p all pour 100 1 4767548 vol 0.1 10 diam range 0.01 0.02 dens 2500 2500 vel 0 0 0 0 -3\n");
     assert_int_equal(seen.count, 5);
     finds(1, 4, 0.9, 0.9, "1-1, largest");
     assert_true(seen.finding[0].speed_m_s == 3);
@@ -440,9 +438,8 @@ TEST(control)
     finds(0, 4, 0.4, 0.4, "*-*");
     /* a cycle of includes ends */
     seen.included = "include again\ninclude again\n";
-    assert_int_equal(
-        audit("pair_style granular\ninclude first\npair_coeff * * hertz 1 0.5 damping coeff_restitution\n", NAN),
-        COR_AUDIT_NOT_AS_ASKED);
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN,
+           "pair_style granular\ninclude first\npair_coeff * * hertz 1 0.5 damping coeff_restitution\n");
     says(0, 1, "does a file include itself");
     assert_string_equal(seen.finding[0].file, "included");
     seen.included = "pair_coeff * * hertz 1 0.5 damping coeff_restitution";

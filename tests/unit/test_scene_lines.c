@@ -23,10 +23,9 @@ static struct cor_scene bodies(enum cor_law law, int second)
 /* Above 0: the next texts are corrected for this time step. */
 static double corrected_step_s;
 
-/* The text for a scene, or the refusal after "refused: "; valid until the next call */
-static const char *text_for(const char *simulator, const char *version, const struct cor_scene *scene, double speed)
+static long lines_for(char *text, size_t size, const char *simulator, const char *version,
+                      const struct cor_scene *scene, double speed)
 {
-    static char text[20000];
     struct cor_scene_contact contacts[COR_SCENE_ENDS];
     struct cor_scene_fault fault;
     int count;
@@ -42,9 +41,14 @@ static const char *text_for(const char *simulator, const char *version, const st
                                                   .step_errors = corrected_step_s > 0,
                                                   .step_corrected = corrected_step_s > 0,
                                                   .integrator = COR_NO_INTEGRATOR};
-    const int refused = cor_simulator_lines(text + 9, sizeof text - 9, &request) < 0;
-    memcpy(text, "refused: ", 9);
-    return refused ? text : text + 9;
+    return cor_simulator_lines(text, size, &request);
+}
+
+/* The text for a scene, or the refusal after "refused: "; valid until the next call */
+static const char *text_for(const char *simulator, const char *version, const struct cor_scene *scene, double speed)
+{
+    static char text[20000] = "refused: ";
+    return lines_for(text + 9, sizeof text - 9, simulator, version, scene, speed) < 0 ? text : text + 9;
 }
 
 /* Where the words begin in the text; the test fails if they do not. */
@@ -60,14 +64,14 @@ static void is_near(const char *number, double wanted, double tolerance)
     check(fabs(strtod(number, NULL) / wanted - 1) < tolerance, "%.20s is not %.12g", number, wanted);
 }
 
+static const char *const pairs[] = {"\npair_coeff 1 1 hertz ", "\npair_coeff 2 2 hertz ", "\npair_coeff 1 2 hertz "};
+
 /* LAMMPS: F = kn sqrt(R x) x + eta_n m sqrt(R x) x', so eta_n = (3/2) A kn/m */
 TEST(pairs_of_two_sizes)
 {
     struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, 1);
     scene.number[COR_SCENE_DISSIPATION_TIME] = 1e-4;
     const double kn = 4.0 / 3 * young / (2 * (1 - poisson * poisson));
-    static const char *const pairs[] = {"\npair_coeff 1 1 hertz ", "\npair_coeff 2 2 hertz ",
-                                        "\npair_coeff 1 2 hertz "};
     const double masses[] = {mass[0] / 2, mass[1] / 2, mass[0] * mass[1] / (mass[0] + mass[1])};
     const char *const text = text_for("LAMMPS", NULL, &scene, 1);
     for (int i = 0; i < 3; i++) {
@@ -173,32 +177,20 @@ TEST(buffer_of_any_size)
 {
     struct cor_scene scene = bodies(COR_LAW_TSUJI, 1);
     scene.number[COR_SCENE_RESTITUTION] = 0.7;
-    struct cor_scene_contact contacts[COR_SCENE_ENDS];
-    struct cor_scene_fault fault;
-    int count;
-    assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &scene), COR_FAULT_NONE);
-    const struct cor_simulator_request request = {.simulator = "mujoco-2",
-                                                  .scene = &scene,
-                                                  .contacts = contacts,
-                                                  .count = count,
-                                                  .speed_m_s = &young,
-                                                  .speeds = 0};
-    struct cor_simulator_request lammps = request;
-    lammps.simulator = "lammps";
     static char whole[20000], part[20000];
-    const long length = cor_simulator_lines(whole, sizeof whole, &lammps);
+    const long length = lines_for(whole, sizeof whole, "lammps", NULL, &scene, 0);
     check(length > 500 && (size_t)length == strlen(whole), "length %ld of %zu", length, strlen(whole));
-    assert_int_equal(cor_simulator_lines(NULL, 0, &lammps), length);
+    assert_int_equal(lines_for(NULL, 0, "lammps", NULL, &scene, 0), length);
     for (size_t size = 1; size < (size_t)length + 3; size += size < 40 || size + 40 > (size_t)length ? 1 : 37) {
         memset(part, 'x', sizeof part);
-        assert_int_equal(cor_simulator_lines(part, size, &lammps), length);
+        assert_int_equal(lines_for(part, size, "lammps", NULL, &scene, 0), length);
         const size_t kept = size <= (size_t)length ? size - 1 : (size_t)length;
         check(memcmp(part, whole, kept) == 0 && part[kept] == '\0' && part[kept + 1] == 'x', "size %zu", size);
     }
     /* a refusal is shortened likewise */
     for (size_t size = 0; size < 60; size++) {
         memset(part, 'x', sizeof part);
-        assert_true(cor_simulator_lines(part, size, &request) < 0);
+        assert_true(lines_for(part, size, "mujoco-2", NULL, &scene, 0) < 0);
         assert_true(part[size] == 'x' && (size == 0 || strlen(part) == size - 1));
     }
 }
@@ -243,8 +235,6 @@ TEST(versions)
 TEST(corrected_for_a_step)
 {
     const double step = 5e-5, speed = 0.7, kn = 4.0 / 3 * young / (2 * (1 - poisson * poisson));
-    static const char *const pairs[] = {"\npair_coeff 1 1 hertz ", "\npair_coeff 2 2 hertz ",
-                                        "\npair_coeff 1 2 hertz "};
     struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, 1);
     scene.number[COR_SCENE_DISSIPATION_TIME] = 1e-4;
     corrected_step_s = step;
