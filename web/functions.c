@@ -12,18 +12,12 @@
 #define FOUR(f, group, name) BOTH(f, group, name) f(group, name##_limited) f(group, name##_approach_only)
 #define WITH_APPROACH(f, group, name) BOTH(f, group, name) f(group, name##_approach_only)
 #define ONE(f, group, name) f(group, name) f(group, name##_approach_only)
-#define SPHERES(f)                                                                                                     \
-    WITH_APPROACH(f, sphere, eps)                                                                                      \
-    WITH_APPROACH(f, sphere, loss)                                                                                     \
-    WITH_APPROACH(f, sphere, beta)                                                                                     \
-    f(sphere, beta_of_loss_approach_only) WITH_APPROACH(f, sphere, duration) f(sphere, max_overlap)                    \
-        f(sphere, time_of_max_overlap)
-#define DASHPOTS(f)                                                                                                    \
-    WITH_APPROACH(f, hertz_dashpot, eps)                                                                               \
-    WITH_APPROACH(f, hertz_dashpot, loss)                                                                              \
-    WITH_APPROACH(f, hertz_dashpot, beta)                                                                              \
-    WITH_APPROACH(f, hertz_dashpot, beta_of_loss)                                                                      \
-    WITH_APPROACH(f, hertz_dashpot, duration) f(hertz_dashpot, max_overlap) f(hertz_dashpot, time_of_max_overlap)
+#define SPHERES(f, group)                                                                                              \
+    WITH_APPROACH(f, group, eps)                                                                                       \
+    WITH_APPROACH(f, group, loss)                                                                                      \
+    WITH_APPROACH(f, group, beta)                                                                                      \
+    f(group, beta_of_loss_approach_only) WITH_APPROACH(f, group, duration) f(group, max_overlap)                       \
+        f(group, time_of_max_overlap)
 #define RATIOS(f, group)                                                                                               \
     FOUR(f, group, eps)                                                                                                \
     FOUR(f, group, loss)                                                                                               \
@@ -37,7 +31,8 @@
 static const struct {
     const char *name;
     double (*function)(double x);
-} functions[] = {SPHERES(ROW) DASHPOTS(ROW) RATIOS(ROW, linear) RATIOS(ROW, tsuji) CROSSLEYS(ROW)};
+} functions[] = {SPHERES(ROW, sphere) SPHERES(ROW, hertz_dashpot) BOTH(ROW, hertz_dashpot, beta_of_loss)
+                     RATIOS(ROW, linear) RATIOS(ROW, tsuji) CROSSLEYS(ROW)};
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 /* of beta and of the elastic exponent */
@@ -61,13 +56,6 @@ WEB_EXPORT(web_functions_with_exponent) int web_functions_with_exponent(void)
 
 WEB_EXPORT(web_map) void web_map(int i, const double *x, double *y, size_t n, double exponent)
 {
-    if (i < FUNCTIONS) {
-        double (*const function)(double) = functions[i].function;
-        for (size_t k = 0; k < n; k++)
-            y[k] = function(x[k]);
-    } else {
-        double (*const function)(double, double) = with_exponent[i - FUNCTIONS].function;
-        for (size_t k = 0; k < n; k++)
-            y[k] = function(x[k], exponent);
-    }
+    for (size_t k = 0; k < n; k++)
+        y[k] = i < FUNCTIONS ? functions[i].function(x[k]) : with_exponent[i - FUNCTIONS].function(x[k], exponent);
 }

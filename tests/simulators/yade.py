@@ -42,20 +42,19 @@ def set_betan():
         O.interactions[0, 1].phys.betan = betan_of(dissipation_time, overlap)
 
 
-def collide(functor, speed, step, before_step=()):
+def collide(material, functor, law, speed, step, count, before_step=()):
+    """(eps, last force) of a collision of so many steps, in s"""
     O.reset()
-    # Two half spaces of Young's modulus Y and Poisson's ratio 0 have E_eff = Y/2.
-    rubber = O.materials.append(FrictMat(young=1.5 * kn, poisson=0, frictionAngle=0, density=1000))
+    O.materials.append(material)
     for i, side in enumerate((-1, 1)):
-        O.bodies.append(sphere((side * radius[i], 0, 0), radius[i], material=rubber))
+        O.bodies.append(sphere((side * radius[i], 0, 0), radius[i], material=material))
         O.bodies[i].state.mass = mass[i]
     O.bodies[0].state.vel = (speed, 0, 0)
-    O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()])] + list(before_step) + [
-        InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [functor], [Law2_ScGeom_MindlinPhys_Mindlin()]),
-        NewtonIntegrator(damping=0)
-    ]
-    O.dt = step / (root * speed**0.2)
-    O.run(int(3.3 / step), True)
+    O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()])] + [
+        PyRunner(command=command, iterPeriod=1) for command in before_step] + [
+        InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [functor], [law]), NewtonIntegrator(damping=0)]
+    O.dt = step
+    O.run(count, True)
     return (O.bodies[1].state.vel[0] - O.bodies[0].state.vel[0]) / speed, O.forces.f(0).norm()
 
 
@@ -102,57 +101,35 @@ def set_dashpots():
             i.phys.cn = 2 * zeta_of(eps_at(table, speed)) * sqrt(m * i.phys.kn)
 
 
-def collide_by_table(speed, count):
-    """(eps, last force) with count steps in the contact of an elastic spring"""
-    O.reset()
-    rubber = O.materials.append(ViscElMat(kn=2e5, cn=0, ks=0, cs=0, density=1000))
-    for i, side in enumerate((-1, 1)):
-        O.bodies.append(sphere((side * radius[i], 0, 0), radius[i], material=rubber))
-        O.bodies[i].state.mass = mass[i]
-    O.bodies[0].state.vel = (speed, 0, 0)
-    O.engines = [
-        ForceResetter(),
-        InsertionSortCollider([Bo1_Sphere_Aabb()]),
-        PyRunner(command="set_dashpots()", iterPeriod=1),
-        InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_ViscElMat_ViscElMat_ViscElPhys()],
-                        [Law2_ScGeom_ViscElPhys_Basic()]),
-        NewtonIntegrator(damping=0)
-    ]
-    O.dt = pi / count * sqrt(meff / 1e5)
-    O.run(2 * count, True)
-    return (O.bodies[1].state.vel[0] - O.bodies[0].state.vel[0]) / speed, O.forces.f(0).norm()
-
-
-def has_vn():
-    return hasattr(Ip2_FrictMat_FrictMat_MindlinPhys, "vn")
-
-
 def report_table(name, speed):
     global table
     table = read_table(name)
-    for count in (400, 800, 1600):
-        eps, force = collide_by_table(speed, count)
+    for count in (400, 800, 1600):  # steps in the contact of an elastic spring
+        rubber = ViscElMat(kn=2e5, cn=0, ks=0, cs=0, density=1000)
+        eps, force = collide(rubber, Ip2_ViscElMat_ViscElMat_ViscElPhys(), Law2_ScGeom_ViscElPhys_Basic(), speed,
+                             pi / count * sqrt(meff / 1e5), 2 * count, ["set_dashpots()"])
         print("eps table %s %s %d %.17g %g" % (name, speed, count, eps, force))
 
 
 def report(law, value, speed):
     global dissipation_time
     for step in (8e-4, 4e-4, 2e-4) if law == "step" else (16e-5, 8e-5, 4e-5):
-        if law == "vn":
-            eps, force = collide(Ip2_FrictMat_FrictMat_MindlinPhys(en=value, vn=speed), speed, step)
-        elif law == "step":
+        seconds = step / (root * speed**0.2)
+        numbers = {"vn": dict(en=value, vn=speed), "betan": dict(betan=value, betas=0)}
+        if law == "step":
             dissipation_time = value
-            first = betan_of(value, speed * step / (root * speed**0.2))
-            start = Ip2_FrictMat_FrictMat_MindlinPhys(betan=first, betas=0)
-            eps, force = collide(start, speed, step, [PyRunner(command="set_betan()", iterPeriod=1)])
-        else:
-            eps, force = collide(Ip2_FrictMat_FrictMat_MindlinPhys(betan=value, betas=0), speed, step)
+            numbers["step"] = dict(betan=betan_of(value, speed * seconds), betas=0)
+        # Two half spaces of Young's modulus Y and Poisson's ratio 0 have E_eff = Y/2.
+        rubber = FrictMat(young=1.5 * kn, poisson=0, frictionAngle=0, density=1000)
+        eps, force = collide(rubber, Ip2_FrictMat_FrictMat_MindlinPhys(**numbers[law]),
+                             Law2_ScGeom_MindlinPhys_Mindlin(), speed, seconds, int(3.3 / step),
+                             ["set_betan()"] * (law == "step"))
         print("eps %s %.17g %s %g %.17g %g" % (law, value, speed, step, eps, force))
 
 
 arguments = sys.argv[1:]
 if arguments == ["version"]:
-    print("vn", "yes" if has_vn() else "no")
+    print("vn", "yes" if hasattr(Ip2_FrictMat_FrictMat_MindlinPhys, "vn") else "no")
 while arguments and arguments != ["version"]:
     if arguments[0] == "table":
         report_table(arguments[1], float(arguments[2]))
