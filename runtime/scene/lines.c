@@ -174,6 +174,7 @@ struct task {
      * the restitution may have been measured */
     struct cor_scene_contact contact[PAIRS][COR_SCENE_ENDS];
     struct cor_simulator_wish wish[PAIRS];
+    char law[NUMBER];                   /* its name */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
 
@@ -892,14 +893,12 @@ static int find_speed(struct task *task)
     const struct cor_scene *const scene = request->scene;
     const int constant = cor_law_is_constant(&request->contacts->law);
     const double at = scene->number[COR_SCENE_AT], speed = request->speeds == 1 ? request->speed_m_s[0] : at;
-    char law[NUMBER];
     double eps = NAN;
-    law_text(law, scene);
     if (!task->has_law && isnan(speed))
         return refuse(task,
                       "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as "
                       "--speed 1",
-                      task->simulator->name, law);
+                      task->simulator->name, task->law);
     if (cor_scene_given(scene, COR_SCENE_RESTITUTION) && (constant || speed == at)) {
         eps = scene->number[COR_SCENE_RESTITUTION];
     } else if (scene->end == COR_BOTH_ENDS && cor_scene_ends_differ(request->contacts)) {
@@ -910,7 +909,7 @@ static int find_speed(struct task *task)
                           task->simulator->name);
     } else if ((!isnan(speed) || constant) &&
                cor_scene_eps(&eps, request->contacts, isnan(speed) ? 1 : speed, end_of(scene)) != COR_FAULT_NONE) {
-        return refuse(task, "eps of the law %s is not known without a solver", law);
+        return refuse(task, "eps of the law %s is not known without a solver", task->law);
     }
     fill_pairs(task, request->contacts, request->count, speed, eps);
     return 1;
@@ -943,6 +942,7 @@ static int check_task(struct task *task)
     if (contact->liquid_speed_m_s > 0)
         return refuse(task, "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
                             "host that calls a function of the speed");
+    law_text(task->law, request->scene);
     task->types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
         task->has_law = task->has_law || suits(&cor_simulator_models[i], task, 1);
@@ -954,7 +954,6 @@ static int check_task(struct task *task)
 
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
 {
-    char law[NUMBER];
     struct task task = {.request = request};
     if (check_task(&task) && find_speed(&task)) {
         struct text t = {text, size, 0, task.simulator, 0, 1, 1};
@@ -963,9 +962,8 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
                 put_plastic(&t, &task);
             return (long)t.length;
         }
-        law_text(law, request->scene);
         if (!*task.refusal)
-            refuse(&task, "%s has no model for the law %s%s", task.simulator->name, law,
+            refuse(&task, "%s has no model for the law %s%s", task.simulator->name, task.law,
                    request->version ? " in this version" : "");
     }
     snprintf(text, size, "%s", task.refusal);
