@@ -494,22 +494,16 @@ static void report_contact(struct audit *a, struct audit_contact *contact)
         }
 }
 
-/* Bodies of which the text does not say enough are those of the options. */
-static void complete_types(struct audit *a)
+void audit_flush(struct audit *a)
 {
     const double length = a->length, density = a->mass / (length * length * length);
-    for (int i = 0; i < AUDIT_TYPES; i++) {
-        struct audit_type *const type = &a->type[i];
+    /* bodies of which the text does not say enough are those of the options */
+    for (struct audit_type *type = a->type; type < a->type + AUDIT_TYPES; type++) {
         if (isnan(type->radius[0]))
             type->radius[0] = type->radius[1] = a->options->radius_m / length;
         if (isnan(type->density))
             type->density = a->options->density_kg_m3 / density;
     }
-}
-
-void audit_flush(struct audit *a)
-{
-    complete_types(a);
     for (int i = 0; i < a->contacts; i++)
         report_contact(a, &a->contact[i]);
     a->contacts = 0;
@@ -547,8 +541,14 @@ static const char *simulator_of(const struct cor_audit_text *text)
     return NULL;
 }
 
-static void clear(struct audit *a, const struct cor_audit_options *options, const struct cor_audit_text *text)
+int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text,
+              const struct cor_audit_options *options)
 {
+    typedef char audit_fits_into_its_memory[sizeof(struct audit) <= sizeof(struct cor_audit_memory) ? 1 : -1];
+    static void (*const readers[])(struct audit *) = {audit_script, audit_script, audit_yade,
+                                                      audit_kratos, audit_mfix,   audit_mujoco};
+    struct audit *const a = (struct audit *)(void *)memory;
+    (void)sizeof(audit_fits_into_its_memory);
     memset(a, 0, sizeof *a);
     a->options = options;
     a->text = *text;
@@ -558,17 +558,6 @@ static void clear(struct audit *a, const struct cor_audit_options *options, cons
     a->length = a->mass = a->time = 1;
     a->simulator = options->simulator ? options->simulator : simulator_of(text);
     audit_clear_types(a);
-}
-
-int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text,
-              const struct cor_audit_options *options)
-{
-    typedef char audit_fits_into_its_memory[sizeof(struct audit) <= sizeof(struct cor_audit_memory) ? 1 : -1];
-    static void (*const readers[])(struct audit *) = {audit_script, audit_script, audit_yade,
-                                                      audit_kratos, audit_mfix,   audit_mujoco};
-    struct audit *const a = (struct audit *)(void *)memory;
-    (void)sizeof(audit_fits_into_its_memory);
-    clear(a, options, text);
     if (text->size > 0 && memchr(text->text, '\0', text->size))
         return COR_AUDIT_NOT_TEXT;
     if (!a->simulator)

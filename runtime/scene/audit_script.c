@@ -568,11 +568,6 @@ static void keep_model(struct audit *a, int at, int type)
     contact->unknown = contact->fault != NULL;
 }
 
-static void read_mesh(struct audit *a)
-{
-    keep_text(a, "mesh", word(a, 1), word(a, find(a, 4, "type") + 1));
-}
-
 /* fix ID GROUP wall/gran model hertz ... primitive type 1 zplane 0, or ... mesh n_meshes 2 meshes ID ID */
 static void read_liggghts_wall(struct audit *a)
 {
@@ -782,7 +777,7 @@ static void read_fix(struct audit *a)
     if (audit_starts(style, "wall/gran"))
         (lammps ? read_lammps_wall : read_liggghts_wall)(a);
     else if (!lammps && audit_starts(style, "mesh/surface"))
-        read_mesh(a);
+        keep_text(a, "mesh", word(a, 1), word(a, find(a, 4, "type") + 1));
     else if (audit_is(style, "property/global"))
         read_property(a);
     else if (audit_is(style, "pour"))

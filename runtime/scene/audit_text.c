@@ -159,11 +159,6 @@ void audit_say(struct audit *a, const char *format, ...)
 
 /* ---- lines ---- */
 
-static int starts_comment(char c, enum audit_language language)
-{
-    return c == '#' || (c == '!' && language == AUDIT_NAMELIST);
-}
-
 /* Ends a line that is too long by a remark, and skips the rest of it. */
 static void put(struct audit *a, size_t *used, char c)
 {
@@ -221,7 +216,7 @@ int audit_next_line(struct audit *a, enum audit_language language)
             put(a, &used, c);
         } else if (language == AUDIT_PYTHON && (c == '"' || c == '\'') && skip_text_of_lines(a, c)) {
             put(a, &used, '"');
-        } else if (starts_comment(c, language)) {
+        } else if (c == '#' || (c == '!' && language == AUDIT_NAMELIST)) {
             while (a->at < a->text.size && text[a->at] != '\n')
                 a->at++;
         } else {

@@ -15,12 +15,6 @@
  * Its derivative vanishes where (1+p) cos(3 phi - 2 theta) = p cos(phi) + cos(3 phi). Beyond zeta = 1 the angles are
  * imaginary and the functions hyperbolic. */
 
-/* theta/phi at zeta = 1, the limit of both branches */
-static double phase_limit(double p)
-{
-    return (3 - sqrt((p + 9) / (p + 1))) / 2;
-}
-
 static double force_linear(const struct cor_exponents *law, double zeta)
 {
     const double a = cor_elastic(law), p = (a - 1) / (a + 1), root = sqrt((a + 1) / 2);
@@ -28,7 +22,7 @@ static double force_linear(const struct cor_exponents *law, double zeta)
         return 2 * zeta; /* at the first moment */
     const double sine = sqrt(fabs((1 - zeta) * (1 + zeta)));
     if (sine == 0) {
-        const double r = phase_limit(p);
+        const double r = (3 - sqrt((p + 9) / (p + 1))) / 2; /* theta/phi, the limit of both branches */
         return pow(root * exp(-r), 1 + p) * pow(r, p) * (2 - r);
     }
     const int over = zeta > 1;
@@ -74,23 +68,18 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 
 /* ---- other exponents ---- */
 
-/* The largest force where mu = 0: X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by less
- * than 50 mu of itself (docs/theory.md, 9). */
-static double force_overdamped(double b)
-{
-    return (b + 1) / (2 * b + 1) * pow(b * (b + 1) / (2 * b + 1), b / (b + 1));
-}
-
 #define FORCE_SPRING_LEAST 0x1p-48 /* of mu, below which the spring is left out */
 
-/* From beta = 1 on the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a = 0. */
+/* From beta = 1 on the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a = 0. Where mu = 0 the
+ * largest force is X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by less than 50 mu of
+ * itself (docs/theory.md, 9). */
 static double force_power(const struct cor_exponents *law, double beta)
 {
-    const double b1 = cor_damping(law) + 1, a1 = cor_elastic(law) + 1;
-    const double mu = pow(beta, -a1 / b1);
+    const double b1 = cor_damping(law) + 1, a1 = cor_elastic(law) + 1, b = b1 - 1, mu = pow(beta, -a1 / b1);
+    const double without_spring = (b + 1) / (2 * b + 1) * pow(b * (b + 1) / (2 * b + 1), b / (b + 1));
     if (beta <= 1)
         return cor_pressed_force_max(law, 1, beta);
-    return pow(beta, 1 / b1) * (mu < FORCE_SPRING_LEAST ? force_overdamped(b1 - 1) : cor_pressed_force_max(law, mu, 1));
+    return pow(beta, 1 / b1) * (mu < FORCE_SPRING_LEAST ? without_spring : cor_pressed_force_max(law, mu, 1));
 }
 
 double cor_law_force_max(const struct cor_exponents *law, double damping)

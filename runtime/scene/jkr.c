@@ -13,17 +13,6 @@
 static const double broken_at[COR_SCENE_ENDS] = {0.62996052494743658238, 0.90856029641606982944};
 static const double lost[COR_SCENE_ENDS] = {1.3259921049894873165, 0.65486382215035810233};
 
-static int motion_init(struct motion *m, double kappa, int power, double speed)
-{
-    m->time[0] = (struct motion_term){4, 3, 0};
-    m->time[1] = (struct motion_term){-1, 0, 0};
-    m->spring[0] = (struct motion_term){8.0 / 3, 6, 0};
-    m->spring[1] = (struct motion_term){-4, 3, 0};
-    m->damper = (struct motion_term){kappa, power, 0};
-    m->press = 0;
-    return cor_motion_init(m, 1, speed);
-}
-
 static double inward(const struct motion *m, double s, double level)
 {
     return -cor_motion_v(m, s, level);
@@ -32,12 +21,13 @@ static double inward(const struct motion *m, double s, double level)
 /* In the units of motion.h */
 static int solve(struct cor_full_impact *impact, double kappa, int power, double speed)
 {
-    struct motion m;
+    struct motion m = {
+        .time = {{4, 3, 0}, {-1, 0, 0}}, .spring = {{8.0 / 3, 6, 0}, {-4, 3, 0}}, .damper = {kappa, power, 0}};
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         impact->eps[end] = 0;
         impact->duration[end] = INFINITY;
     }
-    if (!motion_init(&m, kappa, power, speed) || !cor_motion_compress(&m, &impact->force_max, NULL))
+    if (!cor_motion_init(&m, 1, speed) || !cor_motion_compress(&m, &impact->force_max, NULL))
         return COR_FAULT_PRESSED;
     const double turning = cor_motion_start(&m);
     impact->max_overlap = turning * (turning * turning * turning - 1);

@@ -267,11 +267,6 @@ static int suits(const struct cor_simulator_model *model, const struct task *tas
            (has_law ? cor_simulator_has_law : cor_simulator_has_one_eps)(model, task->request->contacts);
 }
 
-static const char *template_of(const struct cor_simulator_model *model, const struct task *task)
-{
-    return task->request->scene->wall ? model->wall_lines : model->lines;
-}
-
 /* ---- what a model realises ---- */
 
 /* The contact that the model makes, for durations and eps */
@@ -681,7 +676,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
                     task->simulator->title, task->simulator->version, task->simulator->version);
     }
     t->commented += *instead != '\0';
-    const int known = put_template(t, template_of(model, task), block, task);
+    const int known = put_template(t, task->request->scene->wall ? model->wall_lines : model->lines, block, task);
     if (!isnan(block->time_step_s) && task->simulator->time_step)
         put_template(t, task->simulator->time_step, block, task);
     t->commented -= *instead != '\0';
@@ -874,17 +869,6 @@ static int put_all(struct text *t, struct task *task)
 
 /* ---- the text ---- */
 
-static void law_text(char text[NUMBER], const struct cor_scene *scene)
-{
-    const struct cor_exponents *const law = &scene->law;
-    const int named = scene->plastic ? COR_LAW_ELASTIC_PLASTIC : law_with_name(law);
-    if (named >= 0)
-        snprintf(text, NUMBER, "%s", cor_law_names[named]);
-    else
-        snprintf(text, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping,
-                 law->denominator);
-}
-
 /* The one speed, and eps there, at which a simulator without the law of the contact is to agree. Returns whether the
  * request has what it takes. */
 static int find_speed(struct task *task)
@@ -920,7 +904,6 @@ static int check_task(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_scene_contact *const contact = request->contacts;
-    int has_wall = 0;
     task->simulator = cor_simulator_named(request->simulator);
     if (!task->simulator) {
         struct text t = {task->refusal, sizeof task->refusal, 0, NULL, 0, 0, 1};
@@ -933,6 +916,9 @@ static int check_task(struct task *task)
         }
         return 0;
     }
+    const struct cor_exponents *const law = &request->scene->law;
+    const int named = request->scene->plastic ? COR_LAW_ELASTIC_PLASTIC : law_with_name(law);
+    int has_wall = 0;
     if (request->version && cor_simulator_version(request->version) == 0)
         return refuse(task, "'%.100s' is not a version of %s: write it as 29 Sep 2021 or as 3.8.1", request->version,
                       task->simulator->title);
@@ -942,7 +928,11 @@ static int check_task(struct task *task)
     if (contact->liquid_speed_m_s > 0)
         return refuse(task, "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
                             "host that calls a function of the speed");
-    law_text(task->law, request->scene);
+    if (named >= 0)
+        snprintf(task->law, NUMBER, "%s", cor_law_names[named]);
+    else
+        snprintf(task->law, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping,
+                 law->denominator);
     task->types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
         task->has_law = task->has_law || suits(&cor_simulator_models[i], task, 1);

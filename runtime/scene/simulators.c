@@ -586,12 +586,6 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
 
 /* ---- the numbers by which a model realises a contact ---- */
 
-/* A row of Tsuji's law whose e serves a linear spring, too */
-static int has_hooke(const struct cor_simulator_model *model)
-{
-    return model->damping_of_e && strstr(model->model, "ooke") != NULL;
-}
-
 int cor_simulator_has_function(const struct cor_simulator_model *model)
 {
     return model->lines && strstr(model->lines, "{embed}") != NULL;
@@ -607,7 +601,9 @@ int cor_simulator_has_law(const struct cor_simulator_model *model, const struct 
     case COR_LAW_LINEAR:
         return linear;
     case COR_LAW_TSUJI:
-        return (cor_law_is_hertz(law) && cor_law_is_constant(law)) || (linear && has_hooke(model));
+        /* an e may serve a linear spring, too */
+        return (cor_law_is_hertz(law) && cor_law_is_constant(law)) ||
+               (linear && model->damping_of_e && strstr(model->model, "ooke"));
     case COR_LAW_LINEAR_ROOT:
         return cor_law_is(law, 2, 1);
     case COR_LAW_HERTZ_DASHPOT:
