@@ -31,7 +31,9 @@ def declarations(declared: Declarations) -> str:
     """What cffi is given to read."""
     lines = list(declared.types)
     called = [c for c in calls(declared).values() if c.kind == "other" or is_a_call(c)]
-    lines += [f"{_prototype(call.function)};" for call in called]
+    for function in (call.function for call in called):
+        parameters = ", ".join(f"{p.type} {p.name}" for p in function.parameters)
+        lines.append(f"{function.result} {function.name}({parameters or 'void'});")
     lines += [f"extern {o.type} {o.name};" for o in declared.objects.values()]
     for constant in declared.constants.values():
         c_type = {"str": "char *const", "int": "const int", "float": "const double"}[constant_type(constant)]
@@ -66,11 +68,6 @@ def source(declared: Declarations) -> str:
     ]
     parts += [f"{head}\n{{\n{body}}}" for head, body in _loops(declared)]
     return "\n\n".join(parts) + "\n"
-
-
-def _prototype(function: Function) -> str:
-    parameters = ", ".join(f"{p.type} {p.name}" for p in function.parameters)
-    return f"{function.result} {function.name}({parameters or 'void'})"
 
 
 def _observers(declared: Declarations) -> List[str]:

@@ -167,25 +167,19 @@ class _Reader:
         self.macros: Dict[str, Tuple[List[str], str]] = {}
 
     def run(self) -> None:
-        while self._step():
-            pass
+        while self.text[self.at :].strip():
+            self.at += len(self.text[self.at :]) - len(self.text[self.at :].lstrip())
+            self._step()
 
-    def _step(self) -> bool:
-        self.at += len(self.text[self.at :]) - len(self.text[self.at :].lstrip())
-        if self.at == len(self.text):
-            return False
+    def _step(self) -> None:
         if self.text.startswith("/*", self.at):
-            self._comment()
+            end = self.text.index("*/", self.at) + 2
+            self.previous_doc, self.doc = self.doc, comment_text(self.text[self.at : end])
+            self.at = end
         elif self.text[self.at] == "#":
             self._directive()
         else:
             self.at += self._declaration(self.text[self.at :])
-        return True
-
-    def _comment(self) -> None:
-        end = self.text.index("*/", self.at) + 2
-        self.previous_doc, self.doc = self.doc, comment_text(self.text[self.at : end])
-        self.at = end
 
     def _directive(self) -> None:
         found = _DIRECTIVE.match(self.text, self.at)

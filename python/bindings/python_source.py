@@ -8,7 +8,7 @@ from typing import Dict, List
 
 from .calls import Call, argument_names, calls, input_struct, is_input, is_plain, is_value, output_struct
 from .cffi_source import constant_type, has_float, kind_of
-from .declarations import Declarations, Enum, Struct
+from .declarations import Declarations, Enum, Parameter, Struct
 
 CLASS_NAMES = {"cor_sphere_contact": "Contact"}
 
@@ -121,7 +121,8 @@ class _Module:
     def _written_by_hand(self) -> str:
         """Names that a module of the same name with _ before it has to have: an ImportError says which it lacks."""
         names = [self.short(c.function.name) for c in self.calls.values() if c.kind == "other"]
-        names += [self.declared.short_name(o.name, o.header) for o in self._objects()]
+        made = [o for o in self.declared.objects.values() if o.header in self.headers]
+        names += [self.declared.short_name(o.name, o.header) for o in made]
         if self.name == "contact":
             names.append("from_restitution")
         if self.name == "disk":
@@ -130,9 +131,6 @@ class _Module:
             names += extra
         listed = "".join(f"    {name},\n" for name in sorted(names))
         return f"from ._{self.name} import (\n{listed})\n\n" if names else ""
-
-    def _objects(self) -> "list":  # type: ignore[type-arg]
-        return [o for o in self.declared.objects.values() if o.header in self.headers]
 
     def _struct(self, struct: Struct) -> str:
         name = class_name(self.declared, struct.name)
@@ -167,7 +165,7 @@ class _Module:
         for call in inits:
             name = call.function.name
             arguments = [p.name for p in call.function.parameters if not output_struct(p)]
-            signature = ", ".join(self._typed(call, p) for p in call.function.parameters if not output_struct(p))
+            signature = ", ".join(self._typed(p) for p in call.function.parameters if not output_struct(p))
             made = f"_{self.declared.short_name(name, call.function.header)}"
             if name == struct.name + "_init":
                 text += f"    def __init__(self, {signature}) -> None:\n{_docstring(call.function.doc, 8)}"
@@ -179,10 +177,9 @@ class _Module:
                 text += f"        return cls._of({made}({self._split(call, arguments)}))\n\n"
         return text
 
-    def _typed(self, call: Call, p: "object") -> str:
-        if is_input(p):  # type: ignore[arg-type]
-            return f'{p.name}: "{class_name(self.declared, input_struct(p))}"'  # type: ignore[attr-defined, arg-type]
-        return f"{p.name}: ArrayLike"  # type: ignore[attr-defined]
+    def _typed(self, p: Parameter) -> str:
+        kind = f'"{class_name(self.declared, input_struct(p))}"' if is_input(p) else "ArrayLike"
+        return f"{p.name}: {kind}"
 
     def _split(self, call: Call, names: List[str]) -> str:
         """The arguments of a loop: addresses of structs, then numbers."""
@@ -199,7 +196,7 @@ class _Module:
     def _method(self, call: Call) -> str:
         short = self.declared.short_name(call.function.name, call.function.header)
         others = call.function.parameters[1:]
-        signature = "".join(f", {self._typed(call, p)}" for p in others)
+        signature = "".join(f", {self._typed(p)}" for p in others)
         text = f"    def {short}(self{signature}, *, out: Optional[Array] = None) -> Any:\n"
         text += _docstring(call.function.doc, 8)
         arguments = ["self"] + [p.name for p in others]
@@ -210,7 +207,7 @@ class _Module:
         short = self.short(function.name)
         names = [n for n, p in zip(argument_names(function), function.parameters) if not output_struct(p)]
         parameters = [p for p in function.parameters if not output_struct(p)]
-        typed = [self._typed(call, p).replace(p.name, n, 1) for p, n in zip(parameters, names)]
+        typed = [self._typed(p).replace(p.name, n, 1) for p, n in zip(parameters, names)]
         kinds = "".join(kind_of(p) for p in call.values)
         given = " ".join(n for n, p in zip(names, parameters) if is_value(p))
         text = ""

@@ -281,15 +281,10 @@ def scatter_of(rows):
 
 def slope_difference(states, predictor):
     """(slope of the gas, slope of the theory)"""
-    unit = unit_of(states, predictor)
-    return [slope(states, unit, [row.temperature for row in rows]) for rows in (states, predictor(states))]
-
-
-def unit_of(states, predictor):
-    """T/|dT/dt| at time 0"""
     step = 1e-4
     first, second = predictor([states[0], states[0]._replace(time=step)])
-    return step / math.log(first.temperature / second.temperature)
+    unit = step / math.log(first.temperature / second.temperature)  # T/|dT/dt| at time 0
+    return [slope(states, unit, [row.temperature for row in rows]) for rows in (states, predictor(states))]
 
 
 def large_gas(folder, work, lattice, stages, steps, ranks):
@@ -334,13 +329,10 @@ def processor_min(result, log, stage):
 # ---- docs/ ----
 
 
-def name_of(result):
-    return "%d" % result.spheres + ("" if result.steps == COARSE else "_%d" % result.steps)
-
-
 def write_csv(result):
     os.makedirs(PICTURES, exist_ok=True)
-    with open(os.path.join(PICTURES, "cooling_%s.csv" % name_of(result)), "w", encoding="utf-8") as out:
+    name = "cooling_%d%s.csv" % (result.spheres, "" if result.steps == COARSE else "_%d" % result.steps)
+    with open(os.path.join(PICTURES, name), "w", encoding="utf-8") as out:
         out.write("time_s,t_over_m_m2_s2,theory,theory_zero_force,theory_rigid,standard_error,a2,theory_a2,"
                   "theory_slope,collisions,contacts,shear,density\n")
         for s, t, force, rigid in zip(result.states, result.theory, result.zero_force, result.rigid):

@@ -12,6 +12,7 @@ A simulator that is not installed is skipped by name. tests/simulators/run runs 
 import collections
 import copy
 import datetime
+import functools
 import math
 import os
 import re
@@ -102,13 +103,9 @@ def is_prose(row):
     return re.match("realises eps|eps depends on|time step: at most", row) or row.endswith(".")
 
 
-def without_comment(row):
-    return re.sub(r"^(# |// |! |<!-- )(.*?)( -->)?$", r"\2", row)
-
-
 def blocks_of(text):
     for rows in text.split("\n\n"):
-        rows = [without_comment(row) for row in rows.strip("\n").split("\n")]
+        rows = [re.sub(r"^(# |// |! |<!-- )(.*?)( -->)?$", r"\2", row) for row in rows.strip("\n").split("\n")]
         if re.fullmatch(HEADING, rows[0]):
             yield Block(rows, text)
 
@@ -206,33 +203,19 @@ def read_steps(case, text):
 
 def script_of(script, program, paste, case, numbers):
     return [program, "-log", "none", "-in", os.path.join(HERE, script), "-var", "here", os.path.dirname(HERE), "-var",
-            "paste", paste, "-var", "wall", "%d" % case.wall, "-var", "duration", "%.17g" % case.duration, "-var", "n", *map(str, numbers)]
+            "paste", paste, "-var", "wall", "%d" % case.wall, "-var", "duration", "%.17g" % case.duration, "-var", "n",
+            *map(str, numbers)]
 
 
-def lammps_commands(paste, case, work):
-    yield script_of("lammps.in", LMP, paste, case, COUNTS)
-
-
-def liggghts_commands(paste, case, work):
+def liggghts_commands(paste, case):
     types = "2" if any("peratomtypepair 2" in line for line in case.lines) else "1"
-    for n in COUNTS:
-        yield script_of("liggghts.in", LIGGGHTS, paste, case, [n]) + ["-var", "types", types]
-
-
-def yade_commands(paste, case, work):
-    yield [YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py"), paste, "%d" % case.wall, "%.17g" % case.duration,
-           ",".join(map(str, COUNTS))]
-
-
-def mujoco_commands(paste, case, work):
-    yield [os.path.join(work, "mujoco"), paste, "2e-3" if case.wall else "1.6e-3", "%.17g" % case.duration,
-           *map(str, COUNTS)]
+    return [script_of("liggghts.in", LIGGGHTS, paste, case, [n]) + ["-var", "types", types] for n in COUNTS]
 
 
 def stepped(commands_of):
     def run_cases(cases, work):
         for number, case in enumerate(cases):
-            read_steps(case, "".join(map(output_of, commands_of(file_of(case, work, number), case, work))))
+            read_steps(case, "".join(map(output_of, commands_of(file_of(case, work, number), case))))
 
     return run_cases
 
@@ -286,20 +269,11 @@ def run_compiled(host, flags, signature, lines_of, cases, work):
         read_pairs(case, text, str(number))
 
 
-def run_simbody(cases, work):
-    run_compiled("simbody", SIMBODY_FLAGS, "HuntCrossleyForce &force, ContactSurfaceIndex surface",
-                 lambda case, first, work: ("", case.lines), cases, work)
-
-
 def bullet_lines(case, first, work):
     if "callback" not in case.model:
         return "", ["(void)world;", "gContactAddedCallback = nullptr;"] + case.lines
     scope, lines = callback_lines(case.lines, work)
     return "\n".join(scope) if first else "", ["(void)world;"] + lines
-
-
-def run_bullet(cases, work):
-    run_compiled("bullet", BULLET_FLAGS, "btRigidBody *body, btDiscreteDynamicsWorld *world", bullet_lines, cases, work)
 
 
 # ---- the simulators ----
@@ -389,18 +363,27 @@ def hosts_of(work):
     mujoco = os.path.join(work, "mujoco")
     return [
         Host("lammps", "lammps", lambda: installed(LMP), lambda: cases_of("lammps", LAWS, lammps_has),
-             stepped(lammps_commands), lambda: version_of([LMP, "-h"], r" - (\d+ \w+ \d+)")),
+             stepped(lambda paste, case: [script_of("lammps.in", LMP, paste, case, COUNTS)]),
+             lambda: version_of([LMP, "-h"], r" - (\d+ \w+ \d+)")),
         Host("liggghts", "liggghts", lambda: installed(LIGGGHTS), liggghts_cases, stepped(liggghts_commands),
              lambda: version_of([LIGGGHTS, "-log", "none", "-in", os.devnull], r"LIGGGHTS-\w+ ([\d.]+\d)")),
-        Host("yade", "yade", lambda: installed(YADE), lambda: cases_of("yade", LAWS, yade_has), stepped(yade_commands),
+        Host("yade", "yade", lambda: installed(YADE), lambda: cases_of("yade", LAWS, yade_has),
+             stepped(lambda paste, case: [[YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py"), paste,
+                                           "%d" % case.wall, "%.17g" % case.duration, ",".join(map(str, COUNTS))]]),
              lambda: version_of([YADE, "-x", "-n", os.devnull], r"Welcome to Yade (\S+)")),
         Host("mujoco", "libmujoco-dev", lambda: has_header("mujoco/mujoco.h", [], "c"), lambda: cases_of("mujoco"),
-             stepped(mujoco_commands), lambda: output_of([mujoco, "version"]).strip(),
+             stepped(lambda paste, case: [[mujoco, paste, "2e-3" if case.wall else "1.6e-3", "%.17g" % case.duration,
+                                           *map(str, COUNTS)]]), lambda: output_of([mujoco, "version"]).strip(),
              lambda: compiled("mujoco.c", work, ["-lmujoco"])),
         Host("simbody", "libsimbody-dev", lambda: has_header("SimTKcommon.h", SIMBODY_FLAGS[:1], "c++"), simbody_cases,
-             run_simbody, lambda: output_of([os.path.join(work, "simbody"), "version"]).strip()),
+             functools.partial(run_compiled, "simbody", SIMBODY_FLAGS,
+                               "HuntCrossleyForce &force, ContactSurfaceIndex surface",
+                               lambda case, first, work: ("", case.lines)),
+             lambda: output_of([os.path.join(work, "simbody"), "version"]).strip()),
         Host("bullet", "libbullet-dev", lambda: has_header("btBulletDynamicsCommon.h", BULLET_FLAGS[:2], "c++"),
-             bullet_cases, run_bullet, lambda: output_of([os.path.join(work, "bullet"), "version"]).strip()),
+             bullet_cases, functools.partial(run_compiled, "bullet", BULLET_FLAGS,
+                                             "btRigidBody *body, btDiscreteDynamicsWorld *world", bullet_lines),
+             lambda: output_of([os.path.join(work, "bullet"), "version"]).strip()),
     ]
 
 
