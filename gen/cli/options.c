@@ -209,11 +209,20 @@ static const char *example(const struct option_rule *rule)
 
 /* ---- the command line ---- */
 
-static int refuse_unknown(const char *command, const struct option_rule *rules, const char *option)
+/* Reports the error that getopt has found. */
+static int refuse_option(const struct option_rule *rules, int key, char **argv)
 {
-    const char **name = xmalloc((count_rules(rules) + 2) * sizeof *name);
+    const size_t count = count_rules(rules);
+    if (key == ':')
+        return usage_error("%s needs a value%s; see corgen %s --help", argv[optind - 1],
+                           example(&rules[optopt - LONG_OPTION]), argv[0]);
+    if (optopt >= LONG_OPTION)
+        return usage_error("--%s takes no value",
+                           optopt == LONG_OPTION + (int)count ? help_name : rules[optopt - LONG_OPTION].name);
+    const char short_option[] = {'-', (char)optopt, '\0'}, *const option = optopt ? short_option : argv[optind - 1];
+    const char **name = xmalloc((count + 2) * sizeof *name);
     size_t n = 0;
-    for (size_t i = 0; rules[i].name; i++)
+    for (size_t i = 0; i < count; i++)
         if (rules[i].kind != OPTION_FILES)
             name[n++] = rules[i].name;
     name[n++] = help_name;
@@ -221,23 +230,9 @@ static int refuse_unknown(const char *command, const struct option_rule *rules, 
     char word[OPTIONS_MAX_NAME + 1]; /* --NAME=VALUE without dashes and value */
     snprintf(word, sizeof word, "%.*s", (int)strcspn(option, "="), option);
     const int status =
-        refuse_word(word + strspn(word, "-"), name, "--", "corgen %s does not know '%s'", command, option);
+        refuse_word(word + strspn(word, "-"), name, "--", "corgen %s does not know '%s'", argv[0], option);
     free(name);
     return status;
-}
-
-/* Reports the error that getopt has found. */
-static int refuse_option(const struct option_rule *rules, int key, char **argv)
-{
-    if (key == ':')
-        return usage_error("%s needs a value%s; see corgen %s --help", argv[optind - 1],
-                           example(&rules[optopt - LONG_OPTION]), argv[0]);
-    if (optopt >= LONG_OPTION)
-        return usage_error("--%s takes no value", optopt == LONG_OPTION + (int)count_rules(rules)
-                                                      ? help_name
-                                                      : rules[optopt - LONG_OPTION].name);
-    const char short_option[] = {'-', (char)optopt, '\0'};
-    return refuse_unknown(argv[0], rules, optopt ? short_option : argv[optind - 1]);
 }
 
 /* Reports a missing option, a contradiction, or an option without its counterpart. */

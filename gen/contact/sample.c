@@ -357,29 +357,6 @@ static void points_fill(struct sample_points *p, const struct sampler *c, const 
                                                 function_place(c, p->speed_m_s[i + 1]), CHECK_PLACES));
 }
 
-static int choose_points(struct sample *sample, const struct sampler *c, double *x)
-{
-    const double tolerance = c->request->tolerance;
-    double last;
-    /* rounded speeds and measured errors must not exceed the tolerance */
-    const double allowed = tolerance * (1 - 1e-6);
-    const size_t segments = place_points(c, x, SAMPLE_MOST_POINTS, allowed, &last);
-    if (segments >= SAMPLE_MOST_POINTS)
-        return usage_error("--tolerance %g needs more than %d points: use --cubic, or corgen embed for a formula",
-                           tolerance, SAMPLE_MOST_POINTS);
-    sample->error_of_fewer =
-        segments == 1 || segments > MANY_SEGMENTS ? INFINITY : equalise(c, x, segments - 1, 16 * allowed);
-    equalise(c, x, segments, allowed);
-    points_fill(&sample->best, c, x, segments + 1);
-    for (size_t i = 0; i <= segments; i++)
-        x[i] = c->low + (c->high - c->low) * (double)i / (double)segments;
-    points_fill(&sample->even, c, x, segments + 1);
-    /* a few long segments over an inflection point may do better where they lie evenly */
-    if (sample->even.error < sample->best.error)
-        points_fill(&sample->best, c, x, segments + 1);
-    return STATUS_OK;
-}
-
 int sample_choose(struct sample *sample, const struct sample_request *request)
 {
     struct sampler c = {.request = request, .quantities = request->duration ? 2 : 1};
@@ -398,11 +375,26 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
     const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
     if (cor_scene_needs_solver(request->contact))
         status = fill_pieces(&c, log(request->speed_min) - margin, log(request->speed_max) + margin);
+    double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x), last;
+    /* rounded speeds and measured errors must not exceed the tolerance */
+    const double allowed = request->tolerance * (1 - 1e-6);
+    const size_t segments = status == STATUS_OK ? place_points(&c, x, SAMPLE_MOST_POINTS, allowed, &last) : 0;
+    if (segments >= SAMPLE_MOST_POINTS)
+        status = usage_error("--tolerance %g needs more than %d points: use --cubic, or corgen embed for a formula",
+                             request->tolerance, SAMPLE_MOST_POINTS);
     if (status == STATUS_OK) {
-        double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x);
-        status = choose_points(sample, &c, x);
-        free(x);
+        if (segments > 1 && segments <= MANY_SEGMENTS)
+            sample->error_of_fewer = equalise(&c, x, segments - 1, 16 * allowed);
+        equalise(&c, x, segments, allowed);
+        points_fill(&sample->best, &c, x, segments + 1);
+        for (size_t i = 0; i <= segments; i++)
+            x[i] = c.low + (c.high - c.low) * (double)i / (double)segments;
+        points_fill(&sample->even, &c, x, segments + 1);
+        /* a few long segments over an inflection point may do better where they lie evenly */
+        if (sample->even.error < sample->best.error)
+            points_fill(&sample->best, &c, x, segments + 1);
     }
+    free(x);
     free(c.piece);
     progress_end();
     return status;

@@ -143,29 +143,8 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
-/* Encloses the beta at which eps, which falls with it, is `wanted`: secants until eps is above it at one end of a
- * narrow ball, and below at the other. */
-static int solve_beta(arb_t beta, const arb_t wanted, const arb_t pressing, const struct law *law, int end)
-{
-    const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
-    LOCAL(arb, low, high, above, below);
-    for (int step = 0; step < SOLVE_STEPS; step++) {
-        arb_get_mid_arb(beta, beta); /* an exact beta, with which eps has all of its bits */
-        arb_around(low, high, beta, half_width, SOLVE_BITS);
-        if (embed_contact_eps(above, low, pressing, law, end, SOLVE_BITS) != STATUS_OK ||
-            embed_contact_eps(below, high, pressing, law, end, SOLVE_BITS) != STATUS_OK)
-            return STATUS_FAILED;
-        if (arb_gt(above, wanted) && arb_lt(below, wanted)) {
-            arb_union(beta, low, high, SOLVE_BITS);
-            return STATUS_OK;
-        }
-        LET(beta, SOLVE_BITS, "low + (above - wanted)/((above - below)/(high - low))", low, above, wanted, below, high);
-        if (!arb_is_positive(beta))
-            break;
-    }
-    return fail("no damping found at which eps is that of --restitution");
-}
-
+/* Encloses the beta at which eps, which falls with it, is the restitution: secants until eps is above it at one end of a
+ * narrow ball, and below at the other */
 static int beta_of_restitution(arb_t beta, const struct embed_request *request, const struct cor_scene_contact *contact,
                                const struct law *law)
 {
@@ -175,14 +154,26 @@ static int beta_of_restitution(arb_t beta, const struct embed_request *request, 
         arb_set_d(beta, cor_scene_beta(contact, 1));
         return STATUS_OK;
     }
-    LOCAL(arb, wanted, pressing);
+    LOCAL(arb, pressing, low, high, above, below, wanted);
     arb_set_fmpq(wanted, eps, SOLVE_BITS);
     arb_set_d(beta, cor_scene_beta(contact, embed_number(request, COR_SCENE_AT)));
     embed_contact_force(pressing, request, law, 2 * SOLVE_BITS);
     LET(pressing, 2 * SOLVE_BITS, "pressing*at^power", pressing, at, power);
-    const int status = solve_beta(beta, wanted, pressing, law, request->end);
-    LET(beta, SOLVE_BITS, "beta/at^q", beta, at, q);
-    return status;
+    const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
+    for (int step = 0; step < SOLVE_STEPS && arb_is_positive(beta); step++) {
+        arb_get_mid_arb(beta, beta); /* an exact beta, with which eps has all of its bits */
+        arb_around(low, high, beta, half_width, SOLVE_BITS);
+        if (embed_contact_eps(above, low, pressing, law, request->end, SOLVE_BITS) != STATUS_OK ||
+            embed_contact_eps(below, high, pressing, law, request->end, SOLVE_BITS) != STATUS_OK)
+            return STATUS_FAILED;
+        if (arb_gt(above, wanted) && arb_lt(below, wanted)) {
+            arb_union(beta, low, high, SOLVE_BITS);
+            LET(beta, SOLVE_BITS, "beta/at^q", beta, at, q);
+            return STATUS_OK;
+        }
+        LET(beta, SOLVE_BITS, "low + (above - wanted)/((above - below)/(high - low))", low, above, wanted, below, high);
+    }
+    return fail("no damping found at which eps is that of --restitution");
 }
 
 int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request,

@@ -100,7 +100,7 @@ static void rounded_horner(struct rounded *y, const double *c, slong degree, slo
         rounded_mul_add(y, x, y, c[k], a);
 }
 
-/* As form_split_polynomial; without the split as form_horner */
+/* As polynomial() of form.c; without the split as horner() */
 static void rounded_polynomial(struct rounded *y, const double *c, slong degree, const struct rounded *x, bool split,
                                const struct arithmetic *a)
 {
@@ -121,11 +121,13 @@ static void rounded_polynomial(struct rounded *y, const double *c, slong degree,
 /* ---- the fifth root ---- */
 
 /* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Without rounding, its relative distance
- * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. Returns a bound of |h|, infinite
- * if |H| may reach 1/2. */
-static double root_step_distance(const double *c, slong degree, double e)
+ * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. The rounding error is that in units
+ * in which r = 1, so that g = 1 - x. Returns a bound of the distance with rounding, infinite if |H| may reach 1/2. */
+static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
 {
     LOCAL(arb_poly, x, S, h, one);
+    LOCAL(rounded, r, fourth, product, off, series);
+    LOCAL(arb, radius);
     enclosed_variable(x, -e, e);
     for (slong k = degree; k >= 0; k--) {
         const double c_k = c[k];
@@ -137,18 +139,9 @@ static double root_step_distance(const double *c, slong degree, double e)
     for (int k = -16; k <= 16; k++)
         known = fmax(known, enclosed_ratio_at(h, one, k / 16.0));
     const double most = enclosed_largest_ratio(h, one, known, ROOT_HALVINGS);
-    return most < 0.5 ? -power_of_error(-most, 0.2) * RAISE + 1e-18 : HUGE_VAL;
-}
-
-/* A bound of the relative distance of the step's result from g^(-1/5), with its rounding, in units in which r = 1, so
- * that g = 1 - x */
-static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
-{
-    const double exact = root_step_distance(c, degree, e);
-    if (isinf(exact))
+    if (!(most < 0.5))
         return HUGE_VAL;
-    LOCAL(rounded, r, fourth, product, off, series);
-    LOCAL(arb, radius);
+    const double exact = -power_of_error(-most, 0.2) * RAISE + 1e-18;
     arb_one(r->exact);
     rounded_mul_add(fourth, r, r, 0, a);
     rounded_mul_add(fourth, fourth, fourth, 0, a);
