@@ -65,24 +65,6 @@ static int open_included(void *context, struct cor_audit_text *included, const c
     return 1;
 }
 
-static void add_row(struct audit_run *run, const struct cor_audit_finding *f)
-{
-    struct table *const table = &run->table;
-    const bool named = !run->name || strcmp(run->name, f->file) != 0;
-    table_add(table, xprintf("%s%s%ld", named ? f->file : "", named ? ":" : "", f->line));
-    table_add_text(table, f->simulator);
-    table_add_text(table, f->model ? f->model : "");
-    table_add_text(table, f->pair);
-    table_add_known(table, f->asked, CONTACT_DIGITS);
-    table_add_text(table, f->end < 0 ? "" : cor_end_names[f->end]);
-    table_add_known(table, f->speed_m_s, CONTACT_DIGITS);
-    table_add_known(table, f->realised, CONTACT_DIGITS);
-    table_add_known(table, f->step_bias, CONTACT_DIGITS);
-    table_add_known(table, f->step_scatter, CONTACT_DIGITS);
-    table_add(table, xprintf("%s%s%s%s", f->advice, *f->advice && *f->instead ? " " : "", *f->instead ? "Write: " : "",
-                             f->instead));
-}
-
 static void print_finding(FILE *file, const struct cor_audit_finding *f)
 {
     fprintf(file, "%s:%ld: ", f->file, f->line);
@@ -125,10 +107,24 @@ static void take_finding(void *context, const struct cor_audit_finding *f)
     run->as_asked += f->as_asked == 1;
     run->not_as_asked += f->model && f->as_asked == 0;
     run->not_read += !f->model;
-    if (run->given->common.format == FORMAT_TEXT)
+    if (run->given->common.format == FORMAT_TEXT) {
         print_finding(run->file, f);
-    else
-        add_row(run, f);
+        return;
+    }
+    struct table *const table = &run->table;
+    const bool named = !run->name || strcmp(run->name, f->file) != 0;
+    table_add(table, xprintf("%s%s%ld", named ? f->file : "", named ? ":" : "", f->line));
+    table_add_text(table, f->simulator);
+    table_add_text(table, f->model ? f->model : "");
+    table_add_text(table, f->pair);
+    table_add_known(table, f->asked, CONTACT_DIGITS);
+    table_add_text(table, f->end < 0 ? "" : cor_end_names[f->end]);
+    table_add_known(table, f->speed_m_s, CONTACT_DIGITS);
+    table_add_known(table, f->realised, CONTACT_DIGITS);
+    table_add_known(table, f->step_bias, CONTACT_DIGITS);
+    table_add_known(table, f->step_scatter, CONTACT_DIGITS);
+    table_add(table, xprintf("%s%s%s%s", f->advice, *f->advice && *f->instead ? " " : "", *f->instead ? "Write: " : "",
+                             f->instead));
 }
 
 /* ---- the command ---- */

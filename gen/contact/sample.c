@@ -87,29 +87,13 @@ static void fill_point(void *context, slong i)
         piece->value[1][i] = value[1] / duration_scale(c->request->contact, speed_m_s);
 }
 
-/* The largest error relative to the value, between the points next to both ends and in the middle */
-static int piece_error(double *error, const struct sampler *c, const struct piece *piece)
-{
-    static const double place[] = {0.004, 0.31, 0.52, 0.995};
-    *error = 0;
-    for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
-        const double u = piece->low + (piece->high - piece->low) * place[i];
-        double value[SAMPLE_QUANTITIES];
-        if (value_direct(value, c, exp(u)) != STATUS_OK)
-            return STATUS_FAILED;
-        for (int q = 0; q < c->quantities; q++) {
-            const double exact = q == 1 ? value[q] / duration_scale(c->request->contact, exp(u)) : value[q];
-            *error = fmax(*error, fabs(piece_value(piece, q, u) / exact - 1));
-        }
-    }
-    return STATUS_OK;
-}
-
-/* Divides [low, high] of ln(speed) until every piece is accurate. */
+/* Divides [low, high] of ln(speed) until every piece is accurate: between the points next to both ends and in the
+ * middle, relative to the value. */
 static int fill_pieces(struct sampler *c, double low, double high)
 {
+    static const double place[] = {0.004, 0.31, 0.52, 0.995};
     c->piece = xmalloc(PIECES_MOST * sizeof *c->piece);
-    double width = high - low, error;
+    double width = high - low;
     while (low < high) {
         if (c->pieces == PIECES_MOST)
             return fail("eps changes too fast in this range of speeds to be sampled");
@@ -118,7 +102,16 @@ static int fill_pieces(struct sampler *c, double low, double high)
         piece->high = low + width < high * (1 - 1e-12) - 1e-12 ? low + width : high;
         piece->status = STATUS_OK;
         parallel_for(fill_point, c, PIECE_POINTS, "collisions");
-        if (piece->status != STATUS_OK || piece_error(&error, c, piece) != STATUS_OK)
+        double error = 0;
+        for (size_t i = 0; i < sizeof place / sizeof *place && piece->status == STATUS_OK; i++) {
+            const double u = piece->low + (piece->high - piece->low) * place[i];
+            double value[SAMPLE_QUANTITIES] = {0};
+            piece->status = value_direct(value, c, exp(u));
+            value[1] /= duration_scale(c->request->contact, exp(u));
+            for (int q = 0; q < c->quantities; q++)
+                error = fmax(error, fabs(piece_value(piece, q, u) / value[q] - 1));
+        }
+        if (piece->status != STATUS_OK)
             return STATUS_FAILED;
         if (error > PIECE_ERROR) {
             width = (piece->high - piece->low) / 2;

@@ -14,24 +14,6 @@ static exact number_of(const struct embed_request *request, int which, int body)
     return embed_number_of_body(request, which, body)->value;
 }
 
-/* A_i as given, 0 if not; of viscosities (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y */
-static void dissipation_time_of(arb_t time, const struct embed_request *request, int body, slong prec)
-{
-    const char *const viscosity = request->viscosity[body == 2 && request->viscosity[1] ? 1 : 0];
-    const exact nu = number_of(request, COR_SCENE_POISSON, body), Y = number_of(request, COR_SCENE_YOUNG, body);
-    struct decimal eta[2] = {{0}};
-    arb_zero(time);
-    if (viscosity) {
-        embed_viscosity(eta, viscosity);
-        LET(time, prec, "(1 + nu)/(1 - nu)*(2/3*(1 - nu + nu^2)*eta[0].value + (1 - 2*nu)^2*eta[1].value)/Y", nu,
-            eta[0].value, eta[1].value, Y);
-    } else if (embed_given(request, COR_SCENE_DISSIPATION_TIME)) {
-        arb_set_fmpq(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body), prec);
-    }
-    decimal_clear(&eta[0]);
-    decimal_clear(&eta[1]);
-}
-
 /* m, K, A and R = 1/(1/R_1 + 1/R_2) of a contact */
 struct contact {
     arb_t mass, stiffness, time, radius;
@@ -50,7 +32,8 @@ LOCAL_STRUCT(contact)
 
 /* K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies, c_i = (1 - nu_i^2)/Y_i. m_i is
  * given or (4/3) pi R_i^3 rho_i. A wall and a plate have 1/R = 1/m = 0; a plate of the thickness h has A_2 = 0, and m/Z
- * is added to A, Z = 4 h^2 sqrt(rho_2/(3 c_2)). Or a spring and an effective mass. */
+ * is added to A, Z = 4 h^2 sqrt(rho_2/(3 c_2)). A_i is given, or that of viscosities, (1 + nu)/(1 - nu)
+ * ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y, or 0. Or a spring and an effective mass. */
 static void contact_of(struct contact *c, const struct embed_request *request, slong prec)
 {
     const exact h = request->number[COR_SCENE_PLATE_THICKNESS].value;
@@ -69,7 +52,16 @@ static void contact_of(struct contact *c, const struct embed_request *request, s
                     density = number_of(request, COR_SCENE_DENSITY, body);
         LET(own, prec, "(1 - nu^2)/Y", nu, Y);
         LET(compliance, prec, "compliance + own", compliance, own);
-        dissipation_time_of(time, request, body, prec);
+        const char *const viscosity = request->viscosity[body == 2 && request->viscosity[1] ? 1 : 0];
+        struct decimal eta[2] = {{0}};
+        arb_zero(time);
+        if (viscosity && embed_viscosity(eta, viscosity))
+            LET(time, prec, "(1 + nu)/(1 - nu)*(2/3*(1 - nu + nu^2)*eta[0].value + (1 - 2*nu)^2*eta[1].value)/Y", nu,
+                eta[0].value, eta[1].value, Y);
+        else if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
+            arb_set_fmpq(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body), prec);
+        decimal_clear(&eta[0]);
+        decimal_clear(&eta[1]);
         if (body == 1 || !plate)
             LET(c->time, prec, "c->time + time*own", c->time, time, own);
         if (body == 1 || !(request->wall || plate)) {
