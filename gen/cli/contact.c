@@ -81,9 +81,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
             fprintf(out.file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0], &contacts->law),
                     contacts->scene.plate ? ", a plate" : "");
         if (in_text || !rows) {
-            contact_summary(&summary, contacts, digits);
-            if (o->friction.text)
-                contact_oblique(&summary, contacts, options_number(&o->friction, 0), digits);
+            contact_summary(&summary, contacts, options_number(&o->friction, NAN), digits);
             table_print(&summary, format, out.file);
             table_clear(&summary);
         }
@@ -149,7 +147,8 @@ static int run_contact(const void *arguments)
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
     /* a list, or a name that is none, needs no contact */
-    if (o->simulator && (contact_simulator_is_list(o->simulator, o->version) || !cor_simulator_named(o->simulator)))
+    if (o->simulator &&
+        ((o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) || !cor_simulator_named(o->simulator)))
         return print_for_simulator(o, NULL);
     int status = contacts_of_request(&contacts, &o->scene);
     if (status == STATUS_OK)

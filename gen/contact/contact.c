@@ -109,11 +109,6 @@ const char *const contact_simulator_names[] = {
     "simbody", "bullet",   "rebound",       "modelica",   CONTACT_SIMULATOR_LIST,
     NULL};
 
-bool contact_simulator_is_list(const char *simulator, const char *version)
-{
-    return strcmp(simulator, CONTACT_SIMULATOR_LIST) == 0 || (version && strcmp(version, CONTACT_SIMULATOR_LIST) == 0);
-}
-
 static long write_text(char *text, size_t size, const struct cor_simulator_request *request)
 {
     return request->contacts ? cor_simulator_lines(text, size, request)

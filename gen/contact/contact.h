@@ -42,12 +42,10 @@ cor_scene_solver contact_enclosed;
 enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 
 /* quantity,value,unit; two values, value_zero_overlap and value_zero_force, if the contact has one for each end at
- * which eps may have been measured. Quantities that are not known have no row. */
-void contact_summary(struct table *table, const struct contacts *contacts, int digits);
-
-/* Adds rows of two spheres, or a sphere and a wall: kappa, u'/u without slip, and the angle up to which they stick when
- * they touch, in degrees. */
-void contact_oblique(struct table *table, const struct contacts *contacts, double friction, int digits);
+ * which eps may have been measured. Quantities that are not known have no row. With friction, not NaN, of two spheres,
+ * or a sphere and a wall: kappa, u'/u without slip, and the angle up to which they stick when they touch, in
+ * degrees. */
+void contact_summary(struct table *table, const struct contacts *contacts, double friction, int digits);
 
 /* A row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last one,
  * measured_end, is there only where there are two contacts. Errors of the step have two columns, or, where the end of
@@ -69,6 +67,5 @@ extern const char *const contact_simulator_names[]; /* of cor_simulators, then t
 /* The text of corgen contact --for HOST, malloc'ed; of a list where a word asks for it. NULL after a message if the
  * simulator cannot realise this contact, or there is no such simulator. A list takes no contacts. */
 char *contact_simulator_text(const struct cor_simulator_request *request);
-bool contact_simulator_is_list(const char *simulator, const char *version);
 
 #endif

@@ -25,7 +25,7 @@ static const char *const *ends_of(const struct contacts *contacts)
     return ends[is_jkr(contacts)];
 }
 
-void contact_summary(struct table *table, const struct contacts *contacts, int digits)
+void contact_summary(struct table *table, const struct contacts *contacts, double friction, int digits)
 {
     const char *const *const end = ends_of(contacts);
     const bool one = contacts->count == 1;
@@ -47,10 +47,8 @@ void contact_summary(struct table *table, const struct contacts *contacts, int d
             table_add_number(table, cor_scene_quantity(&contacts->contact[k], q->number), digits);
         table_add_text(table, q->unit);
     }
-}
-
-void contact_oblique(struct table *table, const struct contacts *contacts, double friction, int digits)
-{
+    if (isnan(friction))
+        return;
     const struct cor_body body[2] = {cor_scene_body(&contacts->scene, 1), cor_scene_body(&contacts->scene, 2)};
     const double degree = 57.29577951308232;
     const double kappa = cor_tangential_kappa(body[0].young_modulus_pa, body[0].poisson_ratio, body[1].young_modulus_pa,

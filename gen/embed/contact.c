@@ -135,8 +135,8 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
-/* Encloses the beta at which eps, which falls with it, is the restitution: secants until eps is above it at one end of a
- * narrow ball, and below at the other */
+/* Encloses the beta at which eps, which falls with it, is the restitution: secants until eps is above it at one end of
+ * a narrow ball, and below at the other */
 static int beta_of_restitution(arb_t beta, const struct embed_request *request, const struct cor_scene_contact *contact,
                                const struct law *law)
 {

@@ -121,8 +121,9 @@ static void rounded_polynomial(struct rounded *y, const double *c, slong degree,
 /* ---- the fifth root ---- */
 
 /* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Without rounding, its relative distance
- * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. The rounding error is that in units
- * in which r = 1, so that g = 1 - x. Returns a bound of the distance with rounding, infinite if |H| may reach 1/2. */
+ * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. The rounding error is that in
+ * units in which r = 1, so that g = 1 - x. Returns a bound of the distance with rounding, infinite if |H| may reach
+ * 1/2. */
 static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
 {
     LOCAL(arb_poly, x, S, h, one);
