@@ -193,32 +193,27 @@ static double error_at(const struct sampler *c, const struct segment *s, int qua
     return fabs((c->request->cubic ? cubic : linear) / exact - 1);
 }
 
-/* The largest error of one quantity in a segment: the largest of evenly spaced places, and the vertex of the parabola
- * through it and its neighbours */
-static double quantity_error(const struct sampler *c, int quantity, double left, double right, int places)
-{
-    struct segment s = {{left, right}, {function_value(c, quantity, left), function_value(c, quantity, right)}, {0, 0}};
-    for (int i = 0; c->request->cubic && i < 2; i++)
-        s.slope[i] = function_slope(c, quantity, function_speed(c, s.x[i]));
-    double error[CHECK_PLACES + 1] = {0};
-    int at = 1;
-    for (int i = 1; i < places; i++) {
-        error[i] = error_at(c, &s, quantity, (double)i / places);
-        if (error[i] > error[at])
-            at = i;
-    }
-    const double curvature = error[at - 1] - 2 * error[at] + error[at + 1];
-    if (!(curvature < 0))
-        return error[at];
-    const double vertex = at + (error[at - 1] - error[at + 1]) / (2 * curvature);
-    return fmax(error[at], error_at(c, &s, quantity, vertex / places));
-}
-
+/* The largest error in a segment, of every quantity: the largest of evenly spaced places, and the vertex of the
+ * parabola through it and its neighbours */
 static double segment_error(const struct sampler *c, double left, double right, int places)
 {
     double most = 0;
-    for (int quantity = 0; quantity < c->quantities; quantity++)
-        most = fmax(most, quantity_error(c, quantity, left, right, places));
+    for (int q = 0; q < c->quantities; q++) {
+        struct segment s = {{left, right}, {function_value(c, q, left), function_value(c, q, right)}, {0, 0}};
+        for (int i = 0; c->request->cubic && i < 2; i++)
+            s.slope[i] = function_slope(c, q, function_speed(c, s.x[i]));
+        double error[CHECK_PLACES + 1] = {0};
+        int at = 1;
+        for (int i = 1; i < places; i++) {
+            error[i] = error_at(c, &s, q, (double)i / places);
+            if (error[i] > error[at])
+                at = i;
+        }
+        const double curvature = error[at - 1] - 2 * error[at] + error[at + 1];
+        most = fmax(most, error[at]);
+        if (curvature < 0)
+            most = fmax(most, error_at(c, &s, q, (at + (error[at - 1] - error[at + 1]) / (2 * curvature)) / places));
+    }
     return most;
 }
 
