@@ -108,26 +108,19 @@ long double reference_hunt_crossley_approach_loss(long double beta)
 
 /* ---- times ---- */
 
-/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends: up to x^-0.85 with end =
- * 5.2, x^-0.991 with end = 8.2 */
-typedef long double quadrature_function(long double x, long double below, const long double *parameters);
-
-static long double quadrature_to(long double end, quadrature_function *f, const long double *parameters)
+/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends, up to x^-0.991 */
+static long double quadrature(long double (*f)(long double x, long double below, const long double *parameters),
+                              const long double *parameters)
 {
     const long double pi = acosl(-1), step = 0.02L;
     long double sum = 0;
-    for (int j = -(int)(end / step); j <= (int)(end / step); j++) {
+    for (int j = -410; j <= 410; j++) {
         const long double t = j * step, q = expl(-pi * sinhl(t)), x = 1 / (1 + q), below = q / (1 + q);
         const long double weight = pi * coshl(t) * x * below;
         if (weight > 0 && x > 0 && below > 0)
             sum += weight * f(x, below, parameters);
     }
     return sum * step;
-}
-
-static long double quadrature(quadrature_function *f, const long double *parameters)
-{
-    return quadrature_to(5.2L, f, parameters);
 }
 
 /* s = end x; parameters: zeta, om, end, whether sinh, and pi - om end, which counts where om s is near pi:
@@ -178,73 +171,30 @@ long double reference_tsuji_time(enum law_end end, long double zeta)
     return first + expl(-zeta * phase / 5) * second;
 }
 
-/* -ln(1 - x) - x, x < 1 */
-static long double log_excess(long double x)
+/* Hunt and Crossley's loading with b = beta, their rebound with b = -h, over tau = ln((1 + b)/(1 + beta v)) from 0 to
+ * ln(1 + b), where v = 0; x^(a+1)/(a+1) = energy_left/beta^2. p: a, b, 1 + b, ln(1 + b), beta */
+static long double crossley_integrand(long double x, long double below, const long double *p)
 {
-    if (fabsl(x) > 0.2L)
-        return -log1pl(-x) - x;
-    long double sum = 0;
-    for (int k = 40; k >= 2; k--)
-        sum = 1.0L / k + x * sum;
-    return x * x * sum;
-}
-
-/* Loading, d = 1 - v: 1/((1 + beta v) x^a), x^(a+1)/(a+1) = (beta e - excess(e))/beta^2, e = beta d/(1 + beta). p: a,
- * beta */
-static long double loading_integrand(long double d, long double v, const long double *p)
-{
-    const long double a = p[0], beta = p[1], e = beta * d / (1 + beta);
-    const long double energy_left = d < 0.5L ? beta * e - log_excess(e) : energy(beta) - energy(beta * v);
-    return powl((a + 1) * energy_left / (beta * beta), -a / (a + 1)) / (1 + beta * v);
-}
-
-/* Rebound, d = (eps + v)/eps. p: a, beta, eps, 1 - h */
-static long double rebound_integrand(long double d, long double below, const long double *p)
-{
-    const long double a = p[0], beta = p[1], v = -p[2] * below, e = beta * p[2] * d / p[3];
-    const long double energy_left = d < 0.5L ? beta * p[2] * e - log_excess(-e) : energy(beta) - energy(beta * v);
-    return p[2] * powl((a + 1) * energy_left / (beta * beta), -a / (a + 1)) / (1 + beta * v);
-}
-
-/* The same over tau = ln((1 + beta v)/(1 - h)) from 0 to U = -ln(1 - h): p: a, beta, U, 1 - h. With |beta| and h =
- * -beta it is the loading of a pumped collision. */
-static long double strong_rebound_integrand(long double x, long double below, const long double *p)
-{
-    const long double a = p[0], u = p[2] * x, left = p[2] * below;
-    const long double energy_left = u < 0.5L ? u - p[3] * expm1l(u) : u - expl(-left) + p[3];
-    return p[2] / p[1] * powl((a + 1) * energy_left / (p[1] * p[1]), -a / (a + 1));
-}
-
-/* Loading over tau = ln((1 + beta)/(1 + beta v)) from 0 to ln(1 + beta): p: a, beta, end */
-static long double strong_loading_integrand(long double x, long double below, const long double *p)
-{
-    const long double a = p[0], beta = p[1], tau = p[2] * x, gone = -expm1l(-tau);
-    (void)below;
-    /* (1 + beta) gone - tau over beta */
-    const long double part = gone - (tau < 0.2L ? log_excess(gone) : tau - gone) / beta;
-    return p[2] * powl((a + 1) * part / beta, -a / (a + 1)) / beta;
+    const long double tau = p[3] * x, gone = -expm1l(-tau);
+    const long double energy_left = fabsl(tau) < 0.5L ? p[1] * gone - energy(-gone)
+                                    : tau > 0         ? p[2] * gone - tau
+                                                      : p[2] - expl(p[3] * below) - tau;
+    return fabsl(p[3] / p[4]) * powl((p[0] + 1) * energy_left / (p[4] * p[4]), -p[0] / (p[0] + 1));
 }
 
 long double reference_crossley_time_of_max_overlap(long double a, long double beta)
 {
-    const long double p[] = {a, beta, log1pl(beta)}, pumped[] = {a, -beta, -log1pl(beta), 1 + beta};
-    if (beta < -0.5L)
-        return quadrature_to(8.2L, strong_rebound_integrand, pumped);
-    return quadrature_to(8.2L, beta < 2 ? loading_integrand : strong_loading_integrand, p);
+    return quadrature(crossley_integrand, (const long double[]){a, beta, 1 + beta, log1pl(beta), beta});
 }
 
 long double reference_crossley_duration(long double a, long double beta)
 {
-    const long double loading = reference_crossley_time_of_max_overlap(a, beta), h = rebound(beta);
-    if (beta < 2) {
-        const long double p[] = {a, beta, h / beta, 1 - h};
-        return loading + quadrature_to(8.2L, rebound_integrand, p);
-    }
+    const long double h = rebound(beta);
     long double rest = 1 - h; /* of which 1 - h may keep nothing */
-    for (int k = 0; k < 200; k++)
+    for (int k = 0; k < 200 && beta >= 2; k++)
         rest = expl(rest - 1 - energy(beta));
-    const long double p[] = {a, beta, beta + 1 - log1pl(beta) - rest, rest};
-    return loading + quadrature_to(8.2L, strong_rebound_integrand, p);
+    const long double p[] = {a, -h, rest, beta < 2 ? log1pl(-h) : rest - 1 - energy(beta), beta};
+    return reference_crossley_time_of_max_overlap(a, beta) + quadrature(crossley_integrand, p);
 }
 
 long double reference_crossley_elastic_half(long double a)
