@@ -69,7 +69,6 @@ static void each_mode(struct disk_bench *bench)
 {
     static const double speeds[SPEEDS] = {1e-12, 1e-8, 1e-4, USUAL_SPEED, 1e-2, 0.03, 0.1, 0};
     const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-    const long double b = -2 * logl(2) - (1 + (long double)modes->nu) / 4;
     static double fraction[SPEEDS][MODES];
     static long double integral[MODES];
     struct task task[SPEEDS];
@@ -82,7 +81,7 @@ static void each_mode(struct disk_bench *bench)
     timing_measure(job, SPEEDS, bench->timing);
     for (int i = 0; i < SPEEDS; i++) {
         const double speed = task[i].speed;
-        reference_rayleigh(modes->mode, MODES, b, speed, integral);
+        reference_rayleigh(modes->mode, MODES, modes->nu, datum, speed, integral);
         disk_csv(bench, &(struct disk_row){"rayleigh", "cor", speed, NAN, MODES, job[i].best_ns / 1e9,
                                            worst_error(modes->mode, fraction[i], integral)});
     }

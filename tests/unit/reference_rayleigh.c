@@ -105,10 +105,14 @@ static void add_panel(real *integral, const struct cor_disk_mode *mode, size_t n
     }
 }
 
-void reference_rayleigh(const struct cor_disk_mode *mode, size_t n, long double b, double speed, long double *fraction)
+long double reference_rayleigh(const struct cor_disk_mode *mode, size_t n, double nu, enum cor_disk_datum datum,
+                               double speed, long double *fraction)
 {
     struct rule rule;
-    const real q0 = fmax(2 * ((real)1.5 * log((real)2) + (real)b - 1 - log((real)speed)), (real)0);
+    const real b = datum == COR_DISK_DATUM_CENTRE_OF_MASS ? -2 * log((real)2) - (1 + (real)nu) / 4 /* of (57) */
+                   : datum == COR_DISK_DATUM_DIAMETER     ? -1
+                                                          : -1 - (real)nu;
+    const real q0 = fmax(2 * ((real)1.5 * log((real)2) + b - 1 - log((real)speed)), (real)0);
     const real most_time = PHASE / (real)mode[n - 1].omega;
     real half_time = 0;
     rule_init(&rule);
@@ -127,4 +131,5 @@ void reference_rayleigh(const struct cor_disk_mode *mode, size_t n, long double 
         }
     for (size_t i = 0; i < n; i++)
         fraction[i] = pow(2 * (real)mode[i].c * fraction[i], 2);
+    return 2 * half_time;
 }

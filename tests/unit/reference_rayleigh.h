@@ -4,8 +4,9 @@
 
 #include <cor/disk.h>
 
-/* C^2 (2 I)^2 of mode[0..n-1], n > 0, in long double, for the contact law's constant b, by another route than the
- * library's, which leaves the real axis */
-void reference_rayleigh(const struct cor_disk_mode *mode, size_t n, long double b, double speed, long double *fraction);
+/* The contact time, and C^2 (2 I)^2 of mode[0..n-1], n > 0, in long double, by another route than the library's, which
+ * leaves the real axis */
+long double reference_rayleigh(const struct cor_disk_mode *mode, size_t n, double nu, enum cor_disk_datum datum,
+                               double speed, long double *fraction);
 
 #endif
