@@ -924,13 +924,12 @@ static void write_pair_over(void)
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
     const struct cor_inline_pair p = cor_inline_pair_over(x, y);
-    const int correction = at(p.hi, "b"), rest = at(correction, "a");
     gappa g;
     pair_in(g, x, "xh", "xl");
     pair_in(g, y, "yh", "yl");
     g.define(p.hi);
-    g.call({{"q", at(p.hi, "a")}, {"c", correction}, {"rest", rest}, {"hi", at(rest, "aab")}});
-    const std::string product = product_error(g, at(rest, "aab"), at(rest, "ab"));
+    g.match(p.hi, "(q+c:(rest:(((xh-hi)-low)+last)/yh))");
+    const std::string product = product_error(g, g["hi"], g["low"]);
     g.say("exact = ($xh + $xl) / ($yh + $yl);");
     g.say("terms = (($xh - $hi) - $rest.ab) + ($xl - $q * $yl);");
     g.say("residue = ($xh - $q * $yh) + ($xl - $q * $yl);");
@@ -1097,28 +1096,21 @@ static void write_beta_force_far(void)
 {
     start();
     const Real eps = variable("x", 0x1p-30);
-    const int value = at(cor_inline_beta_force_far(eps).node(), "a"); /* times 1 */
-    const int cube_hi = at(value, "a"), added = at(value, "b"), lo = at(added, "a");
+    gappa g;
+    g.match(cor_inline_beta_force_far(eps),
+            "(value:(cube:(square*head_of_root)+added:(lo:(off_cube+off_root)+(whole*orders)))*1)");
     const struct cor_inline_pair root =
         cor_inline_fifth_root_of_pair(cor_inline_over_eps(cor_rows_far_beta_zero_force(0), eps, 0));
     const int log = last_where([](const node &n) { return n.what == LOG; });
     const int v = last_where([&](const node &n) { return n.what == MULTIPLY && (n.a == log || n.b == log); });
-    expect(root.hi.node() == at(cube_hi, "b") && v >= 0, "cor_inline_beta_force_far");
-    gappa g;
+    expect(root.hi.node() == g["head_of_root"] && v >= 0, "cor_inline_beta_force_far");
     give_head(g, root.hi, "R", "[1, 2]");
     for (const int id : {root.lo.node(), at(log, "a"), v})
         g.give(id, "= rnd(V" + std::to_string(id) + ")", "E" + std::to_string(id));
-    g.define(cube_hi);
-    g.define(value);
-    g.call({{"rl", root.lo},
-            {"e", at(log, "a")},
-            {"v", v},
-            {"cube", cube_hi},
-            {"square", at(cube_hi, "a")},
-            {"added", added},
-            {"lo", lo},
-            {"orders", at(added, "bb")}});
-    const std::string product = product_error(g, cube_hi, at(lo, "a"));
+    g.define(g["cube"]);
+    g.define(g["value"]);
+    g.call({{"rl", root.lo}, {"e", at(log, "a")}, {"v", v}});
+    const std::string product = product_error(g, g["cube"], g["off_cube"]);
     for (const char *known : {"$rl in [-1b-12, 1b-12]", "$rl - @rl in [-1b-57, 1b-57]", "@e in [0, 9.2e-8]",
                               "$e - @e in [-1b-75, 1b-75]", "@v in [9, 210]", "$v - @v in [-1b-43, 1b-43]"})
         g.assume(known);
