@@ -20,7 +20,7 @@
 static int threads_wanted;
 static _Thread_local bool within_task;
 
-int parallel_processors(void)
+int parallel_threads(void)
 {
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
 #ifdef __linux__
@@ -28,12 +28,10 @@ int parallel_processors(void)
     if (sched_getaffinity(0, sizeof set, &set) == 0)
         processors = CPU_COUNT(&set);
 #endif
-    return processors < 1 ? 1 : processors < PARALLEL_MAX_THREADS ? (int)processors : PARALLEL_MAX_THREADS;
-}
-
-int parallel_threads(void)
-{
-    return threads_wanted > 0 ? threads_wanted : parallel_processors();
+    return threads_wanted > 0                  ? threads_wanted
+           : processors < 1                    ? 1
+           : processors < PARALLEL_MAX_THREADS ? (int)processors
+                                               : PARALLEL_MAX_THREADS;
 }
 
 void parallel_use(int threads)

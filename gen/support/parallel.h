@@ -8,11 +8,8 @@
 
 enum { PARALLEL_MAX_THREADS = 1024 };
 
-/* Number of processors that taskset or a container allows this process. */
-int parallel_processors(void);
-
-/* Number of threads of parallel_for: the number of processors, or the argument of the last parallel_use().
- * parallel_use(0) restores the number of processors. */
+/* Number of threads of parallel_for: of the processors that taskset or a container allows this process, or the argument
+ * of the last parallel_use(). parallel_use(0) restores the number of processors. */
 int parallel_threads(void);
 void parallel_use(int threads);
 

@@ -216,10 +216,8 @@ static void print_text(const struct sweep_printer *p, int j, const char *text)
     const char kind = p->table.kinds[j];
     char rounded[DECIMAL_TEXT], *end;
     const double x = strtod(text, &end);
-    const bool small = kind == COLUMN_SMALL || kind == COLUMN_ERROR;
-    const bool result = small || kind == COLUMN_PLACES || kind == COLUMN_DIGITS || kind == COLUMN_WHOLE;
-    if (result && end != text && *end == '\0' && !isnan(x)) {
-        snprintf(rounded, sizeof rounded, "%.*g", small ? SMALL_DIGITS : p->digits, x);
+    if (p->digits[j] && end != text && *end == '\0' && !isnan(x)) {
+        snprintf(rounded, sizeof rounded, "%.*g", p->digits[j], x);
         text = rounded;
     }
     if (kind == COLUMN_STATUS)
@@ -231,13 +229,14 @@ static void print_text(const struct sweep_printer *p, int j, const char *text)
 void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum output_format format, FILE *file)
 {
     *p = (struct sweep_printer){.file = file, .format = format, .sweep = sweep};
-    p->digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
+    const int digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
     table_init(&p->table, layout_of(sweep)->header, layout_of(sweep)->kinds);
     for (int j = 0; j < p->table.columns; j++) {
         const char kind = p->table.kinds[j], *const name = p->table.column[j];
         const bool small = kind == COLUMN_SMALL || kind == COLUMN_ERROR;
-        const int number = (int)(sizeof "-0.e-100" - 1) + (small ? SMALL_DIGITS : p->digits);
-        const int named = (int)strlen(name);
+        const bool result = kind == COLUMN_PLACES || kind == COLUMN_DIGITS || kind == COLUMN_WHOLE;
+        p->digits[j] = small ? SMALL_DIGITS : result ? digits : 0;
+        const int number = (int)(sizeof "-0.e-100" - 1) + p->digits[j], named = (int)strlen(name);
         if (kind == COLUMN_LIST || kind == COLUMN_COUNT)
             p->width[j] = column_width(name, list_of(sweep, (size_t)j));
         else if (kind == COLUMN_STEPS)

@@ -62,7 +62,7 @@ struct sweep_printer {
     enum output_format format;
     const struct sweep *sweep;
     struct table table;                                          /* names and kinds of the columns */
-    int width[SWEEP_COLUMNS], digits;                            /* of the columns in text format */
+    int width[SWEEP_COLUMNS], digits[SWEEP_COLUMNS];             /* of the columns in text format; 0 digits: all */
     uint64_t rows, tolerance_not_reached, beyond_theory, failed; /* failed: rows without eps */
 };
 void sweep_print_start(struct sweep_printer *printer, const struct sweep *sweep, enum output_format format, FILE *file);

@@ -554,15 +554,6 @@ static void write_numbers(FILE *file, const char *name, const uint16_t *number, 
     fputs("\n};\n\n", file);
 }
 
-static void write_piece(FILE *file, const struct cor_disk_limit_piece *piece)
-{
-    fprintf(file, "    {%.17g, %.17g, %g, %g, %d, %d, {", piece->x, piece->nu, (double)piece->per_x,
-            (double)piece->per_nu, piece->uncertainty, piece->depth);
-    for (int k = 0; k < POINTS; k++)
-        fprintf(file, "%s%.17g", k ? ", " : "", piece->coefficient[k]);
-    fputs("}},\n", file);
-}
-
 int disk_limits_write(FILE *file)
 {
     write_banner(file);
@@ -583,8 +574,13 @@ int disk_limits_write(FILE *file)
     write_numbers(file, "square", table->square, SQUARES);
     write_numbers(file, "place", table->place, table->places);
     fprintf(file, "static const struct cor_disk_limit_piece cor_disk_limit_piece[%d] = {\n", table->pieces);
-    for (int i = 0; i < table->pieces; i++)
-        write_piece(file, &table->piece[i]);
+    for (const struct cor_disk_limit_piece *p = table->piece; p < table->piece + table->pieces; p++) {
+        fprintf(file, "    {%.17g, %.17g, %g, %g, %d, %d, {", p->x, p->nu, (double)p->per_x, (double)p->per_nu,
+                p->uncertainty, p->depth);
+        for (int k = 0; k < POINTS; k++)
+            fprintf(file, "%s%.17g", k ? ", " : "", p->coefficient[k]);
+        fputs("}},\n", file);
+    }
     fputs("};\n\n#endif\n", file);
     return STATUS_OK;
 }
