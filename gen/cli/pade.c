@@ -68,7 +68,6 @@ static int write_header(const struct problem *problem)
                                          : "",
                                contact_end_names[r->end], (long)r->numerator, (long)r->denominator);
     char *const guard = xprintf("%s_h", name);
-    emit_capitals(guard);
     char *const banner =
         xprintf("Restitution coefficient of x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0:\n"
                 "    eps = P(z)/Q(z),    1 - eps = %s L(z)/Q(z),    z = %s%s%s.\n"

@@ -321,7 +321,6 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     const char *name = request->name ? request->name : default_name;
     char guard[NAME_MAX_HERE];
     snprintf(guard, sizeof guard, "%s_h", name);
-    emit_capitals(guard);
     char *text = NULL;
     size_t size;
     FILE *const banner = open_memstream(&text, &size);

@@ -501,35 +501,6 @@ static void add_models(struct spheres *s, const char *header)
     plan_choose(s->plan);
 }
 
-/* Computes the plan of a checked scene. `embed` is the scene with the tolerance of a header. */
-static int plan_scene(struct spheres *s, slong points, const struct embed_request *embed)
-{
-    struct plan *const plan = s->plan;
-    arb_init(s->h_star);
-    profile_step("scene, series");
-    int status = embed_scene_init(&s->scene, embed, s->contact);
-    if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
-        status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
-    plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
-    plan->argument = "beta";
-    plan->quantity = "eps";
-    plan->relative = true;
-    plan->tolerance = embed_number(s->request, EMBED_TOLERANCE);
-    plan->note = notes[s->request->purpose];
-    profile_step("collisions");
-    if (status == STATUS_OK)
-        status = find_truth(s);
-    if (status == STATUS_OK)
-        add_models(s, embed->number[EMBED_TOLERANCE].text);
-    profile_step(NULL);
-    for (int i = 0; i < FAMILIES; i++)
-        embed_form_clear(&s->form[i]);
-    embed_scene_clear(&s->scene);
-    arb_clear(s->h_star);
-    free(s->other);
-    return status;
-}
-
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
                  const struct cor_scene_contact *pressed, slong points)
 {
@@ -538,16 +509,37 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
     if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
         return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
                            request->number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
-    struct embed_request embed = *request;
+    struct spheres s = {.plan = plan, .request = request, .contact = contact, .pressed = pressed};
+    struct embed_request embed = *request; /* with the tolerance of a header */
     struct decimal coarsest = {0};
     decimal_set(&coarsest, TEXT_OF(EMBED_COARSEST));
     if (tolerance > EMBED_COARSEST)
         embed.number[EMBED_TOLERANCE] = coarsest;
+    arb_init(s.h_star);
+    profile_step("scene, series");
     int status = embed_request_check(&embed);
+    if (status == STATUS_OK)
+        status = embed_scene_init(&s.scene, &embed, contact);
+    if (status == STATUS_OK && s.scene.beta_max > BETA_LIMIT)
+        status = fail("beta up to %.3g: no model is compared beyond %g", s.scene.beta_max, BETA_LIMIT);
     if (status == STATUS_OK) {
-        struct spheres s = {.plan = plan, .request = request, .contact = contact, .pressed = pressed};
-        status = plan_scene(&s, points, &embed);
+        plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, s.scene.speed_min, s.scene.speed_max);
+        plan->argument = "beta";
+        plan->quantity = "eps";
+        plan->relative = true;
+        plan->tolerance = tolerance;
+        plan->note = notes[request->purpose];
+        profile_step("collisions");
+        status = find_truth(&s);
     }
+    if (status == STATUS_OK)
+        add_models(&s, embed.number[EMBED_TOLERANCE].text);
+    profile_step(NULL);
+    for (int i = 0; i < FAMILIES; i++)
+        embed_form_clear(&s.form[i]);
+    embed_scene_clear(&s.scene);
+    arb_clear(s.h_star);
+    free(s.other);
     decimal_clear(&coarsest);
     return status;
 }

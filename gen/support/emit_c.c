@@ -37,7 +37,7 @@ void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner
     *e = (struct emit){.file = file};
     fprintf(file, "/* SPDX-License-Identifier: MIT */\n");
     put_comment(file, banner);
-    fprintf(file, "#ifndef %s\n#define %s\n", guard, guard);
+    emit_lines(e, "#ifndef $S\n#define $S\n", guard, guard);
 }
 
 void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *what, const char *how,
@@ -46,7 +46,6 @@ void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *
     char *const guard = xprintf("COR_GENERATED_%s_TABLES_H", name),
                 *const banner =
                     xprintf("%s\nWritten by:  corgen tables\nChecked by:  corgen tables --check\n\n%s", what, how);
-    emit_capitals(guard);
     emit_open(e, file, guard, banner);
     fputs(includes, file);
     free(guard);
@@ -250,12 +249,6 @@ int emit_pair_field(struct emit *e, const char *field, const arb_t value)
         return fail("%s: a number cannot be rounded to two doubles", field);
     fprintf(e->file, "    x.%s.hi = %.17g;\n    x.%s.lo = %.17g;\n", field, hi, field, lo);
     return STATUS_OK;
-}
-
-void emit_capitals(char *name)
-{
-    for (; *name; name++)
-        *name = (char)toupper((unsigned char)*name);
 }
 
 struct bound_text emit_bound(double x)

@@ -26,8 +26,8 @@ struct emit {
  * are not `shared`. NULL ends that. */
 void emit_digits(FILE *file);
 
-/* Writes the licence line, the banner and the include guard. The banner is plain text. Its line breaks are kept, and no
- * text can end the comment early. */
+/* Writes the licence line, the banner and the include guard, in capitals. The banner is plain text. Its line breaks are
+ * kept, and no text can end the comment early. */
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner);
 void emit_close(struct emit *e);
 
@@ -69,9 +69,6 @@ void emit_geometry_integer(struct emit *e, const char *table, const char *what, 
 
 /* In a function that builds a struct x: sets its field, a pair with hi and lo, from an interval. */
 int emit_pair_field(struct emit *e, const char *field, const arb_t value);
-
-/* Makes the letters of a name capitals. */
-void emit_capitals(char *name);
 
 /* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions
  * and numbers, "f" or nothing, and of which these take an argument: $s a text, $S a text in capitals, $d an int, $x a

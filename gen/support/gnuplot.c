@@ -152,9 +152,16 @@ enum { WIDTH = 720, HEIGHT = 470 };
 static const char *const colour[] = {"blue", "red", "green", "violet", "amber", "grey"};
 enum { COLOURS = sizeof colour / sizeof *colour };
 
-static void write_script(FILE *script, const char *title, const char *label, double least,
-                         const struct eps_curve *curve, size_t curves)
+int eps_plot(const char *path, const char *title, const char *label, double least, const struct eps_curve *curve,
+             size_t curves)
 {
+    struct output out;
+    const int status = output_open(&out, path);
+    if (status != STATUS_OK)
+        return status;
+    FILE *const script = gnuplot_begin(WIDTH, HEIGHT);
+    if (!script)
+        return output_finish(&out, STATUS_FAILED);
     fputs("set key bottom left\nset xlabel ", script);
     gnuplot_quote(script, label);
     fprintf(script, "\nset ylabel 'coefficient of restitution ε'\n%s\nset logscale x\nset format x '%%g'\n",
@@ -175,18 +182,5 @@ static void write_script(FILE *script, const char *title, const char *label, dou
         gnuplot_quote(script, curve[i].title);
     }
     fputs("\nset output\n", script);
-}
-
-int eps_plot(const char *path, const char *title, const char *label, double least, const struct eps_curve *curve,
-             size_t curves)
-{
-    struct output out;
-    const int status = output_open(&out, path);
-    if (status != STATUS_OK)
-        return status;
-    FILE *const script = gnuplot_begin(WIDTH, HEIGHT);
-    if (!script)
-        return output_finish(&out, STATUS_FAILED);
-    write_script(script, title, label, least, curve, curves);
     return output_finish(&out, gnuplot_run(script, out.file, path));
 }

@@ -80,7 +80,8 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     char banner[sizeof banner_format + 4 * LINE_LENGTH];
     nu_name(nu, table->poisson.text);
     nu_name(upper, table->poisson.text);
-    emit_capitals(upper);
+    for (char *c = upper; *c; c++)
+        *c = (char)toupper((unsigned char)*c);
     snprintf(guard, sizeof guard, "COR_DISK_MODES_NU%s_H", upper);
     snprintf(name, sizeof name, "cor_disk_mode_rows_nu%s", nu);
     command_text(command, table);

@@ -193,7 +193,6 @@ static void write_embedded(FILE *file, struct emit *e, const struct law_tables *
                  "beta of eps = 0, and of every eps below the smallest that a double beta has, is beta_c.\n",
                  t->layout.threshold);
     snprintf(guard, sizeof guard, "COR_LAW_%s_EMBEDDED_H", name);
-    emit_capitals(guard);
     char *const banner =
         xprintf("%s: restitution coefficient, duration and largest overlap of collisions\n"
                 "%s, x(0) = 0, x'(0) = 1,\n"
