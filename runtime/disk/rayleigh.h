@@ -52,24 +52,6 @@ struct cor_leg_rule {
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
 };
 
-/* The loops over nodes and over modes by instruction set: rayleigh_kernel.c. */
-struct cor_leg_path;
-struct cor_spectrum;
-struct cor_lines;
-
-/* The real and imaginary part of t at rho */
-typedef void cor_rayleigh_start(const struct cor_leg_path *path, double rho, double t[2]);
-/* Computes the leg's next panel, which begins at u = top. */
-typedef void cor_rayleigh_panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
-                                struct cor_leg *leg);
-/* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev coefficients */
-typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
-                                  double im[][COR_SPECTRUM_TERMS]);
-/* Computes the lines from..to-1 of one octave, which begins at `start`, and overwrites less than
- * COR_LANES more. */
-typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int from, int to,
-                                const double *omega, struct cor_lines *lines);
-
 /* Number of lines that the loops process together, and of those that they have room for */
 enum { COR_LINES = 64, COR_LINES_ROOM = COR_LINES + COR_LANES };
 
@@ -103,29 +85,36 @@ struct cor_surface_fit {
     double speed, node[COR_SURFACE_FITTED], omega[COR_SURFACE_FITTED], strength[COR_SURFACE_FITTED];
 };
 
-/* Computes the other weights from weights->strength. `beyond` is 1 for modes with the echoes' weight, `through` is 1
- * for modes with l > 0. Adds the strengths of all modes times the two windows to *low and *high. All arrays have
- * COR_LINES numbers. */
-typedef void cor_rayleigh_weigh(const struct cor_fading *fading, const double *omega, const double *beyond,
-                                const double *through, struct cor_mode_weights *weights, double *low, double *high);
-/* Adds to *sums; fraction[i] = strength (2 I)^2 */
-typedef void cor_rayleigh_sum(const struct cor_lines *lines, const struct cor_mode_weights *weights,
-                              struct cor_mode_sums *sums, double *fraction);
-/* Frequencies and C^2 of the modes n to n + COR_LINES - 1 */
-typedef void cor_rayleigh_surface(const struct cor_surface_fit *fit, int n, double *omega, double *strength);
-/* out[i] = sum weight[k] in[k][i], i < count, a multiple of COR_LEG_PART */
-typedef void cor_rayleigh_blend(int nodes, const double *weight, const double *const *in, int count, double *out);
+/* The loops over nodes and over modes by instruction set: rayleigh_kernel.c. */
+struct cor_leg_path;
+struct cor_spectrum;
+struct cor_lines;
 
 struct cor_rayleigh_set {
     const char *name;
-    cor_rayleigh_start *start;
-    cor_rayleigh_panel *panel;
-    cor_rayleigh_octaves *octaves;
-    cor_rayleigh_lines *lines;
-    cor_rayleigh_weigh *weigh;
-    cor_rayleigh_sum *sum;
-    cor_rayleigh_surface *surface;
-    cor_rayleigh_blend *blend;
+    /* The real and imaginary part of t at rho */
+    void (*start)(const struct cor_leg_path *path, double rho, double t[2]);
+    /* Computes the leg's next panel, which begins at u = top. */
+    void (*panel)(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
+                  struct cor_leg *leg);
+    /* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev coefficients */
+    void (*octaves)(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
+                    double im[][COR_SPECTRUM_TERMS]);
+    /* Computes the lines from..to-1 of one octave, which begins at `start`, and overwrites less than COR_LANES more. */
+    void (*lines)(const struct cor_spectrum *spectrum, int octave, double start, int from, int to, const double *omega,
+                  struct cor_lines *lines);
+    /* Computes the other weights from weights->strength. `beyond` is 1 for modes with the echoes' weight, `through` is
+     * 1 for modes with l > 0. Adds the strengths of all modes times the two windows to *low and *high. All arrays have
+     * COR_LINES numbers. */
+    void (*weigh)(const struct cor_fading *fading, const double *omega, const double *beyond, const double *through,
+                  struct cor_mode_weights *weights, double *low, double *high);
+    /* Adds to *sums; fraction[i] = strength (2 I)^2 */
+    void (*sum)(const struct cor_lines *lines, const struct cor_mode_weights *weights, struct cor_mode_sums *sums,
+                double *fraction);
+    /* Frequencies and C^2 of the modes n to n + COR_LINES - 1 */
+    void (*surface)(const struct cor_surface_fit *fit, int n, double *omega, double *strength);
+    /* out[i] = sum weight[k] in[k][i], i < count, a multiple of COR_LEG_PART */
+    void (*blend)(int nodes, const double *weight, const double *const *in, int count, double *out);
 };
 
 COR_TABLES(struct cor_rayleigh_set, cor_rayleigh, cor_rayleigh_set)
