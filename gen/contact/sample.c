@@ -219,28 +219,6 @@ static double segment_error(const struct sampler *c, double left, double right, 
 
 /* ---- the farthest next point ---- */
 
-/* The place in (good, bad) where the error of the segment from `left` becomes `error`: the error grows like the second
- * power of the length, or the fourth. */
-static double refine_reach(const struct sampler *c, double left, double good, double bad, double error)
-{
-    const double power = c->request->cubic ? 4 : 2;
-    double guess = (good + bad) / 2;
-    for (int k = 0; k < 60 && bad - good > 1e-10 * (bad - left); k++) {
-        const double got = segment_error(c, left, guess, SEARCH_PLACES);
-        if (got <= error)
-            good = guess;
-        else
-            bad = guess;
-        if (got <= error && got > error * (1 - 1e-7))
-            break;
-        /* a little short of the root, so that both sides of the bracket move */
-        guess = left + (guess - left) * pow(error / fmax(got, 1e-30), 1 / power) * (got > error ? 1 - 1e-8 : 1 - 2e-8);
-        if (!(guess > good && guess < bad))
-            guess = (good + bad) / 2;
-    }
-    return good;
-}
-
 /* The farthest place to which a segment from `left` has at most this error. `length` is a first guess of its length. */
 static double reach(const struct sampler *c, double left, double error, double length)
 {
@@ -264,7 +242,23 @@ static double reach(const struct sampler *c, double left, double error, double l
             else
                 bad = left + step;
         }
-    return refine_reach(c, left, good, bad, error);
+    /* the error grows like this power of the length */
+    const double power = c->request->cubic ? 4 : 2;
+    double guess = (good + bad) / 2;
+    for (int k = 0; k < 60 && bad - good > 1e-10 * (bad - left); k++) {
+        const double got = segment_error(c, left, guess, SEARCH_PLACES);
+        if (got <= error)
+            good = guess;
+        else
+            bad = guess;
+        if (got <= error && got > error * (1 - 1e-7))
+            break;
+        /* a little short of the root, so that both sides of the bracket move */
+        guess = left + (guess - left) * pow(error / fmax(got, 1e-30), 1 / power) * (got > error ? 1 - 1e-8 : 1 - 2e-8);
+        if (!(guess > good && guess < bad))
+            guess = (good + bad) / 2;
+    }
+    return good;
 }
 
 /* ---- all points ---- */
