@@ -21,8 +21,9 @@ function(man_page name words summary see)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "help2man ${words} failed: ${status}")
   endif()
-  # no date, and no hyphens within commands
-  string(REGEX REPLACE "(\\.TH [^ ]+ \"1\") \"[^\"]*\"([^\n]*\n)" "\\1 \"\"\\2.nh\n" text "${text}")
+  # no date, no hyphens within commands, and lists of columns that may break
+  string(REGEX REPLACE "(\\.TH [^ ]+ \"1\") \"[^\"]*\"([^\n]*\n)" "\\1 \"\"\\2.nh\n.ad l\n" text "${text}")
+  string(REGEX REPLACE ",([a-z])" ",\\\\:\\1" text "${text}")
   file(WRITE "${page}" "${text}")
 endfunction()
 
