@@ -47,9 +47,9 @@ void web_put_number(double x, int digits)
         web_put("%.*g", digits, x);
 }
 
-void web_put_cell(double x, int digits)
+void web_put_cell(char before, double x, int digits)
 {
-    web_put(",");
+    web_put("%c", before);
     web_put_number(x, digits);
 }
 
@@ -82,7 +82,7 @@ WEB_EXPORT(web_summary) const char *web_summary(int digits)
             continue;
         web_put("%s", cor_scene_quantities[i].name);
         for (int k = 0; k < web_now.count; k++)
-            web_put_cell(cor_scene_quantity(&web_now.contact[k], cor_scene_quantities[i].number), digits);
+            web_put_cell(',', cor_scene_quantity(&web_now.contact[k], cor_scene_quantities[i].number), digits);
         web_put(",%s\n", cor_scene_quantities[i].unit);
     }
     return web_text();
@@ -214,14 +214,14 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
         const size_t k = row / n, i = row % n;
         put_exact(web_now.speed_m_s[i]);
         for (size_t c = 0; c < COLUMNS; c++)
-            web_put_cell(y[(k * COLUMNS + c) * n + i], digits);
+            web_put_cell(',', y[(k * COLUMNS + c) * n + i], digits);
         for (size_t c = 0; c < more; c++)
-            web_put_cell(error[(more * k + c) * n + i], STEP_DIGITS);
+            web_put_cell(',', error[(more * k + c) * n + i], STEP_DIGITS);
         web_put("%s", contacts == 1 ? "" : k == 0 ? ",zero-overlap" : ",zero-force");
         if (spheres) {
             const double overlap = y[(k * COLUMNS + OVERLAP) * n + i];
-            web_put_cell(cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
-            web_put_cell(cor_scene_pressure(&web_now.contact[k], overlap), digits);
+            web_put_cell(',', cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
+            web_put_cell(',', cor_scene_pressure(&web_now.contact[k], overlap), digits);
         }
         web_put("\n");
     }
@@ -286,19 +286,17 @@ WEB_EXPORT(web_models) const char *web_models(int digits)
     const struct web_asked asked = web_asked(&web_now);
     web_text_clear();
     web_put_number(asked.eps, digits);
-    web_put("\t");
-    web_put_number(asked.speed_m_s, digits);
+    web_put_cell('\t', asked.speed_m_s, digits);
     web_put("\t%s\n", cor_end_names[asked.end]);
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
         const struct cor_simulator_model *const model = &cor_simulator_models[i];
         enum cor_simulator_status status;
         if (!web_is_model_of(model, &web_now))
             continue;
-        web_put("%s\t%s\t%s\t%s\t", model->model, model->version ? model->version : "", cor_law_names[model->law],
+        web_put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_names[model->law],
                 cor_end_names[model->end]);
-        web_put_number(web_realised(model, &web_now, asked.speed_m_s), digits);
-        web_put("\t");
-        web_put_number(cor_simulator_e(model, asked.eps, &status), digits);
+        web_put_cell('\t', web_realised(model, &web_now, asked.speed_m_s), digits);
+        web_put_cell('\t', cor_simulator_e(model, asked.eps, &status), digits);
         web_put("\n");
     }
     return web_text();

@@ -191,14 +191,6 @@ static size_t letters(double width)
     return (size_t)fmax((width - 60) / 6.6, 12);
 }
 
-static int lines_of(const char *label, double width)
-{
-    int lines = 0;
-    for (; *label; label += line_of(label, letters(width)), label += *label == ' ')
-        lines++;
-    return lines;
-}
-
 static const char *dash_of(const struct curve *c)
 {
     static const char *const of_model[MODELS] = {" cor-m cor-m0", " cor-m cor-m1", " cor-m cor-m2", " cor-m cor-m3"};
@@ -261,7 +253,8 @@ WEB_EXPORT(web_picture) const char *web_picture(double width)
     make_curves();
     find_range();
     for (int i = 0; i < curve_count; i++)
-        legend += LINE * lines_of(curves[i].label, width);
+        for (const char *at = curves[i].label; *at; at += line_of(at, letters(width)), at += *at == ' ')
+            legend += LINE;
     const double height = fmin(fmax(0.5 * width, 220), 420);
     plot.left = 50;
     plot.right = width - 14;
@@ -296,8 +289,8 @@ static const char *read_at(double at, int digits)
     web_text_clear();
     web_put("%.2f\t%.4g\t%g\n", x_of(speed), speed, at);
     for (int i = 0; i < curve_count; i++) {
-        web_put("%s\t", curves[i].label);
-        web_put_number(eps_of(&curves[i], speed), digits);
+        web_put("%s", curves[i].label);
+        web_put_cell('\t', eps_of(&curves[i], speed), digits);
         web_put("\n");
     }
     return web_text();
@@ -334,7 +327,7 @@ WEB_EXPORT(web_curves) const char *web_curves(int digits)
     for (int k = 0; k < POINTS; k++) {
         web_put("\n%.*g", digits, speed_of(k));
         for (int i = 0; i < curve_count; i++)
-            web_put_cell(curves[i].eps[k], digits);
+            web_put_cell(',', curves[i].eps[k], digits);
     }
     web_put("\n");
     return web_text();

@@ -46,7 +46,7 @@ extern struct web_wrong {
 void web_text_clear(void);
 void web_put(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void web_put_number(double x, int digits);
-void web_put_cell(double x, int digits); /* with a comma before it */
+void web_put_cell(char before, double x, int digits);
 const char *web_text(void);
 
 /* ---- what is asked of a simulator, and what it makes of it ---- */
