@@ -298,7 +298,6 @@ TEST(wet_contact)
     check_nan(cor_wet_eps(-0.1, 1, 0), cor_wet_eps(NAN, 1, 0), cor_wet_eps(1, NAN, 0), cor_wet_eps(1, 1, -1));
 }
 
-/* What is refused, beside what tests/cli has */
 TEST(refusals)
 {
     static const struct {
@@ -308,6 +307,9 @@ TEST(refusals)
         double other_value;
         int fault;
     } cases[] = {{COR_SCENE_RESTITUTION, 0.5, COR_SCENE_YIELD_STRESS, NAN, COR_FAULT_NO_SPEED},
+                 {COR_SCENE_RESTITUTION, 0.5, COR_SCENE_AT, 1, COR_FAULT_EXCLUDED},
+                 {COR_SCENE_YIELD_STRESS, NAN, COR_SCENE_YIELD_STRESS, NAN, COR_FAULT_NO_YIELD},
+                 {COR_SCENE_GAP_OUTER, 1e-3, COR_SCENE_GAP_INNER, 1e-6, COR_FAULT_LIQUID},
                  {COR_SCENE_DISSIPATION_TIME, 1e-6, COR_SCENE_AT, 1, COR_FAULT_YIELD_DAMPING},
                  {COR_SCENE_AT, 1, COR_SCENE_YIELD_STRESS, 1e9, COR_FAULT_SPEED_ALONE},
                  {COR_SCENE_YIELD_STRESS, 1e308, COR_SCENE_YIELD_STRESS, 1e308, COR_FAULT_RANGE},
@@ -322,7 +324,10 @@ TEST(refusals)
         check(cor_scene_contacts(contacts, &count, &fault, &scene) == cases[i].fault, "case %zu: %d", i, fault.fault);
         assert_int_equal(count, 0);
     }
-    /* a liquid needs bodies */
+    /* a liquid needs bodies, and its gaps differ */
+    struct cor_scene steel = scene_of_steel();
+    scene_give(steel, {COR_SCENE_LIQUID_VISCOSITY, 1}, {COR_SCENE_GAP_OUTER, 0.1}, {COR_SCENE_GAP_INNER, 0.1});
+    assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &steel), COR_FAULT_GAPS);
     struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
     scene_give(scene, {COR_SCENE_LIQUID_VISCOSITY, 1}, {COR_SCENE_GAP_OUTER, 0.2}, {COR_SCENE_GAP_INNER, 0.1},
                {COR_SCENE_G_STAR, 1});
