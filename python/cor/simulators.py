@@ -90,7 +90,14 @@ class _Scene:
         radius = math.nan
         if isinstance(contact, Contact):
             radius = contact.effective_radius_m
-            self._fill_contact(contact, damped)
+            stiffness = contact.elastic_constant_n_m15
+            if math.isnan(stiffness):
+                scene.number[lib.COR_SCENE_G_STAR] = contact.g_star_m_s()
+            else:
+                scene.number[lib.COR_SCENE_STIFFNESS] = stiffness
+                scene.number[lib.COR_SCENE_EFFECTIVE_MASS] = contact.effective_mass_kg
+                coefficient = math.nan if damped else 1.5 * contact.dissipation_time_s * stiffness
+                scene.number[lib.COR_SCENE_DAMPING_COEFFICIENT] = coefficient
         elif contact is not None:
             _fill_bodies(scene, (contact,) if isinstance(contact, Body) else tuple(contact), damped)
         for name, value in numbers.items():
@@ -107,16 +114,6 @@ class _Scene:
         for k in range(self.count):
             if math.isnan(self.contacts[k].radius_m):
                 self.contacts[k].radius_m = radius
-
-    def _fill_contact(self, contact: Contact, damped: bool) -> None:
-        number, stiffness = self.scene.number, contact.elastic_constant_n_m15
-        if math.isnan(stiffness):
-            number[lib.COR_SCENE_G_STAR] = contact.g_star_m_s()
-            return
-        number[lib.COR_SCENE_STIFFNESS] = stiffness
-        number[lib.COR_SCENE_EFFECTIVE_MASS] = contact.effective_mass_kg
-        if not damped:
-            number[lib.COR_SCENE_DAMPING_COEFFICIENT] = 1.5 * contact.dissipation_time_s * stiffness
 
 
 def _positive(**given: Optional[float]) -> None:

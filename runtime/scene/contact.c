@@ -101,29 +101,24 @@ const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES] = {
 
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 {
-    switch (number) {
-    case COR_SCENE_EFFECTIVE_MASS:
-        return contact->mass_kg;
-    case COR_SCENE_RADIUS:
-        return contact->radius_m;
-    case COR_SCENE_STIFFNESS:
-        return contact->stiffness;
-    case COR_SCENE_NUMBERS:
-        return contact->plastic ? NAN : cor_scene_speed_exponent(contact);
-    case COR_SCENE_PRESSING_FORCE:
-        return contact->force_n > 0 ? contact->force_n : NAN;
-    case COR_SCENE_STICKING_ZERO_OVERLAP:
-    case COR_SCENE_STICKING_ZERO_FORCE:
-        return contact->force_n > 0 || contact->liquid_speed_m_s > 0 || contact->adhesion_j_m2 > 0
-                   ? cor_scene_sticking_speed(contact, number - COR_SCENE_STICKING_ZERO_OVERLAP)
-                   : NAN;
-    case COR_SCENE_YIELD_STRESS:
-        return contact->yield_speed_m_s > 0 ? contact->yield_speed_m_s : NAN;
-    case COR_SCENE_LIQUID_VISCOSITY:
-        return contact->liquid_speed_m_s > 0 ? contact->liquid_speed_m_s : NAN;
-    default:
+    const double force = contact->force_n, liquid = contact->liquid_speed_m_s, yield = contact->yield_speed_m_s;
+    const struct {
+        int number;
+        double value;
+    } known[] = {{COR_SCENE_EFFECTIVE_MASS, contact->mass_kg},
+                 {COR_SCENE_RADIUS, contact->radius_m},
+                 {COR_SCENE_STIFFNESS, contact->stiffness},
+                 {COR_SCENE_NUMBERS, contact->plastic ? NAN : cor_scene_speed_exponent(contact)},
+                 {COR_SCENE_PRESSING_FORCE, force > 0 ? force : NAN},
+                 {COR_SCENE_YIELD_STRESS, yield > 0 ? yield : NAN},
+                 {COR_SCENE_LIQUID_VISCOSITY, liquid > 0 ? liquid : NAN}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (known[i].number == number)
+            return known[i].value;
+    const int end = number - COR_SCENE_STICKING_ZERO_OVERLAP;
+    if (end != COR_END_ZERO_OVERLAP && end != COR_END_ZERO_FORCE)
         return cor_scene_damping(contact, number);
-    }
+    return force > 0 || liquid > 0 || contact->adhesion_j_m2 > 0 ? cor_scene_sticking_speed(contact, end) : NAN;
 }
 
 /* ---- collisions ---- */

@@ -964,26 +964,21 @@ long cor_simulator_list(char *text, size_t size, const struct cor_simulator *sim
 {
     struct text t = {text, size, 0, NULL, 0, 1, 1};
     char line[SENTENCE];
-    for (size_t i = 0; i < cor_simulator_count && !simulator; i++) {
-        const struct cor_simulator *const s = &cor_simulators[i];
+    for (const struct cor_simulator *s = cor_simulators; s < cor_simulators + cor_simulator_count; s++) {
         int models = 0, walls = 0;
         for (size_t k = 0; k < cor_simulator_model_count; k++) {
             const struct cor_simulator_model *const model = &cor_simulator_models[k];
-            const int own = model->lines && strcmp(model->simulator, s->name) == 0;
-            models += own;
-            walls += own && model->wall_lines;
+            if (!model->lines || strcmp(model->simulator, s->name) != 0)
+                continue;
+            models++;
+            walls += model->wall_lines != NULL;
+            snprintf(line, sizeof line, "%s (%s, ends at %s%s; %s)\n", model->model, cor_law_names[model->law],
+                     cor_end_names[model->end], model->wall_lines ? ", walls too" : "", model->version);
+            put(&t, s == simulator ? line : "");
         }
         snprintf(line, sizeof line, "%-13s  %2d model%s%s%s%s\n", s->name, models, models > 1 ? "s" : "",
                  walls ? ", walls too" : "", s->version ? "; first those of " : "", s->version ? s->version : "");
-        put(&t, line);
-    }
-    for (size_t k = 0; k < cor_simulator_model_count && simulator; k++) {
-        const struct cor_simulator_model *const model = &cor_simulator_models[k];
-        if (!model->lines || strcmp(model->simulator, simulator->name) != 0)
-            continue;
-        snprintf(line, sizeof line, "%s (%s, ends at %s%s; %s)\n", model->model, cor_law_names[model->law],
-                 cor_end_names[model->end], model->wall_lines ? ", walls too" : "", model->version);
-        put(&t, line);
+        put(&t, simulator ? "" : line);
     }
     return (long)t.length;
 }

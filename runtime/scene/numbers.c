@@ -2,6 +2,7 @@
 /* The laws and numbers of a scene, whether those of its bodies are complete, and what is wrong with a scene, in words:
  * numbers have the names of corgen's options. No function of libcor but cor_status_text. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cor/scene.h"
@@ -173,15 +174,13 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                  {"{bodies}", rule ? rule : BODY_RULE},
                  {"{status}", cor_status_text(fault->status)}};
     const int known = fault->fault >= 0 && fault->fault < (int)(sizeof sentences / sizeof *sentences);
-    const char *at = known && sentences[fault->fault] ? sentences[fault->fault] : "", *after = "";
+    const char *const sentence = known && sentences[fault->fault] ? sentences[fault->fault] : "";
+    const char *const more = strstr(sentence, "{more}");
+    char whole[COR_SCENE_FAULT_TEXT];
     size_t length = 0;
-    while (*at || *after) {
-        if (!*at || strncmp(at, "{more}", 6) == 0) {
-            const char *const rest = *at ? at + 6 : "";
-            at = *at ? more_of(fault) : after;
-            after = rest;
-            continue;
-        }
+    snprintf(whole, sizeof whole, "%.*s%s%s", (int)(more ? more - sentence : COR_SCENE_FAULT_TEXT), sentence,
+             more ? more_of(fault) : "", more ? more + 6 : "");
+    for (const char *at = whole; *at;) {
         const char one[] = {*at, '\0'}, *part = one;
         size_t used = 1;
         for (size_t i = 0; i < sizeof words / sizeof *words && *at == '{'; i++)
