@@ -124,67 +124,49 @@ static const struct cor_simulator_model *other_version(const struct cor_simulato
     return NULL;
 }
 
-/* Two bodies of the types i and j, the least or the largest of each */
-struct pair {
-    double radius, mass; /* effective; NaN: not known */
-    const struct audit_type *type[2];
-};
-
-static struct pair pair_of(const struct audit *a, const struct audit_contact *contact, int i, int j, int largest)
+/* Mass, stiffness and radius of two bodies of the types i and j, the least or the largest of each; NaN: not known. A
+ * mass that cancels, as where all numbers are per unit of mass, is 1. */
+static struct cor_scene_contact scales_of(const struct audit *a, const struct audit_contact *contact, int i, int j,
+                                          int largest)
 {
-    struct pair pair = {0, 0, {&a->type[i], &a->type[j]}};
-    for (int k = 0; k < (contact->wall ? 1 : 2); k++) {
-        const double radius = pair.type[k]->radius[largest],
-                     mass = 4 * COR_PI / 3 * pow(radius, 3) * pair.type[k]->density;
-        pair.radius += 1 / radius;
-        pair.mass += 1 / mass;
+    const struct audit_type *const type[2] = {&a->type[i], &a->type[j]};
+    double radius = 0, mass = 0, compliance = 0;
+    for (int k = 0; k < 2; k++) {
+        const double r = type[k]->radius[largest];
+        compliance += (1 - type[k]->poisson * type[k]->poisson) / type[k]->young;
+        radius += k && contact->wall ? 0 : 1 / r;
+        mass += k && contact->wall ? 0 : 1 / (4 * COR_PI / 3 * pow(r, 3) * type[k]->density);
     }
-    pair.radius = 1 / pair.radius;
-    pair.mass = 1 / pair.mass;
-    return pair;
-}
-
-static double modulus(const struct pair *pair)
-{
-    double compliance = 0;
-    for (int k = 0; k < 2; k++)
-        compliance += (1 - pair->type[k]->poisson * pair->type[k]->poisson) / pair->type[k]->young;
-    return 1 / compliance;
-}
-
-/* Sets mass, stiffness and radius. A mass that cancels, as where all numbers are per unit of mass, is 1. */
-static void set_scales(struct cor_scene_contact *scene, const struct audit_contact *contact, const struct pair *pair)
-{
-    const double root = sqrt(pair->radius), l = log(contact->number);
-    scene->radius_m = pair->radius;
-    scene->mass_kg = pair->mass;
+    struct cor_scene_contact scene = {.mass_kg = 1 / mass, .radius_m = 1 / radius, .damping = (double)NAN};
+    const double root = sqrt(scene.radius_m), modulus = 1 / compliance, l = log(contact->number);
     switch (contact->spring) {
     case AUDIT_HOOKE:
-        scene->stiffness = contact->stiffness;
+        scene.stiffness = contact->stiffness;
         break;
     case AUDIT_HERTZ:
-        scene->stiffness = contact->stiffness * root;
+        scene.stiffness = contact->stiffness * root;
         break;
     case AUDIT_MATERIAL:
-        scene->stiffness = 4.0 / 3 * modulus(pair) * root;
+        scene.stiffness = 4.0 / 3 * modulus * root;
         break;
     case AUDIT_CHARACTERISTIC: {
-        const double elastic = 16.0 / 15 * root * modulus(pair);
-        scene->stiffness = elastic * pow(pair->mass * contact->speed * contact->speed / elastic, 0.2);
+        const double elastic = 16.0 / 15 * root * modulus;
+        scene.stiffness = elastic * pow(scene.mass_kg * contact->speed * contact->speed / elastic, 0.2);
         break;
     }
     case AUDIT_CONTACT_TIME:
-        scene->mass_kg = isnan(pair->mass) ? 1 : pair->mass;
-        scene->stiffness = scene->mass_kg * (COR_PI * COR_PI + l * l) / (contact->stiffness * contact->stiffness);
+        scene.mass_kg = isnan(scene.mass_kg) ? 1 : scene.mass_kg;
+        scene.stiffness = scene.mass_kg * (COR_PI * COR_PI + l * l) / (contact->stiffness * contact->stiffness);
         break;
     case AUDIT_PER_MASS:
-        scene->mass_kg = 1;
-        scene->stiffness = contact->stiffness;
+        scene.mass_kg = 1;
+        scene.stiffness = contact->stiffness;
         break;
     case AUDIT_NO_SPRING:
-        scene->stiffness = (double)NAN;
+        scene.stiffness = (double)NAN;
         break;
     }
+    return scene;
 }
 
 static int is_linear(const struct audit_contact *contact)
@@ -225,15 +207,14 @@ static double eps_of_impedance(const double impedance[3], double frequency, doub
  * the contact. */
 static struct cor_scene_contact solve(struct cor_audit_finding *f, const struct audit *a,
                                       const struct cor_simulator_model *model, const struct audit_contact *contact,
-                                      const struct pair *pair, double speed)
+                                      struct cor_scene_contact scene, double speed)
 {
-    struct cor_scene_contact scene = {
-        .law = cor_law_exponents[model->law], .damping = (double)NAN, .solver = a->options->solver};
+    scene.law = cor_law_exponents[model->law];
+    scene.solver = a->options->solver;
     f->end = contact->limited ? COR_END_ZERO_FORCE : (int)model->end;
     f->law = (int)model->law;
     if (model->law == COR_LAW_TSUJI && contact->spring != AUDIT_NO_SPRING && is_linear(contact))
         scene.law = cor_law_exponents[COR_LAW_LINEAR];
-    set_scales(&scene, contact, pair);
     if (!model->damping_of_e)
         f->damping = model->damping_of_number(contact->number, &scene, speed);
     else if (contact->number >= model->least && contact->number <= model->most)
@@ -357,7 +338,7 @@ static int add_step(struct audit *a, struct cor_audit_finding *f, const struct c
 
 /* ---- reports ---- */
 
-static void report(struct audit *a, const struct audit_contact *contact, const struct pair *pair, double speed)
+static void report(struct audit *a, const struct audit_contact *contact, struct cor_scene_contact scene, double speed)
 {
     const struct cor_simulator_model *model = contact->model ? model_named(a->simulator, contact->model) : NULL;
     const struct cor_simulator_model *other = model ? other_version(model) : NULL;
@@ -390,7 +371,7 @@ static void report(struct audit *a, const struct audit_contact *contact, const s
     if (model && model->damping_of_e)
         f.asked = contact->number;
     if (model && !contact->unknown) {
-        const struct cor_scene_contact scene = solve(&f, a, model, contact, pair, speed_here);
+        scene = solve(&f, a, model, contact, scene, speed_here);
         if (model->damping_of_e) {
             f.as_asked = fabs(f.realised - f.asked) <= a->options->tolerance * f.asked;
             if (!f.as_asked)
@@ -462,10 +443,10 @@ static void report_pair(struct audit *a, const struct audit_contact *contact, in
                          same_number(a->type[j].radius[0], a->type[j].radius[1]);
     const size_t given = a->options->speeds, speeds = given ? given : (size_t)a->speeds;
     for (int largest = 0; largest < (one_size ? 1 : 2); largest++) {
-        const struct pair pair = pair_of(a, contact, i, j, largest);
+        const struct cor_scene_contact scales = scales_of(a, contact, i, j, largest);
         name_types(a, contact, i, j, all, one_size ? 0 : 1 + largest);
         for (size_t k = 0; k < (speeds > 0 ? speeds : 1); k++)
-            report(a, contact, &pair, speeds == 0 ? (double)NAN : given ? a->options->speed_m_s[k] : a->speed[k]);
+            report(a, contact, scales, speeds == 0 ? (double)NAN : given ? a->options->speed_m_s[k] : a->speed[k]);
     }
 }
 
