@@ -72,10 +72,7 @@ static double sticking_speed(double kappa, int power, int end)
             return high;
         if (solve(&impact, kappa, power, middle) != COR_FAULT_NONE)
             return NAN;
-        if (impact.eps[end] > 0)
-            high = middle;
-        else
-            low = middle;
+        *(impact.eps[end] > 0 ? &high : &low) = middle;
     }
 }
 

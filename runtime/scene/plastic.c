@@ -219,10 +219,7 @@ double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
         const double middle = low + (high - low) / 2;
         if (cor_scene_eps(&eps, &dry, middle, end) != COR_FAULT_NONE)
             return NAN;
-        if (eps * middle < s)
-            low = middle;
-        else
-            high = middle;
+        *(eps * middle < s ? &low : &high) = middle;
     }
     return s + high;
 }

@@ -67,10 +67,7 @@ static double kratos_linear(double e)
     if (wanted > 0.999)
         return 0;
     while (high - low > 0.0001) {
-        if (cor_linear_eps_zero_force(gamma) > wanted)
-            low = gamma;
-        else
-            high = gamma;
+        *(cor_linear_eps_zero_force(gamma) > wanted ? &low : &high) = gamma;
         gamma = 0.5 * (low + high);
     }
     return gamma;
@@ -148,10 +145,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
         high *= 2;
     for (int k = 0; k < 200 && nextafter(low, high) < high; k++) {
         const double middle = (low + high) / 2;
-        if (yade_pade(middle) > en)
-            low = middle;
-        else
-            high = middle;
+        *(yade_pade(middle) > en ? &low : &high) = middle;
     }
     return high * high * pow(g, 0.2);
 }
@@ -559,27 +553,20 @@ void cor_simulator_reach(const struct cor_simulator_model *model, double *least,
 double cor_simulator_e(const struct cor_simulator_model *model, double wished, enum cor_simulator_status *status)
 {
     const double damping = cor_law_damping(model->law, model->end, wished);
+    double low = model->least, high;
     *status = COR_SIMULATOR_NOT_ASKED;
     if (!model->damping_of_e || isnan(damping))
         return NAN;
-    *status = COR_SIMULATOR_OK;
-    if (damping == model->damping_of_e(model->most))
-        return model->most;
-    double high;
-    *status = COR_SIMULATOR_TOO_LARGE;
-    if (damping < weakest(model, &high))
-        return NAN;
-    *status = COR_SIMULATOR_TOO_SMALL;
-    double low = model->least;
-    if (damping > model->damping_of_e(low))
-        return NAN;
-    *status = COR_SIMULATOR_OK;
+    const int none = damping == model->damping_of_e(model->most);
+    *status = none                                 ? COR_SIMULATOR_OK
+              : damping < weakest(model, &high)    ? COR_SIMULATOR_TOO_LARGE
+              : damping > model->damping_of_e(low) ? COR_SIMULATOR_TOO_SMALL
+                                                   : COR_SIMULATOR_OK;
+    if (none || *status != COR_SIMULATOR_OK)
+        return none ? model->most : (double)NAN;
     for (int k = 0; k < 1100 && nextafter(low, 2) < high; k++) {
         const double middle = low + (high - low) / 2;
-        if (model->damping_of_e(middle) > damping)
-            low = middle;
-        else
-            high = middle;
+        *(model->damping_of_e(middle) > damping ? &low : &high) = middle;
     }
     return high;
 }

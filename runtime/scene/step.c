@@ -209,10 +209,7 @@ int cor_scene_step_for(double *steps, const struct cor_scene_contact *contact, d
     }
     while (status == COR_FAULT_NONE && bad > 0 && good > 1.001 * bad) {
         const double middle = sqrt(bad * good);
-        if (is_within(&status, contact, speed_m_s, end, middle, integrator, tolerance))
-            good = middle;
-        else
-            bad = middle;
+        *(is_within(&status, contact, speed_m_s, end, middle, integrator, tolerance) ? &good : &bad) = middle;
     }
     if (status == COR_FAULT_NONE)
         *steps = good;
