@@ -23,10 +23,7 @@ static int solve(struct cor_full_impact *impact, double kappa, int power, double
 {
     struct motion m = {
         .time = {{4, 3, 0}, {-1, 0, 0}}, .spring = {{8.0 / 3, 6, 0}, {-4, 3, 0}}, .damper = {kappa, power, 0}};
-    for (int end = 0; end < COR_SCENE_ENDS; end++) {
-        impact->eps[end] = 0;
-        impact->duration[end] = INFINITY;
-    }
+    *impact = cor_together;
     if (!cor_motion_init(&m, 1, speed) || !cor_motion_compress(&m, &impact->force_max, NULL))
         return COR_FAULT_PRESSED;
     const double turning = cor_motion_start(&m);

@@ -16,6 +16,7 @@
 struct cor_full_impact {
     double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max;
 };
+static const struct cor_full_impact cor_together = {{0, 0}, {INFINITY, INFINITY}, 0, 0};
 
 static inline double whole_power(double x, int n)
 {

@@ -93,12 +93,6 @@ static void part(struct cor_full_impact *impact, int end, const struct motion *m
     impact->duration[end] = cor_motion_t(m, s) * unit_of_time;
 }
 
-static void stay(struct cor_full_impact *impact, int end)
-{
-    impact->eps[end] = 0;
-    impact->duration[end] = INFINITY;
-}
-
 /* ---- the linear dashpot, x'' + 2 zeta x' + x = f: elementary motion, of which only the ends of contact need a search.
  * x - f and its derivatives are oscillations y'' + 2 zeta y' + y = 0. ---- */
 
@@ -152,8 +146,6 @@ static void linear_solve(struct cor_full_impact *impact, double beta, double f)
     /* the contact force is f less the acceleration */
     impact->force_max =
         jerk < 0 && peak < turn ? f - oscillation_at(&o, a, jerk, peak) : fmax(beta, impact->max_overlap);
-    stay(impact, COR_END_ZERO_OVERLAP);
-    stay(impact, COR_END_ZERO_FORCE);
     if (!isinf(back) && f + oscillation_at(&o, -f, 1, back) < 0) {
         const double time = oscillation_root(&o, -f, 1, -f, 1, turn, back);
         impact->duration[COR_END_ZERO_OVERLAP] = time;
@@ -172,8 +164,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
     struct motion m;
     double unit = 1, release = -1, least = 0; /* of length and time; w and energy where the force can vanish */
     const int ends_differ = law->elastic > law->damping && beta > 0;
-    stay(impact, COR_END_ZERO_OVERLAP);
-    stay(impact, COR_END_ZERO_FORCE);
+    *impact = cor_together;
     if (cor_law_is(law, 2, 0)) {
         linear_solve(impact, beta, f);
         return COR_FAULT_NONE;
