@@ -7,9 +7,6 @@ from typing import Dict, List, Optional, Tuple
 
 from .declarations import Declarations, Function, Parameter, Struct
 
-ARRAY_SUFFIXES = ("_arrayf", "_array")
-PREFIX = "cor_loop_"
-
 
 @dataclass(frozen=True)
 class Call:
@@ -43,7 +40,7 @@ class Call:
 
     @property
     def loop(self) -> str:
-        return PREFIX + self.function.name[len("cor_") :]
+        return "cor_loop_" + self.function.name[len("cor_") :]
 
 
 def is_value(p: Parameter) -> bool:

@@ -117,24 +117,17 @@ def _packed(statements: List[str], indent: int) -> str:
 
 
 def _constant(constant: Constant) -> str:
-    name, text = constant.name, constant.text.strip("()")
     kind = constant_type(constant)
-    if kind == "str":
-        return f"  character(len=*), parameter, public :: {name} = {text}\n"
-    if kind == "int":
-        return f"  integer(c_int), parameter, public :: {name} = {text}\n"
-    return f"  real(c_double), parameter, public :: {name} = {text}_c_double\n"
-
-
-def _field_type(field: Parameter) -> str:
-    if "(*)" in field.type:
-        return "type(c_funptr)"
-    return "type(c_ptr)" if "*" in field.type else KINDS[field.type]
+    fortran = {"str": "character(len=*)", "int": KINDS["int"], "float": KINDS["double"]}[kind]
+    value = constant.text.strip("()") + ("_c_double" if kind == "float" else "")
+    return f"  {fortran}, parameter, public :: {constant.name} = {value}\n"
 
 
 def _type(struct: Struct) -> str:
     text = f"  type, public, bind(c) :: {struct.name}_t\n"
-    text += "".join(f"    {_field_type(field)} :: {field.name}\n" for field in struct.fields)
+    for field in struct.fields:
+        pointer = "type(c_funptr)" if "(*)" in field.type else "type(c_ptr)"
+        text += f"    {pointer if '*' in field.type else KINDS[field.type]} :: {field.name}\n"
     return text + "  end type\n"
 
 
