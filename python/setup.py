@@ -15,7 +15,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, Dict, List, Tuple
+from typing import Dict, List, Tuple
 
 from cffi import FFI
 from setuptools import Extension, setup
@@ -51,10 +51,6 @@ def choose_library() -> Tuple[bool, Path]:
 
 BUNDLED, INCLUDE = choose_library()
 DECLARED = Declarations(INCLUDE / "cor")
-
-
-def version() -> str:
-    return DECLARED.constants["COR_VERSION_STRING"].text.strip('"')
 
 
 def cmake_list(name: str, file: str = "CorArraySets.cmake") -> List[str]:
@@ -137,24 +133,24 @@ class SourceDistribution(sdist):
         shutil.copy(ROOT / "LICENSE", base_dir)
 
 
-def extension() -> Extension:
-    options: Dict[str, Any] = {"include_dirs": [str(INCLUDE)], "libraries": ["m"]}
-    if not BUNDLED:
-        options["extra_compile_args"] = pkg_config("--cflags")
-        options["extra_link_args"] = ["-lcor_scene"] + pkg_config("--libs")
-    # A file of its own name is needed before the C module is written.
-    return Extension("cor._cor", [], **options)
-
+EXTENSION = Extension(
+    "cor._cor",
+    [],  # a file of its own name is needed before the C module is written
+    include_dirs=[str(INCLUDE)],
+    libraries=["m"],
+    extra_compile_args=[] if BUNDLED else pkg_config("--cflags"),
+    extra_link_args=[] if BUNDLED else ["-lcor_scene"] + pkg_config("--libs"),
+)
 
 # What is built goes where git ignores it.
 BUILD = ROOT / "build" / "python" if (ROOT / "runtime").is_dir() else HERE / "build"
 BUILD.mkdir(parents=True, exist_ok=True)
 
 setup(
-    version=version(),
+    version=DECLARED.constants["COR_VERSION_STRING"].text.strip('"'),
     packages=["cor"],
     package_data={"cor": ["py.typed", "*.pyi"]},
-    ext_modules=[extension()],
+    ext_modules=[EXTENSION],
     cmdclass={"build_py": BuildModules, "build_ext": BuildLibrary, "sdist": SourceDistribution},
     options={"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}},
 )
