@@ -340,14 +340,11 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
     }
     progress_end();
     profile_step(NULL);
-    if (status != STATUS_OK) {
+    while (status == STATUS_OK && modes->count > count)
+        disk_mode_clear(&modes->mode[--modes->count]);
+    if (status != STATUS_OK)
         disk_modes_clear(modes);
-        return status;
-    }
-    for (slong i = count; i < found; i++)
-        disk_mode_clear(&modes->mode[i]);
-    modes->count = count;
-    return STATUS_OK;
+    return status;
 }
 
 /* ---- doubles ---- */

@@ -171,8 +171,12 @@ static void print_text(const struct plan *plan, FILE *file)
     fprintf(file, "%s", plan->note);
 }
 
-static void print_rows(const struct plan *plan, enum output_format format, FILE *file)
+void plan_print(const struct plan *plan, enum output_format format, FILE *file)
 {
+    if (format == FORMAT_TEXT) {
+        print_text(plan, file);
+        return;
+    }
     char header[2 * PLAN_NAME], text[DECIMAL_TEXT];
     struct table table;
     snprintf(header, sizeof header, "model,%s,value,error,cost,uncertainty,verdict", plan->argument);
@@ -188,12 +192,4 @@ static void print_rows(const struct plan *plan, enum output_format format, FILE 
         }
     table_print(&table, format, file);
     table_clear(&table);
-}
-
-void plan_print(const struct plan *plan, enum output_format format, FILE *file)
-{
-    if (format == FORMAT_TEXT)
-        print_text(plan, file);
-    else
-        print_rows(plan, format, file);
 }

@@ -87,29 +87,20 @@ void decimal_clear(struct decimal *x)
     x->text = NULL;
 }
 
-/* Returns the sign of x - limit, and sets *nearest to the double nearest to the limit. */
-static int compare_with(double *nearest, const char *limit, const fmpq_t x)
-{
-    struct decimal y = {0};
-    decimal_set(&y, limit);
-    *nearest = decimal_value(&y);
-    const int order = fmpq_cmp(x, y.value);
-    decimal_clear(&y);
-    return order;
-}
-
 bool decimal_inside(const struct decimal_range *range, const fmpq_t x)
 {
     const double nearest = decimal_nearest(x);
     bool good = !range->nearest || isfinite(nearest);
-    double limit;
-    if (range->low) {
-        const int order = compare_with(&limit, range->low, x);
-        good = good && (range->low_allowed ? order >= 0 : order > 0 && !(range->nearest && nearest <= limit));
-    }
-    if (range->high) {
-        const int order = compare_with(&limit, range->high, x);
-        good = good && (range->high_allowed ? order <= 0 : order < 0 && !(range->nearest && nearest >= limit));
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const char *const limit = sign < 0 ? range->high : range->low;
+        struct decimal y = {0};
+        if (!limit)
+            continue;
+        decimal_set(&y, limit);
+        const int order = sign * fmpq_cmp(x, y.value);
+        const bool beyond = range->nearest && sign * nearest <= sign * decimal_value(&y);
+        good = good && ((sign < 0 ? range->high_allowed : range->low_allowed) ? order >= 0 : order > 0 && !beyond);
+        decimal_clear(&y);
     }
     return good;
 }

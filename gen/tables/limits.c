@@ -357,11 +357,10 @@ static double place_in(const struct cell *cell, int axis, int at)
 /* The polynomial on a side of a cell */
 static double value_on_side(const struct cell *cell, int axis, int last, int at)
 {
-    double weight[SIDE], sum = 0;
-    weights(place_in(cell, !axis, at), weight);
-    for (int k = 0; k < SIDE; k++)
-        sum += weight[k] * cell->value[axis ? SIDE * (SIDE - 1) * last + k : SIDE * k + (SIDE - 1) * last];
-    return sum;
+    double weight[2][SIDE] = {{0}};
+    weights(place_in(cell, !axis, at), weight[!axis]);
+    weight[axis][(SIDE - 1) * last] = 1;
+    return cell_value(cell, weight[0], weight[1]);
 }
 
 /* The table's function in a part of a cell, (17.5) of docs/theory-disks.md, at place i of x and j of nu. The numbers
