@@ -46,8 +46,7 @@ static int wave_set(struct wave *a, slong n, slong prec)
     }
     if (decided) {
         arb_div_si(a->k, r, 2 * (n + 1), prec); /* u */
-        arb_sub_si(a->d, a->k, 1, prec);
-        arb_neg(a->d, a->d);
+        LET(a->d, prec, "1 - a->k", a->k);
         decided = !arb_contains_zero(a->d);
         a->zeros += arb_is_negative(a->d);
         a->tall = arf_cmpabs_2exp_si(arb_midref(a->d), 0) < 0;

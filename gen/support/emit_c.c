@@ -237,15 +237,12 @@ void emit_structs_close(struct emit *e)
 
 int emit_pair_field(struct emit *e, const char *field, const arb_t value)
 {
-    double hi, lo;
+    double hi = 0, lo = 0;
     LOCAL(arb, rest);
-    int status = !digits_to_double(&hi, value);
+    const int known = digits_to_double(&hi, value);
     arb_set_d(rest, hi);
     arb_sub(rest, value, rest, 2 * FLINT_BITS + 64);
-    status = status || (!arb_is_zero(rest) && !digits_to_double(&lo, rest));
-    if (arb_is_zero(rest))
-        lo = 0;
-    if (status)
+    if (!known || !digits_to_double(&lo, rest))
         return fail("%s: a number cannot be rounded to two doubles", field);
     fprintf(e->file, "    x.%s.hi = %.17g;\n    x.%s.lo = %.17g;\n", field, hi, field, lo);
     return STATUS_OK;

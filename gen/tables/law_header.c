@@ -125,7 +125,6 @@ static void emit_functions(struct emit *e, const struct law_tables *t, const cha
         {"beta", "eps", "cor_inline_law_beta(cor_law_$s_eps_$s(), cor_law_$s_inverse_eps_$s(), eps)"},
         {"beta_of_loss", "loss", "cor_inline_law_beta_of_loss(cor_law_$s_eps_$s(), cor_law_$s_inverse_eps_$s(), loss)"},
         {"duration", "beta", "cor_inline_law_value(cor_law_$s_duration_$s(), beta)"}};
-    static const char *const of_both[] = {"max_overlap", "time_of_max_overlap"};
     const bool both = law_force_ends(&t->layout.interpolant.law);
     for (int end = 0; end < 2; end++)
         for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
@@ -136,11 +135,11 @@ static void emit_functions(struct emit *e, const struct law_tables *t, const cha
             emit_lines(e, functions[i].value, name, source, name, source);
             emit_lines(e, ";\n}\n");
         }
-    for (size_t i = 0; i < sizeof of_both / sizeof *of_both; i++)
+    for (int q = MAX_OVERLAP; q <= TIME_OF_MAX_OVERLAP; q++)
         emit_lines(e,
                    "\nCOR_INLINE double $s_$s(double beta)\n{\n"
                    "    return cor_inline_law_value(cor_law_$s_$s(), beta);\n}\n",
-                   prefix, of_both[i], name, of_both[i]);
+                   prefix, quantity_stem[q], name, quantity_stem[q]);
 }
 
 static int emit_law(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
