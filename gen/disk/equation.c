@@ -33,7 +33,7 @@ static int wave_set(struct wave *a, slong n, slong prec)
     int decided = 1;
     LOCAL(arb, r, t);
     slong m = cor_mode_ladder_start(n + 1, sqrt(ball_magnitude(a->z)), prec);
-    LET(t, prec, "a->z/(4*(m + 1))", a->z, m);
+    arb_div_si(t, a->z, 4 * (m + 1), prec);
     arb_mul_si(r, t, 3, prec);
     arb_add_error(r, t);
     a->zeros = 0;
@@ -46,7 +46,8 @@ static int wave_set(struct wave *a, slong n, slong prec)
     }
     if (decided) {
         arb_div_si(a->k, r, 2 * (n + 1), prec); /* u */
-        LET(a->d, prec, "1 - a->k", a->k);
+        arb_sub_si(a->d, a->k, 1, prec);
+        arb_neg(a->d, a->d);
         decided = !arb_contains_zero(a->d);
         a->zeros += arb_is_negative(a->d);
         a->tall = arf_cmpabs_2exp_si(arb_midref(a->d), 0) < 0;

@@ -13,7 +13,6 @@
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/digits.h"
-#include "support/formula.h"
 #include "support/local.h"
 #include "support/parallel.h"
 
@@ -69,7 +68,7 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
         mag_zero(arb_radref(w));
         if (!disk_newton(step, &disk, n, w))
             break;
-        LET(w, prec, "w*(1 - step)", w, step);
+        arb_submul(w, w, step, prec);
         mag_zero(arb_radref(w));
         const bool exact = arf_cmpabs_2exp_si(arb_midref(step), -full) < 0;
         const slong gained = exact ? full : -arf_abs_bound_lt_2exp_si(arb_midref(step));
@@ -80,8 +79,9 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
             slong narrow =
                 (slong)fmin((double)(bits + GUARD_BITS / 2 - 2), -2 - mag_get_d_log2_approx(arb_radref(step)));
             for (int wider = 0; wider < WIDENINGS && !proved; wider++, narrow -= GUARD_BITS / 4) {
-                LET(low, full, "w*(1 - 1/2^narrow)", w, narrow);
-                LET(high, full, "w*(1 + 1/2^narrow)", w, narrow);
+                arb_mul_2exp_si(step, w, -narrow);
+                arb_sub(low, w, step, full);
+                arb_add(high, w, step, full);
                 proved = arb_is_positive(low) && disk_count(&disk, n, low) == l && disk_count(&disk, n, high) == l + 1;
             }
             if (proved)
