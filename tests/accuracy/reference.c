@@ -10,6 +10,7 @@
 
 enum {
     BITS = 160,
+    FEWER_BITS = 128, /* of motions that are not in the cell in sqrt(beta) */
     /* beta below 2^FIRST_BINADE: one cell in sqrt(beta) */
     FIRST_BINADE = -3,
     /* beyond 2^LAST_BINADE: powers and logarithms; three binades more serve as their period */
@@ -66,7 +67,7 @@ static bool is_loss(int quantity)
  *
  *     dw/dsigma = (f - mu w^2)/2,     df/dsigma = -w (w f - mu f + mu^2 w^2),     ds/dsigma = w
  *
- * so that f keeps its relative accuracy while it decays. Plain floating point of BITS bits, by the middles of balls. */
+ * so that f keeps its relative accuracy while it decays. Plain floating point, by the middles of balls. */
 
 enum { DEGREE = 32, LENGTH };
 
@@ -76,6 +77,7 @@ static const double STEP_LOG2 = -90, STEP_IN_ROOT_LOG2 = -150, JOINED_LOG2 = -90
 
 static struct {
     double left_out;
+    slong bits; /* working precision */
     arb_t mu, step;
     arb_ptr w, f, s;         /* Taylor coefficients at the state in hand, LENGTH of each */
     arb_ptr v, square, rest; /* X', w^2, w f - mu f + mu^2 w^2 */
@@ -97,7 +99,7 @@ static void motion_start(void)
 
 static void convolve(arb_t out, arb_srcptr x, arb_srcptr y, slong n)
 {
-    arb_approx_dot(out, NULL, 0, x, 1, y + n, -1, n + 1, BITS);
+    arb_approx_dot(out, NULL, 0, x, 1, y + n, -1, n + 1, m.bits);
 }
 
 /* log2 of the longest step at which coefficients of this size, relative to scale, stay below m.left_out. */
@@ -116,15 +118,15 @@ static void motion_expand(void)
     for (slong n = 0; n <= DEGREE; n++) {
         convolve(m.square + n, m.w, m.w, n);
         arb_set(m.v + n, m.f + n);
-        arb_submul(m.v + n, m.mu, m.square + n, BITS);
+        arb_submul(m.v + n, m.mu, m.square + n, m.bits);
         if (n == DEGREE)
             break;
         convolve(m.rest + n, m.w, m.f, n);
-        arb_submul(m.rest + n, m.mu, m.v + n, BITS);
+        arb_submul(m.rest + n, m.mu, m.v + n, m.bits);
         convolve(x, m.w, m.rest, n);
-        arb_div_si(m.f + n + 1, x, -(n + 1), BITS);
-        arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), BITS);
-        arb_div_si(m.s + n + 1, m.w + n, n + 1, BITS);
+        arb_div_si(m.f + n + 1, x, -(n + 1), m.bits);
+        arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), m.bits);
+        arb_div_si(m.s + n + 1, m.w + n, n + 1, m.bits);
     }
     /* f passes zero where mu^2 w^2 takes over, w where the speed does */
     const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
@@ -136,7 +138,7 @@ static void motion_expand(void)
 static void motion_value(arb_t value, arb_srcptr component, const arb_t sigma)
 {
     LOCAL(arb, x);
-    _arb_poly_evaluate_horner(x, component, LENGTH, sigma, BITS);
+    _arb_poly_evaluate_horner(x, component, LENGTH, sigma, m.bits);
     arb_get_mid_arb(value, x);
 }
 
@@ -154,15 +156,21 @@ static bool negative_at_end(arb_srcptr component)
     return arb_is_negative(x);
 }
 
-/* Where a component that is positive at 0 and negative at the end of the step is zero */
+/* Where a component that is positive at 0 and negative at the end of the step is zero: halvings, then Newton's steps */
 static void motion_zero(arb_t sigma, arb_srcptr component)
 {
-    LOCAL(arb, low, high, middle, y);
+    enum { HALVINGS = 12, NEWTON = 5 }; /* bits of the halvings, doubled 5 times */
+    LOCAL(arb, low, high, middle, y, slope);
     arb_set(high, m.step);
-    for (int i = 0; i < BITS; i++) {
-        LET(middle, BITS, "(low + high)/2", low, high);
+    for (int i = 0; i < HALVINGS; i++) {
+        LET(middle, m.bits, "(low + high)/2", low, high);
         motion_value(y, component, middle);
         arb_set(arb_is_positive(y) ? low : high, middle);
+    }
+    for (int i = 0; i < NEWTON; i++) {
+        _arb_poly_evaluate2_horner(y, slope, component, LENGTH, high, m.bits);
+        LET(high, m.bits, "high - y/slope", high, y, slope);
+        arb_get_mid_arb(high, high);
     }
     arb_set(sigma, high);
 }
@@ -211,6 +219,7 @@ static void fall_build(arb_t end_speed)
         arb_div_si(fall_series + n, fall_series + n, n, 2 * BITS);
     }
     m.left_out = STEP_LOG2;
+    m.bits = FEWER_BITS;
     arb_one(m.mu);
     motion_start();
     arb_set_si(m.w, FALL_DEGREE);
@@ -308,6 +317,7 @@ static void build_cell(struct place place, arb_srcptr x)
     LOCAL(arb_poly, g);
     const double middle = (double)place.middle, half = (double)place.half;
     m.left_out = place.index == IN_ROOT ? STEP_IN_ROOT_LOG2 : STEP_LOG2;
+    m.bits = place.index == IN_ROOT ? BITS : FEWER_BITS;
     for (slong j = 0; j < POINTS; j++) {
         arb_srcptr at = x + j;
         LET(beta, BITS, "middle + half*at", middle, half, at);
