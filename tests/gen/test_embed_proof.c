@@ -202,15 +202,17 @@ TEST(test_rows)
     clear_scene(&s);
 }
 
-/* The interpolant ends at beta = 25/16: no proof of a form that goes on to 2. */
+/* The interpolant ends at beta = 25/16: no proof of a form that goes on to 2. And the power law begins at 7. */
 TEST(test_gap)
 {
-    double number[] = {1, 1};
-    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 1, 2, interpolant());
-    const struct embed_form f = form_of(&s, FAMILY_POLYNOMIAL_BETA, FIFTH_ROOT_OF_SPEED, 1, number);
-    const struct embed_proof proof = proof_of(&f, &s);
-    assert_true(!proof.proved && !(proof.error < HUGE_VAL) && proof.rounding < 1e-6);
-    clear_scene(&s);
+    for (int far = 0; far < 2; far++) {
+        double number[] = {1, 1};
+        struct embed_scene s = scene_of(END_ZERO_OVERLAP, far ? 6.9 : 1, far ? 8 : 2, interpolant());
+        const struct embed_form f = form_of(&s, FAMILY_POLYNOMIAL_BETA, FIFTH_ROOT_OF_SPEED, 1, number);
+        const struct embed_proof proof = proof_of(&f, &s);
+        assert_true(!proof.proved && !(proof.error < HUGE_VAL) && proof.rounding < 1e-6);
+        clear_scene(&s);
+    }
 }
 
 /* ---- rounding ---- */
@@ -286,7 +288,7 @@ TEST(test_root)
 }
 
 /* A polynomial with a zero and one that overflows: no bound. The place in a table has the error of a
- * product and of a sum besides, and a table that is too short is refused. */
+ * product and of a sum besides, and a table that is too short, if only for the error of a rough root, is refused. */
 TEST(test_limits)
 {
     struct embed_rounding bound;
@@ -313,8 +315,28 @@ TEST(test_limits)
     f.rows = 999;
     assert_false(embed_rounding_bound(&bound, &f));
     f.rows = 1000;
-    f.shift -= 2e-4;
-    assert_false(embed_rounding_bound(&bound, &f));
+    f.slope = 990 / (most - least);
+    f.shift = 5 - least * f.slope;
+    f.refinement = 1;
+    assert_true(embed_rounding_bound(&bound, &f));
+    for (int k = 0; k < 4; k++) {
+        const double end = (k < 2 ? least : most) * f.slope, off = (k % 2 ? 1.1 : 0.9) * bound.root * end;
+        f.shift = k < 2 ? off - end : 1000 - end - off;
+        assert_true(embed_rounding_bound(&bound, &f) == k % 2);
+    }
 }
 
-RUN_TESTS(test_counts, test_root, test_limits, test_far_parts, test_intervals, test_rows, test_gap)
+/* 1 - 3/4 x in a row from x = 0 to 1: at the end the product and the sum are rounded to 3/4 and 1/4 units of 1/4 */
+TEST(test_row_end)
+{
+    struct embed_form f = {
+        .family = FAMILY_PIECES_SPEED, .variable = SPEED, .speed_min = 1, .speed_max = 2, .numerator = 1, .rows = 1};
+    struct embed_rounding bound;
+    f.number = (double[]){1, -0.75};
+    f.low_bits = 52;
+    f.first = embed_bits_of(&f, 1) >> f.low_bits;
+    assert_true(embed_rounding_bound(&bound, &f));
+    check(bound.error >= 4 * UNIT * (1 - 1e-9) && bound.error <= 5 * UNIT, "a row: %g units", bound.error / UNIT);
+}
+
+RUN_TESTS(test_counts, test_root, test_limits, test_row_end, test_far_parts, test_intervals, test_rows, test_gap)
