@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cor/audit.h"
+#include "cor/law.h"
 #include "cor/sphere.h"
 
 enum { MOST = 64 };
@@ -121,6 +122,12 @@ TEST(lammps)
     check(fabs(seen.finding[0].duration_s / (pi / sqrt(1 - zeta * zeta) * sqrt(mass / 1e3)) - 1) < 1e-12,
           "duration %.15g", seen.finding[0].duration_s);
     assert_true(fabs(seen.finding[0].damping / zeta - 1) < 1e-12 && seen.finding[0].as_asked == -1);
+    /* a model without a row for limit_damping: the end is another one */
+    const double end = cor_linear_eps_zero_force(cor_linear_zeta_zero_overlap(0.297340));
+    audits(COR_AUDIT_NOT_AS_ASKED, NAN,
+           SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.2 damping tsuji limit_damping\n");
+    finds(0, 10, 0.2, end, "hooke, damping tsuji, releases to July 2026, limit_damping, 1-1");
+    assert_int_equal(seen.finding[0].end, COR_END_ZERO_FORCE);
 
     /* the older styles, cgs, a wall with the whole mass: zeta = (gamma/2) sqrt(m/K) */
     const double wall = pi / 6 * 1e-3 * 2.5, ratio = 1000 / 2.0 * sqrt(wall / 1e6);
@@ -133,6 +140,12 @@ TEST(lammps)
     finds(0, 5, NAN, cor_sphere_eps_zero_overlap(beta), "gran/hertz/history, 1-1");
     assert_true(fabs(seen.finding[0].damping / beta - 1) < 1e-12 && seen.finding[0].speed_m_s == 0.1);
     finds(1, 7, NAN, exp(-pi * ratio / sqrt(1 - ratio * ratio)), "gran/hooke, 1-wall");
+    /* microseconds */
+    audits(COR_AUDIT_AS_ASKED, NAN,
+           "units micro\natom_style sphere\ncreate_box 1 b\nset type 1 diameter 2 density 3\n"
+           "pair_style gran/hooke 100 NULL 0 NULL 0.5 0\npair_coeff * *\n");
+    check(fabs(seen.finding[0].duration_s / (1e-6 * pi * sqrt(2 * pi / 100)) - 1) < 1e-12, "duration %.15g",
+          seen.finding[0].duration_s);
 
     /* two sizes; the speed of fix pour; a pair without a line has the geometric mean */
     audits(COR_AUDIT_AS_ASKED, NAN,
@@ -330,9 +343,12 @@ TEST(keywords)
     says(3, 2, "des_en_wall_input = 0.670");
     finds(4, 15, 0.1, 0.141277, "2-wall");
     assert_true(seen.finding[1].duration_s > seen.finding[0].duration_s);
+    assert_true(seen.finding[3].duration_s < seen.finding[0].duration_s); /* the wall is stiffer */
 
-    audits(COR_AUDIT_AS_ASKED, NAN, " des_en_input(1) = 0.9\n kn = 1e4\n d_p0(1) = 0.005\n ro_s0(1) = 2000\n");
-    check(fabs(seen.finding[0].duration_s / seen.finding[0].time_step_s - 50) < 1e-9, "%g steps",
+    audits(COR_AUDIT_AS_ASKED, NAN,
+           " des_en_input(1) = 0.9\n kn = 1e4\n d_p0(1) = 0.005\n ro_s0(1) = 2000\n"
+           " dtsolid_factor = 60\n");
+    check(fabs(seen.finding[0].duration_s / seen.finding[0].time_step_s - 60) < 1e-9, "%g steps",
           seen.finding[0].duration_s / seen.finding[0].time_step_s);
     assert_true(seen.finding[0].step_scatter > 1e-4 && seen.finding[0].step_scatter < 9e-3);
 
