@@ -161,13 +161,14 @@ static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t
     return done;
 }
 
-int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, slong bits)
+int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, double omega, slong bits)
 {
     mode->n = n;
     mode->l = l;
-    LOCAL(arb, none);
+    LOCAL(arb, start);
+    arb_set_d(start, omega);
     LOCAL_INIT(disk, wide, (&wide, nu, WIDE * (4 * bits + 1024)));
-    const bool done = enclose(mode, &wide, none, bits, 4 * bits + 1024);
+    const bool done = enclose(mode, &wide, start, bits, 4 * bits + 1024);
     return done ? STATUS_OK
                 : fail("mode n = %ld, l = %ld: %ld bits do not separate it from its neighbour", (long)n, (long)l,
                        (long)(4 * bits + 1024));

@@ -32,9 +32,9 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
  * likewise. */
 int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);
 
-/* Computes the mode (n, l) to about `bits` relative bits by the count alone, which is slower. Returns 0 or 1
- * likewise. */
-int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, slong bits);
+/* Computes the mode (n, l) to about `bits` relative bits from an approximation to its omega, which may be wrong; from 0
+ * by the count alone, which is slower. Returns 0 or 1 likewise. */
+int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, double omega, slong bits);
 void disk_mode_init(struct disk_mode *mode);
 void disk_mode_clear(struct disk_mode *mode);
 

@@ -148,9 +148,9 @@ static double root_start(struct arithmetic *a, const struct embed_form *f, doubl
     return embed_from_bits(f, embed_bits_of(f, mul_add(a, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT)) << 32);
 }
 
-double embed_root_start(const struct embed_form *f, double g, bool fused)
+double embed_root_start(const struct embed_form *f, double g)
 {
-    return root_start(&(struct arithmetic){f->single, fused, {0}}, f, g);
+    return root_start(&(struct arithmetic){f->single, false, {0}}, f, g);
 }
 
 static double fifth_root(struct arithmetic *a, const struct embed_form *f, double g)

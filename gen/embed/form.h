@@ -100,8 +100,8 @@ void embed_form_clear(struct embed_form *f);
 /* Of doubles and of floats, for both steps */
 extern const double embed_root_coefficients[2][2][4];
 
-/* The start value of g^(-1/5), as the header computes it. It does not rise with g. */
-double embed_root_start(const struct embed_form *f, double g, bool fused);
+/* The start value of g^(-1/5), as the header computes it without fused operations. It does not rise with g. */
+double embed_root_start(const struct embed_form *f, double g);
 
 /* The header's function in its arithmetic, with the same operations that emit_form writes. `fused`: a product and its
  * addition are rounded once, as compilers may do. */

@@ -47,8 +47,8 @@ TEST(test_near_pair)
     LOCAL(fmpq, nu);
     LOCAL(disk_mode, low, high);
     set_nu(nu, "33/100");
-    assert_int_equal(disk_mode_solve(low, nu, 1, 50, 100), 0);
-    assert_int_equal(disk_mode_solve(high, nu, 1, 51, 100), 0);
+    assert_int_equal(disk_mode_solve(low, nu, 1, 50, 0, 100), 0);
+    assert_int_equal(disk_mode_solve(high, nu, 1, 51, 0, 100), 0);
     const double first = middle(low->omega), second = middle(high->omega), gap = second / first - 1;
     check(gap > 4.1e-4 && gap < 4.3e-4, "gap %g", gap);
     LOCAL(arb, w);
@@ -58,6 +58,20 @@ TEST(test_near_pair)
         arb_sqr(w, w, 200);
         assert_int_equal(disk_count(&disk, 1, w), 50 + (i + 1) / 2);
     }
+    /* From the other root Newton's method leads to that one, and a bracket wide enough for both proves neither. */
+    assert_int_equal(disk_mode_solve(low, nu, 1, 50, second, 4), 0);
+    assert_int_equal(disk_mode_solve(high, nu, 1, 51, first, 4), 0);
+    assert_true(arb_lt(low->omega, high->omega));
+}
+
+/* (3,0) and (2,1) are the fourth and the fifth mode, and at this nu so close that few bits do not part them. */
+TEST(test_crossing)
+{
+    LOCAL(disk_modes, modes);
+    modes_solve(modes, "-6913351158580087868111061636728432469214/10000000000000000000000000000000000000000", 6, 1);
+    assert_int_equal(modes->mode[3].n + modes->mode[4].n, 5);
+    for (slong k = 1; k < modes->count; k++)
+        assert_true(arb_lt(modes->mode[k - 1].omega, modes->mode[k].omega));
 }
 
 /* ---- Rayleigh-Ritz ---- */
@@ -146,7 +160,7 @@ TEST(test_ritz)
         LOCAL(disk_mode, mode);
         for (slong n = 0; n <= 3; n++)
             for (slong l = 0; l <= 2; l++) {
-                assert_int_equal(disk_mode_solve(mode, nu, n, l, 120), 0);
+                assert_int_equal(disk_mode_solve(mode, nu, n, l, 0, 120), 0);
                 mag_zero(arb_radref(mode->omega));
                 for (int side = -1; side <= 1; side += 2) {
                     LET(w, RITZ_PREC, "(mode->omega*(1 + side/10^15))^2", mode->omega, side);
@@ -327,7 +341,7 @@ TEST(test_printed_equation)
         assert_mode(&modes->mode[k], nu);
     for (size_t i = 0; i < COUNT_OF(cases); i++) {
         set_nu(nu, cases[i].nu);
-        assert_int_equal(disk_mode_solve(mode, nu, cases[i].n, cases[i].l, 120), 0);
+        assert_int_equal(disk_mode_solve(mode, nu, cases[i].n, cases[i].l, 0, 120), 0);
         if (cases[i].n < 100)
             assert_mode(mode, nu);
         else
@@ -499,7 +513,7 @@ TEST(test_corners_of_nu)
     LOCAL(disk_mode, mode);
     near_end(nu, -1, 30);
     for (slong n = 0; n <= 3; n++) {
-        assert_int_equal(disk_mode_solve(mode, nu, n, 4, 140), 0);
+        assert_int_equal(disk_mode_solve(mode, nu, n, 4, 0, 140), 0);
         assert_true(middle(mode->omega) > 1e15 && middle(mode->omega) < 1e17);
         assert_root(mode, nu, 120, 600); /* a torsional mode is 100 bits away */
     }
@@ -557,5 +571,5 @@ TEST(test_threads_and_digits)
     }
 }
 
-RUN_TESTS(test_near_pair, test_ritz, test_printed_equation, every_mode, none_is_missing, test_against_doubles,
-          test_corners_of_nu, test_orders, test_threads_and_digits)
+RUN_TESTS(test_near_pair, test_crossing, test_ritz, test_printed_equation, every_mode, none_is_missing,
+          test_against_doubles, test_corners_of_nu, test_orders, test_threads_and_digits)

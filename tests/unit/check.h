@@ -99,17 +99,17 @@ static inline size_t few_or_all(size_t few, size_t all)
     return check_number("COR_TEST_LONG", 0) ? all : few;
 }
 
-/* Every n-th case in a short run, and others with tests/run --turn, which sets COR_TEST_TURN. */
+/* Every n-th case in a short run, and others with tests/run --turn, which sets COR_TEST_TURN; every case with
+ * COR_TEST_WHOLE=1, which tests/mutation/run sets: the guard of a mutant must not be left out. */
 static inline int in_turn(size_t i, size_t n)
 {
-    return (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
+    return check_number("COR_TEST_WHOLE", 0) || (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
 }
 
-/* Whether tests/run leaves this case to another turn, as to every n-th. Without COR_TEST_TURN none is, nor with
- * COR_TEST_WHOLE=1, which tests/mutation/run sets: the guard of a mutant must not be left out. */
+/* Whether tests/run leaves this case to another turn, as to every n-th. Without COR_TEST_TURN none is. */
 static inline int left_to_turn(size_t i, size_t n)
 {
-    return getenv("COR_TEST_TURN") && !check_number("COR_TEST_WHOLE", 0) && !in_turn(i, n);
+    return getenv("COR_TEST_TURN") && !in_turn(i, n);
 }
 
 /* The same of a whole test function */
