@@ -238,8 +238,9 @@ static struct cor_scene_contact solve(struct cor_audit_finding *f, const struct 
         f->realised = impact.eps[f->end];
         /* without a speed only a linear spring has one duration */
         f->duration_s = isnan(speed) && !is_linear(contact) ? (double)NAN : impact.duration_s[f->end];
-    } else
+    } else {
         cor_scene_eps(&f->realised, &scene, at, f->end);
+    }
     return scene;
 }
 
