@@ -122,8 +122,8 @@ static void rounded_polynomial(struct rounded *y, const double *c, slong degree,
 
 /* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Without rounding, its relative distance
  * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. The rounding error is that in
- * units in which r = 1, so that g = 1 - x. Returns a bound of the distance with rounding. |H| < 1e-3 for e <
- * SEED_LIMIT. */
+ * units in which r = 1, so that g = 1 - x. Returns a bound of the distance with rounding, infinite if |H| may reach
+ * 1/2, which it does not for e < SEED_LIMIT. */
 static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
 {
     LOCAL(arb_poly, x, S, h, one);
@@ -140,6 +140,8 @@ static double root_step(const double *c, slong degree, double e, const struct ar
     for (int k = -16; k <= 16; k++)
         known = fmax(known, enclosed_ratio_at(h, one, k / 16.0));
     const double most = enclosed_largest_ratio(h, one, known, ROOT_HALVINGS);
+    if (!(most < 0.5))
+        return HUGE_VAL;
     const double exact = -power_of_error(-most, 0.2) * RAISE + 1e-18;
     arb_one(r->exact);
     rounded_mul_add(fourth, r, r, 0, a);
@@ -157,7 +159,8 @@ static double root_step(const double *c, slong degree, double e, const struct ar
 
 /* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. Of the fifth
  * root a start r is off by e >= |1 - g r^5|: the upper bits of r fall as those of g rise, so the ends of an interval of
- * speeds bound r. They fall 400 units of 2^-20 or more in half of an interval; a fused operation moves r by one. */
+ * speeds bound r. In half of an interval r falls by 400 units of 2^-20 or more, and a fused operation moves it by one:
+ * whichever half g is in, the bound of the whole interval holds for that r, too. */
 static double variable_bound(const struct embed_form *f, const struct arithmetic *a)
 {
     static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
