@@ -112,4 +112,16 @@ int pieces_emit(struct emit *e, const struct pieces *p);
 /* Computes a table, by pieces_make or, without rows, by pieces_fit, and writes it. Returns as these. */
 int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
 
+/* ---- sampled_function.c: rows of a function of one variable that can be enclosed ----
+ *
+ * It is computed at the Chebyshev points of blocks of rows, and rounded to SAMPLE_BITS. Rows are cut from the
+ * polynomials through these samples, so that all later steps are arithmetic with the same result for every library.
+ * Between the samples, at two places of each block, the polynomials are compared with enclosures. */
+
+/* f at y, or at y 2^k of octave k, enclosed with a working precision of `prec` bits if `proved`, otherwise a sample */
+typedef void function_of_ball(arb_t f, const void *what, const arb_t y, bool proved, slong prec);
+
+/* Cuts p, a table of VARIABLE_OTHER or one of octaves, and writes it, as pieces_write. */
+int sampled_function_write(struct emit *e, struct pieces *p, function_of_ball *value, const void *what);
+
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "approximation/sampled_function.h"
+#include "approximation/pieces.h"
 
 #include <math.h>
 #include <stdlib.h>

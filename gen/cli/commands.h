@@ -9,7 +9,7 @@
 #include "fit/data.h"
 #include "plan/plan.h"
 #include "sweep/run.h"
-#include "tables/directory.h"
+#include "tables/files.h"
 
 struct trajectory_arguments {
     struct option_common common;

@@ -8,7 +8,6 @@
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/local.h"
-#include "tables/pade.h"
 
 enum {
     HEADER_BITS = 256,                /* precision of every coefficient that is rounded to double */

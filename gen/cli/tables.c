@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "disk/modes.h"
 #include "support/console.h"
-#include "tables/files.h"
 
 static int run_tables(const void *arguments)
 {

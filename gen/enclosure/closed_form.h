@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions in closed form (docs/theory.md, 9): laws with q = 0, whose u = x^((a+1)/2) obeys a linear equation,
- * and Hunt and Crossley's, a = b. */
+ * and Hunt and Crossley's, a = b; and an integral of docs/laws.md. */
 #ifndef COR_GEN_ENCLOSURE_CLOSED_FORM_H
 #define COR_GEN_ENCLOSURE_CLOSED_FORM_H
 
@@ -15,5 +15,16 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct law 
 
 /* For a = b and beta > 0: x_max and eps, which is the same for both ends. */
 void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct law *law, slong prec);
+
+/* ---- wave_factor.c: J(nu), the share of a half-space's compliance that radiates waves (docs/laws.md) ---- */
+
+/* J as a function of tau = sqrt(1 - 2 nu), analytic on and around 0 <= tau <= sqrt(3), enclosed for every tau of the
+ * interval. The result is not finite if the interval is too wide. */
+void wave_factor(acb_t j, const acb_t tau, slong prec);
+
+/* The same by one of two routes: along the real axis, singular at tau = 1, or along a path in the complex plane, which
+ * begins near a branch point for small tau. */
+enum wave_route { WAVE_BY_AXIS, WAVE_BY_PATH };
+void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec);
 
 #endif

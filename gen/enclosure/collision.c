@@ -8,7 +8,7 @@
 #include "enclosure/slow_manifold.h"
 #include "enclosure/taylor.h"
 #include "series/series.h"
-#include "series/turning_point.h"
+#include "series/restitution.h"
 #include "support/console.h"
 
 /* The requested fields besides x_max and t_max */

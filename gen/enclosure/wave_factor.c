@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "enclosure/wave_factor.h"
+#include "enclosure/closed_form.h"
 
 #include "support/formula.h"
 #include "support/local.h"

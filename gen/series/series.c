@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "series/restitution.h"
-#include "series/turning_point.h"
 #include "support/console.h"
 #include "support/local.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "series/turning_point.h"
+#include "series/restitution.h"
 
 #include "series/jet.h"
 #include "series/trajectory.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _XOPEN_SOURCE 700 /* open_memstream, mkdir */
-#include "tables/directory.h"
+#include "tables/files.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -12,9 +12,7 @@
 
 #include "runtime/disk/mode_file.h"
 #include "support/console.h"
-#include "support/emit_c.h"
 #include "support/output.h"
-#include "tables/files.h"
 
 #define DEFAULT_DIRECTORY "generated"
 #define DEFAULT_DIRECTORY_OF_MATERIAL "."

@@ -10,7 +10,6 @@
 #include "runtime/disk/mode_file.h"
 #include "support/console.h"
 #include "support/digits.h"
-#include "support/emit_c.h"
 #include "support/local.h"
 
 enum {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The files of generated/ and the headers of corgen law: a function for each writes it to a stream, and returns
- * STATUS_OK, or another status after reporting the failure. */
+/* Tables and headers that corgen writes. A function for each of them, files of generated/ and headers of corgen law and
+ * corgen pade, writes it to a stream and returns STATUS_OK, or another status after reporting the failure. A new file
+ * of generated/ needs such a function and a row of files[] in directory.c. */
 #ifndef COR_GEN_TABLES_FILES_H
 #define COR_GEN_TABLES_FILES_H
 
@@ -8,9 +9,11 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "approximation/pade_rounded.h"
 #include "disk/modes.h"
 #include "series/law.h"
 #include "support/decimal.h"
+#include "support/emit_c.h"
 
 /* cor_sphere.h, the tables and the evaluator as one header to embed; sphere_tables.h, which takes these tables for the
  * library and adds those of damped approach; sphere_float_tables.h, those of float arithmetic. They share data that are
@@ -88,5 +91,38 @@ int disk_limits_write(FILE *file);
 #define DISK_LIMITS_AGREE 2.5e-7
 int disk_limits_check_sample(uint64_t seed);
 int disk_limits_check_all(void);
+
+/* ---- a Padé approximant in a C header: two functions, their arrays, the bounds, and the origin of the bounds ---- */
+
+struct pade_header {
+    const char *name;  /* prefix of the arrays; in capitals, of the macros */
+    const char *title; /* first line of its comment, which describes it */
+    enum contact_end end;
+    slong beta_max;                      /* its bounds hold up to this beta */
+    const struct references *references; /* NULL: no approximation error is stated */
+};
+
+/* Emits name_p, name_q, name_l (ascending powers of z), NAME_P, NAME_Q, NAME_L, name_eps(beta) and name_loss(beta),
+ * which need math.h; with references also NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL up to NAME_BETA_MAX.
+ * Returns 0, or 1 after reporting the reason. */
+int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a);
+
+/* ---- directory.c: all files of generated/, or the mode tables of one material. corgen writes the files, or checks that
+ * it would write the same bytes. ---- */
+
+#define TABLES_MAX_SEED 1000000000
+
+struct tables_request {
+    struct decimal poisson; /* Poisson's ratio of the material; text NULL: generated/ */
+    slong modes;            /* number of modes of that material; 0: DISK_TABLE_MODES */
+    const char *directory;  /* NULL: generated, or the current directory for a material */
+    bool check;             /* compare without writing */
+    bool digits;            /* write the digits of the coefficients to standard output instead, as csv */
+    bool all;               /* compute the collisions at all points of disk_limits.h */
+    slong seed;             /* chooses the points at which a check recomputes collisions; below 0: the time does */
+};
+
+/* Returns STATUS_OK, or another status after a message. */
+int tables_run(const struct tables_request *request);
 
 #endif

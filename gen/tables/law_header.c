@@ -7,7 +7,6 @@
 #include "approximation/law_tables.h"
 #include "series/series.h"
 #include "support/console.h"
-#include "support/emit_c.h"
 #include "support/local.h"
 
 enum { TEXT_MAX = LAW_TABLE_NAME_MAX };

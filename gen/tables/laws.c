@@ -4,7 +4,7 @@
  * (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
 #include <math.h>
 
-#include "approximation/sampled_function.h"
+#include "approximation/pieces.h"
 #include "enclosure/closed_form.h"
 #include "support/console.h"
 #include "support/formula.h"

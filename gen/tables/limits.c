@@ -14,7 +14,6 @@
 #endif
 #include "runtime/core/disk_limit.h"
 #include "support/console.h"
-#include "support/emit_c.h"
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
 

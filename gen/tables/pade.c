@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L /* open_memstream */
-
-#include "tables/pade.h"
+#include "tables/files.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,6 @@
 #include "approximation/row_proof.h"
 #include "support/console.h"
 #include "support/digits.h"
-#include "support/emit_c.h"
 #include "support/local.h"
 
 /* The sphere's layout, one instance of law_layout.h. Only this file defines its geometry; macros of the headers pass it

@@ -4,9 +4,8 @@
 #include <math.h>
 
 #include "approximation/interpolant.h"
-#include "enclosure/wave_factor.h"
+#include "enclosure/closed_form.h"
 #include "support/console.h"
-#include "support/emit_c.h"
 #include "support/formula.h"
 #include "support/local.h"
 

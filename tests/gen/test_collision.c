@@ -10,7 +10,6 @@
 #include "enclosure/motion.h"
 #include "enclosure/slow_manifold.h"
 #include "series/restitution.h"
-#include "series/turning_point.h"
 
 static const slong PREC = 600;
 

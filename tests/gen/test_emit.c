@@ -11,7 +11,7 @@
 #include "support/digits.h"
 #include "support/emit_c.h"
 #include "support/output.h"
-#include "tables/pade.h"
+#include "tables/files.h"
 
 enum { PREC = 256, BITS = 192, PATH = 512 };
 

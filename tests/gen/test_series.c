@@ -5,7 +5,6 @@
 #include "enclosure/collision.h"
 #include "series/restitution.h"
 #include "series/series.h"
-#include "series/turning_point.h"
 
 /* ---- against collisions ---- */
 

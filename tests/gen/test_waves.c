@@ -2,7 +2,7 @@
 /* J(nu): known values, the two routes to it, and the bound on an ellipse from which the error of the table follows. */
 #include "ball.h"
 
-#include "enclosure/wave_factor.h"
+#include "enclosure/closed_form.h"
 #include "support/local.h"
 #include "tables/files.h"
 
