@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "approximation/far_proof.h"
+#include "approximation/row_proof.h"
 
 #include <math.h>
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "approximation/law_proof.h"
 
 #include <math.h>
 #include <stdlib.h>

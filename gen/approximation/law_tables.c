@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "approximation/law_tables.h"
+#include "approximation/law_layout.h"
 
 #include <math.h>
 #include <stdlib.h>

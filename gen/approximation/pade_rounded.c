@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "approximation/pade_rounded.h"
+#include "approximation/pade.h"
 
 #include <float.h>
 #include <math.h>

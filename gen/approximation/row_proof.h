@@ -57,4 +57,62 @@ double row_proof_bits(const struct interpolant_proof *proof, const struct pieces
  */
 int row_proof_table(struct pieces *p, const struct interpolant_proof *proof);
 
+/* ---- far_proof.c: proofs that the formulas of the sphere's tables beyond their rows, in mu = beta^(-5/3) and u =
+ * ln(beta), are close to the functions for every finite double (docs/theory.md, 8) ----
+ *
+ * On cells of u, the last of which are long, formula and function become polynomials of one variable. */
+
+/* The formulas are proved from just below u = 10 on, their inverse from 9.7 on, where eps > 2^-23; both up to the
+ * largest double. */
+#define FAR_PROOF_FROM 9.99
+#define FAR_PROOF_INVERSE_FROM 9.7
+#define FAR_PROOF_TO 710.0
+
+enum { FAR_PROOF_INTERVALS = 2 };
+
+struct far_proof {
+    struct interpolant_layout layout;
+    struct interpolant *f;
+    double error[FAR_PROOF_INTERVALS][QUANTITIES];
+    const struct interpolant_proof *rows; /* for the duration at zero overlap */
+};
+
+/* Encloses the functions up to beta_max, with interpolants through collisions and bounds on ellipses around them as
+ * above. `rows`, which must live as long as the proof, has a proof of the duration at zero overlap. Returns 0, or
+ * 1 after reporting the failure. Call far_proof_clear in either case. */
+int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows, double beta_max);
+void far_proof_clear(struct far_proof *proof);
+
+/* The quantity without its power of beta on lo <= u <= hi, as a function of t (enclosed_function.h). Returns false if
+ * nothing is known of it there. */
+bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quantity quantity, double lo, double hi);
+
+/* -log2 of a proved bound of the relative error of a formula, whose coefficients are the columns of law_tables_far_row
+ * or, for BETA_ZERO_FORCE, law_tables_far_inverse_row, as doubles; NaN if there is no proof. */
+double far_proof_bits(const struct far_proof *proof, enum quantity quantity, const double *c);
+
+/* ---- law_proof.c: proofs that the polynomials of any law's interpolant are close to eps (docs/theory.md, 9) ----
+ *
+ * ellipse_bound_of_law bounds eps in an ellipse around an interval. Intervals whose ellipses cannot be covered have no
+ * proof: those of zero force near beta = 0, and those where eps is tiny. */
+
+struct law_proof {
+    const struct interpolant *f;
+    enum quantity eps;
+    double *error; /* bound of |polynomial - stored number| on each interval, infinite without a proof */
+};
+
+/* Proves the intervals of eps, of one end, that meet beta_min to beta_max, with errors below `wanted` if possible. The
+ * ellipses are as small as that allows. Returns NULL after a message if a polynomial is shown to be wrong. */
+struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, double beta_min, double beta_max,
+                                double wanted);
+void law_proof_free(struct law_proof *proof);
+
+/* The proved interval that contains u = ln(beta), to 1e-12, and reaches farthest, up to *end; -1 if there is none */
+int law_proof_interval(double *end, const struct law_proof *proof, double u);
+
+/* eps for lo <= ln(beta) <= hi in interval i, and ln(beta), as functions of t (enclosed_function.h). Returns false
+ * where there is no proof. */
+bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *proof, int i, double lo, double hi);
+
 #endif

@@ -8,7 +8,7 @@
 #include "embed/request.h"
 #include "fit/data.h"
 #include "plan/plan.h"
-#include "sweep/run.h"
+#include "sweep/sweep.h"
 #include "tables/files.h"
 
 struct trajectory_arguments {

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "support/console.h"
-#include "support/words.h"
 
 enum { SUBCOMMANDS_MOST = 32 };
 

@@ -6,12 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "disk/equation.h"
+#include "disk/modes.h"
 #include "series/series.h"
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"
-#include "support/words.h"
 
 enum { LONG_OPTION = 256 /* beyond every character */ };
 

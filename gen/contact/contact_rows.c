@@ -81,7 +81,7 @@ int contact_end(const struct contacts *contacts, int contact)
 
 /* A row, in seconds, or in a unit of its own where mass and stiffness are not known */
 struct row {
-    const struct cor_scene_contact *contact;
+    struct cor_scene_contact contact;
     double speed_m_s, elastic_duration_s;
     int end;
     struct cor_scene_impact impact;
@@ -103,7 +103,7 @@ static int step_for(double *time_step, const struct row *row, size_t rows, const
         if (!is_end(r, end))
             continue;
         const int status =
-            cor_scene_step_for(&n, r->contact, r->speed_m_s, end, request->step_tolerance, request->integrator);
+            cor_scene_step_for(&n, &r->contact, r->speed_m_s, end, request->step_tolerance, request->integrator);
         if (status == COR_FAULT_STEP)
             return fail("no time step found at which bias and scatter of eps stay below %g at %g m/s",
                         request->step_tolerance, r->speed_m_s);
@@ -137,7 +137,7 @@ enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6 };
 static int add_step(struct table *table, const struct row *row, double time_step,
                     const struct cor_simulator_request *request, const struct cor_scene_quantity *quantity)
 {
-    const struct cor_scene_contact *const contact = row->contact;
+    const struct cor_scene_contact *const contact = &row->contact;
     const double speed = row->speed_m_s, steps = row->elastic_duration_s / time_step;
     struct cor_step_error error;
     struct cor_scene_contact corrected;
@@ -167,23 +167,19 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
     const size_t speeds = request->speeds, rows = (size_t)contacts->count * speeds;
     const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* by Hertz */
     const double known = isnan(contacts->contact[0].mass_kg) ? (double)NAN : 1;
-    struct cor_scene_contact timed[COR_SCENE_ENDS];
     struct row *const row = xmalloc(rows * sizeof *row);
     double least = INFINITY; /* the shortest duration, of the ends that are known */
     int status = STATUS_OK;
-    for (int i = 0; i < contacts->count; i++) {
-        timed[i] = contacts->contact[i];
-        if (isnan(known))
-            timed[i].mass_kg = timed[i].stiffness = 1;
-    }
     for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
         struct row *const r = &row[i];
         const double speed = request->speed_m_s[i % speeds];
-        *r = (struct row){.contact = &timed[i / speeds], .speed_m_s = speed};
+        *r = (struct row){.contact = contacts->contact[i / speeds], .speed_m_s = speed};
+        if (isnan(known))
+            r->contact.mass_kg = r->contact.stiffness = 1;
         r->end = contact_end(contacts, (int)(i / speeds));
-        r->elastic_duration_s = cor_scene_elastic_duration_s(r->contact, speed);
+        r->elastic_duration_s = cor_scene_elastic_duration_s(&r->contact, speed);
         progress("impacts", (long)i, (long)rows);
-        status = contact_status(cor_scene_impact(&r->impact, r->contact, speed));
+        status = contact_status(cor_scene_impact(&r->impact, &r->contact, speed));
         least = fmin(least, fmin(r->impact.duration_s[0], r->impact.duration_s[1]));
     }
     double time_step = request->time_step_s > 0 ? request->time_step_s

@@ -104,11 +104,10 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
         if (isfinite(sample->error_of_fewer))
             fprintf(file, " One point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
         fputs("\n\n", file);
-        print_table(file, column, columns, rows, FORMAT_TEXT);
-        break;
+        /* fall through */
     case SAMPLE_CSV:
     case SAMPLE_JSON:
-        print_table(file, column, columns, rows, format == SAMPLE_CSV ? FORMAT_CSV : FORMAT_JSON);
+        print_table(file, column, columns, rows, (enum output_format)format);
         break;
     case SAMPLE_C:
         fprintf(file, "enum { cor_sample_points = %zu };\n", rows);

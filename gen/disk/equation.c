@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "disk/equation.h"
+#include "disk/modes.h"
 
 #include <math.h>
 

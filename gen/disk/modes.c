@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "cor/status.h"
-#include "disk/equation.h"
 #include "runtime/disk/mode_source.h"
 #include "support/console.h"
 #include "support/decimal.h"

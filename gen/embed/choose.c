@@ -156,8 +156,8 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
             for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
                 struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED, degree, 0);
                 f.low_bits = (s->single ? 23 : 52) - bits;
-                f.first = embed_bits_of(&f, s->speed_min) >> f.low_bits;
-                f.rows = (slong)((embed_bits_of(&f, s->speed_max) >> f.low_bits) - f.first) + 1;
+                f.first = emit_bits_of(f.single, s->speed_min) >> f.low_bits;
+                f.rows = (slong)((emit_bits_of(f.single, s->speed_max) >> f.low_bits) - f.first) + 1;
                 if (table_bytes(&f) > least && table_bytes(&f) <= most)
                     try_form(best, f, s, NULL);
             }

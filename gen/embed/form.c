@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "support/emit_c.h"
+
 const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",     "div",    "sqrt",
                                                        "bits",    "load", "convert", "compare"};
 
@@ -57,16 +59,6 @@ double embed_root_error(int refinement, bool single)
 }
 
 /* ---- the arithmetic of the header ---- */
-
-uint64_t embed_bits_of(const struct embed_form *f, double x)
-{
-    const float y = (float)x;
-    uint32_t narrow;
-    uint64_t wide;
-    memcpy(&narrow, &y, sizeof narrow);
-    memcpy(&wide, &x, sizeof wide);
-    return f->single ? narrow : wide;
-}
 
 double embed_from_bits(const struct embed_form *f, uint64_t bits)
 {
@@ -142,10 +134,10 @@ static double root_start(struct arithmetic *a, const struct embed_form *f, doubl
 {
     a->count[OP_BITS] += f->single ? 4 : 3; /* a division by 5 is a product and a shift */
     if (f->single)
-        return embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)embed_bits_of(f, g) / 5);
+        return embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)emit_bits_of(f->single, g) / 5);
     /* 2^52 + n holds the integer n in its low bits */
-    const double top = embed_from_bits(f, (embed_bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
-    return embed_from_bits(f, embed_bits_of(f, mul_add(a, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT)) << 32);
+    const double top = embed_from_bits(f, (emit_bits_of(f->single, g) >> 32) | UINT64_C(0x4330000000000000));
+    return embed_from_bits(f, emit_bits_of(f->single, mul_add(a, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT)) << 32);
 }
 
 double embed_root_start(const struct embed_form *f, double g)
@@ -175,7 +167,7 @@ static double form_value(struct arithmetic *a, const struct embed_form *f, doubl
     for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
         x = rounded(a, OP_SQRT, sqrt(x));
     if (f->family == FAMILY_PIECES_SPEED) {
-        const uint64_t row = embed_bits_of(f, g) >> f->low_bits;
+        const uint64_t row = emit_bits_of(f->single, g) >> f->low_bits;
         number += (slong)(row - f->first) * (m + 1);
         x = rounded(a, OP_ADD, g - embed_from_bits(f, row << f->low_bits));
         a->count[OP_BITS] += 3; /* shift, subtraction of the first row, and shift back */

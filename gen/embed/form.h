@@ -121,8 +121,7 @@ const char *embed_family_name(enum embed_family family, const struct embed_scene
 /* The size as text: "[5/6]", "degree 7", "54 rows of degree 3" */
 void embed_form_size(char *text, size_t size, const struct embed_form *f);
 
-/* The bits of a number of the header's type, and the number that has them. */
-uint64_t embed_bits_of(const struct embed_form *f, double x);
+/* The number of the header's type with these bits, which emit_bits_of tells */
 double embed_from_bits(const struct embed_form *f, uint64_t bits);
 /* The first speed of a row of FAMILY_PIECES_SPEED */
 double embed_row_start(const struct embed_form *f, slong row);
@@ -157,7 +156,7 @@ enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose
  *
  * A bound of a form's error at every speed of its scene. The formula with the header's coefficients is compared with
  * the proved interpolant of the collision as functions (row_proof.h), beyond it with what is proved at large beta
- * (far_proof.h), and the rounding errors are added. */
+ * (row_proof.h), and the rounding errors are added. */
 
 /* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR.
  * tests/gen/test_embed.c encloses d at EMBED_FAR; d falls as beta grows (docs/theory.md, 4). */

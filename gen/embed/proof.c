@@ -4,8 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/far_proof.h"
-#include "approximation/law_proof.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
 #include "support/enclosed_function.h"

@@ -164,10 +164,10 @@ static double root_step(const double *c, slong degree, double e, const struct ar
 static double variable_bound(const struct embed_form *f, const struct arithmetic *a)
 {
     static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
-    const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = embed_bits_of(f, f->speed_max);
+    const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = emit_bits_of(f->single, f->speed_max);
     double e = 0, error = 0;
     if (embed_roots[f->variable].fifth) {
-        for (uint64_t bits = embed_bits_of(f, f->speed_min) & ~(step - 1); bits <= last; bits += step) {
+        for (uint64_t bits = emit_bits_of(f->single, f->speed_min) & ~(step - 1); bits <= last; bits += step) {
             const double lo = embed_from_bits(f, bits), hi = embed_from_bits(f, bits + step - 1);
             const double most = embed_root_start(f, lo), least = embed_root_start(f, hi);
             e = fmax(e, fmax(fabs(1 - hi * pow(most, 5)), fabs(1 - lo * pow(least, 5))));

@@ -7,8 +7,8 @@
 #include "enclosure/motion.h"
 #include "enclosure/slow_manifold.h"
 #include "enclosure/taylor.h"
-#include "series/series.h"
 #include "series/restitution.h"
+#include "series/series.h"
 #include "support/console.h"
 
 /* The requested fields besides x_max and t_max */

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "support/console.h"
-#include "support/words.h"
 
 /* ---- which models ---- */
 
@@ -110,28 +109,29 @@ static struct fit_distance farthest(const struct fit_data *data, const struct fi
     return found;
 }
 
-/* The data without the lines, except one of them if `except` is not negative */
-static void copy_without(struct fit_data *copy, const struct fit_data *data, const struct fit_outliers *o, int except)
+/* The data without the points of the lines, or the bounces with their times, but for line `except` if it is not
+ * negative; `rest` is cleared before. */
+static void set_rest(struct fit_data *rest, const struct fit_data *data, const struct fit_outliers *o, int except)
 {
     bool *const left_out = xmalloc(data->points * sizeof *left_out);
     memset(left_out, 0, data->points * sizeof *left_out);
-    for (int i = 0; i < o->count; i++)
-        if (i != except)
-            fit_leave_out(left_out, data, o->outlier[i].line);
-    fit_data_copy(copy, data, left_out);
+    fit_data_clear(rest);
+    for (int k = 0; k < o->count; k++) {
+        const long line = k == except ? -1 : o->outlier[k].line;
+        for (size_t i = 0; i < data->points; i++) {
+            const struct fit_bounce *const b = data->bounce ? &data->bounce[i] : NULL;
+            if (b ? b->line[0] == line || b->line[1] == line || b->line[2] == line : data->point[i].line == line)
+                left_out[b ? b->point : i] = true;
+        }
+    }
+    fit_data_copy(rest, data, left_out);
     free(left_out);
-}
-
-static void set_rest(struct fit_outliers *o, const struct fit_data *data)
-{
-    fit_data_clear(&o->rest);
-    copy_without(&o->rest, data, o, -1);
 }
 
 /* Collects suspicious lines; `rest` holds the others. */
 static void collect_suspicious(struct fit_outliers *o, const struct fit_data *data)
 {
-    set_rest(o, data);
+    set_rest(&o->rest, data, o, -1);
     while (o->count < FIT_MAX_OUTLIERS) {
         struct fit_estimate e;
         fit_estimate_curve(&e, o->curve, &o->rest, true);
@@ -141,10 +141,10 @@ static void collect_suspicious(struct fit_outliers *o, const struct fit_data *da
         if ((double)o->rest.points * erfc(fabs(far.distance) / sqrt(2)) > 0.05)
             break;
         o->outlier[o->count++] = far;
-        set_rest(o, data);
+        set_rest(&o->rest, data, o, -1);
         if (o->rest.points < 3 * data->points / 4) { /* too many: the last one stays */
             o->count--;
-            set_rest(o, data);
+            set_rest(&o->rest, data, o, -1);
             break;
         }
     }
@@ -162,9 +162,9 @@ static bool is_significant(struct fit_outliers *o, int i, const struct fit_estim
     const size_t freedom = o->rest.points - (size_t)e->parameters;
     const double spread = data->has_sigma ? fmax(sqrt(e->chi2 / (double)freedom), 1) : 1;
     struct fit_distance *const line = &o->outlier[i];
-    struct fit_data with;
+    struct fit_data with = {0};
     struct fit_estimate f;
-    copy_without(&with, data, o, i);
+    set_rest(&with, data, o, i);
     fit_estimate_curve(&f, o->curve, &with, false);
     *line = farthest(&with, e, line->line);
     if (data->bounce) { /* without the bounces of this time another lambda may look right by chance */
@@ -196,7 +196,7 @@ static void keep_significant(struct fit_outliers *o, const struct fit_data *data
         if (nearest < 0)
             break;
         o->outlier[nearest] = o->outlier[--o->count];
-        set_rest(o, data);
+        set_rest(&o->rest, data, o, -1);
     }
 }
 

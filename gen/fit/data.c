@@ -11,9 +11,8 @@
 
 #include "support/console.h"
 #include "support/decimal.h"
-#include "support/words.h"
 
-enum { LINE_LENGTH = 65536, BUFFER = 2 * LINE_LENGTH + 1, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
+enum { LINE_LENGTH = 65536, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
 
 const char *const fit_unit_names[] = {[FIT_M_S] = "m/s", [FIT_CM_S] = "cm/s", [FIT_MM_S] = "mm/s", NULL};
 static const double unit_m_s[] = {[FIT_M_S] = 1, [FIT_CM_S] = 0.01, [FIT_MM_S] = 0.001};
@@ -39,11 +38,10 @@ static const struct decimal_range time_range = {"0", "1e30", true, true, true, "
 
 struct reader {
     const char *name;
-    FILE *file;       /* NULL: all of the text is in memory */
-    char *buffer;     /* of the file, BUFFER bytes */
-    char *next, *end; /* the text behind the line */
-    long number;      /* of the line */
-    bool ended;       /* there are no more lines */
+    FILE *file;
+    char text[LINE_LENGTH + 2]; /* of the line, or its beginning if it is too long */
+    long number;                /* of the line */
+    bool ended;                 /* there are no more lines */
     char *line, *cell[MAX_COLUMNS];
     int cells;
     int place[COLUMNS]; /* of a column among the cells; -1: the file does not have it */
@@ -95,21 +93,15 @@ static const char *utf_16_name(const char *line, size_t length)
 /* Ends a line at its end, which is LF or CR LF. A UTF-8 byte-order mark before the first line is skipped. */
 static int read_line(struct reader *r)
 {
-    const char *feed = memchr(r->next, '\n', (size_t)(r->end - r->next));
-    if (!feed && r->file && r->end - r->next <= LINE_LENGTH) {
-        const size_t rest = (size_t)(r->end - r->next);
-        memmove(r->buffer, r->next, rest);
-        r->next = r->buffer;
-        r->end = r->buffer + rest + fread(r->buffer + rest, 1, BUFFER - 1 - rest, r->file);
-        if (ferror(r->file))
-            return fail("cannot read %s: %s", r->name, strerror(errno));
-        feed = memchr(r->next, '\n', (size_t)(r->end - r->next));
-    }
-    size_t length = (size_t)((feed ? feed : r->end) - r->next);
-    r->line = r->next;
-    r->next += length + (feed != NULL);
+    size_t length = 0;
+    int c = 0;
+    while (length <= LINE_LENGTH && (c = getc(r->file)) != EOF && c != '\n')
+        r->text[length++] = (char)c;
+    if (ferror(r->file))
+        return fail("cannot read %s: %s", r->name, strerror(errno));
+    r->line = r->text;
     r->number++;
-    r->ended = !feed && length == 0;
+    r->ended = c == EOF && length == 0;
     if (length > LINE_LENGTH)
         return refuse(r, COLUMNS, "longer than %d characters; allowed: a csv file, as speed_m_s,eps", LINE_LENGTH);
     const bool null = memchr(r->line, '\0', length);
@@ -370,13 +362,11 @@ static int add_point(struct fit_data *data, const struct reader *r, struct fit_p
 {
     if (data->points == FIT_MAX_POINTS)
         return refuse(r, COLUMNS, "more than %d points; allowed: at most that many, as every tenth", FIT_MAX_POINTS);
-    if ((data->points & (data->points - 1)) == 0) { /* no room behind a power of two */
-        const size_t room = data->points ? 2 * data->points : 1;
-        data->point = xrealloc(data->point, room * sizeof *data->point);
-        data->bounce = bounce ? xrealloc(data->bounce, room * sizeof *data->bounce) : NULL;
-    }
-    if (bounce)
+    data->point = xgrow(data->point, data->points, sizeof *data->point);
+    if (bounce) {
+        data->bounce = xgrow(data->bounce, data->points, sizeof *data->bounce);
         data->bounce[data->points] = *bounce;
+    }
     point.line = bounce ? bounce->line[1] : r->number;
     point.row = data->points;
     data->point[data->points++] = point;
@@ -514,10 +504,11 @@ static int read_table(struct fit_data *data, struct reader *r)
     return status;
 }
 
-static int read_all(struct fit_data *data, struct reader *r)
+int fit_data_parse(struct fit_data *data, FILE *file, const char *name, const struct fit_form *form)
 {
+    struct reader r = {.name = name, .file = file, .form = *form};
     *data = (struct fit_data){0};
-    const int status = read_table(data, r);
+    const int status = read_table(data, &r);
     progress_end();
     if (status != STATUS_OK) {
         fit_data_clear(data);
@@ -529,24 +520,15 @@ static int read_all(struct fit_data *data, struct reader *r)
     return STATUS_OK;
 }
 
-int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form)
-{
-    struct reader r = {.name = name, .next = text, .end = text + size, .form = *form};
-    return read_all(data, &r);
-}
-
 int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form)
 {
     const bool standard = strcmp(path, "-") == 0;
-    struct reader r = {
-        .name = standard ? "standard input" : path, .file = standard ? stdin : fopen(path, "r"), .form = *form};
-    if (!r.file)
-        return fail("cannot read %s: %s", r.name, strerror(errno));
-    r.buffer = r.next = r.end = xmalloc(BUFFER);
-    const int status = read_all(data, &r);
-    free(r.buffer);
+    FILE *const file = standard ? stdin : fopen(path, "r");
+    if (!file)
+        return fail("cannot read %s: %s", path, strerror(errno));
+    const int status = fit_data_parse(data, file, standard ? "standard input" : path, form);
     if (!standard)
-        fclose(r.file);
+        fclose(file);
     return status;
 }
 

@@ -5,7 +5,7 @@
 #define COR_GEN_FIT_DATA_H
 
 #include <stdbool.h>
-#include <stddef.h>
+#include <stdio.h>
 
 /* Unit of the speeds. FIT_UNIT_OF_COLUMN: the name of the column, speed_m_s or speed_cm_s, says which. */
 enum fit_unit { FIT_M_S, FIT_CM_S, FIT_MM_S, FIT_UNIT_OF_COLUMN };
@@ -56,8 +56,8 @@ struct fit_form {
  * t_k; eps = T_(k+1)/T_k at the bounce between two flights. Returns STATUS_OK, STATUS_USAGE after a message with line
  * and column, or STATUS_FAILED if the file cannot be read. */
 int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form);
-/* The same of a text, before text[size] == '\0', which is written to. `name` names it in messages. */
-int fit_data_parse(struct fit_data *data, char *text, size_t size, const char *name, const struct fit_form *form);
+/* The same of an open file, which messages call `name` */
+int fit_data_parse(struct fit_data *data, FILE *file, const char *name, const struct fit_form *form);
 
 /* A copy of the points that are not left out. Where bounces are left out, another drop begins. */
 void fit_data_copy(struct fit_data *copy, const struct fit_data *data, const bool *left_out);

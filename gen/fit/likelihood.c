@@ -691,17 +691,6 @@ size_t fit_lines(const struct fit_data *data)
     return lines;
 }
 
-void fit_leave_out(bool *left_out, const struct fit_data *data, long line)
-{
-    for (size_t i = 0; i < data->points; i++) {
-        const struct fit_bounce *const b = data->bounce ? &data->bounce[i] : NULL;
-        if (!b)
-            left_out[i] = left_out[i] || data->point[i].line == line;
-        else if (b->line[0] == line || b->line[1] == line || b->line[2] == line)
-            left_out[b->point] = true;
-    }
-}
-
 /* Generalised least squares of the error e of time w of bounce `first` from z = w e + noise */
 static double time_distance(const struct problem *p, size_t first, size_t time)
 {

@@ -85,9 +85,6 @@ struct fit_distance {
 size_t fit_lines(const struct fit_data *data); /* their number */
 void fit_distances(struct fit_distance *distance, const struct fit_estimate *estimate, const struct fit_data *data);
 
-/* Marks the point of that line, or the bounces with the time of that line. */
-void fit_leave_out(bool *left_out, const struct fit_data *data, long line);
-
 /* Fits one curve; everything but `aic`, which depends on the other curves. */
 void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, const struct fit_data *data, bool robust);
 

@@ -245,15 +245,14 @@ static void add_models_of_eps(const struct disks *d)
         xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->number[COR_SCENE_POISSON].text));
 }
 
-typedef double law(double speed, double nu, enum cor_disk_datum datum);
-
 static void add_laws(const struct disks *d)
 {
     struct plan *const plan = d->plan;
     static const char *const name[] = {"centre of mass", "diameter", "as printed"};
     static const char *const datum[] = {"CENTRE_OF_MASS", "DIAMETER", "PRINTED"};
     const bool time = d->quantity == PLAN_CONTACT_TIME;
-    law *const function = time ? cor_disk_contact_time : cor_disk_max_compression;
+    double (*const function)(double speed, double nu, enum cor_disk_datum datum) =
+        time ? cor_disk_contact_time : cor_disk_max_compression;
     const char *const called = time ? "cor_disk_contact_time" : "cor_disk_max_compression";
     struct plan_model *m = plan_add(plan, "leading logarithm (61)");
     for (slong i = 0; i < plan->points; i++)

@@ -26,10 +26,10 @@ static double *plan_numbers(slong n)
 void plan_init(struct plan *plan, slong points, double speed_min, double speed_max)
 {
     *plan = (struct plan){.points = points, .chosen = -1};
-    plan->speed = plan_numbers(points);
-    plan->at = plan_numbers(points);
-    plan->truth = plan_numbers(points);
-    plan->uncertainty = plan_numbers(points);
+    plan->speed = plan_numbers(4 * points);
+    plan->at = plan->speed + points;
+    plan->truth = plan->at + points;
+    plan->uncertainty = plan->truth + points;
     for (slong i = 0; i < points; i++) {
         const double speed = speed_min * pow(speed_max / speed_min, (double)i / (double)(points - 1));
         plan->speed[i] = i == 0 ? speed_min : i + 1 == points ? speed_max : fmin(fmax(speed, speed_min), speed_max);
@@ -46,9 +46,6 @@ void plan_clear(struct plan *plan)
     }
     free(plan->model);
     free(plan->speed);
-    free(plan->at);
-    free(plan->truth);
-    free(plan->uncertainty);
     free(plan->title);
     free(plan->remark);
     *plan = (struct plan){.chosen = -1};
@@ -56,7 +53,7 @@ void plan_clear(struct plan *plan)
 
 struct plan_model *plan_add(struct plan *plan, const char *format, ...)
 {
-    plan->model = xrealloc(plan->model, (size_t)(plan->models + 1) * sizeof *plan->model);
+    plan->model = xgrow(plan->model, (size_t)plan->models, sizeof *plan->model);
     struct plan_model *model = &plan->model[plan->models++];
     *model = (struct plan_model){.value = plan_numbers(plan->points), .error = plan_numbers(plan->points)};
     va_list arguments;

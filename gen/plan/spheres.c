@@ -94,9 +94,6 @@ static int find_truth(struct spheres *s)
 
 /* ---- models ---- */
 
-/* [1/4] of Mueller and Poeschel 2011, v = sqrt(beta); zero force */
-static const double mueller_poeschel[] = {1, 0.501086, 1, 0.501086, 1.15345, 0.577977, 0.532178};
-
 static double eps_horner(const double *c, slong degree, double z)
 {
     double y = c[degree];
@@ -111,9 +108,11 @@ static double eps_quotient(const double *c, slong m, slong n, double z)
     return eps_horner(c, m, z) / eps_horner(c + m + 1, n, z);
 }
 
+/* [1/4] of Mueller and Poeschel 2011; zero force */
 static double eps_mueller_poeschel(double beta)
 {
-    return eps_quotient(mueller_poeschel, 1, 4, sqrt(beta));
+    const double v = sqrt(beta);
+    return (1 + 0.501086 * v) / (1 + v * (0.501086 + v * (1.15345 + v * (0.577977 + v * 0.532178))));
 }
 
 static double speed_exponent(const struct spheres *s)

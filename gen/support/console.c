@@ -80,6 +80,12 @@ void *xrealloc(void *old, size_t size)
     return granted(realloc(old, size ? size : 1), size);
 }
 
+/* There is no room behind a power of two. */
+void *xgrow(void *old, size_t count, size_t size)
+{
+    return (count & (count - 1)) == 0 ? xrealloc(old, (count ? 2 * count : 1) * size) : old;
+}
+
 char *xstrdup(const char *text)
 {
     return xprintf("%s", text);

@@ -48,8 +48,27 @@ void profile_report(void);
 /* malloc, realloc, strdup and printf to such memory, which end the program with a message instead of returning NULL. */
 void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
+void *xgrow(void *old, size_t count, size_t size); /* room for one more; `count` grows by one from call to call */
 char *xstrdup(const char *text);
 char *xprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvprintf(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
+
+/* ---- words.c: words of a command line that are not known, and names that a C function cannot have ---- */
+
+/* The number of letters that are left out, put in, exchanged, or swapped with their neighbour, between two words of at
+ * most WORD_MOST letters; capitals count as small letters. */
+enum { WORD_MOST = 63 };
+size_t slips_between(const char *a, const char *b);
+
+/* A usage error about a word that is none of `words`, a list that ends with NULL: the message, the word that was meant,
+ * if few slips of the keyboard lead from it to the given one, and all words, each behind `dashes`. Returns
+ * STATUS_USAGE. */
+int refuse_word(const char *word, const char *const *words, const char *dashes, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* What an identifier is already, "a keyword of C or C++", in C99 to C23, in C++11 to C++23, or in the headers math.h,
+ * stdint.h and string.h with the extensions of GNU; NULL if it is free. Functions of the other headers of C count, too,
+ * because compilers know them without their headers. */
+const char *c_name_taken(const char *name);
 
 #endif

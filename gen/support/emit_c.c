@@ -2,9 +2,9 @@
 #include "support/emit_c.h"
 
 #include <ctype.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,12 +145,13 @@ static int put_ball(struct emit *e, const arb_t x, slong column, bool opens, boo
     char number[NUMBER_MAX];
     const bool digits = digits_file && (!e->decimal || e->shared);
     char *const text = digits ? number_text(x) : NULL;
-    if ((digits && !text) || !digits_to_double(&y, x))
-        return fail("%s, row %ld: number %ld is not known well enough to be rounded", e->table, (long)e->row,
-                    (long)column);
-    if (digits)
+    const bool known = (text || !digits) && digits_to_double(&y, x);
+    if (known && digits)
         fprintf(digits_file, "%s,%ld,%ld,%a,%s\n", e->table, (long)e->row, (long)column, y, text);
     free(text);
+    if (!known)
+        return fail("%s, row %ld: number %ld is not known well enough to be rounded", e->table, (long)e->row,
+                    (long)column);
     if (e->decimal)
         real(number, e, y);
     else
@@ -279,15 +280,14 @@ void emit_geometry_integer(struct emit *e, const char *table, const char *what, 
     emit_lines(e, n < 0 ? "#define $S_$s ($d)\n" : "#define $S_$s $d\n", table, what, (int)n);
 }
 
-/* The bits of a number of the type, as an integer */
-static unsigned long long bits_of(const struct emit *e, double x)
+uint64_t emit_bits_of(bool single, double x)
 {
     const float y = (float)x;
     uint32_t narrow;
     uint64_t wide;
     memcpy(&narrow, &y, sizeof narrow);
     memcpy(&wide, &x, sizeof wide);
-    return e->single ? narrow : wide;
+    return single ? narrow : wide;
 }
 
 void emit_lines(struct emit *e, const char *text, ...)
@@ -325,7 +325,7 @@ void emit_lines(struct emit *e, const char *text, ...)
             fputs(real(number, e, va_arg(arguments, double)), e->file);
             break;
         default: /* 'b' */
-            fprintf(e->file, "%llu", bits_of(e, va_arg(arguments, double)));
+            fprintf(e->file, "%" PRIu64, emit_bits_of(e->single, va_arg(arguments, double)));
         }
     }
     va_end(arguments);

@@ -4,6 +4,7 @@
 #define COR_GEN_SUPPORT_EMIT_C_H
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include "support/flint.h"
@@ -75,6 +76,7 @@ int emit_pair_field(struct emit *e, const char *field, const arb_t value);
  * double that the type holds, written so that it reads back to the same bits, and $b such a double's bits as a whole
  * number. */
 void emit_lines(struct emit *e, const char *text, ...);
+uint64_t emit_bits_of(bool single, double x); /* of $b */
 
 /* Define `name` as a polynomial in a variable by Horner's rule, of which every product is added, so that compilers
  * round alike but for fused products: of c[0], c[step], ... up to c[degree], or of a row of a table. */

@@ -338,10 +338,7 @@ void table_init(struct table *t, const char *header, const char *kinds)
 
 void table_add(struct table *t, char *cell)
 {
-    if (t->cells == t->capacity) {
-        t->capacity = t->capacity ? 2 * t->capacity : 64;
-        t->cell = xrealloc(t->cell, (size_t)t->capacity * sizeof *t->cell);
-    }
+    t->cell = xgrow(t->cell, (size_t)t->cells, sizeof *t->cell);
     t->cell[t->cells++] = cell;
 }
 

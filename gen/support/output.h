@@ -74,7 +74,7 @@ struct table {
     char *kinds; /* of the columns, a letter each */
     bool json_strings;
     char **cell; /* row-major, malloc'ed strings */
-    long cells, capacity;
+    long cells;
 };
 
 /* The names of the columns, separated by commas, and their kinds. A table begins as {0} or cleared. */

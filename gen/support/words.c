@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "support/words.h"
 
 #include <ctype.h>
 #include <stdarg.h>

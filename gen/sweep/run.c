@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "sweep/run.h"
+#include "sweep/sweep.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -30,11 +30,8 @@ static int values_add(struct values *values, const struct values_rule *rule, con
 {
     if (values->count == VALUES_MAX)
         return usage_error("--%s: more than %d values; split the sweep", rule->option, VALUES_MAX);
-    if ((values->count & (values->count - 1)) == 0) { /* no room behind a power of two */
-        const size_t room = values->count ? 2 * values->count : 1;
-        values->exact = xrealloc(values->exact, room * sizeof *values->exact);
-        values->nearest = xrealloc(values->nearest, room * sizeof *values->nearest);
-    }
+    values->exact = xgrow(values->exact, values->count, sizeof *values->exact);
+    values->nearest = xgrow(values->nearest, values->count, sizeof *values->nearest);
     fmpq_init(values->exact + values->count);
     fmpq_set(values->exact + values->count, x);
     values->nearest[values->count++] = decimal_nearest(x);

@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "approximation/pade_rounded.h"
+#include "approximation/pade.h"
 #include "disk/modes.h"
 #include "series/law.h"
 #include "support/decimal.h"
@@ -107,8 +107,8 @@ struct pade_header {
  * Returns 0, or 1 after reporting the reason. */
 int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a);
 
-/* ---- directory.c: all files of generated/, or the mode tables of one material. corgen writes the files, or checks that
- * it would write the same bytes. ---- */
+/* ---- directory.c: all files of generated/, or the mode tables of one material. corgen writes them, or checks that it
+ * would write the same bytes. ---- */
 
 #define TABLES_MAX_SEED 1000000000
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/law_tables.h"
+#include "approximation/law_layout.h"
 #include "series/series.h"
 #include "support/console.h"
 #include "support/local.h"

@@ -351,7 +351,6 @@ static const struct time_rows tsuji_rows[] = {
     {"cor_rows_tsuji_overlap_factor", "V of the duration at zero overlap", "zeta/(10 sqrt(1 - zeta^2)) 2^-k",
      tsuji_overlap_factor, NULL, 0.0625, 0.125, OVERLAP_END, 53.5},
 };
-enum { TSUJI_ROWS = sizeof tsuji_rows / sizeof *tsuji_rows };
 
 static const struct time_rows crossley_rows[] = {
     {"cor_rows_crossley_time_of_max_overlap_1", "time of the largest overlap, a = 1", "ln(1 + beta)",
@@ -363,7 +362,6 @@ static const struct time_rows crossley_rows[] = {
     {"cor_rows_crossley_duration_3_2", "duration, a = 3/2", "ln(1 + beta)", crossley_duration_3_2, "expm1(y)", 0, 0.125,
      CROSSLEY_DURATION_END, LEAST_BITS},
 };
-enum { CROSSLEY_ROWS = sizeof crossley_rows / sizeof *crossley_rows };
 
 static const struct time_rows disk_rows[] = {
     {"cor_rows_disk_contact_time", "contact time", "q 2^-k", disk_contact_time, NULL, DISK_FROM, 0.125, DISK_END,
@@ -371,34 +369,6 @@ static const struct time_rows disk_rows[] = {
     {"cor_rows_disk_load_factor", "load over compression", "q 2^-k", disk_load_factor, NULL, DISK_FROM, 0.0625,
      DISK_END, LEAST_BITS},
 };
-enum { DISK_ROWS = sizeof disk_rows / sizeof *disk_rows, DISK_HEAD_BITS = 26 };
-
-/* head_bits of c_0, 0: all */
-static int emit_rows_of(struct emit *e, const struct time_rows *rows, int n, slong head_bits)
-{
-    int status = STATUS_OK;
-    for (int i = 0; i < n && status == STATUS_OK; i++, rows++) {
-        const bool octaves = !rows->damping;
-        const double cells = octaves ? log2(rows->end / rows->from) : rows->end - rows->from;
-        struct pieces p = {.variable = octaves ? VARIABLE_BETA_OCTAVES : VARIABLE_OTHER,
-                           .words = rows->variable,
-                           .first = octaves ? log2(rows->from) : rows->from + rows->step / 2,
-                           .step = rows->step,
-                           .end = rows->end,
-                           .octave_bits = octaves ? (slong)-log2(rows->step) : 0,
-                           .rows = (slong)(cells / rows->step + (octaves ? 0 : 0.5)),
-                           .degree = 10,
-                           .name = rows->name,
-                           .title = rows->title,
-                           .head_bits = head_bits,
-                           .least_bits = rows->least_bits};
-        p.plain = p.rows;
-        progress("tables of laws", i, n);
-        status = sampled_function_write(e, &p, time_at, rows);
-    }
-    progress_end();
-    return status;
-}
 
 /* ---- beyond the rows ---- */
 
@@ -406,6 +376,7 @@ static int emit_rows_of(struct emit *e, const struct time_rows *rows, int n, slo
  * many enclosed values. Its row has the nearest doubles, the first `split` of them each with its remainder. */
 struct far_form {
     const char *name;
+    const char *comment; /* above this form and those after it */
     /* sum_k c_k basis_k = value, equation i of `terms` */
     void (*equation)(arb_ptr basis, arb_t value, const struct far_form *f, slong i);
     slong known, terms, split;
@@ -418,6 +389,7 @@ struct far_form {
     } term[6];
     struct ratio k; /* of crossley_equation: a/(a + 1) */
     void (*constants)(arb_ptr c, const struct far_form *f);
+    int (*check)(const struct far_form *f); /* of the row; NULL: none */
 };
 
 enum { FAR_MOST = 16 };
@@ -454,18 +426,6 @@ static slong far_row(arb_ptr row, const struct far_form *f)
             arb_sub(c + k, c + k, row + columns, FAR_BITS);
         }
     return columns;
-}
-
-static int far_emit(struct emit *e, const char *comment, const struct far_form *f, int n)
-{
-    LOCAL_VECTOR(row, FAR_MOST);
-    int status = STATUS_OK;
-    emit_comment(e, "%s", comment);
-    for (int i = 0; i < n && status == STATUS_OK; i++) {
-        const slong columns = far_row(row, &f[i]);
-        status = columns > 0 ? emit_one_row(e, f[i].name, row, columns) : STATUS_FAILED;
-    }
-    return status;
 }
 
 /* t zeta^power at u = ln(zeta) = 13, 13.75, ... by mu^j u^k */
@@ -524,45 +484,24 @@ static int overlap_far_check(const struct far_form *f)
     }
 #define QUADRATIC .terms = 5, .term = {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {1, 2}}
 static const struct far_form tsuji_far[] = {
-    TSUJI_FAR("time_of_max_overlap", tsuji_time_of_max_overlap, 4, 5, 2, QUADRATIC),
+    TSUJI_FAR(
+        "time_of_max_overlap", tsuji_time_of_max_overlap, 4, 5, 2, QUADRATIC,
+        .comment =
+            "ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u\n"
+            "+ mu (a_2 + a_3 u + a_4 u^2); with the limited damper and mu = 1/zeta: t = a_0 + a_0' + (a_1 + a_1') "
+            "mu\n+ a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). Through enclosed values with u = 13, 13.75, ..."),
     TSUJI_FAR("duration_zero_force", tsuji_duration_zero_force, 4, 5, 2, QUADRATIC),
     TSUJI_FAR("duration_limited", tsuji_duration_limited, 0, 1, 1, .terms = 6,
               .term = {{0, 0}, {1, 0}, {1, 1}, {3, 0}, {3, 1}, {3, 2}}),
+    {.name = "cor_rows_tsuji_far_overlap_factor",
+     .comment = "y >= 10: V = y^(-4/5) (v_0 + v_0' + v_1/y^2 + ... + v_7/y^14), through values at y = 10 ... 52; "
+                "relative error below 2^-57, sampled.",
+     .equation = overlap_equation,
+     .terms = 8,
+     .split = 1,
+     .check = overlap_far_check},
+    {.name = NULL},
 };
-enum { TSUJI_FORMS = sizeof tsuji_far / sizeof *tsuji_far };
-static const struct far_form overlap_far = {
-    .name = "cor_rows_tsuji_far_overlap_factor", .equation = overlap_equation, .terms = 8, .split = 1};
-
-/* How both files are made and known: the end of their banners */
-static const char how_times[] =
-    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
-    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table\n"
-    "(sampled); errors of evaluation: include/cor/law.h (sampled).\n";
-
-static const char tsuji_times[] =
-    "Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the\n"
-    "sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
-    "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n";
-
-int tsuji_tables_write(FILE *file)
-{
-    struct emit e;
-    emit_open_tables(&e, file, "tsuji", tsuji_times, how_times, EMIT_INCLUDE_ROWS);
-    const int status =
-        emit_rows_of(&e, tsuji_rows, TSUJI_ROWS, 0) ||
-        far_emit(&e,
-                 "ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u\n"
-                 "+ mu (a_2 + a_3 u + a_4 u^2); with the limited damper and mu = 1/zeta: t = a_0 + a_0' + (a_1 + a_1') "
-                 "mu\n+ a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). Through enclosed values with u = 13, 13.75, ...",
-                 tsuji_far, TSUJI_FORMS) ||
-        overlap_far_check(&overlap_far) ||
-        far_emit(&e,
-                 "y >= 10: V = y^(-4/5) (v_0 + v_0' + v_1/y^2 + ... + v_7/y^14), through values at y = 10 ... 52; "
-                 "relative error below 2^-57, sampled.",
-                 &overlap_far, 1);
-    emit_close(&e);
-    return status;
-}
 
 /* ---- Hunt and Crossley beyond the rows ---- */
 
@@ -619,50 +558,104 @@ static void rebound_coefficients(arb_ptr c, const struct far_form *f)
         .name = "cor_rows_crossley_far_rebound_" #end, .known = 11, .constants = rebound_coefficients,                 \
         .k = __VA_ARGS__                                                                                               \
     }
-static const struct far_form loading_far[] = {LOADING_FAR(1, {1, 2}), LOADING_FAR(3_2, {3, 5})},
-                             rebound_far[] = {REBOUND_FAR(1, {1, 2}), REBOUND_FAR(3_2, {3, 5})};
+static const struct far_form crossley_far[] = {
+    LOADING_FAR(
+        1, {1, 2},
+        .comment =
+            "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
+            "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K exact, "
+            "k_j through\nthree enclosed values."),
+    LOADING_FAR(3_2, {3, 5}),
+    REBOUND_FAR(
+        1, {1, 2},
+        .comment =
+            "s >= 4.5: the rebound takes beta^(2k-1) (a+1)^-k ((a+1) U^(1-k) + U^-k (c_1/U + ... + c_11/U^11)),\n"
+            "U = 1 + beta - ln(1 + beta). Exact coefficients."),
+    REBOUND_FAR(3_2, {3, 5}),
+    {.name = NULL},
+};
 
-static const char crossley_times[] =
-    "Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units of\n"
-    "(m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in ln(1 + beta), "
-    "and\n"
-    "what follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: docs/laws.md; form:\n"
-    "docs/internals.md.\n";
+/* ---- the files ---- */
 
-int hunt_crossley_tables_write(FILE *file)
+#define COUNT(rows) ((int)(sizeof(rows) / sizeof *(rows)))
+
+static int rows_write(struct emit *e, const struct time_rows *rows, slong head_bits)
+{
+    const bool octaves = !rows->damping;
+    const double cells = octaves ? log2(rows->end / rows->from) : rows->end - rows->from;
+    struct pieces p = {.variable = octaves ? VARIABLE_BETA_OCTAVES : VARIABLE_OTHER,
+                       .words = rows->variable,
+                       .first = octaves ? log2(rows->from) : rows->from + rows->step / 2,
+                       .step = rows->step,
+                       .end = rows->end,
+                       .octave_bits = octaves ? (slong)-log2(rows->step) : 0,
+                       .rows = (slong)(cells / rows->step + (octaves ? 0 : 0.5)),
+                       .degree = 10,
+                       .name = rows->name,
+                       .title = rows->title,
+                       .head_bits = head_bits,
+                       .least_bits = rows->least_bits};
+    p.plain = p.rows;
+    return sampled_function_write(e, &p, time_at, rows);
+}
+
+/* n tables, with head_bits of c_0, 0: all; and far forms up to one without a name */
+static int file_write(FILE *file, const char *name, const char *what, const char *how, const struct time_rows *rows,
+                      int n, slong head_bits, const struct far_form *far)
 {
     struct emit e;
-    emit_open_tables(&e, file, "hunt_crossley", crossley_times, how_times, EMIT_INCLUDE_ROWS);
-    const int status =
-        emit_rows_of(&e, crossley_rows, CROSSLEY_ROWS, 0) ||
-        far_emit(&e,
-                 "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
-                 "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K "
-                 "exact, k_j through\nthree enclosed values.",
-                 loading_far, 2) ||
-        far_emit(&e,
-                 "s >= 4.5: the rebound takes beta^(2k-1) (a+1)^-k ((a+1) U^(1-k) + U^-k (c_1/U + ... + c_11/U^11)),\n"
-                 "U = 1 + beta - ln(1 + beta). Exact coefficients.",
-                 rebound_far, 2);
+    LOCAL_VECTOR(row, FAR_MOST);
+    int status = STATUS_OK;
+    emit_open_tables(&e, file, name, what, how, EMIT_INCLUDE_ROWS);
+    for (int i = 0; i < n && status == STATUS_OK; i++) {
+        progress("tables of laws", i, n);
+        status = rows_write(&e, &rows[i], head_bits);
+    }
+    progress_end();
+    for (const struct far_form *f = far; f && f->name && status == STATUS_OK; f++) {
+        if (f->comment)
+            emit_comment(&e, "%s", f->comment);
+        const slong columns = far_row(row, f);
+        status = columns == 0 || (f->check && f->check(f)) ? STATUS_FAILED : emit_one_row(&e, f->name, row, columns);
+    }
     emit_close(&e);
     return status;
 }
 
-static const char disk_law[] =
-    "Contact time and load of the disk's quasistatic law by q, which is ln(limit/compression) or 2 ln(limit/speed):\n"
-    "rows of short polynomials by octaves of q. Evaluated by\n"
-    "runtime/disk/quasistatic_rows.c. Source: docs/theory-disks.md, 12; form: docs/internals.md.\n",
-                  how_disk_law[] = "The rows interpolate polynomials through samples: of the time by two Gauss rules "
-                                   "of 56 points, of the load by\n"
-                                   "Lambert's W. The polynomials agree with enclosures to 1e-20 at two places of each "
-                                   "block of rows. Errors of the\n"
-                                   "rows stand above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
+/* How the times are made and known: the end of two banners */
+static const char how_times[] =
+    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
+    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table\n"
+    "(sampled); errors of evaluation: include/cor/law.h (sampled).\n";
+
+int tsuji_tables_write(FILE *file)
+{
+    static const char what[] =
+        "Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the\n"
+        "sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
+        "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n";
+    return file_write(file, "tsuji", what, how_times, tsuji_rows, COUNT(tsuji_rows), 0, tsuji_far);
+}
+
+int hunt_crossley_tables_write(FILE *file)
+{
+    static const char what[] =
+        "Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units "
+        "of\n(m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in "
+        "ln(1 + beta), and\nwhat follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: "
+        "docs/laws.md; form:\ndocs/internals.md.\n";
+    return file_write(file, "hunt_crossley", what, how_times, crossley_rows, COUNT(crossley_rows), 0, crossley_far);
+}
 
 int disk_law_tables_write(FILE *file)
 {
-    struct emit e;
-    emit_open_tables(&e, file, "disk_law", disk_law, how_disk_law, EMIT_INCLUDE_ROWS);
-    const int status = emit_rows_of(&e, disk_rows, DISK_ROWS, DISK_HEAD_BITS);
-    emit_close(&e);
-    return status;
+    static const char what[] =
+        "Contact time and load of the disk's quasistatic law by q, which is ln(limit/compression) or 2 "
+        "ln(limit/speed):\nrows of short polynomials by octaves of q. Evaluated by\nruntime/disk/quasistatic_rows.c. "
+        "Source: docs/theory-disks.md, 12; form: docs/internals.md.\n";
+    static const char how[] =
+        "The rows interpolate polynomials through samples: of the time by two Gauss rules of 56 points, of the load "
+        "by\nLambert's W. The polynomials agree with enclosures to 1e-20 at two places of each block of rows. Errors "
+        "of the\nrows stand above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
+    return file_write(file, "disk_law", what, how, disk_rows, COUNT(disk_rows), 26, NULL);
 }

@@ -176,15 +176,12 @@ static int collide_all(struct scene *scene, long count, const char *name)
 
 struct scenes {
     struct scene *scene; /* in order of place */
-    long count, capacity;
+    long count;
 };
 
 static void add_scene(struct scenes *to, struct scene scene)
 {
-    if (to->count == to->capacity) {
-        to->capacity = to->capacity ? 2 * to->capacity : 1024;
-        to->scene = xrealloc(to->scene, (size_t)to->capacity * sizeof *to->scene);
-    }
+    to->scene = xgrow(to->scene, (size_t)to->count, sizeof *to->scene);
     to->scene[to->count++] = scene;
 }
 

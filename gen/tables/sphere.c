@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-#include "approximation/far_proof.h"
-#include "approximation/law_tables.h"
+#include "approximation/law_layout.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
 #include "support/digits.h"

@@ -5,7 +5,6 @@
 #include "ball.h"
 
 #include "cor/disk.h"
-#include "disk/equation.h"
 #include "disk/modes.h"
 #include "generated/disk_modes_nu033.h"
 #include "generated/disk_modes_nu090.h"

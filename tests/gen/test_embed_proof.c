@@ -7,6 +7,7 @@
 #include "ball.h"
 #include "embed/form.h"
 #include "enclosure/collision.h"
+#include "support/emit_c.h"
 #include "support/local.h"
 
 #include <cor/sphere.h>
@@ -168,8 +169,8 @@ TEST(test_rows)
         f.slope = (double)ROWS * (1 - 1e-9) / (s.beta_max - s.beta_min);
         f.low_bits = 50;
         f.shift = 1e-10 - s.beta_min * f.slope;
-        f.first = embed_bits_of(&f, s.speed_min) >> f.low_bits;
-        f.rows = of_speed ? (slong)((embed_bits_of(&f, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
+        f.first = emit_bits_of(f.single, s.speed_min) >> f.low_bits;
+        f.rows = of_speed ? (slong)((emit_bits_of(f.single, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
         double *const number = f.number = calloc((size_t)f.rows * (DEGREE + 1), sizeof *number);
         for (slong row = 0; row < f.rows; row++) {
             const double lo = of_speed ? embed_row_start(&f, row) : ((double)row - f.shift) / f.slope;
@@ -334,7 +335,7 @@ TEST(test_row_end)
     struct embed_rounding bound;
     f.number = (double[]){1, -0.75};
     f.low_bits = 52;
-    f.first = embed_bits_of(&f, 1) >> f.low_bits;
+    f.first = emit_bits_of(f.single, 1) >> f.low_bits;
     assert_true(embed_rounding_bound(&bound, &f));
     check(bound.error >= 4 * UNIT * (1 - 1e-9) && bound.error <= 5 * UNIT, "a row: %g units", bound.error / UNIT);
 }

@@ -3,7 +3,7 @@
  * large beta against sampled errors and wrong coefficients. */
 #include "ball.h"
 
-#include "approximation/far_proof.h"
+#include "approximation/row_proof.h"
 #include "enclosure/collision.h"
 #include "generated/sphere_tables.h"
 #include "support/local.h"

@@ -384,7 +384,9 @@ TEST(an_end_of_the_range_is_in_its_interval)
 
 static void read_text(struct fit_data *data, char *text)
 {
-    assert_int_equal(fit_data_parse(data, text, strlen(text), "text", &FIT_FORM_DEFAULT), STATUS_OK);
+    FILE *const file = fmemopen(text, strlen(text), "r");
+    assert_int_equal(fit_data_parse(data, file, "text", &FIT_FORM_DEFAULT), STATUS_OK);
+    fclose(file);
 }
 
 /* Other forms of a file are in tests/cli. */

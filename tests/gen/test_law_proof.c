@@ -8,7 +8,7 @@
 
 #include "approximation/ellipse_bound.h"
 #include "approximation/law_layout.h"
-#include "approximation/law_proof.h"
+#include "approximation/row_proof.h"
 #include "enclosure/collision.h"
 #include "enclosure/complex_law.h"
 #include "random.h"

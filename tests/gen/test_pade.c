@@ -4,7 +4,6 @@
 #include "ball.h"
 
 #include "approximation/pade.h"
-#include "approximation/pade_rounded.h"
 #include "enclosure/collision.h"
 #include "support/local.h"
 

@@ -10,7 +10,7 @@
 #include "check.h"
 
 #include "cor/status.h"
-#include "sweep/run.h"
+#include "sweep/sweep.h"
 
 /* ---- lists ---- */
 

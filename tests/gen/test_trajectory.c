@@ -4,9 +4,9 @@
 
 #include "series/jet.h"
 #include "series/power_bounds.h"
+#include "series/restitution.h"
 #include "series/row_sums.h"
 #include "series/trajectory.h"
-#include "series/restitution.h"
 #include "support/local.h"
 
 /* Every rational of (49), and of (47); the t^10 of x_1 with the digits that the print lost. */
