@@ -12,7 +12,7 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (proof.h). The interpolant
+/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (form.h). The interpolant
  * ends at 8.25. */
 #define OVERLAP_FAR 7.0
 /* At zero force the interpolant ends at 17. From exp(10) on three orders in beta^(-5/3) suffice. */
