@@ -18,9 +18,9 @@
  * The same evaluator and tables as libcor, where domain, special values and accuracy are documented
  * (include/cor/sphere.h): eps, loss and largest overlap within 1 unit of the last place, times and inverse
  * within 2: proved for every double, if log is within 1 unit and cbrt within 64 (docs/theory.md, 8 and 18);
- * eps at a speed within (2 + 2 kappa) 2^-53, kappa = |d ln eps/d ln beta|: sampled. beta = 0 -> 1, +inf -> 0
- * (eps); negative or NaN -> NaN. Any flags are safe: no argument leads beyond a table, and -ffast-math and
- * -march=native change a result by 4 units at most (sampled).
+ * eps at a speed within (2 + 2 kappa) 2^-53, kappa = |d ln eps/d ln beta|: proved for an x with two rounding
+ * errors (18). beta = 0 -> 1, +inf -> 0 (eps); negative or NaN -> NaN. Any flags are safe: no argument leads
+ * beyond a table, and -ffast-math and -march=native change a result by 4 units at most (sampled).
  * Zero overlap ends the contact when x = 0 again, zero force when x'' = 0.
  *
  * Rows of short polynomials around the nodes of uniform grids, and what follows at large beta. Each double
