@@ -62,12 +62,12 @@ def source(declared: Declarations) -> str:
     """The text of the C module that cffi puts before its own."""
     parts = [
         "#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
-        "#if defined __OPTIMIZE__ && !defined __clang__ /* at -O2 gcc does not use vectors for conversions */",
+        "#if defined __GNUC__ && !defined __clang__ /* at -O2 gcc does not use vectors for conversions */",
         '#pragma GCC push_options\n#pragma GCC optimize("O3")\n#endif',
         "/* A loop has a step for every number, also where the form that it calls needs none. */",
     ]
     parts += [f"{head}\n{{\n{body}}}" for head, body in _loops(declared)]
-    parts += ["#if defined __OPTIMIZE__ && !defined __clang__\n#pragma GCC pop_options\n#endif"]
+    parts += ["#if defined __GNUC__ && !defined __clang__\n#pragma GCC pop_options\n#endif"]
     return "\n\n".join(parts) + "\n"
 
 
