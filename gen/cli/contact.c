@@ -110,7 +110,7 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
     size_t curves = 0;
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         const struct cor_scene_contact *const contact = &contacts->contact[contacts->count > 1 ? end : 0];
-        const bool wanted = o->scene.end == OPTIONS_NOT_GIVEN || o->scene.end == end;
+        const bool wanted = contacts->scene.end == COR_BOTH_ENDS || contacts->scene.end == end;
         if (!wanted || !cor_scene_has_end(contact, end) || (curves > 0 && !cor_scene_ends_differ(contact)))
             continue;
         for (int i = 0; i < CURVE_POINTS; i++) {

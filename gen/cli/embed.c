@@ -58,7 +58,7 @@ static const char help[] =
     "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n"
     "Under --gravity or --adhesion it is 0 up to the sticking speed.\n\n"
     "  --speed-min G, --speed-max G   the range of speeds in m/s; speeds outside give the value of the nearer end\n"
-    "  --tolerance T    allowed relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END
+    "  --tolerance T    allowed relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END_PRESSED
     "  --type T         double (default) or float\n"
     "  --for USE        optimize for scalar (single calls), array (loops that become vectors) or balanced\n"
     "                   (default, both)\n"

@@ -86,7 +86,8 @@ struct option_common {
 #define OPTION_JSON_STRINGS OPTION("json-strings", FLAG, common.json_strings, .needs = "format")
 #define OPTION_DIGITS                                                                                                  \
     OPTION("digits", WHOLE, digits, .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits would take too long")
-#define OPTION_END(FIELD) OPTION("end", WORD, FIELD, .range.words = contact_end_options, .why = "an end of contact")
+#define OPTION_END_OF(FIELD, WORDS) OPTION("end", WORD, FIELD, .range.words = (WORDS), .why = "an end of contact")
+#define OPTION_END(FIELD) OPTION_END_OF(FIELD, contact_end_options)
 #define OPTION_LAW OPTION_PLAIN("elastic", ELASTIC, law), OPTION_PLAIN("damping", TEXT, law.damping)
 #define OPTION_COUNT_WHY "the time grows like the power 3/2 of it, past ten hours"
 

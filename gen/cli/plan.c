@@ -55,7 +55,7 @@ static const char help[] =
     "       corgen plan --disks --speed-min V --speed-max V --tolerance T --poisson NU [OPTION]...\n\n"
     "Compares models of restitution with collisions over a range of speeds, and names the cheapest\n"
     "that meets the tolerance, with the command or call to use.\n\n"
-    "Spheres and other laws: speeds in m/s, T the relative error of eps, 1e-15 to below 1.\n" HELP_END
+    "Spheres and other laws: speeds in m/s, T the relative error of eps, 1e-15 to below 1.\n" HELP_END_PRESSED
     "  --for USE        compare the time of scalar (single calls), array (loops) or balanced\n"
     "                   (default, both)\n" HELP_CONTACT "\n"
     "Disks: speeds in sqrt(E/rho), 0.001 to 0.5; against a rigid wall, all modes counted.\n"

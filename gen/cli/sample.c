@@ -19,15 +19,14 @@ static int run_sample(const void *arguments)
     struct output out;
     if (scene.end == OPTIONS_NOT_GIVEN)
         scene.end = END_ZERO_OVERLAP;
-    const struct sample_request request = {.contact = &contacts.contact[0],
-                                           .law = &contacts.law,
-                                           .end = (enum contact_end)scene.end,
-                                           .speed_min = embed_number(&scene, EMBED_SPEED_MIN),
-                                           .speed_max = embed_number(&scene, EMBED_SPEED_MAX),
-                                           .tolerance = embed_number(&scene, EMBED_TOLERANCE),
-                                           .log = o->log,
-                                           .cubic = o->cubic,
-                                           .duration = o->duration};
+    struct sample_request request = {.contact = &contacts.contact[0],
+                                     .law = &contacts.law,
+                                     .speed_min = embed_number(&scene, EMBED_SPEED_MIN),
+                                     .speed_max = embed_number(&scene, EMBED_SPEED_MAX),
+                                     .tolerance = embed_number(&scene, EMBED_TOLERANCE),
+                                     .log = o->log,
+                                     .cubic = o->cubic,
+                                     .duration = o->duration};
     if (!(request.speed_min < request.speed_max))
         return usage_error("--speed-min %s is not below --speed-max %s, as --speed-min 0.01 --speed-max 10",
                            number[EMBED_SPEED_MIN].text, number[EMBED_SPEED_MAX].text);
@@ -43,6 +42,7 @@ static int run_sample(const void *arguments)
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
     if (status != STATUS_OK)
         return status;
+    request.end = (enum contact_end)contacts.scene.end;
     contact_warn_yield(&contacts, request.speed_max);
     status = sample_choose(&sample, &request);
     if (status == STATUS_OK)

@@ -9,6 +9,9 @@
 #include "contact/contact.h"
 #include "embed/request.h"
 
+#define HELP_END_PRESSED                                                                                               \
+    "  --end E          the contact ends at zero-overlap (default) or zero-force; under a constant force, at\n"        \
+    "                   zero-overlap or, limited to pushing, at the surface\n"
 #define HELP_CONTACT                                                                                                   \
     "\nBodies, SI units; the second like the first where not given:\n"                                                 \
     "  --young Y, --poisson NU   Young's modulus (Pa), Poisson's ratio\n"                                              \
@@ -79,7 +82,7 @@
         SCENE_NUMBER("zeta", COR_SCENE_ZETA, &option_not_negative, NULL, APART),                                       \
         SCENE_POSITIVE("at", COR_SCENE_AT, "m/s", APART), SCENE_WORD("law", law, contact_law_names, "a law", APART),   \
         SCENE_TEXT("elastic", elastic, "law " APART), SCENE_TEXT("damping", damping, "law " APART),                    \
-        SCENE_WORD("end", end, contact_end_options, "an end of contact", APART)
+        SCENE_WORD("end", end, contact_end_options_pressed, "an end of contact", APART)
 #define SCENE_PURPOSE(APART) SCENE_WORD("for", purpose, embed_purpose_names, "a use", APART)
 
 #endif

@@ -16,8 +16,8 @@ static void append_command(FILE *t, const struct embed_request *request)
 {
     char *const options = embed_options(request, 85);
     fprintf(t, "Written by:  corgen embed%s \\\n                 --end %s --type %s --for %s%s%s\n", options,
-            contact_end_options[request->end], embed_type_names[request->type], embed_purpose_names[request->purpose],
-            request->name ? " --name " : "", request->name ? request->name : "");
+            contact_end_options_pressed[request->end], embed_type_names[request->type],
+            embed_purpose_names[request->purpose], request->name ? " --name " : "", request->name ? request->name : "");
     fprintf(t, "Checked by:  the same command, whose output is the same to the byte\n");
     free(options);
 }
@@ -80,9 +80,10 @@ static struct bound_text middle_text(const arb_t x)
 static void append_scene(FILE *t, const struct embed_request *request, const struct embed_scene *s,
                          const struct embed_proof *proof)
 {
+    static const char *const end[] = {"zero overlap (x = 0)", "zero force (x'' = 0)",
+                                      "the surface (x = 0), free of force since it would have become attractive"};
     fprintf(t, "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n", request->number[EMBED_SPEED_MIN].text,
-            request->number[EMBED_SPEED_MAX].text,
-            request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)");
+            request->number[EMBED_SPEED_MAX].text, end[request->end]);
     if (s->plastic)
         fprintf(t, "v_y = %s m/s, the impact speed from which they yield%s.\n", middle_text(s->yield_speed).text,
                 s->onset > 0 || s->constant ? "; eps = 1 up to it" : "");

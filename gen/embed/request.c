@@ -118,8 +118,17 @@ bool embed_viscosity(struct decimal eta[2], const char *text)
            eta[1].forms == DECIMAL_PLAIN;
 }
 
+bool embed_is_pressed(const struct embed_request *request)
+{
+    return embed_given(request, COR_SCENE_GRAVITY) ||
+           (embed_given(request, COR_SCENE_ADHESION) && request->adhesion_model != COR_ADHESION_JKR);
+}
+
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request)
 {
+    int end = request->end;
+    if (contact_end_given(&end, embed_is_pressed(request)) != STATUS_OK)
+        return STATUS_USAGE;
     struct law law = embed_law(&cor_law_exponents[request->law]);
     const struct ratio_text a = ratio_text(law.a), b = ratio_text(law.b);
     const char *const elastic = request->elastic ? request->elastic : a.text;
@@ -131,7 +140,7 @@ int embed_request_scene(struct cor_scene *scene, const struct embed_request *req
                                 .plate = request->law == COR_LAW_PLATE,
                                 .plastic = request->law == COR_LAW_ELASTIC_PLASTIC,
                                 .wall = request->wall,
-                                .end = request->end,
+                                .end = end,
                                 .adhesion_model = request->adhesion_model};
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
         scene->number[i] = embed_given(request, i) ? embed_number(request, i) : (double)NAN;

@@ -333,7 +333,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
 {
     const struct law law = embed_law(&contact->law);
     int status = STATUS_OK;
-    *s = (struct embed_scene){.end = (enum contact_end)request->end,
+    *s = (struct embed_scene){.end = request->end == END_ZERO_OVERLAP ? END_ZERO_OVERLAP : END_ZERO_FORCE,
                               .single = request->type == EMBED_FLOAT,
                               .tolerance = embed_number(request, EMBED_TOLERANCE),
                               .law = law,
@@ -347,7 +347,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
     s->pressed = contact->force_n > 0 && !s->constant;
     embed_contact_liquid_speed(s->liquid_speed, request, EMBED_BITS);
-    const double held = is_wet(s) ? cor_scene_sticking_speed(contact, request->end) : 0;
+    const double held = is_wet(s) ? cor_scene_sticking_speed(contact, (int)s->end) : 0;
     if (!(s->speed_min > held))
         return usage_error("up to %.6g m/s the liquid holds the bodies, and eps is 0; --speed-min is not above it",
                            held);

@@ -321,7 +321,7 @@ static void add_header(const struct spheres *s, const char *tolerance)
     model_is(s, m, f->cost, "speeds outside the range",
              xprintf("corgen embed%s --end %s --for %s --output cor_scene_eps.h\n"
                      "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                     options, contact_end_options[request.end], embed_purpose_names[request.purpose]));
+                     options, contact_end_options_pressed[request.end], embed_purpose_names[request.purpose]));
     free(options);
 }
 

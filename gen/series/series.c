@@ -8,7 +8,24 @@
 #include "support/local.h"
 
 const char *const contact_end_options[] = {"zero-overlap", "zero-force", NULL};
-const char *const contact_end_names[] = {"zero_overlap", "zero_force"};
+const char *const contact_end_options_pressed[] = {"zero-overlap", "zero-force", "surface", NULL};
+const char *const contact_end_names[] = {"zero_overlap", "zero_force", "surface"};
+
+int contact_end_given(int *end, bool pressed)
+{
+    if (*end == (pressed ? END_ZERO_FORCE : END_SURFACE))
+        return pressed ? usage_error("--end zero-force: under a constant force the contact force vanishes below the "
+                                     "surface, and the restitution is measured at the surface; write --end surface")
+                       : usage_error("--end surface needs a constant force; without one write --end zero-force");
+    if (*end == END_SURFACE)
+        *end = END_ZERO_FORCE;
+    return STATUS_OK;
+}
+
+enum contact_end contact_end_named(int end, bool pressed)
+{
+    return pressed && end == END_ZERO_FORCE ? END_SURFACE : (enum contact_end)end;
+}
 
 void series_init(struct series *s)
 {

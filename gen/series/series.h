@@ -5,9 +5,17 @@
 
 #include "series/law.h"
 
-enum contact_end { END_ZERO_OVERLAP, END_ZERO_FORCE };
-extern const char *const contact_end_options[]; /* "zero-overlap", "zero-force", NULL */
-extern const char *const contact_end_names[];   /* "zero_overlap", "zero_force" */
+/* Under a constant force the second end is the surface. Options and names have it as END_SURFACE, all other code as
+ * END_ZERO_FORCE. */
+enum contact_end { END_ZERO_OVERLAP, END_ZERO_FORCE, END_SURFACE };
+extern const char *const contact_end_options[];         /* "zero-overlap", "zero-force", NULL */
+extern const char *const contact_end_options_pressed[]; /* the same and "surface" */
+extern const char *const contact_end_names[];           /* "zero_overlap", "zero_force", "surface" */
+
+/* The end that an option names, -1 for none, as all other code has it, and back. pressed: a constant force acts. The
+ * first returns STATUS_OK, or STATUS_USAGE after a message if contacts with or without a force have no such end. */
+int contact_end_given(int *end, bool pressed);
+enum contact_end contact_end_named(int end, bool pressed);
 
 struct series {
     arb_poly_t y;   /* x_max = sum y_k beta^k */

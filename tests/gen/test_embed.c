@@ -424,11 +424,10 @@ TEST(test_pressed)
         int end;
         bool sticky;
         const char *restitution, *min, *max, *tolerance;
-    } scenes[] = {
-        {COR_LAW_VISCOELASTIC, END_ZERO_FORCE, true, "0.7", "0.03", "2", "1e-6"}, /* first, for it takes least */
-        {COR_LAW_VISCOELASTIC, END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
-        {COR_LAW_HERTZ_DASHPOT, END_ZERO_FORCE, false, "0.8", "0.013", "10", "1e-5"},
-        {COR_LAW_HUNT_CROSSLEY, END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};
+    } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, true, "0.7", "0.03", "2", "1e-6"}, /* first, for it takes least */
+                  {COR_LAW_VISCOELASTIC, END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
+                  {COR_LAW_HERTZ_DASHPOT, END_SURFACE, false, "0.8", "0.013", "10", "1e-5"},
+                  {COR_LAW_HUNT_CROSSLEY, END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 4))
             continue;
@@ -443,14 +442,14 @@ TEST(test_pressed)
         struct found w;
         found_init(&w, &request);
         const struct cor_scene_contact *const contact = &w.contacts.contact[0];
-        const double sticking = cor_scene_sticking_speed(contact, request.end);
+        const double sticking = cor_scene_sticking_speed(contact, w.contacts.scene.end);
         assert_true(w.s.pressed && sticking < embed_number(&request, EMBED_SPEED_MIN));
         assert_near(middle(w.s.sticking_speed), sticking, 1e-8);
         assert_true(check_proof(w.chosen, &w.s));
         for (int k = 0; k <= 40; k++) {
             const double speed = w.s.speed_min * pow(w.s.speed_max / w.s.speed_min, k / 40.0);
             double eps;
-            assert_int_equal(cor_scene_eps(&eps, contact, speed + w.s.origin, request.end), COR_FAULT_NONE);
+            assert_int_equal(cor_scene_eps(&eps, contact, speed + w.s.origin, w.contacts.scene.end), COR_FAULT_NONE);
             assert_near(embed_form_value(w.chosen, speed, k % 2), eps,
                         w.s.tolerance + COR_SCENE_PRESSED_ERROR / (eps * eps));
         }
