@@ -29,7 +29,7 @@ static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
         if (rule->kind == OPTION_FLAG || rule->kind == OPTION_FILES)
             continue;
         fprintf(file, "        %s:--%s) ", cmd->name, rule->name);
-        if (rule->kind == OPTION_FILE) {
+        if (rule->kind == OPTION_FILE || rule->kind == OPTION_FOLDER) {
             fputs("files=1", file);
         } else if (options_words(rule)) {
             fputs("words='", file);
@@ -96,7 +96,7 @@ static void print_zsh_option(const struct option_rule *rule, FILE *file)
     if (rule->kind == OPTION_FILES)
         return;
     fprintf(file, " '--%s", rule->name);
-    if (rule->kind == OPTION_FILE) {
+    if (rule->kind == OPTION_FILE || rule->kind == OPTION_FOLDER) {
         fputs("=:file:_files", file);
     } else if (options_words(rule)) {
         fprintf(file, "=:%s:(", rule->name);

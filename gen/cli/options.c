@@ -158,6 +158,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         return usage_error("--%s: write the files alone, without it", name);
     case OPTION_TEXT:
     case OPTION_FILE:
+    case OPTION_FOLDER:
     case OPTION_ELASTIC:
         if (length == 0)
             return usage_error("--%s: the name is empty", name);
@@ -263,7 +264,7 @@ static int check_given(const struct option_rule *rules, const bool *given, const
     return STATUS_OK;
 }
 
-/* Two files of one command must not be one: the later would replace the earlier, or what is read. */
+/* Refuses two names of one file, where one would replace the other, and an output that cannot be written. */
 static int check_files(const void *arguments, const struct option_rule *rules, const bool *given)
 {
     for (size_t i = 0; rules[i].name; i++)
@@ -278,7 +279,11 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
                 return usage_error("--%s and %s%s name the same file, %s; allowed: two files", rules[i].name,
                                    given[j] ? "--" : "standard ", rules[j].name, path);
         }
-    return STATUS_OK;
+    int status = STATUS_OK; /* before anything is computed */
+    for (size_t i = 0; rules[i].name && status == STATUS_OK; i++)
+        if (rules[i].kind == OPTION_FILE && given[i] && !rules[i].operand)
+            status = output_check(*(const char *const *)((const char *)arguments + rules[i].offset));
+    return status;
 }
 
 /* Reads the arguments that are no options. A subcommand accepts at most one, or a list of files. */

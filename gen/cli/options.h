@@ -24,7 +24,8 @@ enum option_kind {
     OPTION_WORD,   /* one of `words`; the field is the index as an int, or an enum of that size */
     OPTION_LIST,   /* a list according to `values`; struct values */
     OPTION_TEXT,   /* any nonempty text; const char *. range.words: texts that a shell offers, or NULL */
-    OPTION_FILE,   /* the name of a file or directory; const char * */
+    OPTION_FILE,   /* the name of a file, an output unless `operand` is set; const char * */
+    OPTION_FOLDER, /* the name of a folder; const char * */
     OPTION_FILES,  /* an operand: names of files; struct option_files */
     OPTION_C_NAME, /* an identifier of C; const char * */
     OPTION_ELASTIC /* an exponent; struct option_law, whose `damping` another option fills */
@@ -77,8 +78,9 @@ struct option_common {
 #define OPTION_PLAIN(NAME, KIND, FIELD) OPTION(NAME, KIND, FIELD, .why = NULL)
 
 /* Rules that several subcommands share; those of all end the list. */
-#define OPTION_COMMON                                                                                                  \
-    OPTION_PLAIN("output", FILE, common.output), OPTION_PLAIN("profile", FLAG, common.profile),                        \
+#define OPTION_COMMON OPTION_PLAIN("output", FILE, common.output), OPTION_LAST
+#define OPTION_LAST                                                                                                    \
+    OPTION_PLAIN("profile", FLAG, common.profile),                                                                     \
     {                                                                                                                  \
         .name = NULL                                                                                                   \
     }
@@ -107,7 +109,8 @@ struct option_law {
 };
 
 /* Fills *arguments from argv[1], ..., and *help. Returns STATUS_OK, or STATUS_USAGE after a message on stderr that
- * names the command, argv[0]. In both cases options_clear() frees the memory that the fields own. */
+ * names the command, argv[0], or STATUS_FAILED after a message that a file cannot be written. In all cases
+ * options_clear() frees the memory that the fields own. */
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
 void options_clear(void *arguments, const struct option_rule *rules);
 

@@ -58,7 +58,8 @@ static const struct option_rule options[] = {
     OPTION_PLAIN("digits", FLAG, request.digits),
     OPTION("seed", WHOLE, request.seed, .range.whole = {0, TABLES_MAX_SEED},
            .why = "there are no more samples than that"),
-    OPTION_COMMON,
+    OPTION_PLAIN("output", FOLDER, common.output),
+    OPTION_LAST,
 };
 
 SUBCOMMAND(tables, "tables", "write or check the generated C tables", .request.seed = OPTIONS_NOT_GIVEN);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700 /* open_memstream, realpath */
+#define _XOPEN_SOURCE 700 /* open_memstream, mkstemp */
 
 #include "support/output.h"
 
 #include <ctype.h>
 #include <errno.h>
-#include <fcntl.h>
+#include <limits.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -52,21 +52,8 @@ void output_report_size_limit(void)
 
 /* ---- the file of a path ---- */
 
-enum { NOT_A_DESCRIPTOR = -1 };
-
-/* The descriptor of this process that a path names, or NOT_A_DESCRIPTOR */
-static int descriptor_named(const char *path)
-{
-    static const char folder[] = "/dev/fd/";
-    const size_t length = strlen(folder);
-    if (strcmp(path, "/dev/stdout") == 0)
-        return STDOUT_FILENO;
-    if (strncmp(path, folder, length) != 0)
-        return NOT_A_DESCRIPTOR;
-    const size_t digits = strspn(path + length, "0123456789");
-    return digits > 0 && digits <= 6 && path[length + digits] == '\0' ? (int)strtol(path + length, NULL, 10)
-                                                                      : NOT_A_DESCRIPTOR;
-}
+#define TEMPORARY ".corgen-XXXXXX"
+enum { LINKS_MOST = 40 /* as the kernel follows */ };
 
 const char *file_name(const char *path)
 {
@@ -77,46 +64,107 @@ const char *file_name(const char *path)
 /* The name beside the path: its folder and `last`, malloc'ed */
 static char *beside(const char *path, const char *last)
 {
-    const size_t folder = (size_t)(file_name(path) - path), size = strlen(last) + 1;
-    char *const name = xmalloc(folder + size);
-    memcpy(name, path, folder);
-    memcpy(name + folder, last, size);
-    return name;
+    return xprintf("%.*s%s", (int)(file_name(path) - path), path, last);
 }
 
-/* The file to be made or replaced, links resolved, malloc'ed; NULL: the path is written directly */
+/* The file that a path names behind all symbolic links, malloc'ed. It need not exist. */
 static char *target_of(const char *path)
 {
-    struct stat status;
-    if (descriptor_named(path) != NOT_A_DESCRIPTOR)
-        return NULL;
-    if (stat(path, &status) == 0)
-        return S_ISREG(status.st_mode) ? realpath(path, NULL) : NULL;
-    return lstat(path, &status) == 0 ? NULL : xstrdup(path);
+    char *target = xstrdup(path), link[PATH_MAX];
+    ssize_t size;
+    for (int i = 0; i < LINKS_MOST && (size = readlink(target, link, sizeof link - 1)) >= 0; i++) {
+        link[size] = '\0';
+        char *const next = *link == '/' ? xstrdup(link) : beside(target, link);
+        free(target);
+        target = next;
+    }
+    return target;
+}
+
+/* The descriptor of this process that a path, or NULL, names; negative if none */
+static int descriptor_named(const char *path)
+{
+    int n;
+    char more;
+    return !path || strcmp(path, "/dev/stdout") == 0 ? STDOUT_FILENO
+           : strcmp(path, "/dev/stderr") == 0        ? STDERR_FILENO
+           : sscanf(path, "/dev/fd/%6d%c", &n, &more) == 1 || sscanf(path, "/proc/self/fd/%6d%c", &n, &more) == 1 ? n
+                                                                                                                  : -1;
 }
 
 bool output_is_direct(const char *path)
 {
-    char *const target = path ? target_of(path) : NULL;
-    free(target);
-    return !target;
+    struct stat status;
+    return descriptor_named(path) >= 0 || (stat(path, &status) == 0 && !S_ISREG(status.st_mode));
 }
 
 bool output_same_file(const char *path, const char *other)
 {
     struct stat x, y;
-    char *const folder = beside(path ? path : "", "."), *const other_folder = beside(other ? other : "", ".");
-    bool exists = (path ? stat(path, &x) : fstat(STDOUT_FILENO, &x)) == 0;
-    bool other_exists = (other ? stat(other, &y) : fstat(STDOUT_FILENO, &y)) == 0;
+    char *const target = target_of(path ? path : ""), *const other_target = target_of(other ? other : "");
+    char *const folder = beside(target, "."), *const other_folder = beside(other_target, ".");
+    const bool exists = (path ? stat(path, &x) : fstat(STDOUT_FILENO, &x)) == 0;
+    const bool other_exists = (other ? stat(other, &y) : fstat(STDOUT_FILENO, &y)) == 0;
     bool may_be = exists && other_exists && S_ISREG(x.st_mode);
-    if (!exists && !other_exists && path && other && strcmp(file_name(path), file_name(other)) == 0)
+    if (!exists && !other_exists && strcmp(file_name(target), file_name(other_target)) == 0)
         may_be = stat(folder, &x) == 0 && stat(other_folder, &y) == 0;
     free(folder);
     free(other_folder);
+    free(target);
+    free(other_target);
     return may_be && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
 /* ---- opening ---- */
+
+static void signals_block(sigset_t *before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, before);
+}
+
+/* True if the folder of the target accepts a new file; otherwise errno is the reason. */
+static bool folder_accepts(const char *target)
+{
+    char *const name = beside(target, TEMPORARY);
+    sigset_t before; /* an interruption leaves no file */
+    signals_block(&before);
+    const int fd = mkstemp(name);
+    if (fd >= 0) {
+        unlink(name);
+        close(fd);
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    free(name);
+    return fd >= 0;
+}
+
+int output_check(const char *path)
+{
+    struct stat status;
+    if (descriptor_named(path) >= 0)
+        return STATUS_OK;
+    const bool exists = stat(path, &status) == 0;
+    if (exists && S_ISDIR(status.st_mode))
+        errno = EISDIR;
+    else if (exists ? access(path, W_OK) == 0 : errno == ENOENT)
+        errno = 0;
+    if (errno != 0)
+        return fail("cannot write %s: %s", path, strerror(errno));
+    if (exists && !S_ISREG(status.st_mode))
+        return STATUS_OK;
+    if (exists && status.st_nlink > 1)
+        return fail("cannot write %s: it is one of %ld names of a file (hard links), and the others would keep the old "
+                    "content; remove this name first, or choose another name",
+                    path, (long)status.st_nlink);
+    char *const target = target_of(path);
+    const bool accepted = folder_accepts(target);
+    free(target);
+    return accepted ? STATUS_OK
+                    : fail("cannot write %s: its folder accepts no new file: %s; choose another folder", path,
+                           strerror(errno));
+}
 
 static int output_failure(const char *verb, const struct output *out)
 {
@@ -136,71 +184,27 @@ void output_discard(struct output *out)
     *out = (struct output){.path = out->path};
 }
 
-/* Whether the file can be made or replaced; errno otherwise. A read-only file must be kept, though rename() would
- * replace it. */
-static bool may_write(const char *target)
-{
-    if (access(target, F_OK) == 0 ? access(target, W_OK) != 0 : errno != ENOENT)
-        return false;
-    char *const folder = beside(target, ".");
-    const bool writable = access(folder, W_OK | X_OK) == 0;
-    free(folder);
-    return writable;
-}
-
 int output_open(struct output *out, const char *path)
 {
-    *out = (struct output){.path = path};
+    *out = (struct output){.path = path, .file = stdout};
     output_report_size_limit();
+    const int descriptor = descriptor_named(path), status = output_check(path);
+    if (!path || status != STATUS_OK)
+        return status;
     errno = 0;
-    if (!path) {
-        out->file = stdout;
-        return STATUS_OK;
-    }
-    const int descriptor = descriptor_named(path), copy = descriptor < 0 ? -1 : dup(descriptor);
-    char *const target = target_of(path);
-    if (descriptor >= 0)
+    if (descriptor >= 0) {
+        const int copy = dup(descriptor);
         out->file = copy < 0 ? NULL : fdopen(copy, "w");
-    else if (!target)
+    } else if (output_is_direct(path)) {
         out->file = fopen(path, "w");
-    else if (may_write(target))
+    } else {
         out->file = open_memstream(&out->bytes, &out->size);
-    if (out->file) {
-        out->target = target;
-        return STATUS_OK;
+        out->target = target_of(path);
     }
-    const int reason = errno;
-    free(target);
-    return fail("cannot write %s: %s", path, strerror(reason));
+    return out->file ? STATUS_OK : output_failure("write", out);
 }
 
 /* ---- committing ---- */
-
-/* Sets mode, owner and group to those of the file to be replaced. Returns false if that is not permitted. */
-static bool take_over(int fd, const struct stat *old)
-{
-    struct stat mine;
-    if (fstat(fd, &mine) != 0)
-        return false;
-    const bool same_owner = mine.st_uid == old->st_uid && mine.st_gid == old->st_gid;
-    return (same_owner || fchown(fd, old->st_uid, old->st_gid) == 0) && fchmod(fd, old->st_mode & 07777) == 0;
-}
-
-/* Writes all bytes to the disk and closes the descriptor; errno is that of the first failure. */
-static bool write_and_close(int fd, const struct output *out)
-{
-    bool good = true;
-    for (size_t done = 0; done < out->size && good;) {
-        const ssize_t n = write(fd, out->bytes + done, out->size - done);
-        good = n >= 0 || errno == EINTR;
-        done += n > 0 ? (size_t)n : 0;
-    }
-    good = good && fsync(fd) == 0;
-    const int reason = errno;
-    const bool closed = close(fd) == 0;
-    errno = good ? errno : reason;
-    return good && closed;
-}
 
 /* Closes what is written directly, and completes the bytes of the others. */
 static int output_complete(struct output *out)
@@ -214,44 +218,30 @@ static int output_complete(struct output *out)
     return good ? STATUS_OK : output_failure("write", out);
 }
 
-/* Writes the bytes beside the target. Without a temporary file afterwards, the target is to be overwritten: it has
- * several names, or an owner that this process cannot set. */
+/* Writes the bytes into a temporary file beside the target, with the mode of the target, or of a fresh file. */
 static int output_prepare(struct output *out)
 {
     struct stat old;
     const bool exists = stat(out->target, &old) == 0;
-    if (exists && old.st_nlink > 1)
-        return STATUS_OK;
-    char *const name = beside(out->target, ".corgen-XXXXXX");
+    const mode_t mask = umask(0), mode = exists ? old.st_mode & 0777 : 0666 & ~mask;
+    umask(mask);
+    char *const name = beside(out->target, TEMPORARY);
     const int fd = mkstemp(name);
-    if (fd < 0) {
-        free(name);
+    FILE *const file = fd < 0 ? NULL : fdopen(fd, "w");
+    out->temporary = fd < 0 ? NULL : name;
+    if (!file)
         return output_failure("write", out);
-    }
-    out->temporary = name;
-    if (exists && !take_over(fd, &old)) {
-        close(fd);
-        unlink(name);
-        free(name);
-        out->temporary = NULL;
-        return STATUS_OK;
-    }
-    if (!exists) {
-        const mode_t mask = umask(0);
-        umask(mask);
-        fchmod(fd, 0666 & ~mask);
-    }
-    return write_and_close(fd, out) ? STATUS_OK : output_failure("write", out);
+    const bool written = (fchmod(fd, mode) == 0 || !exists) && fwrite(out->bytes, 1, out->size, file) == out->size &&
+                         fflush(file) == 0 && fsync(fd) == 0;
+    const int reason = errno;
+    const bool closed = fclose(file) == 0;
+    errno = written ? errno : reason;
+    return written && closed ? STATUS_OK : output_failure("write", out);
 }
 
 static int output_replace(struct output *out)
 {
-    bool good = out->temporary && rename(out->temporary, out->target) == 0;
-    if (!out->temporary) {
-        const int fd = open(out->target, O_WRONLY | O_TRUNC | O_CLOEXEC);
-        good = fd >= 0 && write_and_close(fd, out);
-    }
-    if (!good)
+    if (rename(out->temporary, out->target) != 0)
         return output_failure("replace", out);
     free(out->temporary);
     out->temporary = NULL;
@@ -263,9 +253,8 @@ int output_commit_all(struct output *out, int n)
     int result = STATUS_OK;
     for (int i = 0; i < n && result == STATUS_OK; i++)
         result = output_complete(&out[i]);
-    sigset_t all, before; /* an interruption leaves no temporary file, and all new files or none */
-    sigfillset(&all);
-    sigprocmask(SIG_BLOCK, &all, &before);
+    sigset_t before; /* an interruption leaves no temporary file, and all new files or none */
+    signals_block(&before);
     for (int i = 0; i < n && result == STATUS_OK; i++)
         result = out[i].target ? output_prepare(&out[i]) : STATUS_OK;
     for (int i = 0; i < n && result == STATUS_OK; i++)

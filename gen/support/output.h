@@ -8,18 +8,17 @@
 
 enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 
-/* If the path names a regular file or no file, the output stays in memory until it is committed. A commit writes and
- * syncs a temporary file beside the file and renames it over it, while signals wait. So nothing but SIGKILL within this
- * moment leaves a temporary file, .corgen-XXXXXX. The new file has the mode, owner and group of the file that it
- * replaces. A file with several names, or with an owner that this process cannot set, is overwritten, so that every
- * name shows the new text. A symbolic link stays: the file that it names is replaced.
+/* If the path names a regular file or no file, the output stays in memory until it is committed. A commit writes a
+ * temporary file in the same folder, .corgen-XXXXXX, and renames it over the file, while signals wait: only SIGKILL at
+ * this moment leaves it. The new file has the mode of the file that it replaces. Of a symbolic link, the file behind
+ * all links is made or replaced. A file with several hard links is refused.
  *
- * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, a link to no file,
- * and a descriptor by the name /dev/stdout or /dev/fd/N, which keeps its position and append mode. */
+ * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, and a descriptor
+ * by the name /dev/stdout, /dev/stderr, /dev/fd/N or /proc/self/fd/N, which keeps its position and append mode. */
 struct output {
     FILE *file;
     const char *path; /* as given, for messages; NULL = standard output */
-    char *target;     /* the file to be replaced, links resolved; NULL = written directly */
+    char *target;     /* the file to be replaced, behind all links; NULL = written directly */
     char *temporary;  /* its new text, while a commit runs */
     char *bytes;      /* of the target */
     size_t size;
@@ -35,12 +34,13 @@ void output_say_on_interrupt(const char *text);
 /* Whether the path, or NULL, is written directly, so that no file can be kept beside it. */
 bool output_is_direct(const char *path);
 
-/* Whether two paths name one regular file: by links to a file that exists, by two names of one folder, or by two names
- * of one file. NULL is standard output. */
+/* True if two paths name one regular file: by symbolic or hard links, or by two names of one folder. NULL is standard
+ * output. */
 bool output_same_file(const char *path, const char *other);
 
 /* Each function returns STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
- * behind. */
+ * behind. output_check refuses a path that output_open would refuse, so that no computation is in vain. */
+int output_check(const char *path);
 int output_open(struct output *out, const char *path);
 int output_commit(struct output *out); /* also reports a full disk behind standard output */
 

@@ -40,6 +40,13 @@ static const struct generated files[] = {
 };
 enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 2 /* the collisions of disks and the manifest */ };
 
+/* The files of one material */
+static const struct {
+    const char *extension;
+    int (*write)(FILE *file, const struct disk_table *disk);
+} material_file[] = {{"h", disk_header_write}, {"txt", disk_file_write}};
+enum { MATERIAL_FILES = sizeof material_file / sizeof *material_file };
+
 /* One complete file in memory */
 struct content {
     const char *name;
@@ -102,16 +109,28 @@ static int manifest_make(struct content *manifest, const struct content *c, int 
     return content_close(manifest, file, STATUS_OK);
 }
 
-/* Checks, before minutes of computing, that the directory can be written. The check leaves no files. */
-static int probe_directory(const char *directory)
+/* Checks, before minutes of computing, that the files can be written. The check leaves no files. */
+static int probe_directory(const char *directory, const struct tables_request *request)
 {
+    const struct disk_table disk = {.poisson = request->poisson};
+    char name[DISK_TABLE_NAME];
     if (mkdir(directory, 0777) == 0) {
         rmdir(directory);
         return STATUS_OK;
     }
     if (errno != EEXIST)
         return fail("cannot make %s: %s", directory, strerror(errno));
-    return access(directory, W_OK | X_OK) == 0 ? STATUS_OK : fail("cannot write in %s: %s", directory, strerror(errno));
+    int status = STATUS_OK;
+    for (int i = 0; i < (disk.poisson.text ? MATERIAL_FILES : CONTENTS) && status == STATUS_OK; i++) {
+        char *const path = xprintf("%s/%s", directory,
+                                   disk.poisson.text ? disk_table_name(name, &disk, material_file[i].extension)
+                                   : i < FILES       ? files[i].name
+                                   : i == FILES      ? DISK_LIMITS_FILE
+                                                     : MANIFEST);
+        status = output_check(path);
+        free(path);
+    }
+    return status;
 }
 
 static int write_all(const struct content *c, int n, const char *directory)
@@ -212,19 +231,14 @@ static int make_generated(struct content *c, int *n, const struct tables_request
 /* Writes the two files of one material to memory. */
 static int make_material(struct content *c, int *n, const struct tables_request *request)
 {
-    static const struct {
-        const char *extension;
-        int (*write)(FILE *file, const struct disk_table *disk);
-    } form[] = {{"h", disk_header_write}, {"txt", disk_file_write}};
-    enum { FORMS = sizeof form / sizeof *form };
-    static char name[FORMS][DISK_TABLE_NAME];
+    static char name[MATERIAL_FILES][DISK_TABLE_NAME];
     struct disk_table disk = {
         .poisson = request->poisson, .count = request->modes ? request->modes : DISK_TABLE_MODES, .embed = true};
     profile_step("modes");
     int status = disk_table_solve(&disk);
-    for (*n = 0; *n < FORMS && status == STATUS_OK; ++*n) {
-        FILE *const file = content_open(&c[*n], disk_table_name(name[*n], &disk, form[*n].extension));
-        status = content_close(&c[*n], file, form[*n].write(file, &disk));
+    for (*n = 0; *n < MATERIAL_FILES && status == STATUS_OK; ++*n) {
+        FILE *const file = content_open(&c[*n], disk_table_name(name[*n], &disk, material_file[*n].extension));
+        status = content_close(&c[*n], file, material_file[*n].write(file, &disk));
     }
     disk_modes_clear(&disk.modes);
     return status;
@@ -248,7 +262,7 @@ int tables_run(const struct tables_request *request)
                             : material         ? DEFAULT_DIRECTORY_OF_MATERIAL
                                                : DEFAULT_DIRECTORY;
     struct content c[CONTENTS] = {{NULL, NULL, 0}};
-    int n = 0, status = request->check || request->digits ? STATUS_OK : probe_directory(directory);
+    int n = 0, status = request->check || request->digits ? STATUS_OK : probe_directory(directory, request);
     emit_digits(request->digits ? stdout : NULL);
     if (status == STATUS_OK)
         status = material ? make_material(c, &n, request) : make_generated(c, &n, request, directory);

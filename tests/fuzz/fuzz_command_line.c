@@ -66,6 +66,7 @@ static void require_option(const char *field, const char *by_default, const stru
         break;
     case OPTION_TEXT:
     case OPTION_FILE:
+    case OPTION_FOLDER:
         REQUIRE(!*text || **text, "--%s, an empty text", rule->name);
         break;
     default:
