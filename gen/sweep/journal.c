@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "runtime/disk/mode_file.h"
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/output.h"
@@ -26,12 +27,28 @@ static int journal_sync(struct journal *journal)
     return fsync(fileno(journal->stream)) == 0 || errno == EINVAL ? STATUS_OK : journal_failure("write", journal);
 }
 
-int journal_add(struct journal *journal, const char *line)
+/* Continues the check of all lines before this one. */
+static void check_line(uint32_t *check, const char *line)
+{
+    *check = cor_mode_file_check(*check, line, strlen(line) + 1);
+}
+
+/* Writes a line as it is. */
+static int journal_put(struct journal *journal, const char *line)
 {
     if (fprintf(journal->stream, "%s\n", line) < 0 || fflush(journal->stream) != 0)
         return journal_failure("write", journal);
-    journal->lines++;
     return clock_seconds() - journal->synced > SYNC_SECONDS ? journal_sync(journal) : STATUS_OK;
+}
+
+int journal_add(struct journal *journal, const char *line)
+{
+    check_line(&journal->check, line);
+    char *const row = xprintf("%s,%08" PRIx32, line, journal->check);
+    const int status = journal_put(journal, row);
+    free(row);
+    journal->lines++;
+    return status;
 }
 
 /* ---- opening ---- */
@@ -80,11 +97,31 @@ static bool read_line(struct journal *journal, char **line)
     return end && end == *line + n - 1;
 }
 
-/* Finds the complete lines, and cuts off what follows them. */
+/* Reads a row, cuts off its check and continues *check. False at the end, or if the row is incomplete or *damaged. */
+static bool read_row(struct journal *journal, char **line, uint32_t *check, bool *damaged)
+{
+    char expected[16];
+    uint32_t next = *check;
+    *damaged = read_line(journal, line);
+    char *const sum = strrchr(*line, ',');
+    if (!*damaged || !sum)
+        return false;
+    *sum = '\0';
+    check_line(&next, *line);
+    snprintf(expected, sizeof expected, "%08" PRIx32, next);
+    if (strcmp(sum + 1, expected) != 0)
+        return false;
+    *check = next;
+    *damaged = false;
+    return true;
+}
+
+/* Finds the first rows that are complete and correct, and cuts off what follows them. */
 static int journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
     char *line = NULL;
     off_t good = 0;
+    bool damaged = false;
     int status = STATUS_OK;
     rewind(journal->stream);
     const bool whole = read_line(journal, &line);
@@ -93,26 +130,29 @@ static int journal_recover(struct journal *journal, const char *title, uint64_t 
                             : ftello(journal->stream) == (off_t)strlen(line) && strncmp(line, title, strlen(line)) == 0;
     if (!ours && !ferror(journal->stream))
         status = journal_refuse_foreign(journal, whole ? line : "");
-    for (bool next = whole && ours; next; next = journal->lines < most && read_line(journal, &line)) {
-        if (good > 0) {
-            free(journal->last);
-            journal->last = xstrdup(line);
-            journal->lines++;
-        }
+    journal->check = COR_MODE_FILE_CHECK_START;
+    check_line(&journal->check, title);
+    if (whole && ours)
+        good = ftello(journal->stream);
+    while (good > 0 && journal->lines < most && read_row(journal, &line, &journal->check, &damaged)) {
+        free(journal->last);
+        journal->last = xstrdup(line);
+        journal->lines++;
         good = ftello(journal->stream);
     }
     free(line);
+    if (damaged)
+        fail("%s: line %" PRIu64 " was changed or is from an earlier version; its row and those after it are computed "
+             "again",
+             journal->path, journal->lines + 2);
     if (ferror(journal->stream))
         return journal_failure("read", journal);
     if (status == STATUS_OK && (fflush(journal->stream) != 0 || ftruncate(fileno(journal->stream), good) != 0 ||
                                 fseek(journal->stream, 0, SEEK_END) != 0))
         status = journal_failure("write", journal);
-    if (status == STATUS_OK && good == 0) {
-        status = journal_add(journal, title);
-        journal->lines = 0;
-        return status == STATUS_OK ? journal_sync(journal) : status;
-    }
-    return status;
+    if (status == STATUS_OK && good == 0)
+        status = journal_put(journal, title);
+    return status == STATUS_OK && good == 0 ? journal_sync(journal) : status;
 }
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
@@ -134,18 +174,21 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context)
 {
     char *line = NULL;
-    uint64_t number = 0;
+    uint64_t rows = 0;
+    uint32_t check = COR_MODE_FILE_CHECK_START;
+    bool damaged;
     fflush(journal->stream); /* what was read before may have changed */
     rewind(journal->stream);
-    for (; number <= journal->lines && read_line(journal, &line); number++)
-        if (number > 0)
-            visit(context, line);
+    if (read_line(journal, &line))
+        check_line(&check, line);
+    for (; rows < journal->lines && read_row(journal, &line, &check, &damaged); rows++)
+        visit(context, line);
     free(line);
-    if (number == journal->lines + 1)
+    if (rows == journal->lines)
         return STATUS_OK;
     if (ferror(journal->stream))
         return journal_failure("read", journal);
-    return fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path, number);
+    return fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path, rows + 2);
 }
 
 void journal_close(struct journal *journal, bool done)

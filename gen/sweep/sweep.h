@@ -83,20 +83,22 @@ struct sweep_request {
 int sweep_run(const struct sweep_request *request);
 
 /* ---- journal.c: the rows of an unfinished sweep, kept in FILE.part until FILE can be written (docs/disks.md): a line
- * that identifies the sweep, then its first rows; only the last line may be incomplete ---- */
+ * that identifies the sweep, then its first rows, each followed by a check of all lines up to it; only the last line may
+ * be incomplete ---- */
 
 struct journal {
     FILE *stream; /* locked against other processes; writes go to its end */
     char *path;
     uint64_t lines; /* rows, without the title */
+    uint32_t check; /* of the title and these rows */
     char *last;     /* the last row that journal_open found; NULL if it found none */
     double synced;
     char *interrupted; /* what SIGINT, SIGTERM and SIGHUP print while the journal is open */
 };
 
 /* Opens or creates FILE.part, whose first line is `title` (given without its line end), "corgen ...: COMMAND". A file
- * with another title is refused. Of the right file, up to `most` complete rows are kept, and everything after them
- * is cut off. Until the journal is closed, signals that end the program say how to continue. Returns STATUS_OK, or
+ * with another title is refused. Of the right file, up to `most` correct rows are kept, and everything after them
+ * is cut off, with a message if a row is complete but not correct. Until the journal is closed, signals that end the program say how to continue. Returns STATUS_OK, or
  * STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 

@@ -214,7 +214,7 @@ TEST(test_digits)
 /* ---- the journal ---- */
 
 static const char title[] = "corgen disk-collide, unfinished: --speed 0.1";
-static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end 12345678", "4,5"};
+static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end,12345678", "4,5"};
 enum { LINES = COUNT_OF(line) };
 
 static char file[64], part[64], whole_file[1 << 12]; /* FILE, FILE.part, and what a complete one holds */
@@ -332,6 +332,47 @@ TEST(test_journal_damaged)
     }
 }
 
+/* Writes the title and the n rows of these numbers, with their checks or without. Returns the size. */
+static size_t put_rows(char bytes[sizeof whole_file], const size_t *row, size_t n, bool checked)
+{
+    size_t size = strlen(title) + 1;
+    memcpy(bytes, whole_file, size);
+    for (size_t i = 0; i < n; i++) {
+        const char *at = whole_file + strlen(title) + 1;
+        for (size_t k = 0; k < row[i]; k++)
+            at = strchr(at, '\n') + 1;
+        const size_t length = strcspn(at, "\n") - (checked ? 0 : strlen(",12345678"));
+        memcpy(bytes + size, at, length);
+        bytes[size + length] = '\n';
+        size += length + 1;
+    }
+    return size;
+}
+
+/* No row enters FILE that is not the next one: a byte changed, rows swapped, left out, repeated or without checks */
+TEST(test_journal_changed)
+{
+    char bytes[sizeof whole_file];
+    for (size_t i = 0; i < points(300); i++) {
+        const size_t at = strlen(title) + 1 + random_below(&draw, whole_size - strlen(title) - 1);
+        size_t row = 0;
+        for (size_t k = strlen(title) + 1; k < at; k++)
+            row += whole_file[k] == '\n';
+        memcpy(bytes, whole_file, whole_size);
+        bytes[at] = (char)(bytes[at] ^ (char)(1 + random_below(&draw, 255)));
+        check(go_on_from(bytes, whole_size, "changed at", at) == (int)row, "%zu: %d", at, (int)bytes[at]);
+    }
+    for (size_t i = 0; i < points(100); i++) {
+        size_t row[LINES], n = 1 + random_below(&draw, LINES), kept = 0;
+        for (size_t k = 0; k < n; k++)
+            row[k] = random_below(&draw, LINES);
+        while (kept < n && row[kept] == kept)
+            kept++;
+        check(go_on_from(bytes, put_rows(bytes, row, n, true), "rows", n) == (int)kept, "%zu of %zu", kept, n);
+        assert_int_equal(go_on_from(bytes, put_rows(bytes, row, n, false), "no checks", n), 0);
+    }
+}
+
 /* What other processes and a full disk do to it meanwhile */
 TEST(test_journal_shared)
 {
@@ -353,10 +394,19 @@ TEST(test_journal_shared)
     assert_int_equal(go_on(), LINES - 2);
     assert_part(whole_file, whole_size, "full disk", 0);
 
-    /* cut off by another program between the last row and the table */
+    /* changed, and cut off, by another program between the last row and the table */
     size_t rows = 0;
     assert_int_equal(start(&journal), STATUS_OK);
-    assert_int_equal(truncate(part, (off_t)(whole_size - strlen(line[LINES - 1]) - 1)), 0); /* a whole line less */
+    whole_file[whole_size - strlen("5,12345678\n")]++;
+    part_write(whole_file, whole_size);
+    whole_file[whole_size - strlen("5,12345678\n")]--;
+    assert_int_equal(journal_read(&journal, count_line, &rows), STATUS_FAILED);
+    assert_int_equal(rows, LINES - 1);
+    journal_close(&journal, false);
+    rows = 0;
+    assert_int_equal(go_on(), LINES - 1);
+    assert_int_equal(start(&journal), STATUS_OK);
+    assert_int_equal(truncate(part, (off_t)(whole_size - strlen("4,5,12345678\n"))), 0); /* a whole line less */
     assert_int_equal(journal_read(&journal, count_line, &rows), STATUS_FAILED);
     journal_close(&journal, true);
 
@@ -421,5 +471,5 @@ TEST(test_rayleigh)
     sweep_clear(&sweep);
 }
 
-RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_journal_damaged, test_journal_shared,
-          test_longest_list, test_hard_wall, test_digits, test_rayleigh)
+RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_journal_damaged, test_journal_changed,
+          test_journal_shared, test_longest_list, test_hard_wall, test_digits, test_rayleigh)
