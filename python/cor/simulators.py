@@ -130,8 +130,14 @@ def _speeds(speeds: ArrayLike) -> Tuple[Any, Any]:
     return array, ffi.from_buffer("double[]", array)
 
 
+def _text(argument: str, value: object) -> bytes:
+    if "\0" in str(value):
+        raise ValueError(f"{argument}: {value!r} has a null character")
+    return str(value).encode()
+
+
 def _version(version: Optional[str]) -> Any:
-    if version is not None and lib.cor_simulator_version(version.encode()) == 0:
+    if version is not None and lib.cor_simulator_version(_text("version", version)) == 0:
         raise ValueError(f"version: {version!r} is not a version, as '29 Sep 2021' or '3.8.1'")
     return ffi.NULL if version is None else ffi.new("char[]", version.encode())
 
@@ -142,7 +148,7 @@ def names() -> List[str]:
 
 
 def _models(simulator: str) -> List[Any]:
-    known = lib.cor_simulator_named(str(simulator).encode())
+    known = lib.cor_simulator_named(_text("simulator", simulator))
     if known == ffi.NULL:
         raise ValueError(f"simulator: {simulator!r}; allowed: {', '.join(names())}")
     all_models = [ffi.addressof(lib.cor_simulator_models, i) for i in range(lib.cor_simulator_model_count)]
@@ -188,7 +194,7 @@ def lines(
     made = _Scene(contact, law, end, wall, numbers)
     _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
     request = ffi.new("struct cor_simulator_request *")
-    name, array, number = ffi.new("char[]", str(simulator).encode()), *_speeds(speeds)
+    name, array, number = ffi.new("char[]", _text("simulator", simulator)), *_speeds(speeds)
     version_text = _version(version)
     request.simulator, request.version = name, version_text
     request.scene, request.contacts, request.count = made.scene, made.contacts, made.count

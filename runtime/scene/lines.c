@@ -20,23 +20,31 @@ enum { INPUT_DIGITS = 12, TEXT_DIGITS = 6, NUMBER = 32, WORD = 16, SENTENCE = 80
 #define SCRIPT "# ", ""
 #define CPP "// ", ""
 const struct cor_simulator cor_simulators[] = {
-    {"lammps", "LAMMPS", SCRIPT, "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes.",
+    {"lammps", "LAMMPS", SCRIPT,
+     "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes. Friction is 0 in these lines; add "
+     "yours.",
      "timestep {dt}\n", "29 Sep 2021"},
     {"liggghts", "LIGGGHTS", SCRIPT,
      "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types_in_words} in "
-     "create_box.",
+     "create_box."
+     " Friction is 0 in these lines; add yours.",
      "timestep {dt}\n", "3.8.0"},
-    {"yade", "YADE", SCRIPT, "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0.",
+    {"yade", "YADE", SCRIPT,
+     "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0. Friction is 0 in these lines; add "
+     "yours.",
      "O.dt = {dt}\n", "2023.02"},
     {"mercurydpm", "MercuryDPM", CPP, "SI units.", "setTimeStep({dt});\n", NULL},
     {"chrono", "Chrono", CPP, "SI units.", "const double time_step = {dt}; // s, for DoStepDynamics\n", NULL},
     {"mfix", "MFiX", "! ", "", "UNITS = 'SI'; MFiX chooses its time step.", NULL, NULL},
-    {"openfoam", "OpenFOAM", CPP, "SI units.", NULL, NULL},
-    {"esys-particle", "ESyS-Particle", SCRIPT, "SI units.", "sim.setTimeStepSize({dt})\n", NULL},
-    {"mujoco", "MuJoCo", XML, "Units of the model: m, kg, s. To be put into <mujoco>.", "<option timestep=\"{dt}\"/>\n",
-     "2.2.2"},
+    {"openfoam", "OpenFOAM", CPP, "SI units. Friction is 0 in these lines; add yours.", NULL, NULL},
+    {"esys-particle", "ESyS-Particle", SCRIPT, "SI units. Friction is 0 in these lines; add yours.",
+     "sim.setTimeStepSize({dt})\n", NULL},
+    {"mujoco", "MuJoCo", XML,
+     "Units of the model: m, kg, s. To be put into <mujoco>. Friction is 0 in these lines; add yours.",
+     "<option timestep=\"{dt}\"/>\n", "2.2.2"},
     {"drake", "Drake", XML, "SI units.", NULL, NULL},
-    {"simbody", "Simbody", CPP, "SI units. The integrator chooses the time step.", NULL, "3.7"},
+    {"simbody", "Simbody", CPP,
+     "SI units. Friction is 0 in these lines; add yours. The integrator chooses the time step.", NULL, "3.7"},
     {"bullet", "Bullet", CPP, "SI units.", NULL, "3.24"},
     {"rebound", "REBOUND", CPP, "cor_eps takes m/s.", NULL, NULL},
     {"modelica", "Modelica", CPP, "SI units. The integrator chooses the time step.", NULL, NULL},
@@ -68,30 +76,44 @@ const struct cor_simulator *cor_simulator_named(const char *name)
     return NULL;
 }
 
+/* Reads up to 8 digits. Returns the character after them. */
+static const char *read_digits(long *value, const char *text)
+{
+    const char *const most = text + 8;
+    for (*value = 0; text < most && *text >= '0' && *text <= '9'; text++)
+        *value = 10 * *value + (*text - '0');
+    return text;
+}
+
+/* Month and year after the day; 0: the text is another one */
+static long date_of(long day, const char *text)
+{
+    static const char *const months[] = {"january", "february", "march",     "april",   "may",      "june",
+                                         "july",    "august",   "september", "october", "november", "december"};
+    for (long month = 1; month <= 12; month++) {
+        long year;
+        const size_t letters = common_letters(text, months[month - 1]);
+        const char *const from = text + letters + strspn(text + letters, " -"), *const end = read_digits(&year, from);
+        if (letters >= 3 && day >= 1 && day <= 31 && end == from + 4 && *end == '\0')
+            return year * 10000 + month * 100 + day;
+    }
+    return 0;
+}
+
 long cor_simulator_version(const char *text)
 {
-    static const char months[] = "janfebmaraprmayjunjulaugsepoctnovdec";
-    long part[3] = {0}, month = 0;
-    int parts = 0;
-    while (*text) {
-        if (*text >= '0' && *text <= '9') {
-            long value = 0;
-            for (; *text >= '0' && *text <= '9'; text++)
-                value = value < 100000000 ? 10 * value + (*text - '0') : value;
-            if (parts < 3)
-                part[parts++] = value;
-            continue;
-        }
-        for (long m = 0; m < 12; m++) {
-            const char name[] = {months[3 * m], months[3 * m + 1], months[3 * m + 2], '\0'};
-            if (common_letters(text, name) == 3)
-                month = m + 1;
-        }
-        text++;
-    }
-    if (month > 0)
-        return parts == 2 ? part[1] * 10000 + month * 100 + part[0] : 0;
-    return parts == 1 && part[0] >= 10000000 ? part[0] : part[0] * 10000 + part[1] * 100 + part[2];
+    static const char more[] = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.+~_-";
+    long part[3] = {0};
+    const char *end = read_digits(&part[0], text);
+    const long date = date_of(part[0], end + strspn(end, " -"));
+    if (end == text || date > 0)
+        return end == text ? 0 : date;
+    const int alone = *end != '.';
+    for (int i = 1; i < 3 && *end == '.'; i++)
+        end = read_digits(&part[i], end + 1);
+    if (end[strspn(end, more)] != '\0')
+        return 0;
+    return alone && part[0] >= 10000000 ? part[0] : part[0] * 10000 + part[1] * 100 + part[2];
 }
 
 /* ---- text in a buffer ---- */
@@ -164,16 +186,21 @@ static struct number number_text(double value, int digits)
 
 /* ---- what is asked of a simulator ---- */
 
-enum { PAIR, LIKE_1, LIKE_2, PAIRS };
+/* Contacts of two bodies: the three that lines have, and each body at a wall of either material */
+enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
+static const struct {
+    int body, other, wall;
+} between[CONTACTS] = {{1, 2, 0}, {1, 1, 0}, {2, 2, 0}, {1, 1, 1}, {1, 2, 1}, {2, 1, 1}, {2, 2, 1}};
+
 struct task {
     const struct cor_simulator_request *request;
     const struct cor_simulator *simulator;
     int types;   /* of bodies: 2 for two different ones, or a wall */
     int has_law; /* some model has the law of the contact */
-    /* The contacts of two different bodies, of two like the first, and of two like the second; for each end at which
-     * the restitution may have been measured */
-    struct cor_scene_contact contact[PAIRS][COR_SCENE_ENDS];
-    struct cor_simulator_wish wish[PAIRS];
+    /* For each end at which the restitution may have been measured; the contact of the request where there is no such
+     * one */
+    struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
+    struct cor_simulator_wish wish[CONTACTS];
     char law[NUMBER];                   /* its name */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
@@ -191,53 +218,59 @@ static int refuse(struct task *task, const char *format, ...)
 /* A model with its numbers for each pair */
 struct block {
     const struct cor_simulator_model *model;
-    double number[PAIRS];
+    double number[CONTACTS];
     double damping, speed_m_s; /* for the pair of the request at this speed */
     double time_step_s;        /* NaN: not known */
     char reason[SENTENCE];     /* why it has no numbers, or has none that are corrected */
 };
 
-/* Whether the request is of two spheres that differ */
+/* True if the request is of two spheres that differ */
 static int bodies_differ(const struct cor_scene *scene)
 {
     if (scene->wall || scene->plate || !cor_scene_given(scene, COR_SCENE_YOUNG))
         return 0;
     const struct cor_body one = cor_scene_body(scene, 1), two = cor_scene_body(scene, 2);
-    return one.radius_m != two.radius_m || one.mass_kg != two.mass_kg || one.young_modulus_pa != two.young_modulus_pa ||
-           one.poisson_ratio != two.poisson_ratio || one.dissipation_time_s != two.dissipation_time_s ||
-           cor_scene_of_body(scene, COR_SCENE_DENSITY, 1) < cor_scene_of_body(scene, COR_SCENE_DENSITY, 2) ||
-           cor_scene_of_body(scene, COR_SCENE_DENSITY, 1) > cor_scene_of_body(scene, COR_SCENE_DENSITY, 2);
+    return cor_scene_materials_differ(scene) || one.mass_kg != two.mass_kg ||
+           one.dissipation_time_s != two.dissipation_time_s;
 }
 
-/* Turns the contact of two bodies into that of two like one of them. The same material: its own dissipation time, or
- * the same zeta, or the same C/K as the pair */
-static void make_like(struct cor_scene_contact *contact, const struct cor_scene *scene, int body)
+/* True if the damping is known for each material, not only for the pair */
+static int has_own_damping(const struct cor_scene *scene)
+{
+    return cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME) || cor_scene_given(scene, COR_SCENE_VISCOSITY);
+}
+
+/* Turns the contact of two bodies into another one of their materials: with their own dissipation times, or with zeta
+ * or C/K of the pair */
+static void make_contact(struct cor_scene_contact *contact, const struct cor_scene *scene, int kind)
 {
     struct cor_sphere_contact sphere;
-    const struct cor_body one = cor_scene_body(scene, body);
+    const struct cor_body one = cor_scene_body(scene, between[kind].body);
+    struct cor_body two = cor_scene_body(scene, between[kind].other);
     const double ratio = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT) / contact->stiffness;
-    if (cor_sphere_contact_init(&sphere, &one, &one) != COR_OK)
+    if (between[kind].wall)
+        two.radius_m = two.mass_kg = INFINITY;
+    if (cor_sphere_contact_init(&sphere, &one, &two) != COR_OK)
         return;
     contact->mass_kg = sphere.effective_mass_kg;
     contact->stiffness = sphere.elastic_constant_n_m15;
     contact->radius_m = sphere.effective_radius_m;
-    if (one.dissipation_time_s > 0)
+    if (has_own_damping(scene))
         contact->damping = sphere.beta_per_root;
     else if (!cor_law_is_constant(&contact->law))
         cor_scene_set_damping(contact, COR_SCENE_DAMPING_COEFFICIENT, ratio * contact->stiffness, 0, 0);
 }
 
-/* The contacts of all pairs from that of the request, or from one that replaces it */
+/* All contacts from that of the request, or from one that replaces it */
 static void fill_pairs(struct task *task, const struct cor_scene_contact *contacts, int count, double speed_m_s,
                        double eps)
 {
     const struct cor_scene *const scene = task->request->scene;
-    for (int pair = 0; pair < PAIRS; pair++) {
+    for (int pair = 0; pair < CONTACTS; pair++) {
         for (int i = 0; i < count; i++) {
             task->contact[pair][i] = contacts[i];
-            /* a wall meets no wall */
-            if (task->types == 2 && pair != PAIR && !(scene->wall && pair == LIKE_2))
-                make_like(&task->contact[pair][i], scene, pair);
+            if (task->types == 2 && pair != PAIR && (!scene->wall || pair == LIKE_1))
+                make_contact(&task->contact[pair][i], scene, pair);
         }
         task->wish[pair] = (struct cor_simulator_wish){scene, task->contact[pair], count, speed_m_s, eps, 0};
     }
@@ -269,11 +302,20 @@ static int suits(const struct cor_simulator_model *model, const struct task *tas
 
 /* ---- what a model realises ---- */
 
-/* The contact that the model makes, for durations and eps */
-static struct cor_scene_contact contact_made(const struct block *block, const struct task *task)
+static double damping_of(const struct block *block, const struct task *task, int pair)
 {
-    return cor_model_contact(task->contact[PAIR][0], task->has_law ? NULL : &cor_law_exponents[block->model->law],
-                             block->damping, block->speed_m_s);
+    const struct cor_simulator_model *const model = block->model;
+    return cor_simulator_has_function(model) ? NAN
+           : model->damping_of_e
+               ? model->damping_of_e(block->number[pair])
+               : model->damping_of_number(block->number[pair], task->wish[pair].contacts, block->speed_m_s);
+}
+
+/* The contact that the model makes, for durations and eps */
+static struct cor_scene_contact contact_made(const struct block *block, const struct task *task, int pair)
+{
+    return cor_model_contact(task->contact[pair][0], task->has_law ? NULL : &cor_law_exponents[block->model->law],
+                             damping_of(block, task, pair), block->speed_m_s);
 }
 
 /* eps at a speed; NaN: not known */
@@ -286,7 +328,7 @@ static double realised(const struct block *block, const struct task *task, doubl
     else if (model->law == COR_LAW_IMPULSE || cor_law_is_constant(&cor_law_exponents[model->law]))
         eps = cor_law_eps(model->law, model->end, block->damping);
     else if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE) {
-        const struct cor_scene_contact c = contact_made(block, task);
+        const struct cor_scene_contact c = contact_made(block, task, PAIR);
         cor_scene_eps(&eps, &c, speed_m_s, (int)model->end);
     }
     return eps;
@@ -298,13 +340,38 @@ static int integrator_of(const struct task *task)
     return own == COR_NO_INTEGRATOR || task->request->integrator == COR_NO_INTEGRATOR ? own : task->request->integrator;
 }
 
-/* The shortest contact over the number of steps, or the largest step for the tolerance; NaN where it is not known */
+/* True if the lines of the model make this contact: at a wall those with a matrix, and YADE's, make like pairs. */
+static int has_contact(const struct block *block, const struct task *task, int pair)
+{
+    const char *const lines = block->model->wall_lines;
+    return pair == PAIR || (task->types == 2 && (!task->request->scene->wall ||
+                                                 (pair == LIKE_1 && (strstr(lines, "[]}") || strstr(lines, "Ig2_")))));
+}
+
+/* The step of one contact at a speed: its duration over the number of steps, or the largest step for the tolerance;
+ * infinite where the bodies never part, NaN where it is not known. *steps: of the request, then those of the pair. The
+ * damping of other contacts may be replaced: their step is that of either end, damped or not. */
+static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
+                      double *steps)
+{
+    const double tolerance = task->request->step_tolerance, elastic = cor_scene_elastic_duration_s(c, speed);
+    struct cor_scene_impact impact = {.duration_s = {elastic, elastic}};
+    double own = *steps;
+    if (tolerance > 0 ? pair < PAIRS && cor_scene_step_for(&own, c, speed, end, tolerance, integrator_of(task)) != 0
+                      : cor_scene_impact(&impact, c, speed) != COR_FAULT_NONE)
+        own = NAN;
+    if (pair == PAIR)
+        *steps = own;
+    const double step = impact.duration_s[end] / own;
+    return pair == PAIR ? step : fmin(step, fmin(impact.duration_s[!end], elastic) / *steps);
+}
+
+/* The smallest step of all contacts of the block; NaN where that of the pair is not known */
 static double time_step(const struct block *block, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_exponents *const law = &request->contacts->law;
     const int end = block->model->end == COR_END_ZERO_OVERLAP ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE;
-    const size_t speeds = request->speeds > 0 ? request->speeds : 1;
     double least = INFINITY;
     if (request->time_step_s > 0)
         return request->time_step_s;
@@ -312,31 +379,20 @@ static double time_step(const struct block *block, const struct task *task)
         return NAN;
     if (request->speeds == 0 && isnan(task->wish[PAIR].speed_m_s) && law->elastic != law->denominator)
         return NAN; /* the duration depends on the speed */
-    const struct cor_scene_contact c = contact_made(block, task);
-    if (c.law.elastic * law->denominator != law->elastic * c.law.denominator)
-        return NAN; /* another spring: its stiffness is the user's */
-    for (size_t i = 0; i < speeds; i++) {
-        struct cor_scene_impact impact;
-        const double speed = request->speeds > 0 ? request->speed_m_s[i] : block->speed_m_s;
+    for (size_t i = 0; i < request->speeds || i == 0; i++) {
         double steps = request->steps > 0 ? request->steps : DEFAULT_STEPS;
-        if ((request->step_tolerance > 0 ? cor_scene_step_for(&steps, &c, speed, (int)block->model->end,
-                                                              request->step_tolerance, integrator_of(task))
-                                         : cor_scene_impact(&impact, &c, speed)) != COR_FAULT_NONE)
-            return NAN;
-        least = fmin(least,
-                     (request->step_tolerance > 0 ? cor_scene_elastic_duration_s(&c, speed) : impact.duration_s[end]) /
-                         steps);
+        for (int pair = 0; pair < CONTACTS; pair++) {
+            const struct cor_scene_contact c = contact_made(block, task, pair);
+            if (c.law.elastic * law->denominator != law->elastic * c.law.denominator)
+                return NAN; /* another spring: its stiffness is the user's */
+            if (has_contact(block, task, pair))
+                least = fmin(least, step_of(&c, task, pair, end,
+                                            request->speeds > 0 ? request->speed_m_s[i] : block->speed_m_s, &steps));
+            if (isnan(steps))
+                return NAN;
+        }
     }
     return least > 0 && least < INFINITY ? least : NAN;
-}
-
-static double damping_of(const struct block *block, const struct task *task)
-{
-    const struct cor_simulator_model *const model = block->model;
-    return cor_simulator_has_function(model) ? NAN
-           : model->damping_of_e
-               ? model->damping_of_e(block->number[PAIR])
-               : model->damping_of_number(block->number[PAIR], task->wish[PAIR].contacts, block->speed_m_s);
 }
 
 /* Corrects the numbers for the time step, at the speed of the request or at the one at which they hold. Returns whether
@@ -357,7 +413,7 @@ static int correct(struct block *block, const struct task *task)
     for (int pair = PAIR; pair < PAIRS; pair++) {
         struct cor_simulator_wish wish = task->wish[pair];
         struct cor_scene_contact c = *wish.contacts;
-        c.law = contact_made(block, task).law;
+        c.law = contact_made(block, task, PAIR).law;
         if (task->has_law || isnan(wish.speed_m_s))
             wish.speed_m_s = *task->request->speed_m_s;
         wish.steps = cor_scene_elastic_duration_s(&c, wish.speed_m_s) / block->time_step_s;
@@ -366,7 +422,7 @@ static int correct(struct block *block, const struct task *task)
             return 0;
     }
     memcpy(block->number, number, sizeof number);
-    block->damping = damping_of(block, task);
+    block->damping = damping_of(block, task, PAIR);
     return 1;
 }
 
@@ -378,7 +434,7 @@ static int fill_block(struct block *block, const struct task *task, const struct
     double least, most;
     block->model = model;
     block->speed_m_s = isnan(wish->speed_m_s) ? 1 : wish->speed_m_s;
-    for (int pair = PAIRS - 1; pair >= PAIR; pair--)
+    for (int pair = CONTACTS - 1; pair >= PAIR; pair--)
         block->number[pair] = cor_simulator_number(model, &task->wish[pair], task->has_law, &status);
     const double wished = cor_simulator_damping(model, wish, task->has_law), number = block->number[PAIR];
     if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
@@ -403,7 +459,7 @@ static int fill_block(struct block *block, const struct task *task, const struct
     }
     if (isnan(number))
         return 0;
-    block->damping = damping_of(block, task);
+    block->damping = damping_of(block, task, PAIR);
     block->time_step_s = time_step(block, task);
     return !task->request->step_corrected || correct(block, task);
 }
@@ -473,6 +529,12 @@ static void put_word(struct text *t, const char *word, const struct block *block
         put(t, two ? "2" : "1");
     } else if (strcmp(word, "types_in_words") == 0) {
         put(t, two ? "2 types" : "1 type");
+    } else if (strcmp(word, "density") == 0 || strcmp(word, "density2") == 0) {
+        const double rho = cor_simulator_word(word, &task->wish[pair], 1);
+        t->known = t->known && (word[7] == '\0' || cor_scene_materials_differ(task->request->scene));
+        put(t, isnan(rho) ? "" : "density=");
+        put(t, isnan(rho) ? "" : number_text(rho, INPUT_DIGITS).text);
+        put(t, isnan(rho) ? "" : ", ");
     } else if (strcmp(word, "spring") == 0) {
         put(t, hooke ? "hooke " : "hertz ");
         put_word(t, hooke ? "K" : "kn", block, task, pair);
@@ -540,8 +602,11 @@ static int put_template(struct text *t, const char *template, const struct block
         const int repeats = task->types == 2 && line_has(template, "{pair}") ? PAIRS : 1;
         const char *next = template;
         t->known = 1;
-        for (int i = 0; i < repeats; i++)
+        for (int i = 0; i < repeats; i++) {
+            if (repeats > 1 && order[i] != PAIR)
+                put(t, task->simulator->comment);
             next = put_line(t, template + optional, block, task, repeats > 1 ? order[i] : PAIR);
+        }
         if (!t->known && optional)
             *t = before;
         all_known = all_known && (t->known || optional);
@@ -577,7 +642,7 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
 {
     const char *const lines = block->model->lines, *const parameter = block->model->parameter;
     const int whole = strstr(lines, "{2m}") != NULL, wall = task->request->scene->wall;
-    const int pairs = task->types == 2 && !wall && line_has(lines, "{pair}");
+    const int differ = task->types == 2 && !wall;
     const double power = log2(mass_factor(block, task, 2));
     char name[SENTENCE], power_text[NUMBER + 40] = "";
     snprintf(name, sizeof name, "%.*s", whole ? SENTENCE - 1 : (int)strcspn(parameter, ","),
@@ -592,9 +657,41 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
         snprintf(power_text, sizeof power_text, " is proportional to m^%s", number_text(power, 3).text);
     comment(t, "For this %s only, effective mass m = %s kg: %s%s. %s", wall ? "mass at the wall" : "pair of masses",
             TEXT(task->contact[PAIR][0].mass_kg), name, power_text,
-            pairs  ? "The lines 1 1 and 2 2 are those of like spheres of the same material."
+            differ ? "Each pair of types has its own."
             : wall ? "Where masses differ, each group of one mass needs a wall of its own."
                    : "Where masses differ, each pair of types needs its own.");
+}
+
+/* Which lines hold for which pair of two bodies that differ, and what to replace */
+static void put_pairs(struct text *t, const struct block *block, const struct task *task)
+{
+    const char *const lines = block->model->lines;
+    const char *const numbers = has_own_damping(task->request->scene)
+                                    ? "the damping of their materials, as given"
+                                    : "the damping of the pair 1 2, which is theirs only if both are of one material";
+    if (task->types == 1 || task->request->scene->wall || cor_simulator_has_function(block->model))
+        return;
+    if (strstr(lines, "{pair}"))
+        comment(
+            t,
+            "Only 1 2 is active: your lines for 1 1 and 2 2 stay as they are. Where you have none, use those in the "
+            "comments. They have %s.",
+            numbers);
+    else if (strstr(lines, "[]}"))
+        comment(t,
+                "The first and the last number of a matrix are of 1 1 and 2 2. They have %s: replace them by your own. "
+                "Leave out your own lines of the same properties.",
+                numbers);
+    else if (strstr(lines, "Ig2_"))
+        comment(
+            t,
+            "One law for all contacts: 1 1, 2 2 and walls get the %.*s of 1 2. Where theirs is N, replace the number "
+            "by MatchMaker(matches=((i, j, N), ...)), with i and j the ids of the materials.",
+            (int)strcspn(block->model->parameter, ","), block->model->parameter);
+    else
+        comment(t, "Numbers of the pair 1 2, densities %s and %s kg/m^3. 1 1 and 2 2 need their own lines.",
+                TEXT(cor_scene_body_density(task->request->scene, 1)),
+                TEXT(cor_scene_body_density(task->request->scene, 2)));
 }
 
 /* eps with the time step */
@@ -602,7 +699,7 @@ static void put_stepped(struct text *t, const struct block *block, const struct 
                         double eps)
 {
     struct cor_step_error error;
-    const struct cor_scene_contact c = contact_made(block, task);
+    const struct cor_scene_contact c = contact_made(block, task, PAIR);
     const double steps = cor_scene_elastic_duration_s(&c, speed_m_s) / block->time_step_s;
     if (cor_scene_step_error(&error, &c, speed_m_s, (int)block->model->end, steps, integrator_of(task)) ==
         COR_FAULT_NONE)
@@ -667,6 +764,9 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     comment(t, "%s", model->advice);
     put_own_e(t, block, task);
     put_mass(t, block, task);
+    put_pairs(t, block, task);
+    if (strstr(model->lines, "{density}") && isnan(cor_simulator_word("density", &task->wish[PAIR], 1)))
+        comment(t, "cor_material gets the density that YADE chooses, 1000 kg/m^3: add that of your bodies.");
     if (!*instead) {
         t->commented++;
         put_template(t, task->simulator->setup, block, task);
@@ -710,9 +810,13 @@ static void put_luding(struct text *t, const struct task *task, double speed_m_s
     comment(t, "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster than eps of the spheres.",
             TEXT((1 / (eps * eps) - 1) / speed_m_s));
     if (yade) {
-        comment(t, "cor_material = LudingMat(frictionAngle=0, density=2500, k1=%s, kp=%s, kc=0, ks=0, PhiF=%s, G0=0)",
-                number_text(k, INPUT_DIGITS).text, number_text(ratio * k, INPUT_DIGITS).text,
-                number_text(depth, INPUT_DIGITS).text);
+        for (int body = 1; body <= (cor_scene_materials_differ(task->request->scene) ? 2 : 1); body++)
+            comment(t,
+                    "cor_material%s = LudingMat(frictionAngle=0, density=%s, k1=%s, kp=%s, kc=0, ks=0, PhiF=%s, G0=0)",
+                    body > 1 ? "_2" : "",
+                    number_text(cor_scene_body_density(task->request->scene, body), INPUT_DIGITS).text,
+                    number_text(k, INPUT_DIGITS).text, number_text(ratio * k, INPUT_DIGITS).text,
+                    number_text(depth, INPUT_DIGITS).text);
         comment(t,
                 "cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_LudingMat_LudingMat_LudingPhys()], "
                 "[Law2_ScGeom_LudingPhys_Basic()])");
@@ -728,9 +832,14 @@ static void put_luding(struct text *t, const struct task *task, double speed_m_s
                     {"pullOffForce", 0},
                     {"coefficientRestitution", 1}};
     comment(t, "pair_style gran model luding tangential history");
-    for (size_t i = 0; i < sizeof property / sizeof *property; i++)
-        comment(t, "fix cor_luding_%d all property/global %s peratomtypepair 1 %s", (int)i, property[i].name,
-                number_text(property[i].value, INPUT_DIGITS).text);
+    for (size_t i = 0; i < sizeof property / sizeof *property; i++) {
+        const struct number n = number_text(property[i].value, INPUT_DIGITS);
+        char matrix[4 * NUMBER + WORD];
+        snprintf(matrix, sizeof matrix, "1 %s", n.text);
+        if (task->types == 2)
+            snprintf(matrix, sizeof matrix, "2 %s %s %s %s", n.text, n.text, n.text, n.text);
+        comment(t, "fix cor_luding_%d all property/global %s peratomtypepair %s", (int)i, property[i].name, matrix);
+    }
 }
 
 /* What a simulator has for spheres that yield, beside the lines that hold at one speed */
@@ -942,6 +1051,29 @@ static int check_task(struct task *task)
            refuse(task, "no model of %s has lines for a wall", task->simulator->title);
 }
 
+/* No model has the law. Where one is linear, a spring of the same duration at the speed takes its place. */
+static void refuse_law(struct task *task)
+{
+    const struct cor_simulator_request *const request = task->request;
+    const struct cor_scene_contact *const contact = request->contacts;
+    const struct cor_simulator_wish *const wish = &task->wish[PAIR];
+    char instead[SENTENCE] = "";
+    for (size_t i = 0; i < cor_simulator_model_count && !*instead; i++)
+        if (is_of(&cor_simulator_models[i], task) && cor_simulator_models[i].law == COR_LAW_LINEAR &&
+            contact->mass_kg > 0 && !contact->plastic && !contact->plate && wish->eps <= 1)
+            snprintf(
+                instead, sizeof instead,
+                ". A linear spring takes its place at %s m/s; the duration is that of --dissipation-time 0 at this "
+                "speed. Type: corgen contact --law linear --duration %s --effective-mass %s --restitution %s%s "
+                "--for %s",
+                TEXT(wish->speed_m_s),
+                number_text(cor_scene_elastic_duration_s(contact, wish->speed_m_s), INPUT_DIGITS).text,
+                number_text(contact->mass_kg, INPUT_DIGITS).text, number_text(wish->eps, INPUT_DIGITS).text,
+                request->scene->wall ? " --end zero-force --wall" : " --end zero-force", task->simulator->name);
+    refuse(task, "%s has no model for the law %s%s%s", task->simulator->name, task->law,
+           request->version ? " in this version" : "", instead);
+}
+
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
 {
     struct task task = {.request = request};
@@ -953,8 +1085,7 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
             return (long)t.length;
         }
         if (!*task.refusal)
-            refuse(&task, "%s has no model for the law %s%s", task.simulator->name, task.law,
-                   request->version ? " in this version" : "");
+            refuse_law(&task);
     }
     snprintf(text, size, "%s", task.refusal);
     return -1;

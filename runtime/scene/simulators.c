@@ -189,11 +189,14 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
                    "    [" physics "],\n"                                                                              \
                    "    [" law "])\n")
 #define YADE_FRICTION                                                                                                  \
-    "?cor_material = FrictMat(young={young}, poisson={poisson}, frictionAngle=0)\n"                                    \
-    "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, frictionAngle=0)\n"
+    "?cor_material = FrictMat(young={young}, poisson={poisson}, {density}frictionAngle=0)\n"                           \
+    "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, {density2}frictionAngle=0)\n"
 
 #define OPENFOAM_NUMBERS                                                                                               \
     "    alpha {n};\n    b 1.5;\n    mu 0;\n    cohesionEnergyDensity 0;\n    collisionResolutionSteps 12;\n}\n"
+
+/* Of one material: the mixed species of two has no density. */
+#define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
 /* Where a model comes from: simulator, file, "run" or "source", version */
 #define OF(of_simulator, of_file, how, of_version)                                                                     \
@@ -306,30 +309,30 @@ const struct cor_simulator_model cor_simulator_models[] = {
         .since = 20250200),
     ROW(OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR,
         ZERO_FORCE, NUMBER(pair_dashpot), "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
-        YADE(EVERYWHERE, "cor_material = ViscElMat(kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
+        YADE(EVERYWHERE, "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
     ROW(OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.",
         /* at a wall YADE makes half of these kn and cn */
-        YADE(PAIRS, "cor_material = ViscElMat(tc={tc}, en={n}, et=1, frictionAngle=0)\n",
+        YADE(PAIRS, "cor_material = ViscElMat({density}tc={tc}, en={n}, et=1, frictionAngle=0)\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
     ROW(OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
         "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, 0, 1), "Exact, with the mass of one particle; e = 0 sticks for ever.",
-        EVERYWHERE("species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n")),
+        EVERYWHERE(MERCURYDPM_DENSITY "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n")),
     ROW(OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
         "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.",
-        EVERYWHERE("species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n")),
+        EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n")),
     ROW(OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"), "HertzianViscoelastic, dissipation", "dissipation",
         TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta), "Exact.",
-        EVERYWHERE("species->setEffectiveElasticModulus({E});\n"
-                   "species->setDissipation({n});\n")),
+        EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
+                                      "species->setDissipation({n});\n")),
     ROW(OF_MERCURYDPM("HertzianBSHPViscoelasticNormalSpecies.cc"), "HertzianBSHPViscoelastic", "dissipation A, s",
         VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time), "The viscoelastic sphere: A holds at every speed.",
-        EVERYWHERE("species->setEffectiveElasticModulus({E});\n"
-                   "species->setDissipation({n});\n")),
+        EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
+                                      "species->setDissipation({n});\n")),
     ROW(OF_CHRONO, "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
         "Chrono computes its damping for contacts that end at zero overlap: these realise more than cr.",
@@ -379,8 +382,8 @@ const struct cor_simulator_model cor_simulator_models[] = {
              "wallSpringSliderDashpotCoeffs\n"
              "{\n"
              "    useEquivalentSize no;\n"
-             "?    youngsModulus {young};\n"
-             "?    poissonsRatio {poisson};\n" OPENFOAM_NUMBERS)),
+             "?    youngsModulus {young2};\n"
+             "?    poissonsRatio {poisson2};\n" OPENFOAM_NUMBERS)),
     ROW(OF_KRATOS("python_scripts"), "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_kratos, 0, 1), "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NO_LINES),
     ROW(OF_KRATOS("custom_constitutive"), "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI, ZERO_FORCE,
@@ -394,7 +397,7 @@ const struct cor_simulator_model cor_simulator_models[] = {
         "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", NO_LINES),
     ROW(OF_ESYS_PARTICLE, "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time_esys),
         "Its A is (3/2) of the dissipation time.",
-        PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={young}, nu={poisson})\n")),
+        PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={youngpair}, nu={poisson})\n")),
     ROW(OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1), "Right to 1e-8.",
         PAIRS("HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n")),
     ROW(OF("dem-engine", "src/DEM/DEMModelSnippets", "source", "source a1dc2312"), "full Hertz model, CoR", "e", TSUJI,
@@ -676,6 +679,9 @@ double cor_simulator_word(const char *word, const struct cor_simulator_wish *wis
 {
     const double k = wish->contacts->stiffness, m = wish->contacts->mass_kg, radius = wish->contacts->radius_m;
     const double l = log(number);
+    const struct cor_body one = cor_scene_body(wish->scene, 1), two = cor_scene_body(wish->scene, 2);
+    const double nu = one.poisson_ratio, density = cor_scene_body_density(wish->scene, 1);
+    const int alike = !cor_scene_materials_differ(wish->scene) && one.dissipation_time_s == two.dissipation_time_s;
     const struct {
         const char *word;
         double value;
@@ -693,10 +699,14 @@ double cor_simulator_word(const char *word, const struct cor_simulator_wish *wis
                  {"tc", sqrt(m / k * (COR_PI * COR_PI + l * l))},
                  {"timeconst", sqrt(m / k) / number},
                  {"simbody", sqrt(4.5) * k / sqrt(radius)},
-                 {"young", wish->scene->number[COR_SCENE_YOUNG]},
-                 {"poisson", wish->scene->number[COR_SCENE_POISSON]},
-                 {"young2", wish->scene->number[COR_SCENE_YOUNG_2]},
-                 {"poisson2", wish->scene->number[COR_SCENE_POISSON_2]},
+                 {"young", one.young_modulus_pa},
+                 {"poisson", nu},
+                 {"youngpair", 2 * (1 - nu * nu) * 0.75 * k / sqrt(radius)},
+                 {"young2", two.young_modulus_pa},
+                 {"poisson2", two.poisson_ratio},
+                 {"density", density},
+                 {"rho", alike ? density : (double)NAN},
+                 {"density2", cor_scene_body_density(wish->scene, 2)},
                  {"0", 0}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(words[i].word, word) == 0)

@@ -28,6 +28,21 @@ static inline struct cor_scene_contact cor_model_contact(struct cor_scene_contac
     return c;
 }
 
+/* Density of a sphere; NaN: it has none, as a wall */
+static inline double cor_scene_body_density(const struct cor_scene *scene, int body)
+{
+    const struct cor_body b = cor_scene_body(scene, body);
+    return b.mass_kg / (4 * COR_PI / 3 * b.radius_m * b.radius_m * b.radius_m);
+}
+
+/* True if Young's modulus, Poisson's ratio or the density of the bodies differ */
+static inline int cor_scene_materials_differ(const struct cor_scene *scene)
+{
+    const struct cor_body one = cor_scene_body(scene, 1), two = cor_scene_body(scene, 2);
+    return one.young_modulus_pa != two.young_modulus_pa || one.poisson_ratio != two.poisson_ratio ||
+           fabs(cor_scene_body_density(scene, 1) / cor_scene_body_density(scene, 2) - 1) > 1e-14;
+}
+
 /* Whether a version, by cor_simulator_version, has the model; 0: any version will do */
 static inline int cor_model_has_version(const struct cor_simulator_model *model, long version)
 {

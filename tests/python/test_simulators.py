@@ -69,7 +69,9 @@ def test_realised():
     many = simulators.realised("LAMMPS", model[:-5], [[0.2, 0.5], [0.9, np.nan]])
     assert many.shape == (2, 2) and many[0, 1] == simulators.realised("lammps", model, 0.5)
     assert np.isnan(many[1, 1])
-    assert all(simulators.models(name) for name in simulators.names())
+    for name in simulators.names():  # each by its whole name, which may begin another
+        models = simulators.models(name)
+        assert models and all(simulators.realised(name, model, 2) != 2 for model in models)
 
 
 @pytest.mark.parametrize(
@@ -162,6 +164,9 @@ def test_from_restitution():
         (lambda: simulators.lines("lammps", young=1e9, poisson=0.3), "radius"),
         (lambda: simulators.lines("lammps", BODY, law="hooke"), "^law: "),
         (lambda: simulators.lines("lammps", BODY, version="new"), "^version: "),
+        (lambda: simulators.lines("lammps", BODY, version="3.8.1\0x"), "^version: "),
+        (lambda: simulators.lines("yade\0x", BODY), "^simulator: "),
+        (lambda: simulators.models("yade\0x"), "^simulator: "),
         (lambda: simulators.step_error(BODY, 1.0, 10, integrator="rk4"), "^integrator: "),
         (lambda: simulators.step_error(BODY, 0.0, 10), "^speed: "),
         (lambda: simulators.realised("lammps", "none", 0.5), "^model: "),

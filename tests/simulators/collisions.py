@@ -8,6 +8,7 @@ which ends it at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simula
 import glob
 import math
 import os
+import random
 import re
 import shutil
 import sys
@@ -243,21 +244,95 @@ def luding(host, work):
     wanted = r"# ((pair_style gran model luding|fix cor_luding|cor_material = Luding|cor_contact.*Luding).*)"
     lines = [found[1] for found in re.finditer(wanted, output_of([CORGEN, "contact", *contact, "--for", host]))]
     if host == "liggghts":
-        lines += ["pair_coeff * *", "fix cor_mu all property/global coefficientFriction peratomtypepair 1 0"]
+        lines += ["pair_coeff * *", "fix cor_mu all property/global coefficientFriction peratomtypepair 2 0 0 0 0"]
     paste = os.path.join(work, "luding")
     with open(paste, "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
     command = yade("restitution/yade.py", paste, "0", duration, "4000") if host == "yade" else [
         LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "restitution", "liggghts.in"), "-var", "paste", paste,
-        "-var", "wall", "0", "-var", "types", "1", "-var", "duration", duration, "-var", "n", "4000"]
+        "-var", "wall", "0", "-var", "types", "2", "-var", "duration", duration, "-var", "n", "4000"]
     seen = [float(row[-2]) for row in lines_of(command, "eps")]
     verdict(seen and abs(seen[0] / eps - 1) < 1e-5,
             "%s, Luding's contact realises %.6f: %s" % (host.upper(), eps, " ".join("%.8g" % value for value in seen)))
 
 
+# ---- two unlike bodies: the text of corgen contact --for, pasted whole after a user's own lines ----
+
+UNLIKE_STEPS = 300  # in the shortest contact, as asked for by --steps
+PAIR, LIKE, WALLS = (0, 1, 0), [(0, 0, 0), (1, 1, 0)], [(0, 1, 1), (1, 0, 1)]
+
+
+def unlike_options(host, bodies, kind, e):
+    """corgen contact for body i and body j, or a wall of its material"""
+    names = ["young", "poisson", "radius", "density"]
+    words = ["--%s=%.6g" % pair for pair in zip(names, bodies[kind[0]])]
+    words += ["--%s-2=%.6g" % pair for pair in zip(names[:2] if kind[2] else names, bodies[kind[1]])]
+    law = "--law tsuji --end zero-force" if host == "yade" else "--at 1 --end zero-overlap"
+    return ["contact", *words, *["--wall"] * kind[2], "--restitution", "%.6g" % e, *law.split(), "--speed", "1"]
+
+
+def unlike_paste(host, texts, kind):
+    """A user's own lines for like pairs, and the text of corgen; where the format allows no two such lines, that text
+    with the user's numbers"""
+    if host == "lammps":
+        like = [re.search("^(pair_coeff) . .( .*)", texts[k].replace("* *", "1 1"), re.M) for k in LIKE]
+        own = ["pair_style granular"] + ["%s %d %d%s" % (m[1], i + 1, i + 1, m[2]) for i, m in enumerate(like)]
+        return "\n".join(own + [texts[PAIR]] + [texts[kind]] * kind[2])
+    if host == "liggghts":
+        number = {k: dict(re.findall(r"^fix cor_(\w+) all .* peratomtypepair 1 (\S+)$", texts[k], re.M)) for k in LIKE}
+        return re.sub(r"^(fix cor_(\w+) all .* peratomtypepair 2) \S+ (\S+ \S+) \S+$",
+                      lambda m: "%s %s %s %s" % (m[1], number[LIKE[0]][m[2]], m[3], number[LIKE[1]][m[2]]),
+                      texts[kind if kind[2] else PAIR], flags=re.M)
+    betan = [re.search(r"betan=([^,]+),", texts[k])[1] for k in (LIKE[0], PAIR, LIKE[1])]
+    return re.sub("betan=[^,]+,", "betan=MatchMaker(matches=((0, 0, %s), (0, 1, %s), (1, 1, %s)))," % tuple(betan),
+                  texts[PAIR], count=1)
+
+
+def unlike(host, work, seed):
+    draw = random.Random(seed)
+    bodies = [[draw.choice((1e6, 1e8)) * 10**draw.uniform(0, 2), draw.uniform(0.1, 0.45), draw.uniform(3e-3, 9e-3),
+               draw.uniform(1000, 8000)] for _ in "12"]
+    e = {kind: draw.uniform(0.4, 0.95) for kind in [PAIR, *LIKE, *WALLS]}
+    options = {kind: unlike_options(host, bodies, kind, e[kind]) for kind in e}
+    texts = {k: output_of([CORGEN, *options[k], "--steps", str(UNLIKE_STEPS), "--for", host]) for k in e}
+    commands, steps, elastic = [], {}, {}
+    for number, kind in enumerate(e):
+        i, j, wall = kind
+        end = "duration_s_zero_force" if host == "yade" else "duration_s_zero_overlap"
+        pasted = texts[kind if wall and host != "yade" else PAIR]
+        dt = float(re.search(r"^(?:timestep|O\.dt =) (\S+)", pasted, re.M)[1])
+        steps[kind] = int(float(first_row(*options[kind])[end]) / dt)
+        elastic[kind] = float(first_row(*unlike_options(host, bodies, kind, 1))[end]) / dt
+        paste, n = os.path.join(work, "unlike%d" % number), str(steps[kind] + steps[kind] // 4)
+        with open(paste, "w", encoding="utf-8") as file:
+            file.write(unlike_paste(host, texts, kind) + "\n")
+        radii, duration = ["%.17g" % bodies[k][2] for k in (i, j)], "%.17g" % (dt * (int(n) + 0.5))
+        if host == "yade":
+            commands += [paste, ":".join(["%d" % wall, radii[0], "%d" % i, radii[1], "%d" % j]), duration, n]
+            continue
+        masses = ["%.17g" % (4 / 3 * math.pi * bodies[k][2]**3 * float("%.6g" % bodies[k][3])) for k in (i, j)]
+        types = "12" if wall and host == "liggghts" else (str(i + 1), str(j + 1))
+        variables = dict(here=HERE, paste=paste, wall="%d" % wall, types="2", duration=duration, n=n, r1=radii[0],
+                         r2=radii[1], m1=masses[0], m2=masses[1], t1=types[0], t2=types[1])
+        commands.append([LMP if host == "lammps" else LIGGGHTS, "-log", "none", "-in",
+                         os.path.join(HERE, "restitution", host + ".in"),
+                         *(word for pair in variables.items() for word in ("-var", *pair))])
+    if host == "yade":
+        commands = [yade("restitution/yade.py", *commands)]
+    seen = [row for command in commands for row in lines_of(command, "eps")]
+    for kind, row in zip(e, seen):
+        wanted = e[PAIR if kind[2] and host == "yade" else kind]
+        verdict(abs(float(row[-2]) - wanted) < 1e-3 and abs(float(row[-1])) < 1e-9 and max(steps[kind], elastic[kind]) >= UNLIKE_STEPS - 1,
+                "%s, seed %d, body %d on %s %d: eps %.5f, wanted %.5f, %.1f elastic steps, change %s" %
+                (host.upper(), seed, kind[0] + 1, ("body", "wall")[kind[2]], kind[1] + 1, float(row[-2]), wanted,
+                 elastic[kind], row[-1]))
+    verdict(len(seen) == len(e), "%s: three pairs and both walls" % host.upper())
+
+
 def main():
     if not os.access(CORGEN, os.X_OK):
         sys.exit("collisions.py: no program %s; build it, or name it by CORGEN" % CORGEN)
+    seed = int(os.environ.get("COR_SEED", random.randrange(10**6)))
     with tempfile.TemporaryDirectory() as work:
         os.environ["HOME"] = work  # YADE and what it loads may write there
         if not shutil.which(LMP):
@@ -265,6 +340,7 @@ def main():
         else:
             for test in [lammps_head_on, lammps_oblique, lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
                 test()
+            unlike("lammps", work, seed)
         if not shutil.which(YADE):
             skip("YADE", "no program yade; Debian calls its package yade")
         else:
@@ -276,9 +352,11 @@ def main():
             else:
                 skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
             luding("yade", work)
+            unlike("yade", work, seed)
         rebound(work)
         if shutil.which(LIGGGHTS):
             luding("liggghts", work)
+            unlike("liggghts", work, seed)
         else:
             skip("LIGGGHTS, Luding's contact", "no program liggghts; Debian calls its package liggghts")
     return summary()

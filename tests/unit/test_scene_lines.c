@@ -20,8 +20,8 @@ static struct cor_scene bodies(enum cor_law law, int second)
     return scene;
 }
 
-/* Above 0: the next texts are corrected for this time step. */
-static double corrected_step_s;
+/* Above 0: the next texts are corrected for this time step; are for these speeds, and this number of steps. */
+static double corrected_step_s, all_speeds[4], steps;
 
 static long lines_for(char *text, size_t size, const char *simulator, const char *version,
                       const struct cor_scene *scene, double speed)
@@ -35,8 +35,9 @@ static long lines_for(char *text, size_t size, const char *simulator, const char
                                                   .scene = scene,
                                                   .contacts = contacts,
                                                   .count = count,
-                                                  .speed_m_s = &speed,
-                                                  .speeds = speed > 0,
+                                                  .speed_m_s = steps > 0 ? all_speeds : &speed,
+                                                  .speeds = steps > 0 ? COUNT_OF(all_speeds) : speed > 0,
+                                                  .steps = steps,
                                                   .time_step_s = corrected_step_s,
                                                   .step_errors = corrected_step_s > 0,
                                                   .step_corrected = corrected_step_s > 0,
@@ -64,28 +65,9 @@ static void is_near(const char *number, double wanted, double tolerance)
     check(fabs(strtod(number, NULL) / wanted - 1) < tolerance, "%.20s is not %.12g", number, wanted);
 }
 
-static const char *const pairs[] = {"\npair_coeff 1 1 hertz ", "\npair_coeff 2 2 hertz ", "\npair_coeff 1 2 hertz "};
-
-/* LAMMPS: F = kn sqrt(R x) x + eta_n m sqrt(R x) x', so eta_n = (3/2) A kn/m */
-TEST(pairs_of_two_sizes)
-{
-    struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, 1);
-    scene.number[COR_SCENE_DISSIPATION_TIME] = 1e-4;
-    const double kn = 4.0 / 3 * young / (2 * (1 - poisson * poisson));
-    const double masses[] = {mass[0] / 2, mass[1] / 2, mass[0] * mass[1] / (mass[0] + mass[1])};
-    const char *const text = text_for("LAMMPS", NULL, &scene, 1);
-    for (int i = 0; i < 3; i++) {
-        const char *const at = found(text, pairs[i]);
-        is_near(at, kn, 1e-11);
-        is_near(strchr(at, ' '), 1.5e-4 * kn / masses[i], 1e-11);
-    }
-    found(text, "eta_n is proportional to m^-1. ");
-    /* one size needs one line */
-    scene = bodies(COR_LAW_VISCOELASTIC, 0);
-    scene.number[COR_SCENE_DISSIPATION_TIME] = 1e-4;
-    is_near(strchr(found(text_for("lammps", NULL, &scene, 1), "\npair_coeff * * hertz "), ' '), 3e-4 * kn / mass[0],
-            1e-11);
-}
+/* Only the pair is active. */
+static const char *const pairs[] = {"\n# pair_coeff 1 1 hertz ", "\n# pair_coeff 2 2 hertz ",
+                                    "\npair_coeff 1 2 hertz "};
 
 /* The stiffness of a contact of which the duration at zero force is known, 2 A(zeta) sqrt(m/K): kn of two equal bodies
  * in series is twice as large. */
@@ -208,6 +190,15 @@ TEST(versions)
                {"3.8", 30800},
                {"2023.02a", 20230200},
                {"2022", 20220000},
+               {"20230802-1~deb12", 20230802},
+               {"29 Sept 2021", 20210929},
+               {"31 Foo 2021", 0},
+               {"32 Jan 2021", 0},
+               {"1 Ja 2021", 0},
+               {"1 Jan 21", 0},
+               {"-1", 0},
+               {"3.8.1\nx", 0},
+               {"3.8 1", 0},
                {"", 0},
                {"latest", 0},
                {"Sep 2021", 0}};
@@ -218,7 +209,7 @@ TEST(versions)
     struct cor_scene scene = bodies(COR_LAW_TSUJI, 0);
     scene.number[COR_SCENE_RESTITUTION] = 0.5;
     const char *text = text_for("lammps", NULL, &scene, 1);
-    assert_true(strstr(found(text, "\npair_coeff"), "damping tsuji") < strchr(found(text, "\npair_coeff"), '\n'));
+    assert_true(strstr(found(text, "\npair_coeff * *"), "damping tsuji") < strchr(found(text, "\npair_coeff"), '\n'));
     text = text_for("lammps", "1 Oct 2026", &scene, 1);
     is_near(strstr(found(text, "\npair_coeff"), "hertz ") + strlen("hertz 7326007.32601 "), 0.5, 1e-6);
     found(text, "damping coeff_restitution");
@@ -278,5 +269,160 @@ TEST(corrected_for_a_step)
     corrected_step_s = 0;
 }
 
-RUN_TESTS(corrected_for_a_step, stiffness_of_a_duration, pairs_of_two_sizes, walls, ends, active_lines_are_one_block,
-          buffer_of_any_size, versions)
+enum { CONTACTS = 7 };
+/* Body i with body j, or with a wall of its material; first the pair */
+static const int between[CONTACTS][3] = {{0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}};
+static const int of_body[] = {COR_SCENE_YOUNG, COR_SCENE_POISSON, COR_SCENE_RADIUS, COR_SCENE_DENSITY,
+                              COR_SCENE_DISSIPATION_TIME};
+enum { OF_BODY = COUNT_OF(of_body) };
+
+/* Two bodies that differ in one number, or in all (`effect` OF_BODY); without dissipation times unless `damped` */
+static struct cor_scene unlike(double number[2][OF_BODY], size_t effect, int damped)
+{
+    struct cor_scene scene = scene_without_numbers(damped ? COR_LAW_VISCOELASTIC : COR_LAW_TSUJI);
+    for (size_t k = 0; k < OF_BODY; k++) {
+        const double low[] = {1e6, 0.05, 1e-4, 500, 1e-7}, high[] = {1e11, 0.45, 1e-2, 9000, 1e-6};
+        for (int body = 0; body < 2; body++)
+            number[body][k] = random_log(&draw, low[k], high[k]);
+        if (k != effect && effect < OF_BODY)
+            number[1][k] = number[0][k];
+        if (damped || of_body[k] != COR_SCENE_DISSIPATION_TIME)
+            scene_give(scene, {of_body[k], number[0][k]});
+        if ((damped || of_body[k] != COR_SCENE_DISSIPATION_TIME) && (k == effect || effect == OF_BODY))
+            scene_give(scene, {of_body[k] + COR_SCENE_BODY, number[1][k]});
+    }
+    return scene;
+}
+
+static struct cor_body body_of(const double number[OF_BODY], int wall)
+{
+    return (struct cor_body){number[0], number[1], number[4], wall ? INFINITY : number[2],
+                             wall ? INFINITY : 4 * PI / 3 * pow(number[2], 3) * number[3]};
+}
+
+/* One effect at a time makes two types. LAMMPS: F = kn sqrt(R x) x + eta_n m sqrt(R x) x', so eta_n = (3/2) A kn/m. The
+ * time step is the smallest of all contacts and speeds. */
+TEST(bodies_that_differ_in_one_number)
+{
+    for (size_t effect = 0; effect <= OF_BODY; effect++) {
+        double n[2][OF_BODY], least = INFINITY;
+        struct cor_scene scene = unlike(n, effect, 1);
+        scene.end = COR_END_ZERO_OVERLAP;
+        steps = random_uniform(&draw, 20, 90);
+        for (size_t i = 0; i < COUNT_OF(all_speeds); i++)
+            all_speeds[i] = random_log(&draw, 1e-3, 10);
+        const char *const text = text_for("lammps", NULL, &scene, 0);
+        for (int k = 0; k < CONTACTS; k++) {
+            const struct cor_body one = body_of(n[between[k][0]], 0), two = body_of(n[between[k][1]], between[k][2]);
+            struct cor_sphere_contact c;
+            assert_int_equal(cor_sphere_contact_init(&c, &one, &two), COR_OK);
+            const double kn = c.elastic_constant_n_m15 / sqrt(c.effective_radius_m);
+            if (k < 3) {
+                const char *const at = found(text, pairs[(k + 2) % 3]);
+                is_near(at, kn, 1e-10);
+                is_near(strchr(at, ' '), 1.5 * c.dissipation_time_s * kn / c.effective_mass_kg, 1e-10);
+            }
+            const struct cor_scene_contact contact = {.law = scene.law,
+                                                      .mass_kg = c.effective_mass_kg,
+                                                      .stiffness = c.elastic_constant_n_m15,
+                                                      .damping = c.beta_per_root};
+            for (size_t i = 0; i < COUNT_OF(all_speeds); i++) {
+                const struct cor_scene_impact impact = scene_impact(&contact, all_speeds[i]);
+                const double elastic = cor_scene_elastic_duration_s(&contact, all_speeds[i]);
+                least = fmin(least, impact.duration_s[0]);
+                least = fmin(least, k > 0 ? fmin(impact.duration_s[1], elastic) : least);
+            }
+        }
+        is_near(found(text, "\ntimestep "), least / steps, 1e-5);
+        found(text, "eta_n is proportional to m^-1. ");
+        found(text, "They have the damping of their materials, as given.\n");
+        steps = 0;
+    }
+}
+
+/* Without dissipation times like pairs have zeta of the pair: eps, by LIGGGHTS's exact formula, is the same. YADE has
+ * the numbers of both materials. */
+TEST(unlike_bodies_of_a_constant_law)
+{
+    for (size_t effect = 0; effect <= OF_BODY; effect++) {
+        double n[2][OF_BODY];
+        struct cor_scene scene = unlike(n, effect, 0);
+        const double e = random_uniform(&draw, 0.2, 0.9), log_e = log(e);
+        if (effect + 1 == OF_BODY)
+            continue; /* no dissipation times */
+        scene_give(scene, {COR_SCENE_ZETA, -log_e / sqrt(PI * PI + log_e * log_e)});
+        const char *at = found(text_for("liggghts", NULL, &scene, 0), " coefficientRestitution peratomtypepair 2 ");
+        for (int i = 0; i < 4; i++) {
+            is_near(at, e, 1e-10);
+            at += strcspn(at, " \n") + 1;
+        }
+        at =
+            found(text_for("liggghts", NULL, &scene, 0), "They have the damping of the pair 1 2, which is theirs only");
+        at = found(text_for("yade", NULL, &scene, 0), "1 1, 2 2 and walls get the betan of 1 2.");
+        for (int body = 0; body < (effect == 2 ? 1 : 2); body++) {
+            at = found(at, body ? "\ncor_material_2 = FrictMat(young=" : "\ncor_material = FrictMat(young=");
+            is_near(at, n[body][0], 1e-11);
+            is_near(found(at, "poisson="), n[body][1], 1e-11);
+            is_near(found(at, "density="), n[body][3], 1e-11);
+        }
+        check((strstr(at, "cor_material_2") != NULL) == 0 || effect != 2, "one material for two radii");
+        /* one E makes the stiffness of the pair */
+        const struct cor_body one = body_of(n[0], 0), two = body_of(n[1], 0);
+        struct cor_sphere_contact c;
+        assert_int_equal(cor_sphere_contact_init(&c, &one, &two), COR_OK);
+        scene.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
+        scene_give(scene, {COR_SCENE_ZETA, NAN}, {COR_SCENE_G_STAR, 1});
+        /* like pairs have A of the pair, C/K, if they have none of their own */
+        at = text_for("lammps", NULL, &scene, 1);
+        const double mass_kg[] = {one.mass_kg / 2, two.mass_kg / 2, c.effective_mass_kg};
+        double a[3];
+        for (int k = 0; k < 3; k++) {
+            char *eta;
+            const double kn = strtod(found(at, pairs[k]), &eta);
+            a[k] = strtod(eta, NULL) * mass_kg[k] / kn;
+        }
+        check(fabs(a[0] / a[2] - 1) < 1e-9 && fabs(a[1] / a[2] - 1) < 1e-9, "A %g %g %g", a[0], a[1], a[2]);
+        at = found(text_for("esys", NULL, &scene, 0), "HertzianViscoElasticPrms(");
+        is_near(found(at, "E="), 1.5 * (1 - n[0][1] * n[0][1]) * c.elastic_constant_n_m15 / sqrt(c.effective_radius_m),
+                1e-10);
+    }
+}
+
+/* What a text says of speeds that are given in any order, and apart from --at */
+TEST(speeds_in_any_order)
+{
+    for (int round = 0; round < 5; round++) {
+        double low = INFINITY, high = 0;
+        struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, 0);
+        scene.end = COR_END_ZERO_FORCE;
+        scene_give(scene, {COR_SCENE_RESTITUTION, random_uniform(&draw, 0.3, 0.9)},
+                   {COR_SCENE_AT, random_log(&draw, 0.1, 10)});
+        for (size_t i = 0; i < COUNT_OF(all_speeds); i++) {
+            all_speeds[i] = random_log(&draw, 1e-3, 10);
+            low = fmin(low, all_speeds[i]);
+            high = fmax(high, all_speeds[i]);
+        }
+        steps = 50;
+        const char *const text = text_for("rebound", NULL, &scene, 0);
+        steps = 0;
+        is_near(found(text, " --speed-min "), low, 1e-5);
+        is_near(found(text, " --speed-max "), high, 1e-5);
+        /* a host without the law, at one speed */
+        struct cor_scene_contact contact[COR_SCENE_ENDS];
+        struct cor_scene_fault fault;
+        int count;
+        assert_int_equal(cor_scene_contacts(contact, &count, &fault, &scene), COR_FAULT_NONE);
+        const double eps = scene_eps(contact, low, COR_END_ZERO_FORCE);
+        const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
+        is_near(at, eps, 1e-5);
+        is_near(found(at, " at "), low, 1e-5);
+        /* a host of linear springs only: what to type */
+        const char *const refusal = text_for("mujoco", NULL, &scene, low);
+        is_near(found(refusal, "--law linear --duration "), cor_scene_elastic_duration_s(contact, low), 1e-11);
+        is_near(found(refusal, " --effective-mass "), contact->mass_kg, 1e-11);
+        is_near(found(refusal, " --restitution "), eps, 1e-11);
+    }
+}
+
+RUN_TESTS(bodies_that_differ_in_one_number, unlike_bodies_of_a_constant_law, speeds_in_any_order, corrected_for_a_step,
+          stiffness_of_a_duration, walls, ends, active_lines_are_one_block, buffer_of_any_size, versions)

@@ -122,6 +122,13 @@ TEST(test_lines_and_own_maps_of_a_simulator)
         assert_string_equal(model->simulator, "lammps");
         assert_near(web_realised(model, &web_now, 1), cor_simulator_realised(model, 0.9), 1e-12);
     }
+    /* one speed and no --at: eps there */
+    char request[200];
+    const double speed = random_log(&draw, 0.1, 10);
+    const struct cor_sphere_contact contact = glass(4e-7);
+    snprintf(request, sizeof request, GLASS "dissipation-time=4e-7\nend=zero-force\nfor=lammps\nspeed=%.17g", speed);
+    assert_true(web_read(request));
+    assert_near(strtod(web_models(15), NULL), cor_contact_eps_zero_force(&contact, speed), 1e-14);
     assert_true(web_read("law=hertz-dashpot\ng-star=3\nend=zero-force\nfor=mfix"));
     assert_null(web_lines());
     assert_string_equal(web_wrong_option(), "for");

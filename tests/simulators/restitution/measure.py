@@ -186,7 +186,8 @@ def cases_of(host, laws=LAWS, wanted=lambda block: True, walls=(False, True)):
 def file_of(case, work, number):
     path = os.path.join(work, "paste%d" % number)
     with open(path, "w", encoding="utf-8") as file:
-        file.write("\n".join(case.lines) + "\n")
+        # of like pairs LAMMPS gets the lines that are comments
+        file.write("\n".join(re.sub(r"^# (?=pair_coeff (1 1|2 2) )", "", line) for line in case.lines) + "\n")
     return path
 
 
