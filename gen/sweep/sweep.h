@@ -83,8 +83,8 @@ struct sweep_request {
 int sweep_run(const struct sweep_request *request);
 
 /* ---- journal.c: the rows of an unfinished sweep, kept in FILE.part until FILE can be written (docs/disks.md): a line
- * that identifies the sweep, then its first rows, each followed by a check of all lines up to it; only the last line may
- * be incomplete ---- */
+ * that identifies the sweep, then its first rows, each with a check of all lines up to it; only the last line may be
+ * incomplete ---- */
 
 struct journal {
     FILE *stream; /* locked against other processes; writes go to its end */
@@ -98,8 +98,8 @@ struct journal {
 
 /* Opens or creates FILE.part, whose first line is `title` (given without its line end), "corgen ...: COMMAND". A file
  * with another title is refused. Of the right file, up to `most` correct rows are kept, and everything after them
- * is cut off, with a message if a row is complete but not correct. Until the journal is closed, signals that end the program say how to continue. Returns STATUS_OK, or
- * STATUS_FAILED after a message. */
+ * is cut off, with a message if a row is complete but not correct. Until the journal is closed, signals that end the
+ * program say how to continue. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
 /* Adds a row, given without its line end. It is then safe from the end of this process, and half a minute later from a
