@@ -59,6 +59,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
     struct option_common *const common = xmalloc(cmd->size); /* and what follows in its struct of arguments */
     memcpy(common, cmd->defaults, cmd->size);
     bool help;
+    progress_start(cmd->name);
     int status = options_parse(common, cmd->options, argc - 1, argv + 1, &help);
     if (status == STATUS_OK && help) {
         fputs(cmd->help, stdout);
@@ -66,7 +67,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
         if (common->profile)
             profile_enable();
         status = cmd->run(common);
-        progress_end();
+        progress_hold();
         profile_report();
     }
     options_clear(common, cmd->options);

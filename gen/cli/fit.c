@@ -58,7 +58,7 @@ static int write_results(const struct fit_arguments *o, const struct fit_report 
     fit_report_print(report, format, out[0].file);
     status = output_commit_all(out, o->plot ? 2 : 1);
     if (status == STATUS_OK && format != FORMAT_TEXT)
-        fit_report_remarks(report, stderr);
+        progress_hold(), fit_report_remarks(report, stderr);
     return status;
 }
 

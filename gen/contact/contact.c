@@ -92,12 +92,11 @@ void contact_warn_yield(const struct contacts *contacts, double speed_m_s)
     const double speed = speed_m_s - c->liquid_speed_m_s;
     if (c->plastic || !(c->yield_speed_m_s > 0) || !(speed > c->yield_speed_m_s))
         return;
-    fprintf(stderr,
-            "corgen: warning: at %g m/s the largest Hertzian pressure would be %.4g Pa, above 1.6 times the yield "
-            "stress, %.4g Pa. The bodies yield from %.4g m/s on, and this law does not describe them there; "
-            "--law elastic-plastic does.\n",
-            speed_m_s, cor_scene_pressure(c, cor_scene_elastic_overlap(c, speed)),
-            cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)), c->yield_speed_m_s);
+    fail("warning: at %g m/s the largest Hertzian pressure would be %.4g Pa, above 1.6 times the yield "
+         "stress, %.4g Pa. The bodies yield from %.4g m/s on, and this law does not describe them there; "
+         "--law elastic-plastic does.",
+         speed_m_s, cor_scene_pressure(c, cor_scene_elastic_overlap(c, speed)),
+         cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)), c->yield_speed_m_s);
 }
 
 /* ---- lines of simulators ---- */

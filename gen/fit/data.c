@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "support/console.h"
 #include "support/decimal.h"
@@ -526,7 +527,10 @@ int fit_data_read(struct fit_data *data, const char *path, const struct fit_form
     FILE *const file = standard ? stdin : fopen(path, "r");
     if (!file)
         return fail("cannot read %s: %s", path, strerror(errno));
+    if (standard && isatty(STDIN_FILENO))
+        progress_hold();
     const int status = fit_data_parse(data, file, standard ? "standard input" : path, form);
+    progress_resume();
     if (!standard)
         fclose(file);
     return status;

@@ -5,8 +5,9 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
+#include <pthread.h>
+#include <signal.h>
 #include <stdarg.h>
-#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,21 +17,37 @@
 #include "support/clock.h"
 #include "support/flint.h"
 
-static _Thread_local bool console_thread; /* the one that shows progress and measures steps */
-static atomic_bool progress_shown;
+static _Thread_local bool console_thread; /* the one that sets steps of progress and measures them */
+
+/* The line of progress. A thread shows it again and again, so that no computation is silent. */
+enum { STEP_NAME = 64, UPDATES_PER_SECOND = 5 };
+static const double SILENT_SECONDS = 0.5;
+
+struct step {
+    char name[STEP_NAME];
+    long done, total; /* done: negative if unknown */
+    double left, since;
+};
+
+static pthread_mutex_t line_lock = PTHREAD_MUTEX_INITIALIZER; /* protects what follows */
+static struct step whole, part;                               /* part: shown if it has a name */
+static bool line_shown, line_held = true;
 
 static void line_erase(void)
 {
-    if (atomic_exchange(&progress_shown, false))
+    if (line_shown)
         fputs("\r\033[K", stderr);
+    line_shown = false;
 }
 
 static void print_message(const char *format, va_list arguments)
 {
+    pthread_mutex_lock(&line_lock);
     line_erase();
     fputs("corgen: ", stderr);
     vfprintf(stderr, format, arguments);
     fputc('\n', stderr);
+    pthread_mutex_unlock(&line_lock);
 }
 
 int fail(const char *format, ...)
@@ -176,54 +193,96 @@ void console_start(void)
 
 /* Progress */
 
-enum { UPDATES_PER_SECOND = 10 };
+static bool line_watched;
+static const char *command_name = "";
+static int steps_entered; /* and not left yet */
 
-static double progress_started = -1;
-static double progress_updated;
-static struct {
-    const char *step;
-    long total;
-    int depth; /* number of entered steps that are not left yet */
-} outer;
-
-static void progress_erase(void)
+static void line_show(const struct step *step)
 {
-    line_erase();
-    progress_started = -1;
+    const double elapsed = clock_seconds() - step->since, left = step->left;
+    fprintf(stderr, "\r\033[K%s: ", step->name);
+    if (step->done >= 0)
+        fprintf(stderr, step->total > 0 ? "%ld of %ld, " : "%ld, ", step->done, step->total);
+    fprintf(stderr, "%.0f s", elapsed);
+    if (left >= 0)
+        fprintf(stderr, ", %.0f %s left",
+                left >= 36000 ? left / 3600
+                : left >= 600 ? left / 60
+                              : left,
+                left >= 36000 ? "h"
+                : left >= 600 ? "min"
+                              : "s");
+    fflush(stderr);
+    line_shown = true;
 }
 
-static void progress_show(const char *step, long done, long total, double left)
+static void *line_watch(void *nothing)
 {
-    static int terminal = -1;
-    if (terminal < 0)
-        terminal = isatty(STDERR_FILENO);
-    if (!terminal)
+    static const struct timespec pause = {0, 1000000000 / UPDATES_PER_SECOND};
+    const double start = clock_seconds();
+    while (true) {
+        nanosleep(&pause, NULL);
+        pthread_mutex_lock(&line_lock);
+        if (!line_held && clock_seconds() - start >= SILENT_SECONDS)
+            line_show(*part.name ? &part : &whole);
+        pthread_mutex_unlock(&line_lock);
+    }
+    return nothing;
+}
+
+void progress_hold(void)
+{
+    pthread_mutex_lock(&line_lock);
+    line_erase();
+    line_held = true;
+    pthread_mutex_unlock(&line_lock);
+}
+
+void progress_resume(void)
+{
+    pthread_mutex_lock(&line_lock);
+    line_held = !line_watched;
+    pthread_mutex_unlock(&line_lock);
+}
+
+/* Changes a step; a step of another name begins now. */
+static void step_set(struct step *step, const char *name, long done, long total, double left)
+{
+    if (!console_thread || !line_watched)
         return;
-    const double now = clock_seconds();
-    if (progress_started < 0)
-        progress_started = now;
-    const double elapsed = now - progress_started;
-    if (elapsed < 1 || now - progress_updated < 1.0 / (double)UPDATES_PER_SECOND)
+    pthread_mutex_lock(&line_lock);
+    if (strncmp(step->name, name, STEP_NAME - 1) != 0) {
+        snprintf(step->name, STEP_NAME, "%s", name);
+        step->since = clock_seconds();
+    }
+    step->done = done;
+    step->total = total;
+    step->left = left;
+    pthread_mutex_unlock(&line_lock);
+}
+
+void progress_start(const char *command)
+{
+    pthread_t watch;
+    sigset_t all, before; /* as in parallel.c, signals go to the thread that cleans up */
+    command_name = command;
+    if (!isatty(STDERR_FILENO) || line_watched)
         return;
-    progress_updated = now;
-    progress_shown = true;
-    if (total > 0)
-        fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
-    else
-        fprintf(stderr, "\r\033[K%s: %ld, %.0f s", step, done, elapsed);
-    if (left >= 36000)
-        fprintf(stderr, ", %.0f h left", left / 3600);
-    else if (left >= 600)
-        fprintf(stderr, ", %.0f min left", left / 60);
-    else if (left >= 0)
-        fprintf(stderr, ", %.0f s left", left);
-    fflush(stderr);
+    line_watched = true;
+    step_set(&whole, command, -1, 0, -1);
+    progress_resume();
+    atexit(progress_hold);
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    if (pthread_create(&watch, NULL, line_watch, NULL) == 0)
+        pthread_detach(watch);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
 void progress_left(const char *step, long done, long total, double left)
 {
-    if (console_thread && outer.depth == 0)
-        progress_show(step, done, total, left);
+    if (steps_entered == 0)
+        step_set(&part, step, done, total, left);
 }
 
 void progress(const char *step, long done, long total)
@@ -233,30 +292,25 @@ void progress(const char *step, long done, long total)
 
 void progress_end(void)
 {
-    if (console_thread && outer.depth == 0)
-        progress_erase();
+    progress("", -1, 0);
 }
 
 void progress_enter(const char *step, long total)
 {
-    if (!console_thread || outer.depth++ > 0)
-        return;
-    outer.step = step;
-    outer.total = total;
-    progress_erase();
-    progress_show(step, 0, total, -1);
+    if (console_thread && steps_entered++ == 0)
+        step_set(&part, step, 0, total, -1);
 }
 
 void progress_at(long done)
 {
-    if (console_thread && outer.depth == 1)
-        progress_show(outer.step, done, outer.total, -1);
+    if (console_thread && steps_entered == 1)
+        step_set(&part, part.name, done, part.total, -1);
 }
 
 void progress_leave(void)
 {
-    if (console_thread && --outer.depth == 0)
-        progress_erase();
+    if (console_thread && --steps_entered == 0)
+        progress_end();
 }
 
 /* Profile */
@@ -281,6 +335,7 @@ void profile_enable(void)
 
 void profile_step(const char *name)
 {
+    step_set(&whole, name ? name : command_name, -1, 0, -1);
     if (!profile_enabled || !console_thread)
         return;
     double now = clock_seconds();
@@ -304,7 +359,7 @@ void profile_report(void)
     double total = clock_seconds() - profile_started;
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
-    progress_end();
+    progress_hold();
     double named = 0;
     for (int i = 0; i < step_count; i++) {
         fprintf(stderr, "profile: %10.3f s  %s\n", steps[i].seconds, steps[i].name);

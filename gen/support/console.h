@@ -25,13 +25,19 @@ int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
  * them. */
 int console_need(double bytes, const char *advice, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Rewrites one line on a terminal, from the first second of a step on. The functions print nothing if stderr is not a
- * terminal, or in a thread other than the one that called console_start. Call progress("step", done, total) repeatedly,
- * then progress_end() to erase the line. total = 0: unknown. */
+/* Progress: one line on a terminal, which a thread rewrites five times per second, also while a computation calls none
+ * of these functions. progress_start starts it for a subcommand; it does nothing if stderr is not a terminal. The line
+ * shows the name of the subcommand, or of the last profile_step. progress("step", done, total) shows a step of it
+ * instead, until progress_end(); total = 0: unknown. Only the thread that called console_start changes the line. */
+void progress_start(const char *command);
 void progress(const char *step, long done, long total);
 /* The same with the remaining time in seconds; a negative number means unknown. */
 void progress_left(const char *step, long done, long total, double left);
 void progress_end(void);
+
+/* Erases the line and shows none, because something else is printed, or read, on the terminal; and shows it again. */
+void progress_hold(void);
+void progress_resume(void);
 
 /* Enters a step that consists of other steps. Until progress_leave, the line shows this step alone, with the numbers
  * given to progress_at. Inner steps and inner calls of progress() and progress_end() print nothing. */

@@ -172,10 +172,24 @@ static int output_failure(const char *verb, const struct output *out)
                 errno ? strerror(errno) : "write error");
 }
 
+void output_show(struct output *out)
+{
+    if (!out->screen)
+        return;
+    fflush(out->file);
+    progress_hold();
+    fwrite(out->bytes, 1, out->size, out->screen);
+    fflush(out->screen);
+    rewind(out->file);
+    progress_resume();
+}
+
 void output_discard(struct output *out)
 {
-    if (out->file && out->path)
+    if (out->file && out->file != stdout)
         fclose(out->file);
+    if (out->screen && out->screen != stdout)
+        fclose(out->screen);
     if (out->temporary)
         unlink(out->temporary);
     free(out->target);
@@ -189,17 +203,21 @@ int output_open(struct output *out, const char *path)
     *out = (struct output){.path = path, .file = stdout};
     output_report_size_limit();
     const int descriptor = descriptor_named(path), status = output_check(path);
-    if (!path || status != STATUS_OK)
+    if (status != STATUS_OK)
         return status;
     errno = 0;
-    if (descriptor >= 0) {
+    if (path && descriptor >= 0) {
         const int copy = dup(descriptor);
         out->file = copy < 0 ? NULL : fdopen(copy, "w");
-    } else if (output_is_direct(path)) {
+    } else if (path && output_is_direct(path)) {
         out->file = fopen(path, "w");
-    } else {
+    } else if (path) {
         out->file = open_memstream(&out->bytes, &out->size);
         out->target = target_of(path);
+    }
+    if (out->file && !out->target && isatty(fileno(out->file)) && isatty(STDERR_FILENO)) {
+        out->screen = out->file;
+        out->file = open_memstream(&out->bytes, &out->size);
     }
     return out->file ? STATUS_OK : output_failure("write", out);
 }
@@ -210,8 +228,10 @@ int output_open(struct output *out, const char *path)
 static int output_complete(struct output *out)
 {
     errno = 0;
-    bool good = fflush(out->file) == 0 && !ferror(out->file);
-    if (good && out->path) {
+    output_show(out);
+    FILE *const file = out->screen ? out->screen : out->file;
+    bool good = fflush(file) == 0 && !ferror(file);
+    if (good && out->file != stdout) {
         good = fclose(out->file) == 0;
         out->file = NULL;
     }
@@ -293,6 +313,8 @@ char *read_file(const char *path, size_t most, size_t *size)
     FILE *const file = standard ? stdin : fopen(path, "rb");
     if (!file)
         return NULL;
+    if (standard && isatty(STDIN_FILENO))
+        progress_hold();
     size_t capacity = 1 << 16;
     char *bytes = xmalloc(capacity);
     *size = 0;
@@ -301,6 +323,7 @@ char *read_file(const char *path, size_t most, size_t *size)
         if (*size == capacity)
             bytes = xrealloc(bytes, capacity *= 2);
     }
+    progress_resume();
     bytes[*size] = '\0';
     const int wrong = ferror(file) ? errno : *size < most ? 0 : EFBIG;
     if (!standard)

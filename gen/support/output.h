@@ -17,10 +17,11 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * by the name /dev/stdout, /dev/stderr, /dev/fd/N or /proc/self/fd/N, which keeps its position and append mode. */
 struct output {
     FILE *file;
+    FILE *screen;     /* a terminal that also shows progress, so that `bytes` are written in one piece; or NULL */
     const char *path; /* as given, for messages; NULL = standard output */
     char *target;     /* the file to be replaced, behind all links; NULL = written directly */
     char *temporary;  /* its new text, while a commit runs */
-    char *bytes;      /* of the target */
+    char *bytes;      /* of the target or the screen */
     size_t size;
 };
 
@@ -47,6 +48,9 @@ int output_commit(struct output *out); /* also reports a full disk behind standa
 /* Commits a set of files. Every file is complete on the disk before the first rename, and signals are blocked between
  * the renames. If one file fails, all are discarded. */
 int output_commit_all(struct output *out, int n);
+
+/* On a terminal, shows what has been written so far, and no progress meanwhile. */
+void output_show(struct output *out);
 
 void output_discard(struct output *out);
 int output_text(const char *path, const char *text); /* opens, writes and commits */

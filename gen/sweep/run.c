@@ -28,6 +28,7 @@ struct collide {
 
     struct journal journal; /* lines go there if it has a path, otherwise to the printer */
     struct sweep_printer printer;
+    struct output out; /* of the printer */
     const char *again; /* last line of an earlier run, computed again as a check; NULL if there is none */
     uint64_t again_row;
 
@@ -114,6 +115,7 @@ static int row_finished(void *context, slong i)
     if (run->journal.path)
         return journal_add(&run->journal, line);
     sweep_print(&run->printer, line);
+    output_show(&run->out);
     return ferror(run->printer.file) ? STATUS_FAILED : STATUS_OK; /* output_commit reports the reason */
 }
 
@@ -194,11 +196,10 @@ static char *title_of(const struct sweep *s)
 static int collide_to_output(struct collide *run, const struct sweep_request *request)
 {
     const bool kept = !output_is_direct(request->output);
-    struct output out;
-    int status = output_open(&out, request->output);
+    int status = output_open(&run->out, request->output);
     if (status != STATUS_OK)
         return status;
-    sweep_print_start(&run->printer, &run->sweep, request->format, out.file);
+    sweep_print_start(&run->printer, &run->sweep, request->format, run->out.file);
     if (kept) {
         char *const title = title_of(&run->sweep);
         status = journal_open(&run->journal, request->output, title, run->sweep.rows);
@@ -210,10 +211,10 @@ static int collide_to_output(struct collide *run, const struct sweep_request *re
         status = journal_read(&run->journal, sweep_print, &run->printer);
     if (status == STATUS_OK)
         sweep_print_end(&run->printer);
-    if (status == STATUS_OK || ferror(out.file))
-        status = output_commit(&out);
+    if (status == STATUS_OK || ferror(run->out.file))
+        status = output_commit(&run->out);
     else
-        output_discard(&out);
+        output_discard(&run->out);
     if (kept)
         journal_close(&run->journal, status == STATUS_OK);
     return status == STATUS_OK ? report_rows(&run->printer) : status;

@@ -262,21 +262,23 @@ int tables_run(const struct tables_request *request)
                             : material         ? DEFAULT_DIRECTORY_OF_MATERIAL
                                                : DEFAULT_DIRECTORY;
     struct content c[CONTENTS] = {{NULL, NULL, 0}};
+    struct output out;
+    output_open(&out, NULL);
     int n = 0, status = request->check || request->digits ? STATUS_OK : probe_directory(directory, request);
-    emit_digits(request->digits ? stdout : NULL);
+    emit_digits(request->digits ? out.file : NULL);
     if (status == STATUS_OK)
         status = material ? make_material(c, &n, request) : make_generated(c, &n, request, directory);
     emit_digits(NULL);
     if (status == STATUS_OK && !request->digits)
         status = request->check ? check_all(c, n, directory) : write_all(c, n, directory);
     for (int i = 0; i < n && status == STATUS_OK && !request->digits; i++)
-        printf("%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", directory, c[i].name, c[i].size);
+        fprintf(out.file, "%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", directory, c[i].name, c[i].size);
     if (status == STATUS_OK && request->check && !material && disk_limits_known(NULL))
         status = check_limits(request);
     if (status == STATUS_OK && !request->check && !request->digits && !request->all && !material)
-        printf("kept the collisions of " DISK_LIMITS_FILE "; --all makes them anew\n");
-    if (fflush(stdout) && status == STATUS_OK)
-        status = fail("standard output: %s", strerror(errno));
+        fprintf(out.file, "kept the collisions of " DISK_LIMITS_FILE "; --all makes them anew\n");
+    if (output_commit(&out) != STATUS_OK)
+        status = STATUS_FAILED;
     for (int i = 0; i < CONTENTS; i++)
         free(c[i].text);
     sphere_tables_clear();

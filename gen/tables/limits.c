@@ -649,8 +649,8 @@ static void check_scene(struct check *check, const struct scene *scene, const st
     check->places[between]++;
     check->worst[between] = fmax(check->worst[between], between ? off / uncertainty : off);
     if (!(off <= allowed) && check->wrong++ < SAMPLE_MISSES)
-        fprintf(stderr, "corgen: " DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed\n",
-                speed_at(scene->x), nu_at(scene->nu), off, allowed);
+        fail(DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed", speed_at(scene->x),
+             nu_at(scene->nu), off, allowed);
 }
 
 static int check_verdict(const struct check *check, const char *of_what)
