@@ -100,9 +100,8 @@ static void print_finding(FILE *file, const struct cor_audit_finding *f)
         fprintf(file, "    write: %s\n", f->instead);
 }
 
-static void take_finding(void *context, const struct cor_audit_finding *f)
+static void add_finding(struct audit_run *run, const struct cor_audit_finding *f, bool named)
 {
-    struct audit_run *const run = context;
     run->contacts += f->model != NULL;
     run->as_asked += f->as_asked == 1;
     run->not_as_asked += f->model && f->as_asked == 0;
@@ -112,7 +111,6 @@ static void take_finding(void *context, const struct cor_audit_finding *f)
         return;
     }
     struct table *const table = &run->table;
-    const bool named = !run->name || strcmp(run->name, f->file) != 0;
     table_add(table, xprintf("%s%s%ld", named ? f->file : "", named ? ":" : "", f->line));
     table_add_text(table, f->simulator);
     table_add_text(table, f->model ? f->model : "");
@@ -125,6 +123,20 @@ static void take_finding(void *context, const struct cor_audit_finding *f)
     table_add_known(table, f->step_scatter, CONTACT_DIGITS);
     table_add(table, xprintf("%s%s%s%s", f->advice, *f->advice && *f->instead ? " " : "", *f->instead ? "Write: " : "",
                              f->instead));
+}
+
+/* Replaces the texts, which the input or its name may have, by printable ones. */
+static void take_finding(void *context, const struct cor_audit_finding *found)
+{
+    struct audit_run *const run = context;
+    struct cor_audit_finding f = *found;
+    const char **const text[] = {&f.file, &f.pair, &f.advice, &f.instead};
+    char *shown[sizeof text / sizeof *text];
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+        *text[i] = shown[i] = xprintable(*text[i]);
+    add_finding(run, &f, !run->name || strcmp(run->name, found->file) != 0);
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+        free(shown[i]);
 }
 
 /* ---- the command ---- */

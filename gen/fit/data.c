@@ -286,9 +286,11 @@ static int list_unused(struct fit_data *data, const struct reader *r)
                           "the column '%.*s' is not read, but nearly has the name %s; allowed: %s, or a name less "
                           "like it, as remark",
                           CELL_SHOWN, r->cell[i], column_names[near], column_names[near]);
-        const size_t size = length + strlen(r->cell[i]) + 3;
+        char *const shown = xprintable(r->cell[i]);
+        const size_t size = length + strlen(shown) + 3;
         data->unused = xrealloc(data->unused, size);
-        length += (size_t)snprintf(data->unused + length, size - length, "%s%s", length ? ", " : "", r->cell[i]);
+        length += (size_t)snprintf(data->unused + length, size - length, "%s%s", length ? ", " : "", shown);
+        free(shown);
     }
     return STATUS_OK;
 }

@@ -20,7 +20,7 @@
 static _Thread_local bool console_thread; /* the one that sets steps of progress and measures them */
 
 /* The line of progress. A thread shows it again and again, so that no computation is silent. */
-enum { STEP_NAME = 64, UPDATES_PER_SECOND = 5 };
+enum { STEP_NAME = 64, UPDATES_PER_SECOND = 5, PRINTABLE = 5 };
 static const double SILENT_SECONDS = 0.5;
 
 struct step {
@@ -40,12 +40,41 @@ static void line_erase(void)
     line_shown = false;
 }
 
+/* The number of bytes of the first character; 0 if they are not UTF-8, a control character or a noncharacter */
+static size_t character_length(const char *text)
+{
+    static const unsigned least[] = {0x20, 0xa0, 0x800, 0x10000};
+    const unsigned char *const byte = (const unsigned char *)text;
+    const size_t more = *byte < 0x80 ? 0 : *byte < 0xe0 ? 1 : *byte < 0xf0 ? 2 : 3;
+    unsigned code = more == 0 ? *byte : *byte & (0x3fU >> more);
+    for (size_t i = 1; i <= more; i++) {
+        if ((byte[i] & 0xc0) != 0x80)
+            return 0;
+        code = code << 6 | (byte[i] & 0x3f);
+    }
+    const bool valid = (*byte & 0xc0) != 0x80 && *byte < 0xf8 && code >= least[more] && code <= 0x10ffff;
+    return valid && code != 0x7f && code >> 11 != 0x1b && (code & 0xfffe) != 0xfffe ? more + 1 : 0;
+}
+
+/* Writes the first character of a text, or \xNN for its first byte. Returns the number of bytes that it stands for. */
+static size_t printable(char piece[PRINTABLE], const char *text)
+{
+    const size_t length = character_length(text);
+    snprintf(piece, PRINTABLE, length ? "%.*s" : "%.*s\\x%02x", (int)length, text, (unsigned)(unsigned char)*text);
+    return length ? length : 1;
+}
+
+/* Without malloc, which may have failed */
 static void print_message(const char *format, va_list arguments)
 {
+    static char message[1 << 16];
+    char piece[PRINTABLE];
     pthread_mutex_lock(&line_lock);
     line_erase();
+    vsnprintf(message, sizeof message, format, arguments);
     fputs("corgen: ", stderr);
-    vfprintf(stderr, format, arguments);
+    for (const char *at = message; *at; fputs(piece, stderr))
+        at += printable(piece, at);
     fputc('\n', stderr);
     pthread_mutex_unlock(&line_lock);
 }
@@ -106,6 +135,14 @@ void *xgrow(void *old, size_t count, size_t size)
 char *xstrdup(const char *text)
 {
     return xprintf("%s", text);
+}
+
+char *xprintable(const char *text)
+{
+    char *const whole = xmalloc(4 * strlen(text) + PRINTABLE), *to = whole;
+    for (*to = '\0'; *text; to += strlen(to))
+        text += printable(to, text);
+    return whole;
 }
 
 char *xvprintf(const char *format, va_list arguments)

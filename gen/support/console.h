@@ -15,8 +15,8 @@ enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2, STATUS_NOT_AS_ASKED =
  */
 void console_start(void);
 
-/* Prints "corgen: <message>\n" on stderr. Returns STATUS_FAILED or STATUS_USAGE, which callers return.
- */
+/* Prints "corgen: <message>\n" on stderr, escaped as by xprintable. Returns STATUS_FAILED or STATUS_USAGE, which
+ * callers return. */
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
@@ -56,6 +56,8 @@ void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
 void *xgrow(void *old, size_t count, size_t size); /* room for one more; `count` grows by one from call to call */
 char *xstrdup(const char *text);
+/* The text for a terminal, a table or a picture: \xNN for each byte of a control character or not of UTF-8. */
+char *xprintable(const char *text);
 char *xprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvprintf(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 

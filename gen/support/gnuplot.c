@@ -69,14 +69,12 @@ FILE *gnuplot_begin(int width, int height)
  * as in x''. In double quotation marks gnuplot reads escapes, runs a command in backquotes and expands @. */
 void gnuplot_quote(FILE *script, const char *text)
 {
+    char *const shown = xprintable(text);
     fputc('"', script);
-    for (; *text; text++) {
-        if (strchr("\"\\`@", *text))
-            fprintf(script, "\\%03o", (unsigned)*text);
-        else if ((unsigned char)*text >= ' ')
-            fputc(*text, script);
-    }
+    for (const char *at = shown; *at; at++)
+        fprintf(script, strchr("\"\\`@", *at) ? "\\%03o" : "%c", (unsigned char)*at);
     fputc('"', script);
+    free(shown);
 }
 
 /* Starts gnuplot with the script as standard input and `out` as standard output, and waits for its end. Returns its

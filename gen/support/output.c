@@ -356,7 +356,7 @@ void table_add(struct table *t, char *cell)
 
 void table_add_text(struct table *t, const char *text)
 {
-    table_add(t, xstrdup(text));
+    table_add(t, xprintable(text));
 }
 
 void table_add_integer(struct table *t, long value)
@@ -415,7 +415,7 @@ static void print_escaped(const char *text, const char *escaped, char before, FI
     for (; *text; text++) {
         if (strchr(escaped, *text))
             fputc(before, file);
-        fputc((unsigned char)*text < ' ' ? ' ' : *text, file);
+        fputc(*text, file);
     }
     fputc('"', file);
 }
@@ -446,7 +446,7 @@ void table_print_rows(const struct table *t, enum output_format format, bool fir
         const bool last = j + 1 == t->columns;
         print_progress(t, i);
         if (format == FORMAT_CSV) {
-            if (strpbrk(t->cell[i], ",\"\n"))
+            if (strpbrk(t->cell[i], ",\""))
                 print_escaped(t->cell[i], "\"", '"', file);
             else
                 fputs(!*t->cell[i] && t->kinds[j] != TABLE_TEXT ? "nan" : t->cell[i], file);

@@ -83,8 +83,8 @@ struct table {
 
 /* The names of the columns, separated by commas, and their kinds. A table begins as {0} or cleared. */
 void table_init(struct table *t, const char *header, const char *kinds);
-void table_add(struct table *t, char *cell); /* takes ownership, row-major order */
-void table_add_text(struct table *t, const char *text);
+void table_add(struct table *t, char *cell);            /* takes ownership, row-major order */
+void table_add_text(struct table *t, const char *text); /* escaped as by xprintable */
 void table_add_integer(struct table *t, long value);
 void table_add_number(struct table *t, double x, int digits); /* nan if it is */
 void table_add_known(struct table *t, double x, int digits);  /* an empty cell if it is not known, NaN */

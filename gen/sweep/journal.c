@@ -158,8 +158,10 @@ static int journal_recover(struct journal *journal, const char *title, uint64_t 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
     *journal = (struct journal){.path = xprintf("%s.part", file), .synced = clock_seconds()};
+    char *const shown = xprintable(journal->path);
     journal->interrupted =
-        xprintf("\ncorgen: interrupted; the same command continues after the last row of %s\n", journal->path);
+        xprintf("\ncorgen: interrupted; the same command continues after the last row of %s\n", shown);
+    free(shown);
     output_report_size_limit();
     int status = journal_open_locked(journal);
     if (status == STATUS_OK)

@@ -271,8 +271,10 @@ int tables_run(const struct tables_request *request)
     emit_digits(NULL);
     if (status == STATUS_OK && !request->digits)
         status = request->check ? check_all(c, n, directory) : write_all(c, n, directory);
+    char *const shown = xprintable(directory);
     for (int i = 0; i < n && status == STATUS_OK && !request->digits; i++)
-        fprintf(out.file, "%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", directory, c[i].name, c[i].size);
+        fprintf(out.file, "%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", shown, c[i].name, c[i].size);
+    free(shown);
     if (status == STATUS_OK && request->check && !material && disk_limits_known(NULL))
         status = check_limits(request);
     if (status == STATUS_OK && !request->check && !request->digits && !request->all && !material)
