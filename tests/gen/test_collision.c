@@ -220,6 +220,28 @@ TEST(test_closed_forms)
         }
 }
 
+/* The enclosure of an interval of beta that begins at 0, where the ends of contact cannot be separated, holds those of
+ * every beta in it. */
+TEST(test_wide_beta)
+{
+    static const char *const laws[][2] = {{"2", "0"}, {"3", "0"}, {"3", "1"}, {"3/2", "1/2"}};
+    LOCAL(collision, wide, one);
+    LOCAL(arb, beta, zero);
+    size_t enclosed = 0;
+    for (size_t i = 0; i < 40; i++) {
+        const struct law law = law_of(laws[i % COUNT_OF(laws)][0], laws[i % COUNT_OF(laws)][1]);
+        arb_set_d(beta, random_log(&draw, 1e-7, 1e-2));
+        assert_int_equal(motion_solve(one, beta, &law, MOTION_ZERO_OVERLAP, 60), MOTION_DONE);
+        arb_union(beta, beta, zero, 60);
+        if (motion_solve(wide, beta, &law, MOTION_ZERO_OVERLAP, 60) != MOTION_DONE)
+            continue;
+        for (int k = 0; k < COLLISION_FIELDS; k++)
+            assert_overlap(wide->field[k], one->field[k], "field", k);
+        enclosed++;
+    }
+    assert_true(enclosed > 20);
+}
+
 /* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4); elsewhere either formula by hand, also on both sides of 3/4 and
  * 5/4, where it meets the hypergeometric function. */
 TEST(test_angle)
@@ -564,6 +586,6 @@ TEST(test_edges)
 }
 
 RUN_TESTS(test_force, test_final_speed, test_threshold, test_collisions, test_tsuji, test_backward_series,
-          test_closed_forms, test_angle, test_slow_manifold, test_forgetting, test_missed_manifold,
+          test_closed_forms, test_wide_beta, test_angle, test_slow_manifold, test_forgetting, test_missed_manifold,
           test_below_threshold, test_strong_force, test_turns_beyond_rest, test_sticking_force, test_critical,
           test_one_end, test_between_methods, test_edges)

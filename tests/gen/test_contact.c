@@ -172,49 +172,6 @@ static struct contacts contacts_of(int law, int end, const struct given *bodies,
     return c;
 }
 
-TEST(every_way_of_a_sphere)
-{
-    const struct cor_scene_contact contact =
-        contacts_of(0, COR_BOTH_ENDS, GLASS, GIVEN({COR_SCENE_DISSIPATION_TIME, 5e-7})).contact[0];
-    /* by hand: m = (2/3) pi R^3 rho, R_eff = R/2, E* = E/(2 (1 - nu^2)), K = (4/3) E* sqrt(R_eff) */
-    check_near(contact.mass_kg, 2.0 / 3 * 3.14159265358979323846 * 125e-9 * 2500, 1e-14);
-    check_near(contact.radius_m, 2.5e-3, 1e-15);
-    check_near(contact.stiffness, 4.0 / 3 * 7e10 / (2 * 0.96) * sqrt(2.5e-3), 1e-14);
-    check_near(cor_scene_damping(&contact, COR_SCENE_DISSIPATION_TIME), 5e-7, 1e-14);
-    check_near(cor_scene_beta(&contact, 3), 1.5 * 5e-7 * pow(contact.stiffness / contact.mass_kg, 0.4) * pow(3, 0.2),
-               1e-14);
-    const struct cor_scene_impact impact = scene_impact(&contact, 3);
-    const struct {
-        int number;
-        double value;
-        int at, end;
-    } ways[] = {
-        {COR_SCENE_G_STAR, cor_scene_damping(&contact, COR_SCENE_G_STAR), 0, COR_BOTH_ENDS},
-        {COR_SCENE_RESTITUTION, impact.eps[0], 1, END_ZERO_OVERLAP},
-        {COR_SCENE_RESTITUTION, impact.eps[1], 1, END_ZERO_FORCE},
-        {COR_SCENE_RESTITUTION, impact.eps[0], 1, COR_BOTH_ENDS},
-        {COR_SCENE_DAMPING_COEFFICIENT, cor_scene_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT), 0, COR_BOTH_ENDS},
-        {COR_SCENE_BETA, impact.beta, 1, COR_BOTH_ENDS}};
-    for (size_t i = 0; i < COUNT_OF(ways); i++) {
-        const struct contacts got =
-            contacts_of(0, ways[i].end, GLASS,
-                        GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : COR_SCENE_NUMBERS, 3}));
-        check_near(got.contact[0].damping, contact.damping, 1e-14);
-        /* eps without its end: an answer for each end */
-        const bool both = ways[i].number == COR_SCENE_RESTITUTION && ways[i].end == COR_BOTH_ENDS;
-        assert_int_equal(got.count, both ? 2 : 1);
-        if (both)
-            check_near(scene_eps(&got.contact[1], 3, END_ZERO_FORCE), impact.eps[0], 1e-14);
-    }
-    const struct contacts viscous =
-        contacts_of(0, COR_BOTH_ENDS, GLASS, GIVEN({COR_SCENE_VISCOSITY, 2e4}, {COR_SCENE_BULK_VISCOSITY, 3e4}));
-    check_near(cor_scene_damping(&viscous.contact[0], COR_SCENE_DISSIPATION_TIME),
-               cor_dissipation_time_viscous_s(2e4, 3e4, 7e10, 0.2), 1e-14);
-    /* eps = 1 - (g/g*)^(1/5) for slow impacts */
-    check_near(1 - scene_eps(&contact, 1e-20, END_ZERO_OVERLAP),
-               pow(1e-20 / cor_scene_damping(&contact, COR_SCENE_G_STAR), 0.2), 1e-4);
-}
-
 /* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. */
 TEST(stiffness_from_a_duration)
 {
@@ -513,6 +470,6 @@ TEST(chrono_finds_the_radius)
     }
 }
 
-RUN_TESTS(impacts_against_integration, reference_collisions, every_way_of_a_sphere, other_laws,
-          stiffness_from_a_duration, collisions_under_a_constant_force, thresholds_of_a_constant_force,
-          the_time_step_is_for_all_speeds, hosts_realise_what_is_wished, chrono_finds_the_radius)
+RUN_TESTS(impacts_against_integration, reference_collisions, other_laws, stiffness_from_a_duration,
+          collisions_under_a_constant_force, thresholds_of_a_constant_force, the_time_step_is_for_all_speeds,
+          hosts_realise_what_is_wished, chrono_finds_the_radius)

@@ -415,6 +415,34 @@ TEST(test_far)
     embed_scene_clear(&s);
 }
 
+/* The onset is the largest number of the type that is not above a speed. */
+static void assert_onset(const struct embed_scene *s, const arb_t speed)
+{
+    LOCAL(arb, onset, next);
+    arb_set_d(onset, s->onset);
+    arb_set_d(next, s->single ? (double)nextafterf((float)s->onset, HUGE_VALF) : nextafter(s->onset, HUGE_VAL));
+    assert_true(arb_le(onset, speed) && arb_gt(next, speed));
+}
+
+TEST(test_yield)
+{
+    for (int i = 0; i < 20; i++) {
+        char number[32];
+        snprintf(number, sizeof number, "%.17g", i < 4 ? 1 : random_uniform(&draw, 0.5, 0.99));
+        struct embed_request request =
+            request_of("0.01", "20", "1e-3", 0, GIVEN({COR_SCENE_RESTITUTION, number}, {COR_SCENE_AT, "2.1"}));
+        struct embed_scene s;
+        struct contacts contacts;
+        request.law = COR_LAW_ELASTIC_PLASTIC;
+        request.type = i % 2 ? EMBED_FLOAT : EMBED_DOUBLE;
+        scene_init(&s, &contacts, &request);
+        assert_near(middle(s.yield_speed), contacts.contact[0].yield_speed_m_s, 1e-12);
+        assert_onset(&s, s.yield_speed);
+        embed_scene_clear(&s);
+        request_clear(&request);
+    }
+}
+
 /* A ball on a wall under gravity, or sticky balls, against the library's integration in doubles
  * (runtime/scene/pressed.c) */
 TEST(test_pressed)
@@ -446,6 +474,7 @@ TEST(test_pressed)
         assert_true(w.s.pressed && sticking < embed_number(&request, EMBED_SPEED_MIN));
         assert_near(middle(w.s.sticking_speed), sticking, 1e-8);
         assert_true(check_proof(w.chosen, &w.s));
+        assert_onset(&w.s, w.s.sticking_speed);
         for (int k = 0; k <= 40; k++) {
             const double speed = w.s.speed_min * pow(w.s.speed_max / w.s.speed_min, k / 40.0);
             double eps;
@@ -458,5 +487,5 @@ TEST(test_pressed)
     }
 }
 
-RUN_TESTS(test_pressed, test_choice, test_counts, test_fit, test_scenes, test_laws, test_far, test_far_force,
-          test_ways_of_a_contact, test_constant)
+RUN_TESTS(test_pressed, test_yield, test_choice, test_counts, test_fit, test_scenes, test_laws, test_far,
+          test_far_force, test_ways_of_a_contact, test_constant)

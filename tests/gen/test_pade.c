@@ -205,6 +205,18 @@ TEST(test_spurious_pair)
     assert_int_equal(a->spurious, 0);
     assert_null(pade_defects(a));
 
+    for (int k = 0; k < 20; k++) { /* one pair on either side of the slope */
+        LOCAL(pade, g);
+        LOCAL(pade_analysis, b);
+        const double re = random_uniform(&draw, 0.5, 4), im = re / PADE_PAIR_SLOPE * (k % 2 ? 1.02 : 0.98);
+        g->root = 2;
+        arb_poly_one(g->p);
+        arb_poly_one(g->q);
+        multiply_pair(g->q, re, im);
+        multiply_pair(g->p, re * 1.001, im);
+        assert_true(pade_analyse(b, g, PREC) && b->spurious == (k % 2 ? 0 : 2));
+    }
+
     multiply_pair(f->q, 2, 0.25);
     multiply_pair(f->p, 2.0625, 0.25); /* three hundredths apart: no pair */
     assert_true(pade_analyse(a, f, PREC));
@@ -241,6 +253,25 @@ TEST(test_spurious_pair)
     /* roots that no precision separates are not claimed to be isolated */
     arb_poly_mul(f->q, f->q, f->q, PREC);
     assert_false(pade_analyse(a, f, PREC));
+}
+
+/* z is rounded, and each degree has a product and a sum: 3 n u of a polynomial without cancellation, u for the rounding
+ * of 1, 1 and 2 u for the quotient and for the root in the loss. */
+TEST(test_evaluation_error)
+{
+    const double u = 0x1p-53;
+    LOCAL(pade_rounded, r);
+    arb_poly_one(r->q_double);
+    for (slong n = 1; n < 12; n++) {
+        double eps, loss;
+        for (slong k = 0; k <= n; k++)
+            arb_poly_set_coeff_si(r->p_double, k, k + 1);
+        arb_poly_set_coeff_si(r->l_double, n - 1, 1);
+        pade_evaluation_error(&eps, &loss, r, 4);
+        const double least = (3 * (double)n + 3) * u;
+        check(eps > least && eps < 1.1 * least, "degree %ld: %g u", (long)n, eps / u);
+        check(loss > least - 2 * u && loss < 1.1 * least, "degree %ld: loss %g u", (long)n, loss / u);
+    }
 }
 
 /* 1/(1 + z) + d/(1 - z/2): its [1/2] has a pole at 2 and a zero at 2 (1 + d)/(1 - 2 d), 6 d/(1 - 2 d) further. The
@@ -469,4 +500,5 @@ TEST(test_rounded)
 }
 
 RUN_TESTS(test_exponential, test_reexpansion, test_two_point, test_rounded, test_published, test_true_one_four,
-          test_spurious_pair, test_degenerate, test_exact_zeros, test_refusals, test_near_pair, test_poles_of_eps)
+          test_spurious_pair, test_evaluation_error, test_degenerate, test_exact_zeros, test_refusals, test_near_pair,
+          test_poles_of_eps)

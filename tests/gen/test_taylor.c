@@ -72,6 +72,21 @@ TEST(test_one_term)
     taylor_clear(&y);
 }
 
+/* Free motion, w = h/d and v = 1, where the error of the time, (h/d)^d, is the only one */
+TEST(test_time_alone)
+{
+    const struct law law = law_of("3/2", "1/3");
+    struct taylor y;
+    LOCAL(arb, claimed);
+    taylor_init(&y, &law, 2, 40);
+    arb_one(y.v);
+    taylor_expand(&y);
+    assert_true(taylor_choose_step(&y) && mag_is_zero(y.error_w) && mag_is_zero(y.error_v));
+    arf_set_mag(arb_midref(claimed), y.error_t);
+    assert_true(HOLDS(60, "claimed > (y.step/6)^6", claimed, y.step));
+    taylor_clear(&y);
+}
+
 /* A step of the linear oscillator, entire as its solution is, never spans a zero of the overlap unseen. */
 TEST(test_step_is_short)
 {
@@ -177,4 +192,5 @@ TEST(test_zero)
         }
 }
 
-RUN_TESTS(test_remainder, test_one_term, test_zero, test_online_products, test_step_is_short, test_step_under_a_force)
+RUN_TESTS(test_remainder, test_one_term, test_time_alone, test_zero, test_online_products, test_step_is_short,
+          test_step_under_a_force)

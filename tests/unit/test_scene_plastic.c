@@ -293,7 +293,11 @@ TEST(wet_contact)
     crossley.damping = 0.9 / wet.liquid_speed_m_s;
     assert_true(isfinite(cor_scene_sticking_speed(&crossley, 0)));
     /* close gaps; special values */
-    check_near(cor_scene_liquid_speed(&wet, 0.1, 1e-6 * (1 + 0x1p-30), 1e-6), drag * 0x1p-30L, 1e-6);
+    for (int i = 0; i < 200; i++) {
+        const double inner = random_log(&draw, 1e-9, 1e-3), outer = inner * (1 + random_log(&draw, 1e-9, 1e3));
+        check_near(cor_scene_liquid_speed(&wet, 0.1, outer, inner), drag * log1pl((outer - (long double)inner) / inner),
+                   1e-14);
+    }
     assert_true(cor_wet_eps(0.7, 1, 0) == 0.7 && cor_wet_eps(0.7, 1, 2) == 0 && cor_wet_eps(1, 0, 0) == 1);
     check_nan(cor_wet_eps(-0.1, 1, 0), cor_wet_eps(NAN, 1, 0), cor_wet_eps(1, NAN, 0), cor_wet_eps(1, 1, -1));
 }
