@@ -26,7 +26,8 @@ type CrossleyName = "eps" | "eps_approach_only" | "loss" | "loss_approach_only" 
 type CrossleyTime = "duration" | "duration_approach_only" | "max_overlap" | "time_of_max_overlap";
 
 export type Law = "viscoelastic" | "linear" | "tsuji" | "hunt-crossley" | "hertz-dashpot" | "plate";
-export type End = "zero-overlap" | "zero-force";
+/** surface: under a constant force, in place of zero-force */
+export type End = "zero-overlap" | "zero-force" | "surface";
 export type Simulator = "lammps" | "liggghts" | "yade" | "mercurydpm" | "chrono" | "mfix" | "openfoam"
     | "esys-particle" | "mujoco" | "drake" | "simbody" | "bullet" | "rebound" | "modelica";
 
@@ -37,6 +38,8 @@ export interface ContactOptions {
     /** body 2 is flat and held fast */
     wall?: boolean;
     plate_thickness?: number;
+    /** m/s^2, presses body 1 to a wall or a plate */
+    gravity?: number;
     duration?: number;
     stiffness?: number; effective_mass?: number;
     dissipation_time?: number; dissipation_time_2?: number;
@@ -56,6 +59,8 @@ export interface ContactOptions {
 export interface Impacts {
     beta: Float64Array; eps_zero_overlap: Float64Array; eps_zero_force: Float64Array;
     duration_s_zero_overlap: Float64Array; duration_s_zero_force: Float64Array;
+    /** under a constant force, in place of those at zero force */
+    eps_surface: Float64Array; duration_s_surface: Float64Array;
     max_overlap_m: Float64Array; max_force_n: Float64Array; time_step_s: Float64Array;
 }
 

@@ -11,9 +11,9 @@ export class CorError extends Error {
 }
 
 // The columns that web_impacts fills
-const COLUMNS = ["beta", "eps_zero_overlap", "eps_zero_force", "duration_s_zero_overlap", "duration_s_zero_force",
+// second: the name of the second end, zero_force, or surface under a constant force
+const columns = (second) => ["beta", "eps_zero_overlap", `eps_${second}`, "duration_s_zero_overlap", `duration_s_${second}`,
     "max_overlap_m", "max_force_n", "time_step_s"];
-const ENDS = ["zero-overlap", "zero-force"];
 
 // The module's bytes beside this file, in node and in a page
 async function bytes() {
@@ -114,23 +114,24 @@ function wrap(c) {
 
         impacts(speeds) {
             read(this.options);
-            return this.#each(withArray(speeds, this.count * COLUMNS.length, c.web_impacts), COLUMNS);
+            const names = columns(text(c.web_end()));
+            return this.#each(withArray(speeds, this.count * names.length, c.web_impacts), names);
         }
 
         eps(speeds, end, measured = 0) {
-            const index = ENDS.indexOf(end);
+            read(this.options);
+            const ends = ["zero-overlap", text(c.web_end()).replace("_", "-")], index = ends.indexOf(end);
             if (index < 0)
-                throw new CorError(`--end: '${end}' is not an end of contact; allowed: ${ENDS.join(", ")}`, "end");
+                throw new CorError(`--end: '${end}' is not an end of this contact; allowed: ${ends.join(", ")}`, "end");
             if (!(measured >= 0 && measured < this.count))
                 throw new RangeError(`this contact has ${this.count} of them`);
-            read(this.options);
             return withArray(speeds, 1, (x, y, n) => c.web_eps(x, y, n, measured, index));
         }
 
         stepErrors(speeds, timeStep) {
             read(this.options);
-            const names = c.web_step_ends() === 2
-                ? ["bias_zero_overlap", "scatter_zero_overlap", "bias_zero_force", "scatter_zero_force"] : ["bias", "scatter"];
+            const second = text(c.web_end()), names = c.web_step_ends() === 2
+                ? ["bias_zero_overlap", "scatter_zero_overlap", `bias_${second}`, `scatter_${second}`] : ["bias", "scatter"];
             return this.#each(withArray(speeds, names.length * this.count,
                 (x, y, n) => c.web_step_errors(x, y, n, timeStep)), names);
         }

@@ -72,15 +72,24 @@ static void put_exact(double x)
 
 /* ---- the contact ---- */
 
+/* The second end of the contact: "zero_force", or "surface" under a constant force */
+WEB_EXPORT(web_end) const char *web_end(void)
+{
+    return cor_scene_end_name(&web_now.contact[0], COR_END_ZERO_FORCE);
+}
+
 /* The csv of corgen contact without --speed */
 WEB_EXPORT(web_summary) const char *web_summary(int digits)
 {
     web_text_clear();
-    web_put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_zero_overlap,value_zero_force,unit\n");
+    web_put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_zero_overlap,value_%s,unit\n", web_end());
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
         if (isnan(cor_scene_quantity(&web_now.contact[0], cor_scene_quantities[i].number)))
             continue;
-        web_put("%s", cor_scene_quantities[i].name);
+        if (cor_scene_quantities[i].number == COR_SCENE_STICKING_ZERO_FORCE)
+            web_put("sticking_speed_%s", web_end());
+        else
+            web_put("%s", cor_scene_quantities[i].name);
         for (int k = 0; k < web_now.count; k++)
             web_put_cell(',', cor_scene_quantity(&web_now.contact[k], cor_scene_quantities[i].number), digits);
         web_put(",%s\n", cor_scene_quantities[i].unit);
@@ -199,13 +208,13 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)web_step_ends() : 0;
     const int spheres = !isnan(web_now.contact[0].radius_m);
     web_text_clear();
-    web_put("speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,duration_s_zero_force,"
-            "max_overlap_m,max_force_n,time_step_s%s%s%s\n",
-            more == 4   ? ",step_bias_zero_overlap,step_scatter_zero_overlap,"
-                          "step_bias_zero_force,step_scatter_zero_force"
-            : more == 2 ? ",step_bias,step_scatter"
-                        : "",
-            contacts > 1 ? ",measured_end" : "", spheres ? ",contact_radius_m,max_pressure_pa" : "");
+    web_put("speed_m_s,beta,eps_zero_overlap,eps_%s,duration_s_zero_overlap,duration_s_%s,"
+            "max_overlap_m,max_force_n,time_step_s",
+            web_end(), web_end());
+    if (more == 4)
+        web_put(",step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_%s,step_scatter_%s", web_end(), web_end());
+    web_put("%s%s%s\n", more == 2 ? ",step_bias,step_scatter" : "", contacts > 1 ? ",measured_end" : "",
+            spheres ? ",contact_radius_m,max_pressure_pa" : "");
     if (n > 0)
         web_impacts(web_now.speed_m_s, y, n);
     if (n > 0 && errors)
@@ -217,7 +226,8 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
             web_put_cell(',', y[(k * COLUMNS + c) * n + i], digits);
         for (size_t c = 0; c < more; c++)
             web_put_cell(',', error[(more * k + c) * n + i], STEP_DIGITS);
-        web_put("%s", contacts == 1 ? "" : k == 0 ? ",zero-overlap" : ",zero-force");
+        web_put("%s", contacts == 1 ? "" : ",");
+        web_put("%s", contacts == 1 ? "" : web_end_option(&web_now, (int)k));
         if (spheres) {
             const double overlap = y[(k * COLUMNS + OVERLAP) * n + i];
             web_put_cell(',', cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
@@ -328,17 +338,15 @@ WEB_EXPORT(web_lines) const char *web_lines(void)
 
 /* ---- commands ---- */
 
-/* The command line of corgen that prints the same numbers */
-WEB_EXPORT(web_command) const char *web_command(void)
+/* A command of corgen with the options of the request, except those in `without`, a list that NULL ends */
+static void put_command(const char *command, const char *const *without)
 {
-    static const char *const other[] = {"for", "simulator-version", "speed-min", "speed-max", "tolerance", "label"};
-    web_text_clear();
-    web_put("corgen contact");
+    web_put("corgen %s", command);
     for (const char *line = web_now.options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         const size_t name = strcspn(line, "="), all = strcspn(line, "\n");
         int skip = all <= name + 1;
-        for (size_t i = 0; i < sizeof other / sizeof *other; i++)
-            skip = skip || (strlen(other[i]) == name && memcmp(line, other[i], name) == 0);
+        for (size_t i = 0; without[i]; i++)
+            skip = skip || (strlen(without[i]) == name && memcmp(line, without[i], name) == 0);
         if (skip)
             continue;
         web_put(" --%.*s ", (int)name, line);
@@ -349,7 +357,30 @@ WEB_EXPORT(web_command) const char *web_command(void)
             length--;
     }
     text[length] = '\0';
+}
+
+/* The command line of corgen that prints the same numbers */
+WEB_EXPORT(web_command) const char *web_command(void)
+{
+    static const char *const other[] = {"for", "simulator-version", "speed-min", "speed-max", "tolerance", "label",
+                                        NULL};
+    web_text_clear();
+    put_command("contact", other);
     return web_text();
+}
+
+/* The command of a header of a contact under a constant force */
+static void put_pressed_header(const struct web_request *r, int end)
+{
+    static const char *const other[] = {"for",   "simulator-version", "speed-min", "speed-max", "speed",
+                                        "steps", "tolerance",         "label",     "end",       NULL};
+    if (cor_law_is_constant(&r->contact[0].law)) {
+        web_put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_names[r->law]);
+        return;
+    }
+    put_command("embed", other);
+    web_put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
+            r->speed_min_m_s, r->speed_max_m_s, r->tolerance, web_end_option(r, end));
 }
 
 /* The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header */
@@ -360,12 +391,13 @@ WEB_EXPORT(web_header) const char *web_header(void)
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         const struct cor_scene_contact *const contact = &r->contact[r->count > 1 ? end : 0];
         const int wanted = r->scene.end == COR_BOTH_ENDS || r->scene.end == end;
-        const char *const name = end == COR_END_ZERO_OVERLAP ? "zero-overlap" : "zero-force";
         double eps;
         if (!wanted || !cor_scene_has_end(contact, end) || (length > 0 && !cor_scene_ends_differ(contact)))
             continue;
         web_put(length > 0 ? "\n" : "");
-        if (cor_law_is_constant(&contact->law)) {
+        if (contact->force_n > 0 && contact->damping > 0) {
+            put_pressed_header(r, end);
+        } else if (cor_law_is_constant(&contact->law)) {
             cor_scene_eps(&eps, contact, 1, end);
             web_put(
                 "/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s(double speed_m_s)\n"
@@ -381,7 +413,7 @@ WEB_EXPORT(web_header) const char *web_header(void)
                     r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : cor_law_names[r->law]);
             web_put_number(cor_scene_damping(contact, COR_SCENE_G_STAR), 15);
             web_put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
-                    r->speed_min_m_s, r->speed_max_m_s, r->tolerance, name);
+                    r->speed_min_m_s, r->speed_max_m_s, r->tolerance, web_end_option(r, end));
         } else {
             web_put("/* no dissipation: eps is 1 at every speed */\n");
         }

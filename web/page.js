@@ -8,12 +8,15 @@ const TEXT_DIGITS = 6, CSV_DIGITS = 12; // those of corgen contact
 const HEADS = {
     speed_m_s: "speed, m/s", eps_zero_overlap: "eps, zero overlap", eps_zero_force: "eps, zero force",
     duration_s_zero_overlap: "duration, zero overlap, s", duration_s_zero_force: "duration, zero force, s",
+    eps_surface: "eps, at the surface", duration_s_surface: "duration, back at the surface, s",
     max_overlap_m: "largest overlap, m", max_force_n: "largest force, N", time_step_s: "time step, s",
     contact_radius_m: "contact radius, m", max_pressure_pa: "largest pressure, Pa",
     step_bias: "mean error of eps by the step", step_scatter: "its scatter",
     step_bias_zero_overlap: "mean error by the step, zero overlap", step_scatter_zero_overlap: "its scatter",
     step_bias_zero_force: "mean error by the step, zero force", step_scatter_zero_force: "its scatter", measured_end: "eps measured at",
+    step_bias_surface: "mean error by the step, at the surface", step_scatter_surface: "its scatter",
     value_zero_overlap: "if measured at zero overlap", value_zero_force: "if measured at zero force",
+    value_surface: "if measured at the surface",
 };
 const FIRST = "young=7e10&poisson=0.24&radius=5e-3&density=2500&restitution=0.9&at=1&speed=0.1,1,10&for=lammps";
 

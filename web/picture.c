@@ -73,7 +73,9 @@ static void add_contacts(const struct web_request *r, int colour)
         c->end = end;
         snprintf(c->label, LABEL, "%s%s%s%s", r->label, *r->label ? ", " : "",
                  differ || r->scene.plate ? "ends at " : "",
-                 differ || r->scene.plate ? cor_end_names[end] : "both ends");
+                 !(differ || r->scene.plate)                                       ? "both ends"
+                 : end == COR_END_ZERO_FORCE && c->request->contact[0].force_n > 0 ? "the surface"
+                                                                                   : cor_end_names[end]);
     }
 }
 

@@ -114,11 +114,20 @@ static int read_law(struct web_request *r, const char *text)
 
 static int read_end(struct web_request *r, const char *text)
 {
-    r->scene.end = strcmp(text, "zero-overlap") == 0 ? COR_END_ZERO_OVERLAP
-                   : strcmp(text, "zero-force") == 0 ? COR_END_ZERO_FORCE
-                                                     : COR_BOTH_ENDS;
+    r->at_surface = strcmp(text, "surface") == 0;
+    r->scene.end = strcmp(text, "zero-overlap") == 0                  ? COR_END_ZERO_OVERLAP
+                   : strcmp(text, "zero-force") == 0 || r->at_surface ? COR_END_ZERO_FORCE
+                                                                      : COR_BOTH_ENDS;
     return r->scene.end != COR_BOTH_ENDS ||
-           refuse("end", "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force", text);
+           refuse("end",
+                  "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force, and under a constant "
+                  "force surface in its place",
+                  text);
+}
+
+const char *web_end_option(const struct web_request *r, int end)
+{
+    return end == COR_END_ZERO_OVERLAP ? "zero-overlap" : r->contact[0].force_n > 0 ? "surface" : "zero-force";
 }
 
 static int read_simulator(struct web_request *r, const char *text)
@@ -207,6 +216,9 @@ static int make_contact(struct web_request *r)
         cor_scene_fault_text(why, sizeof why, &fault, cor_law_names[r->law], NULL);
         return refuse(option_of(&fault), "%s", why);
     }
+    if (r->scene.end == COR_END_ZERO_FORCE && r->at_surface != (r->contact[0].force_n > 0))
+        return refuse("end", r->at_surface ? "--end surface needs a constant force; without one write --end zero-force"
+                                           : "--end zero-force: under a constant force write --end surface");
     return r->speed_min_m_s < r->speed_max_m_s ||
            refuse("speed-max", "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
 }

@@ -27,7 +27,7 @@ struct web_request {
     int count;
     double speed_m_s[WEB_SPEEDS];
     size_t speeds;
-    int steps_given;
+    int steps_given, at_surface; /* at_surface: the end is given as the surface */
     double steps;                                   /* in the shortest contact */
     double speed_min_m_s, speed_max_m_s, tolerance; /* of picture and header */
     const struct cor_simulator *simulator;          /* NULL: none is chosen */
@@ -40,6 +40,9 @@ extern struct web_request web_now;
 extern struct web_wrong {
     char option[WEB_NAME], text[COR_SIMULATOR_REASON];
 } web_wrong;
+
+/* An end of the contact as an option: "zero-overlap", "zero-force", "surface" */
+const char *web_end_option(const struct web_request *request, int end);
 
 /* ---- text that is written ---- */
 

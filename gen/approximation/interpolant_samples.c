@@ -125,7 +125,7 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     const double below = ball_middle(x);
     if (f->layout->press) {
         const struct ratio power = interpolant_press_power(law);
-        LET(press, prec + more, "beta^power*f->layout->press", beta, power, f->layout->press);
+        LET(press, 4 * prec, "beta^power*f->layout->press", beta, power, f->layout->press);
     }
     const int status = f->layout->press   ? collision_solve_pressed(&c, beta, press, law, force ? 1 : 0, bits + more)
                        : overlap && force ? collision_solve(&c, beta, law, bits + more)

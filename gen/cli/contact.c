@@ -102,7 +102,7 @@ enum { CURVE_POINTS = 201 };
 /* eps at speeds whose logarithms are equally far apart; a single speed lies in the middle of two decades */
 static int draw(const struct contact_arguments *o, const struct contacts *contacts)
 {
-    static const char *const title[COR_SCENE_ENDS] = {"contact ends at zero overlap", "contact ends at zero force"};
+    char title[COR_SCENE_ENDS][64];
     static double speed_m_s[CURVE_POINTS], eps[COR_SCENE_ENDS][CURVE_POINTS];
     const double margin = o->speed.least < o->speed.largest ? 1 : 10;
     const double low = o->speed.least / margin, high = o->speed.largest * margin;
@@ -121,6 +121,7 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
                 return status;
         }
         progress_end();
+        snprintf(title[end], sizeof title[end], "contact ends at %s", contact_end_text(contact, end));
         curve[curves] = (struct eps_curve){title[end], speed_m_s, eps[curves], CURVE_POINTS};
         curves++;
     }
@@ -173,7 +174,8 @@ static const char help[] =
     "A contact ends at zero overlap, or at zero force, where the force would become attractive.\n" HELP_CONTACT
     "\nOutput:\n"
     "  --speed LIST     impact speeds, m/s: values and ranges such as 0.1,1,10 or 0.01:10:log:7\n"
-    "  --end E          zero-overlap or zero-force: where eps was measured, what --plot shows (both)\n"
+    "  --end E          zero-overlap, zero-force, or surface in its place under a constant force:\n"
+    "                   where eps was measured, what --plot shows (both)\n"
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
     "  --time-step DT   time_step_s is DT, s\n"
     "  --step-tolerance T   time_step_s is the largest at which bias and scatter stay below T\n"
@@ -189,10 +191,9 @@ static const char help[] =
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
-    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; step_bias,step_scatter of the end,\n"
-    "or of both; damping_correction and the corrected damping; measured_end where eps was measured\n"
-    "and --end is not given; of bodies contact_radius_m,max_pressure_pa.\n"
-    "Without --speed csv and json have quantity,value,unit.\n"
+    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (surface for zero_force under a\n"
+    "force); step_bias,step_scatter of the end, or of both; damping_correction and that damping;\n"
+    "measured_end without --end; contact_radius_m,max_pressure_pa. Without --speed quantity,value,unit.\n"
     "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 

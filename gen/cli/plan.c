@@ -7,12 +7,13 @@
 
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
-    /* the models are those of the contact without a constant force */
+    /* formulas know no constant force: their contact is without it */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
     int status = contacts_without_jkr(&pressed, &scene);
     scene.number[COR_SCENE_GRAVITY].text = scene.number[COR_SCENE_ADHESION].text = NULL;
     scene.adhesion_model = COR_ADHESION_NONE;
+    scene.end = pressed.scene.end;
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &scene);
     if (status == STATUS_OK && (contacts.contact[0].plastic || contacts.contact[0].liquid_speed_m_s > 0))
@@ -21,7 +22,7 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     if (status != STATUS_OK)
         return status;
     contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
-    return plan_spheres(plan, &scene, contacts.contact, pressed.contact, o->points);
+    return plan_spheres(plan, &scene, contacts.contact, &o->scene, pressed.contact, o->points);
 }
 
 static int run_plan(const void *arguments)

@@ -54,7 +54,10 @@ void contact_summary(struct table *table, const struct contacts *contacts, doubl
 int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
                  int digits);
 
-/* The end of a row: that of the contact, or COR_BOTH_ENDS */
+/* An end of a contact as text: "zero overlap", "zero force", "the surface" */
+const char *contact_end_text(const struct cor_scene_contact *contact, int end);
+
+/* The end of a row: the end of the contact, or COR_BOTH_ENDS */
 int contact_end(const struct contacts *contacts, int contact);
 
 /* ---- lines for the input of a simulator that realise a contact (cor/scene.h) ---- */

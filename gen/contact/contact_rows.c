@@ -18,19 +18,23 @@ static bool is_jkr(const struct contacts *contacts)
     return contacts->contact[0].adhesion_j_m2 > 0;
 }
 
-/* The two ends, as names of columns have them */
-static const char *const *ends_of(const struct contacts *contacts)
+const char *contact_end_text(const struct cor_scene_contact *contact, int end)
 {
-    static const char *const ends[2][COR_SCENE_ENDS] = {{"zero_overlap", "zero_force"}, {"tail", "largest_pull"}};
-    return ends[is_jkr(contacts)];
+    return contact->force_n > 0 && end == END_ZERO_FORCE ? "the surface" : cor_end_names[end];
+}
+
+/* The name of an end, as columns have it */
+static const char *end_of(const struct contacts *contacts, int end)
+{
+    return cor_scene_end_name(&contacts->contact[0], end);
 }
 
 void contact_summary(struct table *table, const struct contacts *contacts, double friction, int digits)
 {
-    const char *const *const end = ends_of(contacts);
     const bool one = contacts->count == 1;
     char text[HEADER];
-    snprintf(text, sizeof text, one ? "quantity,value,unit" : "quantity,value_%s,value_%s,unit", end[0], end[1]);
+    snprintf(text, sizeof text, one ? "quantity,value,unit" : "quantity,value_%s,value_%s,unit", end_of(contacts, 0),
+             end_of(contacts, 1));
     table_init(table, text, one ? "tnt" : "tnnt");
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
         const struct cor_scene_quantity *const q = &cor_scene_quantities[i];
@@ -40,7 +44,7 @@ void contact_summary(struct table *table, const struct contacts *contacts, doubl
         for (int k = 0; k < COR_SCENE_ENDS; k++) {
             char *const at = strstr(text, k == END_ZERO_FORCE ? "zero_force" : "zero_overlap");
             if (at)
-                snprintf(at, sizeof text - (size_t)(at - text), "%s", end[k]);
+                snprintf(at, sizeof text - (size_t)(at - text), "%s", end_of(contacts, k));
         }
         table_add_text(table, text);
         for (int k = 0; k < contacts->count; k++)
@@ -188,7 +192,7 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
     if (status == STATUS_OK && request->step_tolerance > 0)
         status = step_for(&time_step, row, rows, request);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
-    const char *const *const end = ends_of(contacts);
+    const char *const end[] = {end_of(contacts, 0), end_of(contacts, 1)};
     const bool both = contact_end(contacts, 0) == COR_BOTH_ENDS;
     char header[HEADER], kinds[] = "nnnnnnnnnnnnnnnnnn";
     if (contacts->count > 1)
@@ -223,8 +227,10 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
         if (request->step_errors)
             status = add_step(table, &row[i], time_step, request, quantity);
         if (contacts->count > 1)
-            table_add_text(table,
-                           is_jkr(contacts) ? (i < speeds ? "tail" : "largest-pull") : contact_end_options[i / speeds]);
+            table_add_text(
+                table, is_jkr(contacts)
+                           ? (i < speeds ? "tail" : "largest-pull")
+                           : contact_end_options_pressed[contact_end_named((int)(i / speeds), contact->force_n > 0)]);
         if (spheres) {
             table_add_number(table, cor_scene_contact_radius(contact, impact->max_overlap_m), digits);
             table_add_number(table, cor_scene_pressure(contact, impact->max_overlap_m), digits);

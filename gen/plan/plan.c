@@ -70,7 +70,7 @@ void plan_model_is(const struct plan *plan, struct plan_model *model, double cos
     model->use = use;
     for (slong i = 0; i < plan->points && !model->promised; i++) {
         const double off = fabs(model->value[i] - plan->truth[i]);
-        model->error[i] = plan->relative ? off / plan->truth[i] : off;
+        model->error[i] = plan->relative && off > 0 ? off / plan->truth[i] : off;
     }
 }
 

@@ -34,24 +34,49 @@ enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, ROOT_REFINEMENT = 2
  * spheres, the others as in docs/plan.md. */
 static const double cost_published[USES] = {14.6, 14.6}, cost_mueller[USES] = {12.3, 12.3}, cost_power[USES] = {11, 11},
                     cost_simple[USES] = {66, 66}, cost_library[USES] = {4.4, 2.2}, cost_constant[USES] = {0, 0},
-                    cost_crossley[USES] = {32, 19}, cost_function[USES] = {17, 17};
+                    cost_crossley[USES] = {32, 19}, cost_function[USES] = {17, 17}, cost_pressed[USES] = {5e4, 5e4};
 
 struct spheres {
     struct plan *plan;
-    const struct embed_request *request;
+    const struct embed_request *request, *with_force;
     const struct cor_scene_contact *contact, *pressed;
-    struct embed_scene scene;
+    struct embed_scene scene, pressed_scene; /* without the constant force, of the models, and with it, of the header */
     struct embed_form form[FAMILIES];
-    arb_t h_star;  /* that of spheres */
-    double *other; /* eps at the other end of contact, at every point */
+    arb_t h_star;        /* of spheres */
+    arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta with it */
+    double *other;       /* eps at the other end of contact, at every point */
+    double *bare;        /* eps without the constant force */
     atomic_bool failed;
 };
+
+static bool is_pressed(const struct spheres *s)
+{
+    return s->pressed->force_n > 0;
+}
+
+/* True if eps is the same at every speed */
+static bool is_constant(const struct spheres *s)
+{
+    return s->scene.constant && !(is_pressed(s) && s->pressed->damping > 0);
+}
 
 /* ---- the collisions ---- */
 
 static int other_end(const struct spheres *s)
 {
     return s->scene.end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+}
+
+/* Replaces eps of a collision by eps under the constant force. */
+static int press_point(struct collision *c, const struct spheres *s, double speed_m_s)
+{
+    const struct law *const law = &s->scene.law;
+    const struct ratio a = law->a, q = law_speed_exponent(law);
+    LOCAL(arb, speed, beta, force);
+    arb_set_d(speed, speed_m_s);
+    LET(beta, EMBED_BITS, "s->damped*speed^q", s->damped, speed, q);
+    LET(force, EMBED_BITS, "s->force*speed^(-2*a/(a + 1))", s->force, speed, a);
+    return collision_solve_pressed(c, beta, force, law, COR_BOTH_ENDS, TRUTH_BITS);
 }
 
 /* eps at one point, for both ends of contact */
@@ -73,10 +98,13 @@ static void collide_point(void *context, slong i)
         status = collision_solve_force(&c, beta, law, TRUTH_BITS);
         LET(c.eps_zero_overlap, EMBED_BITS, "(s->h_star/beta)^5", s->h_star, beta);
     }
+    s->plan->at[i] = ball_middle(beta);
+    s->bare[i] = ball_middle(s->scene.end == END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force);
+    if (status == 0 && is_pressed(s))
+        status = press_point(&c, s, s->plan->speed[i]);
     if (status != 0)
         atomic_store(&s->failed, true);
     const double eps[] = {ball_middle(c.eps_zero_overlap), ball_middle(c.eps_zero_force)};
-    s->plan->at[i] = ball_middle(beta);
     s->plan->truth[i] = eps[s->scene.end];
     s->other[i] = eps[other_end(s)];
 }
@@ -84,8 +112,12 @@ static void collide_point(void *context, slong i)
 static int find_truth(struct spheres *s)
 {
     int status = STATUS_OK;
-    s->other = xmalloc((size_t)s->plan->points * sizeof *s->other);
-    if (s->scene.beta_max >= OVERLAP_FAR && law_is_sphere(&s->scene.law))
+    s->other = xmalloc(2 * (size_t)s->plan->points * sizeof *s->other);
+    s->bare = s->other + s->plan->points;
+    embed_contact_force(s->force, s->with_force, &s->scene.law, EMBED_BITS);
+    if (is_pressed(s))
+        status = embed_contact_beta_per_root(s->damped, s->with_force, s->pressed, &s->scene.law, EMBED_BITS);
+    if (status == STATUS_OK && s->scene.beta_max >= OVERLAP_FAR && law_is_sphere(&s->scene.law))
         status = collision_h_star(s->h_star, TRUTH_BITS);
     if (status == STATUS_OK)
         parallel_for(collide_point, s, s->plan->points, "collisions at the points");
@@ -120,20 +152,26 @@ static double speed_exponent(const struct spheres *s)
     return ratio_double(law_speed_exponent(&s->scene.law));
 }
 
-static void model_is(const struct spheres *s, struct plan_model *m, const double *cost, const char *leaves_out,
-                     char *use)
+static void model_takes_force(const struct spheres *s, struct plan_model *m, const double *cost, const char *leaves_out,
+                              char *use)
 {
     plan_model_is(s->plan, m, embed_cost(cost, s->request->purpose), leaves_out, use);
 }
 
-/* A model without values, the library's: the error is its promise. */
-static void model_promise(const struct plan *plan, struct plan_model *m, double error)
+static void model_is(const struct spheres *s, struct plan_model *m, const double *cost, const char *leaves_out,
+                     char *use)
 {
-    for (slong i = 0; i < plan->points; i++) {
-        m->value[i] = plan->truth[i];
+    model_takes_force(s, m, cost, is_pressed(s) ? "the constant force" : leaves_out, use);
+}
+
+/* The library, which is not called: its error is its promise, or under a constant force the effect of the force. */
+static void model_promise(const struct spheres *s, struct plan_model *m, double error)
+{
+    for (slong i = 0; i < s->plan->points; i++) {
+        m->value[i] = s->bare[i];
         m->error[i] = error;
     }
-    m->promised = true;
+    m->promised = !is_pressed(s);
 }
 
 /* x rounded to ten digits, so that the evaluated number is the printed one */
@@ -148,20 +186,25 @@ static void add_constants(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
-    for (int measured = 0; measured < (s->scene.constant ? 1 : 2); measured++) {
-        const double first = plan->truth[0], end = plan->truth[last];
-        /* eps falls or rises with the speed, so its ends a and b determine the best constant: 2 a b/(a + b) has the
-         * smallest relative error */
+    const bool constant = is_constant(s);
+    for (int measured = 0; measured < (constant ? 1 : 2); measured++) {
+        double low = plan->truth[0], high = low;
+        for (slong i = 1; i <= last; i++) {
+            low = fmin(low, plan->truth[i]);
+            high = fmax(high, plan->truth[i]);
+        }
+        /* of all constants 2 low high/(low + high) has the smallest relative error */
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
-        const double eps =
-            s->scene.constant ? first : ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
+        const double best = high > 0 ? 2 * low * high / (low + high) : 0;
+        const double eps = constant ? low : ten_digits(measured ? plan->truth[last / 2] : best);
         for (slong i = 0; i <= last; i++)
             m->value[i] = eps;
-        model_is(s, m, cost_constant,
-                 s->scene.constant       ? "nothing; eps is the same at every speed"
-                 : speed_exponent(s) < 0 ? "that eps rises with the speed"
-                                         : "that eps falls with the speed",
-                 xprintf(s->scene.constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", eps));
+        model_takes_force(s, m, cost_constant,
+                          constant                ? "nothing; eps is the same at every speed"
+                          : is_pressed(s)         ? "that eps depends on the speed"
+                          : speed_exponent(s) < 0 ? "that eps rises with the speed"
+                                                  : "that eps falls with the speed",
+                          xprintf(constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", eps));
     }
 }
 
@@ -171,6 +214,8 @@ static void add_power_law(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
+    if (!(plan->truth[0] > 0 && plan->truth[last] > 0)) /* the bodies stay together */
+        return;
     struct plan_model *m = plan_add(plan, "power law min(1; a speed^-b)");
     const double slope = log(plan->truth[0] / plan->truth[last]) / log(plan->speed[last] / plan->speed[0]);
     double low = (double)INFINITY, high = -(double)INFINITY;
@@ -182,8 +227,10 @@ static void add_power_law(const struct spheres *s)
     const double a = ten_digits(2 / (exp(-low) + exp(-high))), b = ten_digits(slope);
     for (slong i = 0; i <= last; i++)
         m->value[i] = fmin(1, a * pow(plan->speed[i], -b));
-    model_is(s, m, cost_power, speed_exponent(s) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest",
-             xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", a, -b));
+    model_takes_force(s, m, cost_power,
+                      speed_exponent(s) < 0 || is_pressed(s) ? "how ln(eps) bends"
+                                                             : "how ln(eps) bends; eps = 1 at rest",
+                      xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", a, -b));
 }
 
 /* C statements that define `contact` */
@@ -307,21 +354,22 @@ static void add_header(const struct spheres *s, const char *tolerance)
     if (chosen == FAMILIES)
         return; /* the library remains */
     const struct embed_form *f = &s->form[chosen];
+    const struct embed_scene *const scene = is_pressed(s) ? &s->pressed_scene : &s->scene;
     char size[PLAN_NAME];
     embed_form_size(size, sizeof size, f);
-    struct plan_model *m = plan_add(s->plan, "header: %s %s", embed_family_name(chosen, &s->scene), size);
+    struct plan_model *m = plan_add(s->plan, "header: %s %s", embed_family_name(chosen, scene), size);
     for (char *c = m->name; *c; c++)
         *c = (char)(*c == ',' ? ';' : *c);
     m->elsewhere = f->error;
     for (slong i = 0; i < s->plan->points; i++)
-        m->value[i] = embed_form_value(f, s->plan->speed[i], false);
-    struct embed_request request = *s->request;
+        m->value[i] = embed_form_value(f, s->plan->speed[i] - scene->origin, false);
+    struct embed_request request = *s->with_force;
     request.number[EMBED_TOLERANCE].text = tolerance;
     char *const options = embed_options(&request, INT_MAX);
-    model_is(s, m, f->cost, "speeds outside the range",
-             xprintf("corgen embed%s --end %s --for %s --output cor_scene_eps.h\n"
-                     "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                     options, contact_end_options_pressed[request.end], embed_purpose_names[request.purpose]));
+    model_takes_force(s, m, f->cost, "speeds outside the range",
+                      xprintf("corgen embed%s --end %s --for %s --output cor_scene_eps.h\n"
+                              "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
+                              options, contact_end_options_pressed[request.end], embed_purpose_names[request.purpose]));
     free(options);
 }
 
@@ -334,7 +382,7 @@ static void add_library(const struct spheres *s)
         COR_CONTACT_EPS_MAX_ERROR(s->scene.slope) + s->scene.slope * COR_CONTACT_MAX_ULP * DBL_EPSILON;
     char call[TEXT];
     snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", contact_end_names[s->scene.end]);
-    model_promise(plan, m, promise);
+    model_promise(s, m, promise);
     model_is(s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""));
 }
 
@@ -355,7 +403,7 @@ static void add_function_of_beta(const struct spheres *s)
     else
         snprintf(call, sizeof call, "law_eps_%s", contact_end_names[s->scene.end]);
     struct plan_model *m = plan_add(plan, dashpot || crossley ? "library: %s" : "corgen law: %s", call);
-    model_promise(plan, m, (ulp + per_beta * ROUNDINGS_OF_BETA) * DBL_EPSILON);
+    model_promise(s, m, (ulp + per_beta * ROUNDINGS_OF_BETA) * DBL_EPSILON);
     char *beta = arb_get_str(s->scene.beta_per_root, 17, ARB_STR_NO_RADIUS), *source;
     if (dashpot || crossley)
         source = xprintf("#include \"cor/cor.h\"");
@@ -368,12 +416,33 @@ static void add_function_of_beta(const struct spheres *s)
     flint_free(beta);
 }
 
+/* The library under the constant force, which it integrates. Its error of eps^2 is absolute. */
+static void add_pressed(const struct spheres *s)
+{
+    const struct cor_scene_contact *const c = s->pressed;
+    struct plan_model *const m = plan_add(s->plan, "library: cor_scene_eps");
+    for (slong i = 0; i < s->plan->points; i++) {
+        const double eps = s->plan->truth[i];
+        m->value[i] = eps;
+        m->error[i] = eps > 0 ? COR_SCENE_PRESSED_ERROR / (2 * eps * eps) : 0;
+    }
+    m->promised = true;
+    model_takes_force(s, m, cost_pressed, "nothing; good at every speed",
+                      xprintf("#include \"cor/scene.h\"\nstruct cor_scene_contact contact = {.law = {%d, %d, %d}, "
+                              ".mass_kg = %.17g,\n    .stiffness = %.17g, .radius_m = %.17g, .damping = %.17g, "
+                              ".force_n = %.17g};\ndouble eps;\ncor_scene_eps(&eps, &contact, speed, %s);\n",
+                              c->law.elastic, c->law.damping, c->law.denominator, c->mass_kg, c->stiffness,
+                              isnan(c->radius_m) ? 0 : c->radius_m, c->damping, c->force_n,
+                              s->scene.end == END_ZERO_OVERLAP ? "COR_END_ZERO_OVERLAP" : "COR_END_ZERO_FORCE"));
+}
+
 static void add_other_end(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
-    struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options[other_end(s)]);
+    const enum contact_end end = contact_end_named(other_end(s), is_pressed(s));
+    struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options_pressed[end]);
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
-    model_is(s, m, cost_library, "which end the contact has", NULL);
+    model_takes_force(s, m, cost_library, "which end the contact has", NULL);
     m->shown = true;
 }
 
@@ -418,7 +487,7 @@ static char *pressing_remark(const struct spheres *s)
         where = xprintf("from %.4g m/s up", high);
     }
     char *text = xprintf("The constant force of %.4g N may be left out %s: eps then changes by less than %g.\n"
-                         "With it the bodies stick up to %.4g m/s. The models leave it out.\n",
+                         "With it the bodies stick up to %.4g m/s.\n",
                          contact->force_n, where, tolerance, sticking);
     free(where);
     return text;
@@ -462,7 +531,7 @@ static char *spheres_remark(const struct spheres *s)
     const struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
     char *waves = plan_wave_remark(s->request, plan->speed[last], plan->truth[last]);
-    if (!(s->pressed->force_n > 0))
+    if (!is_pressed(s))
         return waves;
     char *const pressing = pressing_remark(s);
     char *const both = xprintf("%s%s", waves ? waves : "", pressing);
@@ -477,48 +546,56 @@ static void add_models(struct spheres *s, const char *header)
     const bool sphere = law_is_sphere(&s->scene.law);
     const struct plan *const p = s->plan;
     const slong last = p->points - 1;
-    s->plan->title = xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                             s->request->law == COR_LAW_PLATE ? "A sphere and a plate"
-                             : sphere                         ? "Spheres"
-                                                              : law_equation(&s->scene.law).text,
-                             s->request->number[EMBED_SPEED_MIN].text, s->request->number[EMBED_SPEED_MAX].text,
-                             cor_end_names[s->request->end], p->at[0], p->at[last], p->truth[0], p->truth[last]);
+    s->plan->title =
+        xprintf("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
+                s->request->law == COR_LAW_PLATE ? "A sphere and a plate"
+                : sphere                         ? "Spheres"
+                                                 : law_equation(&s->scene.law).text,
+                s->request->number[EMBED_SPEED_MIN].text, s->request->number[EMBED_SPEED_MAX].text,
+                is_pressed(s) && s->scene.end == END_ZERO_FORCE ? "the surface" : cor_end_names[s->scene.end], p->at[0],
+                p->at[last], p->truth[0], p->truth[last]);
     s->plan->remark = spheres_remark(s);
     add_constants(s);
-    if (!s->scene.constant) {
+    if (!is_constant(s))
         add_power_law(s);
+    if (!s->scene.constant) {
         if (sphere) {
             add_published(s);
             add_pades(s);
         }
-        embed_search(s->form, &s->scene);
+        embed_search(s->form, is_pressed(s) ? &s->pressed_scene : &s->scene);
         add_header(s, header);
         (sphere ? add_library : add_function_of_beta)(s);
     }
+    if (is_pressed(s) && !is_constant(s))
+        add_pressed(s);
     if (cor_scene_ends_differ(s->contact))
         add_other_end(s);
     plan_choose(s->plan);
 }
 
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
-                 const struct cor_scene_contact *pressed, slong points)
+                 const struct embed_request *with_force, const struct cor_scene_contact *pressed, slong points)
 {
     *plan = (struct plan){.chosen = -1};
     const double tolerance = embed_number(request, EMBED_TOLERANCE);
     if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
         return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
                            request->number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
-    struct spheres s = {.plan = plan, .request = request, .contact = contact, .pressed = pressed};
-    struct embed_request embed = *request; /* with the tolerance of a header */
+    struct spheres s = {
+        .plan = plan, .request = request, .contact = contact, .with_force = with_force, .pressed = pressed};
+    struct embed_request embed = *request, forced = *with_force; /* with the tolerance of a header */
     struct decimal coarsest = {0};
     decimal_set(&coarsest, TEXT_OF(EMBED_COARSEST));
     if (tolerance > EMBED_COARSEST)
-        embed.number[EMBED_TOLERANCE] = coarsest;
-    arb_init(s.h_star);
+        embed.number[EMBED_TOLERANCE] = forced.number[EMBED_TOLERANCE] = coarsest;
+    FOR_ALL(arb, init, s.h_star, s.force, s.damped);
     profile_step("scene, series");
     int status = embed_request_check(&embed);
     if (status == STATUS_OK)
         status = embed_scene_init(&s.scene, &embed, contact);
+    if (status == STATUS_OK && is_pressed(&s) && !s.scene.constant)
+        status = embed_scene_init(&s.pressed_scene, &forced, pressed);
     if (status == STATUS_OK && s.scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s.scene.beta_max, BETA_LIMIT);
     if (status == STATUS_OK) {
@@ -537,7 +614,9 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
     for (int i = 0; i < FAMILIES; i++)
         embed_form_clear(&s.form[i]);
     embed_scene_clear(&s.scene);
-    arb_clear(s.h_star);
+    if (is_pressed(&s) && !s.scene.constant)
+        embed_scene_clear(&s.pressed_scene);
+    FOR_ALL(arb, clear, s.h_star, s.force, s.damped);
     free(s.other);
     decimal_clear(&coarsest);
     return status;

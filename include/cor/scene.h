@@ -59,7 +59,7 @@ enum cor_end {
     COR_ENDS,
     COR_BOTH_ENDS = -1
 };
-enum { COR_SCENE_ENDS = 2 };                      /* zero overlap and zero force */
+enum { COR_SCENE_ENDS = 2 };                      /* zero overlap, and zero force or the surface */
 extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
 
 /* eps of a damping parameter and back, for the laws with closed forms: linear and Tsuji (zeta), Hunt and Crossley
@@ -136,6 +136,9 @@ double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q *
 /* Whether the contact can end in this way, and whether eps depends on the end */
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
 int cor_scene_ends_differ(const struct cor_scene_contact *contact);
+/* Returns the name of end 0 or 1 of a contact, as columns of corgen have it: "zero_overlap"; "zero_force", or "surface"
+ * under a constant force; with adhesion of JKR "tail" and "largest_pull". */
+const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end);
 /* Whether an impact takes the solver, for more than its eps where q = 0 */
 int cor_scene_needs_solver(const struct cor_scene_contact *contact);
 /* beta at the impact speed g > 0, m/s. Accuracy: 4 units of the last place, with `damping` taken as exact. */
@@ -170,15 +173,20 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
                               double gap_inner_m);
 
 /* With force_n > 0 the equation is m x'' + C x^b x' + K x^a = force_n: gravity on a ball above a wall, or DMT adhesion.
- * For one contact eps is still a function of the speed, for every law, and no solver is needed; it is 0, and the
- * durations infinite, up to the sticking speed of that end: the motion then goes to rest in contact, because the energy
- * never grows (docs/theory.md, 24). The largest force is that of spring and damper.
- * Accuracy: COR_SCENE_PRESSED_ERROR, absolute for eps^2 up to 1 and relative beyond (which the end at zero force
- * reaches), relative for durations while eps > 0.01 and for overlap and force; sampled in
- * tests/unit/test_scene_pressed.c.
- * The sticking speed is in m/s: 0 without force or damping, infinite where the bodies stick at every speed up to 1e9
- * times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m; with a liquid that below which eps is 0. */
-#define COR_SCENE_PRESSED_ERROR 1e-10
+ * For one contact eps is still a function of the speed, for every law, and no solver is needed. The two ends are then:
+ *
+ * - COR_END_ZERO_OVERLAP: the contact ends at x = 0.
+ * - COR_END_ZERO_FORCE, the surface: the contact ends where its force vanishes, at an overlap x_f with the outward speed
+ *   v_f. The bodies fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n x_f/m)^(1/2); eps is this speed over
+ *   the impact speed, and the duration lasts until then. For b >= a the two ends are the same.
+ *
+ * Up to the sticking speed of an end eps is 0 and the duration infinite: the bodies come to rest in contact, because the
+ * energy never grows (docs/theory.md, 24). The largest force is the largest force of spring and damper.
+ * Accuracy: COR_SCENE_PRESSED_ERROR: absolute for eps^2; relative for durations while eps > 0.01, for overlap and for
+ * force. Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T.
+ * The sticking speed is in m/s. It is 0 without force or damping, and infinite where the bodies stick at every speed up
+ * to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. With a liquid it is the speed below which eps is 0. */
+#define COR_SCENE_PRESSED_ERROR 1e-12
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
 
 /* ---- time step ---- */
@@ -389,7 +397,7 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
-/* What corgen contact prints of a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS:
+/* The quantities that corgen contact prints for a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS:
  * v_y; COR_SCENE_LIQUID_VISCOSITY: s) or one of the next three, unit; and the value of such a number, NaN where it is
  * not known or, of the next three, where no force presses and no liquid holds */
 enum {

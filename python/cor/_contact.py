@@ -2,16 +2,17 @@
 """What the class of contacts has beside the functions of contact.h."""
 
 import math
-from typing import Any
+from typing import Any, Tuple
 
 ENDS = ("zero_overlap", "zero_force")
+PRESSED_ENDS = ("zero_overlap", "surface")  # under a constant force
 
 
-def end_name(end: str) -> str:
+def end_name(end: str, ends: Tuple[str, ...] = ENDS) -> str:
     """An end of contact, written with a hyphen, a space or _"""
     name = str(end).replace("-", "_").replace(" ", "_")
-    if name not in ENDS:
-        raise ValueError(f"end: {end!r} is not an end of contact; allowed: {', '.join(ENDS)}")
+    if name not in ends:
+        raise ValueError(f"end: {end!r} is not an end of this contact; allowed: {', '.join(ends)}")
     return name
 
 

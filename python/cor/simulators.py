@@ -17,7 +17,7 @@ from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple, U
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._contact import ENDS, end_name
+from ._contact import ENDS, PRESSED_ENDS, end_name
 from ._cor import ffi, lib
 from ._evaluate import string
 from .contact import Body, Contact
@@ -84,7 +84,8 @@ class _Scene:
         scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
         damped = any(name in numbers for name in _DAMPINGS)
         scene.wall = bool(wall)
-        scene.end = lib.COR_BOTH_ENDS if end is None else ENDS.index(end_name(end))
+        ends = PRESSED_ENDS if "gravity" in numbers else ENDS
+        scene.end = lib.COR_BOTH_ENDS if end is None else ends.index(end_name(end, ends))
         scene.plate = "plate_thickness" in numbers
         scene.law = lib.cor_law_exponents[_one_of("law", law, _LAWS)]
         radius = math.nan

@@ -26,6 +26,13 @@ int cor_scene_ends_differ(const struct cor_scene_contact *contact)
            (contact->adhesion_j_m2 > 0 || contact->law.elastic > contact->law.damping);
 }
 
+const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end)
+{
+    static const char *const names[][COR_SCENE_ENDS] = {
+        {"zero_overlap", "zero_force"}, {"zero_overlap", "surface"}, {"tail", "largest_pull"}};
+    return names[contact->adhesion_j_m2 > 0 ? 2 : contact->force_n > 0][end == COR_END_ZERO_FORCE];
+}
+
 /* ---- the damping ---- */
 
 /* (m/K)^(1/(a+1)), the unit of time at the speed 1 m/s */
@@ -214,11 +221,25 @@ static int eps_of(double *eps, const struct cor_scene_contact *contact, double p
     return status;
 }
 
-/* The unit of time at a speed */
-static double time_unit(const struct cor_scene_contact *contact, double speed_m_s)
+/* The units of a collision in SI units */
+struct units {
+    double length_m, time_s, force_n;
+};
+
+/* The units in which mass, stiffness and impact speed are 1 */
+static struct units units_of_speed(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double a = cor_elastic(&contact->law);
-    return time_factor(contact) * pow(speed_m_s, (1 - a) / (1 + a));
+    const double a = cor_elastic(&contact->law), time = time_factor(contact) * pow(speed_m_s, (1 - a) / (1 + a));
+    return (struct units){speed_m_s * time, time, contact->mass_kg * speed_m_s / time};
+}
+
+/* The units in which mass, stiffness and constant force are 1. Also sets the damping in these units. */
+static struct units units_of_force(double *damping, const struct cor_scene_contact *contact)
+{
+    const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), force = contact->force_n;
+    const double length = pow(force / contact->stiffness, 1 / a), time = sqrt(contact->mass_kg * (length / force));
+    *damping = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT) * pow(length, b + 1) / (time * force);
+    return (struct units){length, time, force};
 }
 
 /* Whether the spheres yield at this speed */
@@ -238,7 +259,7 @@ static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
 static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     static const struct cor_full_impact none = {{NAN, NAN}, {NAN, NAN}, NAN, NAN};
-    const double time = time_unit(contact, speed_m_s), force = contact->mass_kg * speed_m_s / time;
+    struct units unit = units_of_speed(contact, speed_m_s);
     int status = COR_FAULT_NONE;
     *impact = none;
     if (yields(contact, speed_m_s)) {
@@ -247,9 +268,11 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
     }
     if (contact->adhesion_j_m2 > 0)
         status = cor_jkr_impact(impact, contact, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), speed_m_s);
-    else if (contact->force_n > 0)
-        status = cor_pressed_solve(impact, &contact->law, cor_scene_beta(contact, speed_m_s), contact->force_n / force);
-    else
+    else if (contact->force_n > 0) {
+        double damping;
+        unit = units_of_force(&damping, contact);
+        status = cor_pressed_solve(impact, &contact->law, damping, speed_m_s * (unit.time_s / unit.length_m));
+    } else
         status = scaled_impact(impact, contact, parameter_of(contact, speed_m_s));
     if (status != COR_FAULT_NONE)
         *impact = none;
@@ -257,10 +280,10 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
         return status;
     if (contact->plate) /* it takes up K x^a; the other term of the equation of motion is its own motion */
         impact->force_max = pow(impact->max_overlap, cor_elastic(&contact->law));
-    impact->force_max *= force;
-    impact->max_overlap *= speed_m_s * time;
+    impact->force_max *= unit.force_n;
+    impact->max_overlap *= unit.length_m;
     for (int end = 0; end < COR_SCENE_ENDS; end++)
-        impact->duration[end] *= time;
+        impact->duration[end] *= unit.time_s;
     return status;
 }
 
@@ -274,19 +297,17 @@ static int touches(double *at, const struct cor_scene_contact *contact, double s
 
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end)
 {
-    const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), force = contact->force_n;
     if (!cor_scene_has_end(contact, end))
         return NAN;
     if (contact->liquid_speed_m_s > 0)
         return cor_wet_sticking_speed(contact, end);
-    const double coefficient = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT);
     if (contact->adhesion_j_m2 > 0)
-        return cor_jkr_sticking_speed(contact, coefficient, end);
-    if (!(force > 0))
+        return cor_jkr_sticking_speed(contact, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), end);
+    if (!(contact->force_n > 0))
         return 0;
-    const double length = pow(force / contact->stiffness, 1 / a), time = sqrt(contact->mass_kg * length / force);
-    return length / time *
-           cor_pressed_sticking_speed(&contact->law, coefficient * pow(length, b + 1) / (time * force), end);
+    double damping;
+    const struct units unit = units_of_force(&damping, contact);
+    return unit.length_m / unit.time_s * cor_pressed_sticking_speed(&contact->law, damping, end);
 }
 
 int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
@@ -339,8 +360,7 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
     if (!touches(&at, contact, speed_m_s))
         return 0;
     if (!is_full(contact, at) && !contact->plate)
-        return contact->mass_kg * at / time_unit(contact, at) *
-               cor_law_force_max(&contact->law, parameter_of(contact, at));
+        return units_of_speed(contact, at).force_n * cor_law_force_max(&contact->law, parameter_of(contact, at));
     dry_impact(&impact, contact, at);
     return impact.force_max;
 }

@@ -34,7 +34,9 @@ int cor_motion_init(struct motion *m, double u, double v)
         terms[i]->power = power_of(m, terms[i]->exponent);
     m->power[1].c[0] = u;
     m->v[0] = v;
-    m->t[0] = 0;
+    m->t[0] = m->loss[0] = 0;
+    m->energy = v * v / 2;
+    m->follows_energy = 0;
     return m->powers < MOTION_POWERS;
 }
 
@@ -64,16 +66,26 @@ static double at(const double *c, double s)
     return y;
 }
 
+static int order_of(const struct motion *m) /* d, with x = u^d, of a motion that follows its energy */
+{
+    return m->time[0].exponent + 1;
+}
+
 /* A step at which the last terms of two series do not matter. Those of a series from u = 0 on may be 0 where terms
  * behind them are not, with factors of the order of 1. */
-static double longest_step(const double *u, const double *v)
+static double longest_step(const struct motion *m)
 {
-    const double size = DBL_EPSILON / 8 * fmax(fabs(u[0]), fabs(v[0]));
-    double least = u[0] == 0 ? 0.1 : INFINITY;
+    const double *const u = m->power[1].c, *const v = m->v;
+    const double size = fmax(fabs(u[0]), fabs(v[0]));
+    double least = u[0] == 0 ? 0.1 : INFINITY, u_size = size, v_size = size;
+    if (m->follows_energy && u[0] > 0) { /* v can be far smaller than u */
+        u_size = u[0];
+        v_size = fmax(fabs(v[0]), sqrt(m->press * whole_power(u[0], order_of(m))));
+    }
     for (int n = ORDER - 2; n <= ORDER; n++) {
-        const double last = fmax(fabs(u[n]), fabs(v[n]));
+        const double last = fmax(fabs(u[n]) / u_size, fabs(v[n]) / v_size);
         if (last > 0)
-            least = fmin(least, pow(size / last, 1.0 / n));
+            least = fmin(least, pow(DBL_EPSILON / 8 / last, 1.0 / n));
     }
     return isfinite(least) ? 0.9 * least : 1;
 }
@@ -85,7 +97,7 @@ static double sum_of(const struct motion *m, const struct motion_term term[2], i
 
 void cor_motion_expand(struct motion *m)
 {
-    double slope[ORDER + 1], rest[ORDER + 1]; /* T, F - press */
+    double slope[ORDER + 1], rest[ORDER + 1], damping[ORDER + 1], lost[ORDER + 1]; /* T, F - press, forces, power */
     double *const u = m->power[1].c;
     for (int n = 0; n < ORDER; n++) {
         for (int i = 2; i < m->powers; i++) {
@@ -94,21 +106,39 @@ void cor_motion_expand(struct motion *m)
             p->c[n] = p->left == p->right ? square(left, n) : product(left, m->power[p->right].c, n);
         }
         slope[n] = sum_of(m, m->time, n);
-        m->force[n] = sum_of(m, m->spring, n) + m->damper.factor * product(m->power[m->damper.power].c, m->v, n);
+        damping[n] = m->damper.factor * product(m->power[m->damper.power].c, m->v, n);
+        m->force[n] = sum_of(m, m->spring, n) + damping[n];
         rest[n] = m->force[n] - (n == 0 ? m->press : 0);
         u[n + 1] = m->v[n] / (n + 1);
         m->v[n + 1] = -product(slope, rest, n) / (n + 1);
         m->t[n + 1] = slope[n] / (n + 1);
+        if (m->follows_energy) {
+            lost[n] = product(damping, m->v, n);
+            m->loss[n + 1] = product(slope, lost, n) / (n + 1);
+        }
     }
     m->force[ORDER] = 0;
-    m->step = longest_step(u, m->v);
+    m->step = longest_step(m);
+}
+
+/* v from the energy, in the half of the way next to x = 0, where no difference of large numbers decides it */
+static void restore_speed(struct motion *m)
+{
+    const int d = order_of(m);
+    const double x = whole_power(cor_motion_start(m), d), a1 = (double)(m->spring[0].exponent + d) / d;
+    const double spring = m->spring[0].factor * whole_power(cor_motion_start(m), m->spring[0].exponent) / a1;
+    const double kinetic = m->energy - m->loss[0] + x * (m->press - spring);
+    if (spring < m->press / 2 && kinetic > 0)
+        m->v[0] = copysign(sqrt(2 * kinetic), m->v[0]);
 }
 
 void cor_motion_advance(struct motion *m)
 {
-    double *const series[] = {m->power[1].c, m->v, m->t};
-    for (size_t i = 0; i < sizeof series / sizeof *series; i++)
+    double *const series[] = {m->power[1].c, m->v, m->t, m->loss};
+    for (size_t i = 0; i < (m->follows_energy ? 4 : 3); i++)
         series[i][0] = at(series[i], m->step);
+    if (m->follows_energy)
+        restore_speed(m);
 }
 
 /* ---- places ---- */
@@ -126,6 +156,11 @@ double cor_motion_v(const struct motion *m, double s, double level)
 double cor_motion_t(const struct motion *m, double s)
 {
     return at(m->t, s);
+}
+
+double cor_motion_loss(const struct motion *m, double s)
+{
+    return at(m->loss, s);
 }
 
 static double force_slope(const struct motion *m, double s, double level)

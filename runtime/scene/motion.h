@@ -75,6 +75,10 @@ struct motion {
     struct motion_power power[MOTION_POWERS];
     double v[MOTION_ORDER + 1], t[MOTION_ORDER + 1], force[MOTION_ORDER + 1];
     double step;
+    /* Set where `press` outweighs the inertia of the start. v then follows from the energy v^2/2 + spring - press x =
+     * energy - loss, because the difference of two large speeds would lose the small speeds at x = 0. */
+    int follows_energy;
+    double energy, loss[MOTION_ORDER + 1]; /* loss: the work of the damper */
 };
 
 /* Sets the powers of the terms, and the start u, v at t = 0. Returns 0 where the exponents need too many powers. */
@@ -93,6 +97,7 @@ int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const 
 typedef double motion_function(const struct motion *m, double s, double level);
 motion_function cor_motion_u, cor_motion_v; /* less the level */
 double cor_motion_t(const struct motion *m, double s);
+double cor_motion_loss(const struct motion *m, double s);
 double cor_motion_root(const struct motion *m, motion_function *f, double low, double high, double level);
 
 static inline double cor_motion_start(const struct motion *m)
@@ -102,18 +107,21 @@ static inline double cor_motion_start(const struct motion *m)
 
 /* ---- pressed.c ---- */
 
-/* The collision x'' + beta x^b x' + x^a = f, x(0) = 0, x'(0) = 1, under a constant force f > 0 that presses the bodies
- * together (docs/theory.md, 24) */
+/* Collisions under a constant force that presses the bodies together, in units in which it is 1 (docs/theory.md, 24):
+ *
+ *     x'' + damping x^b x' + x^a = 1,     x(0) = 0,     x'(0) = speed
+ *
+ * The ends are zero overlap and, in the place of zero force, the surface: a body leaves the contact where its force
+ * vanishes and flies back to x = 0 against the constant force. */
 
 /* The largest force of x'' + damper x^b x' + elastic x^a = 0; NaN where the motion takes too many steps */
 double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper);
 
-/* `force_max` is that of x^a + beta x^b x'. Returns COR_OK, or COR_FAULT_PRESSED where the motion takes too many
- * steps. */
-int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double beta, double f);
+/* Solves a collision. force_max: the largest value of x^a + damping x^b x'. Returns COR_OK, or COR_FAULT_PRESSED if the
+ * motion takes too many steps. */
+int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double damping, double speed);
 
-/* x'' + damping x^b x' + x^a = 1: the impact speed up to which the bodies stay together; infinite: every speed, or
- * those up to 1e9 and more */
+/* The impact speed up to which the bodies stay together; infinite: every speed, or those up to 1e9 and more */
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end);
 
 /* ---- jkr.c ---- */

@@ -9,7 +9,8 @@
 
 #include "runtime/scene/exponents.h"
 
-static int motion_init(struct motion *m, const struct cor_exponents *law, double elastic, double damper, double press)
+static int motion_init(struct motion *m, const struct cor_exponents *law, double elastic, double damper, double press,
+                       double speed)
 {
     const int twice = law->denominator == 1 ? 2 : 1, d = twice * law->denominator;
     m->time[0] = (struct motion_term){(double)d, d - 1, 0};
@@ -17,15 +18,15 @@ static int motion_init(struct motion *m, const struct cor_exponents *law, double
     m->damper = (struct motion_term){damper, twice * law->damping, 0};
     m->time[1] = m->spring[1] = (struct motion_term){0, 0, 0};
     m->press = press;
-    return cor_motion_init(m, 0, 1);
+    return cor_motion_init(m, 0, speed);
 }
 
 double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper)
 {
     struct motion m;
     double force_max;
-    return motion_init(&m, law, elastic, damper, 0) && cor_motion_compress(&m, &force_max, NULL) ? force_max
-                                                                                                 : (double)NAN;
+    return motion_init(&m, law, elastic, damper, 0, 1) && cor_motion_compress(&m, &force_max, NULL) ? force_max
+                                                                                                    : (double)NAN;
 }
 
 /* ---- the end of the contact ---- */
@@ -49,12 +50,19 @@ static double contact_force(const struct motion *m, double s, double level)
            m->damper.factor * whole_power(w, bd - low) * cor_motion_v(m, s, 0) - level;
 }
 
-/* v^2/2 + elastic x^(a+1)/(a+1) - f x, which never grows */
-static double energy(const struct motion *m, double w, double v)
+/* elastic x^(a+1)/(a+1) */
+static double spring_energy(const struct motion *m, double w)
 {
     const int d = order_of(m), ad = m->spring[0].exponent;
-    const double a1 = (double)(ad + d) / d;
-    return v * v / 2 + whole_power(w, d) * (m->spring[0].factor * whole_power(w, ad) / a1 - m->press);
+    return m->spring[0].factor * whole_power(w, ad + d) * d / (ad + d);
+}
+
+/* v^2/2 + elastic x^(a+1)/(a+1) - f x, which never grows */
+static double energy(const struct motion *m)
+{
+    const double w = cor_motion_start(m);
+    return m->follows_energy ? m->energy - m->loss[0]
+                             : m->v[0] * m->v[0] / 2 + spring_energy(m, w) - m->press * whole_power(w, order_of(m));
 }
 
 /* Where the force can vanish: at overlaps from this one on if 2 (a - b) > 1; negative: at any */
@@ -63,12 +71,6 @@ static double release_height(const struct motion *m)
     const int d = order_of(m), difference = m->spring[0].exponent - m->damper.exponent, power = 2 * difference - d;
     const double ratio = m->damper.factor / m->spring[0].factor;
     return power > 0 ? pow(m->press * ratio * ratio * d / difference, 1.0 / power) : -1; /* w */
-}
-
-/* -v where the force vanishes */
-static double release_speed(const struct motion *m, double w)
-{
-    return m->spring[0].factor / m->damper.factor * whole_power(w, m->spring[0].exponent - m->damper.exponent);
 }
 
 /* The overlap at which force and spring balance */
@@ -87,128 +89,149 @@ static int creeps_up(const struct motion *m)
     return x < rest && damping * damping > 4 * stiffness && m->v[0] < damping / 2 * (rest - x);
 }
 
-static void part(struct cor_full_impact *impact, int end, const struct motion *m, double s, double unit_of_time)
-{
-    impact->eps[end] = -cor_motion_v(m, s, 0);
-    impact->duration[end] = cor_motion_t(m, s) * unit_of_time;
-}
-
-/* ---- the linear dashpot, x'' + 2 zeta x' + x = f: elementary motion, of which only the ends of contact need a search.
- * x - f and its derivatives are oscillations y'' + 2 zeta y' + y = 0. ---- */
-
-struct oscillation {
-    double zeta, frequency; /* sqrt(|1 - zeta^2|) */
+/* The unit of length and of time, and the speed at x = 0, of a motion in its units */
+struct scales {
+    double length, time, speed;
 };
 
-/* y(time) of y(0) = value, y'(0) = slope */
-static double oscillation_at(const struct oscillation *o, double value, double slope, double time)
+static void part(struct cor_full_impact *impact, int end, double eps, double duration)
 {
-    const double w = o->frequency, rest = slope + o->zeta * value;
-    if (o->zeta > 1) {
-        const double slow = exp(-time / (o->zeta + w)), fast = exp(-time * (o->zeta + w));
-        return value * (slow + fast) / 2 + rest * (slow - fast) / (2 * w);
-    }
-    return exp(-o->zeta * time) * (w > 0 ? value * cos(w * time) + rest * sin(w * time) / w : value + rest * time);
+    impact->eps[end] = eps;
+    impact->duration[end] = duration;
 }
 
-/* The first zero after the start; infinite: there is none */
-static double oscillation_zero(const struct oscillation *o, double value, double slope)
+static void part_at_zero_overlap(struct cor_full_impact *impact, const struct motion *m, double s,
+                                 const struct scales *unit)
 {
-    const double w = o->frequency, rest = slope + o->zeta * value, ratio = -value / rest;
-    if (o->zeta < 1) {
-        const double phase = atan2(w * value, -rest);
-        return (phase > 0 ? phase : phase + COR_PI) / w;
-    }
-    if (!(ratio > 0))
-        return INFINITY;
-    return w == 0 ? ratio : ratio * w < 1 ? atanh(ratio * w) / w : INFINITY;
+    const double left = fmax(m->energy - cor_motion_loss(m, s), 0);
+    const double speed = m->follows_energy ? sqrt(2 * left) : -cor_motion_v(m, s, 0);
+    part(impact, COR_END_ZERO_OVERLAP, speed / unit->speed, cor_motion_t(m, s) * unit->time);
 }
 
-/* Where sign (y - level) falls through zero between two times */
-static double oscillation_root(const struct oscillation *o, double value, double slope, double level, int sign,
-                               double low, double high)
+/* The force vanishes at s, at the overlap x with the speed v. A body that flies from there to x = 0 arrives with
+ * (v^2 - 2 f x)^(1/2). If that does not exist, it falls back and stays: with the energy that is left, the spring holds
+ * it below its overlap of rest. */
+static void part_at_surface(struct cor_full_impact *impact, const struct motion *m, double s, const struct scales *unit)
 {
-    for (int k = 0; k < 80; k++) {
-        const double middle = low + (high - low) / 2;
-        *(sign * (oscillation_at(o, value, slope, middle) - level) > 0 ? &low : &high) = middle;
-    }
-    return high;
+    const double w = cor_motion_u(m, s, 0), x = whole_power(w, order_of(m)), v = -cor_motion_v(m, s, 0);
+    const double square =
+        m->follows_energy ? 2 * (m->energy - cor_motion_loss(m, s) - spring_energy(m, w)) : v * v - 2 * m->press * x;
+    if (!(square > 0))
+        return;
+    const double speed = sqrt(square);
+    part(impact, COR_END_ZERO_FORCE, speed / unit->speed, (cor_motion_t(m, s) + 2 * x / (v + speed)) * unit->time);
 }
 
-static void linear_solve(struct cor_full_impact *impact, double beta, double f)
+/* From the turning point to the end, or to where too little energy is left for it */
+static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int ends_differ, const struct scales *unit)
 {
-    const struct oscillation o = {beta / 2, sqrt(fabs((1 - beta / 2) * (1 + beta / 2)))};
-    const double a = f - beta, jerk = -beta * a - 1; /* the second and the third derivative of x at first */
-    const double half = o.zeta < 1 ? COR_PI / o.frequency : INFINITY;
-    const double turn = oscillation_zero(&o, 1, a), peak = oscillation_zero(&o, jerk, -beta * jerk - a);
-    const double back = turn + half; /* the second turning point */
-    impact->max_overlap = isinf(turn) ? f : f + oscillation_at(&o, -f, 1, turn);
-    /* the contact force is f less the acceleration */
-    impact->force_max =
-        jerk < 0 && peak < turn ? f - oscillation_at(&o, a, jerk, peak) : fmax(beta, impact->max_overlap);
-    if (!isinf(back) && f + oscillation_at(&o, -f, 1, back) < 0) {
-        const double time = oscillation_root(&o, -f, 1, -f, 1, turn, back);
-        impact->duration[COR_END_ZERO_OVERLAP] = time;
-        impact->eps[COR_END_ZERO_OVERLAP] = -oscillation_at(&o, 1, a, time);
-    }
-    const double least = jerk < 0 ? peak + half : peak; /* of the contact force */
-    if (!isinf(least) && !isinf(turn) && oscillation_at(&o, a, jerk, least) > f) {
-        const double time = oscillation_root(&o, a, jerk, f, -1, turn, least);
-        impact->duration[COR_END_ZERO_FORCE] = time;
-        impact->eps[COR_END_ZERO_FORCE] = -oscillation_at(&o, 1, a, time);
-    }
-}
-
-int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double beta, double f)
-{
-    struct motion m;
-    double unit = 1, release = -1, least = 0; /* of length and time; w and energy where the force can vanish */
-    const int ends_differ = law->elastic > law->damping && beta > 0;
-    *impact = cor_together;
-    if (cor_law_is(law, 2, 0)) {
-        linear_solve(impact, beta, f);
-        return COR_FAULT_NONE;
-    }
-    if (beta > 1) /* x = unit X, t = unit s: the damping sets the scales */
-        unit = pow(beta, -1 / (cor_damping(law) + 1));
-    if (!motion_init(&m, law, beta > 1 ? pow(unit, cor_elastic(law) + 1) : 1, fmin(beta, 1), f * unit) ||
-        !cor_motion_compress(&m, &impact->force_max, creeps_up))
-        return COR_FAULT_PRESSED;
-    impact->max_overlap = (m.v[0] > 0 ? overlap_of_rest(&m) : overlap(&m)) * unit;
-    impact->force_max /= unit;
-    if (ends_differ) {
-        release = release_height(&m);
-        least = release > 0 ? energy(&m, release, release_speed(&m, release)) : 0;
-    }
-    int held = !ends_differ, parted = 0, k = 0; /* held: the force vanishes no more, or has vanished */
-    for (; !parted; k++) {
-        const double level = energy(&m, cor_motion_start(&m), m.v[0]); /* below 0 the bodies never part */
-        held = held || level < least;
-        if (level < 0 && held)
-            break;
+    const double release = ends_differ ? release_height(m) : -1; /* w where the force can vanish */
+    int held = !ends_differ, parted = 0;                         /* held: the force has vanished, or never does */
+    for (int k = 0; !parted && energy(m) >= 0; k++) {
         if (k == MOTION_MOST_STEPS)
             return COR_FAULT_PRESSED;
-        cor_motion_expand(&m);
-        double end = m.step;
-        parted = cor_motion_u(&m, end, 0) <= 0;
+        cor_motion_expand(m);
+        double end = m->step;
+        parted = cor_motion_u(m, end, 0) <= 0;
         if (parted) {
-            end = cor_motion_root(&m, cor_motion_u, 0, end, 0);
-            part(impact, COR_END_ZERO_OVERLAP, &m, end, unit);
+            end = cor_motion_root(m, cor_motion_u, 0, end, 0);
+            part_at_zero_overlap(impact, m, end, unit);
         }
-        const int below = cor_motion_start(&m) > release && cor_motion_u(&m, end, 0) < release;
-        const double last = release > 0 && below ? cor_motion_root(&m, cor_motion_u, 0, end, release) : end;
-        if (!held && contact_force(&m, last, 0) < 0) {
-            part(impact, COR_END_ZERO_FORCE, &m, cor_motion_root(&m, contact_force, 0, last, 0), unit);
+        const int below = cor_motion_start(m) > release && cor_motion_u(m, end, 0) < release;
+        const double last = release > 0 && below ? cor_motion_root(m, cor_motion_u, 0, end, release) : end;
+        if (!held && contact_force(m, last, 0) < 0) {
+            part_at_surface(impact, m, cor_motion_root(m, contact_force, 0, last, 0), unit);
             held = 1;
         }
         held = held || last < end;
-        cor_motion_advance(&m);
+        cor_motion_advance(m);
     }
-    if (!ends_differ) {
-        impact->eps[COR_END_ZERO_FORCE] = impact->eps[COR_END_ZERO_OVERLAP];
-        impact->duration[COR_END_ZERO_FORCE] = impact->duration[COR_END_ZERO_OVERLAP];
-    }
+    if (!ends_differ)
+        part(impact, COR_END_ZERO_FORCE, impact->eps[COR_END_ZERO_OVERLAP], impact->duration[COR_END_ZERO_OVERLAP]);
     return COR_FAULT_NONE;
+}
+
+/* ---- slow impacts and weak damping: the motion is the elastic one from rest, and takes the loss (damping J) ---- */
+
+#define SLOW 1e-8           /* the largest speed; its square is left out */
+#define WEAK 1e-16          /* the largest damping */
+#define EXPONENT_MOST 100.0 /* of the beta functions */
+#define RELEASE_SHARE 1e-17 /* of the energy, which the spring keeps where the force vanishes */
+
+static double beta_function(double x, double y)
+{
+    return tgamma(x) * tgamma(y) / tgamma(x + y);
+}
+
+/* (2 damping J)^(1/2), J = int x^b x' dx to the turning point and back = 2^(3/2) (a+1)^p/a B(p, 3/2), p = (b + 3/2)/a */
+static double slow_sticking_speed(const struct cor_exponents *law, double damping)
+{
+    const double a = cor_elastic(law), p = (cor_damping(law) + 1.5) / a;
+    return sqrt(damping * 4 * sqrt(2) * pow(a + 1, p) / a * beta_function(p, 1.5));
+}
+
+/* True if the motion at this speed is the elastic one. The force vanishes at x^(a-b) = damping v, where v^2 is about
+ * speed^2 + 2 x. */
+static int is_slow(const struct cor_exponents *law, double damping, double speed)
+{
+    const double a = cor_elastic(law), b = cor_damping(law), c = a - b;
+    const double fast = c > 0 ? pow(2 * damping * speed, 1 / c) : 0;
+    const double late = c > 0.5 ? pow(4 * damping, 1 / (c - 0.5)) : 0;
+    return speed < SLOW && damping < WEAK && (b + 1.5) / a < EXPONENT_MOST &&
+           pow(fmax(fast, late), (a + 1) / 2) < sqrt(RELEASE_SHARE) * speed;
+}
+
+static void solve_slow(struct cor_full_impact *impact, const struct cor_exponents *law, double damping, double speed)
+{
+    const double a = cor_elastic(law), p = 0.5 / a, ratio = slow_sticking_speed(law, damping) / speed;
+    const double eps = ratio < 1 ? sqrt((1 - ratio) * (1 + ratio)) : 0;
+    const double elastic = sqrt(2) * pow(a + 1, p) / a * beta_function(p, 0.5); /* the duration from rest */
+    for (int end = 0; end < COR_SCENE_ENDS; end++)
+        part(impact, end, eps, eps > 0 ? elastic - speed * (1 + eps) : INFINITY);
+    impact->max_overlap = pow(a + 1, 1 / a);
+    impact->force_max = a + 1;
+}
+
+/* ---- a collision ---- */
+
+#define SLOWEST 1e-100 /* what is slower and not is_slow sticks, as at this speed */
+
+/* The units of a motion: the speed, or where the constant force is the larger one that force, and strong damping, set
+ * them. */
+static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
+{
+    const double a = cor_elastic(law), b = cor_damping(law), length = pow(speed, 2 / (a + 1));
+    const double beta = damping * pow(length, b + 1) / speed, unit = beta > 1 ? pow(beta, -1 / (b + 1)) : 1;
+    const double strong = damping > 1 ? pow(damping, -1 / (b + 0.5)) : 1;
+    *is_forced = pow(length, a) < unit; /* f = length^-a in units of the speed */
+    return *is_forced ? (struct scales){strong, sqrt(strong), speed / sqrt(strong)}
+                      : (struct scales){length * unit, length * unit / speed, 1};
+}
+
+int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double damping, double speed)
+{
+    const double a = cor_elastic(law), b = cor_damping(law);
+    struct motion m;
+    int is_forced;
+    *impact = cor_together;
+    if (is_slow(law, damping, speed)) {
+        solve_slow(impact, law, damping, speed);
+        return COR_FAULT_NONE;
+    }
+    const struct scales unit = motion_scales(law, damping, fmax(speed, SLOWEST), &is_forced);
+    const double acceleration = unit.length / (unit.time * unit.time);
+    if (!motion_init(&m, law, pow(unit.length, a) / acceleration,
+                     damping * pow(unit.length, b + 1) / (unit.time * acceleration), 1 / acceleration, unit.speed))
+        return COR_FAULT_PRESSED;
+    m.follows_energy = is_forced;
+    if (!cor_motion_compress(&m, &impact->force_max, creeps_up))
+        return COR_FAULT_PRESSED;
+    impact->max_overlap = (m.v[0] > 0 ? overlap_of_rest(&m) : overlap(&m)) * unit.length;
+    impact->force_max *= acceleration;
+    const int status = follow_rebound(impact, &m, law->elastic > law->damping && damping > 0, &unit);
+    for (int end = 0; end < COR_SCENE_ENDS && damping == 0; end++)
+        impact->eps[end] = 1;
+    return status;
 }
 
 /* ---- the sticking speed ---- */
@@ -218,22 +241,25 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
 
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end)
 {
-    const double a = cor_elastic(law), b = cor_damping(law);
+    const double a = cor_elastic(law), b = cor_damping(law), slow = slow_sticking_speed(law, damping);
     struct motion m;
-    if (damping == 0)
-        return 0;
-    if (!motion_init(&m, law, 1, damping, 1))
+    if (damping == 0 || is_slow(law, damping, slow))
+        return damping == 0 ? 0 : slow;
+    if (!motion_init(&m, law, 1, damping, 1, 0))
         return NAN;
-    const double release = end == COR_END_ZERO_FORCE ? release_height(&m) : -1;
-    m.power[1].c[0] = release;
-    m.v[0] = release > 0 ? release_speed(&m, release) : 0;
     m.damper.factor = -damping; /* in backward time */
-    if (!(release > 0)) {
-        const double x = fmin(pow(START / fmax(damping, 1), 1 / (b + 0.5)), pow(START, 1 / a));
-        const double gained = sqrt(2) * damping * pow(x, b + 0.5) / (b + 1.5) - pow(x, a) / (a + 1);
-        m.power[1].c[0] = pow(x, 1.0 / order_of(&m));
-        m.v[0] = sqrt(2 * x * (1 + gained));
+    m.follows_energy = 1;
+    double x = fmin(pow(START / fmax(damping, 1), 1 / (b + 0.5)), pow(START, 1 / a));
+    m.loss[0] = -sqrt(2) * damping * pow(x, b + 1.5) / (b + 1.5);
+    m.v[0] = sqrt(2 * (x - m.loss[0] - pow(x, a + 1) / (a + 1)));
+    if (end == COR_END_ZERO_FORCE &&
+        2 * (a - b) > 1) { /* the force vanishes with just the speed of the flight to x = 0 */
+        x = pow(2 * damping * damping, 1 / (2 * (a - b) - 1));
+        m.loss[0] = 0;
+        m.v[0] = sqrt(2 * x);
+        m.energy = pow(x, a + 1) / (a + 1);
     }
+    m.power[1].c[0] = pow(x, 1.0 / order_of(&m));
     int turned = 0;
     for (int k = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST_OVERLAP; k++) {
         cor_motion_expand(&m);
@@ -241,7 +267,7 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
             turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);
         turned = turned || begin > 0;
         if (turned && cor_motion_u(&m, m.step, 0) <= 0)
-            return -cor_motion_v(&m, cor_motion_root(&m, cor_motion_u, begin, m.step, 0), 0);
+            return sqrt(2 * (m.energy - cor_motion_loss(&m, cor_motion_root(&m, cor_motion_u, begin, m.step, 0))));
         cor_motion_advance(&m);
     }
     return INFINITY;

@@ -244,43 +244,77 @@ TEST(other_laws)
 
 /* ---- a constant force: collisions enclosed, against the integration in doubles ---- */
 
+static int stuck, held; /* bodies that stay together at each end */
+
+static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
+{
+    const struct law law = embed_law(exponents);
+    struct cor_scene_contact contact = {
+        .law = *exponents, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = force_n};
+    LOCAL(arb, beta, force, newton);
+    LOCAL(collision, c);
+    cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, damping, 1, 0);
+    const struct cor_scene_impact impact = scene_impact(&contact, speed);
+    const struct ratio a = law.a, q = law_speed_exponent(&law);
+    arb_set_d(beta, damping);
+    arb_set_d(force, speed);
+    arb_set_d(newton, force_n);
+    LET(beta, 300, "beta*force^q", beta, force, q);
+    LET(force, 300, "newton*force^(-2*a/(a + 1))", newton, force, a);
+    assert_int_equal(collision_solve_pressed(c, beta, force, &law, COR_BOTH_ENDS, 60), 0);
+    const double eps[] = {middle(c->eps_zero_overlap), middle(c->eps_zero_force)};
+    const double unit = pow(speed, (1 - ratio_double(a)) / (1 + ratio_double(a)));
+    const double time[] = {middle(c->t_zero_overlap) * unit, middle(c->t_zero_force) * unit};
+    check_near(impact.max_overlap_m, middle(c->x_max) * unit * speed, 1e-12);
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        check(fabs(impact.eps[end] * impact.eps[end] - eps[end] * eps[end]) < COR_SCENE_PRESSED_ERROR,
+              "law %d/%d, damping %g, force %g, speed %.17g, end %d: %.17g, not %.17g", exponents->elastic,
+              exponents->damping, damping, force_n, speed, end, impact.eps[end], eps[end]);
+        if (eps[end] > 0.01)
+            check_near(impact.duration_s[end], time[end], COR_SCENE_PRESSED_ERROR);
+        assert_true((impact.eps[end] == 0) == (isinf(impact.duration_s[end]) != 0));
+        assert_true(damping > 0 || (impact.eps[end] == 1 && eps[end] == 1));
+    }
+    stuck += isinf(time[0]) != 0;
+    held += isinf(time[1]) != 0;
+}
+
+/* In units in which the force is 1 */
+static void check_sticking_speed(const struct cor_exponents *exponents, double damping)
+{
+    const struct law law = embed_law(exponents);
+    struct cor_scene_contact contact = {.law = *exponents, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = 1};
+    LOCAL(arb, speed, exact);
+    cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, damping, 1, 0);
+    arb_set_d(exact, damping);
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        assert_int_equal(collision_sticking_speed(speed, exact, &law, end, 50), 0);
+        check_near(cor_scene_sticking_speed(&contact, end), middle(speed), 1e-12);
+    }
+}
+
 TEST(collisions_under_a_constant_force)
 {
+    enum { DRAWS = 8 };
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
                                                 {2, 1, 1}, {2, 1, 2}, {8, 7, 4}, {1, 0, 2}};
-    static const double betas[] = {0, 0.05, 0.5, 2.6}, forces[] = {1e-4, 0.1, 0.5, 2};
-    int stuck = 0, held = 0;
-    LOCAL(arb, beta, force);
-    for (size_t l = 0; l < COUNT_OF(laws); l++)
-        for (size_t i = 0; i < COUNT_OF(betas); i++)
-            for (size_t k = 0; k < COUNT_OF(forces); k++) {
-                const struct law law = embed_law(&laws[l]);
-                struct cor_scene_contact contact = {
-                    .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = forces[k]};
-                LOCAL(collision, c);
-                cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, betas[i], 1, 0);
-                const struct cor_scene_impact impact = scene_impact(&contact, 1);
-                arb_set_d(beta, betas[i]);
-                arb_set_d(force, forces[k]);
-                assert_int_equal(collision_solve_pressed(c, beta, force, &law, COR_BOTH_ENDS, 60), 0);
-                const double eps[] = {middle(c->eps_zero_overlap), middle(c->eps_zero_force)};
-                const double time[] = {middle(c->t_zero_overlap), middle(c->t_zero_force)};
-                check_near(impact.max_overlap_m, middle(c->x_max), 1e-12);
-                for (int end = 0; end < COR_SCENE_ENDS; end++) {
-                    check(fabs(impact.eps[end] * impact.eps[end] - eps[end] * eps[end]) < COR_SCENE_PRESSED_ERROR,
-                          "law %zu, beta %g, force %g, end %d: %.17g, not %.17g", l, betas[i], forces[k], end,
-                          impact.eps[end], eps[end]);
-                    if (isfinite(time[end]))
-                        check_near(impact.duration_s[end], time[end], COR_SCENE_PRESSED_ERROR);
-                    else
-                        assert_true(isinf(impact.duration_s[end]) && impact.eps[end] == 0);
-                }
-                stuck += isinf(time[0]);
-                held += isinf(time[1]);
-                if (betas[i] == 0)
-                    assert_true(arb_is_one(c->eps_zero_overlap) && arb_is_one(c->eps_zero_force));
+    const size_t draws = points(DRAWS);
+    for (size_t l = 0; l < COUNT_OF(laws); l++) {
+        const double a1 = (double)laws[l].elastic / laws[l].denominator + 1;
+        EACH (damping, 0, 0.05, 0.5, 2.6) {
+            EACH (force, 1e-4, 0.1, 0.5, 2) {
+                check_pressed(&laws[l], *damping, *force, 1);
             }
-    assert_true(stuck > held && held > 20 && stuck < 90);
+        }
+        /* large forces, next to the sticking speed and beyond it */
+        for (size_t i = 0; i < draws; i++) {
+            const double speed = pow(random_log(&draw, 1, 1e12), -a1 / (2 * a1 - 2));
+            check_pressed(&laws[l], i > 0 ? speed * speed * random_log(&draw, 1e-3, 1) : 0, 1, speed);
+        }
+        check_sticking_speed(&laws[l], random_log(&draw, 1e-30, 1e-16));
+        check_sticking_speed(&laws[l], random_log(&draw, 1e-16, 0.1));
+    }
+    check(stuck > held && held > 20 && stuck < (int)(9 * (16 + draws) / 2), "%d %d", stuck, held);
 }
 
 /* On both sides of the threshold, an ulp of 60 bits away, the enclosed collisions differ; the backward integration in

@@ -98,7 +98,7 @@ static void plan_of(struct plan *plan, const char *min, const char *max, const c
     struct contacts contacts;
     struct embed_request request = request_of(min, max, tolerance, end, GIVEN({COR_SCENE_G_STAR, g_star}));
     assert_int_equal(contacts_of_request(&contacts, &request), STATUS_OK);
-    assert_int_equal(plan_spheres(plan, &request, contacts.contact, contacts.contact, count), STATUS_OK);
+    assert_int_equal(plan_spheres(plan, &request, contacts.contact, &request, contacts.contact, count), STATUS_OK);
     request_clear(&request);
 }
 

@@ -8,6 +8,8 @@
 #     table     a linear spring and dashpot whose coefficient is set at each first contact so that the pair rebounds
 #               with the eps that a table has at this impact speed; VALUE is a file of corgen sample --format python,
 #               made with --log and --end zero-force
+#     gravity   a linear spring K and dashpot C that never pulls, VALUE is K,C: a ball of 4 g on a fixed one, under
+#               gravity. It prints "gravity VALUE SPEED EPS", EPS where the surfaces part
 # prints, for three time steps,
 #     eps LAW VALUE SPEED STEP VALUE FORCE
 # SI units; the step in units of (rho/m)^(-2/5) g^(-1/5); FORCE, at last, must be zero.
@@ -111,6 +113,22 @@ def report_table(name, speed):
         print("eps table %s %s %d %.17g %g" % (name, speed, count, eps, force))
 
 
+def report_gravity(value, speed):
+    K, C = (float(number) for number in value.split(","))
+    O.reset()
+    O.materials.append(ViscElMat(kn=2 * K, cn=2 * C, ks=0, cs=0, density=1000))
+    O.bodies.append([sphere((0, 0, 0), 0.01, fixed=True), sphere((0.02, 0, 0), 0.01)])
+    ball, g = O.bodies[1].state, 9.81
+    ball.mass, ball.vel, O.dt = 4e-3, (-speed, 0, 0), 1e-6
+    O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()]),
+                 InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_ViscElMat_ViscElMat_ViscElPhys()],
+                                 [Law2_ScGeom_ViscElPhys_Basic()]), NewtonIntegrator(damping=0, gravity=(-g, 0, 0))]
+    while O.iter < 2 or ball.pos[0] < 0.02 and O.iter < 40000:
+        O.step()
+    up = ball.vel[0] - g * O.dt / 2  # YADE has the velocity of half a step ago
+    print("gravity %s %g %.9g" % (value, speed, sqrt(max(0, up * up + 2 * g * (ball.pos[0] - 0.02))) / speed))
+
+
 def report(law, value, speed):
     global dissipation_time
     for step in (8e-4, 4e-4, 2e-4) if law == "step" else (16e-5, 8e-5, 4e-5):
@@ -133,6 +151,8 @@ if arguments == ["version"]:
 while arguments and arguments != ["version"]:
     if arguments[0] == "table":
         report_table(arguments[1], float(arguments[2]))
+    elif arguments[0] == "gravity":
+        report_gravity(arguments[1], float(arguments[2]))
     else:
         report(arguments[0], float(arguments[1]), float(arguments[2]))
     arguments = arguments[3:]

@@ -89,7 +89,9 @@ static inline long double motion_force(const long double *y, const void *of)
 }
 
 struct motion_course {
-    long double eps[2], duration[2]; /* at zero overlap and at zero force; 0 and infinity: the bodies stay together */
+    /* At zero overlap and, with a constant force, back at the surface, otherwise at zero force; 0 and infinity: the bodies
+     * stay together */
+    long double eps[2], duration[2];
     long double max_overlap, time_of_max_overlap, force_max; /* the force at the steps */
 };
 
@@ -98,6 +100,7 @@ static inline struct motion_course motion_course(const struct motion *m, long do
 {
     struct motion_course r = {{0, 0}, {HUGE_VALL, HUGE_VALL}, 0, 0, 0};
     long double y[3] = {0, 1, 0}, next[3], at[3];
+    int released = 0;
     for (long k = 0; k < 1000000; k++, memcpy(y, next, sizeof y)) {
         const long double force = motion_force(y, m);
         memcpy(next, y, sizeof y);
@@ -116,11 +119,15 @@ static inline struct motion_course motion_course(const struct motion *m, long do
             r.time_of_max_overlap = at[2];
             memcpy(next, at, sizeof y); /* where a force may change with the direction */
         }
-        if (k > 0 && !(r.eps[1] > 0) && force > 0 && motion_force(next, m) <= 0) {
+        if (k > 0 && !released && force > 0 && motion_force(next, m) <= 0) {
             memcpy(at, y, sizeof y);
             runge_kutta_until(motion_force, motion_contact, m, at, 3, h);
-            r.eps[1] = -at[1];
-            r.duration[1] = at[2];
+            const long double left = at[1] * at[1] - 2 * m->press * motion_power(at[0], m->d);
+            released = 1;
+            if (left > 0) {
+                r.eps[1] = sqrtl(left);
+                r.duration[1] = at[2] - (m->press > 0 ? (at[1] + r.eps[1]) / m->press : 0);
+            }
             if (m->at_zero_force)
                 return r;
         }
@@ -129,7 +136,7 @@ static inline struct motion_course motion_course(const struct motion *m, long do
             runge_kutta_until(motion_overlap, motion_contact, m, at, 3, h);
             r.eps[0] = -at[1];
             r.duration[0] = at[2];
-            if (!(r.eps[1] > 0)) { /* a force that is 0 at zero overlap alone */
+            if (!released) { /* a force that is 0 at zero overlap alone */
                 r.eps[1] = r.eps[0];
                 r.duration[1] = at[2];
             }

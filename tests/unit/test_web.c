@@ -13,6 +13,7 @@ const char *web_wrong_text(void);
 void web_impacts(const double *speed_m_s, double *y, size_t n);
 const char *web_table(int digits, int errors);
 const char *web_models(int digits);
+const char *web_summary(int digits);
 const char *web_lines(void);
 const char *web_command(void);
 const char *web_header(void);
@@ -36,6 +37,34 @@ static struct cor_sphere_contact glass(double dissipation_time_s)
     struct cor_sphere_contact contact;
     assert_int_equal(cor_sphere_contact_init(&contact, &body, &body), 0);
     return contact;
+}
+
+/* Under gravity the second end is the surface: its name, its numbers, and a header that takes gravity. */
+TEST(test_gravity)
+{
+    double y[8], eps;
+    static const char ball[] = "young=1e6\npoisson=0.3\nradius=0.01\ndensity=1000\nwall=yes\ngravity=9.81\n";
+    char options[WEB_VALUE * 4];
+    snprintf(options, sizeof options, "%srestitution=0.9\nat=1\nend=surface\nspeed=1,0.001", ball);
+    assert_int_equal(web_read(options), 1);
+    web_impacts(&(double){1}, y, 1);
+    assert_near(y[2], 0.9, 1e-12);
+    assert_int_equal(cor_scene_eps(&eps, &web_now.contact[0], 0.5, COR_END_ZERO_FORCE), 0);
+    web_impacts(&(double){0.5}, y, 1);
+    assert_true(y[2] == eps && y[1] < y[2]);
+    assert_non_null(strstr(web_table(6, 0),
+                           "speed_m_s,beta,eps_zero_overlap,eps_surface,duration_s_zero_overlap,duration_"
+                           "s_surface,"));
+    assert_non_null(strstr(web_summary(6), "\nsticking_speed_surface,"));
+    assert_string_equal(web_header(), "corgen embed --young 1e6 --poisson 0.3 --radius 0.01 --density 1000 --wall "
+                                      "--gravity 9.81 --restitution 0.9 --at 1 --speed-min 0.001 --speed-max 10 "
+                                      "--tolerance 1e-06 --end surface --output cor_scene_eps.h\n");
+    snprintf(options, sizeof options, "%szeta=0.1\nlaw=tsuji", ball);
+    assert_int_equal(web_read(options), 1);
+    assert_non_null(strstr(web_header(), "no header under a constant force"));
+    snprintf(options, sizeof options, "%sg-star=400\nend=zero-force", ball);
+    assert_true(!web_read(options) && strstr(web_wrong_text(), "--end surface"));
+    assert_true(!web_read(GLASS "g-star=400\nend=surface") && strcmp(web_wrong_option(), "end") == 0);
 }
 
 TEST(test_impacts_are_those_of_a_contact)
@@ -144,5 +173,5 @@ TEST(test_the_header)
                         "zero-force --output cor_scene_eps.h\n");
 }
 
-RUN_TESTS(test_impacts_are_those_of_a_contact, test_a_wrong_request_leaves_the_last_one,
+RUN_TESTS(test_gravity, test_impacts_are_those_of_a_contact, test_a_wrong_request_leaves_the_last_one,
           test_the_picture_has_its_points_where_the_axes_say, test_lines_and_own_maps_of_a_simulator, test_the_header)
