@@ -10,8 +10,9 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* The columns: names of the dimensionless collision and in SI units, NULL: none; the end at which the number holds */
-enum { BETA, FORCE_MAX = 7, STICKING, COLUMNS = STICKING + 2 };
+/* The columns: names of the dimensionless collision and in SI units, NULL: none; the end at which the number holds.
+ * Under a constant force the surface is in the place of zero force. */
+enum { BETA, FORCE_MAX = 9, STICKING, COLUMNS = STICKING + 2 };
 static const struct {
     const char *name[2], *meaning;
     int end; /* OPTIONS_NOT_GIVEN: none */
@@ -25,10 +26,12 @@ static const struct {
     {{"t_zero_overlap", "duration_s_zero_overlap"}, "duration of that contact", END_ZERO_OVERLAP},
     {{"eps_zero_force", "eps_zero_force"}, "coefficient of restitution, contact ends at zero force", END_ZERO_FORCE},
     {{"t_zero_force", "duration_s_zero_force"}, "duration of that contact", END_ZERO_FORCE},
+    {{"eps_surface", "eps_surface"}, "restitution at the surface, contact ends at zero force", END_SURFACE},
+    {{"t_surface", "duration_s_surface"}, "time until the bodies are there again", END_SURFACE},
     {{NULL, "max_force_n"}, "largest force between the bodies", OPTIONS_NOT_GIVEN},
     /* --threshold */
     {{"sticking_force_zero_overlap", NULL}, "force from which on the overlap never vanishes again", END_ZERO_OVERLAP},
-    {{"sticking_force_zero_force", NULL}, "force from which on the contact force never vanishes", END_ZERO_FORCE}};
+    {{"sticking_force_surface", NULL}, "force from which on the bodies never reach the surface again", END_SURFACE}};
 
 #define BETA_MAX 1e6
 
@@ -37,13 +40,19 @@ static bool in_si(const struct collide_arguments *o)
     return o->stiffness.text != NULL;
 }
 
+/* A force of 0 is none. */
+static bool is_pressed(const struct collide_arguments *o)
+{
+    return o->threshold || (o->force.text && !fmpq_is_zero(o->force.value));
+}
+
 /* Whether column i is printed: those of an end that is not asked for are not even computed. Under a constant force the
  * one peak of the force is not proved. */
 static bool is_printed(int i, const struct collide_arguments *o)
 {
     const int end = column[i].end;
     return column[i].name[in_si(o)] && (i == BETA || (i >= STICKING) == o->threshold) &&
-           !(i == FORCE_MAX && o->force.text) &&
+           !(i == FORCE_MAX && is_pressed(o)) && end != (is_pressed(o) ? END_ZERO_FORCE : END_SURFACE) &&
            (end == OPTIONS_NOT_GIVEN || o->end == OPTIONS_NOT_GIVEN || o->end == end);
 }
 
@@ -90,6 +99,8 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     const fmpq *const F = o->force.value, *const m = o->effective_mass.value, *const g = o->speed.value;
     profile_step("collision");
     table_init(table, header, "dddddddd");
+    int at = o->end;
+    contact_end_given(&at, is_pressed(o));
     LOCAL(arb, beta, time_unit, force, pressing);
     LOCAL_VECTOR(sticking, 2);
     LOCAL_INIT(collision, collision, (&collision));
@@ -101,7 +112,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     if (o->force.text) /* F T/(m g) in SI units */
         LET(pressing, 3 * bits + 256, in_si(o) ? "F*time_unit/(m*g)" : "F", F, time_unit, m, g);
     int status =
-        o->threshold ? STATUS_OK : collision_solve_pressed(&collision, beta, pressing, &o->law.exponents, o->end, bits);
+        o->threshold ? STATUS_OK : collision_solve_pressed(&collision, beta, pressing, &o->law.exponents, at, bits);
     for (int end = 0; end < 2 && o->threshold && status == STATUS_OK; end++)
         if (is_printed(STICKING + end, o))
             status = collision_sticking_force(sticking + end, beta, &o->law.exponents, end, bits);
@@ -111,7 +122,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
         for (int i = 0; i < 3; i++)
             arb_mul(time[i], time[i], time_unit, prec);
         LET(collision.x_max, prec, "collision.x_max*time_unit*g", collision.x_max, time_unit, g);
-        status = o->force.text ? STATUS_OK : collision_force_max(force, beta, &o->law.exponents, bits);
+        status = is_pressed(o) ? STATUS_OK : collision_force_max(force, beta, &o->law.exponents, bits);
         LET(force, prec, "force*m*g/time_unit", force, m, g, time_unit);
     }
     profile_step("digits");
@@ -120,6 +131,8 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
                                               collision.t_max,
                                               collision.eps_zero_overlap,
                                               collision.t_zero_overlap,
+                                              collision.eps_zero_force,
+                                              collision.t_zero_force,
                                               collision.eps_zero_force,
                                               collision.t_zero_force,
                                               force,
@@ -162,6 +175,9 @@ static int run_collide(const void *arguments)
     }
     if (o->threshold && fmpq_is_zero(o->beta.value))
         return usage_error("--threshold: without damping no force keeps the bodies together; --beta must be above 0");
+    int end = o->end;
+    if (contact_end_given(&end, is_pressed(o)) != STATUS_OK)
+        return STATUS_USAGE;
     const struct proved_table table = {o->digits, o, fill_table, print_text};
     return proved_table_write(&table, &o->common);
 }
@@ -178,13 +194,15 @@ static const char help[] =
     "                   in SI units newtons; bodies that stay together have eps 0 and t inf, proved\n"
     "  --threshold      instead the force from which on they do, in units of m g/T\n"
     "  --end E          compute only zero-overlap or zero-force, without waiting for the other end\n"
-    "                   (default: both)\n" HELP_DIGITS
+    "                   (default: both); under a force zero-overlap or surface\n" HELP_DIGITS
     "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
     "with --end, without the columns of the other end. In SI units beta,max_overlap_m,\n"
     "time_of_max_overlap_s,eps_zero_overlap,duration_s_zero_overlap,eps_zero_force,\n"
-    "duration_s_zero_force,max_force_n, with --force without the last. With --threshold beta,\n"
-    "sticking_force_zero_overlap,sticking_force_zero_force.\n"
+    "duration_s_zero_force,max_force_n. Under a force the last is missing, and eps_surface,t_surface or\n"
+    "duration_s_surface are in place of those at zero force: the bodies part where the contact force\n"
+    "vanishes and fly to the surface, the place of first contact. With --threshold beta,\n"
+    "sticking_force_zero_overlap,sticking_force_surface.\n"
     "\nExample: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
@@ -202,7 +220,7 @@ static const struct option_rule options[] = {
     OPTION("force", REAL, force, .range.number = &option_not_negative),
     OPTION("threshold", FLAG, threshold, .excludes = "force stiffness", .needs = "beta"),
     OPTION_DIGITS,
-    OPTION_END(end),
+    OPTION_END_OF(end, contact_end_options_pressed),
     OPTION_FORMAT(option_formats),
     OPTION_JSON_STRINGS,
     OPTION_LAW,

@@ -33,6 +33,16 @@ static struct complex_ball exponential(struct complex_ball x, double power)
     return ball_exp(ball_widened(ball_times(x, power), 0x1p-48 * ball_size(x)));
 }
 
+/* The logarithm that is real for positive numbers, of a ball in the right half plane. Returns false for other balls. */
+static bool logarithm(struct complex_ball *log_x, struct complex_ball x)
+{
+    const double size = ball_size(x);
+    if (!(x.re > raised(x.radius)))
+        return false;
+    *log_x = (struct complex_ball){log(size), atan2(x.im, x.re), raised(-log1p(-raised(x.radius / size)) + 0x1p-46)};
+    return true;
+}
+
 /* ---- the equation along a path, c1, c2 and c3 as the path's user sets them ---- */
 
 /* dv/ds, c1 = beta, c3 = f */
@@ -201,8 +211,14 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law,
         done = done && path_follow(&p, force_by_log, q, zero, &y);
     }
     *log_eps = ball_sub(ball_times(y.value, p.difference), log_beta);
-    if (p.pressed)
-        *log_eps = ball_sub(*log_eps, pressing->log_speed);
+    if (!p.pressed || !done)
+        return done;
+    /* (eps/v_f)^2 = 1 - 2 f x_f/v_f^2 of the flight to the surface */
+    const struct complex_ball lost = ball_times(ball_mul(p.c3, exponential(y.value, 1 - 2 * p.difference)), 2);
+    struct complex_ball flight;
+    *log_eps = ball_sub(*log_eps, pressing->log_speed);
+    done = logarithm(&flight, ball_sub(one, lost));
+    *log_eps = ball_add(*log_eps, ball_times(flight, 0.5));
     return done;
 }
 
@@ -223,11 +239,9 @@ bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, stru
         return false;
     /* W = k X^(a-b)/beta, so that the coefficients are F/k and F/k^2. ln(k) is the one that is continued from real beta
      * if k is in the right half plane. */
-    if (!(k.value.re > raised(k.value.radius)))
+    struct complex_ball log_k;
+    if (!logarithm(&log_k, k.value))
         return false;
-    const double size = ball_size(k.value);
-    const struct complex_ball log_k = {log(size), atan2(k.value.im, k.value.re),
-                                       raised(-log1p(-raised(k.value.radius / size)) + 0x1p-46)};
     const struct complex_ball inverse = ball_inv(k.value);
     p.c1 = ball_times(inverse, CREEP_END);
     p.c2 = ball_mul(p.c1, inverse);

@@ -16,8 +16,9 @@
  * the units of one impact speed, other impacts of the same contact have the same beta and f and begin with another
  * speed v. Then eps is the last speed over v: the force does no work on the whole, and its uncertainty none either.
  *
- * eps is W exp(l) at zero overlap and x^(a-b)/beta at zero force. The departure begins at kappa = 1 or after the creep.
- * eps is analytic in beta where the denominators have no zero along the path. */
+ * eps is W exp(l) at zero overlap and x^(a-b)/beta at zero force. Under a force zero_force means the surface, and eps
+ * has the factor sqrt(1 - 2 f beta^2 x^(1-2(a-b))) of the flight from there. The departure begins at kappa = 1 or after
+ * the creep. eps is analytic in beta where the denominators have no zero along the path. */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 #define COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 

@@ -25,11 +25,11 @@ void collision_clear(struct collision *c)
 /* What a constant force adds */
 struct pressing {
     bool any;         /* whether there is one */
-    bool held, stuck; /* the contact force never vanishes; the overlap never vanishes */
-    bool has_release; /* the contact force can vanish at w >= release only: 2 (a - b) > 1 */
+    bool held, stuck; /* the bodies never reach the surface; the overlap never vanishes */
+    bool has_release; /* those that reach the surface are released at w >= release: 2 (a - b) > 1 */
     bool cut;         /* the last step ended there */
     arb_t release;    /* w */
-    arb_t least;      /* below this energy the contact force never vanishes */
+    arb_t least;      /* the energy of a release there: below it the bodies never reach the surface */
 };
 
 struct motion {
@@ -107,9 +107,9 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
     return crossing != TAYLOR_UNDECIDED;
 }
 
-/* Under a constant force, within one approach to x = 0, the contact force can vanish and grow again; the first at
- * overlaps above that of release, the second below. Where a step passes this overlap, it is shortened to end just
- * above, so that signs at both ends of a step show whether the force vanishes in it. Returns whether `end` moved. */
+/* Under a constant force, within one approach to x = 0, the contact force can vanish and grow again, the second only at
+ * overlaps below that of release. Where a step passes this overlap, it is shortened to end just above, so that signs at
+ * both ends of a step show whether the force vanishes in it. Returns whether `end` moved. */
 static bool cut_at_release(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
@@ -133,6 +133,28 @@ static bool cut_at_release(struct motion *m, arb_t end)
     return p->cut = true;
 }
 
+/* Records the zero-force end, or under a constant force the flight from there to the surface. Returns false if the
+ * intervals do not decide whether it arrives. */
+static bool record_release(struct motion *m, const arb_t root)
+{
+    struct collision *const c = m->c;
+    const struct taylor *const y = &m->y;
+    motion_record(c->eps_zero_force, c->t_zero_force, m, root);
+    if (!m->pressing.any)
+        return true;
+    const slong d = y->law.d;
+    LOCAL(arb, x, rest);
+    taylor_value(x, y, TAYLOR_W, root);
+    LET(x, y->prec, "x^d", x, d);
+    LET(rest, y->prec, "c->eps_zero_force^2 - 2*y->c3*x", c->eps_zero_force, y->c3, x);
+    if (!arb_is_positive(rest))
+        return false;
+    LET(c->t_zero_force, y->prec, "c->t_zero_force + 2*x*m->length/(c->eps_zero_force + sqrt(rest))", c->t_zero_force,
+        x, m->length, c->eps_zero_force, rest);
+    arb_sqrt(c->eps_zero_force, rest, y->prec);
+    return true;
+}
+
 /* Searches before `end`. If the overlap vanishes in the same step, the two events may be too close to be separated. */
 static bool find_zero_force(struct motion *m, arb_t end)
 {
@@ -142,8 +164,8 @@ static bool find_zero_force(struct motion *m, arb_t end)
         return false; /* at release, and the energy has not decided */
     const enum taylor_crossing crossing = taylor_crosses(root, &m->y, TAYLOR_FORCE, m->begin, end);
     m->released = crossing == TAYLOR_CROSSED;
-    if (m->released)
-        motion_record(m->c->eps_zero_force, m->c->t_zero_force, m, root);
+    if (m->released && !record_release(m, root))
+        return false;
     return crossing != TAYLOR_UNDECIDED || m->parted;
 }
 
@@ -197,20 +219,19 @@ static void press(struct motion *m, const arb_t force)
 {
     struct taylor *const y = &m->y;
     struct pressing *const p = &m->pressing;
-    const slong d = y->law.d, n = y->law.ad - y->law.bd, power = 2 * n - d;
-    LOCAL(arb, ratio, v);
+    const slong d = y->law.d, ad = y->law.ad, power = 2 * (ad - y->law.bd) - d;
+    LOCAL(arb, ratio);
     p->any = true;
     arb_mul(y->c3, force, m->length, y->prec);
     if (!m->force_ends)
         return;
     p->has_release = power > 0;
     if (power <= 0)
-        return; /* below E = 0, the least value of the energy where the force vanishes */
-    /* (a - b) (c2/c1)^2 X^(2(a-b)-1) = c3 */
+        return; /* E = 0 is the least energy */
+    /* (c2/c1)^2 X^(2(a-b)-1) = 2 c3: v^2 = 2 c3 X */
     arb_div(ratio, y->c1, y->c2, y->prec);
-    LET(p->release, y->prec, "(ratio^2*y->c3*d/n)^(1/power)", ratio, y->c3, d, n, power);
-    LET(v, y->prec, "p->release^n/ratio", p->release, n, ratio);
-    energy(p->least, y, p->release, v);
+    LET(p->release, y->prec, "(2*ratio^2*y->c3)^(1/power)", ratio, y->c3, power);
+    LET(p->least, y->prec, "p->release^(ad + d)*y->c2*d/(ad + d)", p->release, ad, d, y->c2);
 }
 
 /* Whether the overlap rises to that of rest, X_e, and never beyond: for v < k (X_e - X), k half of the damping

@@ -36,7 +36,8 @@ enum motion_outcome {
 enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,
                                  slong prec);
 
-/* The same under a constant force > 0, for zero force (a > b, beta > 0) or both ends. Bodies that stay together have
+/* The same under a constant force > 0, with the surface in place of zero force (a > b, beta > 0), or for both ends.
+ * Bodies that stay together have
  * eps exactly 0 and t = +inf; if the overlap never exceeds that of rest, x_max is that and t_max = +inf: all proved
  * (docs/theory.md, 24). */
 enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,

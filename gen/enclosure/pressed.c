@@ -3,8 +3,8 @@
  *
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *
- * At the threshold the motion just reaches X = 0 with no speed; at the end of zero force, with 2 (a - b) > 1, the curve
- * of zero force just touches it, at X_t with (a - b) X_t^(2(a-b)-1) = B^2. Backward in time from there it arrives at
+ * At the threshold the motion just reaches X = 0 with no speed, at the surface with 2 (a - b) > 1 by a flight that
+ * begins where the contact force vanishes, at X_s with X_s^(2(a-b)-1) = 2 B^2. Backward in time from there it arrives at
  * X = 0 with the speed V: one motion for each B, which gives f = V^(-2a/(a+1)) and beta = B V^q. */
 #include <math.h>
 
@@ -18,22 +18,22 @@ enum { GUARD_BITS = 60, SEARCH_BITS = 128, SEARCH_STEPS = 200, ATTEMPTS = 6, FAR
 
 /* The state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v. With
  * u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
-static void start(struct taylor *y, const arb_t damping, bool touches)
+static void start(struct taylor *y, const arb_t damping, bool flies)
 {
     const struct law *const law = &y->law;
     const struct ratio law_a = law->a, law_b = law->b;
-    const slong d = law->d, n = law->ad - law->bd, prec = y->prec, power_of_n = 2 * n - d;
+    const slong d = law->d, n = law->ad - law->bd, prec = y->prec, power = 2 * n - d;
     LOCAL(arb, x, lost, gained, ball, root);
-    if (touches) {
-        LET(y->w, prec, "(damping^2*d/n)^(1/power_of_n)", damping, d, n, power_of_n);
+    if (flies) {
+        LET(y->w, prec, "(2*damping^2)^(1/power)", damping, power);
         LET(y->v, prec, "y->w^n/damping", y->w, n, damping);
         return;
     }
     /* delta^a and B delta^(b+1/2) are below 2^-k, and so are |r| and, by far, what |r| R leaves */
     const double size = fmax(arf_get_d(arb_midref(damping), ARF_RND_UP), 1);
     const double k = (double)prec / 2 + 4, a = (double)law->ad / (double)d, b = (double)law->bd / (double)d;
-    const slong power = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */
-    LET(y->w, prec, "2^power", power);
+    const slong small = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */
+    LET(y->w, prec, "2^small", small);
     LET(x, prec, "y->w^d", y->w, d);
     LET(lost, prec, "x^law_a/(law_a + 1)", x, law_a);
     arb_set_ui(ball, 3);
@@ -52,11 +52,12 @@ static enum backward impact_speed(arb_t speed, const arb_t damping, const struct
     const struct law even = law_even(law);
     LOCAL_INIT(taylor, y, (&y, &even, taylor_degree(prec), prec));
     LOCAL(arb, root, begin);
+    const slong power = 2 * (even.ad - even.bd) - even.d;
     bool turned = false;
     arb_neg(y.c1, damping);
     arb_one(y.c2);
     arb_one(y.c3);
-    start(&y, damping, end == END_ZERO_FORCE && 2 * (even.ad - even.bd) > even.d);
+    start(&y, damping, end == END_ZERO_FORCE && power > 0);
     for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
         progress("threshold of the force", step, 0);
         taylor_expand(&y);
@@ -202,6 +203,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
 int collision_sticking_force(arb_t force, const arb_t beta, const struct law *law, int end, slong bits)
 {
     LOCAL(arb, damping, found, low, high, f_low, f_high, other, at);
+    const slong narrowest = bits + GUARD_BITS / 3;
     slong prec = bits + GUARD_BITS, width = 30;
     if (law->ad == 0) { /* x'' + beta x^b x' = force - 1 */
         arb_one(force);
@@ -219,9 +221,9 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
         arb_get_mid_arb(damping, damping);
         arb_around(low, high, damping, -width, prec);
         if (!curve(f_low, force, beta, low, law, end, prec) || !curve(f_high, other, beta, high, law, end, prec) ||
-            !arb_is_finite(f_low) || !arb_is_finite(f_high)) {
+            !arb_is_finite(f_low) || !arb_is_finite(f_high) || arb_contains_zero(f_low) || arb_contains_zero(f_high)) {
             prec += prec / 2;
-            if (prec > 4 * (bits + GUARD_BITS))
+            if (prec > 16 * (bits + GUARD_BITS))
                 break;
             continue;
         }
@@ -230,10 +232,10 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
         arb_union(force, force, other, prec);
         if (proved && arb_rel_accuracy_bits(force) >= bits)
             return STATUS_OK;
-        if (proved)
-            width = FLINT_MIN(2 * width - 6, bits + GUARD_BITS / 3);
-        else if (i > 8)
+        if (proved && width == narrowest) /* rounding limits the force */
             prec += prec / 4;
+        if (proved)
+            width = FLINT_MIN(2 * width - 6, narrowest);
         LET(damping, prec, "low - (high - low)*f_low/(f_high - f_low)", low, high, f_low, f_high);
     }
     if (law_speed_exponent(law).num > 0) { /* motions escape next to B */

@@ -9,6 +9,7 @@
 #include "enclosure/collision.h"
 #include "enclosure/motion.h"
 #include "enclosure/slow_manifold.h"
+#include "motion.h"
 #include "series/restitution.h"
 
 static const slong PREC = 600;
@@ -429,21 +430,103 @@ TEST(test_turns_beyond_rest)
     assert_is(c->t_max, "t_max", 0, "2*log(31)/3");
 }
 
+/* ---- the surface under a constant force ---- */
+
+/* x'' + beta x^b x' + x^a = force, x = w^d, y = {w, x', t, loss}: the damping takes `loss` of the energy 1/2 */
+struct pressed_law {
+    struct law law;
+    long double beta, force;
+};
+
+static void pressed_slopes(long double *slope, const long double *y, const void *of)
+{
+    const struct pressed_law *const p = of;
+    const long double damping = p->beta * motion_power(y[0], (int)p->law.bd) * y[1];
+    slope[0] = y[1];
+    slope[2] = (long double)p->law.d * motion_power(y[0], (int)p->law.d - 1);
+    slope[1] = slope[2] * (p->force - damping - motion_power(y[0], (int)p->law.ad));
+    slope[3] = slope[2] * damping * y[1];
+}
+
+/* Falls to 0 where the contact force or the overlap does */
+static long double pressed_contact(const long double *y, const void *of)
+{
+    const struct pressed_law *const p = of;
+    const int power = (int)(p->law.ad - p->law.bd);
+    return power > 0 ? fminl(y[0], p->beta * y[1] + motion_power(y[0], power)) : y[0];
+}
+
+/* eps^2 at the surface, not positive: the bodies stay together; y becomes the state where the contact ends. A flight
+ * loses the elastic energy of its beginning. At a second turning point the damping has taken all of the energy, or, under
+ * a large force, rounding hides the end of the contact, where the damping takes next to nothing. */
+static long double surface_by_loss(long double y[4], const struct pressed_law *p)
+{
+    const long double a = ratio_double(p->law.a), size = powl(fmaxl(1, p->force), 1 / a);
+    const long double h = 4e-3L * powl(size, 1 / (long double)p->law.d) / fmaxl(1, sqrtl(p->force * size));
+    bool turned = false, ends = false;
+    memcpy(y, (const long double[4]){0, 1, 0, 0}, 4 * sizeof *y);
+    while (!ends && !(turned && y[1] >= 0)) {
+        turned = turned || y[1] < 0;
+        ends = runge_kutta_until(pressed_contact, pressed_slopes, p, y, 4, h);
+    }
+    const long double x = ends ? motion_power(fmaxl(y[0], 0), (int)p->law.d) : 0;
+    const long double rest = 1 - 2 * y[3] - 2 * powl(x, a + 1) / (a + 1);
+    y[2] += 2 * x / (sqrtl(fmaxl(rest, 0)) - y[1]);
+    return rest;
+}
+
+/* Laws with a - b from -1 to 3, forces up to 1e12, and energies of which the damping takes up to all */
+TEST(test_surface)
+{
+    LOCAL(collision, c);
+    LOCAL(arb, beta, force);
+    for (size_t i = 0; i < points(24); i++) {
+        char a[16], b[16];
+        long double y[4];
+        const size_t d = 1 + random_below(&draw, i % 2 ? 3 : 2);
+        snprintf(a, sizeof a, "%zu/%zu", d + random_below(&draw, 2 * d + 1), d);
+        snprintf(b, sizeof b, "%zu/%zu", random_below(&draw, 2 * d + 1), d);
+        const double f = i % 2 ? random_log(&draw, 1e-3, 10) : random_log(&draw, 1, 1e12);
+        struct pressed_law p = {law_of(a, b), 1e-40L, f};
+        surface_by_loss(y, &p);
+        const double strength = (double)(p.beta * 0.5L / y[3] * random_uniform(&draw, 0.1, 1.3));
+        arb_set_d(beta, fmin(strength, 1.5));
+        arb_set_d(force, f);
+        p.beta = middle(beta);
+        const long double rest = surface_by_loss(y, &p);
+        if (fabsl(rest) < 1e-3L)
+            continue; /* too near to the threshold */
+        assert_int_equal(collision_solve_pressed(c, beta, force, &p.law, i % 3 ? 1 : -1, 60), 0);
+        const double eps = middle(c->eps_zero_force);
+        check(rest < 0 ? eps == 0 : fabsl(eps * (long double)eps - rest) < 1e-7L,
+              "%s, %s, beta %.17g, force %.17g: eps %.17g, not %.17Lg", a, b, middle(beta), f, eps, sqrtl(rest));
+        if (f <= 10)
+            check(rest < 0 ? !arb_is_finite(c->t_zero_force) : fabsl(middle(c->t_zero_force) / y[2] - 1) < 1e-7L / rest,
+                  "%s, %s, beta %.17g, force %.17g: %.17g, not %.17Lg", a, b, middle(beta), f, middle(c->t_zero_force),
+                  y[2]);
+    }
+}
+
 /* The ends of an enclosure of the force from which on the bodies stay together: at the lower one they part, at the
  * upper one they do not. B of beta = 6 lies next to the damping from which on motions escape. */
 TEST(test_sticking_force)
 {
+    static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"},   {"3/2", "0"}, {"2", "1"},
+                                          {"1", "1/2"},   {"5/4", "1"}, {"3", "1"},   {"1", "2/3"}};
     LOCAL(collision, c);
     LOCAL(arb, beta, force, end);
-    arb_set_si(beta, 6);
-    assert_int_equal(collision_sticking_force(force, beta, &law_sphere, 0, 30), 0);
-    assert_bits(force, 30);
-    arb_get_lbound_arf(arb_midref(end), force, PREC);
-    assert_int_equal(collision_solve_pressed(c, beta, end, &law_sphere, 0, 20), 0);
-    assert_true(arb_is_positive(c->eps_zero_overlap));
-    arb_get_ubound_arf(arb_midref(end), force, PREC);
-    assert_int_equal(collision_solve_pressed(c, beta, end, &law_sphere, 0, 20), 0);
-    assert_true(arb_is_zero(c->eps_zero_overlap));
+    for (size_t i = 0; i < points(10); i++) {
+        const struct law law = law_of(laws[i % 8][0], laws[i % 8][1]);
+        const int at = i == 0 ? 0 : (int)random_below(&draw, 2);
+        arb_set_d(beta, i == 0 ? 6 : random_log(&draw, 1e-6, 0.5));
+        assert_int_equal(collision_sticking_force(force, beta, &law, at, 30), 0);
+        assert_bits(force, 30);
+        for (int above = 0; above < 2; above++) {
+            (above ? arb_get_ubound_arf : arb_get_lbound_arf)(arb_midref(end), force, PREC);
+            assert_int_equal(collision_solve_pressed(c, beta, end, &law, at, 20), 0);
+            assert_true(above ? arb_is_zero(c->field[at]) : arb_is_positive(c->field[at]));
+        }
+    }
     /* an elastic force of 1 at every overlap: no other force balances it, and the speed says nothing */
     const struct law constant = law_of("0", "1");
     assert_int_equal(collision_sticking_force(force, beta, &constant, 0, 30), 0);
@@ -587,5 +670,5 @@ TEST(test_edges)
 
 RUN_TESTS(test_force, test_final_speed, test_threshold, test_collisions, test_tsuji, test_backward_series,
           test_closed_forms, test_wide_beta, test_angle, test_slow_manifold, test_forgetting, test_missed_manifold,
-          test_below_threshold, test_strong_force, test_turns_beyond_rest, test_sticking_force, test_critical,
-          test_one_end, test_between_methods, test_edges)
+          test_below_threshold, test_strong_force, test_turns_beyond_rest, test_surface, test_sticking_force,
+          test_critical, test_one_end, test_between_methods, test_edges)
