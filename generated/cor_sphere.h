@@ -61,6 +61,7 @@
 
 /* Powers of two, in decimal because hexadecimal constants need C++17. */
 #define COR_INLINE_2_M900 1.18305218616677471e-271
+#define COR_INLINE_2_M574 1.61726984478087796e-173
 #define COR_INLINE_2_M500 3.05493636349960468e-151
 #define COR_INLINE_2_M300 4.90909346529772656e-91
 #define COR_INLINE_2_M200 6.22301527786114171e-61
@@ -183,6 +184,15 @@ COR_INLINE int cor_inline_exponent(double x)
 COR_INLINE double cor_inline_significand(double x)
 {
     return cor_inline_from_bits((cor_inline_bits(x) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
+}
+
+/* x times a power of two that leaves a normal number, x > 0. The bits of a subnormal x count its units of 2^-1074, also
+ * where the processor flushes such numbers to 0. */
+COR_INLINE double cor_inline_raised(double x, double power)
+{
+    if (cor_inline_bits(x) >> 52 != 0)
+        return x * power;
+    return (double)cor_inline_bits(x) * COR_INLINE_2_M574 * (power * COR_INLINE_2_M500);
 }
 
 /* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
@@ -329,7 +339,7 @@ COR_INLINE double cor_inline_fifth_root(double x)
     if (cor_inline_bits(x) - 1 >= COR_INLINE_INFINITY_BITS - 1)
         return x;
     if (x < COR_INLINE_2_M900)
-        return cor_inline_fifth_root_normal(x * COR_INLINE_2_200) * COR_INLINE_2_M40;
+        return cor_inline_fifth_root_normal(cor_inline_raised(x, COR_INLINE_2_200)) * COR_INLINE_2_M40;
     if (x > COR_INLINE_2_900)
         return cor_inline_fifth_root_normal(x * COR_INLINE_2_M200) * COR_INLINE_2_40;
     return cor_inline_fifth_root_normal(x);
@@ -5752,7 +5762,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     struct cor_inline_pair numerator, denominator;
     numerator.hi = a[0];
     numerator.lo = a[1];
-    denominator.hi = tiny ? eps * COR_INLINE_2_500 : eps;
+    denominator.hi = tiny ? cor_inline_raised(eps, COR_INLINE_2_500) : eps;
     denominator.lo = 0;
     return cor_inline_pair_over(numerator, denominator);
 }

@@ -10,8 +10,10 @@
  * dashpot and Tsuji's damping, zeta = beta/sqrt(2 (a + 1)) is the parameter, and eps is the same at every speed.
  *
  * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They
- * compute in the floating-point environment of the caller, are safe in threads, and use no memory but a stack of a few
- * kilobytes. Source: docs/theory.md, 9, and docs/laws.md. */
+ * are safe in threads, and use no memory but a stack of a few kilobytes. They compute in the default floating-point
+ * environment, in which a solver of the caller runs too, and leave the environment of the caller and errno as they are,
+ * whatever the arguments. Functions behind the pointers of a model run in the environment of their caller. Source:
+ * docs/theory.md, 9, and docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 
@@ -75,7 +77,7 @@ double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
  * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
  * Special values: damping negative, infinite or NaN -> NaN. */
 #define COR_LAW_FORCE_MAX_ERROR 1e-12
-double cor_law_force_max(const struct cor_exponents *law, double damping);
+double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
 /* ---- spheres that yield, spheres in a liquid ---- */
 
@@ -154,7 +156,7 @@ struct cor_scene_impact {
  * included, which takes an integration for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
  * COR_FAULT_SOLVER, or what the solver returned. */
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
-int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end);
+int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
 /* In a liquid eps is that of the whole, with the error of cor_wet_eps; the rest is that of the dry contact, at the
  * speed that the liquid leaves. Where it leaves none, nothing touches: beta and durations are NaN, overlap and force
@@ -240,7 +242,7 @@ int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_co
  * 0.1 %, or to one step. Sampled: a scan from 2 steps on, in ratios of 1.2 and at eight numbers up to one step more,
  * which goes on to four times the last number that failed. In between the scatter may be larger by a tenth.
  * COR_FAULT_STEP also where more than 1e6 steps would have to be tried. */
-int cor_scene_step_for(double *steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
+int cor_scene_step_for(double *least_steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator);
 
 /* The contact with the damping whose mean over the phases is the exact eps of `contact`: its bias, less this eps, is
@@ -295,8 +297,10 @@ enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
 /* Spheres that adhere as in JKR pull each other beyond zero overlap, and part where the tail ends, or, in LAMMPS, at
  * the largest pull, with half of the loss. These ends have the places of zero overlap and of zero force in arrays. The
  * damping force is C (c^2/R)^b x' with the radius c of the contact, which for w -> 0 is that of the law.
- * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute, and durations relative, if eps > 1e-3; sampled in
- * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. */
+ * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute. Durations have that relative error while eps > 0.01, and
+ * 0.01/eps times it down to eps = 1e-3, where the rounding error of eps^2 moves the end. Sampled in
+ * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite where the bodies
+ * stick at every speed. */
 enum cor_jkr_end { COR_JKR_TAIL = COR_END_ZERO_OVERLAP, COR_JKR_LARGEST_PULL = COR_END_ZERO_FORCE };
 #define COR_JKR_EPS2_MAX_ERROR 1e-12
 
@@ -539,7 +543,7 @@ enum { COR_SIMULATOR_REASON = 1200 };
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
 
 /* The same for a list: a line for each simulator, or, if one is named, for each of its models */
-long cor_simulator_list(char *text, size_t size, const struct cor_simulator *simulator);
+long cor_simulator_list(char *text, size_t size, const struct cor_simulator *named);
 
 #ifdef __cplusplus
 }

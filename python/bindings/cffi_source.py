@@ -8,7 +8,7 @@ give the same bits.
 
 import re
 from pathlib import Path
-from typing import List, Optional
+from typing import List, Optional, Sequence
 
 from .calls import Call, calls, is_value
 from .declarations import Constant, Declarations, Function, Parameter
@@ -44,9 +44,9 @@ def declarations(declared: Declarations) -> str:
     return "\n".join(lines)
 
 
-def scene_declarations(include: Path) -> str:
+def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit")) -> str:
     """The text of scene.h and audit.h, which cffi reads as it is, and what audit.h calls back."""
-    text = "".join((include / f"{name}.h").read_text(encoding="utf-8") for name in ("scene", "audit"))
+    text = "".join((include / f"{name}.h").read_text(encoding="utf-8") for name in names)
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.S)
     text = "".join(line for line in text.splitlines(True) if not line.startswith("#"))

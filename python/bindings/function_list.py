@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The list of all public functions, generated/public_functions.inc, by which tests call every one of them.
+"""The list of all public functions, generated/public_functions.inc, by which tests call every one of them, and that of
+scene.h, generated/scene_functions.inc.
 
-    python3 python/bindings/function_list.py [--check]        writes the file, or fails if it is another
+    python3 python/bindings/function_list.py [--check]        writes the files, or fails if one is another
 """
 
+import re
 import sys
 from pathlib import Path
 from typing import List, Tuple
@@ -12,7 +14,8 @@ if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from bindings.calls import argument_names, calls, input_struct, is_input, is_value  # noqa: E402
-from bindings.declarations import ROOT, Declarations, Function, Parameter, write_or_check  # noqa: E402
+from bindings.cffi_source import scene_declarations  # noqa: E402
+from bindings.declarations import ROOT, Declarations, Function, Parameter, squeeze, write_or_check  # noqa: E402
 
 REALS = ("double", "float")
 
@@ -92,5 +95,31 @@ def text() -> str:
     return made + "".join(f"#undef {macro.split('(')[0]}\n" for macro in MACROS)
 
 
+# These compute nothing, and corgen links them without the others.
+PLAIN = ["cor_scene_" + name for name in ("given", "of_body", "mass_is_given", "check_bodies", "fault_text")]
+SCENE_HEAD = """/* SPDX-License-Identifier: MIT */
+/* The functions of scene.h that compute, written from the header by python/bindings/function_list.py:
+ * FUNCTION(type, name, parameters, arguments), and PROCEDURE without a type; or, with COR_SCENE_INSIDE, a macro for
+ * each, by which runtime/scene/ gives it a name of its own. */
+#ifndef PROCEDURE
+#define PROCEDURE(name, parameters, arguments)
+#endif
+"""
+
+
+def scene_text() -> str:
+    macros, calls_ = "", ""
+    pattern = r"^(?!typedef)(\w[\w ]*?[ *]+)(cor_\w+)\(([^()]*)\);"
+    for kind, name, words in re.findall(pattern, scene_declarations(ROOT / "include" / "cor", ["scene"]), flags=re.M):
+        if name not in PLAIN:
+            names = ", ".join(re.findall(r"(\w+)(?:\[\w+\])?(?:,|$)", words))
+            start = "PROCEDURE(" if kind.strip() == "void" else f"FUNCTION({kind.strip()}, "
+            macros += f"#define {name}(...) cor_inside_{name[len('cor_'):]}(__VA_ARGS__)\n"
+            calls_ += f"{start}{name[len('cor_'):]}, ({squeeze(words)}), ({names}))\n"
+    return SCENE_HEAD + f"#ifdef COR_SCENE_INSIDE\n{macros}#else\n{calls_}#endif\n#undef FUNCTION\n#undef PROCEDURE\n"
+
+
 if __name__ == "__main__":
-    sys.exit(write_or_check(ROOT / "generated" / "public_functions.inc", text(), sys.argv[1:], __doc__))
+    made = {"public": text(), "scene": scene_text()}
+    status = [write_or_check(ROOT / "generated" / f"{k}_functions.inc", made[k], sys.argv[1:], __doc__) for k in made]
+    sys.exit(max(status))

@@ -61,7 +61,7 @@ COR_INLINE double cor_inline_fifth_root(double x)
     if (cor_inline_bits(x) - 1 >= COR_INLINE_INFINITY_BITS - 1)
         return x;
     if (x < COR_INLINE_2_M900)
-        return cor_inline_fifth_root_normal(x * COR_INLINE_2_200) * COR_INLINE_2_M40;
+        return cor_inline_fifth_root_normal(cor_inline_raised(x, COR_INLINE_2_200)) * COR_INLINE_2_M40;
     if (x > COR_INLINE_2_900)
         return cor_inline_fifth_root_normal(x * COR_INLINE_2_M200) * COR_INLINE_2_40;
     return cor_inline_fifth_root_normal(x);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A contact in SI units: its damping, and its impacts by the functions of libcor or by the solver of the caller */
+#include "runtime/scene/inside.h"
+
 #include <math.h>
 
 #include "cor/hertz_dashpot.h"
 #include "cor/law.h"
-#include "cor/scene.h"
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"

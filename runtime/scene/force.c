@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The largest force of a collision */
+#include "runtime/scene/inside.h"
+
 #include <math.h>
 
-#include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
 

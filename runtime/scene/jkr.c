@@ -18,22 +18,47 @@ static double inward(const struct motion *m, double s, double level)
     return -cor_motion_v(m, s, level);
 }
 
+#define LARGEST 1e4                /* u beyond which no motion is followed */
+#define REST 1.1447142425533318678 /* u where the force vanishes, (3/2)^(1/3) */
+
+static double overlap(double u)
+{
+    return u * (u * u * u - 1);
+}
+
+/* Whether the motion creeps to its place of rest and never passes it: while x'/(x_e - x) is between 0 and half of the
+ * least damping coefficient on the way, which exceeds 2 sqrt(dF/dx), it stays so. */
+static int creeps(const struct motion *m)
+{
+    const double u = cor_motion_start(m), low = fmin(u, REST), high = fmax(u, REST), cube = 4 * high * high * high;
+    const double c = m->damper.factor * whole_power(low, m->damper.exponent), stiffness = 4 * high * high * (cube - 3);
+    const double towards = u < REST ? m->v[0] : -m->v[0];
+    return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap(high) - overlap(low));
+}
+
+/* Whether twice the energy, 0 at the touch, is below that of the next end: the bodies then stay together. It never
+ * grows. */
+static int stays(const struct motion *m)
+{
+    const double u = cor_motion_start(m), cube = u * u * u;
+    const double potential = 3 / 5.0 + cube * u * (1 - cube * (8 / 3.0 - 16 / 15.0 * cube));
+    return m->v[0] * m->v[0] + 2 * potential < lost[u > broken_at[COR_END_ZERO_FORCE]];
+}
+
 /* In the units of motion.h */
 static int solve(struct cor_full_impact *impact, double kappa, int power, double speed)
 {
     struct motion m = {
         .time = {{4, 3, 0}, {-1, 0, 0}}, .spring = {{8.0 / 3, 6, 0}, {-4, 3, 0}}, .damper = {kappa, power, 0}};
     *impact = cor_together;
-    if (!cor_motion_init(&m, 1, speed) || !cor_motion_compress(&m, &impact->force_max, NULL))
+    if (!cor_motion_init(&m, 1, speed) || !cor_motion_compress(&m, &impact->force_max, creeps))
         return COR_FAULT_PRESSED;
-    const double turning = cor_motion_start(&m);
-    impact->max_overlap = turning * (turning * turning * turning - 1);
-    for (int k = 0, stays = 0; !stays && cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP]; k++) {
+    impact->max_overlap = overlap(m.v[0] > 0 ? REST : cor_motion_start(&m));
+    for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !stays(&m) && !creeps(&m); k++) {
         if (k == MOTION_MOST_STEPS)
             return COR_FAULT_PRESSED;
         cor_motion_expand(&m);
-        stays = cor_motion_v(&m, m.step, 0) > 0; /* they turn inward again: they have less energy than the way takes */
-        if (stays)
+        if (cor_motion_v(&m, m.step, 0) > 0) /* they turn again: the step ends there */
             m.step = cor_motion_root(&m, inward, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             if (cor_motion_start(&m) > broken_at[end] && cor_motion_u(&m, m.step, broken_at[end]) <= 0) {
@@ -51,26 +76,28 @@ static int solve(struct cor_full_impact *impact, double kappa, int power, double
     return COR_FAULT_NONE;
 }
 
+/* Backward from a rest at the end, in time that turns its sign: out of the saddle at the end of the tail along its
+ * unstable direction */
 static double sticking_speed(double kappa, int power, int end)
 {
-    double low = sqrt(lost[end]), high = low;
-    struct cor_full_impact impact;
+    const double start = end == COR_JKR_TAIL ? 1e-7 / (1 + kappa) : 0, u = broken_at[end];
+    struct motion m = {
+        .time = {{4, 3, 0}, {-1, 0, 0}}, .spring = {{8.0 / 3, 6, 0}, {-4, 3, 0}}, .damper = {-kappa, power, 0}};
+    const double slope = 12 * u * u, pull = 4 * u * u * u * (1 - 2.0 / 3 * u * u * u);
     if (kappa == 0)
-        return low;
-    do { /* damping makes it larger */
-        low = high;
-        high *= 2;
-        if (!(high < 1e150) || solve(&impact, kappa, power, high) != COR_FAULT_NONE)
-            return NAN;
-    } while (impact.eps[end] == 0);
-    for (;;) {
-        const double middle = low + (high - low) / 2;
-        if (middle <= low || middle >= high)
-            return high;
-        if (solve(&impact, kappa, power, middle) != COR_FAULT_NONE)
-            return NAN;
-        *(impact.eps[end] > 0 ? &high : &low) = middle;
+        return sqrt(lost[end]);
+    if (!cor_motion_init(&m, u + start, start * sqrt(slope * pull)))
+        return NAN;
+    for (int k = 0, turned = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST; k++) {
+        cor_motion_expand(&m);
+        const double begin =
+            turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);
+        turned = turned || begin > 0;
+        if (turned && cor_motion_u(&m, m.step, 1) <= 0)
+            return -cor_motion_v(&m, cor_motion_root(&m, cor_motion_u, begin, m.step, 1), 0);
+        cor_motion_advance(&m);
     }
+    return INFINITY;
 }
 
 /* ---- in SI units ---- */

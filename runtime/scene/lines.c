@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The lines by which a simulator realises a contact: which of its models is active, what that model realises, and the
  * other models as comments */
+#include "runtime/scene/inside.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "cor/scene.h"
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/simulators.h"
@@ -297,7 +298,8 @@ static int suits(const struct cor_simulator_model *model, const struct task *tas
 {
     return is_of(model, task) && version_has(model, task->request->version) &&
            (!task->request->scene->wall || model->wall_lines) &&
-           (has_law ? cor_simulator_has_law : cor_simulator_has_one_eps)(model, task->request->contacts);
+           (has_law ? cor_simulator_has_law(model, task->request->contacts)
+                    : cor_simulator_has_one_eps(model, task->request->contacts));
 }
 
 /* ---- what a model realises ---- */

@@ -7,6 +7,8 @@
  *
  * makes eps^4 = 108 t/((t + 2) (t^2 + 5)^2) rational, and 1 - eps^4 = (1 - t)^2 (t^3 + 4 t^2 + 17 t + 50)/(...) free of
  * cancellation. */
+#include "runtime/scene/inside.h"
+
 #include "runtime/scene/motion.h"
 
 #include "runtime/scene/exponents.h"

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* From what is known to a contact: bodies or a spring, then the damping */
+#include "runtime/scene/inside.h"
+
 #include <math.h>
 
-#include "cor/scene.h"
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"

@@ -2,6 +2,8 @@
 /* One table of the contact models of simulators; docs/simulators.md explains it. For each model it holds the damping
  * law, the end of contact, the damping that the model makes of the e that a user sets, and the number to set for a
  * damping. No function with a table of its own. */
+#include "runtime/scene/inside.h"
+
 #include "runtime/scene/simulators.h"
 
 #include <math.h>

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* What the time step of a simulator does to eps: the dimensionless collision, integrated as the simulator does, from
  * all phases of the first step */
+#include "runtime/scene/inside.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "cor/law.h"
-#include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
 #include "runtime/scene/simulators.h"

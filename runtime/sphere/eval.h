@@ -284,7 +284,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     struct cor_inline_pair numerator, denominator;
     numerator.hi = a[0];
     numerator.lo = a[1];
-    denominator.hi = tiny ? eps * COR_INLINE_2_500 : eps;
+    denominator.hi = tiny ? cor_inline_raised(eps, COR_INLINE_2_500) : eps;
     denominator.lo = 0;
     return cor_inline_pair_over(numerator, denominator);
 }

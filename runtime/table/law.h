@@ -309,7 +309,8 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_
 /* beta_c - beta for 0 < beta < beta_c, or a number that is not above 0 */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
-    return cor_inline_is_finite(beta) ? cor_pair_two_sum(q.threshold.hi - beta, q.threshold.lo) : cor_pair(-1, 0);
+    return cor_inline_below(beta, COR_INLINE_2_900) ? cor_pair_two_sum(q.threshold.hi - beta, q.threshold.lo)
+                                                    : cor_pair(-1, 0); /* no sum overflows, rounded downward */
 }
 
 /* For q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c, with relative error 2^-90

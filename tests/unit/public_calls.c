@@ -66,8 +66,9 @@ static double any_number(struct bit_source *source)
     switch (below(source, 20)) {
     case 0:
     case 1:
-    case 2:
         return special(source);
+    case 2: /* subnormal */
+        return of_bits(bits(source) >> (12 + below(source, 52)));
     case 3:
         return of_bits(bits(source));
     case 4:
@@ -263,16 +264,24 @@ void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, in
         a->depth[i] = (int)below(source, 50) - 1;
         a->status[i] = (int)below(source, 60) - 10;
         disk_draw(a, source, i);
+#define NUMBER(name) a->name##f[i] = narrow(a->name[i]);
+#include "public_functions.inc"
+    }
+    if (!subnormal)
+        arguments_flush(a);
+}
+
+void arguments_flush(struct arguments *a)
+{
+    for (size_t i = 0; i < a->n; i++) {
 #define NUMBER(name)                                                                                                   \
-    if (!subnormal)                                                                                                    \
-        without_subnormal(&a->name[i]);                                                                                \
-    a->name##f[i] = narrow(a->name[i]);                                                                                \
-    if (!subnormal && a->name##f[i] < 2 * FLT_MIN && a->name##f[i] > -2 * FLT_MIN)                                     \
+    without_subnormal(&a->name[i]);                                                                                    \
+    if (a->name##f[i] < 2 * FLT_MIN && a->name##f[i] > -2 * FLT_MIN)                                                   \
         a->name##f[i] = 0;
 #include "public_functions.inc"
     }
-    if (!subnormal) /* from contact to half_space all are structs of doubles */
-        without_subnormals(a->contact, offsetof(struct arguments, modes) - offsetof(struct arguments, contact));
+    /* from contact to half_space all are structs of doubles */
+    without_subnormals(a->contact, offsetof(struct arguments, modes) - offsetof(struct arguments, contact));
 }
 
 /* ---- results ---- */

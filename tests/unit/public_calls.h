@@ -48,6 +48,7 @@ uint64_t random_bits_next(struct bit_source *source);
 /* Arguments inside and outside of the domains: special and extreme ones, of any size, and ordinary ones; without
  * subnormal ones if `subnormal` is 0. */
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal);
+void arguments_flush(struct arguments *a); /* makes subnormal ones 0 */
 
 /* Makes each double the float of its name. */
 void arguments_of_floats(struct arguments *a);

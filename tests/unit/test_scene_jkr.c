@@ -70,6 +70,14 @@ TEST(elastic)
     }
 }
 
+/* The damping in units of the contact: C l^b/(pi w R T), l = c_0^2/R, T^2 = m l/(pi w R) */
+static double kappa_of(const struct cor_scene_contact *s)
+{
+    const double c = (double)first_radius(s), R = s->radius_m, l = c * c / R, force = (double)pi * s->adhesion_j_m2 * R;
+    const double b = (double)s->law.damping / s->law.denominator;
+    return cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) * pow(l, b) * sqrt(l / (force * s->mass_kg));
+}
+
 /* m x'' = -F - d c x' by steps in t that shrink with the slope of the overlap over c, 0 at the end of the tail; c is in
  * units of the first radius */
 struct moved {
@@ -84,6 +92,7 @@ static void moved_slopes(long double *dy, const long double *y, const void *of)
     overlap_of(m->contact, y[0] * m->unit, &slope, &force);
     dy[0] = y[1] / m->unit;
     dy[1] = -slope * (force + m->damper * y[0] * m->unit * y[1]) / (long double)m->contact->mass_kg;
+    dy[2] = slope; /* the time */
 }
 
 static long double above_last(const long double *y, const void *of)
@@ -91,16 +100,18 @@ static long double above_last(const long double *y, const void *of)
     return y[0] - ((const struct moved *)of)->last;
 }
 
-static long double moved_eps(const struct cor_scene_contact *s, double speed, int end)
+static long double moved_eps(const struct cor_scene_contact *s, double speed, int end, long double h,
+                             long double *duration)
 {
     const struct moved m = {s, (long double)cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) / sqrtl(s->radius_m),
                             first_radius(s), last_radius(s, end) / first_radius(s)};
-    long double y[2] = {1, speed}, before = speed;
-    while (!runge_kutta_until(above_last, moved_slopes, &m, y, 2, 1e-3L * m.unit / (long double)speed)) {
+    long double y[3] = {1, speed, 0}, before = speed;
+    while (!runge_kutta_until(above_last, moved_slopes, &m, y, 3, h * m.unit / (long double)speed)) {
         if (before < 0 && y[1] > 0)
             return 0;
         before = y[1];
     }
+    *duration = y[2];
     return -y[1] / (long double)speed;
 }
 
@@ -114,13 +125,50 @@ TEST(damped)
             assert_true(stick > cor_scene_sticking_speed(&elastic, end));
             for (int k = 0; k < 3; k++) {
                 const double eps = scene_eps(&s, over[k] * stick, end);
-                const double moved = (double)moved_eps(&s, over[k] * stick, end);
+                long double duration;
+                const double moved = (double)moved_eps(&s, over[k] * stick, end, 1e-3L, &duration);
                 check(fabs(eps * eps - moved * moved) < 2e-7, "A = %g, %g v_s, end %d: %.12g, moved %.12g", times[i],
                       over[k], end, eps, moved);
             }
             const double eps = scene_eps(&s, stick * (1 + 1e-9), end);
             assert_true(scene_eps(&s, stick * (1 - 1e-12), end) == 0 && eps > 0 && eps < 1e-3);
         }
+}
+
+/* Near the sticking speed, where the end moves by the rounding errors of eps^2 */
+TEST(durations)
+{
+    draw_begin();
+    for (int i = 0; i < 4; i++) {
+        const int end = i % COR_SCENE_ENDS;
+        const struct cor_scene_contact s = spheres(random_log(&draw, 1e-10, 2e-8), 0.1);
+        const double speed = cor_scene_sticking_speed(&s, end) * (1 + random_log(&draw, 1e-6, 1e-3));
+        const struct cor_scene_impact impact = scene_impact(&s, speed);
+        long double duration;
+        const double eps = (double)moved_eps(&s, speed, end, 2e-4L, &duration);
+        check(fabs(impact.eps[end] * impact.eps[end] - eps * eps) < COR_JKR_EPS2_MAX_ERROR, "eps = %g", eps);
+        check_near(impact.duration_s[end], duration, COR_JKR_EPS2_MAX_ERROR * fmax(1, 0.01 / eps));
+    }
+}
+
+/* Damping of any strength has an answer: bodies part from the sticking speed on, which may be infinite. Bodies that
+ * creep to rest do not. */
+TEST(creeping)
+{
+    draw_begin();
+    for (size_t i = 0; i < points(400); i++) {
+        static const struct cor_exponents laws[] = {{3, 1, 2}, {6, 1, 4}, {3, 0, 2}, {3, 3, 2}};
+        struct cor_scene_contact s = spheres(0, 0.1);
+        s.law = laws[random_below(&draw, 4)];
+        cor_scene_set_damping(&s, COR_SCENE_DAMPING_COEFFICIENT, 1, 1, 0);
+        s.damping *= random_log(&draw, 1e-3, 30) / kappa_of(&s); /* kappa of docs/theory.md, 23 */
+        const int end = (int)random_below(&draw, COR_SCENE_ENDS);
+        const double stick = cor_scene_sticking_speed(&s, end), v = random_log(&draw, 1e-4, 1e2);
+        const double speed = random_below(&draw, 2) && isfinite(stick) ? stick * (1 + (v > 0.1 ? 1e-9 : -1e-9)) : v;
+        const struct cor_scene_impact impact = scene_impact(&s, speed);
+        check((impact.eps[end] > 0) == (speed > stick) && isinf(impact.duration_s[end]) == !(speed > stick),
+              "eps = %g at %g m/s, sticking %g", impact.eps[end], speed, stick);
+    }
 }
 
 /* Without adhesion: the viscoelastic sphere at zero overlap, in eps, duration, overlap and force */
@@ -170,4 +218,4 @@ TEST(laws)
     }
 }
 
-RUN_TESTS(elastic, damped, little_adhesion, round_trip, laws)
+RUN_TESTS(elastic, damped, durations, creeping, little_adhesion, round_trip, laws)

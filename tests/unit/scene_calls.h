@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: MIT */
+/* A call of every function of scene.h that computes, by the list scene_functions.inc, for test_environment.c. The
+ * arguments have the names of the parameters, and are drawn beforehand, by scene_arguments_draw. */
+#ifndef COR_TESTS_SCENE_CALLS_H
+#define COR_TESTS_SCENE_CALLS_H
+
+#include <time.h>
+
+#include "public_calls.h"
+#include "scene.h"
+
+enum { SCENES = 4 };
+
+struct scene_arguments {
+    struct cor_scene scene;
+    struct cor_scene_contact contact; /* of the scene, or by hand */
+    double x[4], steps, tolerance;
+    const struct cor_simulator_model *model;
+    int end, number;
+};
+static struct scene_arguments *scene_sets; /* SCENES of each of sets[] */
+
+/* Numbers of a scene: mostly ordinary ones from `low` to `high`, or not given */
+static const struct {
+    double low, high;
+    unsigned given, of; /* so often of so many */
+} scene_numbers[COR_SCENE_NUMBERS] = {[COR_SCENE_YOUNG] = {1e6, 1e12, 1, 1},
+                                      [COR_SCENE_POISSON] = {1e-3, 0.5, 1, 1},
+                                      [COR_SCENE_RADIUS] = {1e-6, 1, 1, 1},
+                                      [COR_SCENE_DENSITY] = {1, 1e5, 1, 1},
+                                      [COR_SCENE_YOUNG_2] = {1e6, 1e12, 1, 2},
+                                      [COR_SCENE_POISSON_2] = {1e-3, 0.5, 1, 2},
+                                      [COR_SCENE_AT] = {1e-3, 10, 0, 1},
+                                      [COR_SCENE_PLATE_THICKNESS] = {1e-4, 1, 0, 1},
+                                      [COR_SCENE_GRAVITY] = {1, 100, 1, 8},
+                                      [COR_SCENE_ADHESION] = {1e-3, 1, 1, 8},
+                                      [COR_SCENE_YIELD_STRESS] = {1e6, 1e10, 1, 8},
+                                      [COR_SCENE_LIQUID_VISCOSITY] = {1e-4, 1, 1, 8},
+                                      [COR_SCENE_STIFFNESS] = {1, 1e9, 0, 1},
+                                      [COR_SCENE_EFFECTIVE_MASS] = {1e-9, 1, 0, 1},
+                                      [COR_SCENE_DISSIPATION_TIME] = {1e-9, 1e-2, 0, 1}};
+
+static void scene_draw(struct cor_scene *scene, struct random_state *r, const double *any)
+{
+    static const int ways[] = {COR_SCENE_DISSIPATION_TIME,    COR_SCENE_G_STAR, COR_SCENE_RESTITUTION,
+                               COR_SCENE_DAMPING_COEFFICIENT, COR_SCENE_BETA,   COR_SCENE_ZETA};
+    const enum cor_law law = (enum cor_law)random_below(r, COR_LAW_LINEAR_ROOT);
+    const int way = ways[random_below(r, COUNT_OF(ways))], at = way == COR_SCENE_RESTITUTION || way == COR_SCENE_BETA;
+    *scene = scene_without_numbers(law);
+    scene->plate = law == COR_LAW_PLATE;
+    scene->plastic = law == COR_LAW_ELASTIC_PLASTIC;
+    scene->wall = random_below(r, 2) && !scene->plate;
+    scene->end = (int)random_below(r, 3) - 1;
+    scene->adhesion_model = (int)random_below(r, 3);
+    for (int k = 0; k < COR_SCENE_NUMBERS; k++) {
+        const int spring = k == COR_SCENE_STIFFNESS || k == COR_SCENE_EFFECTIVE_MASS;
+        const double low = scene_numbers[k].low,
+                     ordinary = low > 0 ? random_log(r, low, scene_numbers[k].high) : random_log(r, 1e-4, 1);
+        if (law == COR_LAW_LINEAR
+                ? spring
+                : scene_numbers[k].of && random_below(r, scene_numbers[k].of) < scene_numbers[k].given)
+            scene->number[k] = ordinary;
+        if ((k == way && !scene->plate) || (k == COR_SCENE_AT && at) ||
+            (k == COR_SCENE_PLATE_THICKNESS && scene->plate))
+            scene->number[k] = ordinary;
+        if (cor_scene_given(scene, k) && random_below(r, 16) == 0)
+            scene->number[k] = any[k];
+    }
+    if (scene->plastic)
+        scene->number[way] = scene->number[COR_SCENE_AT] = NAN;
+    if (!cor_scene_given(scene, COR_SCENE_ADHESION))
+        scene->adhesion_model = COR_ADHESION_NONE;
+    if (cor_scene_given(scene, COR_SCENE_LIQUID_VISCOSITY))
+        scene_give(*scene, {COR_SCENE_GAP_OUTER, 1e-4}, {COR_SCENE_GAP_INNER, random_log(r, 1e-8, 2e-4)});
+}
+
+static void scene_arguments_draw(struct scene_arguments *s, struct random_state *r, const double *any)
+{
+    struct cor_scene_contact contacts[COR_SCENE_ENDS];
+    struct cor_scene_fault fault;
+    int count;
+    scene_draw(&s->scene, r, any);
+    cor_scene_contacts(contacts, &count, &fault, &s->scene);
+    s->contact = contacts[0];
+    s->contact.plastic = s->contact.plastic || (count == 0 && random_below(r, 2)); /* by hand, not whole */
+    for (int k = 0; k < 4; k++)
+        s->x[k] = random_below(r, 4) ? random_log(r, 1e-5, 10) : any[COR_SCENE_NUMBERS + k];
+    s->model = &cor_simulator_models[random_below(r, cor_simulator_model_count)];
+    s->end = (int)random_below(r, 3);
+    s->number = (int)random_below(r, COR_SCENE_NUMBERS + 3);
+    s->tolerance = s->x[3] > 0 && s->x[3] <= 1e6 ? 2 : s->x[3]; /* smaller ones would take long */
+    s->steps = random_below(r, 8) ? random_log(r, 2, 60) : s->x[3] > 60 ? -1 : s->x[3];
+    const clock_t start = clock();
+    cor_scene_step_error(&(struct cor_step_error){0}, &s->contact, s->x[0], s->end, 4, s->number % COR_INTEGRATORS);
+    if (clock() - start > CLOCKS_PER_SEC / 1000 || !(cor_scene_beta(&s->contact, s->x[0]) < 1))
+        s->steps = 0; /* others take milliseconds with a thousand steps */
+}
+
+/* ---- the calls: every argument by the name of its parameter ---- */
+
+static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, wished, value,
+    liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, steps, tolerance;
+static int end, number, integrator, body, same_law;
+static enum cor_law law;
+static const struct cor_exponents *exponents;
+static const struct cor_simulator_model *model;
+static const struct cor_simulator *named;
+static const struct cor_scene *scene;
+static const char *simulator, *name, *word;
+static char text[20000];
+static const size_t size = sizeof text;
+static struct cor_simulator_wish wish[1];
+static struct cor_simulator_request request[1];
+static struct cor_scene_contact contact[1], contacts[COR_SCENE_ENDS], corrected[1];
+static struct cor_scene_fault fault[1];
+static enum cor_simulator_status status[1];
+static int count[1];
+static struct { /* what functions write */
+    struct cor_scene_impact impact;
+    struct cor_step_error error;
+    double number[4];
+} out;
+static struct cor_scene_impact *const impact = &out.impact;
+static struct cor_step_error *const error = &out.error;
+static double *const eps_at_end = &out.number[0], *const least_steps = &out.number[1], *const least = &out.number[2],
+                     *const most = &out.number[3];
+
+static void scene_arguments_load(const struct scene_arguments *s)
+{
+    speed_m_s = eps = damping = e = speed_ratio = wished = yield_stress_pa = yield_speed_m_s = overlap_m = s->x[0];
+    value = liquid_speed_m_s = viscosity_pa_s = s->x[1];
+    gap_outer_m = s->x[2];
+    gap_inner_m = s->x[3];
+    steps = s->steps;
+    tolerance = s->tolerance;
+    number = s->number;
+    integrator = s->steps == 0 ? -1 : number % COR_INTEGRATORS;
+    same_law = number % 2;
+    body = 1 + same_law;
+    law = (enum cor_law)(number % COR_LAWS);
+    model = s->model;
+    named = NULL;
+    scene = &s->scene;
+    simulator = name = model->simulator;
+    word = same_law ? "K" : "young";
+    contact[0] = corrected[0] = contacts[0] = contacts[1] = s->contact;
+    exponents = &contact->law;
+    end = s->end % (contact->plate ? 1 : COR_SCENE_ENDS);
+    wish[0] = (struct cor_simulator_wish){scene, contact, 1, s->x[0], s->x[1], s->end ? 0 : steps};
+    request[0] = (struct cor_simulator_request){.simulator = name,
+                                                .scene = scene,
+                                                .contacts = contact,
+                                                .count = 1,
+                                                .speed_m_s = s->x,
+                                                .speeds = 1,
+                                                .steps = steps,
+                                                .step_errors = s->end == 2 && steps > 0,
+                                                .integrator = COR_NO_INTEGRATOR};
+    memset(&out, 0, sizeof out);
+}
+
+/* The result, and all that a function may have written */
+static void scene_results_put(struct results *r, const void *result, size_t bytes)
+{
+    const double numbers[] = {contact->damping, corrected->damping, contacts[0].damping, contacts[0].force_n};
+    for (size_t k = 0; k < sizeof out / sizeof(double); k++)
+        results_put(r, ((const double *)(const void *)&out)[k]);
+    for (size_t k = 0; k < COUNT_OF(numbers); k++)
+        results_put(r, numbers[k]);
+    for (size_t k = 0; k < bytes; k++)
+        results_put(r, ((const unsigned char *)result)[k]);
+}
+
+#define SCENE_CALL(named_, ...)                                                                                        \
+    static void call_##named_(const struct arguments *a, struct results *r)                                            \
+    {                                                                                                                  \
+        for (int i = 0; i < SCENES; i++) {                                                                             \
+            scene_arguments_load(&scene_sets[SCENES * (a - sets) + i]);                                                \
+            __VA_ARGS__;                                                                                               \
+        }                                                                                                              \
+    }
+#define FUNCTION(type, name_, parameters, arguments)                                                                   \
+    SCENE_CALL(name_, type const result = cor_##name_ arguments; scene_results_put(r, &result, sizeof result))
+#define PROCEDURE(name_, parameters, arguments) SCENE_CALL(name_, cor_##name_ arguments; scene_results_put(r, NULL, 0))
+#include "scene_functions.inc"
+
+#define FUNCTION(type, name_, parameters, arguments) {"cor_" #name_, call_##name_, NULL, PUBLIC_several},
+#define PROCEDURE(name_, parameters, arguments) {"cor_" #name_, call_##name_, NULL, PUBLIC_several},
+static const struct public_function scene_functions[] = {
+#include "scene_functions.inc"
+};
+
+#endif
