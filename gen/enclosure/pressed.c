@@ -4,8 +4,8 @@
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *
  * At the threshold the motion just reaches X = 0 with no speed, at the surface with 2 (a - b) > 1 by a flight that
- * begins where the contact force vanishes, at X_s with X_s^(2(a-b)-1) = 2 B^2. Backward in time from there it arrives at
- * X = 0 with the speed V: one motion for each B, which gives f = V^(-2a/(a+1)) and beta = B V^q. */
+ * begins where the contact force vanishes, at X_s with X_s^(2(a-b)-1) = 2 B^2. Backward in time from there it arrives
+ * at X = 0 with the speed V: one motion for each B, which gives f = V^(-2a/(a+1)) and beta = B V^q. */
 #include <math.h>
 
 #include "enclosure/collision.h"

@@ -457,8 +457,8 @@ static long double pressed_contact(const long double *y, const void *of)
 }
 
 /* eps^2 at the surface, not positive: the bodies stay together; y becomes the state where the contact ends. A flight
- * loses the elastic energy of its beginning. At a second turning point the damping has taken all of the energy, or, under
- * a large force, rounding hides the end of the contact, where the damping takes next to nothing. */
+ * loses the elastic energy of its beginning. At a second turning point the damping has taken all of the energy, or,
+ * under a large force, rounding hides the end of the contact, where the damping takes next to nothing. */
 static long double surface_by_loss(long double y[4], const struct pressed_law *p)
 {
     const long double a = ratio_double(p->law.a), size = powl(fmaxl(1, p->force), 1 / a);
