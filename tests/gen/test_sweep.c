@@ -332,19 +332,15 @@ TEST(test_journal_damaged)
     }
 }
 
-/* Writes the title and the n rows of these numbers, with their checks or without. Returns the size. */
-static size_t put_rows(char bytes[sizeof whole_file], const size_t *row, size_t n, bool checked)
+/* Writes the title and the n rows of these numbers, without their last `cut` bytes. Returns the size. */
+static size_t put_rows(char bytes[sizeof whole_file], const size_t *row, size_t n, size_t cut)
 {
-    size_t size = strlen(title) + 1;
-    memcpy(bytes, whole_file, size);
+    size_t size = (size_t)sprintf(bytes, "%s\n", title);
     for (size_t i = 0; i < n; i++) {
-        const char *at = whole_file + strlen(title) + 1;
+        const char *at = strchr(whole_file, '\n') + 1;
         for (size_t k = 0; k < row[i]; k++)
             at = strchr(at, '\n') + 1;
-        const size_t length = strcspn(at, "\n") - (checked ? 0 : strlen(",12345678"));
-        memcpy(bytes + size, at, length);
-        bytes[size + length] = '\n';
-        size += length + 1;
+        size += (size_t)sprintf(bytes + size, "%.*s\n", (int)(strcspn(at, "\n") - cut), at);
     }
     return size;
 }
@@ -368,8 +364,8 @@ TEST(test_journal_changed)
             row[k] = random_below(&draw, LINES);
         while (kept < n && row[kept] == kept)
             kept++;
-        check(go_on_from(bytes, put_rows(bytes, row, n, true), "rows", n) == (int)kept, "%zu of %zu", kept, n);
-        assert_int_equal(go_on_from(bytes, put_rows(bytes, row, n, false), "no checks", n), 0);
+        check(go_on_from(bytes, put_rows(bytes, row, n, 0), "rows", n) == (int)kept, "%zu of %zu", kept, n);
+        assert_int_equal(go_on_from(bytes, put_rows(bytes, row, n, strlen(",12345678")), "no checks", n), 0);
     }
 }
 
@@ -428,21 +424,25 @@ TEST(test_journal_shared)
 
 /* ---- rigid walls ---- */
 
-/* A collision that needs more levels than the first table has, and one that does not */
+/* As many levels as the first table has, and one more; and a budget that ends before the first table does */
 TEST(test_hard_wall)
 {
-    struct hard_wall_tables tables = {0};
-    hard_wall_tables_set(&tables, 0.33);
-    for (int i = 0; i < 2; i++) {
-        const double tolerance = i == 0 ? 1e-3 : 1e-5, speed = i == 0 ? 0.1 : 0.02;
+    enum { FIRST_LEVELS = 8 };
+    for (int i = 0; i < 3; i++) {
+        const double tolerance = 1e-5, speed = i == 0 ? 0.1 : 0.3;
+        struct hard_wall_tables tables = {0};
         struct cor_disk_hard_wall out;
-        assert_int_equal(hard_wall_collide(&out, &tables, tolerance, 0, speed), COR_OK);
+        hard_wall_tables_set(&tables, 0.33);
+        assert_int_equal(hard_wall_collide(&out, &tables, tolerance, i < 2 ? 0 : 1000, speed),
+                         i < 2 ? COR_OK : COR_TOLERANCE_NOT_REACHED);
+        check(i == 2 ? out.omega_levels < FIRST_LEVELS : out.omega_levels == FIRST_LEVELS + (size_t)i, "%zu levels",
+              out.omega_levels);
+        assert_true(tables.table[0].count > 100 && (tables.table[1].mode != NULL) == (i == 1));
         check(fabs(out.one_minus_eps2 - cor_disk_one_minus_eps2(speed, 0.33)) <=
-                  tolerance + cor_disk_one_minus_eps2_uncertainty(speed, 0.33),
+                  out.error_estimate + cor_disk_one_minus_eps2_uncertainty(speed, 0.33),
               "1 - eps^2 at v = %g: %.9f", speed, out.one_minus_eps2);
+        hard_wall_tables_clear(&tables);
     }
-    assert_true(tables.table[0].count > 100);
-    hard_wall_tables_clear(&tables);
 }
 
 /* ---- Rayleigh's energy ---- */
