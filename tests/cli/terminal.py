@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""corgen on a terminal: progress within a second, at most about a second between two lines, also between rows, but not
-while it reads from the terminal. Ctrl-C leaves no file.
-
-usage: terminal.py CORGEN [SEED]    four of the slow commands, or all for the seed "all"
-"""
+"""terminal.py CORGEN [SEED]: progress on a terminal, of four slow commands, or of all for the seed "all". A line within a
+second, at most about a second between two, also between rows, but not while corgen reads from the terminal. Ctrl-C
+leaves no file."""
 import os
 import pty
 import random
@@ -21,7 +19,8 @@ series --elastic {exponent} --order 30
 series --order {order} --end zero-force --exact
 trajectory --order {order} --terms 1000
 disk-modes --poisson 0.33 --count 10000000
-sample --speed-min 0.01 --speed-max 10 --tolerance 1e-10 --young 7e10 --poisson 0.2 --radius 0.01 --density 2500 --wall --gravity 9.81 --dissipation-time 1e-6
+sample --speed-min 0.01 --speed-max 10 --tolerance 1e-10 --young 7e10 --poisson 0.2 --radius 0.01 --density 2500 \
+--wall --gravity 9.81 --dissipation-time 1e-6
 collide --beta 0.{order} --digits 10000000
 collide --beta 0.{order} --digits 20000 --elastic {exponent} --damping 23
 collide --beta 0.{order} --threshold --digits 3000
@@ -34,10 +33,12 @@ law --elastic {exponent} --damping 1/2 --name x
 contact --g-star 0.2 --speed 0.001:100:log:100000 --steps 50"""
 ROWS = "disk-collide --speed 0.1:0.2:lin:9 --poisson 0.33 --alpha 1000 --modes 100 --format json"
 LINE = r"\r\x1b\[K[^\r\n]+: [^\r\n]*\d s[^\r\n]*"
+corgen, seed = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else str(time.time_ns())
+draw = random.Random(seed)
 
 
 class Terminal:
-    def __init__(self, corgen, command):
+    def __init__(self, command):
         self.command, self.screen, self.times = command, "", [time.monotonic()]
         self.process, self.file = pty.fork()
         if self.process == 0:
@@ -55,45 +56,35 @@ class Terminal:
     def stop(self):
         os.write(self.file, b"\x03")
         os.waitpid(self.process, 0)
+        self.times.append(time.monotonic())
 
 
 def watch(terminals, seconds):
-    open_ones = {terminal.file: terminal for terminal in terminals}
     end = time.monotonic() + seconds
-    while open_ones and time.monotonic() < end:
-        for file in select.select(list(open_ones), [], [], 0.1)[0]:
-            if open_ones[file].ended():
-                del open_ones[file]
+    while terminals and time.monotonic() < end:
+        ready = select.select([terminal.file for terminal in terminals], [], [], 0.1)[0]
+        terminals = [terminal for terminal in terminals if terminal.file not in ready or not terminal.ended()]
 
 
-def main():
-    corgen, seed = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else str(time.time_ns())
-    draw = random.Random(seed)
-    commands = SLOW.format(order=draw.randint(400, 999), exponent=draw.randint(12, 24)).splitlines()
-    wrong = []
-    with tempfile.TemporaryDirectory() as folder:
-        slow = [Terminal(corgen, f"{command} --output {folder}/{number}")
-                for number, command in enumerate(commands if seed == "all" else draw.sample(commands, 4))]
-        rows, reader = Terminal(corgen, ROWS), Terminal(corgen, "fit -")
-        expected = subprocess.Popen([corgen, *ROWS.split()], stdout=subprocess.PIPE, text=True)
-        watch([*slow, rows, reader], 2 if seed != "all" else 6)
-        for terminal in slow:
-            times = [*terminal.times, time.monotonic()]
-            terminal.stop()
-            if not re.search(LINE, terminal.screen) or max(b - a for a, b in zip(times, times[1:])) > SILENT:
-                wrong.append(terminal)
-        reader.stop()
-        watch([rows], 20)
-        printed = re.sub(LINE, "", rows.screen).replace("\r\x1b[K", "")
-        if not re.search('"speed".*' + LINE, rows.screen, re.S) or printed != expected.communicate()[0]:
-            wrong.append(rows)
-        if re.search(LINE, reader.screen):
-            wrong.append(reader)
-        left = [name for name in os.listdir(folder) if not name.endswith(".part")]
-    for terminal in wrong:
-        print(f"corgen {terminal.command}: {terminal.screen[-1000:]!r}, {terminal.times}")
-    print(f"seed {seed}; left: {left}")
-    sys.exit(bool(wrong or left))
-
-
-main()
+commands = SLOW.format(order=draw.randint(400, 999), exponent=draw.randint(12, 24)).splitlines()
+with tempfile.TemporaryDirectory() as folder:
+    slow = [Terminal(f"{command} --output {folder}/{number}")
+            for number, command in enumerate(commands if seed == "all" else draw.sample(commands, 4))]
+    rows, reader = Terminal(ROWS), Terminal("fit -")
+    expected = subprocess.Popen([corgen, *ROWS.split()], stdout=subprocess.PIPE, text=True)
+    watch([*slow, rows, reader], 2 if seed != "all" else 6)
+    for each in (*slow, reader):
+        each.stop()
+    watch([rows], 20)
+    left = [name for name in os.listdir(folder) if not name.endswith(".part")]
+wrong = [each for each in slow if not re.search(LINE, each.screen)
+         or max(b - a for a, b in zip(each.times, each.times[1:])) > SILENT]
+printed = re.sub(LINE, "", rows.screen).replace("\r\x1b[K", "")
+if not re.search('"speed".*' + LINE, rows.screen, re.S) or printed != expected.communicate()[0]:
+    wrong.append(rows)
+if re.search(LINE, reader.screen):
+    wrong.append(reader)
+for each in wrong:
+    print(f"corgen {each.command}: {each.screen[-1000:]!r}, {each.times}")
+print(f"seed {seed}; left: {left}")
+sys.exit(bool(wrong or left))
