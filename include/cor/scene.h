@@ -444,7 +444,8 @@ struct cor_simulator_model {
 
     /* The version that was run or read; lines for the input, and lines that make a contact of a sphere and a wall;
      * NULL: none. Words in braces stand for numbers: cor_simulator_word. A line that starts with a question mark is
-     * left out where its numbers are not known, and {pair} repeats a line for the pairs of two types. */
+     * left out where its numbers are not known. {pair} repeats a line for the pairs of two types, like pairs as
+     * comments. */
     const char *version, *lines, *wall_lines;
     long since, until; /* the versions that have it, as cor_simulator_version has them; 0: no limit is known */
 };
@@ -535,7 +536,8 @@ struct cor_simulator_request {
 /* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block
  * is active: of the models with the law of the contact, the first that ends contacts as asked and that the version has.
  * Other models follow as comments. Where the simulator does not have the law, the lines hold at one speed: that of the
- * restitution, or the only one of the request.
+ * restitution, or the only one of the request. Under gravity the numbers are those of the contact, and eps is that
+ * under gravity. Contacts that adhere have no lines.
  * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length that the whole text
  * has. Negative: the simulator cannot realise the contact, or the request is incomplete; the text says why, in less
  * than COR_SIMULATOR_REASON characters. */

@@ -198,10 +198,13 @@ struct task {
     const struct cor_simulator *simulator;
     int types;   /* of bodies: 2 for two different ones, or a wall */
     int has_law; /* some model has the law of the contact */
+    int pressed; /* by gravity, on which eps then depends */
     /* For each end at which the restitution may have been measured; the contact of the request where there is no such
      * one */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_wish wish[CONTACTS];
+    struct cor_simulator_request softened; /* of soften_wall */
+    struct cor_scene_contact soft[COR_SCENE_ENDS];
     char law[NUMBER];                   /* its name */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
@@ -253,6 +256,7 @@ static void make_contact(struct cor_scene_contact *contact, const struct cor_sce
         two.radius_m = two.mass_kg = INFINITY;
     if (cor_sphere_contact_init(&sphere, &one, &two) != COR_OK)
         return;
+    contact->force_n = 0; /* only the contact of the request is pressed */
     contact->mass_kg = sphere.effective_mass_kg;
     contact->stiffness = sphere.elastic_constant_n_m15;
     contact->radius_m = sphere.effective_radius_m;
@@ -302,6 +306,13 @@ static int suits(const struct cor_simulator_model *model, const struct task *tas
                     : cor_simulator_has_one_eps(model, task->request->contacts));
 }
 
+/* True for a sphere with Hertz's force at a wall of YADE */
+static int is_yade_wall(const struct task *task)
+{
+    return strcmp(task->simulator->name, "yade") == 0 && task->request->scene->wall &&
+           cor_law_is_hertz(&task->request->contacts->law);
+}
+
 /* ---- what a model realises ---- */
 
 static double damping_of(const struct block *block, const struct task *task, int pair)
@@ -327,7 +338,7 @@ static double realised(const struct block *block, const struct task *task, doubl
     double eps = NAN;
     if (cor_simulator_has_function(model))
         cor_scene_eps(&eps, task->request->contacts, speed_m_s, end_of(task->request->scene));
-    else if (model->law == COR_LAW_IMPULSE || cor_law_is_constant(&cor_law_exponents[model->law]))
+    else if (model->law == COR_LAW_IMPULSE || (!task->pressed && cor_law_is_constant(&cor_law_exponents[model->law])))
         eps = cor_law_eps(model->law, model->end, block->damping);
     else if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE) {
         const struct cor_scene_contact c = contact_made(block, task, PAIR);
@@ -364,6 +375,13 @@ static double step_of(const struct cor_scene_contact *c, const struct task *task
         own = NAN;
     if (pair == PAIR)
         *steps = own;
+    if (c->force_n > 0 && tolerance == 0 && own > 0) { /* of bodies that stay, or fly before they are apart */
+        struct cor_scene_impact bounce;
+        struct cor_scene_contact elastic_contact = *c;
+        elastic_contact.damping = 0;
+        if (cor_scene_impact(&bounce, &elastic_contact, speed) == COR_FAULT_NONE)
+            impact.duration_s[end] = fmin(impact.duration_s[end], bounce.duration_s[end]);
+    }
     const double step = impact.duration_s[end] / own;
     return pair == PAIR ? step : fmin(step, fmin(impact.duration_s[!end], elastic) / *steps);
 }
@@ -439,7 +457,9 @@ static int fill_block(struct block *block, const struct task *task, const struct
     for (int pair = CONTACTS - 1; pair >= PAIR; pair--)
         block->number[pair] = cor_simulator_number(model, &task->wish[pair], task->has_law, &status);
     const double wished = cor_simulator_damping(model, wish, task->has_law), number = block->number[PAIR];
-    if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
+    if (status == COR_SIMULATOR_NO_CLOSED_FORM && task->pressed && !task->has_law) {
+        snprintf(block->reason, SENTENCE, "under gravity its lines need the spring of the contact");
+    } else if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
         snprintf(block->reason, SENTENCE,
                  "its end, %s, has no closed form of the damping: give --damping-coefficient C, or --end with "
                  "--restitution",
@@ -484,7 +504,7 @@ static void put_embed(struct text *t, const struct task *task)
     const struct cor_simulator_request *const request = task->request;
     const struct cor_exponents *const law = &request->scene->law;
     const int named = law_with_name(law);
-    char line[SENTENCE], damping[200];
+    char line[SENTENCE], damping[200], scales[200] = "";
     double least = 1e-3, most = 100;
     for (size_t i = 0; i < request->speeds; i++) {
         least = i == 0 ? request->speed_m_s[i] : fmin(least, request->speed_m_s[i]);
@@ -494,7 +514,8 @@ static void put_embed(struct text *t, const struct task *task)
         least /= 10;
         most *= 10;
     }
-    const struct number g_star = number_text(cor_scene_damping(request->contacts, COR_SCENE_G_STAR), 15);
+    const struct cor_scene_contact *const contact = request->contacts;
+    const struct number g_star = number_text(cor_scene_damping(contact, COR_SCENE_G_STAR), 15);
     if (named < 0)
         snprintf(damping, sizeof damping, " --elastic %d/%d --damping %d/%d --g-star %s", law->elastic,
                  law->denominator, law->damping, law->denominator, g_star.text);
@@ -504,11 +525,17 @@ static void put_embed(struct text *t, const struct task *task)
     if (request->contacts->plastic) /* any eps and its speed name v_y */
         snprintf(damping, sizeof damping, " --law elastic-plastic --restitution 0.5 --at %s",
                  number_text(request->contacts->yield_speed_m_s * cor_elastic_plastic_speed_ratio(0.5), 15).text);
+    if (task->pressed)
+        snprintf(scales, sizeof scales, " --stiffness %s --effective-mass %s --wall --gravity %s",
+                 number_text(contact->stiffness, 15).text, number_text(contact->mass_kg, 15).text,
+                 number_text(request->scene->number[COR_SCENE_GRAVITY], 15).text);
     snprintf(line, sizeof line,
-             "corgen embed%s --speed-min %s --speed-max %s --tolerance 1e-6 --end %s --name cor_eps "
+             "corgen embed%s%s --speed-min %s --speed-max %s --tolerance 1e-6 --end %s --name cor_eps "
              "--output cor_eps.h",
-             damping, TEXT(least), TEXT(most),
-             request->scene->end == COR_END_ZERO_FORCE ? "zero-force" : "zero-overlap");
+             damping, scales, TEXT(least), TEXT(most),
+             request->scene->end != COR_END_ZERO_FORCE ? "zero-overlap"
+             : task->pressed                           ? "surface"
+                                                       : "zero-force");
     put(t, line);
 }
 
@@ -696,6 +723,11 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
                 TEXT(cor_scene_body_density(task->request->scene, 2)));
 }
 
+static const char *name_force(const struct task *task)
+{
+    return task->pressed ? " under gravity" : "";
+}
+
 /* eps with the time step */
 static void put_stepped(struct text *t, const struct block *block, const struct task *task, double speed_m_s,
                         double eps)
@@ -706,12 +738,13 @@ static void put_stepped(struct text *t, const struct block *block, const struct 
     if (cor_scene_step_error(&error, &c, speed_m_s, (int)block->model->end, steps, integrator_of(task)) ==
         COR_FAULT_NONE)
         comment(t,
-                "realises eps = %s at %s m/s with this time step, in the mean; standard deviation %s; %s with short "
+                "realises eps = %s at %s m/s%s with this time step, in the mean; standard deviation %s; %s with short "
                 "steps",
-                number_text(eps + error.bias, 5).text, TEXT(speed_m_s), number_text(error.scatter, 2).text, TEXT(eps));
+                number_text(eps + error.bias, 5).text, TEXT(speed_m_s), name_force(task),
+                number_text(error.scatter, 2).text, TEXT(eps));
     else
-        comment(t, "realises eps = %s at %s m/s with short steps; its time step is not known", TEXT(eps),
-                TEXT(speed_m_s));
+        comment(t, "realises eps = %s at %s m/s%s with short steps; its time step is not known", TEXT(eps),
+                TEXT(speed_m_s), name_force(task));
 }
 
 static void put_realised(struct text *t, const struct block *block, const struct task *task)
@@ -719,7 +752,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
     const struct cor_simulator_request *const request = task->request;
     const enum cor_law law = block->model->law;
     const int constant = law == COR_LAW_IMPULSE ? !cor_simulator_has_function(block->model)
-                                                : cor_law_is_constant(&cor_law_exponents[law]);
+                                                : !task->pressed && cor_law_is_constant(&cor_law_exponents[law]);
     const double *const speed = request->speeds > 0 ? request->speed_m_s : &task->wish[PAIR].speed_m_s;
     size_t speeds = request->speeds;
     if (speeds == 0 && !isnan(*speed))
@@ -728,8 +761,9 @@ static void put_realised(struct text *t, const struct block *block, const struct
         const double eps = realised(block, task, speed[i]);
         if (!isnan(eps) && request->step_errors && block->model->law != COR_LAW_IMPULSE)
             put_stepped(t, block, task, speed[i], eps);
-        else if (!isnan(eps))
-            comment(t, "realises eps = %s at %s m/s", TEXT(eps), TEXT(speed[i]));
+        else if (!isnan(eps) || task->pressed)
+            comment(t, "realises eps = %s at %s m/s%s", isnan(eps) ? "(not known)" : TEXT(eps), TEXT(speed[i]),
+                    name_force(task));
     }
     if (speeds == 0 && constant)
         comment(t, "realises eps = %s at every speed", TEXT(realised(block, task, 1)));
@@ -744,7 +778,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
 static void put_own_e(struct text *t, const struct block *block, const struct task *task)
 {
     const double eps = cor_law_eps(block->model->law, block->model->end, block->damping);
-    if (!block->model->damping_of_e || cor_simulator_has_function(block->model) ||
+    if (task->pressed || !block->model->damping_of_e || cor_simulator_has_function(block->model) ||
         fabs(block->number[PAIR] - eps) < 1e-7)
         return;
     const double back = cor_simulator_realised(block->model, eps);
@@ -763,6 +797,12 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     comment(t, "%s%s, %s (%s): contacts end at %s", instead, task->simulator->title, model->model, model->version,
             cor_end_names[model->end]);
     put_realised(t, block, task);
+    if (is_yade_wall(task))
+        comment(t, "YADE's walls have K/sqrt(2), its facets K sqrt(2/3), where K is Hertz's: contacts last longer.%s",
+                task->pressed ? " Here eps is that of a wall." : "");
+    if (task->pressed)
+        comment(t, "The simulator adds gravity; eps is the speed at %s over the impact speed.",
+                model->end == COR_END_ZERO_OVERLAP ? "zero overlap" : "the surface");
     comment(t, "%s", model->advice);
     put_own_e(t, block, task);
     put_mass(t, block, task);
@@ -880,7 +920,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
     if (end == COR_BOTH_ENDS || (int)model->end == end || model->law == COR_LAW_IMPULSE || !task->has_law ||
         !cor_scene_ends_differ(request->contacts))
         return;
-    const int constant = cor_law_is_constant(&request->contacts->law);
+    const int constant = !task->pressed && cor_law_is_constant(&request->contacts->law);
     comment(t, "%s has no contacts of this law that end at %s%s: those above have the damping of the contact.",
             task->simulator->title, cor_end_names[end], request->version ? " in this version" : "");
     if ((isnan(speed) && !constant) ||
@@ -890,7 +930,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
     struct block block;
     struct cor_scene_contact contact = *request->contacts;
     char instead[SENTENCE];
-    const double closed = cor_law_damping(model->law, model->end, eps);
+    const double closed = task->pressed ? (double)NAN : cor_law_damping(model->law, model->end, eps);
     if (!isnan(closed))
         contact.damping = closed;
     else if (model->end > COR_END_ZERO_FORCE ||
@@ -908,7 +948,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
 static void put_own_maps(struct text *t, const struct task *task)
 {
     const double eps = task->wish[PAIR].eps;
-    for (size_t i = 0; i < cor_simulator_model_count && !isnan(eps); i++) {
+    for (size_t i = 0; i < cor_simulator_model_count && !isnan(eps) && !task->pressed; i++) {
         const struct cor_simulator_model *const model = &cor_simulator_models[i];
         const double own = cor_simulator_realised(model, eps);
         if (strcmp(model->simulator, task->simulator->name) != 0 || !model->damping_of_e ||
@@ -980,13 +1020,33 @@ static int put_all(struct text *t, struct task *task)
 
 /* ---- the text ---- */
 
+/* At a wall YADE has K/sqrt(2), where K is Hertz's stiffness, as between spheres. eps depends on it under gravity. */
+static void soften_wall(struct task *task)
+{
+    const double *const number = task->request->scene->number;
+    const int end = task->request->scene->end, measured = !isnan(number[COR_SCENE_RESTITUTION] * number[COR_SCENE_AT]);
+    if (!task->pressed || !is_yade_wall(task))
+        return;
+    for (int i = 0; i < task->request->count; i++) {
+        task->soft[i] = task->request->contacts[i];
+        task->soft[i].stiffness /= sqrt(2);
+        if (measured)
+            cor_scene_set_damping(&task->soft[i], COR_SCENE_RESTITUTION, number[COR_SCENE_RESTITUTION],
+                                  number[COR_SCENE_AT], end == COR_BOTH_ENDS ? i : end);
+    }
+    task->softened = *task->request;
+    task->softened.contacts = task->soft;
+    task->request = &task->softened;
+}
+
 /* The one speed, and eps there, at which a simulator without the law of the contact is to agree. Returns whether the
  * request has what it takes. */
 static int find_speed(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_scene *const scene = request->scene;
-    const int constant = cor_law_is_constant(&request->contacts->law);
+    const int constant = cor_law_is_constant(&request->contacts->law) &&
+                         !(task->pressed && (!task->has_law || cor_scene_given(scene, COR_SCENE_AT)));
     const double at = scene->number[COR_SCENE_AT], speed = request->speeds == 1 ? request->speed_m_s[0] : at;
     double eps = NAN;
     if (!task->has_law && isnan(speed))
@@ -998,15 +1058,17 @@ static int find_speed(struct task *task)
         eps = scene->number[COR_SCENE_RESTITUTION];
     } else if (scene->end == COR_BOTH_ENDS && cor_scene_ends_differ(request->contacts)) {
         if (!task->has_law && !constant)
-            return refuse(task,
-                          "eps of this contact at zero overlap differs from that at zero force; give the one that %s "
-                          "is to realise: --end zero-overlap or zero-force",
-                          task->simulator->name);
+            return refuse(
+                task,
+                "eps of this contact at zero overlap differs from that at the other end; give the one that %s "
+                "is to realise: --end zero-overlap or %s",
+                task->simulator->name, task->pressed ? "surface" : "zero-force");
     } else if ((!isnan(speed) || constant) &&
                cor_scene_eps(&eps, request->contacts, isnan(speed) ? 1 : speed, end_of(scene)) != COR_FAULT_NONE) {
         return refuse(task, "eps of the law %s is not known without a solver", task->law);
     }
-    fill_pairs(task, request->contacts, request->count, speed, eps);
+    soften_wall(task);
+    fill_pairs(task, task->request->contacts, request->count, speed, eps);
     return 1;
 }
 
@@ -1033,9 +1095,11 @@ static int check_task(struct task *task)
     if (request->version && cor_simulator_version(request->version) == 0)
         return refuse(task, "'%.100s' is not a version of %s: write it as 29 Sep 2021 or as 3.8.1", request->version,
                       task->simulator->title);
-    if (contact->force_n > 0 || contact->adhesion_j_m2 > 0)
-        return refuse(task, "lines hold without a constant force, and the simulator adds its own; leave out --gravity "
-                            "and --adhesion, and see docs/contact.md for the eps that it then realises");
+    task->pressed = contact->force_n > 0;
+    if (cor_scene_given(request->scene, COR_SCENE_ADHESION) || contact->adhesion_j_m2 > 0)
+        return refuse(task,
+                      "no model of these lines adheres; leave out --adhesion, and see docs/contact.md for the eps "
+                      "with it");
     if (contact->liquid_speed_m_s > 0)
         return refuse(task, "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
                             "host that calls a function of the speed");
@@ -1062,7 +1126,7 @@ static void refuse_law(struct task *task)
     char instead[SENTENCE] = "";
     for (size_t i = 0; i < cor_simulator_model_count && !*instead; i++)
         if (is_of(&cor_simulator_models[i], task) && cor_simulator_models[i].law == COR_LAW_LINEAR &&
-            contact->mass_kg > 0 && !contact->plastic && !contact->plate && wish->eps <= 1)
+            contact->mass_kg > 0 && !task->pressed && !contact->plastic && !contact->plate && wish->eps <= 1)
             snprintf(
                 instead, sizeof instead,
                 ". A linear spring takes its place at %s m/s; the duration is that of --dissipation-time 0 at this "

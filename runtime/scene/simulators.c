@@ -605,7 +605,8 @@ int cor_simulator_has_law(const struct cor_simulator_model *model, const struct 
     case COR_LAW_HUNT_CROSSLEY:
         return cor_law_is_hunt_crossley(law);
     case COR_LAW_IMPULSE:
-        return cor_law_is_constant(law) != cor_simulator_has_function(model);
+        return !(cor_law_is_constant(law) && contact->force_n > 0) &&
+               cor_law_is_constant(law) != cor_simulator_has_function(model);
     default:
         return 0;
     }
@@ -636,16 +637,25 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
                             int same_law)
 {
     const struct cor_scene_contact *contact = wish->contacts;
-    const int constant = cor_law_is_constant(&contact->law);
+    const int constant = cor_law_is_constant(&contact->law),
+              given = cor_scene_given(wish->scene, COR_SCENE_RESTITUTION);
+    const int end = (int)model->end, has_end = end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE;
+    const int pressed =
+        cor_scene_given(wish->scene, COR_SCENE_GRAVITY) && (!same_law || cor_scene_given(wish->scene, COR_SCENE_AT));
     /* eps was given, and no end at which it was measured: the simulator is to realise it at its own end. */
-    const int own_end = cor_scene_given(wish->scene, COR_SCENE_RESTITUTION) && wish->scene->end == COR_BOTH_ENDS;
-    if (!same_law || model->law == COR_LAW_IMPULSE || (constant && own_end))
+    const int own_end = given && wish->scene->end == COR_BOTH_ENDS && !pressed;
+    if (model->law == COR_LAW_IMPULSE || (!same_law && !pressed) || (constant && own_end))
         return cor_law_damping(model->law, model->end, wish->eps);
-    if (wish->count > 1) {
-        if (model->end != COR_END_ZERO_OVERLAP && model->end != COR_END_ZERO_FORCE)
-            return NAN;
-        contact = &wish->contacts[model->end];
+    if (!same_law) { /* eps of the speed, under the force */
+        struct cor_scene_contact c = cor_model_contact(*contact, &cor_law_exponents[model->law], 0, 1);
+        return has_end && c.law.elastic * contact->law.denominator == contact->law.elastic * c.law.denominator &&
+                       cor_scene_set_damping(&c, COR_SCENE_RESTITUTION, wish->eps, wish->speed_m_s, end) == 0
+                   ? (cor_law_is_constant(&c.law) ? c.damping : cor_scene_beta(&c, wish->speed_m_s))
+                   : (double)NAN;
     }
+    if (wish->count > 1 && !has_end)
+        return NAN;
+    contact += wish->count > 1 ? end : 0;
     return constant ? contact->damping : cor_scene_beta(contact, speed_of(wish));
 }
 

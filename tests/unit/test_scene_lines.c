@@ -388,6 +388,16 @@ TEST(unlike_bodies_of_a_constant_law)
     }
 }
 
+/* The contact of a scene; the one whose restitution was measured at the end, if there are two */
+static struct cor_scene_contact contact_of(const struct cor_scene *scene, int end)
+{
+    struct cor_scene_contact contact[COR_SCENE_ENDS];
+    struct cor_scene_fault fault;
+    int count;
+    assert_int_equal(cor_scene_contacts(contact, &count, &fault, scene), COR_FAULT_NONE);
+    return contact[count > 1 ? end : 0];
+}
+
 /* What a text says of speeds that are given in any order, and apart from --at */
 TEST(speeds_in_any_order)
 {
@@ -408,21 +418,62 @@ TEST(speeds_in_any_order)
         is_near(found(text, " --speed-min "), low, 1e-5);
         is_near(found(text, " --speed-max "), high, 1e-5);
         /* a host without the law, at one speed */
-        struct cor_scene_contact contact[COR_SCENE_ENDS];
-        struct cor_scene_fault fault;
-        int count;
-        assert_int_equal(cor_scene_contacts(contact, &count, &fault, &scene), COR_FAULT_NONE);
-        const double eps = scene_eps(contact, low, COR_END_ZERO_FORCE);
+        const struct cor_scene_contact contact = contact_of(&scene, COR_END_ZERO_FORCE);
+        const double eps = scene_eps(&contact, low, COR_END_ZERO_FORCE);
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
         is_near(at, eps, 1e-5);
         is_near(found(at, " at "), low, 1e-5);
         /* a host of linear springs only: what to type */
         const char *const refusal = text_for("mujoco", NULL, &scene, low);
-        is_near(found(refusal, "--law linear --duration "), cor_scene_elastic_duration_s(contact, low), 1e-11);
-        is_near(found(refusal, " --effective-mass "), contact->mass_kg, 1e-11);
+        is_near(found(refusal, "--law linear --duration "), cor_scene_elastic_duration_s(&contact, low), 1e-11);
+        is_near(found(refusal, " --effective-mass "), contact.mass_kg, 1e-11);
         is_near(found(refusal, " --restitution "), eps, 1e-11);
     }
 }
 
-RUN_TESTS(bodies_that_differ_in_one_number, unlike_bodies_of_a_constant_law, speeds_in_any_order, corrected_for_a_step,
-          stiffness_of_a_duration, walls, ends, active_lines_are_one_block, buffer_of_any_size, versions)
+/* Under gravity the numbers are those of the contact, as without gravity, and eps is that under the force. */
+TEST(a_ball_that_falls)
+{
+    static const char *const number[] = {"granular hertz ", "coefficientRestitution peratomtypepair 2 ", "betan="};
+    static const char *const host[] = {"lammps", "liggghts", "yade"};
+    char words[100];
+    for (int i = 0; i < 18; i++) {
+        const int kind = i % 3, end = i / 3 % 3 - 1, way = kind > 0 ? COR_SCENE_ZETA : COR_SCENE_DAMPING_COEFFICIENT;
+        const int own = kind == 2 ? COR_END_ZERO_FORCE : end == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : end;
+        const double e = random_uniform(&draw, 0.5, 0.9), at = random_log(&draw, 0.3, 3),
+                     other = random_log(&draw, 0.5, 5);
+        struct cor_scene scene = bodies(kind == 0 ? COR_LAW_VISCOELASTIC : COR_LAW_TSUJI, -1);
+        scene.end = end;
+        scene_give(scene, {COR_SCENE_GRAVITY, random_log(&draw, 10, 300)}, {COR_SCENE_RESTITUTION, e},
+                   {COR_SCENE_AT, at});
+        struct cor_scene_contact contact = contact_of(&scene, own);
+        if (kind == 2) { /* YADE's wall is one of K/sqrt(2) */
+            contact.stiffness /= sqrt(2);
+            assert_int_equal(cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, e, at, end < 0 ? own : end), 0);
+        }
+        const char *at_number, *const text = text_for(host[kind], NULL, &scene, other);
+        snprintf(words, sizeof words, " at %.6g m/s under gravity\n", other);
+        is_near(found(text, "\n# realises eps = "), scene_eps(&contact, other, own), 1e-5);
+        found(text, words);
+        at_number = found(text, number[kind]);
+        const double value = strtod(kind < 2 ? strchr(at_number, ' ') : at_number, NULL);
+        scene_give(scene, {COR_SCENE_GRAVITY, NAN}, {COR_SCENE_RESTITUTION, NAN}, {COR_SCENE_AT, NAN},
+                   {way, cor_scene_damping(&contact, way)});
+        at_number = found(text_for(host[kind], NULL, &scene, other), number[kind]);
+        is_near(kind < 2 ? strchr(at_number, ' ') : at_number, value, 1e-9);
+    }
+    /* A host without the law gets the damping by which its own law has this eps under gravity. */
+    struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, -1);
+    scene.end = COR_END_ZERO_OVERLAP;
+    scene_give(scene, {COR_SCENE_GRAVITY, 200}, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.5});
+    const double e = strtod(found(text_for("mfix", NULL, &scene, 0), "\nDES_EN_WALL_INPUT(1) = "), NULL);
+    scene.law = cor_law_exponents[COR_LAW_TSUJI];
+    scene_give(scene, {COR_SCENE_RESTITUTION, NAN}, {COR_SCENE_AT, NAN},
+               {COR_SCENE_ZETA, 2 / sqrt(5) * cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e)});
+    const struct cor_scene_contact contact = contact_of(&scene, COR_END_ZERO_OVERLAP);
+    check(fabs(scene_eps(&contact, 0.5, COR_END_ZERO_OVERLAP) - 0.7) < 1e-8, "MFiX with e = %.9g", e);
+}
+
+RUN_TESTS(a_ball_that_falls, bodies_that_differ_in_one_number, unlike_bodies_of_a_constant_law, speeds_in_any_order,
+          corrected_for_a_step, stiffness_of_a_duration, walls, ends, active_lines_are_one_block, buffer_of_any_size,
+          versions)
