@@ -112,7 +112,7 @@ long cor_simulator_version(const char *text)
     const int alone = *end != '.';
     for (int i = 1; i < 3 && *end == '.'; i++)
         end = read_digits(&part[i], end + 1);
-    if (end[strspn(end, more)] != '\0')
+    if (end[strspn(end, more)] != '\0' || (*end >= '0' && *end <= '9'))
         return 0;
     return alone && part[0] >= 10000000 ? part[0] : part[0] * 10000 + part[1] * 100 + part[2];
 }
@@ -375,12 +375,12 @@ static double step_of(const struct cor_scene_contact *c, const struct task *task
         own = NAN;
     if (pair == PAIR)
         *steps = own;
-    if (c->force_n > 0 && tolerance == 0 && own > 0) { /* of bodies that stay, or fly before they are apart */
-        struct cor_scene_impact bounce;
-        struct cor_scene_contact elastic_contact = *c;
-        elastic_contact.damping = 0;
-        if (cor_scene_impact(&bounce, &elastic_contact, speed) == COR_FAULT_NONE)
-            impact.duration_s[end] = fmin(impact.duration_s[end], bounce.duration_s[end]);
+    if (c->force_n > 0 && tolerance == 0) { /* under a force bodies stay, or fly before they are apart */
+        struct cor_scene_impact bounce = impact;
+        struct cor_scene_contact undamped = *c;
+        undamped.damping = 0;
+        cor_scene_impact(&bounce, &undamped, speed);
+        impact.duration_s[end] = fmin(impact.duration_s[end], bounce.duration_s[end]);
     }
     const double step = impact.duration_s[end] / own;
     return pair == PAIR ? step : fmin(step, fmin(impact.duration_s[!end], elastic) / *steps);
