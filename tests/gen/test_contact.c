@@ -244,7 +244,7 @@ TEST(other_laws)
 
 /* ---- a constant force: collisions enclosed, against the integration in doubles ---- */
 
-static int stuck, held; /* bodies that stay together at each end */
+static int stuck, held, parted; /* bodies that stay together at each end; that part at both */
 
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {
@@ -277,6 +277,7 @@ static void check_pressed(const struct cor_exponents *exponents, double damping,
     }
     stuck += isinf(time[0]) != 0;
     held += isinf(time[1]) != 0;
+    parted += !isinf(time[0]);
 }
 
 /* In units in which the force is 1 */
@@ -295,26 +296,28 @@ static void check_sticking_speed(const struct cor_exponents *exponents, double d
 
 TEST(collisions_under_a_constant_force)
 {
-    enum { DRAWS = 8 };
+    enum { DRAWS = 4 };
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
                                                 {2, 1, 1}, {2, 1, 2}, {8, 7, 4}, {1, 0, 2}};
     const size_t draws = points(DRAWS);
+    size_t cases = 0;
     for (size_t l = 0; l < COUNT_OF(laws); l++) {
         const double a1 = (double)laws[l].elastic / laws[l].denominator + 1;
         EACH (damping, 0, 0.05, 0.5, 2.6) {
             EACH (force, 1e-4, 0.1, 0.5, 2) {
-                check_pressed(&laws[l], *damping, *force, 1);
+                if (in_turn(cases++, 3))
+                    check_pressed(&laws[l], *damping, *force, 1);
             }
         }
         /* large forces, next to the sticking speed and beyond it */
         for (size_t i = 0; i < draws; i++) {
             const double speed = pow(random_log(&draw, 1, 1e12), -a1 / (2 * a1 - 2));
-            check_pressed(&laws[l], i > 0 ? speed * speed * random_log(&draw, 1e-3, 1) : 0, 1, speed);
+            check_pressed(&laws[l], i > 0 ? speed * speed * random_log(&draw, 1e-3, 0.5) : 0, 1, speed);
         }
         check_sticking_speed(&laws[l], random_log(&draw, 1e-30, 1e-16));
         check_sticking_speed(&laws[l], random_log(&draw, 1e-16, 0.1));
     }
-    check(stuck > held && held > 20 && stuck < (int)(9 * (16 + draws) / 2), "%d %d", stuck, held);
+    check(stuck >= held && held > 5 && parted > 20, "%d %d %d", stuck, held, parted);
 }
 
 /* On both sides of the threshold, an ulp of 60 bits away, the enclosed collisions differ; the backward integration in

@@ -182,6 +182,65 @@ TEST(test_spheres)
     plan_clear(&plan);
 }
 
+/* A ball on a floor, at the surface and at zero overlap: every model is compared with collisions under gravity, formulas
+ * and the library's functions of beta have no gravity, the header and cor_scene_eps have it. A law without a header, and
+ * without damping nothing depends on the speed. */
+TEST(test_gravity)
+{
+    static const struct {
+        int law, end;
+        const char *damping, *chosen;
+    } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, "1e-3", "header: "},
+                  {COR_LAW_HERTZ_DASHPOT, END_ZERO_OVERLAP, "0.4", "header: "},
+                  {COR_LAW_TSUJI, END_SURFACE, "0.1", "library: cor_scene_eps"},
+                  {COR_LAW_VISCOELASTIC, END_SURFACE, "0", "constant eps"}};
+    for (size_t k = 0; k < COUNT_OF(scenes); k++) {
+        if (!in_turn(k, 2))
+            continue;
+        const int number[] = {[COR_LAW_VISCOELASTIC] = COR_SCENE_DISSIPATION_TIME,
+                              [COR_LAW_HERTZ_DASHPOT] = COR_SCENE_DAMPING_COEFFICIENT,
+                              [COR_LAW_TSUJI] = COR_SCENE_ZETA};
+        struct embed_request request =
+            request_of("0.1", "2", "1e-3", scenes[k].end,
+                       GIVEN({COR_SCENE_YOUNG, "1e6"}, {COR_SCENE_POISSON, "0.3"}, {COR_SCENE_RADIUS, "0.01"},
+                             {COR_SCENE_DENSITY, "1000"}, {number[scenes[k].law], scenes[k].damping},
+                             {COR_SCENE_GRAVITY, "9.81"}));
+        request.wall = true;
+        request.law = scenes[k].law;
+        struct embed_request bare = request;
+        struct contacts contacts, pressed;
+        struct plan plan;
+        const int end = scenes[k].end == END_ZERO_OVERLAP ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+        bare.number[COR_SCENE_GRAVITY].text = NULL;
+        bare.end = end;
+        assert_int_equal(contacts_of_request(&contacts, &bare), STATUS_OK);
+        assert_int_equal(contacts_of_request(&pressed, &request), STATUS_OK);
+        assert_int_equal(plan_spheres(&plan, &bare, contacts.contact, &request, pressed.contact, 3), STATUS_OK);
+        const struct plan_model *const chosen = &plan.model[plan.chosen];
+        check(strncmp(chosen->name, scenes[k].chosen, strlen(scenes[k].chosen)) == 0, "%s", chosen->name);
+        for (slong i = 0; i < 3; i++) {
+            double eps[2], without;
+            for (int at = 0; at < 2; at++)
+                assert_int_equal(cor_scene_eps(&eps[at], pressed.contact, plan.speed[i], at), 0);
+            assert_int_equal(cor_scene_eps(&without, contacts.contact, plan.speed[i], end), 0);
+            check_near(plan.truth[i], eps[end], 1e-11);
+            check_values(&plan, "the other end", i, eps[1 - end], 1e-11);
+            check(fabs(chosen->value[i] / eps[end] - 1) <= 1e-3, "%s: %g", chosen->name, chosen->value[i]);
+            for (int m = 0; m < plan.models; m++)
+                if (strstr(plan.model[m].name, "library: cor_") && plan.model[m].value[i] != plan.truth[i]) {
+                    check_near(plan.model[m].value[i], without, 1e-11);
+                    check_near(plan.model[m].error[i], fabs(without / eps[end] - 1), 1e-6);
+                    assert_true(m != plan.chosen && !strcmp(plan.model[m].leaves_out, "the constant force"));
+                }
+        }
+        assert_true(
+            !strstr(chosen->name, "header") ||
+            (strstr(chosen->use, "--gravity 9.81") && strstr(chosen->use, contact_end_options_pressed[scenes[k].end])));
+        plan_clear(&plan);
+        request_clear(&request);
+    }
+}
+
 /* Beyond beta = 7 eps at zero overlap is h*^5/beta^5. */
 TEST(test_strong_damping)
 {
@@ -367,4 +426,4 @@ TEST(test_waves)
     }
 }
 
-RUN_TESTS(test_spheres, test_strong_damping, test_disks, test_contact_time, test_waves)
+RUN_TESTS(test_spheres, test_gravity, test_strong_damping, test_disks, test_contact_time, test_waves)
