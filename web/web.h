@@ -27,7 +27,7 @@ struct web_request {
     int count;
     double speed_m_s[WEB_SPEEDS];
     size_t speeds;
-    int steps_given, at_surface; /* at_surface: the end is given as the surface */
+    int steps_given, at_surface;                    /* at_surface: the end is given as the surface */
     double steps;                                   /* in the shortest contact */
     double speed_min_m_s, speed_max_m_s, tolerance; /* of picture and header */
     const struct cor_simulator *simulator;          /* NULL: none is chosen */

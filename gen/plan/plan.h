@@ -84,8 +84,9 @@ void plan_choose(struct plan *plan);
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
 /* Each returns STATUS_OK, or another status after a message on stderr. The caller clears the plan in either case. The
- * request must last as long as the plan is made, and so must its contact. `with_force` and `pressed` are the same with the
- * constant force; without one they are request and contact. Of disks the request has both speeds, in sqrt(E/rho), tolerance and Poisson's ratio. points = 0 means the default number. */
+ * request must last as long as the plan is made, and so must its contact. with_force and pressed: the same with the
+ * constant force; without one they are request and contact. The request of disks has both speeds, in sqrt(E/rho),
+ * tolerance and Poisson's ratio. points = 0 means the default number. */
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
                  const struct embed_request *with_force, const struct cor_scene_contact *pressed, slong points);
 int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points);

@@ -178,12 +178,12 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
  * For one contact eps is still a function of the speed, for every law, and no solver is needed. The two ends are then:
  *
  * - COR_END_ZERO_OVERLAP: the contact ends at x = 0.
- * - COR_END_ZERO_FORCE, the surface: the contact ends where its force vanishes, at an overlap x_f with the outward speed
- *   v_f. The bodies fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n x_f/m)^(1/2); eps is this speed over
- *   the impact speed, and the duration lasts until then. For b >= a the two ends are the same.
+ * - COR_END_ZERO_FORCE, the surface: the contact ends where its force vanishes, at an overlap x_f with the outward
+ *   speed v_f. The bodies fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n x_f/m)^(1/2). eps is this
+ *   speed over the impact speed, and the duration lasts until then. For b >= a the two ends are the same.
  *
- * Up to the sticking speed of an end eps is 0 and the duration infinite: the bodies come to rest in contact, because the
- * energy never grows (docs/theory.md, 24). The largest force is the largest force of spring and damper.
+ * Up to the sticking speed of an end eps is 0 and the duration infinite: the bodies come to rest in contact, because
+ * the energy never grows (docs/theory.md, 24). The largest force is the largest force of spring and damper.
  * Accuracy: COR_SCENE_PRESSED_ERROR: absolute for eps^2; relative for durations while eps > 0.01, for overlap and for
  * force. Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T.
  * The sticking speed is in m/s. It is 0 without force or damping, and infinite where the bodies stick at every speed up
@@ -401,9 +401,11 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
-/* The quantities that corgen contact prints for a contact: name, enum cor_scene_number (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS:
- * v_y; COR_SCENE_LIQUID_VISCOSITY: s) or one of the next three, unit; and the value of such a number, NaN where it is
- * not known or, of the next three, where no force presses and no liquid holds */
+/* The quantities that corgen contact prints for a contact: name, number and unit. number: enum cor_scene_number
+ * (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS: v_y; COR_SCENE_LIQUID_VISCOSITY: s) or one of the next three. The
+ * function returns the value of such a number. It is NaN if the value is not known, and for the next three if no force
+ * presses and no liquid holds. Under a constant force corgen prints sticking_speed_surface in place of
+ * sticking_speed_zero_force. */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
     COR_SCENE_STICKING_ZERO_OVERLAP,

@@ -163,7 +163,8 @@ static double beta_function(double x, double y)
     return tgamma(x) * tgamma(y) / tgamma(x + y);
 }
 
-/* (2 damping J)^(1/2), J = int x^b x' dx to the turning point and back = 2^(3/2) (a+1)^p/a B(p, 3/2), p = (b + 3/2)/a */
+/* Returns (2 damping J)^(1/2) with J = int x^b x' dx to the turning point and back,
+ * J = 2^(3/2) (a+1)^p/a B(p, 3/2), p = (b + 3/2)/a. */
 static double slow_sticking_speed(const struct cor_exponents *law, double damping)
 {
     const double a = cor_elastic(law), p = (cor_damping(law) + 1.5) / a;

@@ -182,9 +182,8 @@ TEST(test_spheres)
     plan_clear(&plan);
 }
 
-/* A ball on a floor, at the surface and at zero overlap: every model is compared with collisions under gravity, formulas
- * and the library's functions of beta have no gravity, the header and cor_scene_eps have it. A law without a header, and
- * without damping nothing depends on the speed. */
+/* A ball on a floor: every model is compared with collisions under gravity. Formulas and the library's functions of
+ * beta ignore gravity; the header and cor_scene_eps take it. Tsuji's law has no header. Without damping eps is 1. */
 TEST(test_gravity)
 {
     static const struct {

@@ -89,7 +89,7 @@ static inline long double motion_force(const long double *y, const void *of)
 }
 
 struct motion_course {
-    /* At zero overlap and, with a constant force, back at the surface, otherwise at zero force; 0 and infinity: the bodies
+    /* At zero overlap, and at zero force or, with a constant force, back at the surface; 0 and infinity: the bodies
      * stay together */
     long double eps[2], duration[2];
     long double max_overlap, time_of_max_overlap, force_max; /* the force at the steps */
