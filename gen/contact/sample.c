@@ -350,8 +350,10 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
         const double low = function_value(&c, q, c.low), high = function_value(&c, q, c.high);
         if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
             return usage_error("%s is %g at %g m/s and %g at %g m/s: a relative tolerance needs a number above 0; give "
-                               "a narrower range of speeds, or --end zero-force",
-                               q == 0 ? "eps" : "the duration", low, request->speed_min, high, request->speed_max);
+                               "a narrower range of speeds%s",
+                               q == 0 ? "eps" : "the duration", low, request->speed_min, high, request->speed_max,
+                               request->contact->force_n > 0 ? ", above the sticking speed of corgen contact"
+                                                             : ", or --end zero-force");
     }
     int status = STATUS_OK;
     const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;

@@ -78,7 +78,8 @@ static double longest_step(const struct motion *m)
     const double *const u = m->power[1].c, *const v = m->v;
     const double size = fmax(fabs(u[0]), fabs(v[0]));
     double least = u[0] == 0 ? 0.1 : INFINITY, u_size = size, v_size = size;
-    if (m->follows_energy && u[0] > 0) { /* v can be far smaller than u */
+    if (m->follows_energy && u[0] > 0) { /* v can be far smaller than u, and u linear over many of its sizes */
+        least = v[0] > 0 ? 4 * u[0] / v[0] : least;
         u_size = u[0];
         v_size = fmax(fabs(v[0]), sqrt(m->press * whole_power(u[0], order_of(m))));
     }

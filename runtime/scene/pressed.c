@@ -195,7 +195,7 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 
 /* ---- a collision ---- */
 
-#define SLOWEST 1e-100 /* what is slower and not is_slow sticks, as at this speed */
+#define SLOWEST 1e-12 /* below it, and with damping that is not WEAK, the bodies stick as at this speed */
 
 /* The units of a motion: the speed, or where the constant force is the larger one that force, and strong damping, set
  * them. */
@@ -219,6 +219,8 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
         solve_slow(impact, law, damping, speed);
         return COR_FAULT_NONE;
     }
+    if (speed < SLOWEST && damping < WEAK) /* a weak spring keeps energy where the force vanishes */
+        return COR_FAULT_PRESSED;
     const struct scales unit = motion_scales(law, damping, fmax(speed, SLOWEST), &is_forced);
     const double acceleration = unit.length / (unit.time * unit.time);
     if (!motion_init(&m, law, pow(unit.length, a) / acceleration,
