@@ -63,6 +63,15 @@ def test_bodies_and_their_numbers_give_the_same_lines():
     assert "pair_coeff" in simulators.lines("lammps", contact, speeds=1.0, end="zero_force")
 
 
+def test_gravity_has_the_surface_as_its_end():
+    given = {"speeds": 0.5, "wall": True, "restitution": 0.8, "at": 0.5}
+    lines = simulators.lines("lammps", BODY, end="surface", gravity=9.81, **given)
+    assert "# realises eps = 0.8 at 0.5 m/s under gravity" in lines
+    for end, gravity in ("zero_force", {"gravity": 9.81}), ("surface", {}):
+        with pytest.raises(ValueError, match="is not an end of this contact; allowed: zero_overlap"):
+            simulators.lines("lammps", BODY, end=end, **gravity, **given)
+
+
 def test_realised():
     model = "granular hertz, damping tsuji, releases to July 2026"
     assert simulators.realised("lammps", model, 0.5) == pytest.approx(0.616, abs=5e-4)
