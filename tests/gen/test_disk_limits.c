@@ -28,6 +28,7 @@ TEST(test_file)
 /* A sample tells numbers of a collision from others, 1e-6 apart in 1 - eps^2. */
 TEST(test_samples)
 {
+    leave_to_turn(1, 2);
     static struct cor_disk_limit_piece piece[PIECES];
     memcpy(piece, cor_disk_limit_piece, sizeof piece);
     for (size_t seed = 0; seed < points(6); seed++)

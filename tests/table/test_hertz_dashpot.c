@@ -35,6 +35,7 @@ TEST(test_borders)
 /* Where the rows of damping while approaching only meet: the series, the near rows, the octaves and the tail */
 TEST(test_approach_only)
 {
+    leave_to_turn(1, 2);
     double beta[52] = {nextafter(0.0625, 0), 0.0625, nextafter(0.125, 0), 0.125, nextafter(8, 0), 8};
     for (int k = 4; k < 50; k++)
         beta[k + 2] = ldexp(1, k);

@@ -477,6 +477,7 @@ static double estimate_and_changes(double nu, double speed, double tolerance, si
 /* The estimate at a calm scene is never below three times the last change, with noise and unseen waves. */
 TEST(parts_of_the_estimate)
 {
+    leave_to_turn(1, 2);
     const double tolerance = 1e-6, noise = NOISE * pow(tolerance / 4e-6, 2.5 / 3);
     double change[4];
     for (size_t levels = 3; levels <= 6; levels++) {
