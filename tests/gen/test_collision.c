@@ -284,6 +284,12 @@ TEST(test_slow_manifold)
         arb_poly_evaluate2(p, slope, m->p, m->last, 250);
         assert_false(HOLDS(250, "abs(1 - p + (law.a - law.b)*m->last*p^2 - m->n*m->last^2*p*slope) > m->nu", p, law.a,
                            law.b, m->last, m->n, slope, m->nu));
+        LET(beta, 250, "m->last*(1 - 1/2^100)", m->last);
+        arb_poly_evaluate(p, m->p, beta, 250);
+        assert_true(slow_manifold_time(slope, m, beta, p, 24)); /* hardly any time, known to its error */
+        arf_set_mag(arb_midref(slope), arb_radref(slope));
+        mag_zero(arb_radref(slope));
+        assert_true(HOLDS(250, "2*slope > m->time_error", slope, m->time_error));
         set_number(beta, cases[i][2]);
         assert_int_equal(motion_solve_slow(slow, beta, &law, 24, 250), MOTION_DONE);
         assert_int_equal(motion_solve(direct, beta, &law, MOTION_ZERO_OVERLAP, 450), MOTION_DONE);

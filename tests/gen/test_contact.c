@@ -290,6 +290,7 @@ static void check_sticking_speed(const struct cor_exponents *exponents, double d
     arb_set_d(exact, damping);
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         assert_int_equal(collision_sticking_speed(speed, exact, &law, end, 50), 0);
+        assert_bits(speed, 50);
         check_near(cor_scene_sticking_speed(&contact, end), middle(speed), 1e-12);
     }
 }
@@ -334,6 +335,7 @@ TEST(thresholds_of_a_constant_force)
                 LOCAL(collision, c);
                 arb_set_d(beta, b);
                 assert_int_equal(collision_sticking_force(force, beta, &law, end, 70), 0);
+                assert_bits(force, 70);
                 for (int sign = -1; sign <= 1; sign += 2) {
                     LET(nearby, 200, "force*(1 + sign/2^60)", force, sign);
                     arb_get_mid_arb(nearby, nearby);

@@ -283,6 +283,18 @@ TEST(test_ways_of_a_contact)
     }
 }
 
+/* Viscosities are decimals, both of them. */
+TEST(test_viscosities)
+{
+    static const char *const texts[] = {"1e3,2", "1/3,2", "2,1/3", "2", ",2", "2,"};
+    for (size_t i = 0; i < COUNT_OF(texts); i++) {
+        struct decimal eta[2] = {{0}};
+        assert_int_equal(embed_viscosity(eta, texts[i]), i == 0);
+        decimal_clear(&eta[0]);
+        decimal_clear(&eta[1]);
+    }
+}
+
 /* An eps that is the same at every speed is a header of one number, and its proof is the difference to that eps. */
 TEST(test_constant)
 {
@@ -488,4 +500,4 @@ TEST(test_pressed)
 }
 
 RUN_TESTS(test_pressed, test_yield, test_choice, test_counts, test_fit, test_scenes, test_laws, test_far,
-          test_far_force, test_ways_of_a_contact, test_constant)
+          test_far_force, test_ways_of_a_contact, test_viscosities, test_constant)

@@ -81,11 +81,13 @@ static void check_choice(struct plan *plan, struct random_state *r)
                 meets = meets && m->error[j] + (m->promised ? 0 : plan->uncertainty[j]) <= 0.97 * plan->tolerance;
             assert_true(meets == (m->verdict == PLAN_MEETS || m->verdict == PLAN_CHOSEN));
             assert_true((m->verdict == PLAN_CHOSEN) == (i == plan->chosen));
-            if (meets && (least < 0 || m->cost < plan->model[least].cost))
+            const struct plan_model *const best = least < 0 ? NULL : &plan->model[least];
+            if (meets && (!best || m->cost < best->cost || (m->cost == best->cost && m->worst < best->worst)))
                 least = i;
         }
         assert_true((least < 0) == (plan->chosen < 0));
-        assert_true(least < 0 || plan->model[plan->chosen].cost == plan->model[least].cost);
+        assert_true(least < 0 || (plan->model[plan->chosen].cost == plan->model[least].cost &&
+                                  plan->model[plan->chosen].worst == plan->model[least].worst));
     }
 }
 

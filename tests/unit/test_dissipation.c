@@ -118,7 +118,8 @@ TEST(limits)
     check_nan(cor_dissipation_time_s(3, 5, 7, 0), cor_dissipation_time_viscous_s(-1, 0, 1, 0.3),
               cor_dissipation_time_viscous_s(1, NAN, 1, 0.3), cor_dissipation_time_viscous_s(1, 1, 0, 0.3),
               cor_dissipation_time_viscous_s(1, 1, INFINITY, 0.3), cor_dissipation_time_viscous_s(1, 1, 1, -1),
-              cor_dissipation_time_viscous_s(1, 1, 1, 0.6), cor_dissipation_time_viscous_s(INFINITY, 1, 1, 0.3));
+              cor_dissipation_time_viscous_s(1, 1, 1, 0.6), cor_dissipation_time_viscous_s(INFINITY, 1, 1, 0.3),
+              cor_dissipation_time_viscous_s(1, INFINITY, 1, 0.3));
     /* only the result may leave the doubles */
     check_near(cor_dissipation_time_viscous_s(1e300, 1e300, 1e300, 0.25), cor_dissipation_time_viscous_s(1, 1, 1, 0.25),
                1e-15);

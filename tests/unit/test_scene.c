@@ -84,7 +84,17 @@ TEST(every_law)
         }
         if (q > 0)
             check_near(1 - scene_eps(&c, cor_scene_damping(&c, COR_SCENE_G_STAR) * pow(1e-7, 1 / q), 0), 1e-7, 1e-5);
-        struct cor_scene_contact wet = c;
+        /* a restitution without its end, of a law whose ends differ, is a contact for each */
+        struct cor_scene scene = scene_without_numbers((enum cor_law)(i % COR_LAW_PLATE));
+        struct cor_scene_contact both[COR_SCENE_ENDS], wet = c;
+        struct cor_scene_fault fault;
+        int count;
+        scene_give(scene, {COR_SCENE_STIFFNESS, c.stiffness}, {COR_SCENE_EFFECTIVE_MASS, c.mass_kg},
+                   {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
+        assert_int_equal(cor_scene_contacts(both, &count, &fault, &scene), COR_FAULT_NONE);
+        assert_int_equal(count, a1 > b1 ? COR_SCENE_ENDS : 1);
+        for (int end = 0; end < count; end++)
+            check_near(scene_eps(&both[end], speed, end), 0.7, 1e-13);
         const double s = wet.liquid_speed_m_s = speed * random_log(&draw, 0.01, 10), at = speed + s - s;
         const struct cor_scene_impact got = scene_impact(&wet, speed + s), dry = scene_impact(&c, at);
         assert_true(got.beta == dry.beta && got.max_overlap_m == dry.max_overlap_m &&
