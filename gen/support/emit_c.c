@@ -92,7 +92,7 @@ int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong lengt
             free(text);
             return fail("%s[%ld] is not known well enough to be rounded", name, (long)i);
         }
-        fprintf(e->file, "    %a, /* [%ld] %s */\n", y, (long)i, text);
+        fprintf(e->file, "    %.17g, /* [%ld] %s */\n", y, (long)i, text);
         free(text);
     }
     fprintf(e->file, "};\n");

@@ -158,6 +158,8 @@ const char *c_name_taken(const char *name)
         return "reserved by C or C++ for its underscores";
     if (listed(keywords, name, length))
         return "a keyword of C or C++";
+    if (strcmp(name, "posix") == 0 || (strncmp(name, "std", 3) == 0 && !name[3 + strspn(name + 3, "0123456789")]))
+        return "a namespace of C++";
     if (!name[strcspn(name, lower)] || strncmp(name, "M_", 2) == 0)
         return "a name of macros, without small letters";
     if (length > 2 && strcmp(name + length - 2, "_t") == 0)

@@ -110,11 +110,6 @@ double cor_scene_yield_speed(const struct cor_scene_contact *contact, double yie
     return COR_YIELD_FACTOR * ratio * ratio * sqrt(radius * radius * radius * pressure / contact->mass_kg);
 }
 
-double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yield_speed_m_s)
-{
-    return cor_scene_pressure(contact, cor_scene_elastic_overlap(contact, yield_speed_m_s)) / COR_YIELD_PRESSURE;
-}
-
 /* ---- contact radius and pressure ---- */
 
 double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double speed_m_s)
@@ -128,11 +123,22 @@ double cor_scene_contact_radius(const struct cor_scene_contact *contact, double 
     return sqrt(contact->radius_m * overlap_m);
 }
 
-/* (3/2) K x^(3/2)/(pi R x), and no more than the pressure at which the spheres yield */
+/* (3/2) K x^(3/2)/(pi R x), by Hertz */
+static double pressure(const struct cor_scene_contact *contact, double overlap_m)
+{
+    return 1.5 * contact->stiffness * sqrt(overlap_m) / (COR_PI * contact->radius_m);
+}
+
+/* No more than the pressure at which the spheres yield */
 double cor_scene_pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
     const double yields = contact->plastic ? cor_scene_elastic_overlap(contact, contact->yield_speed_m_s) : INFINITY;
-    return 1.5 * contact->stiffness * sqrt(fmin(overlap_m, yields)) / (COR_PI * contact->radius_m);
+    return pressure(contact, fmin(overlap_m, yields));
+}
+
+double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yield_speed_m_s)
+{
+    return pressure(contact, cor_scene_elastic_overlap(contact, yield_speed_m_s)) / COR_YIELD_PRESSURE;
 }
 
 /* ---- an impact above the yield speed ----

@@ -140,6 +140,11 @@ TEST(piecewise_contact)
     check_near(contact.yield_speed_m_s, onset, 1e-14);
     check_near(COR_YIELD_FACTOR, sqrtl(powl(pi_long, 5) / 30), 1e-15);
     check_near(cor_scene_yield_stress(&contact, (double)onset), 1e9L, 1e-14);
+    draw_begin();
+    for (int i = 0; i < 100; i++) { /* of any speed, also above that of the contact */
+        const double speed = (double)onset * random_log(&draw, 1e-6, 1e6);
+        check_near(cor_scene_yield_speed(&contact, cor_scene_yield_stress(&contact, speed)), speed, 2e-14);
+    }
     EACH (ratios, 0.5, 0.99, 1.0001, 1.2, 2, 10, 100, 3e3) {
         const double speed = contact.yield_speed_m_s * *ratios;
         const struct cor_scene_impact impact = scene_impact(&contact, speed);
