@@ -34,12 +34,13 @@ export async function load(source) {
 function wrap(c) {
     // ---- memory of the module; it moves when it grows ----
 
-    const text = (at) => {
-        const memory = new Uint8Array(c.memory.buffer);
+    // An address is a number of 32 bits, which JavaScript reads with a sign.
+    const text = (signed) => {
+        const memory = new Uint8Array(c.memory.buffer), at = signed >>> 0;
         return new TextDecoder().decode(memory.slice(at, memory.indexOf(0, at)));
     };
     const allocate = (size) => {
-        const at = c.malloc(Math.max(size, 8));
+        const at = size < 2 ** 32 ? c.malloc(Math.max(size, 8)) >>> 0 : 0;
         if (at === 0)
             throw new CorError("There is no memory for so large an array.", "");
         return at;
@@ -57,10 +58,9 @@ function wrap(c) {
     const withArray = (array, columns, use) => {
         if (typeof array !== "object" || array === null || typeof array.length !== "number")
             throw new TypeError("cor takes an array of numbers");
-        const given = array instanceof Float64Array ? array : Float64Array.from(array), n = given.length;
-        const x = allocate(8 * n * (1 + columns)), y = x + 8 * n;
+        const n = Math.trunc(array.length), x = allocate(8 * n * (1 + columns)), y = x + 8 * n;
         try {
-            new Float64Array(c.memory.buffer, x, n).set(given);
+            new Float64Array(c.memory.buffer, x, n).set(array instanceof Float64Array ? array : Float64Array.from(array));
             use(x, y, n);
             return new Float64Array(c.memory.buffer, y, n * columns).slice();
         } finally {

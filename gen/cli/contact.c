@@ -186,7 +186,7 @@ static const char help[] =
     "                   symplectic-euler, verlet-full-step; with --for that of the simulator\n"
     "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
     "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
-    "  --friction MU    of spheres: kappa, the tangential velocity of the contact point after over before\n"
+    "  --friction MU    of spheres, without --speed, --for: kappa, the tangential velocity after over before\n"
     "                   an elastic impact without slip, and the angle up to which it sticks when they touch\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON

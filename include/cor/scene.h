@@ -402,21 +402,23 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
 /* The quantities that corgen contact prints for a contact: name, number and unit. number: enum cor_scene_number
- * (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS: v_y; COR_SCENE_LIQUID_VISCOSITY: s) or one of the next three. The
- * function returns the value of such a number. It is NaN if the value is not known, and for the next three if no force
- * presses and no liquid holds. Under a constant force corgen prints sticking_speed_surface in place of
- * sticking_speed_zero_force. */
+ * (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS: v_y; COR_SCENE_LIQUID_VISCOSITY: s) or one of the next five. The
+ * function returns the value of such a number. It is NaN if the value is not known, for the next three if no force
+ * presses and no liquid holds, and for eps if it depends on the speed. Under a constant force corgen prints
+ * sticking_speed_surface in place of sticking_speed_zero_force. */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
     COR_SCENE_STICKING_ZERO_OVERLAP,
-    COR_SCENE_STICKING_ZERO_FORCE
+    COR_SCENE_STICKING_ZERO_FORCE,
+    COR_SCENE_EPS_ZERO_OVERLAP,
+    COR_SCENE_EPS_ZERO_FORCE
 };
 struct cor_scene_quantity {
     const char *name;
     int number;
     const char *unit;
 };
-enum { COR_SCENE_QUANTITIES = 14 };
+enum { COR_SCENE_QUANTITIES = 16 };
 extern const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES];
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 

@@ -4,6 +4,8 @@
 import math
 from typing import Any, Tuple
 
+from ._evaluate import number
+
 ENDS = ("zero_overlap", "zero_force")
 PRESSED_ENDS = ("zero_overlap", "surface")  # under a constant force
 
@@ -20,6 +22,7 @@ def from_restitution(cls: Any, body_1: Any, body_2: Any, eps: float, speed_m_s: 
     """The contact of two bodies that rebounds with eps, 0 < eps <= 1, at the impact speed, m/s, and ends at
     "zero_overlap" or "zero_force". The dissipation times of the bodies do not count: that of the pair follows from eps
     by dissipation_time_s_zero_overlap or dissipation_time_s_zero_force."""
+    eps, speed_m_s = number("eps", eps), number("speed_m_s", speed_m_s)
     if not 0 < eps <= 1:
         raise ValueError(f"eps: {eps!r} is not above 0 and at most 1")
     if not 0 < speed_m_s < math.inf:

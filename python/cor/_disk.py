@@ -9,7 +9,18 @@ from numpy.typing import ArrayLike
 
 from ._cor import ffi, lib
 from ._docs import DOCS
-from ._evaluate import Array, CorError, address, judge, plain_dtype, pointer, record_dtype
+from ._evaluate import (
+    Array,
+    CorError,
+    address,
+    in_parts,
+    judge,
+    mask_of,
+    number,
+    plain_dtype,
+    pointer,
+    record_dtype,
+)
 
 F = TypeVar("F", bound=Callable[..., Any])
 CENTRE_OF_MASS = int(lib.COR_DISK_DATUM_CENTRE_OF_MASS)
@@ -138,6 +149,7 @@ def modes_read(path: Union[str, "os.PathLike[str]"]) -> DiskModes:
 @_documented("cor_disk_modes_compute")
 def modes_compute(nu: float, count: int) -> DiskModes:
     """The lowest count modes of a disk."""
+    nu, count = number("nu", nu), number("count", count, True, -(2**63))
     if count > lib.COR_DISK_MODES_MAX_COUNT or count < 1:
         raise CorError(lib.COR_ERROR_MODES)
     mode = np.zeros(count, _MODE)
@@ -170,28 +182,38 @@ def _record(struct: str, call: Callable[[Any], int]) -> Any:
 
 def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...], more: Tuple[Any, ...] = ()) -> Any:
     """An array of records of the results and the status, of the shape of speed; more is what function takes between
-    the results and the statuses."""
+    the results and the statuses, for all speeds at once."""
     speeds = np.array(speed, np.float64, order="C")
+    mask = mask_of([speed], speeds.shape)
     out = np.zeros(speeds.size, plain_dtype(struct))
     status = np.zeros(speeds.size, np.intc)
     results = ffi.from_buffer(f"struct {struct}[]", out, True)
-    whole = function(*given, address(speeds), speeds.size, results, *more, address(status, True))
-    if whole and not status.any():
-        raise CorError(whole)
-    judge(status.reshape(speeds.shape))
+
+    def run(first: int, count: int) -> None:
+        whole = function(*given, address(speeds) + first, count, results + first, *more, address(status, True) + first)
+        if whole and not status[first : first + count].any():
+            raise CorError(whole)
+
+    if more:
+        run(0, speeds.size)
+    else:
+        in_parts(speeds.size, run)
+    judge(np.where(mask, 0, status.reshape(speeds.shape)))
     result = np.zeros(out.size, record_dtype(struct))
     for name in out.dtype.names or ():
         result[name] = out[name]
     result["status"] = status
-    return result.reshape(speeds.shape).view(np.recarray)[()]
+    result = result.reshape(speeds.shape)
+    return result.view(np.recarray)[()] if mask is np.ma.nomask else np.ma.array(result, mask=mask)
 
 
 @_documented("cor_disk_rayleigh")
 def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_fraction: bool = False) -> Any:
     """A record of the results and the status; with mode_fraction also the array of the fractions."""
     table = _table(modes)
+    n_modes = number("n_modes", n_modes, True)
     fractions, at = _fractions_array(modes, n_modes, (), mode_fraction)
-    given = (table, n_modes, datum, speed)
+    given = (table, n_modes, datum, number("speed", speed))
     result = _record("cor_disk_rayleigh", lambda out: int(lib.cor_disk_rayleigh(*given, out, at)))
     return (result, fractions) if mode_fraction else result
 
@@ -201,6 +223,7 @@ def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike,
     """An array of records of the results and the status, of the shape of speed; with mode_fraction also the fractions,
     an array with one more axis."""
     table = _table(modes)
+    n_modes = number("n_modes", n_modes, True)
     fractions, at = _fractions_array(modes, n_modes, np.shape(speed), mode_fraction)
 
     records = _records("cor_disk_rayleigh", speed, lib.cor_disk_rayleigh_array, (table, n_modes, datum), (at,))
@@ -210,7 +233,8 @@ def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike,
 @_documented("cor_disk_rayleigh_tolerance")
 def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: float) -> Tuple[Any, int]:
     """A record of the results and the status, and the number of modes."""
-    given, n_modes = (_table(modes), datum, speed, tolerance), ffi.new("size_t *")
+    given = (_table(modes), datum, number("speed", speed), number("tolerance", tolerance))
+    n_modes = ffi.new("size_t *")
     result = _record("cor_disk_rayleigh", lambda out: int(lib.cor_disk_rayleigh_tolerance(*given, out, n_modes)))
     return result, int(n_modes[0])
 
@@ -218,7 +242,7 @@ def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: fl
 @_documented("cor_disk_collision_array")
 def collision_array(modes: DiskModes, n_modes: int, options: Any, speed: ArrayLike) -> Any:
     """An array of records of the results and the status, of the shape of speed."""
-    given = (_table(modes), n_modes, pointer(options, "cor_disk_collision_options"))
+    given = (_table(modes), number("n_modes", n_modes, True), pointer(options, "cor_disk_collision_options"))
     return _records("cor_disk_collision", speed, lib.cor_disk_collision_array, given)
 
 
@@ -291,6 +315,7 @@ def _in(what: str) -> Callable[..., Any]:
     ) -> Any:
         """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
         memory = ffi.from_buffer("char[]", workspace, True)
+        n_modes, speed = number("n_modes", n_modes, True), number("speed", speed)
         if detail is not None and detail.energy_after.size < n_modes <= modes.count:
             raise ValueError(f"the detail has room for {detail.energy_after.size} modes, not for {n_modes}")
         of_detail = ffi.NULL if detail is None else pointer(detail, f"{struct}_detail")

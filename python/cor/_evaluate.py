@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Broadcasting, dtypes, structs and errors: how the generated modules call the loops of the C module."""
 
+import operator
 import sys
+import time
 import warnings
 from enum import IntEnum
-from typing import Any, ClassVar, List, Optional, Sequence, Tuple, TypeVar
+from typing import Any, Callable, ClassVar, List, Optional, Sequence, Tuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -56,6 +58,54 @@ def string(text: Any) -> str:
     return "" if text == ffi.NULL else str(ffi.string(text).decode(errors="replace"))
 
 
+def number(name: str, value: Any, integer: bool = False, least: int = 0) -> Any:
+    """A number for C; the error names the argument."""
+    kind = "an integer" if integer else "a real number"
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
+        made = operator.index(value) if integer else float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: {kind} is needed, not {type(value).__name__}") from None
+    except OverflowError:
+        raise OverflowError(f"{name}: an integer beyond the doubles; allowed: up to 1.8e308 in size") from None
+    if integer and not least <= made < 2**63:
+        raise OverflowError(f"{name}: {made} is not from {least} to 2^63 - 1")
+    return made
+
+
+def mask_of(values: Sequence[Any], shape: Tuple[int, ...]) -> Any:
+    """Where one of the numbers is masked; nomask: none of them is a masked array."""
+    masks = [np.ma.getmaskarray(v) for v in values if isinstance(v, np.ma.MaskedArray)]
+    return np.logical_or.reduce([np.broadcast_to(mask, shape) for mask in masks]) if masks else np.ma.nomask
+
+
+def like(values: Sequence[Any], result: Any) -> Any:
+    """The result with the mask of the arguments, or with the index of a Series or DataFrame of pandas among them."""
+    mask = mask_of(values, np.shape(result))
+    if mask is not np.ma.nomask:
+        return np.ma.array(result, mask=mask)
+    frames = [v for v in values if type(v).__module__.startswith("pandas.") and np.shape(v) == np.shape(result) != ()]
+    frames = [v for v in frames if hasattr(v, "index")]
+    if not frames:
+        return result
+    if any(not v.index.equals(frames[0].index) for v in frames):
+        raise ValueError("the arguments have different indexes; allowed: one index, as Series.align gives")
+    first = frames[0]
+    labels = {"columns": first.columns} if hasattr(first, "columns") else {"name": first.name}
+    return type(first)(result, index=first.index, **labels)
+
+
+def in_parts(size: int, run: Callable[[int, int], None]) -> None:
+    """Calls run(first, count) for all elements, in parts of a tenth of a second, between which Ctrl-C ends the call."""
+    first, count = 0, 8
+    while first < size or first == 0:
+        start = time.monotonic()
+        run(first, min(count, size - first))
+        first += count
+        count = 2 * count if time.monotonic() - start < 0.05 else max(count // 2, 1)
+
+
 def judge(status: Array) -> None:
     """Raises for the lowest status that is an error; otherwise warns of the first that is not COR_OK."""
     from .status import Status
@@ -87,7 +137,9 @@ class Struct:
     __slots__ = ("_c",)
 
     def __init__(self, *fields: float) -> None:
-        self._c = ffi.new(f"struct {self._struct} *", fields)
+        kinds = dict(ffi.typeof(f"struct {self._struct}").fields)
+        given = [number(n, v, kinds[n].type.cname != "double") for n, v in zip(self._fields, fields)]
+        self._c = ffi.new(f"struct {self._struct} *", given)
 
     @classmethod
     def _of(cls: "type[S]", c: Any) -> S:
@@ -132,6 +184,9 @@ def address(array: Array, writable: bool = False) -> Any:
 
 def _is_narrow(value: Any, array: Array, name: str) -> Optional[bool]:
     """Whether a real number is no wider than float32; None for a number of Python, which takes the type of others."""
+    if array.dtype.kind == "O":
+        for element in array.flat:
+            number(name, element)
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name}: a real number is needed, not {array.dtype}")
     if type(value) in (int, float):
@@ -229,7 +284,9 @@ class Elementwise(_Loop):
             check_out(out, shape, final)
         loop(*structs, *self._arguments(arrays, shape, result.size), address(result, True), result.size)
         if out is None:
-            return result.astype(final, copy=False)[() if shape == () else ...]
+            return like(values, result.astype(final, copy=False)[() if shape == () else ...])
+        if isinstance(out, np.ma.MaskedArray):
+            out.mask = mask_of(values, shape)
         if result is not out:
             np.copyto(out, result, casting="same_kind")
         return out
@@ -288,10 +345,18 @@ class _Records(_Loop):
         arrays, _ = self._arrays(values, False)
         shape = _shape(arrays) if arrays else ()
         result = np.zeros(shape, self._dtype)
-        arguments = self._arguments(arrays, shape, result.size)
-        self._loop(*structs, *arguments, ffi.from_buffer("char[]", result, True), self._dtype.itemsize, result.size)
-        judge(np.asarray(result["status"]))
-        return result
+        arguments, size = self._arguments(arrays, shape, result.size), self._dtype.itemsize
+        at = ffi.from_buffer("char[]", result, True)
+
+        def run(first: int, count: int) -> None:
+            steps = arguments[1::2]
+            given = [x for a, step in zip(arguments[::2], steps) for x in (a + first * step, step)]
+            self._loop(*structs, *given, at + first * size, size, count)
+
+        in_parts(result.size, run)
+        mask = mask_of(values, shape)
+        judge(np.where(mask, 0, result["status"]))
+        return result if mask is np.ma.nomask else np.ma.array(result, mask=mask)
 
 
 class Record(_Records):
@@ -299,7 +364,8 @@ class Record(_Records):
     of records."""
 
     def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Any:
-        return self._run(structs, values).view(np.recarray)[()]
+        result = self._run(structs, values)
+        return result if isinstance(result, np.ma.MaskedArray) else result.view(np.recarray)[()]
 
 
 class Init(_Records):

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from ._contact import ENDS, PRESSED_ENDS, end_name
 from ._cor import ffi, lib
-from ._evaluate import string
+from ._evaluate import like, number, string
 from .contact import Body, Contact
 
 _Bodies = Union[Contact, Body, Tuple[Body, Body], None]
@@ -66,14 +66,12 @@ def _fill_bodies(scene: Any, bodies: Sequence[Body], damped: bool) -> None:
 
 
 def _number(name: str, value: Any) -> float:
-    if not isinstance(value, (int, float, np.number)):
-        raise TypeError(f"{name}: a number is needed, not {type(value).__name__}")
-    number = float(value)
-    if not math.isfinite(number) or (number < 0 and not name.startswith("poisson")):
+    made = float(number(name, value))
+    if not math.isfinite(made) or (made < 0 and not name.startswith("poisson")):
         raise ValueError(f"{name}: {value!r} is not finite{'' if name.startswith('poisson') else ', or below 0'}")
-    if name == "restitution" and not 0 < number <= 1:
+    if name == "restitution" and not 0 < made <= 1:
         raise ValueError(f"restitution: {value!r} is not above 0 and at most 1")
-    return number
+    return made
 
 
 class _Scene:
@@ -119,7 +117,7 @@ class _Scene:
 
 def _positive(**given: Optional[float]) -> None:
     for name, value in given.items():
-        if value is not None and not 0 < value < math.inf:
+        if value is not None and not 0 < number(name, value) < math.inf:
             raise ValueError(f"{name}: {value!r} is not above 0 and finite")
 
 
@@ -172,7 +170,7 @@ def realised(simulator: str, model: str, e: ArrayLike) -> Any:
     found = [m for m in _models(simulator) if string(m.model) == begun[0]]
     given = np.asarray(e, np.float64)
     result = np.array([lib.cor_simulator_realised(found[0], x) for x in given.ravel()]).reshape(given.shape)
-    return result[()]
+    return like([e], result[()])
 
 
 def lines(

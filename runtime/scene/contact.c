@@ -101,11 +101,24 @@ const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES] = {
     {"zeta", COR_SCENE_ZETA, "1"},
     {"beta_factor", COR_SCENE_BETA, "(m/s)^(-q)"},
     {"q", COR_SCENE_NUMBERS, "1"},
+    {"eps_zero_overlap", COR_SCENE_EPS_ZERO_OVERLAP, "1"},
+    {"eps_zero_force", COR_SCENE_EPS_ZERO_FORCE, "1"},
     {"pressing_force", COR_SCENE_PRESSING_FORCE, "N"},
     {"sticking_speed_zero_overlap", COR_SCENE_STICKING_ZERO_OVERLAP, "m/s"},
     {"sticking_speed_zero_force", COR_SCENE_STICKING_ZERO_FORCE, "m/s"},
     {"yield_speed", COR_SCENE_YIELD_STRESS, "m/s"},
     {"liquid_speed", COR_SCENE_LIQUID_VISCOSITY, "m/s"}};
+
+/* eps at every speed; NaN: it depends on the speed */
+static double only_eps(const struct cor_scene_contact *contact, int end)
+{
+    double eps = NAN;
+    const int alone =
+        !contact->plastic && !(contact->liquid_speed_m_s > 0 || contact->force_n > 0) && !(contact->adhesion_j_m2 > 0);
+    if (cor_law_is_constant(&contact->law) && alone)
+        cor_scene_eps(&eps, contact, 1, end);
+    return eps;
+}
 
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 {
@@ -123,6 +136,8 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (known[i].number == number)
             return known[i].value;
+    if (number == COR_SCENE_EPS_ZERO_OVERLAP || number == COR_SCENE_EPS_ZERO_FORCE)
+        return only_eps(contact, number - COR_SCENE_EPS_ZERO_OVERLAP);
     const int end = number - COR_SCENE_STICKING_ZERO_OVERLAP;
     if (end != COR_END_ZERO_OVERLAP && end != COR_END_ZERO_FORCE)
         return cor_scene_damping(contact, number);

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: MIT
 ! The Fortran module: values of each kind of function, against numbers known otherwise and against the loops of C.
 program test_cor
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_float, c_int, c_loc, c_null_char, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_float, c_int, c_loc, c_null_char, c_null_funptr, &
+    c_null_ptr, c_ptr, c_size_t
   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_positive_inf, ieee_value
   use cor
   implicit none
@@ -12,6 +13,7 @@ program test_cor
   call arrays()
   call contacts()
   call disks()
+  call optional_arguments()
   call statuses()
   if (failed > 0) stop 1
   print '(a)', 'all agree'
@@ -99,6 +101,66 @@ contains
       cor_disk_hard_wall_options_t(0.02_c_double, 0_c_size_t), 0.1_c_double, wall) == COR_OK)
     call expect('its eps', abs(wall%eps - cor_disk_eps(0.1_c_double, 0.3_c_double)) < 0.02_c_double)
     call expect('datum', all(cor_disk_load(0.1_c_double, 0.33_c_double, [0_c_int, 1_c_int, 2_c_int]) > 0.07_c_double))
+  end subroutine
+
+  ! Every one of them, left out and given: tests/fortran/run counts those of the module.
+  subroutine optional_arguments()
+    character(kind=c_char), target, save :: room(2**22)
+    type(c_ptr) :: at
+    type(cor_disk_modes_t) :: modes, none
+    type(cor_disk_mode_t), target :: mode(330)
+    type(cor_disk_rayleigh_t) :: energy, many(2)
+    type(cor_disk_collision_t) :: hit(2)
+    type(cor_disk_hard_wall_t) :: wall(2)
+    type(cor_disk_collision_options_t) :: soft
+    type(cor_disk_hard_wall_options_t) :: hard
+    type(cor_disk_collision_detail_t) :: detail
+    type(cor_disk_hard_wall_detail_t) :: of_wall
+    real(c_double), target :: after(330)
+    real(c_double) :: fraction(660), speed(2), v
+    integer(c_int) :: status(2), code(2)
+    integer(c_size_t) :: n_modes, line, bytes
+    character(kind=c_char, len=*), parameter :: path = 'no such file' // c_null_char
+    call random_number(v)
+    v = 0.01_c_double + 0.09_c_double * v
+    print '(a, es23.16)', 'optional arguments at v = ', v
+    at = c_loc(room)
+    bytes = size(room, kind=c_size_t)
+    speed = [v / 100, -1.0_c_double]
+    soft = cor_disk_collision_options_t(500.0_c_double, 1e-2_c_double, 0_c_size_t, 0_c_size_t)
+    hard = cor_disk_hard_wall_options_t(0.1_c_double, 0_c_size_t)
+    detail = cor_disk_collision_detail_t(c_loc(after), c_null_ptr, c_null_funptr, c_null_ptr, c_null_ptr, c_null_ptr)
+    of_wall = cor_disk_hard_wall_detail_t(c_loc(after), c_null_ptr, c_null_funptr, c_null_ptr, c_null_ptr, c_null_ptr)
+    code = cor_disk_modes_compute(0.33_c_double, 330_c_size_t, mode, modes)
+    line = 7
+    code(1) = cor_disk_modes_read(path, mode, 1_c_size_t, none)
+    code(2) = cor_disk_modes_read(path, mode, 1_c_size_t, none, line)
+    call expect('line', all(code == COR_ERROR_FILE) .and. line == 0)
+    fraction = -1
+    code(1) = cor_disk_rayleigh(modes, 9_c_size_t, 0_c_int, v / 100, energy)
+    code(2) = cor_disk_rayleigh(modes, 9_c_size_t, 0_c_int, v / 100, energy, fraction)
+    call expect('mode_fraction', all(code == COR_OK) .and. all(fraction(:9) >= 0))
+    fraction = -1
+    code(1) = cor_disk_rayleigh_array(modes, 9_c_size_t, 0_c_int, speed, 2_c_size_t, many)
+    code(2) = cor_disk_rayleigh_array(modes, 9_c_size_t, 0_c_int, speed, 2_c_size_t, many, fraction, status)
+    call expect('status', all(code == COR_ERROR_SPEED) .and. all(fraction(:9) >= 0) .and. &
+      status(1) == COR_OK .and. status(2) == COR_ERROR_SPEED)
+    n_modes = 0
+    code(1) = cor_disk_rayleigh_tolerance(modes, 0_c_int, v, 0.5_c_double, energy)
+    code(2) = cor_disk_rayleigh_tolerance(modes, 0_c_int, v, 0.5_c_double, energy, n_modes)
+    call expect('n_modes', code(1) == code(2) .and. n_modes > 0)
+    status = -1
+    code(1) = cor_disk_collision_array(modes, 9_c_size_t, soft, speed, 1_c_size_t, hit)
+    code(2) = cor_disk_collision_array(modes, 9_c_size_t, soft, speed, 1_c_size_t, hit, status)
+    call expect('status of collisions', code(1) == code(2) .and. status(1) == code(2))
+    after = -1
+    code(1) = cor_disk_collision_in(at, bytes, modes, 9_c_size_t, soft, v, hit(1))
+    code(2) = cor_disk_collision_in(at, bytes, modes, 9_c_size_t, soft, v, hit(2), detail)
+    call expect('detail', code(1) == code(2) .and. all(after(:9) >= 0) .and. abs(hit(1)%eps - hit(2)%eps) <= 0)
+    after = -1
+    code(1) = cor_disk_hard_wall_in(at, bytes, modes, 330_c_size_t, hard, v, wall(1))
+    code(2) = cor_disk_hard_wall_in(at, bytes, modes, 330_c_size_t, hard, v, wall(2), of_wall)
+    call expect('detail of a wall', code(1) == code(2) .and. any(after >= 0) .and. abs(wall(1)%eps - wall(2)%eps) <= 0)
   end subroutine
 
   subroutine statuses()

@@ -87,7 +87,7 @@ static void scene_arguments_draw(struct scene_arguments *s, struct random_state 
         s->x[k] = random_below(r, 4) ? random_log(r, 1e-5, 10) : any[COR_SCENE_NUMBERS + k];
     s->model = &cor_simulator_models[random_below(r, cor_simulator_model_count)];
     s->end = (int)random_below(r, 3);
-    s->number = (int)random_below(r, COR_SCENE_NUMBERS + 3);
+    s->number = (int)random_below(r, COR_SCENE_EPS_ZERO_FORCE + 1);
     s->tolerance = s->x[3] > 0 && s->x[3] <= 1e6 ? 2 : s->x[3]; /* smaller ones would take long */
     s->steps = random_below(r, 8) ? random_log(r, 2, 60) : s->x[3] > 60 ? -1 : s->x[3];
     const clock_t start = clock();

@@ -44,6 +44,20 @@ for (const name of names) {
 check(`WebAssembly has the bits of native code: ${names.length - near} functions at ${x.length} arguments; ${near} ` +
     "within 2 doubles by another C library", wrong.length === 0 && names.length > 80, wrong.join("\n"));
 
+// ---- sizes that 32 bits do not hold ----
+
+const large = 2 ** 28 + Math.floor(Math.random() * 2 ** 28), contact = cor.contact({ g_star: 0.2 });
+const refusals = [() => cor.sphere.eps_zero_force({ length: large }), () => contact.impacts({ length: large / 4 })].map((act) => {
+    try {
+        act();
+        return "no error";
+    } catch (error) {
+        return error instanceof cor.CorError ? "" : String(error);
+    }
+});
+check(`an array of ${large} numbers is refused, and the next call is right`,
+    refusals.join("") === "" && cor.sphere.eps_zero_force([0])[0] === 1, refusals.join("\n"));
+
 // ---- scenes ----
 
 let differ = [];

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: MIT
+"""Optional arguments, which all matter, and arguments of other kinds than numbers and arrays."""
+
+import _thread
+import inspect
+import random
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import cor
+from cor import disk, simulators
+
+BODY = cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3)
+SOFT = cor.Body(1e9, 0.3, 1e-6, 5e-3, 1e-3)
+TABLE, COLLISION = disk.modes_nu033, disk.CollisionOptions(500, 1e-3)
+ROOM = np.empty(1 << 22, np.uint8)
+LINE = "pair_coeff * * hertz/material 7e10 0.5 0.22 tangential mindlin NULL 1 0.5 damping tsuji"
+DECK = f"pair_style granular\n{LINE}\n"
+MEASURED = {"restitution": 0.8, "at": 1.0}
+
+# A function, what it is called with, and for each of its optional arguments another value
+OPTIONAL = [
+    (
+        simulators.lines,
+        ("lammps", BODY),
+        {"speeds": [1.0, 2.0], **MEASURED},
+        {"contact": SOFT, "speeds": 0.5, "end": "zero_force"},
+    ),
+    (
+        simulators.lines,
+        ("lammps", BODY),
+        {"speeds": 1.0, **MEASURED},
+        {"wall": True, "law": "tsuji", "version": "1 Jan 2020"},
+    ),
+    (
+        simulators.lines,
+        ("lammps", BODY),
+        {"speeds": 1.0, "steps": 12},
+        {"steps": 30, "time_step": 1e-8, "step_corrected": True},
+    ),
+    (simulators.lines, ("lammps", BODY), {"speeds": 1.0}, {"step_tolerance": 1e-3}),
+    (simulators.step_error, (BODY, 0.1, 12), {}, {"integrator": "verlet-full-step", "end": "zero_force"}),
+    (simulators.step_error, (BODY, 0.1, 12), MEASURED, {"law": "tsuji"}),
+    (
+        simulators.audit,
+        (DECK,),
+        {"simulator": "lammps", "speeds": 1.0},
+        {"speeds": 2.0, "simulator": "yade"},
+    ),
+    (
+        simulators.audit,
+        (DECK,),
+        {"speeds": 1.0, "radius": 1e-3, "density": 2500},
+        {"radius": 2e-3, "density": 1.0, "time_step": 1e-7, "tolerance": 0.9, "version": "2 Aug 2023"},
+    ),
+    (simulators.audit, ("include more\n",), {"simulator": "lammps", "speeds": 1.0}, {"include": lambda name, of: DECK}),
+    (disk.rayleigh, (TABLE, TABLE.count, 0, 0.01), {}, {"mode_fraction": True}),
+    (disk.rayleigh_array, (TABLE, TABLE.count, 0, [0.01]), {}, {"mode_fraction": True}),
+    (TABLE.rayleigh, (0.01,), {}, {"n_modes": 30, "datum": 1}),
+    (TABLE.collision, (0.1, 500, 1e-3), {"n_modes": 20}, {"n_modes": 30}),
+    (TABLE.hard_wall, (0.1, 0.1), {}, {"n_modes": 100}),
+    (disk.CollisionOptions, (500, 1e-3), {}, {"phi_points": 7, "max_steps": 3}),
+    (disk.HardWallOptions, (0.1,), {}, {"max_steps": 3}),
+]
+
+
+def outcome(function, *given, **more):
+    try:
+        return repr(function(*given, **more))
+    except ValueError as error:
+        return str(error)
+
+
+@pytest.mark.parametrize("row", range(len(OPTIONAL)), ids=lambda row: f"{row}-{OPTIONAL[row][0].__name__}")
+def test_every_optional_argument_matters(row):
+    function, given, more, others = OPTIONAL[row]
+    before = outcome(function, *given, **more)
+    for name, value in others.items():
+        if name == "contact":
+            assert outcome(function, given[0], value, **more) != before
+        else:
+            assert outcome(function, *given, **{**more, name: value}) != before, name
+
+
+def test_details_are_filled_and_observe():
+    for detail, call, options in (
+        (disk.CollisionDetail, disk.collision_in, COLLISION),
+        (disk.HardWallDetail, disk.hard_wall_in, disk.HardWallOptions(0.1)),
+    ):
+        n_modes, seen = (5 if detail is disk.CollisionDetail else TABLE.count), []
+        made = detail(n_modes, observe=lambda *moment: seen.append(moment))
+        call(ROOM, TABLE, n_modes, options, 0.1, detail=made)
+        assert seen and np.isfinite(made.energy_after).all() and np.isfinite(made.energy_average).all()
+        assert set(optional_of(call)) == {"detail"} and set(optional_of(detail)) == {"observe"}
+
+
+def optional_of(function):
+    return [
+        p.name for p in inspect.signature(function).parameters.values() if p.default is not p.empty and p.name != "out"
+    ]
+
+
+def test_no_optional_argument_is_left_out():
+    tested = {}
+    for function, _, _, others in OPTIONAL:
+        tested.setdefault(function.__name__, set()).update(others)
+    public = [
+        getattr(m, n)
+        for m in (simulators, disk, cor.contact, cor.law, cor.sphere)
+        for n in dir(m)
+        if n[0].islower() or n.endswith("Options")
+    ]
+    for function in [f for f in public if inspect.isroutine(f) or inspect.isclass(f)] + [
+        TABLE.rayleigh,
+        TABLE.collision,
+        TABLE.hard_wall,
+    ]:
+        if optional_of(function) != ["detail"]:
+            assert set(optional_of(function)) <= tested.get(function.__name__, set()), function
+
+
+def test_all_fractions():
+    record, fractions = disk.rayleigh(TABLE, TABLE.count, 0, 0.01, mode_fraction=True)
+    assert fractions.shape == (TABLE.count,) and fractions.sum() == pytest.approx(record.fraction, rel=1e-12)
+    _, many = disk.rayleigh_array(TABLE, TABLE.count, 0, [0.01, 0.02], mode_fraction=True)
+    np.testing.assert_allclose(many[0], fractions, rtol=1e-9)
+
+
+# ---- other kinds ----
+
+
+def test_masks_stay():
+    draw = np.random.RandomState(random.randrange(1000))
+    x = np.ma.array(draw.uniform(0, 3, (4, 5)), mask=draw.randint(0, 2, (4, 5)))
+    for function in (
+        cor.sphere.eps_zero_force,
+        cor.Contact(BODY, BODY).eps_zero_overlap,
+        lambda y: disk.load(y / 20, 0.3, 0),
+    ):
+        result = function(x)
+        np.testing.assert_array_equal(result.mask, x.mask)
+        np.testing.assert_array_equal(result.compressed(), function(x.compressed()))
+    both = cor.law.hunt_crossley_duration(x, np.ma.array([1.0, 1.1, 1.2, 1.3, 1.4], mask=[0, 0, 0, 0, 1]))
+    np.testing.assert_array_equal(both.mask, x.mask | [False, False, False, False, True])
+    out = np.ma.zeros((4, 5))
+    np.testing.assert_array_equal(cor.sphere.eps_zero_force(x, out=out).mask, x.mask)
+    speeds = np.ma.array([0.1, -1.0, 0.2], mask=[0, 1, 0])  # a masked speed is no error
+    for records in (disk.collision(TABLE, 10, COLLISION, speeds), disk.collision_array(TABLE, 10, COLLISION, speeds)):
+        np.testing.assert_array_equal(records["eps"].mask, speeds.mask)
+    np.testing.assert_array_equal(
+        simulators.realised("lammps", simulators.models("lammps")[0], speeds).mask, speeds.mask
+    )
+
+
+def test_a_series_stays_a_series():
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"v": [0.1, 0.2, 0.4], "eps": [0.9, 0.8, 0.7]}, index=["a", "b", "c"])
+    contact = cor.Contact(BODY, BODY)
+    result = contact.eps_zero_force(frame["v"])
+    assert list(result.index) == ["a", "b", "c"] and result.name == "v" and result["b"] == contact.eps_zero_force(0.2)
+    assert list(contact.dissipation_time_s_zero_force(frame.v, frame.eps).index) == ["a", "b", "c"]
+    assert cor.sphere.eps_zero_force(frame).loc["c", "eps"] == cor.sphere.eps_zero_force(0.7)
+    with pytest.raises(ValueError, match="different indexes"):
+        contact.dissipation_time_s_zero_force(frame.v, frame.eps[::-1])
+
+
+@pytest.mark.parametrize(
+    "act",
+    [
+        lambda x: cor.sphere.eps_zero_force(x),
+        lambda x: cor.sphere.eps_zero_force([1, x]),
+        lambda x: disk.load(0.1, x, 0),
+        lambda x: cor.Body(7e10, 0.2, 1e-7, x, 1e-3),
+        lambda x: cor.Contact.from_restitution(BODY, BODY, x, 1.0, "zero_force"),
+        lambda x: disk.rayleigh(TABLE, 10, 0, x),
+        lambda x: disk.modes_compute(x, 10),
+        lambda x: simulators.lines("lammps", young=7e10, poisson=0.2, radius=x, density=1, restitution=0.5, at=1),
+        lambda x: simulators.lines("lammps", BODY, steps=x),
+    ],
+)
+def test_what_is_no_number_is_named(act):
+    for wrong, error in ((10 ** random.randint(309, 500), OverflowError), ("x", (TypeError, ValueError))):
+        with pytest.raises(error, match=r"^\w+: .*(beyond the doubles; allowed|number is needed)"):
+            act(wrong)
+
+
+def test_ctrl_c_ends_an_array_of_collisions():
+    options = disk.CollisionOptions(500, 1e-8)
+    for function in (disk.collision_array, disk.collision):
+        threading.Timer(0.3, _thread.interrupt_main).start()
+        start = time.monotonic()
+        with pytest.raises(KeyboardInterrupt):
+            function(TABLE, 100, options, np.full(100000, 0.1))
+        assert time.monotonic() - start < 3
