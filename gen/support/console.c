@@ -217,10 +217,9 @@ void console_start(void)
 {
     /* The first opened file would reuse a missing descriptor, and messages would go into it. The stand-in has the wrong
      * direction, so that output.c reports its use as an error. */
-    for (int fd = 0; fd <= 2; fd++) {
+    for (int fd = 0; fd <= 2; fd++)
         if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", fd == 1 ? O_RDONLY : O_WRONLY) != fd)
             exit(STATUS_FAILED);
-    }
     console_thread = true;
     limit_memory_to_physical();
     mp_set_memory_functions(xmalloc, gmp_realloc, NULL);
@@ -237,18 +236,13 @@ static int steps_entered; /* and not left yet */
 static void line_show(const struct step *step)
 {
     const double elapsed = clock_seconds() - step->since, left = step->left;
+    const double unit = left >= 36000 ? 3600 : left >= 600 ? 60 : 1;
     fprintf(stderr, "\r\033[K%s: ", step->name);
     if (step->done >= 0)
         fprintf(stderr, step->total > 0 ? "%ld of %ld, " : "%ld, ", step->done, step->total);
     fprintf(stderr, "%.0f s", elapsed);
     if (left >= 0)
-        fprintf(stderr, ", %.0f %s left",
-                left >= 36000 ? left / 3600
-                : left >= 600 ? left / 60
-                              : left,
-                left >= 36000 ? "h"
-                : left >= 600 ? "min"
-                              : "s");
+        fprintf(stderr, ", %.0f %s left", left / unit, unit == 3600 ? "h" : unit == 60 ? "min" : "s");
     fflush(stderr);
     line_shown = true;
 }
@@ -359,10 +353,8 @@ static struct {
     const char *name;
     double seconds;
 } steps[STEPS_MAX];
-static int step_count;
-static int step_now = -1;
-static double step_started;
-static double profile_started;
+static int step_count, step_now = -1;
+static double step_started, profile_started;
 
 void profile_enable(void)
 {
@@ -393,11 +385,10 @@ void profile_report(void)
     if (!profile_enabled)
         return;
     profile_step(NULL);
-    double total = clock_seconds() - profile_started;
+    double total = clock_seconds() - profile_started, named = 0;
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     progress_hold();
-    double named = 0;
     for (int i = 0; i < step_count; i++) {
         fprintf(stderr, "profile: %10.3f s  %s\n", steps[i].seconds, steps[i].name);
         named += steps[i].seconds;

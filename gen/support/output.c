@@ -32,17 +32,13 @@ static void on_interrupt(int number)
 void output_say_on_interrupt(const char *text)
 {
     static const int interrupting[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction before, action = {.sa_handler = on_interrupt};
+    sigfillset(&action.sa_mask);
     interrupted_text = text;
-    for (size_t i = 0; i < sizeof interrupting / sizeof *interrupting; i++) {
-        struct sigaction action;
+    for (size_t i = 0; i < sizeof interrupting / sizeof *interrupting; i++)
         /* a signal that the parent ignores (nohup) stays ignored */
-        if (sigaction(interrupting[i], NULL, &action) == 0 && action.sa_handler == SIG_DFL) {
-            memset(&action, 0, sizeof action);
-            action.sa_handler = on_interrupt;
-            sigfillset(&action.sa_mask);
+        if (sigaction(interrupting[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
             sigaction(interrupting[i], &action, NULL);
-        }
-    }
 }
 
 void output_report_size_limit(void)
@@ -304,7 +300,7 @@ int output_text(const char *path, const char *text)
     const int status = output_open(&out, path);
     if (status == STATUS_OK)
         fputs(text, out.file);
-    return status == STATUS_OK ? output_commit(&out) : status;
+    return output_finish(&out, status);
 }
 
 char *read_file(const char *path, size_t most, size_t *size)
@@ -328,12 +324,11 @@ char *read_file(const char *path, size_t most, size_t *size)
     const int wrong = ferror(file) ? errno : *size < most ? 0 : EFBIG;
     if (!standard)
         fclose(file);
-    if (wrong) {
-        free(bytes);
-        errno = wrong;
-        return NULL;
-    }
-    return bytes;
+    if (!wrong)
+        return bytes;
+    free(bytes);
+    errno = wrong;
+    return NULL;
 }
 
 /* Tables */
@@ -343,7 +338,7 @@ void table_init(struct table *t, const char *header, const char *kinds)
     *t = (struct table){.header = xstrdup(header), .kinds = xstrdup(kinds)};
     char *rest, *name = strtok_r(t->header, ",", &rest);
     for (; name; name = strtok_r(NULL, ",", &rest)) {
-        t->column = xrealloc(t->column, (size_t)(t->columns + 1) * sizeof *t->column);
+        t->column = xgrow(t->column, (size_t)t->columns, sizeof *t->column);
         t->column[t->columns++] = name;
     }
 }

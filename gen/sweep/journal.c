@@ -33,7 +33,6 @@ static void check_line(uint32_t *check, const char *line)
     *check = cor_mode_file_check(*check, line, strlen(line) + 1);
 }
 
-/* Writes a line as it is. */
 static int journal_put(struct journal *journal, const char *line)
 {
     if (fprintf(journal->stream, "%s\n", line) < 0 || fflush(journal->stream) != 0)
@@ -120,7 +119,7 @@ static bool read_row(struct journal *journal, char **line, uint32_t *check, bool
 static int journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
     char *line = NULL;
-    off_t good = 0;
+    off_t good;
     bool damaged = false;
     int status = STATUS_OK;
     rewind(journal->stream);
@@ -132,8 +131,7 @@ static int journal_recover(struct journal *journal, const char *title, uint64_t 
         status = journal_refuse_foreign(journal, whole ? line : "");
     journal->check = COR_MODE_FILE_CHECK_START;
     check_line(&journal->check, title);
-    if (whole && ours)
-        good = ftello(journal->stream);
+    good = whole && ours ? ftello(journal->stream) : 0;
     while (good > 0 && journal->lines < most && read_row(journal, &line, &journal->check, &damaged)) {
         free(journal->last);
         journal->last = xstrdup(line);

@@ -17,51 +17,39 @@ enum { INPUT_DIGITS = 12, TEXT_DIGITS = 6, NUMBER = 32, WORD = 16, SENTENCE = 80
 
 /* ---- simulators ---- */
 
+#define FRICTION " Friction is 0 in these lines; add yours."
 #define XML "<!-- ", " -->"
 #define SCRIPT "# ", ""
 #define CPP "// ", ""
 const struct cor_simulator cor_simulators[] = {
-    {"lammps", "LAMMPS", SCRIPT,
-     "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes. Friction is 0 in these lines; add "
-     "yours.",
+    {"lammps", "LAMMPS", SCRIPT, "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes." FRICTION,
      "timestep {dt}\n", "29 Sep 2021"},
     {"liggghts", "LIGGGHTS", SCRIPT,
      "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types_in_words} in "
-     "create_box."
-     " Friction is 0 in these lines; add yours.",
+     "create_box." FRICTION,
      "timestep {dt}\n", "3.8.0"},
-    {"yade", "YADE", SCRIPT,
-     "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0. Friction is 0 in these lines; add "
-     "yours.",
+    {"yade", "YADE", SCRIPT, "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0." FRICTION,
      "O.dt = {dt}\n", "2023.02"},
     {"mercurydpm", "MercuryDPM", CPP, "SI units.", "setTimeStep({dt});\n", NULL},
     {"chrono", "Chrono", CPP, "SI units.", "const double time_step = {dt}; // s, for DoStepDynamics\n", NULL},
     {"mfix", "MFiX", "! ", "", "UNITS = 'SI'; MFiX chooses its time step.", NULL, NULL},
-    {"openfoam", "OpenFOAM", CPP, "SI units. Friction is 0 in these lines; add yours.", NULL, NULL},
-    {"esys-particle", "ESyS-Particle", SCRIPT, "SI units. Friction is 0 in these lines; add yours.",
-     "sim.setTimeStepSize({dt})\n", NULL},
-    {"mujoco", "MuJoCo", XML,
-     "Units of the model: m, kg, s. To be put into <mujoco>. Friction is 0 in these lines; add yours.",
+    {"openfoam", "OpenFOAM", CPP, "SI units." FRICTION, NULL, NULL},
+    {"esys-particle", "ESyS-Particle", SCRIPT, "SI units." FRICTION, "sim.setTimeStepSize({dt})\n", NULL},
+    {"mujoco", "MuJoCo", XML, "Units of the model: m, kg, s. To be put into <mujoco>." FRICTION,
      "<option timestep=\"{dt}\"/>\n", "2.2.2"},
     {"drake", "Drake", XML, "SI units.", NULL, NULL},
-    {"simbody", "Simbody", CPP,
-     "SI units. Friction is 0 in these lines; add yours. The integrator chooses the time step.", NULL, "3.7"},
+    {"simbody", "Simbody", CPP, "SI units." FRICTION " The integrator chooses the time step.", NULL, "3.7"},
     {"bullet", "Bullet", CPP, "SI units.", NULL, "3.24"},
     {"rebound", "REBOUND", CPP, "cor_eps takes m/s.", NULL, NULL},
     {"modelica", "Modelica", CPP, "SI units. The integrator chooses the time step.", NULL, NULL},
 };
 const size_t cor_simulator_count = sizeof cor_simulators / sizeof *cor_simulators;
 
-static char lower(char c)
-{
-    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
-}
-
 /* The number of first letters of `text` that are those of `name`, which has no upper case */
 static size_t common_letters(const char *text, const char *name)
 {
     size_t length = 0;
-    while (name[length] && lower(text[length]) == name[length])
+    while (name[length] && (text[length] | (text[length] >= 'A' && text[length] <= 'Z' ? 0x20 : 0)) == name[length])
         length++;
     return length;
 }
@@ -184,6 +172,8 @@ static struct number number_text(double value, int digits)
     return n;
 }
 #define TEXT(value) number_text(value, TEXT_DIGITS).text
+#define INPUT(value) number_text(value, INPUT_DIGITS).text
+#define EXACT(value) number_text(value, 15).text
 
 /* ---- what is asked of a simulator ---- */
 
@@ -199,8 +189,7 @@ struct task {
     int types;   /* of bodies: 2 for two different ones, or a wall */
     int has_law; /* some model has the law of the contact */
     int pressed; /* by gravity, on which eps then depends */
-    /* For each end at which the restitution may have been measured; the contact of the request where there is no such
-     * one */
+    /* For each end at which the restitution may have been measured, or the contact of the request */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_wish wish[CONTACTS];
     struct cor_simulator_request softened; /* of soften_wall */
@@ -208,6 +197,8 @@ struct task {
     char law[NUMBER];                   /* its name */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
+
+#define UNDER_FORCE(task) ((task)->pressed ? " under gravity" : "")
 
 /* Says why there are no lines; 0. */
 static int refuse(struct task *task, const char *format, ...)
@@ -244,8 +235,7 @@ static int has_own_damping(const struct cor_scene *scene)
     return cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME) || cor_scene_given(scene, COR_SCENE_VISCOSITY);
 }
 
-/* Turns the contact of two bodies into another one of their materials: with their own dissipation times, or with zeta
- * or C/K of the pair */
+/* Turns a contact into another one of the same materials: with their dissipation times, or zeta or C/K of the pair */
 static void make_contact(struct cor_scene_contact *contact, const struct cor_scene *scene, int kind)
 {
     struct cor_sphere_contact sphere;
@@ -415,8 +405,7 @@ static double time_step(const struct block *block, const struct task *task)
     return least > 0 && least < INFINITY ? least : NAN;
 }
 
-/* Corrects the numbers for the time step, at the speed of the request or at the one at which they hold. Returns whether
- * that is possible. */
+/* Corrects the numbers for the time step, at the one speed of the request. False if that is not possible */
 static int correct(struct block *block, const struct task *task)
 {
     enum cor_simulator_status status;
@@ -504,35 +493,30 @@ static void put_embed(struct text *t, const struct task *task)
     const struct cor_simulator_request *const request = task->request;
     const struct cor_exponents *const law = &request->scene->law;
     const int named = law_with_name(law);
-    char line[SENTENCE], damping[200], scales[200] = "";
+    char line[SENTENCE], other[NUMBER * 2] = "", damping[200], scales[200] = "";
     double least = 1e-3, most = 100;
     for (size_t i = 0; i < request->speeds; i++) {
         least = i == 0 ? request->speed_m_s[i] : fmin(least, request->speed_m_s[i]);
         most = i == 0 ? request->speed_m_s[i] : fmax(most, request->speed_m_s[i]);
     }
-    if (least == most) {
-        least /= 10;
-        most *= 10;
-    }
+    const double wider = least == most ? 10 : 1;
     const struct cor_scene_contact *const contact = request->contacts;
-    const struct number g_star = number_text(cor_scene_damping(contact, COR_SCENE_G_STAR), 15);
     if (named < 0)
-        snprintf(damping, sizeof damping, " --elastic %d/%d --damping %d/%d --g-star %s", law->elastic,
-                 law->denominator, law->damping, law->denominator, g_star.text);
-    else
-        snprintf(damping, sizeof damping, "%s%s --g-star %s", named == COR_LAW_VISCOELASTIC ? "" : " --law ",
-                 named == COR_LAW_VISCOELASTIC ? "" : cor_law_names[named], g_star.text);
-    if (request->contacts->plastic) /* any eps and its speed name v_y */
+        snprintf(other, sizeof other, " --elastic %d/%d --damping %d/%d", law->elastic, law->denominator, law->damping,
+                 law->denominator);
+    else if (named != COR_LAW_VISCOELASTIC)
+        snprintf(other, sizeof other, " --law %s", cor_law_names[named]);
+    snprintf(damping, sizeof damping, "%s --g-star %s", other, EXACT(cor_scene_damping(contact, COR_SCENE_G_STAR)));
+    if (contact->plastic) /* any eps and its speed name v_y */
         snprintf(damping, sizeof damping, " --law elastic-plastic --restitution 0.5 --at %s",
-                 number_text(request->contacts->yield_speed_m_s * cor_elastic_plastic_speed_ratio(0.5), 15).text);
+                 EXACT(contact->yield_speed_m_s * cor_elastic_plastic_speed_ratio(0.5)));
     if (task->pressed)
         snprintf(scales, sizeof scales, " --stiffness %s --effective-mass %s --wall --gravity %s",
-                 number_text(contact->stiffness, 15).text, number_text(contact->mass_kg, 15).text,
-                 number_text(request->scene->number[COR_SCENE_GRAVITY], 15).text);
+                 EXACT(contact->stiffness), EXACT(contact->mass_kg), EXACT(request->scene->number[COR_SCENE_GRAVITY]));
     snprintf(line, sizeof line,
              "corgen embed%s%s --speed-min %s --speed-max %s --tolerance 1e-6 --end %s --name cor_eps "
              "--output cor_eps.h",
-             damping, scales, TEXT(least), TEXT(most),
+             damping, scales, TEXT(least / wider), TEXT(most * wider),
              request->scene->end != COR_END_ZERO_FORCE ? "zero-overlap"
              : task->pressed                           ? "surface"
                                                        : "zero-force");
@@ -547,33 +531,31 @@ static void put_word(struct text *t, const char *word, const struct block *block
     const int hooke = cor_law_is(&contact->law, 2, 0);
     const size_t length = strlen(word);
     const int two = task->types == 2;
-    char types[4][WORD];
+    char type[WORD], density[NUMBER + WORD];
     if (strcmp(word, "embed") == 0) {
         put_embed(t, task);
     } else if (strcmp(word, "model") == 0 || strcmp(word, "Model") == 0) {
         put(t, word[0] == 'm' ? (hooke ? "hooke" : "hertz") : (hooke ? "Hooke" : "Hertz"));
     } else if (strcmp(word, "pair") == 0) {
         put(t, two ? pairs[pair] : "* *");
-    } else if (strcmp(word, "types") == 0) {
+    } else if (strcmp(word, "types") == 0 || strcmp(word, "types_in_words") == 0) {
         put(t, two ? "2" : "1");
-    } else if (strcmp(word, "types_in_words") == 0) {
-        put(t, two ? "2 types" : "1 type");
+        put(t, word[5] == '\0' ? "" : two ? " types" : " type");
     } else if (strcmp(word, "density") == 0 || strcmp(word, "density2") == 0) {
         const double rho = cor_simulator_word(word, &task->wish[pair], 1);
         t->known = t->known && (word[7] == '\0' || cor_scene_materials_differ(task->request->scene));
-        put(t, isnan(rho) ? "" : "density=");
-        put(t, isnan(rho) ? "" : number_text(rho, INPUT_DIGITS).text);
-        put(t, isnan(rho) ? "" : ", ");
+        snprintf(density, sizeof density, "density=%s, ", INPUT(rho));
+        put(t, isnan(rho) ? "" : density);
     } else if (strcmp(word, "spring") == 0) {
         put(t, hooke ? "hooke " : "hertz ");
         put_word(t, hooke ? "K" : "kn", block, task, pair);
     } else if (length > 2 && length < WORD && strcmp(word + length - 2, "[]") == 0) {
         /* the matrix of all pairs of types */
         static const int order[] = {LIKE_1, PAIR, PAIR, LIKE_2};
-        snprintf(types[0], WORD, "%.*s", (int)length - 2, word);
+        snprintf(type, WORD, "%.*s", (int)length - 2, word);
         for (int i = 0; i < (two ? 4 : 1); i++) {
             put(t, i > 0 ? " " : "");
-            put_word(t, types[0], block, task, two ? order[i] : PAIR);
+            put_word(t, type, block, task, two ? order[i] : PAIR);
         }
     } else if (strcmp(word, "youngs") == 0 || strcmp(word, "poissons") == 0) {
         for (int body = 1; body <= task->types; body++) {
@@ -581,7 +563,7 @@ static void put_word(struct text *t, const char *word, const struct block *block
             const double value = cor_scene_of_body(task->request->scene, what, body);
             t->known = t->known && !isnan(value);
             put(t, body > 1 ? " " : "");
-            put(t, number_text(value, INPUT_DIGITS).text);
+            put(t, INPUT(value));
         }
     } else {
         const double value = strcmp(word, "dt") == 0 ? block->time_step_s
@@ -591,7 +573,7 @@ static void put_word(struct text *t, const char *word, const struct block *block
     }
 }
 
-/* One line of a template, from *from to the line break, for a pair */
+/* Writes one line of a template for a pair. Returns the next line. */
 static const char *put_line(struct text *t, const char *from, const struct block *block, const struct task *task,
                             int pair)
 {
@@ -628,13 +610,11 @@ static int put_template(struct text *t, const char *template, const struct block
     while (*template) {
         const struct text before = *t;
         const int optional = *template == '?';
-        const int repeats = task->types == 2 && line_has(template, "{pair}") ? PAIRS : 1;
         const char *next = template;
         t->known = 1;
-        for (int i = 0; i < repeats; i++) {
-            if (repeats > 1 && order[i] != PAIR)
-                put(t, task->simulator->comment);
-            next = put_line(t, template + optional, block, task, repeats > 1 ? order[i] : PAIR);
+        for (int i = task->types == 2 && line_has(template, "{pair}") ? 0 : 2; i < PAIRS; i++) {
+            put(t, order[i] == PAIR ? "" : task->simulator->comment);
+            next = put_line(t, template + optional, block, task, order[i]);
         }
         if (!t->known && optional)
             *t = before;
@@ -646,8 +626,7 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* The factor by which the model's number grows with the effective mass: at the same eps where that depends on the
- * damping alone, otherwise with the same material */
+/* The factor of the number at `masses` times the mass: for the same eps of a constant law, or the same material */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -691,14 +670,15 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
                    : "Where masses differ, each pair of types needs its own.");
 }
 
-/* Which lines hold for which pair of two bodies that differ, and what to replace */
+/* Says which lines hold for which pair of two bodies that differ, and what to replace. */
 static void put_pairs(struct text *t, const struct block *block, const struct task *task)
 {
     const char *const lines = block->model->lines;
-    const char *const numbers = has_own_damping(task->request->scene)
+    const struct cor_scene *const scene = task->request->scene;
+    const char *const numbers = has_own_damping(scene)
                                     ? "the damping of their materials, as given"
                                     : "the damping of the pair 1 2, which is theirs only if both are of one material";
-    if (task->types == 1 || task->request->scene->wall || cor_simulator_has_function(block->model))
+    if (task->types == 1 || scene->wall || cor_simulator_has_function(block->model))
         return;
     if (strstr(lines, "{pair}"))
         comment(
@@ -719,13 +699,7 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
             (int)strcspn(block->model->parameter, ","), block->model->parameter);
     else
         comment(t, "Numbers of the pair 1 2, densities %s and %s kg/m^3. 1 1 and 2 2 need their own lines.",
-                TEXT(cor_scene_body_density(task->request->scene, 1)),
-                TEXT(cor_scene_body_density(task->request->scene, 2)));
-}
-
-static const char *name_force(const struct task *task)
-{
-    return task->pressed ? " under gravity" : "";
+                TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
 }
 
 /* eps with the time step */
@@ -740,11 +714,11 @@ static void put_stepped(struct text *t, const struct block *block, const struct 
         comment(t,
                 "realises eps = %s at %s m/s%s with this time step, in the mean; standard deviation %s; %s with short "
                 "steps",
-                number_text(eps + error.bias, 5).text, TEXT(speed_m_s), name_force(task),
+                number_text(eps + error.bias, 5).text, TEXT(speed_m_s), UNDER_FORCE(task),
                 number_text(error.scatter, 2).text, TEXT(eps));
     else
         comment(t, "realises eps = %s at %s m/s%s with short steps; its time step is not known", TEXT(eps),
-                TEXT(speed_m_s), name_force(task));
+                TEXT(speed_m_s), UNDER_FORCE(task));
 }
 
 static void put_realised(struct text *t, const struct block *block, const struct task *task)
@@ -754,16 +728,14 @@ static void put_realised(struct text *t, const struct block *block, const struct
     const int constant = law == COR_LAW_IMPULSE ? !cor_simulator_has_function(block->model)
                                                 : !task->pressed && cor_law_is_constant(&cor_law_exponents[law]);
     const double *const speed = request->speeds > 0 ? request->speed_m_s : &task->wish[PAIR].speed_m_s;
-    size_t speeds = request->speeds;
-    if (speeds == 0 && !isnan(*speed))
-        speeds = 1;
+    const size_t speeds = request->speeds > 0 ? request->speeds : (size_t)!isnan(*speed);
     for (size_t i = 0; i < speeds; i++) {
         const double eps = realised(block, task, speed[i]);
         if (!isnan(eps) && request->step_errors && block->model->law != COR_LAW_IMPULSE)
             put_stepped(t, block, task, speed[i], eps);
         else if (!isnan(eps) || task->pressed)
             comment(t, "realises eps = %s at %s m/s%s", isnan(eps) ? "(not known)" : TEXT(eps), TEXT(speed[i]),
-                    name_force(task));
+                    UNDER_FORCE(task));
     }
     if (speeds == 0 && constant)
         comment(t, "realises eps = %s at every speed", TEXT(realised(block, task, 1)));
@@ -782,12 +754,10 @@ static void put_own_e(struct text *t, const struct block *block, const struct ta
         fabs(block->number[PAIR] - eps) < 1e-7)
         return;
     const double back = cor_simulator_realised(block->model, eps);
-    if (isnan(back))
-        comment(t, "%s takes e = %s for it, and refuses e = %s.", task->simulator->title, TEXT(block->number[PAIR]),
-                TEXT(eps));
-    else
-        comment(t, "%s takes e = %s for it: its e = %s realises %s.", task->simulator->title, TEXT(block->number[PAIR]),
-                TEXT(eps), TEXT(back));
+    comment(t,
+            isnan(back) ? "%s takes e = %s for it, and refuses e = %s."
+                        : "%s takes e = %s for it: its e = %s realises %s.",
+            task->simulator->title, TEXT(block->number[PAIR]), TEXT(eps), TEXT(back));
 }
 
 /* All of a model: comments, lines and time step. Returns whether the numbers are known. */
@@ -855,10 +825,8 @@ static void put_luding(struct text *t, const struct task *task, double speed_m_s
         for (int body = 1; body <= (cor_scene_materials_differ(task->request->scene) ? 2 : 1); body++)
             comment(t,
                     "cor_material%s = LudingMat(frictionAngle=0, density=%s, k1=%s, kp=%s, kc=0, ks=0, PhiF=%s, G0=0)",
-                    body > 1 ? "_2" : "",
-                    number_text(cor_scene_body_density(task->request->scene, body), INPUT_DIGITS).text,
-                    number_text(k, INPUT_DIGITS).text, number_text(ratio * k, INPUT_DIGITS).text,
-                    number_text(depth, INPUT_DIGITS).text);
+                    body > 1 ? "_2" : "", INPUT(cor_scene_body_density(task->request->scene, body)), INPUT(k),
+                    INPUT(ratio * k), INPUT(depth));
         comment(t,
                 "cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_LudingMat_LudingMat_LudingPhys()], "
                 "[Law2_ScGeom_LudingPhys_Basic()])");
@@ -876,11 +844,10 @@ static void put_luding(struct text *t, const struct task *task, double speed_m_s
     comment(t, "pair_style gran model luding tangential history");
     for (size_t i = 0; i < sizeof property / sizeof *property; i++) {
         const struct number n = number_text(property[i].value, INPUT_DIGITS);
-        char matrix[4 * NUMBER + WORD];
-        snprintf(matrix, sizeof matrix, "1 %s", n.text);
-        if (task->types == 2)
-            snprintf(matrix, sizeof matrix, "2 %s %s %s %s", n.text, n.text, n.text, n.text);
-        comment(t, "fix cor_luding_%d all property/global %s peratomtypepair %s", (int)i, property[i].name, matrix);
+        comment(t,
+                task->types == 2 ? "fix cor_luding_%d all property/global %s peratomtypepair 2 %s %s %s %s"
+                                 : "fix cor_luding_%d all property/global %s peratomtypepair 1 %s",
+                (int)i, property[i].name, n.text, n.text, n.text, n.text);
     }
 }
 
@@ -937,8 +904,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
              cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, eps, speed, (int)model->end) != COR_FAULT_NONE)
         return;
     fill_pairs(&cure, &contact, 1, task->wish[PAIR].speed_m_s, task->wish[PAIR].eps);
-    snprintf(instead, sizeof instead, "For eps = %s%s%s%s: ", TEXT(eps), constant ? "" : " at ",
-             constant ? "" : TEXT(speed), constant ? "" : " m/s");
+    snprintf(instead, sizeof instead, constant ? "For eps = %s: " : "For eps = %s at %s m/s: ", TEXT(eps), TEXT(speed));
     const struct text before = *t;
     if (fill_block(&block, &cure, model) && !put_block(t, &block, &cure, instead))
         *t = before;
@@ -954,11 +920,8 @@ static void put_own_maps(struct text *t, const struct task *task)
         if (strcmp(model->simulator, task->simulator->name) != 0 || !model->damping_of_e ||
             cor_simulator_has_function(model) || !version_has(model, task->request->version))
             continue;
-        if (isnan(own))
-            comment(t, "If e = %s is set by hand: %s (%s) refuses it.", TEXT(eps), model->model, model->version);
-        else
-            comment(t, "If e = %s is set by hand: %s (%s) realises %s.", TEXT(eps), model->model, model->version,
-                    TEXT(own));
+        comment(t, "If e = %s is set by hand: %s (%s) %s%s.", TEXT(eps), model->model, model->version,
+                isnan(own) ? "refuses it" : "realises ", isnan(own) ? "" : TEXT(own));
     }
 }
 
@@ -976,8 +939,7 @@ static void choose_reason(char instead[SENTENCE], const struct cor_simulator_mod
         snprintf(instead, SENTENCE, "Instead, the same by another parameter: ");
 }
 
-/* Prints all that realises the contact. Returns whether something does; otherwise the refusal is the reason of the
- * first model, or empty. */
+/* Prints all models with the contact. False if none has it: the refusal has the reason of the first one, or is empty */
 static int put_all(struct text *t, struct task *task)
 {
     struct block block, active = {.model = NULL};
@@ -1039,8 +1001,7 @@ static void soften_wall(struct task *task)
     task->request = &task->softened;
 }
 
-/* The one speed, and eps there, at which a simulator without the law of the contact is to agree. Returns whether the
- * request has what it takes. */
+/* Finds the speed, and its eps, for a simulator without the law of the contact. False if the request lacks them */
 static int find_speed(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -1132,9 +1093,8 @@ static void refuse_law(struct task *task)
                 ". A linear spring takes its place at %s m/s; the duration is that of --dissipation-time 0 at this "
                 "speed. Type: corgen contact --law linear --duration %s --effective-mass %s --restitution %s%s "
                 "--for %s",
-                TEXT(wish->speed_m_s),
-                number_text(cor_scene_elastic_duration_s(contact, wish->speed_m_s), INPUT_DIGITS).text,
-                number_text(contact->mass_kg, INPUT_DIGITS).text, number_text(wish->eps, INPUT_DIGITS).text,
+                TEXT(wish->speed_m_s), INPUT(cor_scene_elastic_duration_s(contact, wish->speed_m_s)),
+                INPUT(contact->mass_kg), INPUT(wish->eps),
                 request->scene->wall ? " --end zero-force --wall" : " --end zero-force", task->simulator->name);
     refuse(task, "%s has no model for the law %s%s%s", task->simulator->name, task->law,
            request->version ? " in this version" : "", instead);

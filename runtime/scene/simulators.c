@@ -80,14 +80,12 @@ static double kratos_linear(double e)
 #define SCALED(name, factor)                                                                                           \
     static double name##_of_damping(double damping, const struct cor_scene_contact *c, double g)                       \
     {                                                                                                                  \
-        (void)c;                                                                                                       \
-        (void)g;                                                                                                       \
+        (void)c, (void)g;                                                                                              \
         return damping * (factor);                                                                                     \
     }                                                                                                                  \
     static double damping_of_##name(double number, const struct cor_scene_contact *c, double g)                        \
     {                                                                                                                  \
-        (void)c;                                                                                                       \
-        (void)g;                                                                                                       \
+        (void)c, (void)g;                                                                                              \
         return number / (factor);                                                                                      \
     }
 
@@ -113,11 +111,6 @@ SCALED(dissipation_time_esys, pow(M / K, 0.4) / pow(G, 0.2))
 SCALED(hertz_velocity, pow(M, 0.6) * pow(K, 0.4) * pow(G, 0.2))
 SCALED(hertz_mass_velocity, pow(K / M, 0.4) * pow(G, 0.2))
 SCALED(chrono_hertz, pow(K / M, 0.6) / (R * pow(G, 0.2)))
-
-#undef M
-#undef K
-#undef R
-#undef G
 
 /* YADE from 2025 on takes P(sqrt(beta)) as en, where beta is that of the speed vn = 1 m/s, and P the Padé approximant
  * of order [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
@@ -154,6 +147,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 
 /* ---- the table ---- */
 
+#define SPHERE(parameter) "The viscoelastic sphere: " parameter " = (3/2) A k_n/m for every speed."
+#define NOT_SLOW "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping."
 #define ASKED(map, from, to) .damping_of_e = map, .least = from, .most = to
 #define NUMBER(name) .most = 1, .number_of_damping = name##_of_damping, .damping_of_number = damping_of_##name
 #define OPEN 0x1p-1022 /* e > 0 */
@@ -190,6 +185,9 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
                    "    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"          \
                    "    [" physics "],\n"                                                                              \
                    "    [" law "])\n")
+#define YADE_MINDLIN(numbers)                                                                                          \
+    YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(" numbers ")",                                  \
+         "Law2_ScGeom_MindlinPhys_Mindlin()")
 #define YADE_FRICTION                                                                                                  \
     "?cor_material = FrictMat(young={young}, poisson={poisson}, {density}frictionAngle=0)\n"                           \
     "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, {density2}frictionAngle=0)\n"
@@ -236,19 +234,13 @@ const struct cor_simulator_model cor_simulator_models[] = {
         ZERO_OVERLAP, NUMBER(area_root), "The restitution depends on the impact speed: the number holds at one speed.",
         LAMMPS("hooke {K}", "viscoelastic")),
     ROW(OF_LAMMPS_RUN, "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)",
-        VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz),
-        "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.", LAMMPS("hertz {kn}", "viscoelastic")),
+        VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("eta_n"), LAMMPS("hertz {kn}", "viscoelastic")),
     ROW(OF_LAMMPS_RUN, "granular hertz, damping viscoelastic, limit_damping", "eta_n, 1/(m s)", VISCOELASTIC,
-        ZERO_FORCE, NUMBER(area_hertz), "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.",
-        LAMMPS("hertz {kn}", "viscoelastic limit_damping")),
+        ZERO_FORCE, NUMBER(area_hertz), SPHERE("eta_n"), LAMMPS("hertz {kn}", "viscoelastic limit_damping")),
     ROW(OF_LAMMPS_RUN, "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT, ZERO_OVERLAP,
-        NUMBER(hertz_velocity),
-        "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
-        LAMMPS("hertz {kn}", "velocity")),
+        NUMBER(hertz_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "velocity")),
     ROW(OF_LAMMPS_RUN, "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT, ZERO_OVERLAP,
-        NUMBER(hertz_mass_velocity),
-        "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
-        LAMMPS("hertz {kn}", "mass_velocity")),
+        NUMBER(hertz_mass_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "mass_velocity")),
     ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution", "e", TSUJI, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", LAMMPS("{spring}", "coeff_restitution"), .since = 20250205),
     ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
@@ -286,29 +278,23 @@ const struct cor_simulator_model cor_simulator_models[] = {
         "LIGGGHTS computes its damping for contacts that end at zero overlap: these realise more than its e.",
         LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E)),
     ROW(OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman", "gamman, 1/(m s)", VISCOELASTIC,
-        ZERO_OVERLAP, NUMBER(area_hertz), "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
+        ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("gamman"),
         LIGGGHTS("hertz/stiffness", "", LIGGGHTS_STIFFNESS("{kn[]}"))),
     ROW(OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)",
-        VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz),
-        "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
+        VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz), SPHERE("gamman"),
         LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}"))),
     ROW(OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "Exact.",
-        YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)",
-             "Law2_ScGeom_MindlinPhys_Mindlin()")),
+        YADE_MINDLIN("betan={n}, betas=0")),
     ROW(OF_YADE("HertzMindlin.cpp"), "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_yade, 0.001, 1), "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.",
-        YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)",
-             "Law2_ScGeom_MindlinPhys_Mindlin()"),
-        .since = 20230200),
+        YADE_MINDLIN("en={n}, es=1"), .since = 20230200),
     ROW(OF("yade", "pkg/dem/HertzMindlin.cpp", "source", "before 2023.02a; SudoDEM 6666937"),
         "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its e; betan is exact.", NO_LINES),
     ROW(OF("yade", "pkg/dem/HertzMindlin.cpp", "run", "2025.2.0"), "Mindlin, en at vn = 1 m/s (2025)", "en",
         VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
         "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.",
-        YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, vn=1.0)",
-             "Law2_ScGeom_MindlinPhys_Mindlin()"),
-        .since = 20250200),
+        YADE_MINDLIN("en={n}, vn=1.0"), .since = 20250200),
     ROW(OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR,
         ZERO_FORCE, NUMBER(pair_dashpot), "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
         YADE(EVERYWHERE, "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",

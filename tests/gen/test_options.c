@@ -18,23 +18,23 @@ static bool accepts(const struct subcommand *command, const struct option_rule *
     struct option_rule alone[] = {*rule, {.name = NULL}};
     alone[0].required = false;
     alone[0].needs = NULL;
-    char name[2 * OPTIONS_MAX_NAME], value[64], *argv[] = {name, name, value, NULL};
-    snprintf(name, sizeof name, "--%s", rule->name);
-    snprintf(value, sizeof value, "%s", text);
-    void *const arguments = xmalloc(command->size);
-    memcpy(arguments, command->defaults, command->size);
+    char *const name = xprintf("--%s", rule->name), *const value = xstrdup(text), *argv[] = {name, name, value, NULL};
+    char *const arguments = memcpy(xmalloc(command->size), command->defaults, command->size);
     bool help;
     const bool accepted = options_parse(arguments, alone, 3, argv, &help) == STATUS_OK;
     if (accepted && rule->kind == OPTION_WHOLE)
-        assert_true(*(slong *)((char *)arguments + rule->offset) == strtol(text, NULL, 10));
+        assert_true(*(slong *)(arguments + rule->offset) == strtol(text, NULL, 10));
     options_clear(arguments, alone);
     free(arguments);
+    free(name);
+    free(value);
     return accepted;
 }
 
 static void assert_end(const struct subcommand *command, const struct option_rule *rule, double end, double side,
-                       bool allowed, bool whole)
+                       bool allowed)
 {
+    const bool whole = rule->kind == OPTION_WHOLE || (rule->kind == OPTION_LIST && rule->range.values->whole);
     const double inside = whole ? end + side : nextafter(end, side * INFINITY);
     const double outside = whole ? end - side : nextafter(end, -side * INFINITY);
     const double x[] = {outside, end, inside};
@@ -54,17 +54,18 @@ static double number_behind(const char *text, const char *words)
 }
 
 /* As the words of the refusal say: "above 0 and up to 1", "from 1e-5 to below 1", "between -1 and 1", "0 or more" */
-static void assert_words(const struct subcommand *command, const struct option_rule *rule,
-                         const struct decimal_range *range, bool whole)
+static void assert_words(const struct subcommand *command, const struct option_rule *rule)
 {
+    const struct decimal_range *const range =
+        rule->kind == OPTION_REAL ? &rule->range.number->range : &rule->range.values->range;
     const char *const words = range->allowed, *const end = strstr(words, "between ") ? " and " : "to ";
     const double between = number_behind(words, "between "), above = number_behind(words, "above ");
     const double from = strstr(words, "0 or more") ? 0 : number_behind(words, "from ");
     const double below = number_behind(words, "below ");
     const bool open_low = isnan(from), open_high = !isnan(between) || !isnan(below);
-    assert_end(command, rule, !open_low ? from : isnan(between) ? above : between, 1, !open_low, whole);
+    assert_end(command, rule, !open_low ? from : isnan(between) ? above : between, 1, !open_low);
     if (range->high)
-        assert_end(command, rule, isnan(below) ? number_behind(words, end) : below, -1, !open_high, whole);
+        assert_end(command, rule, isnan(below) ? number_behind(words, end) : below, -1, !open_high);
     else
         assert_true(accepts(command, rule, "1e300") && !accepts(command, rule, "1e309"));
 }
@@ -77,18 +78,17 @@ TEST(test_ends_of_ranges)
     for (size_t i = 0; i < COUNT_OF(commands); i++)
         for (const struct option_rule *rule = commands[i]->options; rule->name; rule++) {
             char text[64];
-            numbers += rule->kind == OPTION_WHOLE || rule->kind == OPTION_REAL || rule->kind == OPTION_LIST;
+            const bool listed = rule->kind == OPTION_REAL || rule->kind == OPTION_LIST;
+            numbers += listed || rule->kind == OPTION_WHOLE;
             if (rule->kind == OPTION_WHOLE) {
                 const slong low = rule->range.whole.low, high = rule->range.whole.high;
                 snprintf(text, sizeof text, "%ld to %ld", (long)low, (long)high);
                 check(strstr(commands[i]->help, text) != NULL, "corgen %s --%s: %s", commands[i]->name, rule->name,
                       text);
-                assert_end(commands[i], rule, (double)low, 1, true, true);
-                assert_end(commands[i], rule, (double)high, -1, true, true);
-            } else if (rule->kind == OPTION_REAL) {
-                assert_words(commands[i], rule, &rule->range.number->range, false);
-            } else if (rule->kind == OPTION_LIST) {
-                assert_words(commands[i], rule, &rule->range.values->range, rule->range.values->whole);
+                assert_end(commands[i], rule, (double)low, 1, true);
+                assert_end(commands[i], rule, (double)high, -1, true);
+            } else if (listed) {
+                assert_words(commands[i], rule);
             }
         }
     assert_in_range(numbers, 100, 1000);

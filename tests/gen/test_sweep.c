@@ -10,6 +10,7 @@
 #include "check.h"
 
 #include "cor/status.h"
+#include "support/output.h"
 #include "sweep/sweep.h"
 
 /* ---- lists ---- */
@@ -133,16 +134,12 @@ TEST(test_product)
     assert_int_equal(sweep_rows_of_material(&sweep), 24);
     const double speed[] = {0.2, 0.1, 0.3}, nu[] = {0.9, -1.0 / 3}, alpha[] = {500, 100};
     const size_t modes[] = {940, 10, 3600, 1};
-    uint64_t number = 0;
-    for (size_t p = 0; p < 2; p++)
-        for (size_t a = 0; a < 2; a++)
-            for (size_t m = 0; m < 4; m++)
-                for (size_t s = 0; s < 3; s++, number++) {
-                    struct sweep_row row;
-                    sweep_row(&row, &sweep, number);
-                    assert_true(row.speed == speed[s] && row.nu == nu[p] && row.alpha == alpha[a] &&
-                                row.modes == modes[m]);
-                }
+    for (size_t i = 0; i < sweep.rows; i++) {
+        struct sweep_row row;
+        sweep_row(&row, &sweep, i);
+        assert_true(row.speed == speed[i % 3] && row.nu == nu[i / 24] && row.alpha == alpha[i / 12 % 2] &&
+                    row.modes == modes[i / 3 % 4]);
+    }
 
     /* as many digits as the tolerance justifies */
     static const double tolerance[] = {1e-6, 1.1e-6, 9e-6, 1e-5};
@@ -158,11 +155,10 @@ TEST(test_product)
     fclose(none);
     sweep_clear(&sweep);
     /* up to the largest number of rows */
-    for (int more = 0; more < 2; more++) {
-        sweep = (struct sweep){.hard_wall = true, .speed.count = SWEEP_MAX_ROWS + (size_t)more, .poisson.count = 1};
+    for (size_t more = 0; more < 2; more++) {
+        sweep = (struct sweep){.hard_wall = true, .speed.count = SWEEP_MAX_ROWS + more, .poisson.count = 1};
         assert_int_equal(sweep_count(&sweep), more ? STATUS_USAGE : STATUS_OK);
     }
-
     sweep = sweep_of("0.1:0.2:lin:100000", "0.1:0.2:lin:10", "50:60:lin:500", "1:3:+1");
     assert_int_equal(sweep_count(&sweep), STATUS_USAGE); /* 1.5e9 */
     sweep_clear(&sweep);
@@ -217,17 +213,9 @@ static const char title[] = "corgen disk-collide, unfinished: --speed 0.1";
 static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end,12345678", "4,5"};
 enum { LINES = COUNT_OF(line) };
 
-static char file[64], part[64], whole_file[1 << 12]; /* FILE, FILE.part, and what a complete one holds */
+enum { MOST = 1 << 12 };
+static char file[64], part[64], *whole_file; /* FILE, FILE.part, and what a complete one holds */
 static size_t whole_size;
-
-static size_t part_read(char bytes[sizeof whole_file])
-{
-    FILE *const stream = fopen(part, "rb");
-    assert_non_null(stream);
-    const size_t size = fread(bytes, 1, sizeof whole_file, stream);
-    fclose(stream);
-    return size;
-}
 
 static void part_write(const char *bytes, size_t size)
 {
@@ -239,8 +227,10 @@ static void part_write(const char *bytes, size_t size)
 
 static void assert_part(const char *bytes, size_t size, const char *after, size_t at)
 {
-    char there[sizeof whole_file];
-    check(part_read(there) == size && memcmp(there, bytes, size) == 0, "%s %zu", after, at);
+    size_t there;
+    char *const read = read_file(part, SIZE_MAX, &there);
+    check(read && there == size && memcmp(read, bytes, size) == 0, "%s %zu", after, at);
+    free(read);
 }
 
 static void count_line(void *context, const char *text)
@@ -293,7 +283,8 @@ static int start_all(void **state)
     snprintf(file, sizeof file, "%s/x", directory);
     snprintf(part, sizeof part, "%s/x.part", directory);
     assert_int_equal(go_on(), 0);
-    whole_size = part_read(whole_file);
+    whole_file = read_file(part, MOST, &whole_size);
+    assert_non_null(whole_file);
     assert_int_equal(go_on(), LINES);
     return 0;
 }
@@ -308,7 +299,7 @@ TEST(test_journal_damaged)
         last = found;
     }
     assert_int_equal(last, LINES);
-    char bytes[sizeof whole_file];
+    char bytes[MOST];
     memcpy(bytes, whole_file, whole_size);
     const size_t more = (size_t)snprintf(bytes + whole_size, 100, "and\nmore");
     assert_int_equal(go_on_from(bytes, whole_size + more, "longer by", more), LINES);
@@ -333,7 +324,7 @@ TEST(test_journal_damaged)
 }
 
 /* Writes the title and the n rows of these numbers, without their last `cut` bytes. Returns the size. */
-static size_t put_rows(char bytes[sizeof whole_file], const size_t *row, size_t n, size_t cut)
+static size_t put_rows(char bytes[MOST], const size_t *row, size_t n, size_t cut)
 {
     size_t size = (size_t)sprintf(bytes, "%s\n", title);
     for (size_t i = 0; i < n; i++) {
@@ -348,7 +339,7 @@ static size_t put_rows(char bytes[sizeof whole_file], const size_t *row, size_t 
 /* No row enters FILE that is not the next one: a byte changed, rows swapped, left out, repeated or without checks */
 TEST(test_journal_changed)
 {
-    char bytes[sizeof whole_file];
+    char bytes[MOST];
     for (size_t i = 0; i < points(300); i++) {
         const size_t at = strlen(title) + 1 + random_below(&draw, whole_size - strlen(title) - 1);
         size_t row = 0;
@@ -374,10 +365,9 @@ TEST(test_journal_shared)
 {
     struct journal journal;
     /* a disk that is full for a while, within a line: the next run completes it */
-    struct rlimit limit, before;
+    struct rlimit before;
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
-    limit = before;
-    limit.rlim_cur = whole_size - 20;
+    const struct rlimit limit = {whole_size - 20, before.rlim_max};
     assert_int_equal(unlink(part), 0);
     assert_int_equal(start(&journal), STATUS_OK);
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
@@ -410,10 +400,9 @@ TEST(test_journal_shared)
     assert_int_equal(start(&journal), STATUS_OK);
     fflush(NULL);
     const pid_t child = fork();
-    if (child == 0) {
-        struct journal mine;
+    struct journal mine;
+    if (child == 0)
         _exit(start(&mine) == STATUS_FAILED ? 42 : 1);
-    }
     int status;
     assert_true(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 42);
     journal_close(&journal, true);

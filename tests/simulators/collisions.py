@@ -356,31 +356,27 @@ def main():
     seed = int(os.environ.get("COR_SEED", random.randrange(10**6)))
     with tempfile.TemporaryDirectory() as work:
         os.environ["HOME"] = work  # YADE and what it loads may write there
-        if not shutil.which(LMP):
-            skip("LAMMPS", "no program lmp; Debian calls its package lammps")
-        else:
-            for test in [lammps_head_on, lammps_oblique, lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
-                test()
-            unlike("lammps", work, seed)
-        if not shutil.which(YADE):
-            skip("YADE", "no program yade; Debian calls its package yade")
-        else:
-            yade_constant()
-            yade_step_by_step()
-            yade_table(work)
-            yade_gravity()
-            if "vn yes" in run(yade("yade.py", "version")).stdout:
-                yade_vn()
-            else:
-                skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
-            luding("yade", work)
-            unlike("yade", work, seed)
         rebound(work)
-        if shutil.which(LIGGGHTS):
-            luding("liggghts", work)
-            unlike("liggghts", work, seed)
-        else:
-            skip("LIGGGHTS, Luding's contact", "no program liggghts; Debian calls its package liggghts")
+        for title, program in ("LAMMPS", LMP), ("YADE", YADE), ("LIGGGHTS", LIGGGHTS):
+            host = title.lower()
+            if not shutil.which(program):
+                skip(title, "no program %s; Debian calls its package %s" % (os.path.basename(program), host))
+                continue
+            if host == "lammps":
+                for test in [lammps_head_on, lammps_oblique, lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
+                    test()
+            else:
+                luding(host, work)
+            if host == "yade":
+                yade_constant()
+                yade_step_by_step()
+                yade_table(work)
+                yade_gravity()
+                if "vn yes" in run(yade("yade.py", "version")).stdout:
+                    yade_vn()
+                else:
+                    skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
+            unlike(host, work, seed)
     return summary()
 
 
