@@ -81,7 +81,7 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
                          const struct embed_proof *proof)
 {
     static const char *const end[] = {"zero overlap (x = 0)", "zero force (x'' = 0)",
-                                      "the surface (x = 0), free of force since it would have become attractive"};
+                                      "the surface (x = 0, by free flight)"};
     fprintf(t, "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n", request->number[EMBED_SPEED_MIN].text,
             request->number[EMBED_SPEED_MAX].text, end[request->end]);
     if (s->plastic)

@@ -14,7 +14,16 @@
 #include "support/console.h"
 #include "support/local.h"
 
-enum { GUARD_BITS = 60, SEARCH_BITS = 128, SEARCH_STEPS = 200, ATTEMPTS = 6, FAR_BITS = 30, WIDE_BITS = 8 };
+enum {
+    GUARD_BITS = 60,
+    SEARCH_BITS = 128,
+    MOST_SEARCH_BITS = 512,
+    SEARCH_STEPS = 200,
+    ATTEMPTS = 6,
+    MOST_FACTOR = 16, /* of the bits of a proof */
+    FAR_BITS = 30,
+    WIDE_BITS = 8
+};
 
 /* The state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v. With
  * u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
@@ -124,6 +133,15 @@ static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping
     return true;
 }
 
+/* The same with as many bits as it takes */
+static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct law *law, int end)
+{
+    slong prec = SEARCH_BITS;
+    while (prec <= MOST_SEARCH_BITS && !curve(rest, force, beta, damping, law, end, prec))
+        prec *= 2;
+    return prec <= MOST_SEARCH_BITS;
+}
+
 /* Strong damping, q > 0: B is next to the one from which on the motion escapes, and f = (B/beta)^(2a/n) is known as
  * well as B. Halves a bracket, at whose ends signs prove B. An escaping motion has at least the energy of its overlap,
  * X = w^d with w = 2^FAR_BITS. */
@@ -137,7 +155,7 @@ static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const s
     arb_div(rest, beta, low, prec);
     if (!(log2(arf_get_d(arb_midref(rest), ARF_RND_UP)) * (double)q.den / (double)q.num < far))
         return fail("the damping is too strong for the threshold of the force to be enclosed");
-    for (slong i = 0; i < 4 * (bits + SEARCH_STEPS); i++) {
+    for (slong i = 0; i < 4 * (bits + SEARCH_STEPS) && prec <= MOST_FACTOR * (bits + GUARD_BITS); i++) {
         const bool narrow = HOLDS(prec, "(high - low)*2^(bits + 8) < low", high, low, bits);
         if (narrow && proved[0] && proved[1]) {
             arb_union(middle, low, high, prec);
@@ -170,7 +188,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
     double place = log2(fmin(ball_middle(beta), 0.5));
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_set_d(damping, exp2(place));
-        if (!curve(rest, force, beta, damping, law, end, SEARCH_BITS))
+        if (!curve_at(rest, force, beta, damping, law, end))
             return fail("the damping is too strong for the threshold of the force to be enclosed");
         const bool is_low = arf_sgn(arb_midref(rest)) > 0;
         *(is_low ? &low : &high) = place;
@@ -191,7 +209,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
         return fail("there is no threshold: at this damping the bodies never part, even without a force");
     for (int i = 0; i < SEARCH_STEPS; i++) {
         bracket_guess(damping, b, SEARCH_BITS);
-        if (!curve(rest, force, beta, damping, law, end, SEARCH_BITS))
+        if (!curve_at(rest, force, beta, damping, law, end))
             return fail("the threshold of the force could not be found");
         if (arb_contains_zero(rest) || arf_cmpabs_2exp_si(arb_midref(rest), -ENOUGH) < 0)
             return STATUS_OK;
@@ -203,8 +221,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
 int collision_sticking_force(arb_t force, const arb_t beta, const struct law *law, int end, slong bits)
 {
     LOCAL(arb, damping, found, low, high, f_low, f_high, other, at);
-    const slong narrowest = bits + GUARD_BITS / 3;
-    slong prec = bits + GUARD_BITS, width = 30;
+    slong prec = bits + GUARD_BITS, width = 30, narrowest = bits + GUARD_BITS / 3;
     if (law->ad == 0) { /* x'' + beta x^b x' = force - 1 */
         arb_one(force);
         return STATUS_OK;
@@ -217,14 +234,15 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
         return squeeze(force, low, high, beta, law, end, bits);
     arb_get_mid_arb(found, damping);
     /* secants over ever narrower intervals, until the signs at both ends prove one of 2^-bits */
-    for (int i = 0; i < SEARCH_STEPS; i++) {
+    for (int i = 0; i < SEARCH_STEPS && prec <= MOST_FACTOR * (bits + GUARD_BITS); i++) {
         arb_get_mid_arb(damping, damping);
         arb_around(low, high, damping, -width, prec);
-        if (!curve(f_low, force, beta, low, law, end, prec) || !curve(f_high, other, beta, high, law, end, prec) ||
-            !arb_is_finite(f_low) || !arb_is_finite(f_high) || arb_contains_zero(f_low) || arb_contains_zero(f_high)) {
+        const bool known =
+            curve(f_low, force, beta, low, law, end, prec) && curve(f_high, other, beta, high, law, end, prec);
+        if (known && !(arb_is_finite(f_low) && arb_is_finite(f_high)))
+            break;
+        if (!known || arb_contains_zero(f_low) || arb_contains_zero(f_high)) {
             prec += prec / 2;
-            if (prec > 16 * (bits + GUARD_BITS))
-                break;
             continue;
         }
         progress_end();
@@ -232,8 +250,10 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct law *la
         arb_union(force, force, other, prec);
         if (proved && arb_rel_accuracy_bits(force) >= bits)
             return STATUS_OK;
-        if (proved && width == narrowest) /* rounding limits the force */
+        if (proved && width == narrowest) { /* rounding limits the force, or it depends strongly on B */
             prec += prec / 4;
+            narrowest += GUARD_BITS / 3;
+        }
         if (proved)
             width = FLINT_MIN(2 * width - 6, narrowest);
         LET(damping, prec, "low - (high - low)*f_low/(f_high - f_low)", low, high, f_low, f_high);

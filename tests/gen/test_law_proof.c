@@ -189,35 +189,33 @@ TEST(test_polynomials)
 /* Under a constant force, in the units of another impact speed: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)) */
 TEST(pressed)
 {
-    static const struct {
-        double a, b, beta, force, speed;
-    } cases[] = {{1.5, 0.5, 0.3, 0.3, 1},
-                 {1.5, 0.5, 0.3, 0.3, 1.3},
-                 {1.5, 0.5, 1, 0.1, 0.9},
-                 {1.5, 0, 0.4, 0.05, 1.1},
-                 {1.5, 1.5, 0.5, 0.2, 1.2}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char a[16], b[16];
-        snprintf(a, sizeof a, "%g", cases[i].a);
-        snprintf(b, sizeof b, "%g", cases[i].b);
-        const struct law law = law_of(a, b);
-        const double v = cases[i].speed, q = (2 * cases[i].b - cases[i].a + 1) / (cases[i].a + 1);
-        const struct complex_law_pressing pressing = {ball_of(cases[i].force, 0), {log(v), 0, 1e-6}};
+    static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"3/2", "3/2"},
+                                          {"2", "1"},     {"1", "1/2"}, {"5/4", "1"}};
+    for (size_t i = 0; i < points(6); i++) {
+        const struct law law = law_of(laws[i % 6][0], laws[i % 6][1]);
+        const double a = ratio_double(law.a), q = ratio_double(law_speed_exponent(&law));
+        const double damping = random_uniform(&draw, 0.1, 0.3), v = random_uniform(&draw, 0.9, 1.2);
+        LOCAL(arb, sticking, exact_damping);
+        arb_set_d(exact_damping, damping);
+        assert_int_equal(collision_sticking_force(sticking, exact_damping, &law, 0, 40), 0);
+        const double press = middle(sticking) * random_uniform(&draw, 0.1, 0.7);
+        const struct complex_law_pressing pressing = {ball_of(press, 0), {log(v), 0, 1e-6}};
         for (int force = 0; force < (law_force_ends(&law) ? 2 : 1); force++) {
-            struct complex_law_path path = complex_law_path(&law, cases[i].beta, false);
+            struct complex_law_path path = complex_law_path(&law, damping, false);
             struct complex_ball y;
             LOCAL(collision, c);
             LOCAL(arb, beta, f);
             path.resolution = 0.1;
-            arb_set_d(beta, cases[i].beta * pow(v, q));
-            arb_set_d(f, cases[i].force * pow(v, -2 * cases[i].a / (cases[i].a + 1)));
+            arb_set_d(beta, damping * pow(v, q));
+            arb_set_d(f, press * pow(v, -2 * a / (a + 1)));
             assert_int_equal(collision_solve_pressed(c, beta, f, &law, force, 60), 0);
             arb_log(f, force ? c->eps_zero_force : c->eps_zero_overlap, 60);
             const double exact = middle(f);
-            assert_true(force ? complex_law_zero_force(&y, &law, ball_of(log(cases[i].beta), 0), &pressing, &path)
-                              : complex_law_zero_overlap(&y, &law, ball_of(cases[i].beta, 0), &pressing, &path));
+            assert_true(force ? complex_law_zero_force(&y, &law, ball_of(log(damping), 0), &pressing, &path)
+                              : complex_law_zero_overlap(&y, &law, ball_of(damping, 0), &pressing, &path));
             check(hypot(y.re - exact, y.im) <= y.radius && y.radius < 0.1 && fabs(y.re - exact) < 0.01,
-                  "case %zu, end %d: %.6g, enclosed %.6g +- %.1e", i, force, exact, y.re, y.radius);
+                  "law %zu, beta %.17g, force %.17g, speed %.17g, end %d: %.6g, enclosed %.6g +- %.1e", i % 6, damping,
+                  press, v, force, exact, y.re, y.radius);
         }
     }
 }
