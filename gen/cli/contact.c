@@ -48,17 +48,18 @@ static int check_options(const struct contact_arguments *o, const struct contact
     if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
         return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
     if (o->step_corrected && !o->simulator && contact_end(contacts, 0) == COR_BOTH_ENDS)
-        return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
+        return usage_error("--step-corrected needs --end zero-overlap or %s: the damping differs",
+                           c->force_n > 0 ? "surface" : "zero-force");
     if (c->adhesion_j_m2 > 0 && o->scene.end != OPTIONS_NOT_GIVEN)
         return usage_error(
             "--end: a contact that adheres as in JKR ends with its tail or at the largest pull; leave it "
             "out, and both are printed");
-    const bool forced = c->force_n > 0 || c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
-    if ((c->plastic || (!o->simulator && forced)) && request_of(o, NULL).step_errors)
+    const bool refused = c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
+    if ((c->plastic || (!o->simulator && refused)) && request_of(o, NULL).step_errors)
         return usage_error(
-            "the error of a time step is known without --gravity, --adhesion, --viscosity-liquid and --law "
-            "elastic-plastic alone; leave out --steps, --time-step, --step-tolerance, --step-corrected and "
-            "--integrator, or those");
+            "the error of a time step is not known for --adhesion-model jkr, --viscosity-liquid and --law "
+            "elastic-plastic; leave out these options, or --steps, --time-step, --step-tolerance, "
+            "--step-corrected and --integrator");
     return STATUS_OK;
 }
 

@@ -194,17 +194,17 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     const char *const end[] = {end_of(contacts, 0), end_of(contacts, 1)};
     const bool both = contact_end(contacts, 0) == COR_BOTH_ENDS;
-    char header[HEADER], kinds[] = "nnnnnnnnnnnnnnnnnn";
+    char header[HEADER], errors[HEADER / 4] = "", kinds[] = "nnnnnnnnnnnnnnnnnn";
     if (contacts->count > 1)
         kinds[9 + (request->step_errors ? (both ? 4 : 2) : 0) + (request->step_corrected ? 2 : 0)] = 't';
+    if (request->step_errors)
+        snprintf(errors, sizeof errors,
+                 both ? ",step_bias_%s,step_scatter_%s,step_bias_%s,step_scatter_%s" : ",step_bias,step_scatter",
+                 end[0], end[0], end[1], end[1]);
     snprintf(header, sizeof header,
              "speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s"
              "%s%s%s%s%s",
-             end[0], end[1], end[0], end[1],
-             !request->step_errors ? ""
-             : both ? ",step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_zero_force,step_scatter_zero_force"
-                    : ",step_bias,step_scatter",
-             request->step_corrected ? ",damping_correction,corrected_" : "",
+             end[0], end[1], end[0], end[1], errors, request->step_corrected ? ",damping_correction,corrected_" : "",
              request->step_corrected ? quantity->name : "", contacts->count > 1 ? ",measured_end" : "",
              spheres ? ",contact_radius_m,max_pressure_pa" : "");
     table_init(table, header, kinds);

@@ -38,22 +38,33 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 /* ---- one collision ---- */
 
 enum {
-    PHASES = 128,         /* of the first step; with 256 the mean changes by less than a 50th of the scatter */
-    PHASES_LEAST = 16,    /* where collisions are long, as many phases as take */
-    ALL_STEPS = 1 << 20,  /* steps together */
+    NODES = 20,     /* of a smooth piece of the phases */
+    NODES_LONG = 8, /* if one collision takes LONG steps */
+    LONG = 1 << 13,
+    MOST_PIECES = 256,
+    OFTEN = 1 << 10,      /* steps after which a collision may have crept to rest */
     MOST_STEPS = 1 << 22, /* of one collision */
     WHOLE_POWER = 32      /* the largest power by multiplication */
 };
+#define FIRST_PHASE 1e-14
 /* Bodies in contact that have less energy than m (STUCK g)^2/2 do not part with more than STUCK times the impact speed
  * g. */
 #define STUCK 1e-8
+#define HARDLY 1e-6 /* a smaller eps can follow any number of steps; jumps among them do not count */
+/* The largest change of the speed in a step by the constant force, in impact speeds. With more, bodies that part with
+ * the impact speed are back within a step. */
+#define MOST_PRESS 2.0
 
 struct stepped {
     struct cor_exponents law;
     double a, b, beta, step;
+    double press; /* constant force */
+    double exact; /* eps */
+    double still; /* slower bodies without energy stay */
+    double deep;  /* energy of bodies that creep to rest: half of the least */
     double ahead; /* the damping force takes the velocity so many steps after the last half step */
     int roots;    /* so many square roots give x^(1/denominator); negative: pow */
-    int no_pull;  /* the contact ends at zero force */
+    int no_pull;  /* the contact force is never negative */
 };
 
 /* x^a + beta x^b v, but 0 where the bodies are apart and where the simulator does not let them pull */
@@ -75,23 +86,57 @@ static double force(const struct stepped *m, double x, double v)
     return m->no_pull && f < 0 ? 0 : f;
 }
 
-/* The rebound speed where the overlap is `phase` steps of free flight after the first step that ends in contact; NaN
- * where the steps are too many or the motion leaves the doubles. */
-static double rebound(const struct stepped *m, double phase, long *steps)
+/* A collision from one phase of the first step */
+struct bounce {
+    double phase,
+        off; /* off: eps minus the exact eps; NaN if the steps are too many or the motion leaves the doubles */
+    unsigned long pattern; /* differs if other steps push, or if the bodies stay */
+    long steps;
+};
+
+/* Twice the energy; below 0 bodies in contact never part */
+static double energy(const struct stepped *m, double x, double v)
 {
-    const double h = m->step, spring_energy = 2 / (m->a + 1);
-    double x = phase * h, v = 1, f = force(m, x, v);
-    for (*steps = 1; *steps < MOST_STEPS; ++*steps) {
-        v -= h * f;
+    return v * v + (2 / (m->a + 1) * pow(x, m->a) - 2 * m->press) * x;
+}
+
+/* True if the contact force has ended and the bodies fly freely with the velocity `full`. With b > a the force may push
+ * again after zero. With a predicted velocity it may push again if it does at v. */
+static int has_ended(const struct stepped *m, double x, double v, double full, double f)
+{
+    return !(x > 0) || (f == 0 && full < 0 && m->a >= m->b && force(m, x, v + m->ahead * m->step * m->press) == 0 &&
+                        (full * full > 2 * m->press * x || energy(m, x, full) < 0));
+}
+
+/* phase: time from the surface to the end of the first step that ends in contact, in steps */
+static struct bounce bounce(const struct stepped *m, double phase)
+{
+    const double h = m->step, press = m->press;
+    struct bounce one = {phase, (double)NAN, 0, 1};
+    double x = phase * h * (1 + press * phase * h / 2), v = 1 + press * h * (phase - 0.5);
+    double f = force(m, x, v + m->ahead * h * press);
+    for (; one.steps < MOST_STEPS; one.steps++) {
+        const double before = v, full = v + h / 2 * press; /* at the end of the step, in free flight */
+        if (has_ended(m, x, v, full, f)) {
+            const double eps = sqrt(fmax(full * full - 2 * press * x, 0)); /* at the surface */
+            one.pattern = eps > HARDLY ? one.pattern : 0;
+            if (fabs(v) < HUGE_VAL)
+                one.off = eps - m->exact;
+            return one;
+        }
+        one.pattern = f == 0 ? one.pattern : 31 * one.pattern + (unsigned long)one.steps;
+        v -= h * (f - press);
+        const double mean = (before + v) / 2; /* the velocity at x */
+        if ((one.steps % OFTEN == 0 && energy(m, x, mean) < m->deep) ||
+            (((press > 0 && before < 0 && v >= 0) || fabs(v) < m->still) && energy(m, x, mean) < STUCK * STUCK)) {
+            one.pattern = 0;
+            one.off = 0 - m->exact; /* not -0 */
+            return one;
+        }
         x += h * v;
-        /* with b > a the force may push again after zero */
-        if (!(x > 0) || (f == 0 && v < 0 && m->a >= m->b))
-            return fabs(v) < HUGE_VAL ? -v : (double)NAN;
-        if (v < STUCK && v > -STUCK && v * v + spring_energy * pow(x, m->a + 1) < STUCK * STUCK)
-            return 0;
-        f = force(m, x, v - m->ahead * h * f);
+        f = force(m, x, v - m->ahead * h * (f - press));
     }
-    return (double)NAN;
+    return one;
 }
 
 static int stepped_init(struct stepped *m, const struct cor_scene_contact *contact, double speed_m_s, int end,
@@ -104,72 +149,99 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
     m->a = cor_elastic(law);
     m->b = cor_damping(law);
     m->beta = cor_scene_beta(contact, speed_m_s);
-    m->step = cor_hunt_crossley_duration(0, m->a) / steps;
+    const double duration = cor_hunt_crossley_duration(0, m->a);
+    m->step = duration / steps;
+    m->press = contact->force_n > 0 ? contact->force_n * cor_scene_elastic_duration_s(contact, speed_m_s) /
+                                          (duration * contact->mass_kg * speed_m_s)
+                                    : 0;
+    m->still = STUCK * fmax(1, sqrt(m->press * pow(m->press, 1 / m->a)));
+    m->deep = -m->a / (m->a + 1) * m->press * pow(m->press, 1 / m->a);
     m->ahead = integrator == COR_VERLET_FULL_STEP ? 0.5 : 0;
     m->roots = whole ? roots[law->denominator] : -1;
     m->no_pull = end == COR_END_ZERO_FORCE;
-    return !(contact->force_n > 0) && !(contact->adhesion_j_m2 > 0) && !contact->plastic &&
+    return m->press * m->step <= MOST_PRESS && !(contact->adhesion_j_m2 > 0) && !contact->plastic &&
            !(contact->liquid_speed_m_s > 0) && (end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE) &&
            cor_scene_has_end(contact, end) && integrator >= 0 && integrator < COR_INTEGRATORS &&
            steps >= COR_SCENE_STEPS_MIN && steps <= COR_SCENE_STEPS_MAX && m->beta >= 0 && m->beta < HUGE_VAL;
 }
 
-/* Where between two phases the number of steps changes, as a fraction of their distance, less the middle */
-static double jump_between(const struct stepped *m, double phase, double distance, long steps)
+/* ---- all phases ---- */
+
+/* Moves `low` to the last phase of its pattern, and `high`, which has another pattern, to just above it */
+static void cut(struct bounce *low, struct bounce *high, const struct stepped *m)
 {
-    double low = 0, high = 1;
-    while (high - low > 1e-7) {
-        const double middle = (low + high) / 2;
-        long other;
-        rebound(m, phase + middle * distance, &other);
-        *(other == steps ? &low : &high) = middle;
+    double width;
+    while ((width = high->phase - low->phase) > 1e-7 * fmin(high->phase, 1 - low->phase) ||
+           width * fabs(high->off - low->off) > 1e-13) {
+        const double middle = low->phase + width / 2;
+        if (!(middle > low->phase && middle < high->phase))
+            return;
+        const struct bounce other = bounce(m, middle);
+        *(other.pattern == low->pattern ? low : high) = other;
     }
-    return (low + high) / 2 - 0.5;
+}
+
+/* Computes a piece, in which eps is smooth except for fourth roots at both ends. The midpoint rule at t^4 (35 - 84 t +
+ * 70 t^2 - 20 t^3) makes the ends smooth. If a node has another pattern than `low`, moves `high` down to
+ * the jump and returns 0. */
+static int are_alike(double *off, const struct bounce *low, struct bounce *high, struct bounce *beyond,
+                     const struct stepped *m, int nodes, int may_differ)
+{
+    for (int k = 0; k <= nodes; k++) {
+        const double t = (k + 0.5) / nodes, part = t * t * t * t * (35 - t * (84 - t * (70 - t * 20)));
+        const struct bounce node = k == nodes ? *high : bounce(m, low->phase + (high->phase - low->phase) * part);
+        if (node.pattern != low->pattern && !may_differ) {
+            *high = *low;
+            *beyond = node;
+            cut(high, beyond, m);
+            return 0;
+        }
+        if (k < nodes)
+            off[k] = node.off;
+    }
+    return 1;
 }
 
 /* eps over all phases, less `exact` */
-static int phases(struct cor_step_error *error, const struct stepped *m, double exact)
+static int phases(struct cor_step_error *error, const struct stepped *m)
 {
-    long steps, before = 0;
-    double sum = 0, squares = 0, last = 0;
-    error->largest = rebound(m, 0.5, &steps) - exact;
-    error->least = error->largest;
-    if (isnan(error->least))
+    const struct bounce last = bounce(m, 1);
+    struct bounce low = bounce(m, FIRST_PHASE), high, beyond = last;
+    const int nodes = last.steps < LONG ? NODES : NODES_LONG;
+    double off[NODES], weight = 0, squares = 0;
+    *error = (struct cor_step_error){0, 0, low.off, low.off};
+    if (isnan(low.off) || isnan(last.off))
         return COR_FAULT_STEP;
-    const long fit = ALL_STEPS / steps, n = fit > PHASES ? PHASES : fit < PHASES_LEAST ? PHASES_LEAST : fit;
-    for (long k = 0; k < n; k++) {
-        const double phase = ((double)k + 0.5) / (double)n, off = rebound(m, phase, &steps) - exact;
-        if (isnan(off))
-            return COR_FAULT_STEP;
-        sum += off;
-        squares += off * off;
-        /* Without x^b the damping force ends in a jump, and eps jumps where the last step does. The value on either
-         * side counts up to there. */
-        if (m->b == 0 && !m->no_pull && k > 0 && steps != before) {
-            const double more = jump_between(m, phase - 1 / (double)n, 1 / (double)n, before);
-            sum += more * (last - off);
-            squares += more * (last * last - off * off);
+    for (int pieces = 1; low.phase < 1; pieces++, low = beyond) {
+        high = beyond = last;
+        while (!are_alike(off, &low, &high, &beyond, m, nodes, pieces == MOST_PIECES))
+            ;
+        for (int k = 0; k < nodes; k++) {
+            const double t = (k + 0.5) / nodes, share = (high.phase - low.phase) * pow(t * (1 - t), 3);
+            const double away = off[k] - error->bias;
+            if (isnan(off[k]))
+                return COR_FAULT_STEP;
+            weight += share;
+            error->bias += share > 0 ? away * share / weight : 0;
+            squares += share * away * (off[k] - error->bias);
+            error->least = fmin(error->least, off[k]);
+            error->largest = fmax(error->largest, off[k]);
         }
-        before = steps;
-        last = off;
-        error->least = fmin(error->least, off);
-        error->largest = fmax(error->largest, off);
     }
-    error->bias = sum / (double)n;
-    error->scatter = sqrt(fmax(squares / (double)n - error->bias * error->bias, 0));
-    return COR_FAULT_NONE;
+    error->bias = fmin(fmax(error->bias, error->least), error->largest);
+    error->scatter = sqrt(squares / weight);
+    return error->scatter < HUGE_VAL ? COR_FAULT_NONE : COR_FAULT_STEP;
 }
 
 int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_contact *contact, double speed_m_s,
                          int end, double steps, int integrator)
 {
     struct stepped m;
-    double exact = (double)NAN;
     int status = stepped_init(&m, contact, speed_m_s, end, steps, integrator)
-                     ? cor_scene_eps(&exact, contact, speed_m_s, end)
+                     ? cor_scene_eps(&m.exact, contact, speed_m_s, end)
                      : COR_FAULT_STEP;
     if (status == COR_FAULT_NONE)
-        status = phases(error, &m, exact);
+        status = phases(error, &m);
     if (status != COR_FAULT_NONE)
         *error = (struct cor_step_error){(double)NAN, (double)NAN, (double)NAN, (double)NAN};
     return status;
@@ -197,10 +269,14 @@ int cor_scene_step_for(double *steps, const struct cor_scene_contact *contact, d
                        double tolerance, int integrator)
 {
     static const double ratio = 1.2, scanned = 4; /* the scan ends at so many times the steps of the last failure */
-    double bad = 0, good = COR_SCENE_STEPS_MIN;
+    struct stepped m;
     int status = tolerance > 0 ? COR_FAULT_NONE : COR_FAULT_STEP;
     *steps = (double)NAN;
-    for (double n = good; status == COR_FAULT_NONE && n <= scanned * fmax(bad, COR_SCENE_STEPS_MIN); n *= ratio) {
+    stepped_init(&m, contact, speed_m_s, end, COR_SCENE_STEPS_MIN, integrator);
+    /* the smallest number that stepped_init accepts under the force */
+    const double least = COR_SCENE_STEPS_MIN * fmax(1, 1.0001 * m.press * m.step / MOST_PRESS);
+    double bad = 0, good = least;
+    for (double n = good; status == COR_FAULT_NONE && n <= scanned * fmax(bad, least); n *= ratio) {
         if (n > COR_SCENE_STEPS_MAX)
             return COR_FAULT_STEP;
         if (!is_within(&status, contact, speed_m_s, end, n, integrator, tolerance)) {
@@ -221,24 +297,26 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
                              double speed_m_s, int end, double steps, int integrator)
 {
     enum { MOST_CALLS = 100 };
-    static const double stride = 1.1, converged = 1e-13;
+    static const double stride = 1.1, converged = 1e-12, promised = 1e-9;
     struct stepped m;
     struct cor_step_error error = {0, 0, 0, 0};
     struct bracket bracket = {0, 0, 0, 0, 0};
-    double exact, factor = 1;
+    double factor = 1;
     *corrected = *contact;
     corrected->damping = (double)NAN;
     if (!stepped_init(&m, contact, speed_m_s, end, steps, integrator))
         return COR_FAULT_STEP;
     const double beta = m.beta;
-    int status = cor_scene_eps(&exact, contact, speed_m_s, end);
+    int status = cor_scene_eps(&m.exact, contact, speed_m_s, end);
     /* The mean falls with the damping: the Illinois method. */
     for (int k = 0; status == COR_FAULT_NONE && k < MOST_CALLS; k++) {
         m.beta = beta * factor;
-        status = phases(&error, &m, exact);
+        status = phases(&error, &m);
         if (status == COR_FAULT_NONE &&
             (beta == 0 || fabs(error.bias) < converged ||
              (is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * bracket.high))) {
+            if (beta > 0 && fabs(error.bias) > promised) /* the mean jumps */
+                return COR_FAULT_NO_DAMPING;
             corrected->damping = contact->damping * factor;
             return COR_FAULT_NONE;
         }
