@@ -376,6 +376,31 @@ TEST(the_time_step_is_for_all_speeds)
     }
 }
 
+/* The step for a tolerance is the largest step in three digits, and never beyond it: for all speeds and ends. */
+TEST(the_step_for_a_tolerance_is_rounded_down)
+{
+    enum { TRIES = 6, SPEEDS = 2, STEP_COLUMN = 8 };
+    for (int k = 0; k < TRIES; k++) {
+        struct contacts contacts =
+            contacts_of(0, COR_END_ZERO_OVERLAP, GLASS, GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4}));
+        const double speed[SPEEDS] = {random_log(&draw, 1e-2, 10), random_log(&draw, 1e-2, 10)};
+        const struct cor_scene_contact *const c = &contacts.contact[0];
+        const struct cor_simulator_request request = {
+            .speed_m_s = speed, .speeds = SPEEDS, .step_errors = 1, .step_tolerance = random_log(&draw, 5e-4, 1e-2)};
+        struct table table;
+        double longest = INFINITY, steps;
+        for (int i = 0; i < SPEEDS; i++) {
+            assert_int_equal(cor_scene_step_for(&steps, c, speed[i], 0, request.step_tolerance, 0), 0);
+            longest = fmin(longest, cor_scene_elastic_duration_s(c, speed[i]) / steps);
+        }
+        assert_int_equal(contact_rows(&table, &contacts, &request, 17), 0);
+        const double step = strtod(table.cell[STEP_COLUMN], NULL);
+        check(step <= longest && step > 0.99 * longest, "tolerance %g: step %.17g, not %.17g", request.step_tolerance,
+              step, longest);
+        table_clear(&table);
+    }
+}
+
 /* ---- --for: the numbers in the lines, put through the simulator's own conversion ---- */
 
 #define REQUEST(NAME, CONTACTS, SPEED_M_S)                                                                             \
@@ -511,4 +536,4 @@ TEST(chrono_finds_the_radius)
 
 RUN_TESTS(impacts_against_integration, reference_collisions, other_laws, stiffness_from_a_duration,
           collisions_under_a_constant_force, thresholds_of_a_constant_force, the_time_step_is_for_all_speeds,
-          hosts_realise_what_is_wished, chrono_finds_the_radius)
+          the_step_for_a_tolerance_is_rounded_down, hosts_realise_what_is_wished, chrono_finds_the_radius)
