@@ -5,24 +5,46 @@
 #include "cli/scene_options.h"
 #include "support/console.h"
 
+/* Removes the force from a request. A restitution that was measured under it becomes the damping of the contact, which
+ * `damping` holds. */
+static void remove_force(struct embed_request *request, struct decimal *damping, const struct contacts *pressed)
+{
+    const struct cor_scene_contact *const contact = &pressed->contact[0];
+    const bool constant = cor_scene_speed_exponent(contact) == 0;
+    char text[DECIMAL_TEXT];
+    request->number[COR_SCENE_GRAVITY].text = request->number[COR_SCENE_ADHESION].text = NULL;
+    request->adhesion_model = COR_ADHESION_NONE;
+    request->end = pressed->scene.end;
+    if (!(contact->force_n > 0 && contact->damping > 0 && embed_given(request, COR_SCENE_RESTITUTION)))
+        return;
+    decimal_set(damping, decimal_text(text, constant ? contact->damping
+                                                     : cor_scene_beta(contact, embed_number(request, COR_SCENE_AT))));
+    request->number[COR_SCENE_RESTITUTION].text = NULL;
+    request->number[constant ? COR_SCENE_ZETA : COR_SCENE_BETA] = *damping;
+    if (constant && !embed_given(request, COR_SCENE_DURATION))
+        request->number[COR_SCENE_AT].text = NULL;
+}
+
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
     /* formulas know no constant force: their contact is without it */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
+    struct decimal damping = {0};
     int status = contacts_without_jkr(&pressed, &scene);
-    scene.number[COR_SCENE_GRAVITY].text = scene.number[COR_SCENE_ADHESION].text = NULL;
-    scene.adhesion_model = COR_ADHESION_NONE;
-    scene.end = pressed.scene.end;
+    if (status == STATUS_OK)
+        remove_force(&scene, &damping, &pressed);
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &scene);
     if (status == STATUS_OK && (contacts.contact[0].plastic || contacts.contact[0].liquid_speed_m_s > 0))
         status = usage_error("the models are those of dry contacts that do not yield; corgen contact, sample and embed "
                              "have --law elastic-plastic and --viscosity-liquid");
-    if (status != STATUS_OK)
-        return status;
-    contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
-    return plan_spheres(plan, &scene, contacts.contact, &o->scene, pressed.contact, o->points);
+    if (status == STATUS_OK) {
+        contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
+        status = plan_spheres(plan, &scene, contacts.contact, &o->scene, pressed.contact, o->points);
+    }
+    decimal_clear(&damping);
+    return status;
 }
 
 static int run_plan(const void *arguments)

@@ -63,8 +63,7 @@ static const char help[] =
     "  --tolerance T    relative error of the interpolated eps, 1e-10 to 0.1\n"
     "  --log            interpolation in the logarithm of the speed\n"
     "  --cubic          cubic Hermite interpolation, with a column of slopes; otherwise linear\n"
-    "  --durations      the duration of contact in s, too, within the same tolerance\n"
-    "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"
+    "  --durations      the duration of contact in s, too, within the same tolerance\n" HELP_END_PRESSED
     "  --format F       text (default; with the evenly spaced table beside it), csv, json, c, python,\n"
     "                   modelica (CombiTable1Ds), openfoam (Function1 table)\n" HELP_CONTACT "\n" HELP_COMMON
     "\nColumns: speed_m_s,eps; then eps_slope_s_m, or eps_slope_per_log with --log, where --cubic is\n"

@@ -442,7 +442,7 @@ static void add_other_end(const struct spheres *s)
     const enum contact_end end = contact_end_named(other_end(s), is_pressed(s));
     struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options_pressed[end]);
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
-    model_takes_force(s, m, cost_library, "which end the contact has", NULL);
+    model_takes_force(s, m, is_pressed(s) ? cost_pressed : cost_library, "which end the contact has", NULL);
     m->shown = true;
 }
 

@@ -82,7 +82,7 @@ class _Scene:
         scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
         damped = any(name in numbers for name in _DAMPINGS)
         scene.wall = bool(wall)
-        ends = PRESSED_ENDS if "gravity" in numbers else ENDS
+        ends = PRESSED_ENDS if numbers.get("gravity") else ENDS
         scene.end = lib.COR_BOTH_ENDS if end is None else ends.index(end_name(end, ends))
         scene.plate = "plate_thickness" in numbers
         scene.law = lib.cor_law_exponents[_one_of("law", law, _LAWS)]
