@@ -240,7 +240,7 @@ TEST(test_wide_beta)
             assert_overlap(wide->field[k], one->field[k], "field", k);
         enclosed++;
     }
-    assert_true(enclosed > 20);
+    assert_true(enclosed > 8);
 }
 
 /* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4); elsewhere either formula by hand, also on both sides of 3/4 and
