@@ -225,6 +225,11 @@ struct Bits {
     Bits(word x, meaning m, Real r) : value(x), what(m), of(r)
     {
     }
+    /* The bits of a subnormal number count its units of 2^-1074. */
+    explicit operator Real() const
+    {
+        return what == NOTHING ? Real((number)value) : of * Real(0x1p574) * Real(0x1p500);
+    }
     explicit operator int() const
     {
         decide(value);
