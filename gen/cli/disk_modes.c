@@ -54,12 +54,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
 static int run_disk_modes(const void *arguments)
 {
     const struct disk_modes_arguments *const o = arguments;
-    int status = options_disk_poisson(&o->poisson);
-    /* of one mode: three numbers, their texts, and its place in the table */
-    const double bytes = 600 + 3 * ((double)o->digits + (double)o->digits * 3.33 / 8);
-    if (status == STATUS_OK)
-        status =
-            console_need((double)o->count * bytes, "", "%ld modes to %ld digits need", (long)o->count, (long)o->digits);
+    const int status = options_disk_poisson(&o->poisson);
     const struct proved_table table = {o->digits, o, fill_table, NULL};
     return status == STATUS_OK ? proved_table_write(&table, &o->common) : status;
 }

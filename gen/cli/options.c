@@ -151,8 +151,8 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME)
             return usage_error("--%s: '%s' is not a name for a function of C: letters, digits and _, %d at most", name,
                                text, OPTIONS_MAX_NAME);
-        if (c_name_taken(text))
-            return usage_error("--%s: '%s' is %s; allowed: another name, as my_eps", name, text, c_name_taken(text));
+        if (c_name_is_reserved(text))
+            return usage_error("--%s: C or C++ reserves '%s'; allowed: another name, as my_eps", name, text);
         break;
     case OPTION_FILES:
         return usage_error("--%s: write the files alone, without it", name);
@@ -274,7 +274,7 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
                 continue;
             const char *const path = *(const char *const *)((const char *)arguments + rules[i].offset);
             const char *const other =
-                given[j] ? *(const char *const *)((const char *)arguments + rules[j].offset) : NULL;
+                given[j] ? *(const char *const *)((const char *)arguments + rules[j].offset) : "/dev/stdout";
             if (output_same_file(path, other))
                 return usage_error("--%s and %s%s name the same file, %s; allowed: two files", rules[i].name,
                                    given[j] ? "--" : "standard ", rules[j].name, path);

@@ -72,22 +72,10 @@ static struct start start_of(slong order, const struct law *law, slong bits)
 }
 
 /* Rows and integers of X and of its powers, and their transforms of 2^depth points (row_sums.c) */
-double series_bytes(slong order, const struct law *law, slong bits)
-{
-    const struct start start = start_of(order, law, bits);
-    const double points = exp2(ceil(log2(2.0 * (double)start.terms + 1))), prec = (double)start.prec;
-    const double powers = law->ad == law->bd + law->d ? 1 : 2;
-    const double rows = (double)(order + 1), row = (double)(start.terms + 1);
-    return powers * rows * (row * (prec / 2 + 200) + points * prec * 2 / 3);
-}
-
 int series_compute(struct series *s, slong order, const struct law *law, slong bits)
 {
     const struct start start = start_of(order, law, bits);
     slong prec = start.prec, terms = start.terms;
-    const double bytes = series_bytes(order, law, bits); /* known before hours of computing */
-    if (console_need(bytes, "", "order %ld to %ld bits needs", (long)order, (long)bits) != STATUS_OK)
-        return STATUS_FAILED;
     for (int attempt = 0; attempt < 16; attempt++) {
         switch (turning_point_series(s->y, s->tau, order, terms, law, bits + 8, prec)) {
         case TURNING_POINT_FEW_TERMS:

@@ -32,10 +32,6 @@ LOCAL_STRUCT(series)
  * Returns 0, or 1 after reporting the failure on stderr. */
 int series_compute(struct series *s, slong order, const struct law *law, slong bits);
 
-/* Bytes of memory that series_compute takes: 0.8 to 1 times what it was measured to take at orders 40 to
- * 200, 40 to 320 digits (tests/gen/test_series.c) */
-double series_bytes(slong order, const struct law *law, slong bits);
-
 /* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force
  * for the sphere. `order` is the highest power of z. Same accuracy and result as above. */
 int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits);

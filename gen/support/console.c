@@ -2,9 +2,6 @@
 #define _GNU_SOURCE /* vasprintf */
 #include "support/console.h"
 
-#include <errno.h>
-#include <fcntl.h>
-#include <math.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -166,62 +163,9 @@ static void *gmp_realloc(void *old, size_t old_size, size_t size)
     return xrealloc(old, size);
 }
 
-/* Bytes of the machine; infinite where the system does not tell, as other limits are */
-static double physical_memory(void)
-{
-    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-    return pages > 0 && page > 0 ? (double)pages * (double)page : (double)INFINITY;
-}
-
-int console_need(double bytes, const char *advice, const char *format, ...)
-{
-    struct rlimit limit;
-    double memory = physical_memory();
-    if (getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-        memory = fmin(memory, (double)limit.rlim_cur);
-    if (bytes <= memory)
-        return STATUS_OK;
-    va_list arguments;
-    va_start(arguments, format);
-    char *const what = xvprintf(format, arguments);
-    va_end(arguments);
-    fail("%s about %.3g GB of memory, and %.3g GB may be used%s", what, bytes / 1e9, memory / 1e9, advice);
-    free(what);
-    return STATUS_FAILED;
-}
-
-/* The shadow memory of a sanitizer exceeds the physical memory. */
-#if defined __has_feature
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define SANITIZED 1
-#endif
-#elif defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__
-#define SANITIZED 1
-#endif
-#ifndef SANITIZED
-#define SANITIZED 0
-#endif
-
-/* Beyond the physical memory a machine swaps or kills the process. A refused allocation can be reported. */
-static void limit_memory_to_physical(void)
-{
-    const double physical = physical_memory();
-    struct rlimit limit;
-    if (SANITIZED || isinf(physical) || getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= (rlim_t)physical)
-        return;
-    limit.rlim_cur = (rlim_t)physical;
-    setrlimit(RLIMIT_DATA, &limit);
-}
-
 void console_start(void)
 {
-    /* The first opened file would reuse a missing descriptor, and messages would go into it. The stand-in has the wrong
-     * direction, so that output.c reports its use as an error. */
-    for (int fd = 0; fd <= 2; fd++)
-        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", fd == 1 ? O_RDONLY : O_WRONLY) != fd)
-            exit(STATUS_FAILED);
     console_thread = true;
-    limit_memory_to_physical();
     mp_set_memory_functions(xmalloc, gmp_realloc, NULL);
     __flint_set_memory_functions(xmalloc, xcalloc, xrealloc, free);
     flint_set_abort(library_gave_up);

@@ -10,20 +10,13 @@
 /* Exit statuses of every subcommand. */
 enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2, STATUS_NOT_AS_ASKED = 3 };
 
-/* main calls this first, once. Afterwards file descriptors 0..2 exist, and a failed allocation ends the program with a
- * message and STATUS_FAILED instead of an abort or the kernel's out-of-memory kill.
- */
+/* main calls this first, once. Afterwards a failed allocation ends the program with a message and STATUS_FAILED. */
 void console_start(void);
 
 /* Prints "corgen: <message>\n" on stderr, escaped as by xprintable. Returns STATUS_FAILED or STATUS_USAGE, which
  * callers return. */
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
-
-/* Fails where so many bytes are more than this process may use, those of the machine, or fewer where a limit is set
- * (ulimit -d): "<message> about 9 GB of memory, and 2 GB may be used<advice>". Not where the system does not report
- * them. */
-int console_need(double bytes, const char *advice, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Progress: one line on a terminal, which a thread rewrites five times per second, also while a computation calls none
  * of these functions. progress_start starts it for a subcommand; it does nothing if stderr is not a terminal. The line
@@ -61,7 +54,7 @@ char *xprintable(const char *text);
 char *xprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvprintf(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 
-/* ---- words.c: words of a command line that are not known, and names that a C function cannot have ---- */
+/* ---- words.c: unknown words of a command line, and names that a C function cannot have ---- */
 
 /* The number of letters that are left out, put in, exchanged, or swapped with their neighbour, between two words of at
  * most WORD_MOST letters; capitals count as small letters. */
@@ -74,9 +67,7 @@ size_t slips_between(const char *a, const char *b);
 int refuse_word(const char *word, const char *const *words, const char *dashes, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* What an identifier is already, "a keyword of C or C++", in C99 to C23, in C++11 to C++23, or in the headers math.h,
- * stdint.h and string.h with the extensions of GNU; NULL if it is free. Functions of the other headers of C count, too,
- * because compilers know them without their headers. */
-const char *c_name_taken(const char *name);
+/* True for a keyword of C99 to C23 or C++11 to C++23, and for std. Compilers refuse other reserved names. */
+bool c_name_is_reserved(const char *name);
 
 #endif

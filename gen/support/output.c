@@ -63,7 +63,8 @@ static char *beside(const char *path, const char *last)
     return xprintf("%.*s%s", (int)(file_name(path) - path), path, last);
 }
 
-/* The file that a path names behind all symbolic links, malloc'ed. It need not exist. */
+/* The file that a path names behind all symbolic links, malloc'ed. It need not exist. Two paths of one file have the
+ * same target, if its folder exists. */
 static char *target_of(const char *path)
 {
     char *target = xstrdup(path), link[PATH_MAX];
@@ -74,41 +75,33 @@ static char *target_of(const char *path)
         free(target);
         target = next;
     }
-    return target;
+    char *const last = beside(target, "."), *const folder = realpath(last, NULL);
+    char *const whole = folder ? xprintf("%s/%s", folder, file_name(target)) : xstrdup(target);
+    free(last);
+    free(folder);
+    free(target);
+    return whole;
 }
 
-/* The descriptor of this process that a path, or NULL, names; negative if none */
-static int descriptor_named(const char *path)
+static bool is_standard(const char *path)
 {
-    int n;
-    char more;
-    return !path || strcmp(path, "/dev/stdout") == 0 ? STDOUT_FILENO
-           : strcmp(path, "/dev/stderr") == 0        ? STDERR_FILENO
-           : sscanf(path, "/dev/fd/%6d%c", &n, &more) == 1 || sscanf(path, "/proc/self/fd/%6d%c", &n, &more) == 1 ? n
-                                                                                                                  : -1;
+    return !path || strcmp(path, "/dev/stdout") == 0;
 }
 
 bool output_is_direct(const char *path)
 {
     struct stat status;
-    return descriptor_named(path) >= 0 || (stat(path, &status) == 0 && !S_ISREG(status.st_mode));
+    return is_standard(path) || (stat(path, &status) == 0 && !S_ISREG(status.st_mode));
 }
 
 bool output_same_file(const char *path, const char *other)
 {
     struct stat x, y;
-    char *const target = target_of(path ? path : ""), *const other_target = target_of(other ? other : "");
-    char *const folder = beside(target, "."), *const other_folder = beside(other_target, ".");
-    const bool exists = (path ? stat(path, &x) : fstat(STDOUT_FILENO, &x)) == 0;
-    const bool other_exists = (other ? stat(other, &y) : fstat(STDOUT_FILENO, &y)) == 0;
-    bool may_be = exists && other_exists && S_ISREG(x.st_mode);
-    if (!exists && !other_exists && strcmp(file_name(target), file_name(other_target)) == 0)
-        may_be = stat(folder, &x) == 0 && stat(other_folder, &y) == 0;
-    free(folder);
-    free(other_folder);
+    char *const target = target_of(path), *const other_target = target_of(other);
+    const bool both = stat(path, &x) == 0 && stat(other, &y) == 0, equal = strcmp(target, other_target) == 0;
     free(target);
     free(other_target);
-    return may_be && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+    return both ? S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino : equal;
 }
 
 /* ---- opening ---- */
@@ -139,7 +132,7 @@ static bool folder_accepts(const char *target)
 int output_check(const char *path)
 {
     struct stat status;
-    if (descriptor_named(path) >= 0)
+    if (is_standard(path))
         return STATUS_OK;
     const bool exists = stat(path, &status) == 0;
     if (exists && S_ISDIR(status.st_mode))
@@ -198,16 +191,13 @@ int output_open(struct output *out, const char *path)
 {
     *out = (struct output){.path = path, .file = stdout};
     output_report_size_limit();
-    const int descriptor = descriptor_named(path), status = output_check(path);
+    const int status = output_check(path);
     if (status != STATUS_OK)
         return status;
     errno = 0;
-    if (path && descriptor >= 0) {
-        const int copy = dup(descriptor);
-        out->file = copy < 0 ? NULL : fdopen(copy, "w");
-    } else if (path && output_is_direct(path)) {
+    if (!is_standard(path) && output_is_direct(path)) {
         out->file = fopen(path, "w");
-    } else if (path) {
+    } else if (!is_standard(path)) {
         out->file = open_memstream(&out->bytes, &out->size);
         out->target = target_of(path);
     }
@@ -247,8 +237,8 @@ static int output_prepare(struct output *out)
     out->temporary = fd < 0 ? NULL : name;
     if (!file)
         return output_failure("write", out);
-    const bool written = (fchmod(fd, mode) == 0 || !exists) && fwrite(out->bytes, 1, out->size, file) == out->size &&
-                         fflush(file) == 0 && fsync(fd) == 0;
+    const bool written =
+        (fchmod(fd, mode) == 0 || !exists) && fwrite(out->bytes, 1, out->size, file) == out->size && fflush(file) == 0;
     const int reason = errno;
     const bool closed = fclose(file) == 0;
     errno = written ? errno : reason;

@@ -13,8 +13,7 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * this moment leaves it. The new file has the mode of the file that it replaces. Of a symbolic link, the file behind
  * all links is made or replaced. A file with several hard links is refused.
  *
- * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, and a descriptor
- * by the name /dev/stdout, /dev/stderr, /dev/fd/N or /proc/self/fd/N, which keeps its position and append mode. */
+ * All other paths are written directly: standard output (path NULL or /dev/stdout), a terminal, a pipe, /dev/null. */
 struct output {
     FILE *file;
     FILE *screen;     /* a terminal that also shows progress, so that `bytes` are written in one piece; or NULL */
@@ -35,8 +34,7 @@ void output_say_on_interrupt(const char *text);
 /* Whether the path, or NULL, is written directly, so that no file can be kept beside it. */
 bool output_is_direct(const char *path);
 
-/* True if two paths name one regular file: by symbolic or hard links, or by two names of one folder. NULL is standard
- * output. */
+/* True if two paths name one regular file: by symbolic or hard links, or by two names of one folder. */
 bool output_same_file(const char *path, const char *other);
 
 /* Each function returns STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
@@ -45,7 +43,7 @@ int output_check(const char *path);
 int output_open(struct output *out, const char *path);
 int output_commit(struct output *out); /* also reports a full disk behind standard output */
 
-/* Commits a set of files. Every file is complete on the disk before the first rename, and signals are blocked between
+/* Commits a set of files. Every file is complete before the first rename, and signals are blocked between
  * the renames. If one file fails, all are discarded. */
 int output_commit_all(struct output *out, int n);
 

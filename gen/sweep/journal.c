@@ -10,21 +10,12 @@
 #include <unistd.h>
 
 #include "runtime/disk/mode_file.h"
-#include "support/clock.h"
 #include "support/console.h"
 #include "support/output.h"
-
-static const double SYNC_SECONDS = 30;
 
 static int journal_failure(const char *verb, const struct journal *journal)
 {
     return fail("cannot %s %s: %s", verb, journal->path, errno ? strerror(errno) : "write error");
-}
-
-static int journal_sync(struct journal *journal)
-{
-    journal->synced = clock_seconds();
-    return fsync(fileno(journal->stream)) == 0 || errno == EINVAL ? STATUS_OK : journal_failure("write", journal);
 }
 
 /* Continues the check of all lines before this one. */
@@ -35,9 +26,8 @@ static void check_line(uint32_t *check, const char *line)
 
 static int journal_put(struct journal *journal, const char *line)
 {
-    if (fprintf(journal->stream, "%s\n", line) < 0 || fflush(journal->stream) != 0)
-        return journal_failure("write", journal);
-    return clock_seconds() - journal->synced > SYNC_SECONDS ? journal_sync(journal) : STATUS_OK;
+    const bool written = fprintf(journal->stream, "%s\n", line) >= 0 && fflush(journal->stream) == 0;
+    return written ? STATUS_OK : journal_failure("write", journal);
 }
 
 int journal_add(struct journal *journal, const char *line)
@@ -150,12 +140,12 @@ static int journal_recover(struct journal *journal, const char *title, uint64_t 
         status = journal_failure("write", journal);
     if (status == STATUS_OK && good == 0)
         status = journal_put(journal, title);
-    return status == STATUS_OK && good == 0 ? journal_sync(journal) : status;
+    return status;
 }
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
-    *journal = (struct journal){.path = xprintf("%s.part", file), .synced = clock_seconds()};
+    *journal = (struct journal){.path = xprintf("%s.part", file)};
     char *const shown = xprintable(journal->path);
     journal->interrupted =
         xprintf("\ncorgen: interrupted; the same command continues after the last row of %s\n", shown);

@@ -15,8 +15,8 @@
 #include "support/gnuplot.h"
 #include "support/parallel.h"
 
-/* Memory for each mode while the modes are found, measured; rows of one parallel loop, whose results memory holds */
-enum { MODE_BYTES = 900, ROWS_AT_A_TIME = 1 << 14 };
+/* Rows of one parallel loop, whose results are held in memory */
+enum { ROWS_AT_A_TIME = 1 << 14 };
 
 /* More cannot be told from one another. */
 enum { MOST_CURVES = 12, CURVE_TITLE = 3 * DECIMAL_TEXT };
@@ -64,12 +64,11 @@ static int find_modes(struct collide *run, size_t material)
     return status;
 }
 
-/* Asks the integrator at every corner of the sweep whether it refuses the parameters or needs too much memory. */
+/* Calls the integrator at every corner of the sweep, without a workspace, to see if it refuses the parameters. */
 static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *modes)
 {
     const double alpha[] = {s->alpha.least, s->alpha.largest}, speed[] = {s->speed.least, s->speed.largest};
     const double count[] = {s->modes.least, s->modes.largest};
-    double most = 0;
     for (int corner = 0; corner < 8; corner++) {
         const double a = alpha[corner & 1], v = speed[corner >> 1 & 1];
         const size_t n = (size_t)fmin(count[corner >> 2], (double)modes->count);
@@ -80,10 +79,8 @@ static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *mo
         if (status != COR_ERROR_WORKSPACE)
             return usage_error("--alpha %g with --speed %g and --modes %g: %s", a, v, count[corner >> 2],
                                cor_status_text(status));
-        most = fmax(most, (double)cor_disk_collision_workspace(modes, n, &options));
     }
-    const int threads = parallel_threads();
-    return console_need(most * threads, "; choose fewer --threads", "%d threads need", threads);
+    return STATUS_OK;
 }
 
 /* ---- rows ---- */
@@ -265,11 +262,8 @@ int sweep_run(const struct sweep_request *request)
     /* one plausible mode stands for those that are not found yet, since no refusal depends on the modes */
     static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
     const struct cor_disk_modes modes = {run.sweep.poisson.nearest[0], 1, &mode};
-    const double most = run.sweep.modes.largest;
     parallel_use((int)request->threads);
     int status = sweep_count(&run.sweep);
-    if (status == STATUS_OK && !run.sweep.hard_wall)
-        status = console_need(most * MODE_BYTES, "", "%.0f modes need", most);
     if (status == STATUS_OK && is_soft(&run.sweep))
         status = refuse_corners(&run.sweep, &modes);
     if (status == STATUS_OK && request->plot)

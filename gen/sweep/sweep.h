@@ -89,10 +89,9 @@ int sweep_run(const struct sweep_request *request);
 struct journal {
     FILE *stream; /* locked against other processes; writes go to its end */
     char *path;
-    uint64_t lines; /* rows, without the title */
-    uint32_t check; /* of the title and these rows */
-    char *last;     /* the last row that journal_open found; NULL if it found none */
-    double synced;
+    uint64_t lines;    /* rows, without the title */
+    uint32_t check;    /* of the title and these rows */
+    char *last;        /* the last row that journal_open found; NULL if it found none */
     char *interrupted; /* what SIGINT, SIGTERM and SIGHUP print while the journal is open */
 };
 
@@ -102,8 +101,7 @@ struct journal {
  * program say how to continue. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
-/* Adds a row, given without its line end. It is then safe from the end of this process, and half a minute later from a
- * power cut. */
+/* Adds a row, given without its line end. It is then safe from the end of this process. */
 int journal_add(struct journal *journal, const char *line);
 
 /* Calls visit() for every row. */

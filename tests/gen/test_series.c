@@ -167,17 +167,4 @@ TEST(test_radius)
     assert_true(fabs(middle(x) + 1) < 0.05);
 }
 
-/* Peaks of memory in docs/speed/generator.csv, less the 7.5 MB of a program that computes little */
-TEST(test_memory)
-{
-    static const struct {
-        slong order, digits;
-        double megabytes;
-    } peak[] = {{100, 40, 26.1}, {140, 40, 70.2}, {200, 100, 172.7}, {40, 320, 93.9}};
-    for (size_t i = 0; i < sizeof peak / sizeof *peak; i++) {
-        const double bytes = series_bytes(peak[i].order, &law_sphere, (slong)((double)peak[i].digits * 3.3219) + 8);
-        assert_true(bytes > 0.8e6 * peak[i].megabytes && bytes < 1e6 * peak[i].megabytes);
-    }
-}
-
-RUN_TESTS(test_collisions, test_exact_zeros, test_verdicts, test_zero_force, test_radius, test_memory)
+RUN_TESTS(test_collisions, test_exact_zeros, test_verdicts, test_zero_force, test_radius)
