@@ -87,6 +87,31 @@ module cor
   integer(c_int), parameter, public :: COR_DISK_DATUM_CENTRE_OF_MASS = 0
   integer(c_int), parameter, public :: COR_DISK_DATUM_DIAMETER = 1
   integer(c_int), parameter, public :: COR_DISK_DATUM_PRINTED = 2
+  integer(c_int), parameter, public :: COR_LAW_VISCOELASTIC = 0
+  integer(c_int), parameter, public :: COR_LAW_LINEAR = 1
+  integer(c_int), parameter, public :: COR_LAW_TSUJI = 2
+  integer(c_int), parameter, public :: COR_LAW_HUNT_CROSSLEY = 3
+  integer(c_int), parameter, public :: COR_LAW_HERTZ_DASHPOT = 4
+  integer(c_int), parameter, public :: COR_LAW_PLATE = 5
+  integer(c_int), parameter, public :: COR_LAW_ELASTIC_PLASTIC = 6
+  integer(c_int), parameter, public :: COR_LAW_LINEAR_ROOT = 7
+  integer(c_int), parameter, public :: COR_LAW_IMPULSE = 8
+  integer(c_int), parameter, public :: COR_LAWS = 9
+  integer(c_int), parameter, public :: COR_END_ZERO_OVERLAP = 0
+  integer(c_int), parameter, public :: COR_END_ZERO_FORCE = 1
+  integer(c_int), parameter, public :: COR_END_LIMITED = 2
+  integer(c_int), parameter, public :: COR_END_APPROACH_ONLY = 3
+  integer(c_int), parameter, public :: COR_END_INSTANT = 4
+  integer(c_int), parameter, public :: COR_ENDS = 5
+  integer(c_int), parameter, public :: COR_BOTH_ENDS = -1
+  integer(c_int), parameter, public :: COR_EPS = 0
+  integer(c_int), parameter, public :: COR_LOSS = 1
+  integer(c_int), parameter, public :: COR_DAMPING_OF_EPS = 2
+  integer(c_int), parameter, public :: COR_DAMPING_OF_LOSS = 3
+  integer(c_int), parameter, public :: COR_DURATION = 4
+  integer(c_int), parameter, public :: COR_MAX_OVERLAP = 5
+  integer(c_int), parameter, public :: COR_TIME_OF_MAX_OVERLAP = 6
+  integer(c_int), parameter, public :: COR_QUANTITIES = 7
   integer(c_int), parameter, public :: COR_OK = 0
   integer(c_int), parameter, public :: COR_ERROR_NULL = 1
   integer(c_int), parameter, public :: COR_ERROR_YOUNG_MODULUS = 2
@@ -219,6 +244,15 @@ module cor
     type(c_ptr) :: context
     type(c_ptr) :: q
     type(c_ptr) :: q_dot
+  end type
+  type, public, bind(c) :: cor_law_function_t
+    type(c_ptr) :: name
+    type(c_funptr) :: value
+    type(c_funptr) :: array
+    type(c_funptr) :: arrayf
+    real(c_double) :: least
+    real(c_double) :: largest
+    real(c_double) :: max_ulp
   end type
   type(cor_disk_modes_t), protected, public, bind(c, name="cor_disk_modes_nu033") :: cor_disk_modes_nu033
   type(cor_disk_modes_t), protected, public, bind(c, name="cor_disk_modes_nu090") :: cor_disk_modes_nu090

@@ -303,7 +303,7 @@ WEB_EXPORT(web_models) const char *web_models(int digits)
         enum cor_simulator_status status;
         if (!web_is_model_of(model, &web_now))
             continue;
-        web_put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_names[model->law],
+        web_put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_name(model->law),
                 cor_end_names[model->end]);
         web_put_cell('\t', web_realised(model, &web_now, asked.speed_m_s), digits);
         web_put_cell('\t', cor_simulator_e(model, asked.eps, &status), digits);
@@ -375,7 +375,7 @@ static void put_pressed_header(const struct web_request *r, int end)
     static const char *const other[] = {"for",   "simulator-version", "speed-min", "speed-max", "speed",
                                         "steps", "tolerance",         "label",     "end",       NULL};
     if (cor_law_is_constant(&r->contact[0].law)) {
-        web_put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_names[r->law]);
+        web_put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_name(r->law));
         return;
     }
     put_command("embed", other);
@@ -402,7 +402,7 @@ WEB_EXPORT(web_header) const char *web_header(void)
             web_put(
                 "/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s(double speed_m_s)\n"
                 "{\n    (void)speed_m_s; /* the same at every speed */\n    return ",
-                cor_law_names[r->law], cor_end_names[end],
+                cor_law_name(r->law), cor_end_names[end],
                 r->scene.end != COR_BOTH_ENDS ? ""
                 : end                         ? "_zero_force"
                                               : "_zero_overlap");
@@ -410,7 +410,7 @@ WEB_EXPORT(web_header) const char *web_header(void)
             web_put(";\n}\n");
         } else if (contact->damping > 0) {
             web_put("corgen embed%s%s --g-star ", r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : " --law ",
-                    r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : cor_law_names[r->law]);
+                    r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : cor_law_name(r->law));
             web_put_number(cor_scene_damping(contact, COR_SCENE_G_STAR), 15);
             web_put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
                     r->speed_min_m_s, r->speed_max_m_s, r->tolerance, web_end_option(r, end));

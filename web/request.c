@@ -105,9 +105,9 @@ static int read_law(struct web_request *r, const char *text)
     char why[300] = "";
     for (int law = 0; law <= COR_LAW_PLATE; law++) {
         r->law = (enum cor_law)law;
-        if (strcmp(text, cor_law_names[law]) == 0)
+        if (strcmp(text, cor_law_name(law)) == 0)
             return 1;
-        snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "", cor_law_names[law]);
+        snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "", cor_law_name(law));
     }
     return refuse("law", "--law: '%s' is not a law; allowed: %s", text, why);
 }
@@ -213,7 +213,7 @@ static int make_contact(struct web_request *r)
     r->scene.law = cor_law_exponents[r->law];
     r->scene.plate = r->law == COR_LAW_PLATE;
     if (cor_scene_contacts(r->contact, &r->count, &fault, &r->scene) != COR_FAULT_NONE) {
-        cor_scene_fault_text(why, sizeof why, &fault, cor_law_names[r->law], NULL);
+        cor_scene_fault_text(why, sizeof why, &fault, cor_law_name(r->law), NULL);
         return refuse(option_of(&fault), "%s", why);
     }
     if (r->scene.end == COR_END_ZERO_FORCE && r->at_surface != (r->contact[0].force_n > 0))

@@ -116,7 +116,7 @@ static void print_models(void)
     for (size_t i = 0; i < cor_simulator_model_count; i++) {
         const struct cor_simulator_model *m = &cor_simulator_models[i];
         printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", m->simulator, m->version, m->model, m->parameter,
-               cor_law_names[m->law], cor_end_names[m->end], m->advice, m->file, m->known);
+               cor_law_name(m->law), cor_end_names[m->end], m->advice, m->file, m->known);
     }
 }
 

@@ -9,7 +9,8 @@
 #include "support/console.h"
 #include "support/local.h"
 
-const char *const contact_law_names[] = {COR_LAW_NAMES, "plate", "elastic-plastic", NULL};
+const char *const contact_law_names[] = {"viscoelastic",  "linear", "tsuji",           "hunt-crossley",
+                                         "hertz-dashpot", "plate",  "elastic-plastic", NULL};
 
 /* ---- enclosed collisions ---- */
 

@@ -45,6 +45,75 @@
 extern "C" {
 #endif
 
+/* ---- The table of functions ---- */
+
+enum cor_law {
+    COR_LAW_VISCOELASTIC,    /* a = 3/2, b = 1/2 */
+    COR_LAW_LINEAR,          /* 1, 0 */
+    COR_LAW_TSUJI,           /* 3/2, 1/4 */
+    COR_LAW_HUNT_CROSSLEY,   /* a, a; by name 3/2, 3/2 */
+    COR_LAW_HERTZ_DASHPOT,   /* 3/2, 0 */
+    COR_LAW_PLATE,           /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
+    COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: 3/2, without damping */
+    /* of simulators alone */
+    COR_LAW_LINEAR_ROOT, /* 1, 1/2 */
+    COR_LAW_IMPULSE,     /* no force: the rebound speed is e times the impact speed, and the damping is 1 - e */
+    COR_LAWS
+};
+
+enum cor_end {
+    COR_END_ZERO_OVERLAP,
+    COR_END_ZERO_FORCE,
+    /* of simulators alone */
+    COR_END_LIMITED,       /* the damping force is limited to the spring's */
+    COR_END_APPROACH_ONLY, /* damped only while the bodies approach */
+    COR_END_INSTANT,       /* of an impulse */
+    COR_ENDS,
+    COR_BOTH_ENDS = -1
+};
+
+enum cor_quantity {
+    COR_EPS,
+    COR_LOSS,                /* 1 - eps, with relative accuracy */
+    COR_DAMPING_OF_EPS,      /* the inverse of eps */
+    COR_DAMPING_OF_LOSS,     /* the inverse of 1 - eps */
+    COR_DURATION,            /* of the contact, in units of T */
+    COR_MAX_OVERLAP,         /* in units of g T */
+    COR_TIME_OF_MAX_OVERLAP, /* in units of T */
+    COR_QUANTITIES
+};
+
+/* One quantity of a law at an end of contact. x is the damping (zeta for COR_LAW_LINEAR and COR_LAW_TSUJI, beta for the
+ * others), eps or 1 - eps. */
+struct cor_law_function {
+    const char *name; /* "linear_eps_zero_force" */
+    double (*value)(double x);
+    void (*array)(const double *in, double *out, size_t n);
+    void (*arrayf)(const float *in, float *out, size_t n); /* in float arithmetic; NULL: absent */
+    double least, largest;                                 /* the domain: NaN outside */
+    double max_ulp; /* bound on the error of value and array, in units of the last place of the exact value */
+};
+
+/* Returns the function, or NULL for a combination that does not exist or an argument that is not in its enum. Look it
+ * up once and call it often. */
+COR_API const struct cor_law_function *cor_law_function(enum cor_law law, enum cor_end end, enum cor_quantity quantity);
+
+/* Returns the function's value at x; NaN if the function does not exist. */
+COR_API double cor_law_value(enum cor_law law, enum cor_end end, enum cor_quantity quantity, double x);
+
+/* Sets out[i] to the bits of the value at in[i] for i < n; NaN if the function does not exist. */
+COR_API void cor_law_array(enum cor_law law, enum cor_end end, enum cor_quantity quantity, const double *in,
+                           double *out, size_t n);
+
+/* The same for floats: by `arrayf` if the function has one, otherwise the value rounded once. */
+COR_API void cor_law_arrayf(enum cor_law law, enum cor_end end, enum cor_quantity quantity, const float *in, float *out,
+                            size_t n);
+
+/* Names: "hunt-crossley", "zero-force", "damping-of-eps". NULL for an argument that is not in its enum. */
+COR_API const char *cor_law_name(enum cor_law law);
+COR_API const char *cor_end_name(enum cor_end end);
+COR_API const char *cor_quantity_name(enum cor_quantity quantity);
+
 /* Bounds on the error of the functions below, in units of the last place of the exact value, over every double in their
  * domains, subnormal arguments and results included. Sampled: tests/accuracy/test_laws.c asserts them against MPFR in
  * another formulation, at random arguments and around every boundary; docs/accuracy.md records the worst cases

@@ -20,6 +20,7 @@
 #include <stddef.h>
 
 #include "contact.h"
+#include "law.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -33,34 +34,8 @@ struct cor_exponents {
     int elastic, damping, denominator;
 };
 
-enum cor_law {
-    COR_LAW_VISCOELASTIC,    /* 3/2, 1/2 */
-    COR_LAW_LINEAR,          /* 1, 0 */
-    COR_LAW_TSUJI,           /* 3/2, 1/4 */
-    COR_LAW_HUNT_CROSSLEY,   /* a, a; by name 3/2, 3/2 */
-    COR_LAW_HERTZ_DASHPOT,   /* 3/2, 0 */
-    COR_LAW_PLATE,           /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
-    COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: 3/2, without damping */
-    /* of simulators alone */
-    COR_LAW_LINEAR_ROOT, /* 1, 1/2 */
-    COR_LAW_IMPULSE,     /* no force: the rebound speed is e times the impact speed, and the damping is 1 - e */
-    COR_LAWS
-};
-/* The names of the laws before COR_LAW_PLATE, for lists of the caller */
-#define COR_LAW_NAMES "viscoelastic", "linear", "tsuji", "hunt-crossley", "hertz-dashpot"
-extern const char *const cor_law_names[COR_LAWS];
 extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* of the laws before COR_LAW_IMPULSE */
 
-enum cor_end {
-    COR_END_ZERO_OVERLAP,
-    COR_END_ZERO_FORCE,
-    /* of simulators alone */
-    COR_END_LIMITED,       /* the damping force is limited to the spring's */
-    COR_END_APPROACH_ONLY, /* damped only while the bodies approach */
-    COR_END_INSTANT,       /* of an impulse */
-    COR_ENDS,
-    COR_BOTH_ENDS = -1
-};
 enum { COR_SCENE_ENDS = 2 };                      /* zero overlap, and zero force or the surface */
 extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
 

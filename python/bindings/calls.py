@@ -8,6 +8,13 @@ from typing import Dict, List, Optional, Tuple
 from .declarations import Declarations, Function, Parameter, Struct
 
 
+# The table of law.h, which each binding has by hand
+BY_HAND = ["cor_law_" + name for name in ("function", "value", "array", "arrayf", "name")] + [
+    "cor_end_name",
+    "cor_quantity_name",
+]
+
+
 @dataclass(frozen=True)
 class Call:
     """A function in all of its forms, and how it is called.
@@ -74,7 +81,7 @@ def calls(declared: Declarations) -> Dict[str, Call]:
     taken = {input_struct(p) for f in functions.values() for p in f.parameters if is_input(p)}
     found = {}
     for name, function in functions.items():
-        if name not in forms:
+        if name not in forms and name not in BY_HAND:
             kind = _kind(function, taken)
             extra = [
                 functions.get(name + s) if forms.get(name + s) == name else None for s in ("_array", "f", "_arrayf")

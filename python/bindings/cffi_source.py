@@ -10,7 +10,7 @@ import re
 from pathlib import Path
 from typing import List, Optional, Sequence
 
-from .calls import Call, calls, is_value
+from .calls import BY_HAND, Call, calls, is_value
 from .declarations import Constant, Declarations, Function, Parameter
 
 C_OF_KIND = {"d": "double", "i": "int", "n": "size_t"}
@@ -31,7 +31,7 @@ def declarations(declared: Declarations) -> str:
     """What cffi is given to read."""
     lines = list(declared.types)
     called = [c for c in calls(declared).values() if c.kind == "other" or is_a_call(c)]
-    for function in (call.function for call in called):
+    for function in [call.function for call in called] + [declared.functions[name] for name in BY_HAND]:
         parameters = ", ".join(f"{p.type} {p.name}" for p in function.parameters)
         lines.append(f"{function.result} {function.name}({parameters or 'void'});")
     lines += [f"extern {o.type} {o.name};" for o in declared.objects.values()]
@@ -77,7 +77,7 @@ def _observers(declared: Declarations) -> List[str]:
         field.type.replace("(*)", f"cor_python_{field.name}_{struct.name[len('cor_'):]}")
         for struct in declared.structs.values()
         for field in struct.fields
-        if "(*)" in field.type
+        if "(*)" in field.type and struct.name != "cor_law_function"
     ]
 
 

@@ -13,7 +13,7 @@ from typing import List, Tuple
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from bindings.calls import argument_names, calls, input_struct, is_input, is_value  # noqa: E402
+from bindings.calls import BY_HAND, argument_names, calls, input_struct, is_input, is_value  # noqa: E402
 from bindings.cffi_source import scene_declarations  # noqa: E402
 from bindings.declarations import ROOT, Declarations, Function, Parameter, squeeze, write_or_check  # noqa: E402
 
@@ -71,6 +71,9 @@ def lines(declared: Declarations) -> List[str]:
     found, numbers = [], set()
     kinds = {name: call.kind for name, call in calls(declared).items()}
     for name, function in declared.functions.items():
+        if name in BY_HAND:
+            found.append(f"OTHER({name})")
+            continue
         names = argument_names(function)
         pairs: List[Tuple[Parameter, str]] = list(zip(function.parameters, names))
         numbers |= {n for p, n in pairs if p.type in REALS or _pointer(p)}

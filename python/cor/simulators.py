@@ -30,7 +30,7 @@ def _names(array: Any, count: int) -> List[str]:
 
 
 _NUMBERS = [name.replace("-", "_") for name in _names(lib.cor_scene_number_names, lib.COR_SCENE_NUMBERS)]
-_LAWS = _names(lib.cor_law_names, lib.COR_LAW_PLATE)
+_LAWS = [string(lib.cor_law_name(law)) for law in range(lib.COR_LAW_PLATE)]
 _INTEGRATORS = _names(lib.cor_integrator_names, lib.COR_INTEGRATORS)
 _DAMPINGS = ("g_star", "beta", "zeta", "restitution", "damping_coefficient", "dissipation_time", "viscosity")
 _VERLET = _INTEGRATORS[lib.COR_VERLET_HALF_STEP]

@@ -8,9 +8,6 @@
 #include "cor/scene.h"
 #include "cor/status.h"
 
-const char *const cor_law_names[COR_LAWS] = {COR_LAW_NAMES, "plate", "elastic-plastic",
-                                             "linear spring, dashpot x^(1/2)", "impulse"};
-
 const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE] = {
     [COR_LAW_VISCOELASTIC] = {3, 1, 2},    [COR_LAW_LINEAR] = {1, 0, 1},        [COR_LAW_TSUJI] = {6, 1, 4},
     [COR_LAW_HUNT_CROSSLEY] = {3, 3, 2},   [COR_LAW_HERTZ_DASHPOT] = {3, 0, 2}, [COR_LAW_PLATE] = {3, 1, 2},

@@ -17,7 +17,7 @@ from conftest import MODULES, module_of
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from bindings import cffi_source, python_source  # noqa: E402
-from bindings.calls import calls, form_of  # noqa: E402
+from bindings.calls import BY_HAND, calls, form_of  # noqa: E402
 from bindings.declarations import Declarations  # noqa: E402
 
 GLASS = cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3)
@@ -32,8 +32,8 @@ def test_every_public_function_is_reached(compiler):
     public = set(re.findall(r"\b(cor_\w+)\((?!\*)", compiler.preprocessed()))
     assert len(public) > 400
     reached = form_of(Declarations(ROOT / "include" / "cor"))
-    assert public == set(reached)
-    for name in public:
+    assert public - set(BY_HAND) == set(reached)
+    for name in reached:
         function = getattr(*module_of(reached[name]))
         assert callable(function)
         assert re.search(rf"\b{reached[name]}\b", inspect.getdoc(function))

@@ -358,6 +358,71 @@ int public_is_part(const struct public_function *function)
 
 /* ---- the others ---- */
 
+/* Every combination, and some that do not exist */
+static void put_functions(const struct arguments *a, struct results *r, int kind)
+{
+    double y[PUBLIC_COUNT];
+    float yf[PUBLIC_COUNT];
+    for (int c = 0; c < 7 * (COR_END_APPROACH_ONLY + 2) * (COR_QUANTITIES + 1); c++) {
+        const enum cor_law law = (enum cor_law)(c / (COR_QUANTITIES + 1) / (COR_END_APPROACH_ONLY + 2) - 1);
+        const enum cor_end end = (enum cor_end)(c / (COR_QUANTITIES + 1) % (COR_END_APPROACH_ONLY + 2));
+        const enum cor_quantity quantity = (enum cor_quantity)(c % (COR_QUANTITIES + 1));
+        const int is_inverse = quantity == COR_DAMPING_OF_EPS || quantity == COR_DAMPING_OF_LOSS;
+        const double *const in = is_inverse ? a->eps : a->beta;
+        const struct cor_law_function *const f = cor_law_function(law, end, quantity);
+        if (kind == 0)
+            results_put(r, f ? f->value(in[0]) : f == NULL);
+        for (size_t i = 0; kind == 1 && i < a->n; i++)
+            results_put(r, cor_law_value(law, end, quantity, in[i]));
+        if (kind == 2)
+            cor_law_array(law, end, quantity, in, y, a->n);
+        if (kind == 3)
+            cor_law_arrayf(law, end, quantity, is_inverse ? a->epsf : a->betaf, yf, a->n);
+        for (size_t i = 0; kind >= 2 && i < a->n; i++)
+            results_put(r, kind == 2 ? y[i] : (double)yf[i]);
+    }
+}
+
+static void call_cor_law_function(const struct arguments *a, struct results *r)
+{
+    put_functions(a, r, 0);
+}
+
+static void call_cor_law_value(const struct arguments *a, struct results *r)
+{
+    put_functions(a, r, 1);
+}
+
+static void call_cor_law_array(const struct arguments *a, struct results *r)
+{
+    put_functions(a, r, 2);
+}
+
+static void call_cor_law_arrayf(const struct arguments *a, struct results *r)
+{
+    put_functions(a, r, 3);
+}
+
+static void put_name(const char *name, struct results *r)
+{
+    results_put(r, name ? (double)strlen(name) : 0);
+}
+
+static void call_cor_law_name(const struct arguments *a, struct results *r)
+{
+    put_name(cor_law_name((enum cor_law)a->status[0]), r);
+}
+
+static void call_cor_end_name(const struct arguments *a, struct results *r)
+{
+    put_name(cor_end_name((enum cor_end)a->status[0]), r);
+}
+
+static void call_cor_quantity_name(const struct arguments *a, struct results *r)
+{
+    put_name(cor_quantity_name((enum cor_quantity)a->status[0]), r);
+}
+
 static void call_cor_status_text(const struct arguments *a, struct results *r)
 {
     for (size_t i = 0; i < a->n; i++)

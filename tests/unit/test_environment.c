@@ -104,8 +104,8 @@ static int is_part(const struct public_function *f, const struct arguments *a, s
 static int is_sane(const struct public_function *f, const struct arguments *a, size_t j, double x, double before,
                    int flushes)
 {
-    const double tolerance = f->type == PUBLIC_float ? (double)FLT_EPSILON : 1e-9;
-    const double least = f->type == PUBLIC_float ? (double)FLT_MIN : DBL_MIN;
+    const int is_float = f->type == PUBLIC_float || strcmp(f->name, "cor_law_arrayf") == 0;
+    const double tolerance = is_float ? (double)FLT_EPSILON : 1e-9, least = is_float ? (double)FLT_MIN : DBL_MIN;
     const int interpolated = strncmp(f->name, "cor_disk_eps", 12) == 0 || strstr(f->name, "one_minus") != NULL;
     const int exact = f->elements || strncmp(f->name, "cor_sc", 6) == 0 || strncmp(f->name, "cor_si", 6) == 0 ||
                       (strncmp(f->name, "cor_disk_", 9) == 0 && !interpolated);

@@ -514,6 +514,48 @@ TEST(slip_in_oblique_impacts)
     }
 }
 
-RUN_TESTS(special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
+/* The functions of the table have the names, domains and values of their place in it. */
+TEST(table)
+{
+    size_t count = 0;
+    for (int l = -1; l <= COR_LAWS; l++)
+        for (int e = -1; e <= COR_ENDS; e++)
+            for (int q = -1; q <= COR_QUANTITIES; q++) {
+                const enum cor_law law = (enum cor_law)l;
+                const enum cor_end end = (enum cor_end)e;
+                const enum cor_quantity quantity = (enum cor_quantity)q;
+                const struct cor_law_function *const f = cor_law_function(law, end, quantity);
+                char name[80], *dash;
+                double x[3] = {NAN, 0.25, 0.5}, y[3] = {1, 2, 3};
+                float xf[3] = {NAN, 0.25F, 0.5F}, yf[3] = {1, 2, 3};
+                cor_law_array(law, end, quantity, x, y, 3);
+                cor_law_arrayf(law, end, quantity, xf, yf, 3);
+                count += f != NULL;
+                for (size_t i = 0; i < 3; i++) {
+                    const double value = f ? f->value(x[i]) : NAN;
+                    check(same_number(y[i], value), "%d %d %d", l, e, q);
+                    check(same_number(cor_law_value(law, end, quantity, x[i]), value), "%d %d %d", l, e, q);
+                    check(f && f->arrayf ? i == 0 || fabsf(yf[i] - (float)value) <= FLT_EPSILON
+                                         : same_number((double)yf[i], (double)(float)value),
+                          "%d %d %d", l, e, q);
+                }
+                if (f == NULL)
+                    continue;
+                snprintf(name, sizeof name, "%s_%s%s%s", cor_law_name(law), cor_quantity_name(quantity),
+                         q >= COR_MAX_OVERLAP ? "" : "_", q >= COR_MAX_OVERLAP ? "" : cor_end_name(end));
+                while ((dash = strchr(name, '-')) != NULL)
+                    *dash = '_';
+                assert_string_equal(f->name, name);
+                assert_true(f->max_ulp >= 1 && f->max_ulp <= 2);
+                check(!isnan(f->value(f->least)) && !isnan(f->value(f->largest)), "%s", name);
+                check(isnan(f->value(nextafter(f->least, -2))) &&
+                          isnan(f->value(nextafter(f->largest, 2))) == !isinf(f->largest),
+                      "%s", name);
+            }
+    assert_int_equal(count, 19 + 26 + 26 + 21 + 21);
+    assert_true(!cor_law_name(COR_LAWS) && !cor_end_name(COR_BOTH_ENDS) && !cor_quantity_name(COR_QUANTITIES));
+}
+
+RUN_TESTS(table, special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
           near_critical_damping, damping_ratios, against_the_equation_of_motion, crossley_times, tsuji_times,
           crossley_rows, oblique_impacts, slip_in_oblique_impacts)

@@ -335,7 +335,7 @@ TEST(rows_are_whole)
         assert_true((m->damping_of_e != NULL) != (m->number_of_damping != NULL));
         assert_true((m->number_of_damping != NULL) == (m->damping_of_number != NULL));
         assert_true((strcmp(m->parameter, "e") == 0) == (m->damping_of_e != NULL));
-        assert_true(strlen(cor_law_names[m->law]) > 0 && strlen(cor_end_names[m->end]) > 0);
+        assert_true(strlen(cor_law_name(m->law)) > 0 && strlen(cor_end_names[m->end]) > 0);
         assert_true(strcmp(m->known, "run") == 0 || strcmp(m->known, "source") == 0 ||
                     strcmp(m->known, "documentation") == 0);
         assert_true(m->advice[strlen(m->advice) - 1] == '.');

@@ -83,6 +83,7 @@ static size_t stack_stated(const struct public_function *function)
         {"cor_sphere_", COR_SPHERE_MAX_STACK},
         {"cor_contact_", COR_CONTACT_MAX_STACK},
         {"cor_hertz_dashpot_", COR_LAW_MAX_STACK},
+        {"cor_law_", COR_LAW_MAX_STACK},
         {"cor_linear_", COR_LAW_MAX_STACK},
         {"cor_tsuji_", COR_LAW_MAX_STACK},
         {"cor_hunt_crossley_", COR_LAW_MAX_STACK},
@@ -92,7 +93,7 @@ static size_t stack_stated(const struct public_function *function)
     while (i < count && strncmp(function->name, stated[i].name, strlen(stated[i].name)) != 0)
         i++;
     const int of_a_disk = strncmp(function->name, "cor_disk_", 9) == 0;
-    return i < count && (function->elements || of_a_disk) ? stated[i].most : 4096;
+    return i < count && (strstr(function->name, "_array") || of_a_disk) ? stated[i].most : 4096;
 }
 
 TEST(stack_of_functions)

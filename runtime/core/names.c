@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "cor/law.h"
+
+static const char *const laws[COR_LAWS] = {
+    "viscoelastic",  "linear", "tsuji",           "hunt-crossley",
+    "hertz-dashpot", "plate",  "elastic-plastic", "linear spring, dashpot x^(1/2)",
+    "impulse"};
+static const char *const ends[COR_ENDS] = {"zero-overlap", "zero-force", "limited", "approach-only", "instant"};
+static const char *const quantities[COR_QUANTITIES] = {
+    "eps", "loss", "damping-of-eps", "damping-of-loss", "duration", "max-overlap", "time-of-max-overlap"};
+
+const char *cor_law_name(enum cor_law law)
+{
+    return (unsigned)law < COR_LAWS ? laws[law] : NULL;
+}
+
+const char *cor_end_name(enum cor_end end)
+{
+    return (unsigned)end < COR_ENDS ? ends[end] : NULL;
+}
+
+const char *cor_quantity_name(enum cor_quantity quantity)
+{
+    return (unsigned)quantity < COR_QUANTITIES ? quantities[quantity] : NULL;
+}
