@@ -44,6 +44,31 @@ def declarations(declared: Declarations) -> str:
     return "\n".join(lines)
 
 
+IMPACTS = """static int cor_loop_impacts(const struct cor_scene_contact *contact, const double *speed_m_s, double *rows,
+                            size_t count, int end)"""
+IMPACTS_BODY = """
+{
+    for (size_t i = 0; i < count; i++) {
+        struct cor_scene_impact y;
+        const int status = end == COR_BOTH_ENDS ? cor_scene_impact(&y, contact, speed_m_s[i])
+                                                : cor_scene_eps(rows + i, contact, speed_m_s[i], end);
+        if (status != COR_OK)
+            return status;
+        if (end != COR_BOTH_ENDS)
+            continue;
+        const struct cor_scene_contact *const hertz = contact->adhesion_j_m2 > 0 ? NULL : contact;
+        const double row[COR_IMPACT_COLUMNS] = {
+            y.beta, y.eps[0], y.eps[1], y.duration_s[0], y.duration_s[1], y.max_overlap_m,
+            cor_scene_force_max_n(contact, speed_m_s[i]),
+            hertz ? cor_scene_contact_radius(hertz, y.max_overlap_m) : NAN,
+            hertz ? cor_scene_pressure(hertz, y.max_overlap_m) : NAN};
+        for (size_t k = 0; k < COR_IMPACT_COLUMNS; k++)
+            rows[i * COR_IMPACT_COLUMNS + k] = row[k];
+    }
+    return COR_OK;
+}"""
+
+
 def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit")) -> str:
     """The text of scene.h and audit.h, which cffi reads as it is, and what audit.h calls back."""
     text = "".join((include / f"{name}.h").read_text(encoding="utf-8") for name in names)
@@ -52,6 +77,7 @@ def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit"))
     text = "".join(line for line in text.splitlines(True) if not line.startswith("#"))
     return (
         text
+        + f"enum {{ COR_IMPACT_COLUMNS = 9 }};\n{IMPACTS};"
         + """
         extern "Python" int cor_python_audit_open(void *, struct cor_audit_text *, const char *, const char *);
         extern "Python" void cor_python_audit_report(void *, const struct cor_audit_finding *);"""
@@ -61,7 +87,9 @@ def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit"))
 def source(declared: Declarations) -> str:
     """The text of the C module that cffi puts before its own."""
     parts = [
-        "#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
+        "#include <math.h>\n#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
+        "enum { COR_IMPACT_COLUMNS = 9 };",
+        IMPACTS + IMPACTS_BODY,
         "#if defined __GNUC__ && !defined __clang__ /* at -O2 gcc does not use vectors for conversions */",
         '#pragma GCC push_options\n#pragma GCC optimize("O3")\n#endif',
         "/* A loop has a step for every number, also where the form that it calls needs none. */",

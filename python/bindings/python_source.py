@@ -10,8 +10,6 @@ from .calls import Call, argument_names, calls, input_struct, is_input, is_plain
 from .cffi_source import constant_type, has_float, kind_of
 from .declarations import Declarations, Enum, Parameter, Struct
 
-CLASS_NAMES = {"cor_sphere_contact": "Contact"}
-
 HEAD = '''# SPDX-License-Identifier: MIT
 # Written by python/bindings from the headers of cor.
 """{summary}"""
@@ -46,8 +44,6 @@ def modules(declared: Declarations) -> Dict[str, str]:
 
 
 def class_name(declared: Declarations, struct: str) -> str:
-    if struct in CLASS_NAMES:
-        return CLASS_NAMES[struct]
     words = declared.short_name(struct, declared.structs[struct].header).split("_")
     name = "".join(word.capitalize() for word in words)
     return "DiskModes" if struct == "cor_disk_modes" else name
@@ -123,8 +119,6 @@ class _Module:
         names = [self.short(c.function.name) for c in self.calls.values() if c.kind == "other"]
         made = [o for o in self.declared.objects.values() if o.header in self.headers]
         names += [self.declared.short_name(o.name, o.header) for o in made]
-        if self.name == "contact":
-            names.append("from_restitution")
         if self.name == "disk":
             extra = ["CollisionDetail", "DiskModes", "HardWallDetail"]
             self.public += extra
@@ -144,8 +138,6 @@ class _Module:
             kind = "float" if field.type == "double" else "int"
             text += f"    @property\n    def {field.name}(self) -> {kind}:\n{_docstring(field.doc, 8)}"
             text += f"        return {kind}(self._c.{field.name})\n\n"
-        if name == "Contact":
-            text += "    from_restitution = classmethod(from_restitution)\n\n"
         for call in self.calls.values():
             if call.kind == "elementwise" and call.structs and call.function.parameters[0] in call.structs[:1]:
                 if input_struct(call.structs[0]) == struct.name:

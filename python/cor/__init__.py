@@ -11,8 +11,9 @@ of cor_status_text.
 """
 
 from . import contact, disk, law, simulators, sphere, status, version
+from ._contact import Contact
 from ._evaluate import CorError, CorWarning
-from .contact import Body, Contact
+from .contact import Body
 from .disk import DiskModes
 
 __version__ = version.STRING

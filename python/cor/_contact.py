@@ -1,33 +1,242 @@
 # SPDX-License-Identifier: MIT
-"""What the class of contacts has beside the functions of contact.h."""
+"""One contact in SI units by cor/scene.h: what corgen contact computes."""
 
 import math
-from typing import Any, Tuple
+import re
+import warnings
+from fractions import Fraction
+from typing import Any, Dict, Optional, Sequence, Tuple
 
-from ._evaluate import number
+import numpy as np
+from numpy.typing import ArrayLike
 
-ENDS = ("zero_overlap", "zero_force")
-PRESSED_ENDS = ("zero_overlap", "surface")  # under a constant force
+from ._cor import ffi, lib
+from ._evaluate import Array, CorWarning, address, caller, in_parts, like, number, string
+from .contact import Body
+
+_NUMBERS = [string(lib.cor_scene_number_names[i]).replace("-", "_") for i in range(lib.COR_SCENE_NUMBERS)]
+_LAWS = [string(lib.cor_law_name(law)) for law in range(lib.COR_LAW_ELASTIC_PLASTIC + 1)]
+_ADHESION = ("none", "dmt", "jkr")
+_DAMPINGS = ("g_star", "beta", "zeta", "restitution", "damping_coefficient", "dissipation_time", "viscosity")
+_MAY_BE_ZERO = re.compile("dissipation_time|zeta|(bulk_)?viscosity(_2)?$")
 
 
-def end_name(end: str, ends: Tuple[str, ...] = ENDS) -> str:
-    """An end of contact, written with a hyphen, a space or _"""
-    name = str(end).replace("-", "_").replace(" ", "_")
-    if name not in ends:
-        raise ValueError(f"end: {end!r} is not an end of this contact; allowed: {', '.join(ends)}")
-    return name
+def one_of(argument: str, value: object, allowed: Sequence[str]) -> int:
+    """The index of a name, which may have _ or a space for each hyphen."""
+    name = re.sub("[_ ]", "-", str(value).lower())
+    if name not in allowed:
+        raise ValueError(f"{argument}: {value!r}; allowed: {', '.join(allowed)}")
+    return list(allowed).index(name)
 
 
-def from_restitution(cls: Any, body_1: Any, body_2: Any, eps: float, speed_m_s: float, end: str) -> Any:
-    """The contact of two bodies that rebounds with eps, 0 < eps <= 1, at the impact speed, m/s, and ends at
-    "zero_overlap" or "zero_force". The dissipation times of the bodies do not count: that of the pair follows from eps
-    by dissipation_time_s_zero_overlap or dissipation_time_s_zero_force."""
-    eps, speed_m_s = number("eps", eps), number("speed_m_s", speed_m_s)
-    if not 0 < eps <= 1:
-        raise ValueError(f"eps: {eps!r} is not above 0 and at most 1")
-    if not 0 < speed_m_s < math.inf:
-        raise ValueError(f"speed_m_s: {speed_m_s!r} is not above 0 and finite")
-    pair = cls(body_1, body_2)
-    time = float(getattr(pair, f"dissipation_time_s_{end_name(end)}")(speed_m_s, eps))
-    bodies = [type(b)(b.young_modulus_pa, b.poisson_ratio, time, b.radius_m, b.mass_kg) for b in (body_1, body_2)]
-    return cls(*bodies)
+def raise_text(text: Any) -> None:
+    """Raises a sentence of C, with the options of corgen under their names in Python."""
+    raise ValueError(re.sub(r"--([a-z][a-z0-9-]*)", lambda name: name[1].replace("-", "_"), string(text)))
+
+
+def _number(name: str, value: Any) -> float:
+    made = float(number(name, value))
+    zero, poisson = _MAY_BE_ZERO.match(name), name.startswith("poisson")
+    least, most = -1 if poisson else 0, 0.5 if poisson else 1 if name == "restitution" else math.inf
+    if not math.isfinite(made) or not (made > least or (zero and made == 0)) or made > most:
+        rule = f"{'0 or more' if zero else f'above {least}'} and {f'at most {most}' if most < math.inf else 'finite'}"
+        raise ValueError(f"{name}: {value!r} is not {rule}")
+    return made
+
+
+def _exponents(elastic: Any, damping: Any) -> Tuple[int, int, int]:
+    """a and b over their common denominator"""
+    made = []
+    for name, value in {"elastic": elastic, "damping": damping}.items():
+        try:
+            made.append(Fraction(str(value)))
+        except (ValueError, ZeroDivisionError):
+            made.append(Fraction(-1))
+        if not 0 <= made[-1] <= 24 or made[-1].numerator > 64 or made[-1].denominator > 16:
+            raise ValueError(f"{name}: {value!r} is not a number from 0 to 24 as '3/2' or 0.5, of at most 64/16")
+    a, b = made
+    whole = a.denominator * b.denominator // math.gcd(a.denominator, b.denominator)
+    return int(a * whole), int(b * whole), whole
+
+
+class Contact:
+    """A contact of two bodies in SI units: everything that corgen contact computes, by cor/scene.h.
+
+    bodies: one cor.Body for two equal ones, or two, of which the second may be a wall (infinite radius and mass); or
+    none, where keywords describe them. Keywords are the options of corgen contact with _ for each hyphen, numbers in
+    SI units. A damping among them replaces the dissipation times of the bodies.
+
+        bodies      young, poisson, radius, density or mass; young_2, ...; wall=True; plate_thickness
+        a spring    stiffness or duration, effective_mass
+        damping     dissipation_time, viscosity and bulk_viscosity, g_star, restitution and at, damping_coefficient,
+                    beta and at, or zeta
+        law         a name of cor.law.laws(), "plate" or "elastic-plastic"; or the exponents elastic and damping of
+                    x'' + beta x^damping x' + x^elastic = 0, as "3/2"
+        effects     gravity; adhesion and adhesion_model ("dmt", "jkr"); yield_stress; viscosity_liquid, gap_outer,
+                    gap_inner
+        end         "zero_overlap" or "zero_force"; "surface" in its place under a constant force; "tail" or
+                    "largest_pull" with JKR: where restitution or duration was measured, and of eps
+
+    Accuracy: COR_SCENE_MAX_ERROR, and COR_SCENE_PRESSED_ERROR or COR_JKR_EPS2_MAX_ERROR with a constant force or JKR
+    (cor/scene.h). Other exponents than those of the laws have no functions here, unless a constant force presses the
+    bodies together: ValueError names corgen contact, which encloses them.
+    """
+
+    def __init__(
+        self,
+        *bodies: Body,
+        law: Optional[str] = None,
+        elastic: Any = None,
+        damping: Any = None,
+        end: Optional[str] = None,
+        wall: bool = False,
+        adhesion_model: str = "none",
+        **numbers: float,
+    ) -> None:
+        self._options = {"law": law, "elastic": elastic, "damping": damping, "end": end, "wall": wall}
+        self._options.update(adhesion_model=adhesion_model, **numbers)
+        self._bodies = bodies
+        self._scene = scene = ffi.new("struct cor_scene *")
+        scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
+        index = one_of("law", law or "viscoelastic", _LAWS)
+        scene.law = lib.cor_law_exponents[index]
+        self._law = _LAWS[index]
+        if elastic is not None or damping is not None:
+            if law is not None:
+                raise ValueError("law: the exponents elastic and damping stand in its place")
+            exponents = "3/2" if elastic is None else elastic, "1/2" if damping is None else damping
+            scene.law.elastic, scene.law.damping, scene.law.denominator = _exponents(*exponents)
+            self._law = "with elastic = {} and damping = {}".format(*exponents)
+        scene.plate, scene.plastic = index == lib.COR_LAW_PLATE, index == lib.COR_LAW_ELASTIC_PLASTIC
+        scene.adhesion_model = one_of("adhesion_model", adhesion_model, _ADHESION)
+        scene.wall = bool(wall)
+        self._fill_bodies(any(name in numbers for name in _DAMPINGS))
+        for name, value in numbers.items():
+            if name not in _NUMBERS:
+                raise TypeError(f"{name!r} is not an argument; allowed: {', '.join(_NUMBERS)}")
+            scene.number[_NUMBERS.index(name)] = _number(name, value)
+        pressed = "gravity" in numbers or scene.adhesion_model == lib.COR_ADHESION_DMT
+        jkr = scene.adhesion_model == lib.COR_ADHESION_JKR
+        self.ends = ("tail", "largest_pull") if jkr else ("zero_overlap", "surface" if pressed else "zero_force")
+        scene.end = lib.COR_BOTH_ENDS if end is None else self._end(end)
+        self._contacts = ffi.new("struct cor_scene_contact[]", lib.COR_SCENE_ENDS)
+        count, fault = ffi.new("int *"), ffi.new("struct cor_scene_fault *")
+        if lib.cor_scene_contacts(self._contacts, count, fault, scene) != lib.COR_OK:
+            self._raise(fault)
+        self._count = int(count[0])
+
+    def __repr__(self) -> str:
+        given = {name: value for name, value in self._options.items() if value not in (None, False, "none")}
+        words = [repr(body) for body in self._bodies] + [f"{name}={value!r}" for name, value in given.items()]
+        return f"Contact({', '.join(words)})"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _made, (self._bodies, self._options)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Contact) and self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        return hash(repr(self))
+
+    def _fill_bodies(self, damped: bool) -> None:
+        if len(self._bodies) > 2:
+            raise ValueError(f"contact: {len(self._bodies)} bodies; allowed: one or two")
+        for k, body in enumerate(self._bodies):
+            if getattr(body, "_struct", "") != "cor_body":
+                raise TypeError(f"contact: {type(body).__name__} is not a cor.Body")
+            wall = math.isinf(body.radius_m) and math.isinf(body.mass_kg)
+            if wall and k == 0:
+                raise ValueError("contact: the second body may be a wall, not the first")
+            values = {"YOUNG": body.young_modulus_pa, "POISSON": body.poisson_ratio}
+            values.update({} if wall else {"RADIUS": body.radius_m, "MASS": body.mass_kg})
+            values.update({} if damped else {"DISSIPATION_TIME": body.dissipation_time_s})
+            self._scene.wall |= wall
+            for name, value in values.items():
+                self._scene.number[getattr(lib, f"COR_SCENE_{name}") + (lib.COR_SCENE_BODY if k else 0)] = value
+
+    def _end(self, end: Optional[str] = None) -> int:
+        """The index of an end, or of the one of the contact"""
+        if end is None and (self._scene.end >= 0 or not lib.cor_scene_ends_differ(self._contacts)):
+            return max(int(self._scene.end), 0)
+        name = re.sub("[- ]", "_", str(end))
+        if name not in self.ends:
+            wrong = "is missing" if end is None else f"{end!r} is not an end of this contact"
+            raise ValueError(f"end: {wrong}; allowed: {', '.join(self.ends)}")
+        return self.ends.index(name)
+
+    def _raise(self, fault: Any) -> None:
+        if fault.fault == lib.COR_FAULT_SOLVER:
+            raise ValueError(
+                f"elastic, damping: the law {self._law} has no functions here; corgen contact --elastic A --damping B "
+                f"encloses it; allowed: {', '.join(_LAWS)}, equal exponents, and any under gravity or dmt adhesion"
+            )
+        text = ffi.new("char[]", lib.COR_SCENE_FAULT_TEXT)
+        lib.cor_scene_fault_text(text, len(text), fault, self._law.encode(), ffi.NULL)
+        raise_text(text)
+
+    def _one(self) -> Any:
+        """The contact in C, where the options make one"""
+        if self._count > 1:
+            raise ValueError(f"end: the end of the measured contact is missing; allowed: {', '.join(self.ends)}")
+        return self._contacts[0]
+
+    @property
+    def quantities(self) -> Dict[str, float]:
+        """What follows from the options at every speed, in the SI units of corgen contact, which has the same names"""
+        contact, found = self._one(), {}
+        for known in lib.cor_scene_quantities:
+            value = lib.cor_scene_quantity(ffi.addressof(contact), known.number)
+            name = string(known.name).replace("zero_overlap", self.ends[0]).replace("zero_force", self.ends[1])
+            found.update({} if math.isnan(value) else {name: value})
+        return found
+
+    def _rows(self, speed_m_s: ArrayLike, end: int) -> Tuple[Array, Array]:
+        """The speeds, and what C computes of each: eps at one end or, with COR_BOTH_ENDS, everything"""
+        contact = self._one()
+        speeds = np.array(speed_m_s, np.float64, order="C")
+        wrong = speeds[~((speeds > 0) & np.isfinite(speeds)) & ~np.ma.getmaskarray(speed_m_s)]
+        if wrong.size:
+            raise ValueError(f"speed_m_s: {wrong[0]!r} is not above 0 and finite")
+        columns = lib.COR_IMPACT_COLUMNS if end == lib.COR_BOTH_ENDS else 1
+        rows = np.full((*speeds.shape, columns), math.nan)
+
+        def run(first: int, count: int) -> None:
+            at = address(speeds) + first, address(rows, True) + first * columns
+            status = lib.cor_loop_impacts(ffi.addressof(contact), *at, count, end)
+            if status != lib.COR_OK:
+                self._raise(ffi.new("struct cor_scene_fault *", {"fault": status}))
+
+        in_parts(speeds.size, run)
+        onset = contact.yield_speed_m_s + contact.liquid_speed_m_s
+        if contact.yield_speed_m_s > 0 and not contact.plastic and (speeds > onset).any():
+            text = f"the bodies yield above {onset:.4g} m/s, which this law does not describe; elastic-plastic does"
+            warnings.warn(text, CorWarning, caller())
+        return speeds, rows
+
+    def eps(self, speed_m_s: ArrayLike, end: Optional[str] = None) -> Any:
+        """Restitution coefficient at impact speeds, m/s. end: unless it is given, the end of the contact."""
+        result = self._rows(speed_m_s, self._end(end))[1][..., 0]
+        narrow = np.asarray(speed_m_s).dtype.kind == "f" and np.asarray(speed_m_s).itemsize < 8
+        return like([speed_m_s], result.astype(np.float32 if narrow else np.float64, copy=False)[()])
+
+    def impacts(self, speed_m_s: ArrayLike, steps: float = 50) -> Any:
+        """A record for each impact speed, m/s, with the columns of corgen contact. time_step_s is the shortest of all
+        durations over `steps`; contact_radius_m and max_pressure_pa are those of Hertz, NaN without bodies or with
+        JKR. Durations are infinite where the bodies never part, and NaN without mass and stiffness."""
+        speeds, rows = self._rows(speed_m_s, lib.COR_BOTH_ENDS)
+        low, high = self.ends
+        names = ["beta", f"eps_{low}", f"eps_{high}", f"duration_s_{low}", f"duration_s_{high}", "max_overlap_m"]
+        names += ["max_force_n", "contact_radius_m", "max_pressure_pa"]
+        table = np.zeros(speeds.shape, [(name, np.float64) for name in ("speed_m_s", *names, "time_step_s")])
+        table["speed_m_s"] = speeds
+        for k, name in enumerate(names):
+            table[name] = rows[..., k]
+        known = rows[..., 3:5][np.isfinite(rows[..., 3:5])]
+        table["time_step_s"] = known.min() / number("steps", steps) if known.size else math.nan
+        mask = np.ma.getmaskarray(speed_m_s)
+        return np.ma.array(table, mask=mask) if mask.any() else table.view(np.recarray)[()]
+
+
+def _made(bodies: Tuple[Body, ...], options: Dict[str, Any]) -> Contact:
+    return Contact(*bodies, **options)

@@ -116,10 +116,10 @@ def judge(status: Array) -> None:
         if Status(int(number)).name.startswith("ERROR_"):
             raise CorError(int(number), tuple(int(i) for i in np.argwhere(status == number)[0]))
     first = status[status != 0].flat[0]
-    warnings.warn(string(lib.cor_status_text(int(first))), CorWarning, _caller())
+    warnings.warn(string(lib.cor_status_text(int(first))), CorWarning, caller())
 
 
-def _caller() -> int:
+def caller() -> int:
     """The stacklevel, seen from judge, of the first caller outside this package."""
     level = 2
     frame = sys._getframe(2)

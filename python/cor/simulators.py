@@ -2,117 +2,32 @@
 """What simulators make of a contact: lines for their inputs, the restitution that these realise, the audit of an input
 and the error of a time step. The functions are those of cor/scene.h and cor/audit.h, and of corgen contact and audit.
 
-A contact is a cor.Contact, one cor.Body for two equal bodies, or a pair of bodies of which the second may be a wall
-(infinite radius and mass). What is not said by it follows as keywords, with the names of corgen's options and _ for
-each hyphen: restitution and at, g_star, beta, zeta, damping_coefficient, dissipation_time, young, poisson, radius,
-density, mass, young_2, ..., stiffness or duration, effective_mass, all in SI units. A damping among the keywords
-replaces that of the bodies.
+A contact is a cor.Contact; or one cor.Body or a pair of them, or nothing, with the keywords of cor.Contact.
 """
 
 import math
 import os
-import re
-from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._contact import ENDS, PRESSED_ENDS, end_name
+from ._contact import Contact, one_of, raise_text
 from ._cor import ffi, lib
 from ._evaluate import like, number, string
-from .contact import Body, Contact
+from .contact import Body
 
 _Bodies = Union[Contact, Body, Tuple[Body, Body], None]
-
-
-def _names(array: Any, count: int) -> List[str]:
-    return [string(array[i]) for i in range(count)]
-
-
-_NUMBERS = [name.replace("-", "_") for name in _names(lib.cor_scene_number_names, lib.COR_SCENE_NUMBERS)]
-_LAWS = [string(lib.cor_law_name(law)) for law in range(lib.COR_LAW_PLATE)]
-_INTEGRATORS = _names(lib.cor_integrator_names, lib.COR_INTEGRATORS)
-_DAMPINGS = ("g_star", "beta", "zeta", "restitution", "damping_coefficient", "dissipation_time", "viscosity")
+_INTEGRATORS = [string(lib.cor_integrator_names[i]) for i in range(lib.COR_INTEGRATORS)]
 _VERLET = _INTEGRATORS[lib.COR_VERLET_HALF_STEP]
 
 
-def _one_of(argument: str, value: str, allowed: Sequence[str]) -> int:
-    name = str(value).lower().replace("_", "-")
-    if name not in allowed:
-        raise ValueError(f"{argument}: {value!r}; allowed: {', '.join(allowed)}")
-    return list(allowed).index(name)
-
-
-def _raise(text: Any) -> None:
-    """Raises what C says of an argument, by Python's name of it."""
-    raise ValueError(re.sub(r"--([a-z][a-z0-9-]*)", lambda name: name[1].replace("-", "_"), string(text)))
-
-
-def _fill_bodies(scene: Any, bodies: Sequence[Body], damped: bool) -> None:
-    if len(bodies) > 2:
-        raise ValueError(f"contact: {len(bodies)} bodies; allowed: one or two")
-    for k, body in enumerate(bodies):
-        if getattr(body, "_struct", "") != "cor_body":
-            raise TypeError(f"contact: {type(body).__name__} is not a cor.Body")
-        wall = math.isinf(body.radius_m) and math.isinf(body.mass_kg)
-        if wall and k == 0:
-            raise ValueError("contact: the second body may be a wall, not the first")
-        values = {"YOUNG": body.young_modulus_pa, "POISSON": body.poisson_ratio}
-        values.update({} if wall else {"RADIUS": body.radius_m, "MASS": body.mass_kg})
-        values.update({} if damped else {"DISSIPATION_TIME": body.dissipation_time_s})
-        scene.wall |= wall
-        for name, value in values.items():
-            scene.number[getattr(lib, f"COR_SCENE_{name}") + (lib.COR_SCENE_BODY if k else 0)] = value
-
-
-def _number(name: str, value: Any) -> float:
-    made = float(number(name, value))
-    if not math.isfinite(made) or (made < 0 and not name.startswith("poisson")):
-        raise ValueError(f"{name}: {value!r} is not finite{'' if name.startswith('poisson') else ', or below 0'}")
-    if name == "restitution" and not 0 < made <= 1:
-        raise ValueError(f"restitution: {value!r} is not above 0 and at most 1")
-    return made
-
-
-class _Scene:
-    """The contacts of a scene, one for each end at which its restitution may have been measured."""
-
-    def __init__(self, contact: _Bodies, law: str, end: Optional[str], wall: bool, numbers: "dict[str, Any]") -> None:
-        self.scene = scene = ffi.new("struct cor_scene *")
-        scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
-        damped = any(name in numbers for name in _DAMPINGS)
-        scene.wall = bool(wall)
-        ends = PRESSED_ENDS if numbers.get("gravity") else ENDS
-        scene.end = lib.COR_BOTH_ENDS if end is None else ends.index(end_name(end, ends))
-        scene.plate = "plate_thickness" in numbers
-        scene.law = lib.cor_law_exponents[_one_of("law", law, _LAWS)]
-        radius = math.nan
-        if isinstance(contact, Contact):
-            radius = contact.effective_radius_m
-            stiffness = contact.elastic_constant_n_m15
-            if math.isnan(stiffness):
-                scene.number[lib.COR_SCENE_G_STAR] = contact.g_star_m_s()
-            else:
-                scene.number[lib.COR_SCENE_STIFFNESS] = stiffness
-                scene.number[lib.COR_SCENE_EFFECTIVE_MASS] = contact.effective_mass_kg
-                coefficient = math.nan if damped else 1.5 * contact.dissipation_time_s * stiffness
-                scene.number[lib.COR_SCENE_DAMPING_COEFFICIENT] = coefficient
-        elif contact is not None:
-            _fill_bodies(scene, (contact,) if isinstance(contact, Body) else tuple(contact), damped)
-        for name, value in numbers.items():
-            if name not in _NUMBERS:
-                raise TypeError(f"{name!r} is not an argument; allowed: {', '.join(_NUMBERS)}")
-            scene.number[_NUMBERS.index(name)] = _number(name, value)
-        self.contacts = ffi.new("struct cor_scene_contact[]", lib.COR_SCENE_ENDS)
-        count, fault = ffi.new("int *"), ffi.new("struct cor_scene_fault *")
-        if lib.cor_scene_contacts(self.contacts, count, fault, scene) != lib.COR_OK:
-            text = ffi.new("char[]", lib.COR_SCENE_FAULT_TEXT)
-            lib.cor_scene_fault_text(text, len(text), fault, law.encode(), ffi.NULL)
-            _raise(text)
-        self.count = int(count[0])
-        for k in range(self.count):
-            if math.isnan(self.contacts[k].radius_m):
-                self.contacts[k].radius_m = radius
+def _contact(contact: _Bodies, scene: "dict[str, Any]") -> Contact:
+    if not isinstance(contact, Contact):
+        return Contact(*(() if contact is None else (contact,) if isinstance(contact, Body) else contact), **scene)
+    if scene:
+        raise TypeError(f"{', '.join(scene)}: a cor.Contact has them; allowed: bodies with keywords")
+    return contact
 
 
 def _positive(**given: Optional[float]) -> None:
@@ -178,25 +93,22 @@ def lines(
     contact: _Bodies = None,
     *,
     speeds: ArrayLike = (),
-    end: Optional[str] = None,
-    wall: bool = False,
-    law: str = "viscoelastic",
     version: Optional[str] = None,
     time_step: Optional[float] = None,
     steps: Optional[float] = None,
     step_tolerance: Optional[float] = None,
     step_corrected: bool = False,
-    **numbers: float,
+    **scene: Any,
 ) -> str:
     """The lines by which a simulator realises a contact, to be put into its input whole: what corgen contact --for
     prints. ValueError says why there are none. speeds: impact speeds for which the text says what is realised."""
-    made = _Scene(contact, law, end, wall, numbers)
+    made = _contact(contact, scene)
     _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
     request = ffi.new("struct cor_simulator_request *")
     name, array, number = ffi.new("char[]", _text("simulator", simulator)), *_speeds(speeds)
     version_text = _version(version)
     request.simulator, request.version = name, version_text
-    request.scene, request.contacts, request.count = made.scene, made.contacts, made.count
+    request.scene, request.contacts, request.count = made._scene, made._contacts, made._count
     request.speed_m_s, request.speeds = number, array.size
     request.time_step_s, request.steps = time_step or 0, steps or 0
     request.step_tolerance, request.step_corrected = step_tolerance or 0, step_corrected
@@ -205,7 +117,7 @@ def lines(
     text = ffi.new("char[]", lib.COR_SIMULATOR_REASON)
     length = lib.cor_simulator_lines(text, len(text), request)
     if length < 0:
-        _raise(text)
+        raise_text(text)
     text = ffi.new("char[]", length + 1)
     lib.cor_simulator_lines(text, len(text), request)
     return string(text)
@@ -220,16 +132,14 @@ def step_error(
     steps: ArrayLike,
     *,
     integrator: str = _VERLET,
-    end: str = "zero_overlap",
-    law: str = "viscoelastic",
-    **numbers: float,
+    **scene: Any,
 ) -> Any:
     """What a time step does to eps (cor_scene_step_error): a record, or an array of records, with the mean of the error
     over all phases of the first step (bias), its standard deviation (scatter), least and most. steps: time steps in the
     duration of a contact without damping at the speed, m/s. NaN: the motion leaves the doubles, or takes too many of
     them."""
-    made = _Scene(contact, law, end, False, numbers)
-    method = _one_of("integrator", integrator, _INTEGRATORS)
+    made = _contact(contact, scene)
+    method = one_of("integrator", integrator, _INTEGRATORS)
     at, count = np.broadcast_arrays(np.asarray(speed, np.float64), np.asarray(steps, np.float64))
     for argument, given in (("speed", at), ("steps", count)):
         if not (np.all(given > 0) and np.all(np.isfinite(given))):
@@ -237,7 +147,7 @@ def step_error(
     one = ffi.new("struct cor_step_error *")
     rows = []
     for g, n in zip(at.ravel(), count.ravel()):
-        status = lib.cor_scene_step_error(one, made.contacts, g, made.scene.end, n, method)
+        status = lib.cor_scene_step_error(one, ffi.addressof(made._one()), g, made._end(), n, method)
         rows.append(tuple(getattr(one, field) if status == 0 else math.nan for field in _STEP_ERROR))
     table = np.array(rows, [(field, np.float64) for field in _STEP_ERROR]).reshape(at.shape)
     return table.view(np.recarray)[()]
@@ -327,7 +237,7 @@ def audit(
     while lib.cor_audit_simulators[len(known)] != ffi.NULL:
         known.append(string(lib.cor_audit_simulators[len(known)]))
     if simulator is not None:
-        _one_of("simulator", simulator, known)
+        one_of("simulator", simulator, known)
     kept = [ffi.new("char[]", part) for part in (coded, os.fsencode(name), (simulator or "").lower().encode())]
     array, number = _speeds(speeds)
     options = ffi.new("struct cor_audit_options *", {"speed_m_s": number, "speeds": array.size, "tolerance": tolerance})

@@ -21,6 +21,7 @@ ROOM = np.empty(1 << 22, np.uint8)
 LINE = "pair_coeff * * hertz/material 7e10 0.5 0.22 tangential mindlin NULL 1 0.5 damping tsuji"
 DECK = f"pair_style granular\n{LINE}\n"
 MEASURED = {"restitution": 0.8, "at": 1.0}
+CONTACT = cor.Contact(BODY, end="zero_force")
 
 # A function, what it is called with, and for each of its optional arguments another value
 OPTIONAL = [
@@ -28,13 +29,7 @@ OPTIONAL = [
         simulators.lines,
         ("lammps", BODY),
         {"speeds": [1.0, 2.0], **MEASURED},
-        {"contact": SOFT, "speeds": 0.5, "end": "zero_force"},
-    ),
-    (
-        simulators.lines,
-        ("lammps", BODY),
-        {"speeds": 1.0, **MEASURED},
-        {"wall": True, "law": "tsuji", "version": "1 Jan 2020"},
+        {"contact": SOFT, "speeds": 0.5, "version": "1 Jan 2020"},
     ),
     (
         simulators.lines,
@@ -43,8 +38,11 @@ OPTIONAL = [
         {"steps": 30, "time_step": 1e-8, "step_corrected": True},
     ),
     (simulators.lines, ("lammps", BODY), {"speeds": 1.0}, {"step_tolerance": 1e-3}),
-    (simulators.step_error, (BODY, 0.1, 12), {}, {"integrator": "verlet-full-step", "end": "zero_force"}),
-    (simulators.step_error, (BODY, 0.1, 12), MEASURED, {"law": "tsuji"}),
+    (simulators.step_error, (BODY, 0.1, 12), {"end": "zero_force"}, {"integrator": "verlet-full-step"}),
+    (cor.Contact, (BODY,), MEASURED, {"end": "zero_force", "wall": True, "law": "tsuji", "elastic": 1, "damping": 1}),
+    (cor.Contact, (BODY,), {"adhesion": 1.0, "adhesion_model": "dmt"}, {"adhesion_model": "jkr"}),
+    (CONTACT.eps, (1.0,), {}, {"end": "zero_overlap"}),
+    (CONTACT.impacts, (1.0,), {}, {"steps": 20}),
     (
         simulators.audit,
         (DECK,),
@@ -115,6 +113,9 @@ def test_no_optional_argument_is_left_out():
         if n[0].islower() or n.endswith("Options")
     ]
     for function in [f for f in public if inspect.isroutine(f) or inspect.isclass(f)] + [
+        cor.Contact,
+        CONTACT.eps,
+        CONTACT.impacts,
         TABLE.rayleigh,
         TABLE.collision,
         TABLE.hard_wall,
@@ -138,7 +139,7 @@ def test_masks_stay():
     x = np.ma.array(draw.uniform(0, 3, (4, 5)), mask=draw.randint(0, 2, (4, 5)))
     for function in (
         cor.sphere.eps_zero_force,
-        cor.Contact(BODY, BODY).eps_zero_overlap,
+        CONTACT.eps,
         lambda y: disk.load(y / 20, 0.3, 0),
     ):
         result = function(x)
@@ -159,7 +160,7 @@ def test_masks_stay():
 def test_a_series_stays_a_series():
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame({"v": [0.1, 0.2, 0.4], "eps": [0.9, 0.8, 0.7]}, index=["a", "b", "c"])
-    contact = cor.Contact(BODY, BODY)
+    contact = cor.contact.SphereContact(BODY, BODY)
     result = contact.eps_zero_force(frame["v"])
     assert list(result.index) == ["a", "b", "c"] and result.name == "v" and result["b"] == contact.eps_zero_force(0.2)
     assert list(contact.dissipation_time_s_zero_force(frame.v, frame.eps).index) == ["a", "b", "c"]
@@ -175,7 +176,7 @@ def test_a_series_stays_a_series():
         lambda x: cor.sphere.eps_zero_force([1, x]),
         lambda x: disk.load(0.1, x, 0),
         lambda x: cor.Body(7e10, 0.2, 1e-7, x, 1e-3),
-        lambda x: cor.Contact.from_restitution(BODY, BODY, x, 1.0, "zero_force"),
+        lambda x: cor.Contact(BODY, restitution=x, at=1.0, end="zero_force"),
         lambda x: disk.rayleigh(TABLE, 10, 0, x),
         lambda x: disk.modes_compute(x, 10),
         lambda x: simulators.lines("lammps", young=7e10, poisson=0.2, radius=x, density=1, restitution=0.5, at=1),

@@ -111,6 +111,6 @@ int main(void)
 """
     )
     wanted = [float.fromhex(v) for v in subprocess.run([program], stdout=subprocess.PIPE, text=True).stdout.split()]
-    c = cor.Contact(cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3), cor.Body(5e9, 0.4, 1e-6, 1e-2, 2e-3))
+    c = cor.contact.SphereContact(cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3), cor.Body(5e9, 0.4, 1e-6, 1e-2, 2e-3))
     given = [c.beta_per_root, c.scale, c.eps_zero_force(0.3), c.eps_zero_overlap(0.3)]
     assert wanted == given + [c.dissipation_time_s_zero_force(0.5, 0.9), c.g_star_m_s()]

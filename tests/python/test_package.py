@@ -124,7 +124,7 @@ def test_structs():
         GLASS.mass_kg = 1.0
     with pytest.raises(TypeError):
         cor.Body(70e9, 0.22)
-    contact = cor.Contact(GLASS, GLASS)
+    contact = cor.contact.SphereContact(GLASS, GLASS)
     for made in (GLASS, contact):
         assert pickle.loads(pickle.dumps(made)) == made
     assert contact == cor.contact.sphere_contact_init(GLASS, GLASS)
@@ -136,22 +136,25 @@ def test_structs():
 
 
 def test_other_contacts():
-    g_star = cor.Contact.from_g_star(0.32)
+    g_star = cor.contact.SphereContact.from_g_star(0.32)
     assert g_star.beta(1.0) == g_star.beta_per_root
     assert abs(g_star.g_star_m_s() / 0.32 - 1) < 1e-14
     plate = cor.contact.Plate(70e9, 0.3, 2700, 0.01)
-    contact = cor.Contact.from_plate(GLASS, plate)
+    contact = cor.contact.SphereContact.from_plate(GLASS, plate)
     assert contact.effective_mass_kg == GLASS.mass_kg
     assert cor.contact.plate_lambda(contact, 1.0) == pytest.approx(2 / 3 * contact.beta(1.0), rel=1e-15)
     assert cor.contact.plate_shear_crossings(contact, plate, [0.1, 1.0]).shape == (2,)
 
 
 def test_structs_are_not_mixed_up():
-    contact = cor.Contact(GLASS, GLASS)
+    contact = cor.contact.SphereContact(GLASS, GLASS)
     for wrong in (GLASS, None, 1.0, MODES):
         with pytest.raises(TypeError):
             cor.contact.eps_zero_force(wrong, 0.1)
-    for act in (lambda: cor.Contact(GLASS, contact), lambda: cor.Contact.from_g_star([0.1, 0.2])):
+    for act in (
+        lambda: cor.contact.SphereContact(GLASS, contact),
+        lambda: cor.contact.SphereContact.from_g_star([0.1, 0.2]),
+    ):
         with pytest.raises(TypeError):
             act()
 
@@ -161,14 +164,14 @@ def test_structs_are_not_mixed_up():
 
 def test_errors_have_the_texts_of_cor():
     with pytest.raises(cor.CorError) as caught:
-        cor.Contact(cor.Body(70e9, 0.22, 4e-7, -1, 1), GLASS)
+        cor.contact.SphereContact(cor.Body(70e9, 0.22, 4e-7, -1, 1), GLASS)
     assert caught.value.status is cor.status.Status.ERROR_RADIUS
     assert str(caught.value) == cor.status.text(5)
     assert isinstance(caught.value, ValueError)
     again = pickle.loads(pickle.dumps(caught.value))
     assert str(again) == str(caught.value) and again.status == caught.value.status
     with pytest.raises(cor.CorError, match=re.escape(cor.status.text(9))):
-        cor.Contact(cor.Body(np.inf, 0.2, 0, 1, 1), cor.Body(np.inf, 0.2, 0, 1, 1))
+        cor.contact.SphereContact(cor.Body(np.inf, 0.2, 0, 1, 1), cor.Body(np.inf, 0.2, 0, 1, 1))
     with pytest.raises(cor.CorError) as caught:
         MODES.hard_wall([[0.1, 0.1], [0.9, 0.1]], 1e-2, 400)
     assert caught.value.index == (1, 0) and "(at index 1, 0)" in str(caught.value)

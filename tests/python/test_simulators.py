@@ -4,6 +4,7 @@
 import csv
 import io
 import os
+import pickle
 import re
 import subprocess
 from pathlib import Path
@@ -59,8 +60,7 @@ def test_bodies_and_their_numbers_give_the_same_lines():
     assert walled == simulators.lines(
         "lammps", speeds=1.0, end="zero_force", wall=True, young_2=2e11, poisson_2=0.3, restitution=0.9, at=1.0, **given
     )
-    contact = cor.Contact(BODY, BODY)
-    assert "pair_coeff" in simulators.lines("lammps", contact, speeds=1.0, end="zero_force")
+    assert simulators.lines("lammps", cor.Contact(BODY, BODY, end="zero_force"), speeds=1.0) == text
 
 
 def test_gravity_has_the_surface_as_its_end():
@@ -131,32 +131,114 @@ def test_audit_reads_what_is_included():
 
 
 def test_step_error():
-    contact = cor.Contact.from_restitution(BODY, BODY, 0.9, 1.0, "zero_force")
-    error = simulators.step_error(contact, [1.0, 1.0], [12, 50], end="zero_force")
+    contact = cor.Contact(BODY, restitution=0.9, at=1.0, end="zero_force")
+    error = simulators.step_error(contact, [1.0, 1.0], [12, 50])
     assert error.shape == (2,) and abs(error.bias[1]) < abs(error.bias[0]) < 0.05
     printed = corgen("contact", **GLASS, restitution=0.9, at=1, end="zero-force", speed=1, steps=12, format="csv")
     row = next(csv.DictReader(io.StringIO(printed.stdout)))
-    elastic = cor.Contact(*2 * [cor.Body(7e10, 0.22, 0, 1e-3, BODY.mass_kg)]).duration_s_zero_force(1.0)
-    found = simulators.step_error(contact, 1.0, elastic / float(row["time_step_s"]), end="zero_force")
+    elastic = cor.Contact(BODY, dissipation_time=0).impacts(1.0).duration_s_zero_force
+    found = simulators.step_error(contact, 1.0, elastic / float(row["time_step_s"]))
     assert found.bias == pytest.approx(float(row["step_bias"]), rel=2e-3)
     assert found.scatter == pytest.approx(float(row["step_scatter"]), rel=2e-3)
 
 
-def test_from_restitution():
-    for end in ("zero_overlap", "zero_force"):
-        for bodies in ((BODY, BODY), (BODY, WALL), (BODY, cor.Body(1e9, 0.4, 7.0, 3e-3, 1e-3))):
+# ---- cor.Contact ----
+
+SPRING = {"stiffness": 1e7, "effective_mass": 1e-3}
+HERTZ = ("viscoelastic", "tsuji", "hunt-crossley", "hertz-dashpot")
+PRESSED = {"end": "surface"}
+SCENES = [  # numbers are drawn from 0.8 to 1.2 times these
+    *[dict(GLASS, law=law, restitution=0.7, at=1.0, end="zero-force", wall=True) for law in HERTZ],
+    *[dict(GLASS, law=law, restitution=0.7, at=1.0, gravity=9.81, wall=True, **PRESSED) for law in HERTZ],
+    *[dict(GLASS, law=law, restitution=0.7, at=1.0, adhesion=0.05, adhesion_model="jkr") for law in HERTZ],
+    *[dict(SPRING, law=law, restitution=0.7, end="zero-overlap") for law in ("linear", "tsuji")],
+    *[dict(SPRING, law=law, damping_coefficient=2.0) for law in ("linear", "tsuji", "hunt-crossley", "hertz-dashpot")],
+    dict(effective_mass=1e-3, duration=1e-4, law="linear", zeta=0.3, end="zero-overlap"),
+    dict(effective_mass=1e-3, duration=1e-4, restitution=0.8, at=0.3, end="zero-force"),
+    dict(GLASS, dissipation_time=1e-6, dissipation_time_2=0.0, young_2=2e9, poisson_2=-0.3, radius_2=3e-3, mass_2=1e-4),
+    dict(GLASS, dissipation_time=1e-6, yield_stress=1e12),
+    dict(GLASS, dissipation_time=1e-6, adhesion=0.05, adhesion_model="dmt"),
+    dict(GLASS, dissipation_time=1e-6, viscosity_liquid=1e-3, gap_outer=1e-4, gap_inner=1e-6),
+    dict(GLASS, law="elastic-plastic", yield_stress=1e9),
+    dict(GLASS, law="elastic_plastic", restitution=0.7, at=1.0, viscosity_liquid=1e-3, gap_outer=1e-4, gap_inner=1e-6),
+    dict(GLASS, law="plate", plate_thickness=3e-3, young_2=2e11, poisson_2=0.3, density_2=7800),
+    dict(GLASS, law="plate", plate_thickness=3e-3, dissipation_time=1e-7, gravity=9.81),
+    dict(GLASS, g_star=3e4, gravity=9.81, wall=True),
+    dict(GLASS, beta=0.2, at=0.5, law="hertz_dashpot"),
+    dict(SPRING, elastic="7/4", damping="7/4", beta=0.2, at=0.5),
+    dict(GLASS, elastic=1.5, damping="1/3", beta=0.2, at=0.5, gravity=9.81, wall=True),
+    dict(restitution=0.6, at=2.0, end="zero-overlap"),
+    dict(zeta=0.1, law="tsuji"),
+]
+
+
+def drawn(scene, draw):
+    """A scene with other numbers, as Python and as corgen take it"""
+    kept = ("elastic", "damping", "wall")
+    made = {k: v if k in kept or isinstance(v, str) else float(v * draw.uniform(0.8, 1.2)) for k, v in scene.items()}
+    words = {k: v.replace("_", "-") if isinstance(v, str) else v if k in kept else repr(v) for k, v in made.items()}
+    if scene.get("adhesion_model") == "jkr":  # corgen prints both ends
+        made["end"] = "tail"
+    return made, words
+
+
+@pytest.mark.parametrize("row", range(len(SCENES)), ids=lambda row: f"{row}-{SCENES[row].get('law', 'viscoelastic')}")
+def test_a_contact_is_that_of_corgen(row):
+    draw = np.random.RandomState(None)
+    made, words = drawn(SCENES[row], draw)
+    contact, speeds = cor.Contact(**made), tuple(10.0 ** draw.uniform(-2, 0.5, 3))
+    printed = corgen("contact", **words, speed=speeds, format="csv")
+    rows = [r for r in csv.DictReader(io.StringIO(printed.stdout)) if r.get("measured_end", "tail") == "tail"]
+    found = contact.impacts(np.reshape(speeds, (3, 1)))
+    assert len(rows) == 3 and found.shape == (3, 1), (made, printed.stderr)
+    for name in found.dtype.names:
+        if name in rows[0] and not (name == "time_step_s" and "tail" in contact.ends):  # that is of two contacts
+            wanted = [float(r[name]) for r in rows]
+            np.testing.assert_allclose(found[name][:, 0], wanted, rtol=2e-11, err_msg=f"{name} of {made}")
+    assert set(rows[0]) - set(found.dtype.names) <= {"measured_end"}
+    np.testing.assert_allclose(contact.impacts(speeds, steps=20).time_step_s * 20, found.time_step_s[:, 0] * 50)
+    for end in contact.ends:
+        np.testing.assert_array_equal(contact.eps(speeds, end), found[f"eps_{end}"][:, 0])
+    printed = corgen("contact", **words, format="csv")
+    for r in csv.reader(io.StringIO(printed.stdout)):
+        if r[0] != "quantity":
+            np.testing.assert_allclose(contact.quantities.pop(r[0]), float(r[1]), rtol=2e-11, err_msg=str(made))
+    again = pickle.loads(pickle.dumps(contact))
+    assert again == contact and again.quantities == contact.quantities and repr(again) == repr(contact)
+
+
+def test_what_a_contact_refuses():
+    for law, elastic in (("linear", "4/3"), ("viscoelastic", "3/2")):
+        with pytest.raises(ValueError, match="corgen contact --elastic A --damping B .*allowed: viscoelastic, linear"):
+            cor.Contact(**SPRING, elastic=elastic, damping="2/5", beta=0.1, at=1.0).impacts(1.0)
+    either = cor.Contact(BODY, restitution=0.9, at=1.0)
+    for act in (either.impacts, either.eps, cor.Contact(BODY).eps, lambda v: either.quantities):
+        with pytest.raises(ValueError, match="^end: .*allowed: zero_overlap, zero_force"):
+            act(1.0)
+    with pytest.warns(cor.CorWarning, match="yield above"):
+        cor.Contact(BODY, yield_stress=1e8).impacts([1e-3, 1.0])
+    with pytest.raises(TypeError, match="^gravity: "):
+        simulators.step_error(cor.Contact(BODY), 1.0, 20, gravity=9.81)
+
+
+def test_a_measured_restitution():
+    for bodies in ((BODY, BODY), (BODY, WALL), (BODY, cor.Body(1e9, 0.4, 7.0, 3e-3, 1e-3))):
+        for end in ("zero_overlap", "zero-force"):
             for eps in (0.01, 0.5, 0.99):
-                made = cor.Contact.from_restitution(*bodies, eps, 0.7, end)
-                assert getattr(made, f"eps_{end}")(0.7) == pytest.approx(eps, rel=1e-13)
-    assert cor.Contact.from_restitution(BODY, BODY, 1, 0.7, "zero-force").g_star_m_s() == np.inf
+                assert cor.Contact(*bodies, restitution=eps, at=0.7, end=end).eps(0.7) == pytest.approx(eps, rel=1e-13)
 
 
 @pytest.mark.parametrize(
     "act, text",
     [
-        (lambda: cor.Contact.from_restitution(BODY, BODY, 1.1, 1, "zero_force"), "^eps: "),
-        (lambda: cor.Contact.from_restitution(BODY, BODY, 0.9, 0, "zero_force"), "^speed_m_s: "),
-        (lambda: cor.Contact.from_restitution(BODY, BODY, 0.9, 1, "end"), "^end: "),
+        (lambda: cor.Contact(BODY, restitution=0.9, at=0), "^at: "),
+        (lambda: cor.Contact(BODY, restitution=0.9, at=1, end="end"), "^end: "),
+        (lambda: cor.Contact(BODY).impacts([1.0, 0.0]), "^speed_m_s: "),
+        (lambda: cor.Contact(BODY, poisson=0.6), "^poisson: "),
+        (lambda: cor.Contact(BODY, mass=0), "^mass: "),
+        (lambda: cor.Contact(BODY, elastic="x"), "^elastic: "),
+        (lambda: cor.Contact(BODY, elastic=1.5, law="tsuji"), "^law: "),
+        (lambda: cor.Contact(BODY, adhesion=0.1, adhesion_model="dlvo"), "^adhesion_model: "),
         (lambda: simulators.lines("lammps", BODY, speeds=-1), "^speeds: "),
         (lambda: simulators.lines("lammps", BODY, steps=0), "^steps: "),
         (lambda: simulators.lines("abaqus", BODY, speeds=1.0), "abaqus"),
@@ -182,7 +264,7 @@ def test_from_restitution():
         (lambda: simulators.audit("x", tolerance=-1), "^tolerance: "),
         (lambda: cor.sphere.eps_zero_force("x"), "^beta: |^x: "),
         (lambda: cor.contact.sphere_mass_kg(1, "x"), "^density_kg_m3: "),
-        (lambda: cor.Contact(BODY, 1), "^body_2: "),
+        (lambda: cor.contact.SphereContact(BODY, 1), "^body_2: "),
         (lambda: cor.disk.eps(1j, 0.1), "^speed: "),
     ],
 )
@@ -193,9 +275,9 @@ def test_errors_name_the_argument(act, text):
 
 
 def test_float32_is_the_rounded_double():
-    contact = cor.Contact(BODY, BODY)
+    contact = cor.contact.SphereContact(BODY, BODY)
     speeds = np.random.RandomState(1).uniform(1e-3, 10, 1000).astype(np.float32)
-    for function in (contact.eps_zero_force, contact.max_overlap_m):
+    for function in (contact.eps_zero_force, contact.max_overlap_m, cor.Contact(BODY, end="zero_force").eps):
         result = function(speeds)
         assert result.dtype == np.float32
         np.testing.assert_array_equal(result, function(speeds.astype(np.float64)).astype(np.float32))
