@@ -405,6 +405,13 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 
 /* ---- simulators ---- */
 
+/* How the lines of a model make the contacts of two types of bodies: not at all; by a line for each pair; by matrices;
+ * by one law for all contacts, walls included */
+enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, COR_PAIRS_ONE_LAW };
+/* How the lines depend on the mass: as the number does; they contain twice the effective mass; not at all, because
+ * stiffness and damping are per unit of mass */
+enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
+
 /* A contact model of a simulator. Its damping is the parameter of its law: zeta where q = 0, beta at the speed
  * elsewhere. */
 struct cor_simulator_model {
@@ -432,6 +439,10 @@ struct cor_simulator_model {
      * left out where its numbers are not known. {pair} repeats a line for the pairs of two types, like pairs as
      * comments. */
     const char *version, *lines, *wall_lines;
+    enum cor_simulator_pairs pairs;
+    enum cor_simulator_mass mass;
+    int any_spring;    /* e is realised on a linear spring, too */
+    int has_function;  /* the lines call a function of the speed, and contain no number */
     long since, until; /* the versions that have it, as cor_simulator_version has them; 0: no limit is known */
 };
 extern const struct cor_simulator_model cor_simulator_models[];

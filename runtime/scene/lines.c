@@ -346,9 +346,10 @@ static int integrator_of(const struct task *task)
 /* True if the lines of the model make this contact: at a wall those with a matrix, and YADE's, make like pairs. */
 static int has_contact(const struct block *block, const struct task *task, int pair)
 {
-    const char *const lines = block->model->wall_lines;
-    return pair == PAIR || (task->types == 2 && (!task->request->scene->wall ||
-                                                 (pair == LIKE_1 && (strstr(lines, "[]}") || strstr(lines, "Ig2_")))));
+    const enum cor_simulator_pairs pairs = block->model->pairs;
+    return pair == PAIR ||
+           (task->types == 2 && (!task->request->scene->wall ||
+                                 (pair == LIKE_1 && (pairs == COR_PAIRS_MATRIX || pairs == COR_PAIRS_ONE_LAW))));
 }
 
 /* The step of one contact at a speed: its duration over the number of steps, or the largest step for the tolerance;
@@ -631,7 +632,7 @@ static double mass_factor(const struct block *block, const struct task *task, do
 {
     const struct cor_simulator_model *const model = block->model;
     struct cor_scene_contact c = task->contact[PAIR][0];
-    if (!model->number_of_damping || strstr(model->lines, "{K/m}") || isnan(c.mass_kg))
+    if (!model->number_of_damping || model->mass == COR_MASS_PER_UNIT || isnan(c.mass_kg))
         return 1;
     const struct cor_exponents *const law = &cor_law_exponents[model->law];
     const double power = (cor_damping(law) + 1) / (cor_elastic(law) + 1) - 1;
@@ -642,14 +643,14 @@ static double mass_factor(const struct block *block, const struct task *task, do
 
 static int needs_mass(const struct block *block, const struct task *task)
 {
-    return fabs(mass_factor(block, task, 2) - 1) > 1e-9 || strstr(block->model->lines, "{2m}") != NULL;
+    return fabs(mass_factor(block, task, 2) - 1) > 1e-9 || block->model->mass == COR_MASS_IN_LINES;
 }
 
 /* Which number depends on the mass, and what to do where masses differ */
 static void put_mass(struct text *t, const struct block *block, const struct task *task)
 {
-    const char *const lines = block->model->lines, *const parameter = block->model->parameter;
-    const int whole = strstr(lines, "{2m}") != NULL, wall = task->request->scene->wall;
+    const char *const parameter = block->model->parameter;
+    const int whole = block->model->mass == COR_MASS_IN_LINES, wall = task->request->scene->wall;
     const int differ = task->types == 2 && !wall;
     const double power = log2(mass_factor(block, task, 2));
     char name[SENTENCE], power_text[NUMBER + 40] = "";
@@ -673,25 +674,25 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
 /* Says which lines hold for which pair of two bodies that differ, and what to replace. */
 static void put_pairs(struct text *t, const struct block *block, const struct task *task)
 {
-    const char *const lines = block->model->lines;
+    const enum cor_simulator_pairs pairs = block->model->pairs;
     const struct cor_scene *const scene = task->request->scene;
     const char *const numbers = has_own_damping(scene)
                                     ? "the damping of their materials, as given"
                                     : "the damping of the pair 1 2, which is theirs only if both are of one material";
     if (task->types == 1 || scene->wall || cor_simulator_has_function(block->model))
         return;
-    if (strstr(lines, "{pair}"))
+    if (pairs == COR_PAIRS_LINES)
         comment(
             t,
             "Only 1 2 is active: your lines for 1 1 and 2 2 stay as they are. Where you have none, use those in the "
             "comments. They have %s.",
             numbers);
-    else if (strstr(lines, "[]}"))
+    else if (pairs == COR_PAIRS_MATRIX)
         comment(t,
                 "The first and the last number of a matrix are of 1 1 and 2 2. They have %s: replace them by your own. "
                 "Leave out your own lines of the same properties.",
                 numbers);
-    else if (strstr(lines, "Ig2_"))
+    else if (pairs == COR_PAIRS_ONE_LAW)
         comment(
             t,
             "One law for all contacts: 1 1, 2 2 and walls get the %.*s of 1 2. Where theirs is N, replace the number "
@@ -777,7 +778,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     put_own_e(t, block, task);
     put_mass(t, block, task);
     put_pairs(t, block, task);
-    if (strstr(model->lines, "{density}") && isnan(cor_simulator_word("density", &task->wish[PAIR], 1)))
+    if (model->pairs == COR_PAIRS_ONE_LAW && isnan(cor_simulator_word("density", &task->wish[PAIR], 1)))
         comment(t, "cor_material gets the density that YADE chooses, 1000 kg/m^3: add that of your bodies.");
     if (!*instead) {
         t->commented++;

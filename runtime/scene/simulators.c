@@ -161,12 +161,14 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     .lines = "pair_style granular\n"                                                                                   \
              "pair_coeff {pair} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n",                 \
     .wall_lines = "fix cor_wall all wall/gran granular " spring                                                        \
-                  " {n} tangential linear_nohistory 0 0 damping " damping " zplane 0 NULL\n"
+                  " {n} tangential linear_nohistory 0 0 damping " damping " zplane 0 NULL\n",                          \
+    .pairs = COR_PAIRS_LINES
 /* A wall is of atom type 2, for its contacts have other numbers than those of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
     .lines = LIGGGHTS_PAIR(model, limit, properties),                                                                  \
     .wall_lines = LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off"  \
-                                                          " primitive type 2 zplane 0" limit "\n"
+                                                          " primitive type 2 zplane 0" limit "\n",                     \
+    .pairs = COR_PAIRS_MATRIX
 #define LIGGGHTS_PAIR(model, limit, properties)                                                                        \
     "pair_style gran model " model " tangential off" limit "\n"                                                        \
     "pair_coeff * *\n" properties
@@ -184,7 +186,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     where(material "cor_contact = InteractionLoop(\n"                                                                  \
                    "    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"          \
                    "    [" physics "],\n"                                                                              \
-                   "    [" law "])\n")
+                   "    [" law "])\n"),                                                                                \
+        .pairs = COR_PAIRS_ONE_LAW
 #define YADE_MINDLIN(numbers)                                                                                          \
     YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(" numbers ")",                                  \
          "Law2_ScGeom_MindlinPhys_Mindlin()")
@@ -242,11 +245,12 @@ const struct cor_simulator_model cor_simulator_models[] = {
     ROW(OF_LAMMPS_RUN, "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT, ZERO_OVERLAP,
         NUMBER(hertz_mass_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "mass_velocity")),
     ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", LAMMPS("{spring}", "coeff_restitution"), .since = 20250205),
+        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", LAMMPS("{spring}", "coeff_restitution"), .any_spring = 1,
+        .since = 20250205),
     ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
         "LAMMPS computes its damping for contacts that end at zero overlap: these realise more than its e.",
-        LAMMPS("{spring}", "coeff_restitution limit_damping"), .since = 20250205),
+        LAMMPS("{spring}", "coeff_restitution limit_damping"), .any_spring = 1, .since = 20250205),
     ROW(OF_LAMMPS_RUN, "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI, ZERO_OVERLAP,
         ASKED(tsuji_until_2026, 0, 1),
         "LAMMPS realises up to 0.143 more than its e; coeff_restitution of later versions is exact.",
@@ -272,11 +276,12 @@ const struct cor_simulator_model cor_simulator_models[] = {
         ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
         LIGGGHTS("hooke/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{K[]}"))),
     ROW(OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; it refuses e <= 0.05.", LIGGGHTS("{model}", "", LIGGGHTS_E)),
+        ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; it refuses e <= 0.05.", LIGGGHTS("{model}", "", LIGGGHTS_E),
+        .any_spring = 1),
     ROW(OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI,
         ZERO_FORCE, ASKED(exact_at_zero_overlap, 0.05, 1),
         "LIGGGHTS computes its damping for contacts that end at zero overlap: these realise more than its e.",
-        LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E)),
+        LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E), .any_spring = 1),
     ROW(OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman", "gamman, 1/(m s)", VISCOELASTIC,
         ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("gamman"),
         LIGGGHTS("hertz/stiffness", "", LIGGGHTS_STIFFNESS("{kn[]}"))),
@@ -308,7 +313,8 @@ const struct cor_simulator_model cor_simulator_models[] = {
     ROW(OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
         "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, 0, 1), "Exact, with the mass of one particle; e = 0 sticks for ever.",
-        EVERYWHERE(MERCURYDPM_DENSITY "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n")),
+        EVERYWHERE(MERCURYDPM_DENSITY "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n"),
+        .mass = COR_MASS_IN_LINES),
     ROW(OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
         "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.",
@@ -326,7 +332,8 @@ const struct cor_simulator_model cor_simulator_models[] = {
         "Chrono computes its damping for contacts that end at zero overlap: these realise more than cr.",
         PAIRS("system.UseMaterialProperties(true);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});\n"
-              "material->SetRestitution({n});\n")),
+              "material->SetRestitution({n});\n"),
+        .any_spring = 1),
     ROW(OF_CHRONO, "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
         PAIRS("system.UseMaterialProperties(false);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hooke);\n"
@@ -414,7 +421,8 @@ const struct cor_simulator_model cor_simulator_models[] = {
         EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
     ROW(OF_MUJOCO, "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
         NUMBER(dashpot_per_mass), "Stiffness and damping are per unit of mass.",
-        EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
+        EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"),
+        .mass = COR_MASS_PER_UNIT),
     ROW(OF("newton", "newton/_src/solvers/semi_implicit/kernels_contact.py", "source", "source 41a5392c"),
         "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
         "The damper works while the bodies approach only.", NO_LINES),
@@ -457,7 +465,8 @@ const struct cor_simulator_model cor_simulator_models[] = {
             "// world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
             "// world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"
             "// each body: body->setCollisionFlags(body->getCollisionFlags() | "
-            "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n")),
+            "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
+        .has_function = 1),
     ROW(OF("rebound", "src/collision.c", "source", "5.0.0"), "coefficient_of_restitution, constant", "e", IMPULSE,
         INSTANT, ASKED(loss_of_impulse, 0, 1), "Exact for hard spheres.",
         PAIRS("static double cor_restitution(const struct reb_simulation *const r, double v)\n"
@@ -473,7 +482,8 @@ const struct cor_simulator_model cor_simulator_models[] = {
               "{\n"
               "    return cor_eps(v < 0 ? -v : v); // cor_eps takes m/s: convert v from the units of the simulation\n"
               "}\n"
-              "// once: r->coefficient_of_restitution = cor_restitution;\n")),
+              "// once: r->coefficient_of_restitution = cor_restitution;\n"),
+        .has_function = 1),
 };
 const size_t cor_simulator_model_count = sizeof cor_simulator_models / sizeof *cor_simulator_models;
 
@@ -566,7 +576,7 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
 
 int cor_simulator_has_function(const struct cor_simulator_model *model)
 {
-    return model->lines && strstr(model->lines, "{embed}") != NULL;
+    return model->has_function;
 }
 
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact)
@@ -580,8 +590,7 @@ int cor_simulator_has_law(const struct cor_simulator_model *model, const struct 
         return linear;
     case COR_LAW_TSUJI:
         /* an e may serve a linear spring, too */
-        return (cor_law_is_hertz(law) && cor_law_is_constant(law)) ||
-               (linear && model->damping_of_e && strstr(model->model, "ooke"));
+        return (cor_law_is_hertz(law) && cor_law_is_constant(law)) || (linear && model->any_spring);
     case COR_LAW_LINEAR_ROOT:
         return cor_law_is(law, 2, 1);
     case COR_LAW_HERTZ_DASHPOT:
