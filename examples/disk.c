@@ -2,7 +2,8 @@
 /* An elastic disk against a rigid wall: how long a slow one touches and how far it is compressed; eps to the first
  * order in its vibrations, which leaves out that they push back on the contact, and eps of all modes; and faster disks,
  * with all modes and with some modes at a softer wall. */
-#include <cor/cor.h>
+#include <cor/disk.h>
+#include <cor/status.h>
 #include <math.h>
 #include <stdio.h>
 

@@ -35,7 +35,7 @@ PLAIN_FLAGS += ["-ffp-contract=off"] + ["-fexcess-precision=fast"] * (platform.m
 
 
 def pkg_config(*arguments: str) -> List[str]:
-    command = [os.environ.get("PKG_CONFIG", "pkg-config"), *arguments, "cor"]
+    command = [os.environ.get("PKG_CONFIG", "pkg-config"), *arguments, "cor-scene", "cor-disk", "cor"]
     return shlex.split(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
 
 
@@ -139,7 +139,7 @@ EXTENSION = Extension(
     include_dirs=[str(INCLUDE)],
     libraries=["m"],
     extra_compile_args=[] if BUNDLED else pkg_config("--cflags"),
-    extra_link_args=[] if BUNDLED else ["-lcor_scene"] + pkg_config("--libs"),
+    extra_link_args=[] if BUNDLED else pkg_config("--libs"),
 )
 
 # What is built goes where git ignores it.

@@ -123,10 +123,10 @@ static char *modes_text(const struct disks *d, size_t count)
 {
     const char *poisson = d->number[COR_SCENE_POISSON].text;
     if (count <= 1800 && (d->modes.nu == 0.33 || d->modes.nu == 0.9))
-        return xprintf("#include \"cor/cor.h\"\nconst struct cor_disk_modes *modes = &cor_disk_modes_nu0%d;\n",
+        return xprintf("#include \"cor/disk.h\"\nconst struct cor_disk_modes *modes = &cor_disk_modes_nu0%d;\n",
                        d->modes.nu == 0.33 ? 33 : 90);
     return xprintf("corgen tables --poisson %s --modes %zu\n"
-                   "#include \"cor/cor.h\"\n/* read the file it writes by cor_disk_modes_read */\n"
+                   "#include \"cor/disk.h\"\n/* read the file it writes by cor_disk_modes_read */\n"
                    "const struct cor_disk_modes *modes;\n",
                    poisson, count);
 }
@@ -147,7 +147,7 @@ static int add_rigid(struct disks *d, int k)
     }
     m->promised = !plan->relative;
     plan_model_is(plan, m, rigid[k].cost, "nothing; estimated, not proved",
-                  xprintf("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
+                  xprintf("#include \"cor/disk.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
                           "struct cor_disk_hard_wall out;\n"
                           "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
                           rigid[k].tolerance, d->number[COR_SCENE_POISSON].text, quantities[d->quantity].field));
@@ -242,7 +242,7 @@ static void add_models_of_eps(const struct disks *d)
     m->promised = true;
     plan_model_is(
         plan, m, NS_EPS_TABLE, "nothing; estimated, not proved",
-        xprintf("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->number[COR_SCENE_POISSON].text));
+        xprintf("#include \"cor/disk.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->number[COR_SCENE_POISSON].text));
 }
 
 static void add_laws(const struct disks *d)
@@ -259,13 +259,13 @@ static void add_laws(const struct disks *d)
         m->value[i] = (time ? cor_disk_contact_time_leading_log : cor_disk_max_compression_leading_log)(plan->speed[i]);
     plan_model_is(
         plan, m, NS_LEADING_LOG, "all beside ln(4/v); vibrations",
-        xprintf("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantities[d->quantity].field, called));
+        xprintf("#include \"cor/disk.h\"\ndouble %s = %s_leading_log(v);\n", quantities[d->quantity].field, called));
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
             m->value[i] = function(plan->speed[i], d->modes.nu, (enum cor_disk_datum)k);
         plan_model_is(plan, m, quantities[d->quantity].ns_law, "vibrations",
-                      xprintf("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
+                      xprintf("#include \"cor/disk.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
                               quantities[d->quantity].field, called, d->number[COR_SCENE_POISSON].text, datum[k]));
     }
 }

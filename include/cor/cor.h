@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* cor computes the coefficient of restitution eps of a collision, the rebound speed over the impact speed. This header
- * includes those of the library libcor, which needs libm alone:
+ * includes the headers of the library libcor, which needs libm only, and, if COR_WITH_DISK is defined, of libcor_disk:
  *
  *     I have                                              I want                                     header
  *     materials or one measured eps, and a speed, SI      eps, duration, overlap; A; g*              contact.h
@@ -44,7 +44,9 @@
 #define COR_VERSION_STRING "1.0.0"
 
 #include "contact.h"
+#ifdef COR_WITH_DISK /* define it before this header is included, and link libcor_disk */
 #include "disk.h"
+#endif
 #include "law.h"
 #include "sphere.h"
 #include "status.h"

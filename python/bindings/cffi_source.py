@@ -87,7 +87,7 @@ def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit"))
 def source(declared: Declarations) -> str:
     """The text of the C module that cffi puts before its own."""
     parts = [
-        "#include <math.h>\n#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
+        "#define COR_WITH_DISK\n#include <math.h>\n#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
         "enum { COR_IMPACT_COLUMNS = 9 };",
         IMPACTS + IMPACTS_BODY,
         "#if defined __GNUC__ && !defined __clang__ /* at -O2 gcc does not use vectors for conversions */",

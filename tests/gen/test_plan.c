@@ -7,6 +7,7 @@
 #include "ball.h"
 #include "contact/contact.h"
 #include "cor/cor.h"
+#include "cor/disk.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
 #include "request.h"

@@ -34,7 +34,7 @@ class Compiler:
 
     def preprocessed(self):
         """All public headers, macros expanded."""
-        command = ["cc", "-E", "-P", f"-I{PREFIX}/include", "-x", "c", "-"]
+        command = ["cc", "-E", "-P", "-DCOR_WITH_DISK", f"-I{PREFIX}/include", "-x", "c", "-"]
         run = subprocess.run(command, input="#include <cor/cor.h>\n", stdout=subprocess.PIPE, text=True, check=True)
         return " ".join(run.stdout.split())
 
@@ -42,8 +42,8 @@ class Compiler:
         """The path of a compiled program."""
         self.count += 1
         path = self.folder / f"program_{self.count}"
-        library = next(PREFIX.glob("lib*/**/libcor.a"))
-        flags = ["-std=c99", f"-I{PREFIX}/include", *"-x c - -x none".split(), str(library), "-lm"]
+        libraries = [str(next(PREFIX.glob(f"lib*/**/{name}.a"))) for name in ("libcor", "libcor_disk")]
+        flags = ["-std=c99", "-DCOR_WITH_DISK", f"-I{PREFIX}/include", *"-x c - -x none".split(), *libraries, "-lm"]
         subprocess.run(["cc", *flags, "-o", str(path)], input=text, text=True, check=True)
         return path
 

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include <cor/cor.h>
+#include <cor/disk.h>
 
 #include "random.h"
 
