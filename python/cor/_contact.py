@@ -125,6 +125,12 @@ class Contact:
             self._raise(fault)
         self._count = int(count[0])
 
+    @classmethod
+    def from_restitution(cls, body_1: Body, body_2: Body, eps: float, speed_m_s: float, end: str) -> "Contact":
+        """Returns the contact of two bodies that rebounds with eps at an impact speed, m/s. The dissipation times of
+        the bodies do not count."""
+        return cls(body_1, body_2, restitution=eps, at=speed_m_s, end=end)
+
     def __repr__(self) -> str:
         given = {name: value for name, value in self._options.items() if value not in (None, False, "none")}
         words = [repr(body) for body in self._bodies] + [f"{name}={value!r}" for name, value in given.items()]
@@ -219,6 +225,14 @@ class Contact:
         result = self._rows(speed_m_s, self._end(end))[1][..., 0]
         narrow = np.asarray(speed_m_s).dtype.kind == "f" and np.asarray(speed_m_s).itemsize < 8
         return like([speed_m_s], result.astype(np.float32 if narrow else np.float64, copy=False)[()])
+
+    def eps_zero_overlap(self, speed_m_s: ArrayLike) -> Any:
+        """Returns eps(speed_m_s, "zero_overlap")."""
+        return self.eps(speed_m_s, "zero_overlap")
+
+    def eps_zero_force(self, speed_m_s: ArrayLike) -> Any:
+        """Returns eps(speed_m_s, "zero_force")."""
+        return self.eps(speed_m_s, "zero_force")
 
     def impacts(self, speed_m_s: ArrayLike, steps: float = 50) -> Any:
         """A record for each impact speed, m/s, with the columns of corgen contact. time_step_s is the shortest of all

@@ -63,6 +63,13 @@ def test_bodies_and_their_numbers_give_the_same_lines():
     assert simulators.lines("lammps", cor.Contact(BODY, BODY, end="zero_force"), speeds=1.0) == text
 
 
+def test_a_measured_contact_gives_the_measured_eps():
+    contact = cor.Contact.from_restitution(BODY, BODY, 0.8, 0.5, "zero_force")
+    assert contact.eps_zero_force(0.5) == pytest.approx(0.8, rel=1e-14)
+    assert contact == cor.Contact(BODY, BODY, restitution=0.8, at=0.5, end="zero_force")
+    assert contact.eps_zero_overlap(0.5) == contact.eps(0.5, "zero_overlap") < 0.8
+
+
 def test_gravity_has_the_surface_as_its_end():
     given = {"speeds": 0.5, "wall": True, "restitution": 0.8, "at": 0.5}
     lines = simulators.lines("lammps", BODY, end="surface", gravity=9.81, **given)
