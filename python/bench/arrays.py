@@ -15,11 +15,12 @@ import numpy as np
 import cor
 from cor._cor import ffi, lib
 
+LINEAR = (lib.COR_LAW_LINEAR, lib.COR_END_ZERO_FORCE, lib.COR_EPS)
 FUNCTIONS = (
-    ("sphere_eps_zero_force", cor.sphere.eps_zero_force, np.float64),
-    ("sphere_eps_zero_overlap", cor.sphere.eps_zero_overlap, np.float64),
-    ("sphere_eps_zero_force", cor.sphere.eps_zero_force, np.float32),
-    ("linear_eps_zero_force", cor.law.linear_eps_zero_force, np.float64),
+    ("sphere_eps_zero_force", (), cor.sphere.eps_zero_force, np.float64),
+    ("sphere_eps_zero_overlap", (), cor.sphere.eps_zero_overlap, np.float64),
+    ("sphere_eps_zero_force", (), cor.sphere.eps_zero_force, np.float32),
+    ("law_value", LINEAR, lambda *x, **out: cor.law.value("linear", "zero-force", "eps", *x, **out), np.float64),
 )
 
 
@@ -36,14 +37,14 @@ def main():
     elements = int(sys.argv[1]) if len(sys.argv) > 1 else 100000
     nothing = least_seconds(lambda: None)
     print(f"{'function':28s} {'ns per element: C':>18s} {'Python':>8s} {'out=':>8s} {'ratio':>6s}")
-    for name, function, dtype in FUNCTIONS:
+    for name, given, function, dtype in FUNCTIONS:
         x = np.linspace(0.0, 4.0, elements).astype(dtype)
         y = np.empty_like(x)
         narrow = dtype is np.float32
         loop = getattr(lib, f"cor_loop_{name}{'f' if narrow else ''}")
         c_type = "float[]" if narrow else "double[]"
         from_x, to_y = ffi.from_buffer(c_type, x), ffi.from_buffer(c_type, y, True)
-        in_c = least_seconds(lambda: loop(from_x, 1, to_y, elements)) - nothing
+        in_c = least_seconds(lambda: loop(*given, from_x, 1, to_y, elements)) - nothing
         in_python = least_seconds(lambda: function(x)) - nothing
         into = least_seconds(lambda: function(x, out=y)) - nothing
         figures = [1e9 * t / elements for t in (in_c, in_python, into)]

@@ -8,11 +8,16 @@ from typing import Dict, List, Optional, Tuple
 from .declarations import Declarations, Function, Parameter, Struct
 
 
-# The table of law.h, which each binding has by hand
-BY_HAND = ["cor_law_" + name for name in ("function", "value", "array", "arrayf", "name")] + [
-    "cor_end_name",
-    "cor_quantity_name",
-]
+# The table of law.h, which each binding has by hand, and its names in Python
+BY_HAND = {
+    "cor_law_function": "function",
+    "cor_law_value": "value",
+    "cor_law_array": "value",
+    "cor_law_arrayf": "value",
+    "cor_law_name": "laws",
+    "cor_end_name": "ends",
+    "cor_quantity_name": "quantities",
+}
 
 
 @dataclass(frozen=True)
@@ -29,8 +34,6 @@ class Call:
     kind: str
     function: Function
     array: Optional[Function] = None
-    float_function: Optional[Function] = None
-    float_array: Optional[Function] = None
 
     @property
     def structs(self) -> List[Parameter]:
@@ -68,64 +71,31 @@ def output_struct(p: Parameter) -> str:
     return found[1] if found else ""
 
 
+def form_of(functions: Dict[str, Function], name: str) -> str:
+    """The function through which one is reached: itself, or the one whose loop over arrays it is."""
+    base = re.sub("(_fast)?(f|_arrayf?)$", "", name)
+    return base if base in functions and is_elementwise(functions[base]) else name
+
+
 def calls(declared: Declarations) -> Dict[str, Call]:
-    """Every public function but those that are a form of another (float, array), by name."""
+    """Every public function but those of BY_HAND and the loops of others over arrays, by name."""
     functions = declared.functions
-    forms = {}
-    for name, function in functions.items():
-        if _elementwise(function) and function.result == "double":
-            for suffix in ("f", "_array", "_arrayf"):
-                form = functions.get(name + suffix)
-                if form and _is_form(function, form, suffix):
-                    forms[form.name] = name
     taken = {input_struct(p) for f in functions.values() for p in f.parameters if is_input(p)}
     found = {}
     for name, function in functions.items():
-        if name not in forms and name not in BY_HAND:
+        if name not in BY_HAND and form_of(functions, name) == name:
             kind = _kind(function, taken)
-            extra = [
-                functions.get(name + s) if forms.get(name + s) == name else None for s in ("_array", "f", "_arrayf")
-            ]
-            found[name] = Call(kind, function, *extra)
+            array = functions.get(name + "_array") if kind == "elementwise" else None
+            found[name] = Call(kind, function, array)
     return found
 
 
-def form_of(declared: Declarations) -> Dict[str, str]:
-    """Every public function, and the function through which it is reached: itself, or the one that it is a form of."""
-    reached = {}
-    for name, call in calls(declared).items():
-        for form in (call.function, call.array, call.float_function, call.float_array):
-            if form:
-                reached[form.name] = name
-    return reached
-
-
-def _elementwise(function: Function) -> bool:
+def is_elementwise(function: Function) -> bool:
     return function.result in ("double", "size_t") and all(is_value(p) or is_input(p) for p in function.parameters)
 
 
-def _is_form(function: Function, form: Function, suffix: str) -> bool:
-    real = "float" if suffix.endswith("f") else "double"
-
-    def types(p: Parameter) -> Tuple[str, ...]:
-        plain = p.type.replace("double", real)
-        return (plain, f"const {plain} *") if suffix != "f" and is_value(p) else (plain,)
-
-    wanted = [types(p) for p in function.parameters]
-    if suffix == "f":
-        result = form.result == "float"
-    else:
-        wanted += [(f"{real} *",), ("size_t",)]
-        result = form.result == "void"
-    return (
-        result
-        and len(wanted) == len(form.parameters)
-        and all(p.type in allowed for p, allowed in zip(form.parameters, wanted))
-    )
-
-
 def _kind(function: Function, taken: "set[str]") -> str:
-    if _elementwise(function):
+    if is_elementwise(function):
         return "elementwise"
     out = [output_struct(p) for p in function.parameters if output_struct(p)]
     others = [p for p in function.parameters if not output_struct(p)]

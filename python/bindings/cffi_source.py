@@ -8,17 +8,17 @@ give the same bits.
 
 import re
 from pathlib import Path
-from typing import List, Optional, Sequence
+from typing import List, Sequence
 
 from .calls import BY_HAND, Call, calls, is_value
-from .declarations import Constant, Declarations, Function, Parameter
+from .declarations import Constant, Declarations, Parameter
 
 C_OF_KIND = {"d": "double", "i": "int", "n": "size_t"}
 
 
 def kind_of(p: Parameter) -> str:
     """d, i or n: how a number is passed to a loop."""
-    return {"double": "d", "float": "d", "size_t": "n"}.get(p.type, "i")
+    return {"double": "d", "size_t": "n"}.get(p.type, "i")
 
 
 def constant_type(constant: Constant) -> str:
@@ -39,16 +39,17 @@ def declarations(declared: Declarations) -> str:
         c_type = {"str": "char *const", "int": "const int", "float": "const double"}[constant_type(constant)]
         if not constant.parameters:
             lines.append(f"static {c_type} {constant.name};")
-    lines += [f"{head};" for head, _ in _loops(declared)]
+    lines += ["enum { COR_IMPACT_COLUMNS = 9 };"] + [f"{head};" for head, _ in HAND + _loops(declared)]
     lines += [f'extern "Python" {head};' for head in _observers(declared)]
     return "\n".join(lines)
 
 
-IMPACTS = """static int cor_loop_impacts(const struct cor_scene_contact *contact, const double *speed_m_s, double *rows,
-                            size_t count, int end)"""
-IMPACTS_BODY = """
-{
-    for (size_t i = 0; i < count; i++) {
+# Loops that are written by hand
+HAND = [
+    (
+        "static int cor_loop_impacts(const struct cor_scene_contact *contact, const double *speed_m_s, double *rows, "
+        "size_t count, int end)",
+        """    for (size_t i = 0; i < count; i++) {
         struct cor_scene_impact y;
         const int status = end == COR_BOTH_ENDS ? cor_scene_impact(&y, contact, speed_m_s[i])
                                                 : cor_scene_eps(rows + i, contact, speed_m_s[i], end);
@@ -56,17 +57,28 @@ IMPACTS_BODY = """
             return status;
         if (end != COR_BOTH_ENDS)
             continue;
-        const struct cor_scene_contact *const hertz = contact->adhesion_j_m2 > 0 ? NULL : contact;
+        const int hertz = !(contact->adhesion_j_m2 > 0);
         const double row[COR_IMPACT_COLUMNS] = {
             y.beta, y.eps[0], y.eps[1], y.duration_s[0], y.duration_s[1], y.max_overlap_m,
             cor_scene_force_max_n(contact, speed_m_s[i]),
-            hertz ? cor_scene_contact_radius(hertz, y.max_overlap_m) : NAN,
-            hertz ? cor_scene_pressure(hertz, y.max_overlap_m) : NAN};
+            hertz ? cor_scene_contact_radius(contact, y.max_overlap_m) : NAN,
+            hertz ? cor_scene_pressure(contact, y.max_overlap_m) : NAN};
         for (size_t k = 0; k < COR_IMPACT_COLUMNS; k++)
             rows[i * COR_IMPACT_COLUMNS + k] = row[k];
     }
     return COR_OK;
-}"""
+""",
+    ),
+    *[
+        (
+            f"static void cor_loop_law_value{f}(enum cor_law law, enum cor_end end, enum cor_quantity quantity, "
+            f"const {real} *x, size_t x_step, {real} *result, size_t count)",
+            f"    (void)x_step; /* one argument has the shape of the result */\n"
+            f"    cor_law_array{f}(law, end, quantity, x, result, count);\n",
+        )
+        for f, real in (("", "double"), ("f", "float"))
+    ],
+]
 
 
 def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit")) -> str:
@@ -77,7 +89,6 @@ def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit"))
     text = "".join(line for line in text.splitlines(True) if not line.startswith("#"))
     return (
         text
-        + f"enum {{ COR_IMPACT_COLUMNS = 9 }};\n{IMPACTS};"
         + """
         extern "Python" int cor_python_audit_open(void *, struct cor_audit_text *, const char *, const char *);
         extern "Python" void cor_python_audit_report(void *, const struct cor_audit_finding *);"""
@@ -89,12 +100,11 @@ def source(declared: Declarations) -> str:
     parts = [
         "#define COR_WITH_DISK\n#include <math.h>\n#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
         "enum { COR_IMPACT_COLUMNS = 9 };",
-        IMPACTS + IMPACTS_BODY,
         "#if defined __GNUC__ && !defined __clang__ /* at -O2 gcc does not use vectors for conversions */",
         '#pragma GCC push_options\n#pragma GCC optimize("O3")\n#endif',
         "/* A loop has a step for every number, also where the form that it calls needs none. */",
     ]
-    parts += [f"{head}\n{{\n{body}}}" for head, body in _loops(declared)]
+    parts += [f"{head}\n{{\n{body}}}" for head, body in HAND + _loops(declared)]
     parts += ["#if defined __GNUC__ && !defined __clang__\n#pragma GCC pop_options\n#endif"]
     return "\n\n".join(parts) + "\n"
 
@@ -113,10 +123,8 @@ def _loops(declared: Declarations) -> "list[tuple[str, str]]":
     found = []
     for call in calls(declared).values():
         if call.kind == "elementwise":
-            found.append(_loop(call, call.function, call.array, "double"))
-            if call.float_function:
-                found.append(_loop(call, call.float_function, call.float_array, "float"))
-            elif has_float(call):
+            found.append(_loop(call))
+            if has_float(call):
                 found.append(_rounded_loop(call))
         elif call.kind in ("record", "init"):
             found.append(_record_loop(call))
@@ -144,28 +152,27 @@ def _element(p: Parameter) -> str:
     return f"{cast}{p.name}[i * {p.name}_step]"
 
 
-def _loop(call: Call, scalar: Function, array: Optional[Function], real: str) -> "tuple[str, str]":
-    result = real if scalar.result in ("double", "float") else scalar.result
-    head = _head(call.loop + ("f" if real == "float" else ""), call, real, f"{result} *result")
+def _loop(call: Call) -> "tuple[str, str]":
+    head = _head(call.loop, call, "double", f"{call.function.result} *result")
     body = ""
-    if array:
+    if call.array:
         tests, arguments = [], []
-        for p, form in zip(scalar.parameters, array.parameters):
+        for p, form in zip(call.function.parameters, call.array.parameters):
             pointer = is_value(p) and "*" in form.type
             if is_value(p):
                 tests.append(f"{p.name}_step == {int(pointer)}")
             arguments.append(f"*{p.name}" if is_value(p) and not pointer else p.name)
         body += f"    if (count && (count == 1 || ({' && '.join(tests)}))) {{\n"
-        body += f"        {array.name}({', '.join(arguments)}, result, count);\n        return;\n    }}\n"
-    arguments = [_element(p) for p in scalar.parameters]
+        body += f"        {call.array.name}({', '.join(arguments)}, result, count);\n        return;\n    }}\n"
+    arguments = [_element(p) for p in call.function.parameters]
     body += "    for (size_t i = 0; i < count; i++)\n"
-    body += f"        result[i] = {scalar.name}({', '.join(arguments)});\n"
+    body += f"        result[i] = {call.function.name}({', '.join(arguments)});\n"
     return head, body
 
 
 def has_float(call: Call) -> bool:
-    """Whether a loop takes and returns float: C has the function in float, or its double results can be rounded."""
-    return call.float_function is not None or call.function.result == "double" and any(map(_is_real, call.values))
+    """True if a loop accepts and returns float: it rounds the double results once."""
+    return call.function.result == "double" and any(map(_is_real, call.values))
 
 
 def is_a_call(call: Call) -> bool:

@@ -5,23 +5,16 @@
 """
 
 import sys
+from itertools import groupby
 from pathlib import Path
-from typing import Dict, List
+from typing import Dict, List, Tuple
 
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from bindings.calls import Call, argument_names, calls, is_input, is_value  # noqa: E402
+from bindings.calls import argument_names, is_elementwise, is_value  # noqa: E402
 from bindings.cffi_source import constant_type  # noqa: E402
-from bindings.declarations import (  # noqa: E402
-    ROOT,
-    Constant,
-    Declarations,
-    Function,
-    Parameter,
-    Struct,
-    write_or_check,
-)
+from bindings.declarations import ROOT, Declarations, Function, Parameter, write_or_check  # noqa: E402
 
 WIDTH = 118
 KINDS = {"double": "real(c_double)", "float": "real(c_float)", "int": "integer(c_int)", "size_t": "integer(c_size_t)"}
@@ -29,24 +22,24 @@ KINDS = {"double": "real(c_double)", "float": "real(c_float)", "int": "integer(c
 HEAD = """! SPDX-License-Identifier: MIT
 ! The functions of cor under their names in C. Written from the headers by python/bindings/fortran_source.py.
 !
-! Functions that return a number are elemental and pure, and generic where C has them in float, too. The names with
-! _array are the loops of C; they are faster. struct cor_body is type(cor_body_t), and so on. An argument that may be
-! NULL in C is optional. The comments of the headers in include/cor hold for all of them.
+! Functions that return a number are elemental and pure, and functions that return a text have its length. The names
+! with _array are the loops of C; they are faster. struct cor_body is type(cor_body_t), and so on. An argument that may
+! be NULL in C is optional. The comments of the headers in include/cor hold for all of them.
 module cor
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_float, c_funptr, c_int, c_null_char, &
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_funptr, c_int, c_null_char, &
     c_ptr, c_size_t
   implicit none
   private
 """
 
-TEXT = """  !> One English sentence for a status.
-  function cor_status_text(status) result(text)
-    integer(c_int), intent(in) :: status
+TEXT = """  function text_of(address) result(text)
+    type(c_ptr), intent(in) :: address
     character(len=:), allocatable :: text
     character(kind=c_char), pointer :: letters(:)
     integer :: i
-    call c_f_pointer(c_cor_status_text(status), letters, [1000])
     text = ''
+    if (.not. c_associated(address)) return
+    call c_f_pointer(address, letters, [1000])
     do i = 1, size(letters)
       if (letters(i) == c_null_char) exit
       text = text // letters(i)
@@ -56,39 +49,39 @@ TEXT = """  !> One English sentence for a status.
 
 
 def module(declared: Declarations) -> str:
-    parts = [HEAD]
-    parts += [_constant(c) for c in declared.constants.values() if not c.parameters]
+    constants: Dict[str, List[str]] = {}
+    for constant in declared.constants.values():
+        kind = constant_type(constant)
+        fortran = {"str": "character(len=*)", "int": KINDS["int"], "float": KINDS["double"]}[kind]
+        value = constant.text.strip("()") + ("_c_double" if kind == "float" else "")
+        if not constant.parameters:
+            constants.setdefault(fortran, []).append(f"{constant.name} = {value}")
     for enum in declared.enums.values():
-        parts += [f"  integer(c_int), parameter, public :: {name} = {value}\n" for name, value, _ in enum.members]
-    parts += [_type(struct) for struct in declared.structs.values()]
+        constants[KINDS["int"]] += [f"{name} = {value}" for name, value, _ in enum.members]
+    parts = [HEAD] + [
+        _wrapped(f"  {kind}, parameter, public :: {', '.join(names)}", 2) for kind, names in constants.items()
+    ]
+    for struct in declared.structs.values():
+        parts.append(f"  type, public, bind(c) :: {struct.name}_t\n")
+        for kind, fields in groupby(struct.fields, _field):
+            parts.append(_wrapped(f"    {kind} :: {', '.join(field.name for field in fields)}", 4))
+        parts.append("  end type\n")
     for made in declared.objects.values():
         name = made.name
         parts.append(f'  type({made.type.split()[-1]}_t), protected, public, bind(c, name="{name}") :: {name}\n')
-    public: List[str] = []
-    bound, generic, elementals = "", "", ""
-    for call in calls(declared).values():
-        name, function = call.function.name, call.function
-        public.append(name)
-        if call.kind != "elementwise":
-            bound += _binding(function, f"c_{name}" if function.result == "const char *" else name)
-            continue
-        for form, real in ((function, "double"), (call.float_function, "float")):
-            if form:
-                binding = f"c_{name}" if form is function else form.name
-                bound += _binding(form, binding, "pure ")
-                elementals += _elemental(call, form, f"{name}_{real}" if call.float_function else name, binding, real)
-        if call.float_function:
-            generic += f"  interface {name}\n"
-            generic += _wrapped(f"    module procedure {name}_double, {name}_float", 4) + "  end interface\n"
-        arrays = [form for form in (call.array, call.float_array) if form]
-        if len(arrays) > 1:
-            generic += f"  interface {name}_array\n"
-            generic += "".join(_binding(form, f"c_{form.name}") for form in arrays) + "  end interface\n"
+    bound, contained = "", ""
+    for name, function in declared.functions.items():
+        inner = f"c_{name}"
+        if function.result == "const char *":
+            bound += _binding(function, inner)
+            contained += _text(function, inner)
+        elif is_elementwise(function):
+            bound += _binding(function, inner, "pure ")
+            contained += _elemental(function, inner)
         else:
-            bound += "".join(_binding(form, form.name) for form in arrays)
-        public += [f"{name}_array"] if arrays else []
-    parts += ["  interface\n", bound, "  end interface\n", generic, _wrapped(f"  public :: {', '.join(public)}", 2)]
-    return "".join(parts) + "\ncontains\n" + elementals + TEXT + "end module\n"
+            bound += _binding(function, name)
+    public = _wrapped(f"  public :: {', '.join(declared.functions)}", 2)
+    return "".join(parts) + f"  interface\n{bound}  end interface\n{public}\ncontains\n{contained}{TEXT}end module\n"
 
 
 def _binding(function: Function, name: str, pure: str = "") -> str:
@@ -98,61 +91,57 @@ def _binding(function: Function, name: str, pure: str = "") -> str:
     what = "subroutine" if function.result == "void" else "function"
     result = "" if function.result == "void" else KINDS.get(function.result, "type(c_ptr)") + " "
     bind = f'bind(c, name="{function.name}")' if name != function.name else "bind(c)"
-    return (
-        _wrapped(f"    {pure}{result}{what} {name}({arguments}) {bind}", 4)
-        + _packed(["import"] + [_dummy(function, p) for p in function.parameters], 6)
-        + f"    end {what}\n"
-    )
+    dummies = [(_dummy(function, p), p.name + _shape(function, p)) for p in function.parameters]
+    head = f"{pure}{result}{what} {name}({arguments}) {bind}"
+    return _packed([head, "import", *_grouped(dummies), f"end {what}"], 4)
+
+
+def _grouped(declared: List[Tuple[str, str]]) -> List[str]:
+    """Declarations, one for each kind. declared: kind and name"""
+    kinds: Dict[str, List[str]] = {}
+    for kind, name in declared:
+        kinds.setdefault(kind, []).append(name)
+    return [f"{kind} :: {', '.join(names)}" for kind, names in kinds.items()]
+
+
+def _field(field: Parameter) -> str:
+    pointer = "type(c_funptr)" if "(*)" in field.type else "type(c_ptr)"
+    return pointer if "*" in field.type else KINDS[field.type]
+
+
+def _shape(function: Function, p: Parameter) -> str:
+    """(*) for an array"""
+    plain = p.type.replace("const ", "").rstrip("* ")
+    if plain.startswith("struct "):
+        many = plain == "struct cor_disk_mode" or function.name.endswith("_array") and p.name == "out"
+        return "(*)" if many else ""
+    return "(*)" if "*" in p.type and plain not in ("void", "size_t") else ""
+
+
+def _dummy(function: Function, p: Parameter) -> str:
+    """The kind of an argument of a function of C."""
+    plain = p.type.replace("const ", "").rstrip("* ")
+    constant = p.type.startswith("const ")
+    intent = "intent(in)" if constant else "intent(inout)"
+    optional = ", optional" if not constant and function.result != "void" else ""
+    if "*" not in p.type:
+        return f"{KINDS.get(p.type, 'integer(c_int)')}, value"
+    if plain == "void":
+        return "type(c_ptr), value"
+    if plain == "char":
+        return "character(kind=c_char), intent(in)"
+    if plain.startswith("struct "):
+        return f"type({plain.split()[1]}_t), {intent}{', optional' if p.name == 'detail' else ''}"
+    return f"{KINDS[plain]}, {intent}{optional}"
 
 
 def _packed(statements: List[str], indent: int) -> str:
     """Statements, as many on a line as it holds."""
-    lines = [" " * indent + statements[0]]
+    lines = [statements[0]]
     for statement in statements[1:]:
-        if len(lines[-1]) + len(statement) + 2 <= WIDTH + 2:
-            lines[-1] += "; " + statement
-        else:
-            lines.append(" " * indent + statement)
-    return "\n".join(lines) + "\n"
-
-
-def _constant(constant: Constant) -> str:
-    kind = constant_type(constant)
-    fortran = {"str": "character(len=*)", "int": KINDS["int"], "float": KINDS["double"]}[kind]
-    value = constant.text.strip("()") + ("_c_double" if kind == "float" else "")
-    return f"  {fortran}, parameter, public :: {constant.name} = {value}\n"
-
-
-def _type(struct: Struct) -> str:
-    text = f"  type, public, bind(c) :: {struct.name}_t\n"
-    for field in struct.fields:
-        pointer = "type(c_funptr)" if "(*)" in field.type else "type(c_ptr)"
-        text += f"    {pointer if '*' in field.type else KINDS[field.type]} :: {field.name}\n"
-    return text + "  end type\n"
-
-
-def _number(p: Parameter, real: str) -> str:
-    return KINDS.get(p.type.replace("double", real), "integer(c_int)")
-
-
-def _dummy(function: Function, p: Parameter) -> str:
-    """The declaration of an argument of a function of C."""
-    if is_value(p):
-        return f"{KINDS.get(p.type, 'integer(c_int)')}, value :: {p.name}"
-    plain = p.type.replace("const ", "").rstrip("* ")
-    intent = "intent(in)" if p.type.startswith("const ") else "intent(inout)"
-    if plain == "void":
-        return f"type(c_ptr), value :: {p.name}"
-    if plain == "char":
-        return f"character(kind=c_char), intent(in) :: {p.name}(*)"
-    if plain.startswith("struct "):
-        many = "(*)" if plain == "struct cor_disk_mode" or function.name.endswith("_array") and p.name == "out" else ""
-        optional = ", optional" if p.name == "detail" else ""
-        return f"type({plain.split()[1]}_t), {intent}{optional} :: {p.name}{many}"
-    if plain == "size_t":
-        return f"{KINDS[plain]}, {intent}, optional :: {p.name}"
-    optional = "" if p.type.startswith("const ") or function.result == "void" else ", optional"
-    return f"{KINDS[plain]}, {intent}{optional} :: {p.name}(*)"
+        fits = indent + len(lines[-1]) + len(statement) + 2 <= WIDTH
+        lines[-1:] = [f"{lines[-1]}; {statement}"] if fits else [lines[-1], statement]
+    return "".join(_wrapped(" " * (indent + 2 * (i > 0)) + line, indent) for i, line in enumerate(lines))
 
 
 def _wrapped(text: str, indent: int) -> str:
@@ -165,19 +154,24 @@ def _wrapped(text: str, indent: int) -> str:
     return "\n".join(lines + [text]) + "\n"
 
 
-def _elemental(call: Call, function: Function, name: str, binding: str, real: str) -> str:
-    names = argument_names(call.function)
-    kinds: Dict[str, List[str]] = {}
-    for p, argument in zip(call.function.parameters, names):
-        assert is_value(p) or is_input(p)
-        kind = _number(p, real) if is_value(p) else f"type({p.type.split()[2]}_t)"
-        kinds.setdefault(kind, []).append(argument)
-    return (
-        _wrapped(f"  elemental {KINDS[function.result]} function {name}({', '.join(names)}) result(value)", 2)
-        + _packed([f"{kind}, intent(in) :: {', '.join(arguments)}" for kind, arguments in kinds.items()], 4)
-        + _wrapped(f"    value = {binding}({', '.join(names)})", 4)
-        + "  end function\n"
-    )
+def _elemental(function: Function, inner: str) -> str:
+    names = argument_names(function)
+    kinds = [
+        KINDS.get(p.type, KINDS["int"]) if is_value(p) else f"type({p.type.split()[2]}_t)" for p in function.parameters
+    ]
+    head = f"elemental {KINDS[function.result]} function {function.name}({', '.join(names)}) result(value)"
+    dummies = _grouped([(f"{kind}, intent(in)", name) for kind, name in zip(kinds, names)])
+    return _packed([head, *dummies, f"value = {inner}({', '.join(names)})", "end function"], 2)
+
+
+def _text(function: Function, inner: str) -> str:
+    name = function.parameters[0].name
+    return f"""  function {function.name}({name}) result(text)
+    integer(c_int), intent(in) :: {name}
+    character(len=:), allocatable :: text
+    text = text_of({inner}({name}))
+  end function
+"""
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import os
 import re
 from typing import Dict, List
 
-from .calls import Call, argument_names, calls, input_struct, is_input, is_plain, is_value, output_struct
+from .calls import BY_HAND, Call, argument_names, calls, input_struct, is_input, is_plain, is_value, output_struct
 from .cffi_source import constant_type, has_float, kind_of
 from .declarations import Declarations, Enum, Parameter, Struct
 
@@ -26,6 +26,7 @@ from ._cor import lib
 from ._evaluate import Array, Elementwise, Init, Record, Struct, pointer, string
 '''
 
+NAMED = ("cor_law", "cor_end", "cor_quantity")  # enums of which Python has the names
 
 # "double cor_f(double x), cor_g(double y): " in a comment, or the first of these alone
 PROTOTYPE = re.compile(r"\bdouble cor_([\w<>]+)\([^)]*\)((?:,\s+\w+(?:\([^)]*\))?)*:\s+)?")
@@ -66,7 +67,9 @@ class _Module:
 
     def text(self) -> str:
         parts = [self._constants()]
-        parts += [self._enum(e) for e in self.declared.enums.values() if e.header in self.headers]
+        parts += [
+            self._enum(e) for e in self.declared.enums.values() if e.header in self.headers and e.name not in NAMED
+        ]
         parts.append(self._written_by_hand())
         parts += [self._struct(s) for s in self.declared.structs.values() if self._has_class(s)]
         parts += [self._function(c) for c in self.calls.values() if c.kind != "other"]
@@ -117,6 +120,9 @@ class _Module:
     def _written_by_hand(self) -> str:
         """Names that a module of the same name with _ before it has to have: an ImportError says which it lacks."""
         names = [self.short(c.function.name) for c in self.calls.values() if c.kind == "other"]
+        if self.name == "law":
+            names += sorted(set(BY_HAND.values()))
+            self.public += names
         made = [o for o in self.declared.objects.values() if o.header in self.headers]
         names += [self.declared.short_name(o.name, o.header) for o in made]
         if self.name == "disk":
@@ -233,7 +239,7 @@ class _Module:
         return PROTOTYPE.sub(lambda f: re.sub(f"^{self.name}_", "", f[1]) + (": " if f[2] else ""), doc)
 
     def _forms(self, call: Call) -> str:
-        forms = [f.name for f in (call.function, call.array, call.float_function, call.float_array) if f]
+        forms = [f.name for f in (call.function, call.array) if f]
         return f"\n\nC: {', '.join(forms)}"
 
 

@@ -5,13 +5,13 @@ import math
 import re
 import warnings
 from fractions import Fraction
-from typing import Any, Dict, Optional, Sequence, Tuple
+from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._cor import ffi, lib
-from ._evaluate import Array, CorWarning, address, caller, in_parts, like, number, string
+from ._evaluate import Array, CorWarning, address, caller, in_parts, like, number, one_of, string
 from .contact import Body
 
 _NUMBERS = [string(lib.cor_scene_number_names[i]).replace("-", "_") for i in range(lib.COR_SCENE_NUMBERS)]
@@ -19,14 +19,6 @@ _LAWS = [string(lib.cor_law_name(law)) for law in range(lib.COR_LAW_ELASTIC_PLAS
 _ADHESION = ("none", "dmt", "jkr")
 _DAMPINGS = ("g_star", "beta", "zeta", "restitution", "damping_coefficient", "dissipation_time", "viscosity")
 _MAY_BE_ZERO = re.compile("dissipation_time|zeta|(bulk_)?viscosity(_2)?$")
-
-
-def one_of(argument: str, value: object, allowed: Sequence[str]) -> int:
-    """The index of a name, which may have _ or a space for each hyphen."""
-    name = re.sub("[_ ]", "-", str(value).lower())
-    if name not in allowed:
-        raise ValueError(f"{argument}: {value!r}; allowed: {', '.join(allowed)}")
-    return list(allowed).index(name)
 
 
 def raise_text(text: Any) -> None:

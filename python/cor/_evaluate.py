@@ -2,6 +2,7 @@
 """Broadcasting, dtypes, structs and errors: how the generated modules call the loops of the C module."""
 
 import operator
+import re
 import sys
 import time
 import warnings
@@ -72,6 +73,14 @@ def number(name: str, value: Any, integer: bool = False, least: int = 0) -> Any:
     if integer and not least <= made < 2**63:
         raise OverflowError(f"{name}: {made} is not from {least} to 2^63 - 1")
     return made
+
+
+def one_of(argument: str, value: object, allowed: Sequence[str]) -> int:
+    """The index of a name, which may have _ or a space for each hyphen."""
+    names = [re.sub("[_ ]", "-", str(name).lower()) for name in (value, *allowed)]
+    if names[0] not in names[1:]:
+        raise ValueError(f"{argument}: {value!r}; allowed: {', '.join(allowed)}")
+    return names.index(names[0], 1) - 1
 
 
 def mask_of(values: Sequence[Any], shape: Tuple[int, ...]) -> Any:

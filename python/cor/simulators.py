@@ -12,9 +12,9 @@ from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._contact import Contact, one_of, raise_text
+from ._contact import Contact, raise_text
 from ._cor import ffi, lib
-from ._evaluate import like, number, string
+from ._evaluate import like, number, one_of, string
 from .contact import Body
 
 _Bodies = Union[Contact, Body, Tuple[Body, Body], None]

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: MIT
 ! The Fortran module: values of each kind of function, against numbers known otherwise and against the loops of C.
 program test_cor
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_float, c_int, c_loc, c_null_char, c_null_funptr, &
-    c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_int, c_loc, &
+    c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_positive_inf, ieee_value
   use cor
   implicit none
@@ -11,6 +11,7 @@ program test_cor
 
   call elemental_functions()
   call arrays()
+  call laws()
   call contacts()
   call disks()
   call optional_arguments()
@@ -37,7 +38,6 @@ contains
     call expect('eps(1), 20 digits by corgen', abs(eps(1, 2) - 0.3939306032298731930511811_c_double) < 1e-16_c_double)
     call expect('eps(-1)', ieee_is_nan(eps(2, 2)))
     call expect('eps(inf)', abs(cor_sphere_eps_zero_force(infinity)) <= 0)
-    call expect('float', abs(cor_sphere_eps_zero_force(1.0_c_float) - 0.39393060_c_float) < 1e-7_c_float)
     call expect('exponent', &
       abs(cor_hunt_crossley_duration(0.0_c_double, 1.0_c_double) - acos(-1.0_c_double)) < 1e-15_c_double)
     call expect('depth', abs(cor_sphere_eps_simple_fraction(0.5_c_double, 0_c_int) - 1) <= 0)
@@ -46,19 +46,49 @@ contains
 
   subroutine arrays()
     real(c_double) :: x(n), y(n)
-    real(c_float) :: xf(n), yf(n)
     integer :: i
     x = [(0.01_c_double * i, i = 0, n - 1)]
-    xf = real(x, c_float)
     call cor_sphere_eps_zero_force_array(x, y, int(n, c_size_t))
     call expect('array', all(abs(y - cor_sphere_eps_zero_force(x)) <= 0))
-    call cor_sphere_eps_zero_force_array(xf, yf, int(n, c_size_t))
-    call expect('array of float', all(abs(yf - cor_sphere_eps_zero_force(xf)) <= 0))
     call cor_hunt_crossley_max_overlap_array(x, 1.5_c_double, y, int(n, c_size_t))
     call expect('array with an exponent', all(abs(y - cor_hunt_crossley_max_overlap(x, 1.5_c_double)) <= 0))
     y = -1
     call cor_sphere_eps_zero_force_array(x, y, 0_c_size_t)
     call expect('no element', all(y < 0))
+  end subroutine
+
+  ! Every function of the table, as a number, as an array, in float and by its pointer
+  subroutine laws()
+    real(c_double) :: x(3), y(3), z(3)
+    real(c_float) :: yf(3)
+    type(cor_law_function_t), pointer :: found
+    type(c_ptr) :: at
+    integer(c_int) :: law, end_of, quantity
+    integer :: functions
+    x = [0.1_c_double, 0.5_c_double, 1.0_c_double]
+    functions = 0
+    do law = 0, COR_LAWS - 1
+      do end_of = 0, COR_ENDS - 1
+        do quantity = 0, COR_QUANTITIES - 1
+          at = cor_law_function(law, end_of, quantity)
+          y = cor_law_value(law, end_of, quantity, x)
+          call cor_law_array(law, end_of, quantity, x, z, 3_c_size_t)
+          call cor_law_arrayf(law, end_of, quantity, real(x, c_float), yf, 3_c_size_t)
+          if (.not. c_associated(at)) then
+            call expect('absent', all(ieee_is_nan(y)) .and. all(ieee_is_nan(z)) .and. all(ieee_is_nan(yf)))
+            cycle
+          end if
+          call c_f_pointer(at, found)
+          call expect('law', found%least < 1 .and. found%largest >= 1 .and. .not. any(ieee_is_nan(y) .or. ieee_is_nan(z)) &
+            .and. .not. any(abs(y - z) > 0 .or. abs(yf - y) > 1e-5_c_double * abs(y)))
+          functions = functions + 1
+        end do
+      end do
+    end do
+    call expect('functions', functions > 70)
+    call expect('tsuji', abs(cor_law_value(COR_LAW_TSUJI, COR_END_ZERO_OVERLAP, COR_EPS, 0.0_c_double) - 1) <= 0)
+    call expect('names', cor_law_name(COR_LAW_HUNT_CROSSLEY) == 'hunt-crossley' .and. cor_law_name(COR_LAWS) == '' &
+      .and. cor_end_name(COR_END_LIMITED) == 'limited' .and. cor_quantity_name(COR_DURATION) == 'duration')
   end subroutine
 
   subroutine contacts()

@@ -86,25 +86,6 @@ def test_numbers_alone():
         cor.contact.eps_zero_force(0.3, 1.0)
 
 
-def test_fast_arrays():
-    narrow = X.astype(np.float32).reshape(4, 6)
-    fast = cor.sphere.eps_zero_force_fast_arrayf(narrow)
-    assert fast.dtype == np.float32 and fast.shape == (4, 6)
-    np.testing.assert_allclose(fast, cor.sphere.eps_zero_force(narrow), rtol=2.0**-23)
-    out = np.empty((6, 4), np.float32).T
-    assert cor.sphere.eps_zero_force_fast_arrayf(narrow, out=out) is out
-    np.testing.assert_array_equal(out, fast)
-    assert cor.sphere.loss_zero_overlap_fast_arrayf(np.float32(0)) == 0
-    assert cor.sphere.eps_zero_force_fastf(narrow[1, 2]) == fast[1, 2]
-    assert cor.sphere.eps_zero_force_fastf(0.0) == cor.sphere.eps_zero_force_fastf(0) == 1
-    assert type(cor.sphere.eps_zero_force_fastf(0.5)) is np.float32
-    for function, wrong in ((cor.sphere.eps_zero_force_fastf, X[0]), (cor.sphere.max_overlap_fast_arrayf, X)):
-        with pytest.raises(TypeError, match="float32 is needed"):
-            function(wrong)
-    with pytest.raises(ValueError, match="shape"):
-        cor.sphere.max_overlap_fast_arrayf(narrow, out=np.empty(3, np.float32))
-
-
 def test_broadcasting():
     speed, nu = np.array([[0.01], [0.02], [0.1]]), np.array([0.1, 0.2, 0.3, 0.33])
     result = cor.disk.eps(speed, nu)
