@@ -27,7 +27,7 @@ struct generated {
 
 static const struct generated files[] = {
     {"cor_sphere.h", sphere_header_write, NULL},
-    {"sphere_tables.h", sphere_tables_write, NULL},
+    {"sphere_rows.h", sphere_rows_write, NULL},
     {"sphere_float_tables.h", sphere_float_tables_write, NULL},
     {"hertz_dashpot_tables.h", hertz_dashpot_tables_write, NULL},
     {"closed_form_tables.h", closed_form_tables_write, NULL},

@@ -15,11 +15,11 @@
 #include "support/decimal.h"
 #include "support/emit_c.h"
 
-/* cor_sphere.h, the tables and the evaluator as one header to embed; sphere_tables.h, which takes these tables for the
- * library and adds those of damped approach; sphere_float_tables.h, those of float arithmetic. They share data that are
- * computed once, until sphere_tables_clear. */
+/* sphere_rows.h, the tables of spheres; cor_sphere.h, which includes them, the evaluator as a header to embed;
+ * sphere_float_tables.h, the tables of float arithmetic. The tables share data that are computed once, until
+ * sphere_tables_clear. */
 int sphere_header_write(FILE *file);
-int sphere_tables_write(FILE *file);
+int sphere_rows_write(FILE *file);
 int sphere_float_tables_write(FILE *file);
 void sphere_tables_clear(void);
 

@@ -206,12 +206,12 @@ static int emit_tables(struct emit *e)
                 data.inverse_bits);
         status = law_tables_emit_far(e, &data.tables, far_tables[i].quantity, far_tables[i].name);
     }
-    return status;
+    return status == STATUS_OK ? law_tables_emit_approach(e, &data.tables, "cor_rows") : status;
 }
 
 static const char header_banner[] =
     "cor_sphere.h: restitution coefficient, duration and largest overlap of colliding viscoelastic spheres,\n"
-    "x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for every beta, as one header to embed.\n"
+    "x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for every beta, to embed with sphere_rows.h.\n"
     "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, log and fabs of math.h, memcpy, IEEE doubles.\n"
     "\n"
     "    double cor_inline_eps_zero_overlap(double beta);            also _zero_force\n"
@@ -234,54 +234,48 @@ static const char header_banner[] =
     "beyond a table, and -ffast-math and -march=native change a result by 4 units at most (sampled).\n"
     "Zero overlap ends the contact when x = 0 again, zero force when x'' = 0.\n"
     "\n"
-    "Rows of short polynomials around the nodes of uniform grids, and what follows at large beta. Each double\n"
-    "is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of each. Errors of\n"
-    "the rows stand above each table, those of the formulas for large beta above the formulas, proved for every\n"
-    "argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through collisions enclosed\n"
-    "to 76 bits or more (proved). Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n";
+
+int sphere_header_write(FILE *file)
+{
+    struct emit e;
+    emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
+    /* COR_ROWS is defined otherwise than in runtime/table/rows.h: each table is local to its function, for GPUs. */
+    fprintf(file,
+            "\n%s\n%s\n%s\n%s"
+            "#define COR_ROWS(type, name, rows, columns) \\\n"
+            "    COR_INLINE const type *name(int i) { static const type row[rows][columns]\n"
+            "#define COR_ROWS_HERE\n"
+            "#define COR_ROWS_FUNCTION(type, name) return row[i]; }\n"
+            "#include \"sphere_rows.h\"\n"
+            "#undef COR_ROWS\n#undef COR_ROWS_HERE\n#undef COR_ROWS_FUNCTION\n%s",
+            evaluator_inline, evaluator_pair, evaluator_fifth_root, evaluator_row, evaluator_sphere);
+    emit_close(&e);
+    return STATUS_OK;
+}
+
+static const char rows_banner[] =
+    "The rows of the sphere's tables, for libcor (runtime/sphere/eval.h, approach_only.c) and for cor_sphere.h,\n"
+    "which defines COR_ROWS. Rows of short polynomials around the nodes of uniform grids, and the formulas at large\n"
+    "beta. Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
+    "each. Errors of the rows are above each table, those of the formulas for large beta above the formulas, proved\n"
+    "for every argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through collisions\n"
+    "enclosed to 76 bits or more (proved). Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
     "\n"
     "Written by:  corgen tables\n"
     "Checked by:  corgen tables --check\n";
 
-/* What runtime/table/rows.h is for the library: here each table is local to its function, for GPUs. */
-static const char rows_here[] = "#define COR_ROWS(type, name, rows, columns) \\\n"
-                                "    COR_INLINE const type *name(int i) { static const type row[rows][columns]\n"
-                                "#define COR_ROWS_HERE\n"
-                                "#define COR_ROWS_FUNCTION(type, name) return row[i]; }\n",
-                  rows_end[] = "#undef COR_ROWS\n#undef COR_ROWS_HERE\n#undef COR_ROWS_FUNCTION\n";
-
-int sphere_header_write(FILE *file)
+int sphere_rows_write(FILE *file)
 {
     if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
-    emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
+    emit_open(&e, file, "COR_GENERATED_SPHERE_ROWS_H", rows_banner);
     e.decimal = true;
     e.shared = true;
-    fprintf(file, "\n#ifndef COR_SPHERE_ROWS_ONLY /* libcor takes the rows alone */\n%s\n%s\n%s\n%s%s#endif\n",
-            evaluator_inline, evaluator_pair, evaluator_fifth_root, evaluator_row, rows_here);
+    fputs("\n#ifndef COR_ROWS\n" EMIT_INCLUDE_ROWS "#endif\n", file);
     const int status = emit_tables(&e);
-    fprintf(file, "\n#ifndef COR_SPHERE_ROWS_ONLY\n%s%s#endif\n", evaluator_sphere, rows_end);
-    emit_close(&e);
-    return status;
-}
-
-static const char tables_of_sphere[] =
-    "The rows of cor_sphere.h for the library, and those of damped approach. Evaluated by runtime/sphere/eval.h and\n"
-    "approach_only.c. Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n",
-                  how_tables[] =
-                      "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 "
-                      "digits of\n"
-                      "each. Errors of the rows stand above each table. Errors of evaluation: include/cor/sphere.h.\n";
-
-int sphere_tables_write(FILE *file)
-{
-    if (sphere_data_make())
-        return STATUS_FAILED;
-    struct emit e;
-    emit_open_tables(&e, file, "sphere", tables_of_sphere, how_tables,
-                     "\n" EMIT_INCLUDE_ROWS "#define COR_SPHERE_ROWS_ONLY\n#include \"generated/cor_sphere.h\"\n");
-    const int status = law_tables_emit_approach(&e, &data.tables, "cor_rows");
     emit_close(&e);
     return status;
 }

@@ -16,7 +16,7 @@
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
-#include "generated/sphere_tables.h"
+#include "generated/sphere_rows.h"
 #include "runtime/number/fifth_root.h"
 #include "runtime/table/row.h"
 

@@ -5,7 +5,7 @@
 
 #include "approximation/row_proof.h"
 #include "enclosure/collision.h"
-#include "generated/sphere_tables.h"
+#include "generated/sphere_rows.h"
 #include "support/local.h"
 
 enum { BITS = 256 };

@@ -5,7 +5,7 @@
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
  * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS.
- * TABLES.h is generated/cor_sphere.h, of which the proved errors of rows in beta^5 are read as text. The exit status
+ * TABLES.h is generated/sphere_rows.h, of which the proved errors of rows in beta^5 are read as text. The exit status
  * is 1 if the evaluator does not compute the formula of a row. */
 #include "trace.h"
 

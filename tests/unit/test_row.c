@@ -6,7 +6,7 @@
 #include "generated/disk_law_tables.h"
 #include "generated/hertz_dashpot_tables.h"
 #include "generated/hunt_crossley_tables.h"
-#include "generated/sphere_tables.h"
+#include "generated/sphere_rows.h"
 #include "generated/tsuji_tables.h"
 #include "runtime/law/closed_form.h"
 #include "runtime/table/row.h"
