@@ -94,7 +94,7 @@ bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t li
 static bool known_block(struct pade_block *b, const struct pade_request *r)
 {
     const struct ratio powers[2] = {{1, 1}, {-1, 1}};
-    if (r->kind != PADE_ORDINARY || r->end != END_ZERO_OVERLAP)
+    if (r->kind != PADE_ORDINARY || r->end != COR_END_ZERO_OVERLAP)
         return false;
     for (int i = 0; i < 2; i++) {
         const slong k = restitution_exact_zero(powers[i], &r->law);
@@ -316,9 +316,9 @@ void pade_print_analysis(FILE *file, const struct pade_analysis *a, const char *
     }
 }
 
-static const char *end_name(enum contact_end end)
+static const char *end_name(enum cor_end end)
 {
-    return end == END_ZERO_FORCE ? "zero force" : "zero overlap";
+    return end == COR_END_ZERO_FORCE ? "zero force" : "zero overlap";
 }
 
 /* 1 - a_1 x + a_2 x^2 - a_3 x^3 + a_4 x^4 with the printed a_k, then 0 as if a_5 vanished: (32),
@@ -348,7 +348,7 @@ const char *pade_refusal(const struct pade_request *r)
         return "the degrees of a Padé are not negative";
     if (r->kind == PADE_TWO_POINT && !law_is_sphere(&r->law))
         return "a two-point Padé needs the tail at infinity, known for the sphere's law only";
-    if (r->kind == PADE_TWO_POINT && r->end != END_ZERO_OVERLAP)
+    if (r->kind == PADE_TWO_POINT && r->end != COR_END_ZERO_OVERLAP)
         return "a two-point Padé exists at zero overlap only: at zero force the tail has "
                "logarithms";
     if (r->kind == PADE_TWO_POINT && r->denominator != r->numerator + TAIL_POWER)
@@ -370,7 +370,7 @@ static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pad
         status = series_eps(c, &f->root, r->end, m + n, &r->law, prec);
         if (status)
             break;
-        if (m > 0 || r->end != END_ZERO_OVERLAP) {
+        if (m > 0 || r->end != COR_END_ZERO_OVERLAP) {
             *regular = pade_of_series(f, c, m, n, prec);
             break;
         }

@@ -23,7 +23,7 @@ extern const char *const published_a[4], *const published_d[5];
 struct pade_request {
     enum pade_kind kind;
     slong numerator, denominator;
-    enum contact_end end;
+    enum cor_end end;
     struct law law;
 };
 
@@ -124,7 +124,7 @@ int pade_round(struct pade_rounded *r, const struct pade *f);
 /* eps for both ends of contact at exact rational beta, the sample points of the approximation error */
 struct references {
     fmpq *beta;
-    arb_ptr eps[2]; /* by enum contact_end */
+    arb_ptr eps[2]; /* by enum cor_end */
     slong count, even, far;
 };
 
@@ -145,7 +145,7 @@ LOCAL_STRUCT(pade_error)
 
 /* Error of the exact functions of the rounded coefficients, which includes the rounding of the coefficients.
  * Sampled. */
-void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
+void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum cor_end end,
                               const struct references *s);
 
 /* Error of their evaluation in double (round to nearest, with or without fused multiply-add) for 0 <= beta <= beta_max,

@@ -79,8 +79,8 @@ static void reference_collide(void *context, slong i)
     arb_set_fmpq(beta, s->beta + i, 2 * BITS);
     if (collision_solve(c, beta, work->law, BITS) != STATUS_OK)
         atomic_store(&work->failed, true);
-    arb_set(s->eps[END_ZERO_OVERLAP] + i, c->eps_zero_overlap);
-    arb_set(s->eps[END_ZERO_FORCE] + i, c->eps_zero_force);
+    arb_set(s->eps[COR_END_ZERO_OVERLAP] + i, c->eps_zero_overlap);
+    arb_set(s->eps[COR_END_ZERO_FORCE] + i, c->eps_zero_force);
 }
 
 int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
@@ -144,7 +144,7 @@ static double relative(const arb_t approximate, const arb_t exact)
     return upper_bound(x);
 }
 
-void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
+void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum cor_end end,
                               const struct references *s)
 {
     LOCAL(arb, beta, z, p, q, l, lost);

@@ -22,15 +22,19 @@ static const struct {
     {{"t_max", "time_of_max_overlap_s"}, "time of the largest overlap", OPTIONS_NOT_GIVEN},
     {{"eps_zero_overlap", "eps_zero_overlap"},
      "coefficient of restitution, contact ends at zero overlap",
-     END_ZERO_OVERLAP},
-    {{"t_zero_overlap", "duration_s_zero_overlap"}, "duration of that contact", END_ZERO_OVERLAP},
-    {{"eps_zero_force", "eps_zero_force"}, "coefficient of restitution, contact ends at zero force", END_ZERO_FORCE},
-    {{"t_zero_force", "duration_s_zero_force"}, "duration of that contact", END_ZERO_FORCE},
+     COR_END_ZERO_OVERLAP},
+    {{"t_zero_overlap", "duration_s_zero_overlap"}, "duration of that contact", COR_END_ZERO_OVERLAP},
+    {{"eps_zero_force", "eps_zero_force"},
+     "coefficient of restitution, contact ends at zero force",
+     COR_END_ZERO_FORCE},
+    {{"t_zero_force", "duration_s_zero_force"}, "duration of that contact", COR_END_ZERO_FORCE},
     {{"eps_surface", "eps_surface"}, "restitution at the surface, contact ends at zero force", END_SURFACE},
     {{"t_surface", "duration_s_surface"}, "time until the bodies are there again", END_SURFACE},
     {{NULL, "max_force_n"}, "largest force between the bodies", OPTIONS_NOT_GIVEN},
     /* --threshold */
-    {{"sticking_force_zero_overlap", NULL}, "force from which on the overlap never vanishes again", END_ZERO_OVERLAP},
+    {{"sticking_force_zero_overlap", NULL},
+     "force from which on the overlap never vanishes again",
+     COR_END_ZERO_OVERLAP},
     {{"sticking_force_surface", NULL}, "force from which on the bodies never reach the surface again", END_SURFACE}};
 
 #define BETA_MAX 1e6
@@ -52,7 +56,7 @@ static bool is_printed(int i, const struct collide_arguments *o)
 {
     const int end = column[i].end;
     return column[i].name[in_si(o)] && (i == BETA || (i >= STICKING) == o->threshold) &&
-           !(i == FORCE_MAX && is_pressed(o)) && end != (is_pressed(o) ? END_ZERO_FORCE : END_SURFACE) &&
+           !(i == FORCE_MAX && is_pressed(o)) && end != (is_pressed(o) ? COR_END_ZERO_FORCE : END_SURFACE) &&
            (end == OPTIONS_NOT_GIVEN || o->end == OPTIONS_NOT_GIVEN || o->end == end);
 }
 

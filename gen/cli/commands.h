@@ -20,7 +20,7 @@ struct trajectory_arguments {
 struct series_arguments {
     struct option_common common;
     slong order, digits;
-    enum contact_end end;
+    enum cor_end end;
     bool exact;
     struct option_law law;
 };
@@ -40,7 +40,7 @@ struct collide_arguments {
         speed;            /* of beta and the others, one is given */
     struct decimal force; /* text NULL: none */
     bool threshold;
-    int end; /* enum contact_end; OPTIONS_NOT_GIVEN: both */
+    int end; /* enum cor_end; OPTIONS_NOT_GIVEN: both */
     slong digits;
     struct option_law law;
 };
@@ -74,7 +74,7 @@ struct fit_arguments {
     const char *law;  /* names of models */
     const char *plot; /* file, or NULL */
     int unit;         /* enum fit_unit */
-    int end;          /* enum contact_end, or OPTIONS_NOT_GIVEN: both */
+    int end;          /* enum cor_end, or OPTIONS_NOT_GIVEN: both */
     struct decimal gravity;
     struct embed_request scene; /* of its numbers only those of the bodies */
     const char *separator;      /* its name or itself, or NULL */

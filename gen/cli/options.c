@@ -33,7 +33,7 @@ const struct option_numbers option_disk_poisson = {{"-1", "1", false, false, fal
                                                    DECIMAL_SIGN | DECIMAL_RATIO};
 const struct values_rule option_speeds = {
     "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
-_Static_assert(sizeof(enum contact_end) == sizeof(int), "OPTION_WORD fills an int");
+_Static_assert(sizeof(enum cor_end) == sizeof(int), "OPTION_WORD fills an int");
 
 static size_t count_rules(const struct option_rule *rules)
 {

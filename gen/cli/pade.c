@@ -34,7 +34,7 @@ static const char *header_title(const struct pade_request *r, slong root)
         return "Table I of the paper of 1999, from its printed a_k: wrong from the third order on";
     if (r->kind == PADE_TWO_POINT)
         return "eps at zero overlap, z = beta, series at 0 and tail at infinity";
-    if (r->end == END_ZERO_OVERLAP)
+    if (r->end == COR_END_ZERO_OVERLAP)
         return "eps at zero overlap, z = beta";
     return root == 2 ? "eps at zero force, z = sqrt(beta)" : "eps at zero force, z a root of beta";
 }
@@ -179,7 +179,7 @@ static int run_pade(const void *arguments)
     r->law = o->law.exponents;
     if (o->as_published && !law_is_sphere(&r->law))
         return usage_error("--as-published is the sphere's");
-    if (o->as_published && r->end != END_ZERO_OVERLAP)
+    if (o->as_published && r->end != COR_END_ZERO_OVERLAP)
         return usage_error("--as-published: the paper ends the contact at zero overlap");
     if (o->as_published && r->numerator <= 0 && r->denominator <= 0) { /* not given */
         r->numerator = PUBLISHED_NUMERATOR;

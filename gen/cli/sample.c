@@ -18,7 +18,7 @@ static int run_sample(const void *arguments)
     struct sample sample;
     struct output out;
     if (scene.end == OPTIONS_NOT_GIVEN)
-        scene.end = END_ZERO_OVERLAP;
+        scene.end = COR_END_ZERO_OVERLAP;
     struct sample_request request = {.contact = &contacts.contact[0],
                                      .law = &contacts.law,
                                      .speed_min = embed_number(&scene, EMBED_SPEED_MIN),
@@ -42,7 +42,7 @@ static int run_sample(const void *arguments)
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
     if (status != STATUS_OK)
         return status;
-    request.end = (enum contact_end)contacts.scene.end;
+    request.end = (enum cor_end)contacts.scene.end;
     contact_warn_yield(&contacts, request.speed_max);
     status = sample_choose(&sample, &request);
     if (status == STATUS_OK)

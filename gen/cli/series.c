@@ -15,15 +15,15 @@ static int fill_series(struct table *table, char undecided[PROVED_TABLE_NAME], c
 {
     const struct series_arguments *const o = arguments;
     const struct law *const law = &o->law.exponents;
-    const bool force = o->end == END_ZERO_FORCE;
+    const bool force = o->end == COR_END_ZERO_FORCE;
     char header[64];
     slong root = 1;
     LOCAL(series, s);
     LOCAL(arb_poly, eps);
     LOCAL(arb, c);
     profile_step("series");
-    const int status =
-        force ? series_eps(eps, &root, END_ZERO_FORCE, o->order, law, bits) : series_compute(s, o->order, law, bits);
+    const int status = force ? series_eps(eps, &root, COR_END_ZERO_FORCE, o->order, law, bits)
+                             : series_compute(s, o->order, law, bits);
     snprintf(header, sizeof header,
              !force      ? "k,y_k,tau_k,C_k"
              : root == 1 ? "power_of_beta,coefficient"
@@ -74,7 +74,7 @@ static int fill_exact(struct table *table, char undecided[PROVED_TABLE_NAME], co
 static int run_series(const void *arguments)
 {
     const struct series_arguments *const o = arguments;
-    if (o->exact && o->end != END_ZERO_FORCE)
+    if (o->exact && o->end != COR_END_ZERO_FORCE)
         return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
     const struct proved_table table = {o->digits, o, o->exact ? fill_exact : fill_series, NULL};
     return proved_table_write(&table, &o->common);

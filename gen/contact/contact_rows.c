@@ -20,7 +20,7 @@ static bool is_jkr(const struct contacts *contacts)
 
 const char *contact_end_text(const struct cor_scene_contact *contact, int end)
 {
-    return contact->force_n > 0 && end == END_ZERO_FORCE ? "the surface" : cor_end_names[end];
+    return contact->force_n > 0 && end == COR_END_ZERO_FORCE ? "the surface" : cor_end_names[end];
 }
 
 /* The name of an end, as columns have it */
@@ -42,7 +42,7 @@ void contact_summary(struct table *table, const struct contacts *contacts, doubl
             continue;
         snprintf(text, sizeof text, "%s", q->name);
         for (int k = 0; k < COR_SCENE_ENDS; k++) {
-            char *const at = strstr(text, k == END_ZERO_FORCE ? "zero_force" : "zero_overlap");
+            char *const at = strstr(text, k == COR_END_ZERO_FORCE ? "zero_force" : "zero_overlap");
             if (at)
                 snprintf(at, sizeof text - (size_t)(at - text), "%s", end_of(contacts, k));
         }
@@ -212,10 +212,10 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
         const struct cor_scene_contact *const contact = &contacts->contact[i / speeds];
         const struct cor_scene_impact *const impact = &row[i].impact;
         const double value[] = {impact->beta,
-                                impact->eps[END_ZERO_OVERLAP],
-                                impact->eps[END_ZERO_FORCE],
-                                impact->duration_s[END_ZERO_OVERLAP] * known,
-                                impact->duration_s[END_ZERO_FORCE] * known,
+                                impact->eps[COR_END_ZERO_OVERLAP],
+                                impact->eps[COR_END_ZERO_FORCE],
+                                impact->duration_s[COR_END_ZERO_OVERLAP] * known,
+                                impact->duration_s[COR_END_ZERO_FORCE] * known,
                                 impact->max_overlap_m * known,
                                 cor_scene_force_max_n(contact, row[i].speed_m_s),
                                 time_step * known};

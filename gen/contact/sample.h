@@ -23,7 +23,7 @@ enum { SAMPLE_QUANTITIES = 2 }; /* eps and duration */
 struct sample_request {
     const struct cor_scene_contact *contact;
     const struct law *law; /* for the title of the table */
-    enum contact_end end;
+    enum cor_end end;
     double speed_min, speed_max; /* m/s */
     double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */
     bool log;                    /* interpolation in the logarithm of the speed */

@@ -126,9 +126,9 @@ static void search_pade(struct embed_form *best, const struct embed_scene *s)
 static void search_two_point(struct embed_form *best, const struct embed_scene *s)
 {
     LOCAL_INIT(pade, f, (&f));
-    if (s->end != END_ZERO_OVERLAP)
+    if (s->end != COR_END_ZERO_OVERLAP)
         snprintf(best->why, sizeof best->why, "at zero force large beta has no power law to match");
-    for (slong m = 0; s->end == END_ZERO_OVERLAP && 2 * m + 5 <= PADE_MAX && !best->found; m++)
+    for (slong m = 0; s->end == COR_END_ZERO_OVERLAP && 2 * m + 5 <= PADE_MAX && !best->found; m++)
         if (pade_two_point_of_series(&f, s->series, s->h_star_5, m, EMBED_BITS))
             try_quotient(best, s, &f, m, m + 5);
 }
@@ -201,7 +201,7 @@ static void search_family(void *context, slong family)
         families[family].search(form, s);
     } else {
         search_rational(form, s, variable);
-        if (s->end == END_ZERO_FORCE && variable == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
+        if (s->end == COR_END_ZERO_FORCE && variable == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
             search_rational(form, s, TENTH_ROOT_OF_SPEED);
     }
 }

@@ -127,10 +127,10 @@ enum {
 
 int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const struct law *law, int end, slong bits)
 {
-    const bool force = end != END_ZERO_OVERLAP && law_force_ends(law) && !arb_is_zero(beta);
+    const bool force = end != COR_END_ZERO_OVERLAP && law_force_ends(law) && !arb_is_zero(beta);
     LOCAL_INIT(collision, c, (&c));
     const int status =
-        collision_solve_pressed(&c, beta, pressing, law, force ? END_ZERO_FORCE : END_ZERO_OVERLAP, bits);
+        collision_solve_pressed(&c, beta, pressing, law, force ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP, bits);
     arb_set(eps, force ? c.eps_zero_force : c.eps_zero_overlap);
     return status ? STATUS_FAILED : STATUS_OK;
 }

@@ -285,7 +285,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     if (!embed_rounding_bound(&rounding, f))
         return STATUS_OK;
     proof->rounding = rounding.error;
-    const bool overlap = s->end == END_ZERO_OVERLAP || !law_force_ends(&s->law); /* otherwise the ends coincide */
+    const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* otherwise the ends coincide */
     struct prover w = {.f = f,
                        .s = s,
                        .quantity = overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE,

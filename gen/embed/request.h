@@ -23,7 +23,7 @@ extern const char *const embed_adhesion_names[]; /* of enum cor_adhesion, as opt
 struct embed_request {
     struct decimal number[EMBED_NUMBERS]; /* text NULL: not given; none for viscosities */
     const char *viscosity[2];             /* "ETA1,ETA2" in Pa s of each body; NULL: not given */
-    int end;                              /* enum contact_end as an option has it, or COR_BOTH_ENDS */
+    int end;                              /* enum cor_end as an option has it, or COR_BOTH_ENDS */
     enum embed_purpose purpose;
     enum embed_type type;
     int law;                       /* enum cor_law up to COR_LAW_ELASTIC_PLASTIC */
@@ -53,7 +53,7 @@ struct law embed_law(const struct cor_exponents *exponents);
 /* True if a constant force acts, of gravity or of DMT adhesion */
 bool embed_is_pressed(const struct embed_request *request);
 
-/* The scene of a request without a solver; its end is END_ZERO_FORCE for the surface, too. Returns STATUS_OK, or
+/* The scene of a request without a solver; its end is COR_END_ZERO_FORCE for the surface, too. Returns STATUS_OK, or
  * STATUS_USAGE after a message. A viscosity that cannot be read is negative. */
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
 

@@ -35,7 +35,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
 {
     static const int first[] = {0, 2, 5, INTERPOLANT_FAR}; /* of a_0, ... */
     const double b = ball_middle(beta);
-    const bool overlap = s->end == END_ZERO_OVERLAP;
+    const bool overlap = s->end == COR_END_ZERO_OVERLAP;
     LOCAL(arb, z, mu, order, y);
     if (overlap && b >= OVERLAP_FAR) {
         LET(eps, EMBED_BITS, "s->h_star_5/beta^5", s->h_star_5, beta);
@@ -71,7 +71,7 @@ void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed
 
 static enum quantity quantity_of(const struct embed_scene *s)
 {
-    return s->end == END_ZERO_OVERLAP ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE;
+    return s->end == COR_END_ZERO_OVERLAP ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE;
 }
 
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
@@ -127,7 +127,7 @@ static void take_samples(struct embed_scene *s)
 /* Spheres without a constant force */
 static int scene_collide(struct embed_scene *s)
 {
-    const bool overlap = s->end == END_ZERO_OVERLAP;
+    const bool overlap = s->end == COR_END_ZERO_OVERLAP;
     if (!overlap || s->beta_min < OVERLAP_FAR) {
         s->interpolant = interpolant_new(&interpolant_sphere_proof, s->beta_min * (1 - 1e-9),
                                          overlap ? fmin(s->beta_max, OVERLAP_FAR) : s->beta_max * (1 + 1e-9));
@@ -200,7 +200,8 @@ static int press(struct embed_scene *s, const struct embed_request *request)
 /* Intervals in u = ln(beta) that begin at the end next to the sticking speed, at u_s, in ascending order */
 static void pressed_layout(struct embed_scene *s)
 {
-    const bool force = s->end == END_ZERO_FORCE && law_force_ends(&s->law), rises = law_speed_exponent(&s->law).num > 0;
+    const bool force = s->end == COR_END_ZERO_FORCE && law_force_ends(&s->law),
+               rises = law_speed_exponent(&s->law).num > 0;
     const double u_s = s->sticking_log, beyond = 1e-9;
     const double begin = rises ? log(s->beta_min) : log(s->beta_max), end = rises ? log(s->beta_max) : log(s->beta_min);
     struct interval *const list = xmalloc(MOST_PRESSED * sizeof *list);
@@ -245,7 +246,7 @@ static int scene_collide_law(struct embed_scene *s)
         pressed_layout(s);
     else if (law_layout_init(&s->layout, &s->law))
         return STATUS_FAILED;
-    else if (s->end == END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold)
+    else if (s->end == COR_END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold)
         return usage_error("at zero overlap the bodies part only above %.6g m/s (beta below %.6g); --speed-min is not",
                            s->speed_min * pow(s->layout.threshold / s->beta_max, 1 / ratio_double(q)),
                            s->layout.threshold);
@@ -333,7 +334,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
 {
     const struct law law = embed_law(&contact->law);
     int status = STATUS_OK;
-    *s = (struct embed_scene){.end = request->end == END_ZERO_OVERLAP ? END_ZERO_OVERLAP : END_ZERO_FORCE,
+    *s = (struct embed_scene){.end = request->end == COR_END_ZERO_OVERLAP ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE,
                               .single = request->type == EMBED_FLOAT,
                               .tolerance = embed_number(request, EMBED_TOLERANCE),
                               .law = law,

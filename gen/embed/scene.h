@@ -14,7 +14,7 @@ struct embed_samples {
 };
 
 struct embed_scene {
-    enum contact_end end;
+    enum cor_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
     struct law law, named; /* of beta, and of the request: see by_speed */

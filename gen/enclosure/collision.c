@@ -170,10 +170,10 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
                             slong bits)
 {
     enum { MOST_BITS = 1 << 11 };
-    const bool elastic = arb_is_zero(beta), alone = end == END_ZERO_FORCE && law_force_ends(law) && !elastic;
-    const enum ends ends = alone ? ENDS_ZERO_FORCE : end == END_ZERO_OVERLAP ? ENDS_ZERO_OVERLAP : ENDS_BOTH;
+    const bool elastic = arb_is_zero(beta), alone = end == COR_END_ZERO_FORCE && law_force_ends(law) && !elastic;
+    const enum ends ends = alone ? ENDS_ZERO_FORCE : end == COR_END_ZERO_OVERLAP ? ENDS_ZERO_OVERLAP : ENDS_BOTH;
     if (arb_is_zero(force))
-        return ends_solve(c, beta, 1, law, end == END_ZERO_FORCE && !elastic ? ENDS_ZERO_FORCE : ends, bits);
+        return ends_solve(c, beta, 1, law, end == COR_END_ZERO_FORCE && !elastic ? ENDS_ZERO_FORCE : ends, bits);
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta) || !arb_is_positive(force))
         return fail("the damping beta of a collision must be a number >= 0, its constant force one > 0");
     const bool below = law->ad > 0 || HOLDS(bits, "force < 1", force);

@@ -20,7 +20,7 @@ int collision_solve_below(struct collision *c, const arb_t beta, double below, c
  * complete unloading and is cheap for any damping; otherwise the two ends coincide. */
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
-/* The collision x'' + beta x^b x' + x^a = force >= 0 (docs/theory.md, 24), at one end, an enum contact_end, or both,
+/* The collision x'' + beta x^b x' + x^a = force >= 0 (docs/theory.md, 24), at one end, an enum cor_end, or both,
  * -1; the fields of the other end are undefined. Under a force > 0, eps_zero_force and t_zero_force are those of the
  * surface: the bodies fly from zero force to x = 0. Bodies that stay together have eps exactly 0 and t = +inf, proved.
  * Under a force it fails too near to the threshold, and where the damping is too strong to be integrated. */

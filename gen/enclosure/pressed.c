@@ -66,7 +66,7 @@ static enum backward impact_speed(arb_t speed, const arb_t damping, const struct
     arb_neg(y.c1, damping);
     arb_one(y.c2);
     arb_one(y.c3);
-    start(&y, damping, end == END_ZERO_FORCE && power > 0);
+    start(&y, damping, end == COR_END_ZERO_FORCE && power > 0);
     for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
         progress("threshold of the force", step, 0);
         taylor_expand(&y);

@@ -64,7 +64,7 @@ static bool is_constant(const struct spheres *s)
 
 static int other_end(const struct spheres *s)
 {
-    return s->scene.end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+    return s->scene.end == COR_END_ZERO_FORCE ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE;
 }
 
 /* Replaces eps of a collision by eps under the constant force. */
@@ -99,7 +99,7 @@ static void collide_point(void *context, slong i)
         LET(c.eps_zero_overlap, EMBED_BITS, "(s->h_star/beta)^5", s->h_star, beta);
     }
     s->plan->at[i] = ball_middle(beta);
-    s->bare[i] = ball_middle(s->scene.end == END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force);
+    s->bare[i] = ball_middle(s->scene.end == COR_END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force);
     if (status == 0 && is_pressed(s))
         status = press_point(&c, s, s->plan->speed[i]);
     if (status != 0)
@@ -342,7 +342,7 @@ static void add_pades(const struct spheres *s)
     for (size_t i = 0; i < sizeof ordinary / sizeof *ordinary; i++)
         if (pade_of_series(&f, s->scene.series, ordinary[i][0], ordinary[i][1], PADE_BITS))
             add_pade(s, &f, s->scene.series_root, false);
-    if (s->scene.end == END_ZERO_OVERLAP)
+    if (s->scene.end == COR_END_ZERO_OVERLAP)
         for (size_t i = 0; i < sizeof two_point / sizeof *two_point; i++)
             if (pade_two_point_of_series(&f, s->scene.series, s->scene.h_star_5, two_point[i], PADE_BITS))
                 add_pade(s, &f, s->scene.series_root, true);
@@ -433,13 +433,13 @@ static void add_pressed(const struct spheres *s)
                               ".force_n = %.17g};\ndouble eps;\ncor_scene_eps(&eps, &contact, speed, %s);\n",
                               c->law.elastic, c->law.damping, c->law.denominator, c->mass_kg, c->stiffness,
                               isnan(c->radius_m) ? 0 : c->radius_m, c->damping, c->force_n,
-                              s->scene.end == END_ZERO_OVERLAP ? "COR_END_ZERO_OVERLAP" : "COR_END_ZERO_FORCE"));
+                              s->scene.end == COR_END_ZERO_OVERLAP ? "COR_END_ZERO_OVERLAP" : "COR_END_ZERO_FORCE"));
 }
 
 static void add_other_end(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
-    const enum contact_end end = contact_end_named(other_end(s), is_pressed(s));
+    const int end = contact_end_named(other_end(s), is_pressed(s));
     struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options_pressed[end]);
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
     model_takes_force(s, m, is_pressed(s) ? cost_pressed : cost_library, "which end the contact has", NULL);
@@ -552,8 +552,8 @@ static void add_models(struct spheres *s, const char *header)
                 : sphere                         ? "Spheres"
                                                  : law_equation(&s->scene.law).text,
                 s->request->number[EMBED_SPEED_MIN].text, s->request->number[EMBED_SPEED_MAX].text,
-                is_pressed(s) && s->scene.end == END_ZERO_FORCE ? "the surface" : cor_end_names[s->scene.end], p->at[0],
-                p->at[last], p->truth[0], p->truth[last]);
+                is_pressed(s) && s->scene.end == COR_END_ZERO_FORCE ? "the surface" : cor_end_names[s->scene.end],
+                p->at[0], p->at[last], p->truth[0], p->truth[last]);
     s->plan->remark = spheres_remark(s);
     add_constants(s);
     if (!is_constant(s))

@@ -13,18 +13,18 @@ const char *const contact_end_names[] = {"zero_overlap", "zero_force", "surface"
 
 int contact_end_given(int *end, bool pressed)
 {
-    if (*end == (pressed ? END_ZERO_FORCE : END_SURFACE))
+    if (*end == (pressed ? COR_END_ZERO_FORCE : END_SURFACE))
         return pressed ? usage_error("--end zero-force: under a constant force the contact force vanishes below the "
                                      "surface, and the restitution is measured at the surface; write --end surface")
                        : usage_error("--end surface needs a constant force; without one write --end zero-force");
     if (*end == END_SURFACE)
-        *end = END_ZERO_FORCE;
+        *end = COR_END_ZERO_FORCE;
     return STATUS_OK;
 }
 
-enum contact_end contact_end_named(int end, bool pressed)
+int contact_end_named(int end, bool pressed)
 {
-    return pressed && end == END_ZERO_FORCE ? END_SURFACE : (enum contact_end)end;
+    return pressed && end == COR_END_ZERO_FORCE ? END_SURFACE : end;
 }
 
 void series_init(struct series *s)
@@ -103,16 +103,16 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
                 (long)order, (long)bits, (long)terms, (long)prec);
 }
 
-int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits)
+int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct law *law, slong bits)
 {
-    *root = end == END_ZERO_FORCE ? restitution_zero_force_root(law) : 1;
+    *root = end == COR_END_ZERO_FORCE ? restitution_zero_force_root(law) : 1;
     LOCAL(series, s);
     int status = STATUS_OK;
     for (slong extra = 16; status == STATUS_OK; extra *= 2) {
         status = series_compute(s, order / *root, law, bits + extra);
         if (status != STATUS_OK)
             break;
-        if (end == END_ZERO_FORCE)
+        if (end == COR_END_ZERO_FORCE)
             restitution_zero_force(eps, s->c, order, law, bits + 4 * extra + order);
         else
             arb_poly_set(eps, s->c);

@@ -3,11 +3,12 @@
 #ifndef COR_GEN_SERIES_SERIES_H
 #define COR_GEN_SERIES_SERIES_H
 
+#include "cor/law.h"
 #include "series/law.h"
 
-/* Under a constant force the second end is the surface. Options and names have it as END_SURFACE, all other code as
- * END_ZERO_FORCE. */
-enum contact_end { END_ZERO_OVERLAP, END_ZERO_FORCE, END_SURFACE };
+/* Under a constant force the second end is the surface. Options and names have it at END_SURFACE, all other code as
+ * COR_END_ZERO_FORCE. */
+enum { END_SURFACE = COR_END_ZERO_FORCE + 1 };
 extern const char *const contact_end_options[];         /* "zero-overlap", "zero-force", NULL */
 extern const char *const contact_end_options_pressed[]; /* the same and "surface" */
 extern const char *const contact_end_names[];           /* "zero_overlap", "zero_force", "surface" */
@@ -15,7 +16,7 @@ extern const char *const contact_end_names[];           /* "zero_overlap", "zero
 /* The end that an option names, -1 for none, as all other code has it, and back. pressed: a constant force acts. The
  * first returns STATUS_OK, or STATUS_USAGE after a message if contacts with or without a force have no such end. */
 int contact_end_given(int *end, bool pressed);
-enum contact_end contact_end_named(int end, bool pressed);
+int contact_end_named(int end, bool pressed);
 
 struct series {
     arb_poly_t y;   /* x_max = sum y_k beta^k */
@@ -34,6 +35,6 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
 
 /* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force
  * for the sphere. `order` is the highest power of z. Same accuracy and result as above. */
-int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits);
+int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct law *law, slong bits);
 
 #endif

@@ -97,7 +97,7 @@ int disk_limits_check_all(void);
 struct pade_header {
     const char *name;  /* prefix of the arrays; in capitals, of the macros */
     const char *title; /* first line of its comment, which describes it */
-    enum contact_end end;
+    enum cor_end end;
     slong beta_max;                      /* its bounds hold up to this beta */
     const struct references *references; /* NULL: no approximation error is stated */
 };

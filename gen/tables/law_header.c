@@ -128,7 +128,7 @@ static void emit_functions(struct emit *e, const struct law_tables *t, const cha
     for (int end = 0; end < 2; end++)
         for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
             /* both ends coincide if the force is never attractive */
-            const char *const source = contact_end_names[both ? end : END_ZERO_OVERLAP];
+            const char *const source = contact_end_names[both ? end : COR_END_ZERO_OVERLAP];
             emit_lines(e, "\nCOR_INLINE double $s_$s_$s(double $s)\n{\n    return ", prefix, functions[i].name,
                        contact_end_names[end], functions[i].argument);
             emit_lines(e, functions[i].value, name, source, name, source);

@@ -180,8 +180,7 @@ WRAPPED(int, collision_h_star, arb_t h, slong bits)
     return fail("the fuzzer computes no h* here");
 }
 
-WRAPPED(int, series_eps, arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law,
-        slong bits)
+WRAPPED(int, series_eps, arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct law *law, slong bits)
 {
     return order < EMBED_SERIES ? __real_series_eps(eps, root, end, order, law, bits) : fail("no long series here");
 }

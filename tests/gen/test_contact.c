@@ -122,8 +122,8 @@ TEST(reference_collisions)
         if (i != COR_LAW_LINEAR)
             check_near(4.0 / 3 * n[6] / (2 * (1 - n[7] * n[7])) * sqrt(1 / (1 / n[4] + 1 / n[5])), n[0], 1e-15);
         assert_int_equal(cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, n[1], 1, 0), 0);
-        const int end = strcmp(end_name, "zero-force") == 0 ? END_ZERO_FORCE : END_ZERO_OVERLAP;
-        assert_true(end == END_ZERO_FORCE ||
+        const int end = strcmp(end_name, "zero-force") == 0 ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP;
+        assert_true(end == COR_END_ZERO_FORCE ||
                     strcmp(end_name, cor_scene_ends_differ(&contact) ? "zero-overlap" : "both") == 0);
         const struct cor_scene_impact got = scene_impact(&contact, n[8]);
         struct cor_scene_impact proved = {.max_overlap_m = r[2]};
@@ -215,7 +215,7 @@ TEST(stiffness_from_a_duration)
 TEST(other_laws)
 {
     const struct cor_scene_contact linear =
-        contacts_of(COR_LAW_LINEAR, END_ZERO_OVERLAP, SPRING, GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
+        contacts_of(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, SPRING, GIVEN({COR_SCENE_RESTITUTION, 0.7})).contact[0];
     const double l = -log(0.7), pi = 3.14159265358979323846, zeta = l / sqrt(pi * pi + l * l);
     check_near(cor_scene_damping(&linear, COR_SCENE_ZETA), zeta, 1e-14);
     check_near(cor_scene_damping(&linear, COR_SCENE_DAMPING_COEFFICIENT), 2 * zeta * sqrt(1e5 * 1e-3), 1e-14);
@@ -230,16 +230,17 @@ TEST(other_laws)
     const double bending = 7e10 * 8e-9 / (12 * (1 - 0.04)), mass = 4 * pi / 3 * 125e-9 * 2500;
     check_near(cor_scene_damping(&plate, COR_SCENE_DISSIPATION_TIME), mass / (8 * sqrt(bending * 2700 * 2e-3)), 1e-13);
     const struct cor_scene_impact impact = scene_impact(&plate, 1);
-    assert_true(isnan(impact.eps[END_ZERO_FORCE]) && isnan(impact.duration_s[END_ZERO_FORCE]));
+    assert_true(isnan(impact.eps[COR_END_ZERO_FORCE]) && isnan(impact.duration_s[COR_END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
     /* the inverse where only collisions are enclosed, and no solver */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
-    assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, END_ZERO_FORCE), 0);
-    check_near(scene_eps(&power, 0.5, END_ZERO_FORCE), 0.3, 1e-14);
-    assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 1, 0.5, END_ZERO_FORCE), 0);
+    assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE), 0);
+    check_near(scene_eps(&power, 0.5, COR_END_ZERO_FORCE), 0.3, 1e-14);
+    assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 1, 0.5, COR_END_ZERO_FORCE), 0);
     assert_true(power.damping == 0);
     power.solver = NULL;
-    assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, END_ZERO_FORCE), COR_FAULT_SOLVER);
+    assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE),
+                     COR_FAULT_SOLVER);
 }
 
 /* ---- a constant force: collisions enclosed, against the integration in doubles ---- */
@@ -516,7 +517,7 @@ TEST(chrono_finds_the_radius)
         const double r1 = random_log(&draw, 1e-4, 0.3), r2 = random_log(&draw, 1e-4, 0.3);
         const double e = random_uniform(&draw, 0.2, 0.97), speed = random_log(&draw, 0.01, 5);
         const struct contacts contacts =
-            contacts_of(0, END_ZERO_FORCE,
+            contacts_of(0, COR_END_ZERO_FORCE,
                         GIVEN({COR_SCENE_YOUNG, random_log(&draw, 1e6, 1e11)}, {COR_SCENE_POISSON, 0.3},
                               {COR_SCENE_DENSITY, 2500}, {COR_SCENE_RADIUS, r1}, {COR_SCENE_RADIUS_2, r2}),
                         GIVEN({COR_SCENE_RESTITUTION, e}, {COR_SCENE_AT, speed}));
@@ -527,7 +528,7 @@ TEST(chrono_finds_the_radius)
         const double mass = contacts.contact[0].mass_kg;
         for (int k = 0; k < 2; k++) {
             const struct law_of_force f = force_law(mass, kn * found[k], gn * mass * found[k], 1.5, 0.5, speed);
-            const double eps = integrate(&f, false).eps[END_ZERO_FORCE];
+            const double eps = integrate(&f, false).eps[COR_END_ZERO_FORCE];
             check(fabs(eps - e) < 1e-8, "Chrono with R = %g realises %.9g, not %.9g", found[k], eps, e);
         }
         free(lines);

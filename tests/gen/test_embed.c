@@ -68,7 +68,7 @@ static double solved(const struct embed_scene *s, double speed)
     const struct ratio power = law_speed_exponent(&s->law);
     LET(beta, EMBED_BITS, "s->beta_per_root*speed^power", s->beta_per_root, speed, power);
     assert_int_equal(collision_solve(c, beta, &s->law, 64), 0);
-    return middle(s->end == END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force);
+    return middle(s->end == COR_END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force);
 }
 
 /* eps at speeds at equal distances of their logarithms, the ends among them, solved once for all forms of a scene */
@@ -171,13 +171,15 @@ TEST(test_scenes)
 {
     static const struct {
         const char *min, *max, *tolerance;
-        enum contact_end end;
+        enum cor_end end;
         bool single;
         int least; /* families that must have a member */
     } scenes[] = {
-        {"0.1", "10", "1e-6", END_ZERO_OVERLAP, false, 8},    {"0.1", "10", "1e-3", END_ZERO_FORCE, true, 8},
-        {"1e-4", "1e-2", "1e-9", END_ZERO_FORCE, false, 8},   {"1e-4", "1e-2", "1e-5", END_ZERO_OVERLAP, true, 10},
-        {"1e-5", "0.1", "1e-13", END_ZERO_OVERLAP, false, 7},
+        {"0.1", "10", "1e-6", COR_END_ZERO_OVERLAP, false, 8},
+        {"0.1", "10", "1e-3", COR_END_ZERO_FORCE, true, 8},
+        {"1e-4", "1e-2", "1e-9", COR_END_ZERO_FORCE, false, 8},
+        {"1e-4", "1e-2", "1e-5", COR_END_ZERO_OVERLAP, true, 10},
+        {"1e-5", "0.1", "1e-13", COR_END_ZERO_OVERLAP, false, 7},
     };
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 5))
@@ -195,15 +197,15 @@ TEST(test_laws)
 {
     static const struct {
         const char *elastic, *damping, *min, *max, *tolerance, *beta;
-        enum contact_end end;
+        enum cor_end end;
         bool proved;
     } scenes[] = {
-        {"3/2", "0", "0.02", "10", "1e-6", "0.5", END_ZERO_OVERLAP, false},    /* beta up to 1.093; beta_c = 1.128 */
-        {"3/2", "0", "1e-50", "1e-46", "1e-12", "0.5", END_ZERO_FORCE, false}, /* beta from 7.9e8 */
-        {"1", "2", "0.1", "2", "1e-3", "1", END_ZERO_FORCE, true},
-        {"3/2", "0", "1e-3", "10", "1e-9", "0.5", END_ZERO_FORCE, true},
-        {"3/2", "3/2", "1e-3", "7", "1e-6", "1", END_ZERO_FORCE, true},
-        {"1", "1/2", "1e2", "1e4", "1e-10", "1", END_ZERO_OVERLAP, false}, /* beta from 10: a power of the speed */
+        {"3/2", "0", "0.02", "10", "1e-6", "0.5", COR_END_ZERO_OVERLAP, false}, /* beta up to 1.093; beta_c = 1.128 */
+        {"3/2", "0", "1e-50", "1e-46", "1e-12", "0.5", COR_END_ZERO_FORCE, false}, /* beta from 7.9e8 */
+        {"1", "2", "0.1", "2", "1e-3", "1", COR_END_ZERO_FORCE, true},
+        {"3/2", "0", "1e-3", "10", "1e-9", "0.5", COR_END_ZERO_FORCE, true},
+        {"3/2", "3/2", "1e-3", "7", "1e-6", "1", COR_END_ZERO_FORCE, true},
+        {"1", "1/2", "1e2", "1e4", "1e-10", "1", COR_END_ZERO_OVERLAP, false}, /* beta from 10: a power of the speed */
     };
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 6))
@@ -249,8 +251,8 @@ TEST(test_ways_of_a_contact)
                 {COR_LAW_HUNT_CROSSLEY, 0, COR_SCENE_RESTITUTION, "0.6", "2", NULL},
                 {COR_LAW_HERTZ_DASHPOT, FORCE, COR_SCENE_RESTITUTION, "0.3", "2", NULL}};
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
-        struct embed_request request =
-            request_of("1", "2", "1e-3", ways[i].with & FORCE ? END_ZERO_FORCE : END_ZERO_OVERLAP, GIVEN({-1, NULL}));
+        struct embed_request request = request_of(
+            "1", "2", "1e-3", ways[i].with & FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP, GIVEN({-1, NULL}));
         request.law = ways[i].law;
         request.wall = ways[i].with & WALL;
         request.viscosity[0] = ways[i].viscosity;
@@ -300,7 +302,7 @@ TEST(test_constant)
 {
     for (int i = 0; i < 2; i++) {
         struct embed_request request =
-            request_of("0.1", "10", "1e-12", END_ZERO_FORCE,
+            request_of("0.1", "10", "1e-12", COR_END_ZERO_FORCE,
                        GIVEN({COR_SCENE_RESTITUTION, i == 0 ? "0.7" : "1"}, {COR_SCENE_AT, "1"}));
         request.law = i == 0 ? COR_LAW_LINEAR : COR_LAW_VISCOELASTIC;
         struct found w;
@@ -369,7 +371,7 @@ static struct embed_form fit_of(const struct embed_scene *s, enum embed_family f
 /* One degree more makes a fit better. */
 TEST(test_fit)
 {
-    struct embed_scene s = scene_of("0.1", "10", "1e-6", END_ZERO_OVERLAP);
+    struct embed_scene s = scene_of("0.1", "10", "1e-6", COR_END_ZERO_OVERLAP);
     double before = 1;
     for (slong degree = 1; degree <= 7; degree++) {
         struct embed_form f = fit_of(&s, FAMILY_RATIONAL_SPEED, SPEED, degree, degree);
@@ -384,7 +386,7 @@ TEST(test_fit)
 TEST(test_far_force)
 {
     leave_to_turn(1, 3);
-    struct embed_scene s = scene_of("1e21", "1e24", "1e-6", END_ZERO_FORCE);
+    struct embed_scene s = scene_of("1e21", "1e24", "1e-6", COR_END_ZERO_FORCE);
     assert_true(log(s.beta_min) < 10 && log(s.beta_max) > 11);
     struct embed_form f = fit_of(&s, FAMILY_RATIONAL_FOURTH, FOURTH_ROOT_OF_SPEED, 5, 6);
     assert_true(f.error < 1e-6);
@@ -414,7 +416,7 @@ TEST(test_far)
     assert_power_law(pow(EMBED_FAR, 5), EMBED_FAR_ERROR);
     assert_power_law(0x1p14, 4.1e-17);
 
-    struct embed_scene s = scene_of("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
+    struct embed_scene s = scene_of("1e5", "1e7", "1e-12", COR_END_ZERO_OVERLAP);
     struct embed_form f = fit_of(&s, FAMILY_RATIONAL_SPEED, SPEED, 0, 1);
     struct embed_proof proof;
     assert_true(s.beta_min > 7 && f.error < 1e-15);
@@ -465,9 +467,9 @@ TEST(test_pressed)
         bool sticky;
         const char *restitution, *min, *max, *tolerance;
     } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, true, "0.7", "0.03", "2", "1e-6"}, /* first, for it takes least */
-                  {COR_LAW_VISCOELASTIC, END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
+                  {COR_LAW_VISCOELASTIC, COR_END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
                   {COR_LAW_HERTZ_DASHPOT, END_SURFACE, false, "0.8", "0.013", "10", "1e-5"},
-                  {COR_LAW_HUNT_CROSSLEY, END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};
+                  {COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 4))
             continue;

@@ -17,7 +17,7 @@
 #define BUMP 1e-6
 
 /* A scene with beta = speed^(1/5); to be cleared. */
-static struct embed_scene scene_of(enum contact_end end, double beta_min, double beta_max, struct interpolant *f)
+static struct embed_scene scene_of(enum cor_end end, double beta_min, double beta_max, struct interpolant *f)
 {
     struct embed_scene s = {.end = end,
                             .speed_min = pow(beta_min, 5),
@@ -92,7 +92,7 @@ static void assert_bumps_proved(const struct embed_form *f, const struct embed_s
  * error, EMBED_FAR_ERROR, is part of the bound. */
 TEST(test_far_parts)
 {
-    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 16, 40, NULL);
+    struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, 16, 40, NULL);
     LOCAL(arb, rest);
     assert_int_equal(collision_h_star(s.h_star_5, 128), 0);
     arb_pow_ui(s.h_star_5, s.h_star_5, 5, EMBED_BITS);
@@ -140,7 +140,7 @@ static void fit(double *c, slong degree, const struct embed_scene *s, double lo,
         const double beta = of_speed ? pow(at, 0.2) : at;
         arb_set_d(x + i, (at - start) * unit);
         arb_set_d(eps + i,
-                  s->end == END_ZERO_OVERLAP ? cor_sphere_eps_zero_overlap(beta) : cor_sphere_eps_zero_force(beta));
+                  s->end == COR_END_ZERO_OVERLAP ? cor_sphere_eps_zero_overlap(beta) : cor_sphere_eps_zero_force(beta));
     }
     arb_poly_interpolate_newton(p, x, eps, degree + 1, EMBED_BITS);
     for (slong k = 0; k <= degree; k++)
@@ -150,7 +150,7 @@ static void fit(double *c, slong degree, const struct embed_scene *s, double lo,
 /* A rational function of beta from 0.15 to 0.95 in two intervals */
 TEST(test_intervals)
 {
-    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
+    struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
     double number[12];
     const struct embed_form f = form_of(&s, FAMILY_RATIONAL_BETA, FIFTH_ROOT_OF_SPEED, 11, number);
     fit(number, f.numerator, &s, s.beta_min, s.beta_max, false, 0, 1);
@@ -162,7 +162,7 @@ TEST(test_intervals)
 TEST(test_rows)
 {
     enum { DEGREE = 5, ROWS = 12 };
-    struct embed_scene s = scene_of(END_ZERO_FORCE, 0.5, 1, interpolant());
+    struct embed_scene s = scene_of(COR_END_ZERO_FORCE, 0.5, 1, interpolant());
     for (int of_speed = 0; of_speed < 2; of_speed++) {
         struct embed_form f = form_of(&s, of_speed ? FAMILY_PIECES_SPEED : FAMILY_PIECES_BETA,
                                       of_speed ? SPEED : FIFTH_ROOT_OF_SPEED, DEGREE, NULL);
@@ -208,7 +208,7 @@ TEST(test_gap)
 {
     for (int far = 0; far < 2; far++) {
         double number[] = {1, 1};
-        struct embed_scene s = scene_of(END_ZERO_OVERLAP, far ? 6.9 : 1, far ? 8 : 2, interpolant());
+        struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, far ? 6.9 : 1, far ? 8 : 2, interpolant());
         const struct embed_form f = form_of(&s, FAMILY_POLYNOMIAL_BETA, FIFTH_ROOT_OF_SPEED, 1, number);
         const struct embed_proof proof = proof_of(&f, &s);
         assert_true(!proof.proved && !(proof.error < HUGE_VAL) && proof.rounding < 1e-6);

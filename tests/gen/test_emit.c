@@ -283,7 +283,7 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
     for (int i = 0; i < PLACES; i++) {
         arb_set_d(x, beta[i]);
         assert_int_equal(collision_solve(collision, x, &law_sphere, 128), 0);
-        arb_set(x, r->end == END_ZERO_FORCE ? collision->eps_zero_force : collision->eps_zero_overlap);
+        arb_set(x, r->end == COR_END_ZERO_FORCE ? collision->eps_zero_force : collision->eps_zero_overlap);
         const double exact = middle(x);
         LET(x, 128, "1 - x", x);
         const double exact_loss = middle(x);
@@ -303,9 +303,9 @@ TEST(test_pade_header)
     static const struct {
         struct pade_request request;
         slong beta_max;
-    } row[] = {{{.numerator = 4, .denominator = 6, .end = END_ZERO_FORCE}, 2},
-               {{.numerator = 3, .denominator = 6, .end = END_ZERO_OVERLAP}, 2},
-               {{.kind = PADE_TWO_POINT, .numerator = 4, .denominator = 9, .end = END_ZERO_OVERLAP}, 1000}};
+    } row[] = {{{.numerator = 4, .denominator = 6, .end = COR_END_ZERO_FORCE}, 2},
+               {{.numerator = 3, .denominator = 6, .end = COR_END_ZERO_OVERLAP}, 2},
+               {{.kind = PADE_TWO_POINT, .numerator = 4, .denominator = 9, .end = COR_END_ZERO_OVERLAP}, 1000}};
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         struct pade_request request = row[i].request;
         request.law = law_sphere;
@@ -355,7 +355,7 @@ TEST(test_two_point_rounded)
     LOCAL(pade, f);
     slong root;
     double before = 1;
-    assert_int_equal(series_eps(series, &root, END_ZERO_OVERLAP, MOST + 4, &law_sphere, TWO_POINT_PREC), 0);
+    assert_int_equal(series_eps(series, &root, COR_END_ZERO_OVERLAP, MOST + 4, &law_sphere, TWO_POINT_PREC), 0);
     assert_int_equal(collision_h_star(limit, TWO_POINT_PREC), 0);
     arb_pow_ui(limit, limit, 5, TWO_POINT_PREC);
     arb_set_d(half, 0.5);

@@ -36,7 +36,7 @@ static void assert_reexpands(const struct pade *f, const arb_poly_t c, slong cou
     }
 }
 
-static struct pade_request ordinary(slong m, slong n, enum contact_end end)
+static struct pade_request ordinary(slong m, slong n, enum cor_end end)
 {
     return (struct pade_request){
         .kind = PADE_ORDINARY, .numerator = m, .denominator = n, .end = end, .law = law_sphere};
@@ -69,9 +69,9 @@ TEST(test_reexpansion)
 {
     static const struct {
         slong m, n;
-        enum contact_end end;
-    } entry[] = {{1, 4, END_ZERO_OVERLAP},  {4, 4, END_ZERO_OVERLAP}, {9, 13, END_ZERO_OVERLAP},
-                 {13, 9, END_ZERO_OVERLAP}, {1, 4, END_ZERO_FORCE},   {11, 14, END_ZERO_FORCE}};
+        enum cor_end end;
+    } entry[] = {{1, 4, COR_END_ZERO_OVERLAP},  {4, 4, COR_END_ZERO_OVERLAP}, {9, 13, COR_END_ZERO_OVERLAP},
+                 {13, 9, COR_END_ZERO_OVERLAP}, {1, 4, COR_END_ZERO_FORCE},   {11, 14, COR_END_ZERO_FORCE}};
     for (size_t i = 0; i < sizeof entry / sizeof *entry; i++) {
         const struct pade_request r = ordinary(entry[i].m, entry[i].n, entry[i].end);
         LOCAL(pade, f);
@@ -91,7 +91,7 @@ TEST(test_two_point)
     enum { TWO_POINT_PREC = 128 }; /* seconds with twice as many */
     const slong m = 8, n = m + 5;
     const struct pade_request r = {
-        .kind = PADE_TWO_POINT, .numerator = m, .denominator = n, .end = END_ZERO_OVERLAP, .law = law_sphere};
+        .kind = PADE_TWO_POINT, .numerator = m, .denominator = n, .end = COR_END_ZERO_OVERLAP, .law = law_sphere};
     LOCAL(pade, f);
     LOCAL(pade_analysis, a);
     LOCAL(collision, collision);
@@ -138,7 +138,7 @@ TEST(test_published)
 {
     static const double d[] = {2.5840, 3.5840, 2.9840, 1.1487, 0.3265};
     const struct pade_request r = {
-        .kind = PADE_AS_PUBLISHED, .numerator = 1, .denominator = 4, .end = END_ZERO_OVERLAP, .law = law_sphere};
+        .kind = PADE_AS_PUBLISHED, .numerator = 1, .denominator = 4, .end = COR_END_ZERO_OVERLAP, .law = law_sphere};
     LOCAL(pade, f);
     LOCAL(pade_analysis, a);
     assert_int_equal(pade_compute(f, a, &r, PREC), 0);
@@ -155,7 +155,7 @@ TEST(test_published)
 /* The [1/4] of the true series is another function, negative beyond beta = 2.9. */
 TEST(test_true_one_four)
 {
-    const struct pade_request r = ordinary(1, 4, END_ZERO_OVERLAP);
+    const struct pade_request r = ordinary(1, 4, COR_END_ZERO_OVERLAP);
     LOCAL(pade, f);
     LOCAL(pade_analysis, a);
     assert_int_equal(pade_compute(f, a, &r, PREC), 0);
@@ -321,7 +321,7 @@ TEST(test_poles_of_eps)
     const slong most = points(6) > 6 ? 14 : 6;
     for (slong m = 0; m <= most; m++)
         for (slong n = 1; m + n <= most; n++) {
-            const struct pade_request r = ordinary(m, n, END_ZERO_OVERLAP);
+            const struct pade_request r = ordinary(m, n, COR_END_ZERO_OVERLAP);
             LOCAL(pade, f);
             LOCAL(pade_analysis, a);
             /* 1/eps has no beta^10, so that [0/9] = [0/10] = [1/9], and [1/10] does not exist */
@@ -378,9 +378,9 @@ TEST(test_degenerate)
     assert_false(pade_block_of(&b, c, 3, 1, PREC));
 
     /* eps at zero force has no term in z = sqrt(beta): reported, and without end it is not */
-    struct pade_request r = ordinary(1, 1, END_ZERO_FORCE);
+    struct pade_request r = ordinary(1, 1, COR_END_ZERO_FORCE);
     assert_int_equal(pade_compute(f, NULL, &r, BITS), 1);
-    r = ordinary(0, 2, END_ZERO_FORCE);
+    r = ordinary(0, 2, COR_END_ZERO_FORCE);
     assert_int_equal(pade_compute(f, NULL, &r, BITS), 0);
 }
 
@@ -410,9 +410,11 @@ TEST(test_exact_zeros)
     for (slong k = 0; k <= 12; k++)
         assert_true(arb_contains_zero(arb_poly_get_coeff_ptr(reciprocal, k)) == (k == 10));
 
-    const struct pade_request corner = ordinary(0, 9, END_ZERO_OVERLAP), right = ordinary(0, 10, END_ZERO_OVERLAP),
-                              down = ordinary(1, 9, END_ZERO_OVERLAP), inner = ordinary(1, 10, END_ZERO_OVERLAP),
-                              next = ordinary(0, 11, END_ZERO_OVERLAP);
+    const struct pade_request corner = ordinary(0, 9, COR_END_ZERO_OVERLAP),
+                              right = ordinary(0, 10, COR_END_ZERO_OVERLAP),
+                              down = ordinary(1, 9, COR_END_ZERO_OVERLAP),
+                              inner = ordinary(1, 10, COR_END_ZERO_OVERLAP),
+                              next = ordinary(0, 11, COR_END_ZERO_OVERLAP);
     assert_same_fraction(&right, &corner);
     assert_same_fraction(&down, &corner);
     LOCAL(pade, f);
@@ -421,7 +423,7 @@ TEST(test_exact_zeros)
     assert_true(arb_is_zero(arb_poly_get_coeff_ptr(f->q, 10)));
     assert_int_equal(arb_poly_degree(f->q), 11);
 
-    struct pade_request hertz = ordinary(9, 0, END_ZERO_OVERLAP), same = hertz;
+    struct pade_request hertz = ordinary(9, 0, COR_END_ZERO_OVERLAP), same = hertz;
     assert_null(law_parse(&hertz.law, "3/2", "0"));
     same.law = hertz.law;
     same.numerator = 10;
@@ -438,16 +440,16 @@ TEST(test_refusals)
     static const struct {
         enum pade_kind kind;
         slong m, n;
-        enum contact_end end;
+        enum cor_end end;
         bool tsuji, refused;
-    } cases[] = {{PADE_ORDINARY, 4, 4, END_ZERO_OVERLAP, false, false},
-                 {PADE_ORDINARY, -1, 4, END_ZERO_OVERLAP, false, true},
-                 {PADE_TWO_POINT, 4, 4, END_ZERO_OVERLAP, false, true},
-                 {PADE_TWO_POINT, 4, 9, END_ZERO_OVERLAP, false, false},
-                 {PADE_TWO_POINT, 4, 9, END_ZERO_FORCE, false, true},
-                 {PADE_TWO_POINT, 4, 9, END_ZERO_OVERLAP, true, true},
-                 {PADE_AS_PUBLISHED, 2, 4, END_ZERO_OVERLAP, false, true},
-                 {PADE_AS_PUBLISHED, 1, 4, END_ZERO_OVERLAP, false, false}};
+    } cases[] = {{PADE_ORDINARY, 4, 4, COR_END_ZERO_OVERLAP, false, false},
+                 {PADE_ORDINARY, -1, 4, COR_END_ZERO_OVERLAP, false, true},
+                 {PADE_TWO_POINT, 4, 4, COR_END_ZERO_OVERLAP, false, true},
+                 {PADE_TWO_POINT, 4, 9, COR_END_ZERO_OVERLAP, false, false},
+                 {PADE_TWO_POINT, 4, 9, COR_END_ZERO_FORCE, false, true},
+                 {PADE_TWO_POINT, 4, 9, COR_END_ZERO_OVERLAP, true, true},
+                 {PADE_AS_PUBLISHED, 2, 4, COR_END_ZERO_OVERLAP, false, true},
+                 {PADE_AS_PUBLISHED, 1, 4, COR_END_ZERO_OVERLAP, false, false}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct pade_request r = ordinary(cases[i].m, cases[i].n, cases[i].end);
         r.kind = cases[i].kind;
@@ -460,9 +462,9 @@ TEST(test_refusals)
 TEST(test_rounded)
 {
     static const struct {
-        enum contact_end end;
+        enum cor_end end;
         slong m, n;
-    } entry[] = {{END_ZERO_OVERLAP, 3, 6}, {END_ZERO_FORCE, 4, 7}};
+    } entry[] = {{COR_END_ZERO_OVERLAP, 3, 6}, {COR_END_ZERO_FORCE, 4, 7}};
     enum { EVEN = 8, SMALL = 2, BETA_MAX = 2 };
     struct references s;
     LOCAL(collision, collision);
@@ -479,7 +481,7 @@ TEST(test_rounded)
         assert_int_equal(pade_round(rounded, f), 0);
         pade_approximation_error(error, rounded, r.end, &s);
         for (int i = 1; i <= EVEN; i++) {
-            const double b = (double)BETA_MAX * i / (double)EVEN, z = r.end == END_ZERO_FORCE ? sqrt(b) : b;
+            const double b = (double)BETA_MAX * i / (double)EVEN, z = r.end == COR_END_ZERO_FORCE ? sqrt(b) : b;
             double p = 0, q = 0, l = 0;
             for (slong j = 0; j <= entry[k].m + entry[k].n; j++) {
                 p += coefficient(rounded->p_double, j) * pow(z, (double)j);
@@ -489,7 +491,7 @@ TEST(test_rounded)
             arb_set_d(beta, b);
             assert_int_equal(collision_solve(collision, beta, &law_sphere, 64), 0);
             const double eps =
-                middle(r.end == END_ZERO_FORCE ? collision->eps_zero_force : collision->eps_zero_overlap);
+                middle(r.end == COR_END_ZERO_FORCE ? collision->eps_zero_force : collision->eps_zero_overlap);
             worst = fmax(worst, fabs(p / q / eps - 1));
             worst_loss = fmax(worst_loss, fabs(b * l / q / (1 - eps) - 1));
         }

@@ -56,7 +56,7 @@ static double printed_2011(double beta)
 /* The [4/6] at zero force by corgen pade's own route. */
 static double pade_46(double beta)
 {
-    const struct pade_request request = {PADE_ORDINARY, 4, 6, END_ZERO_FORCE, law_sphere};
+    const struct pade_request request = {PADE_ORDINARY, 4, 6, COR_END_ZERO_FORCE, law_sphere};
     LOCAL_INIT(pade, f, (&f));
     assert_int_equal(pade_compute(&f, NULL, &request, 64), 0);
     double p = 0, q = 0;
@@ -108,7 +108,7 @@ static void plan_of(struct plan *plan, const char *min, const char *max, const c
 TEST(test_spheres)
 {
     struct plan plan;
-    plan_of(&plan, "0.01", "1", "1e-3", "400", END_ZERO_FORCE, 9);
+    plan_of(&plan, "0.01", "1", "1e-3", "400", COR_END_ZERO_FORCE, 9);
     const slong last = plan.points - 1;
     assert_int_equal(last, 8);
     assert_true(plan.speed[0] == 0.01 && plan.speed[last] == 1);
@@ -193,7 +193,7 @@ TEST(test_gravity)
         int law, end;
         const char *damping, *chosen;
     } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, "1e-3", "header: "},
-                  {COR_LAW_HERTZ_DASHPOT, END_ZERO_OVERLAP, "0.4", "header: "},
+                  {COR_LAW_HERTZ_DASHPOT, COR_END_ZERO_OVERLAP, "0.4", "header: "},
                   {COR_LAW_TSUJI, END_SURFACE, "0.1", "library: cor_scene_eps"},
                   {COR_LAW_VISCOELASTIC, END_SURFACE, "0", "constant eps"}};
     for (size_t k = 0; k < COUNT_OF(scenes); k++) {
@@ -212,7 +212,7 @@ TEST(test_gravity)
         struct embed_request bare = request;
         struct contacts contacts, pressed;
         struct plan plan;
-        const int end = scenes[k].end == END_ZERO_OVERLAP ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+        const int end = scenes[k].end == COR_END_ZERO_OVERLAP ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE;
         bare.number[COR_SCENE_GRAVITY].text = NULL;
         bare.end = end;
         assert_int_equal(contacts_of_request(&contacts, &bare), STATUS_OK);
@@ -249,7 +249,7 @@ TEST(test_strong_damping)
     leave_to_turn(1, 3);
     struct plan plan;
     struct cor_sphere_contact contact;
-    plan_of(&plan, "0.2", "0.8", "1e-6", "1e-5", END_ZERO_OVERLAP, 3);
+    plan_of(&plan, "0.2", "0.8", "1e-6", "1e-5", COR_END_ZERO_OVERLAP, 3);
     assert_int_equal(cor_sphere_contact_init_g_star(&contact, 1e-5), COR_OK);
     assert_true(plan.at[0] < 7 && plan.at[1] > 7);
     for (slong i = 0; i < plan.points; i++)

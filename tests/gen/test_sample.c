@@ -96,7 +96,7 @@ TEST(tolerances_hold)
             const double finest = (double)few_or_all(500, 1) * (cubic ? 1e-7 : 1e-6);
             for (double tolerance = 1e-2; tolerance > finest; tolerance /= 50)
                 check_sample(&(struct sample_request){.contact = &contact,
-                                                      .end = (enum contact_end)end,
+                                                      .end = (enum cor_end)end,
                                                       .speed_min = 0.01,
                                                       .speed_max = 10,
                                                       .tolerance = tolerance,
@@ -133,7 +133,7 @@ TEST(no_smaller_table)
     for (int turn = 0; turn < (int)few_or_all(3, 40); turn++) {
         const struct cor_scene_contact contact = sphere_of(random_log(&draw, 0.01, 1e4));
         struct sample_request r = {.contact = &contact,
-                                   .end = (enum contact_end)(turn % 2),
+                                   .end = (enum cor_end)(turn % 2),
                                    .speed_min = 1e-3,
                                    .speed_max = random_log(&draw, 0.1, 100),
                                    .tolerance = random_log(&draw, 1e-3, 3e-2),
@@ -224,7 +224,7 @@ TEST(yield_in_a_liquid)
                                               .liquid_speed_m_s = liquid};
     for (int log = 0; log < 2; log++) {
         const struct sample_request r = {.contact = &contact,
-                                         .end = END_ZERO_FORCE,
+                                         .end = COR_END_ZERO_FORCE,
                                          .speed_min = (yield + liquid) * (1 + beyond),
                                          .speed_max = 5,
                                          .tolerance = 1e-5,

@@ -46,7 +46,7 @@ static void compare_with_collision(const struct law *law, slong order, slong shi
     restitution_zero_force(force, s->c, order * root, law, 2 * exact);
     arb_root_ui(x, x, (ulong)root, 2 * exact);
     assert_sum(force, x, order * root, c->eps_zero_force, 2 * exact, "zero force");
-    assert_int_equal(series_eps(few_force, &found, END_ZERO_FORCE, order * root, law, bits), 0);
+    assert_int_equal(series_eps(few_force, &found, COR_END_ZERO_FORCE, order * root, law, bits), 0);
     assert_int_equal(found, root);
     assert_poly_overlap(force, few_force, order * root, "zero force");
     assert_int_equal(series_compute(few, order, law, bits), 0);
