@@ -163,7 +163,7 @@ WEB_EXPORT(web_step_ends) int web_step_ends(void)
 
 static int integrator(void)
 {
-    return web_now.simulator ? cor_simulator_integrator(web_now.simulator->name) : COR_VERLET_HALF_STEP;
+    return web_now.simulator ? web_now.simulator->integrator : COR_VERLET_HALF_STEP;
 }
 
 /* The name of the integrator for which web_step_errors holds; "": it has none of ours, and the errors are NaN */
@@ -259,11 +259,15 @@ struct web_asked web_asked(const struct web_request *r)
     return a;
 }
 
-int web_is_model_of(const struct cor_simulator_model *model, const struct web_request *r)
+const struct cor_simulator_model *web_model(const struct web_request *r, int *next)
 {
     const long version = *r->version ? cor_simulator_version(r->version) : 0;
-    return r->simulator && strcmp(model->simulator, r->simulator->name) == 0 && model->damping_of_e &&
-           !cor_simulator_has_function(model) && cor_model_has_version(model, version);
+    while (r->simulator && *next < r->simulator->model_count) {
+        const struct cor_simulator_model *const model = &r->simulator->models[(*next)++];
+        if (model->damping_of_e && !model->has_function && cor_model_has_version(model, version))
+            return model;
+    }
+    return NULL;
 }
 
 double web_realised(const struct cor_simulator_model *model, const struct web_request *r, double speed_m_s)
@@ -285,7 +289,8 @@ WEB_EXPORT(web_simulators) const char *web_simulators(void)
 {
     web_text_clear();
     for (size_t i = 0; i < cor_simulator_count; i++)
-        web_put("%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
+        if (cor_simulators[i].comment)
+            web_put("%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
     return web_text();
 }
 
@@ -298,11 +303,9 @@ WEB_EXPORT(web_models) const char *web_models(int digits)
     web_put_number(asked.eps, digits);
     web_put_cell('\t', asked.speed_m_s, digits);
     web_put("\t%s\n", cor_end_names[asked.end]);
-    for (size_t i = 0; i < cor_simulator_model_count; i++) {
-        const struct cor_simulator_model *const model = &cor_simulator_models[i];
+    int next = 0;
+    for (const struct cor_simulator_model *model; (model = web_model(&web_now, &next));) {
         enum cor_simulator_status status;
-        if (!web_is_model_of(model, &web_now))
-            continue;
         web_put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_name(model->law),
                 cor_end_names[model->end]);
         web_put_cell('\t', web_realised(model, &web_now, asked.speed_m_s), digits);

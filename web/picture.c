@@ -82,14 +82,13 @@ static void add_contacts(const struct web_request *r, int colour)
 static void make_curves(void)
 {
     const struct web_asked asked = web_asked(&web_now);
-    int models = 0;
+    int models = 0, next = 0;
     curve_count = 0;
     add_contacts(&web_now, 0);
     for (int i = 0; i < kept_count; i++)
         add_contacts(&kept[i], i + 1);
-    for (size_t i = 0; i < cor_simulator_model_count && models < MODELS; i++) {
-        const struct cor_simulator_model *const model = &cor_simulator_models[i];
-        if (!web_is_model_of(model, &web_now) || isnan(web_realised(model, &web_now, speed_of(0))))
+    for (const struct cor_simulator_model *model; models < MODELS && (model = web_model(&web_now, &next));) {
+        if (isnan(web_realised(model, &web_now, speed_of(0))))
             continue;
         struct curve *const c = add_curve(&web_now, 0);
         c->model = model;

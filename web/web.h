@@ -61,8 +61,10 @@ struct web_asked {
 };
 struct web_asked web_asked(const struct web_request *request);
 
+/* The next model of the request's simulator and version that takes an e; NULL: none is left. *next: 0 at first */
+const struct cor_simulator_model *web_model(const struct web_request *request, int *next);
+
 /* eps at a speed if the eps that is asked is set as e; NaN: the model takes no e or refuses this one */
 double web_realised(const struct cor_simulator_model *model, const struct web_request *request, double speed_m_s);
-int web_is_model_of(const struct cor_simulator_model *model, const struct web_request *request);
 
 #endif

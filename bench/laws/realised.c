@@ -18,6 +18,11 @@
 static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
 enum { ASKED = sizeof asked / sizeof *asked };
 
+static const struct cor_simulator_model *model_at(int i)
+{
+    return cor_simulator_model((enum cor_simulator_model_id)i);
+}
+
 static double cure(const struct cor_simulator_model *m, double e)
 {
     enum cor_simulator_status status;
@@ -42,7 +47,7 @@ static void print_number(const char *before, double x)
 
 static void print_row(const struct cor_simulator_model *m, double e)
 {
-    printf("%s: ", m->simulator);
+    printf("%s: ", cor_simulator_of(m->id)->name);
     print_name(m->model);
     printf(",%s,%g", cor_end_names[m->end], e);
     print_number(",", cor_simulator_realised(m, e));
@@ -53,10 +58,10 @@ static void print_row(const struct cor_simulator_model *m, double e)
 static void print_csv(int curve)
 {
     printf("model,end,asked,realised,cure\n");
-    for (size_t i = 0; i < cor_simulator_model_count; i++)
-        if (cor_simulator_models[i].damping_of_e)
+    for (int i = 0; i < COR_SIMULATOR_MODELS; i++)
+        if (model_at(i)->damping_of_e)
             for (int k = 0; k < (curve ? 99 : ASKED); k++)
-                print_row(&cor_simulator_models[i], curve ? (k + 1) / 100.0 : asked[k]);
+                print_row(model_at(i), curve ? (k + 1) / 100.0 : asked[k]);
 }
 
 /* ---- markdown ---- */
@@ -75,12 +80,12 @@ static int same_row(const struct cor_simulator_model *a, const struct cor_simula
     return same;
 }
 
-static int is_first_of_its_row(size_t i)
+static int is_first_of_its_row(int i)
 {
-    for (size_t k = 0; k < i; k++)
-        if (same_row(&cor_simulator_models[k], &cor_simulator_models[i]))
+    for (int k = 0; k < i; k++)
+        if (same_row(model_at(k), model_at(i)))
             return 0;
-    return cor_simulator_models[i].damping_of_e != NULL;
+    return model_at(i)->damping_of_e != NULL;
 }
 
 static void print_table(const char *title, double (*quantity)(const struct cor_simulator_model *m, double e))
@@ -92,17 +97,17 @@ static void print_table(const char *title, double (*quantity)(const struct cor_s
     for (int k = 0; k < ASKED; k++)
         printf("---|");
     printf("\n");
-    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+    for (int i = 0; i < COR_SIMULATOR_MODELS; i++) {
         if (!is_first_of_its_row(i))
             continue;
         printf("| ");
-        for (size_t k = i; k < cor_simulator_model_count; k++)
-            if (same_row(&cor_simulator_models[i], &cor_simulator_models[k]))
-                printf("%s%s (%s): %s", k > i ? "<br>" : "", cor_simulator_models[k].simulator,
-                       cor_simulator_models[k].version, cor_simulator_models[k].model);
+        for (int k = i; k < COR_SIMULATOR_MODELS; k++)
+            if (same_row(model_at(i), model_at(k)))
+                printf("%s%s (%s): %s", k > i ? "<br>" : "", cor_simulator_of(model_at(k)->id)->name,
+                       model_at(k)->version, model_at(k)->model);
         printf(" |");
         for (int k = 0; k < ASKED; k++) {
-            print_number(" ", quantity(&cor_simulator_models[i], asked[k]));
+            print_number(" ", quantity(model_at(i), asked[k]));
             printf(" |");
         }
         printf("\n");
@@ -113,28 +118,20 @@ static void print_models(void)
 {
     printf("| simulator | version | model | a user sets | law | end | what to know | file | known "
            "|\n|---|---|---|---|---|---|---|---|---|\n");
-    for (size_t i = 0; i < cor_simulator_model_count; i++) {
-        const struct cor_simulator_model *m = &cor_simulator_models[i];
-        printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", m->simulator, m->version, m->model, m->parameter,
-               cor_law_name(m->law), cor_end_names[m->end], m->advice, m->file, m->known);
+    for (int i = 0; i < COR_SIMULATOR_MODELS; i++) {
+        const struct cor_simulator_model *const m = model_at(i);
+        printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", cor_simulator_of(m->id)->name, m->version, m->model,
+               m->parameter, cor_law_name(m->law), cor_end_names[m->end], m->advice, m->file, m->known);
     }
 }
 
 /* ---- over the speed ---- */
 
-static double realised_of_half(const char *simulator, const char *part)
-{
-    for (size_t i = 0; i < cor_simulator_model_count; i++)
-        if (strcmp(cor_simulator_models[i].simulator, simulator) == 0 && strstr(cor_simulator_models[i].model, part))
-            return cor_simulator_realised(&cor_simulator_models[i], 0.5);
-    return NAN;
-}
-
 static void print_speeds(void)
 {
     const double g_star = pow(-COR_SPHERE_C1 * cor_sphere_beta_zero_force(0.5), -5);
-    const double lammps = realised_of_half("lammps", "hertz, damping tsuji, releases");
-    const double chrono = realised_of_half("chrono", "from material");
+    const double lammps = cor_simulator_realised(cor_simulator_model(COR_LAMMPS_HERTZ_TSUJI), 0.5);
+    const double chrono = cor_simulator_realised(cor_simulator_model(COR_CHRONO_MATERIAL), 0.5);
     struct cor_sphere_contact contact;
     if (cor_sphere_contact_init_g_star(&contact, g_star) != COR_OK)
         return;

@@ -184,8 +184,6 @@ enum cor_integrator {
     COR_NO_INTEGRATOR = -1 /* of simulators with impulses, implicit methods or steps of their own choice */
 };
 extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-half-step"; ends with NULL */
-/* That of a simulator of cor_simulator_models, or COR_NO_INTEGRATOR if it has none of these or is not known */
-int cor_simulator_integrator(const char *simulator);
 
 /* Time steps are counted per elastic duration: the duration of a contact without damping, at the same speed, s. */
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s);
@@ -412,10 +410,76 @@ enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, CO
  * stiffness and damping are per unit of mass */
 enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
 
+/* The contact models, each with a row in cor_simulators */
+enum cor_simulator_model_id {
+    COR_LAMMPS_HOOKE_VELOCITY,
+    COR_LAMMPS_HOOKE_VELOCITY_LIMIT,
+    COR_LAMMPS_HOOKE_MASS_VELOCITY,
+    COR_LAMMPS_HOOKE_MASS_VELOCITY_LIMIT,
+    COR_LAMMPS_HOOKE_VISCOELASTIC,
+    COR_LAMMPS_HERTZ_VISCOELASTIC,
+    COR_LAMMPS_HERTZ_VISCOELASTIC_LIMIT,
+    COR_LAMMPS_HERTZ_VELOCITY,
+    COR_LAMMPS_HERTZ_MASS_VELOCITY,
+    COR_LAMMPS_COEFF_RESTITUTION,
+    COR_LAMMPS_COEFF_RESTITUTION_LIMIT,
+    COR_LAMMPS_HERTZ_TSUJI,
+    COR_LAMMPS_HERTZ_TSUJI_LIMIT,
+    COR_LAMMPS_HERTZ_TSUJI_2026,
+    COR_LAMMPS_HOOKE_TSUJI,
+    COR_LAMMPS_HOOKE_TSUJI_2026,
+    COR_LIGGGHTS_HOOKE_GAMMAN,
+    COR_LIGGGHTS_HOOKE_GAMMAN_LIMIT,
+    COR_LIGGGHTS_RESTITUTION,
+    COR_LIGGGHTS_RESTITUTION_LIMIT,
+    COR_LIGGGHTS_HERTZ_GAMMAN,
+    COR_LIGGGHTS_HERTZ_GAMMAN_LIMIT,
+    COR_YADE_BETAN,
+    COR_YADE_EN,
+    COR_YADE_EN_UNTIL_2023,
+    COR_YADE_EN_VN,
+    COR_YADE_KN_CN,
+    COR_YADE_TC_EN,
+    COR_MERCURYDPM_LINEAR,
+    COR_MERCURYDPM_HERTZIAN,
+    COR_MERCURYDPM_HERTZIAN_DISSIPATION,
+    COR_MERCURYDPM_BSHP,
+    COR_CHRONO_MATERIAL,
+    COR_CHRONO_HOOKE,
+    COR_CHRONO_HERTZ,
+    COR_CHRONO_MULTICORE_FLORES,
+    COR_MFIX_LSD,
+    COR_MFIX_HERTZIAN,
+    COR_OPENFOAM_PAIR,
+    COR_KRATOS_HERTZ,
+    COR_KRATOS_HERTZ_GAMMA,
+    COR_KRATOS_LINEAR,
+    COR_KRATOS_LINEAR_GAMMA,
+    COR_GRANULARS_EN,
+    COR_ESYS_HERTZIAN,
+    COR_ESYS_HERTZ_MINDLIN,
+    COR_DEM_ENGINE_HERTZ,
+    COR_EXADEM_DAMP_RATE,
+    COR_DRAKE_HUNT_CROSSLEY,
+    COR_DRAKE_SAP,
+    COR_SIMBODY_HUNT_CROSSLEY,
+    COR_MUJOCO_TIME_CONSTANT,
+    COR_MUJOCO_STIFFNESS,
+    COR_NEWTON_SEMI_IMPLICIT,
+    COR_MODELICA_LINEAR,
+    COR_MODELICA_HERTZ,
+    COR_OPENSEES_HERTZ_DAMP,
+    COR_BULLET_RESTITUTION,
+    COR_BULLET_CALLBACK,
+    COR_REBOUND_CONSTANT,
+    COR_REBOUND_CALLBACK,
+    COR_SIMULATOR_MODELS
+};
+
 /* A contact model of a simulator. Its damping is the parameter of its law: zeta where q = 0, beta at the speed
- * elsewhere. */
+ * elsewhere. Texts are for readers only: no number depends on their words. */
 struct cor_simulator_model {
-    const char *simulator; /* "lammps" */
+    enum cor_simulator_model_id id;
     const char *model;     /* its name in the simulator's input or documentation */
     const char *parameter; /* the number that the user sets, with its unit; "e" for a restitution coefficient */
     enum cor_law law;
@@ -430,23 +494,52 @@ struct cor_simulator_model {
     double (*number_of_damping)(double damping, const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(double number, const struct cor_scene_contact *contact, double speed_m_s);
 
-    const char *file;   /* the simulator's file that computes it */
-    const char *known;  /* "run", "source" or "documentation" */
-    const char *advice; /* a sentence for the user */
+    const char *file;    /* the simulator's file that computes it */
+    const char *known;   /* "run", "source" or "documentation" */
+    const char *version; /* that was run or read */
+    const char *advice;  /* a sentence for the user */
 
-    /* The version that was run or read; lines for the input, and lines that make a contact of a sphere and a wall;
-     * NULL: none. Words in braces stand for numbers: cor_simulator_word. A line that starts with a question mark is
-     * left out where its numbers are not known. {pair} repeats a line for the pairs of two types, like pairs as
-     * comments. */
-    const char *version, *lines, *wall_lines;
+    /* Templates of lines for the input, and of lines for a sphere and a wall; NULL: none. Words in braces stand for
+     * numbers and texts of the contact (runtime/scene/lines.c). A line that starts with a question mark is left out
+     * where its numbers are not known. {pair} repeats a line for the pairs of two types, like pairs as comments. */
+    const char *lines, *wall_lines;
     enum cor_simulator_pairs pairs;
     enum cor_simulator_mass mass;
     int any_spring;    /* e is realised on a linear spring, too */
     int has_function;  /* the lines call a function of the speed, and contain no number */
-    long since, until; /* the versions that have it, as cor_simulator_version has them; 0: no limit is known */
+    long since, until; /* the versions that have it, by cor_simulator_version; 0: no limit is known */
 };
-extern const struct cor_simulator_model cor_simulator_models[];
-extern const size_t cor_simulator_model_count;
+
+/* A simulator, and how its input is written */
+struct cor_simulator {
+    const char *name, *title; /* "lammps", "LAMMPS" */
+    int integrator;           /* enum cor_integrator */
+    const struct cor_simulator_model *models;
+    int model_count;
+
+    /* A comment is one line, between these; NULL: no model has lines, and all that follows is absent. */
+    const char *comment, *comment_end;
+    const char *setup;     /* what its input must contain elsewhere */
+    const char *time_step; /* template of lines that set the time step; NULL: they are absent */
+    const char *version;   /* the version whose models come first: that of Debian 12; NULL: none */
+
+    /* At a wall the stiffness of two bodies with Hertz's force is divided by this number; 0: it is not. */
+    double wall_divides;
+    const char *wall;    /* a sentence about that */
+    const char *density; /* a sentence where the density of the bodies is not known; NULL: none */
+
+    /* For spheres that yield: a sentence; or the name of Luding's model with a template of its lines; or NULL */
+    const char *yielding, *luding, *luding_lines;
+};
+extern const struct cor_simulator cor_simulators[];
+extern const size_t cor_simulator_count;
+
+/* The model of an id, and its simulator */
+const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_id id);
+const struct cor_simulator *cor_simulator_of(enum cor_simulator_model_id id);
+
+/* The simulator with lines of a name in upper or lower case, or of the part of it before a hyphen; NULL: absent. */
+const struct cor_simulator *cor_simulator_named(const char *name);
 
 /* The restitution that the model realises if a user sets e; NaN if the model has no e or refuses this one. */
 double cor_simulator_realised(const struct cor_simulator_model *model, double e);
@@ -464,48 +557,6 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
 
 /* The smallest and the largest restitution that the model can realise by its e */
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
-
-/* Whether the model can realise the law of the contact at every speed; whether it can realise one eps of it, that of
- * one speed; whether its lines call a function of the speed, and have no number. */
-int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
-int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
-int cor_simulator_has_function(const struct cor_simulator_model *model);
-
-/* What a model is to realise: the contacts of a scene by cor_scene_contacts, at one speed or, NaN, at all; eps is that
- * of the speed, or of all speeds; NaN if it depends on the speed or the end. Where steps is above 0 the simulator is to
- * realise it with so many time steps in an elastic duration, in the mean over the phases of the first step: the damping
- * is that of cor_scene_step_corrected at the speed. */
-struct cor_simulator_wish {
-    const struct cor_scene *scene;
-    const struct cor_scene_contact *contacts;
-    int count;
-    double speed_m_s, eps, steps;
-};
-/* The damping of the model for the wish, by its law (`same_law`) or by eps alone; the number that a user sets for it,
- * and the value of a word of its lines: "n" (the number), "K", "young", ... NaN if there is none, with the reason. */
-double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
-                             int same_law);
-double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
-                            int same_law, enum cor_simulator_status *status);
-/* The damping of the model corrected for wish->steps; NaN if the simulator has no integrator of ours. An impulse needs
- * no correction. */
-double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
-                                  int same_law, double damping);
-double cor_simulator_word(const char *word, const struct cor_simulator_wish *wish, double number);
-
-/* A simulator of whose models some have lines, and how its input is written */
-struct cor_simulator {
-    const char *name, *title;          /* "lammps", as in its models; "LAMMPS" */
-    const char *comment, *comment_end; /* a comment is one line, between these */
-    const char *setup;                 /* what its input must say elsewhere */
-    const char *time_step;             /* lines that set the time step, with the word {dt}; NULL: it takes none */
-    const char *version;               /* the version whose models come first: that of Debian 12; NULL: none */
-};
-extern const struct cor_simulator cor_simulators[];
-extern const size_t cor_simulator_count;
-
-/* The simulator of a name in upper or lower case, or of the part of it before a hyphen; NULL: there is none. */
-const struct cor_simulator *cor_simulator_named(const char *name);
 
 /* A version as a number that grows from release to release: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: the text is
  * neither. */

@@ -112,7 +112,7 @@ SCENE_HEAD = """/* SPDX-License-Identifier: MIT */
 
 def scene_text() -> str:
     macros, calls_ = "", ""
-    pattern = r"^(?!typedef)(\w[\w ]*?[ *]+)(cor_\w+)\(([^()]*)\);"
+    pattern = r"^(?!typedef|static)(\w[\w ]*?[ *]+)(cor_\w+)\(([^()]*)\);"
     for kind, name, words in re.findall(pattern, scene_declarations(ROOT / "include" / "cor", ["scene"]), flags=re.M):
         if name not in PLAIN:
             names = ", ".join(re.findall(r"(\w+)(?:\[\w+\])?(?:,|$)", words))

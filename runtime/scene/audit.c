@@ -104,9 +104,11 @@ void audit_add_speed(struct audit *a, double speed)
 
 static const struct cor_simulator_model *model_named(const char *simulator, const char *name)
 {
-    for (size_t i = 0; i < cor_simulator_model_count; i++)
-        if (audit_is(cor_simulator_models[i].simulator, simulator) && audit_is(cor_simulator_models[i].model, name))
-            return &cor_simulator_models[i];
+    for (int id = 0; id < COR_SIMULATOR_MODELS; id++) {
+        const enum cor_simulator_model_id of = (enum cor_simulator_model_id)id;
+        if (audit_is(cor_simulator_of(of)->name, simulator) && audit_is(cor_simulator_model(of)->model, name))
+            return cor_simulator_model(of);
+    }
     return NULL;
 }
 
@@ -120,7 +122,7 @@ static const struct cor_simulator_model *other_version(const struct cor_simulato
                                            {"Mindlin, en (2023 and later)", "Mindlin, en (before 2023); SudoDEM"}};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
         if (audit_is(pairs[i][0], model->model))
-            return model_named(model->simulator, pairs[i][1]);
+            return model_named(cor_simulator_of(model->id)->name, pairs[i][1]);
     return NULL;
 }
 
@@ -544,7 +546,10 @@ int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text
         return COR_AUDIT_NOT_TEXT;
     if (!a->simulator)
         return COR_AUDIT_UNKNOWN;
-    a->integrator = cor_simulator_integrator(a->simulator);
+    a->integrator = COR_NO_INTEGRATOR;
+    for (size_t i = 0; i < cor_simulator_count; i++)
+        if (audit_is(cor_simulators[i].name, a->simulator))
+            a->integrator = cor_simulators[i].integrator;
     for (size_t i = 0; cor_audit_simulators[i]; i++)
         if (audit_is(cor_audit_simulators[i], a->simulator))
             readers[i](a);

@@ -15,35 +15,7 @@
 enum { INPUT_DIGITS = 12, TEXT_DIGITS = 6, NUMBER = 32, WORD = 16, SENTENCE = 800 };
 #define DEFAULT_STEPS 50
 
-/* ---- simulators ---- */
-
-#define FRICTION " Friction is 0 in these lines; add yours."
-#define XML "<!-- ", " -->"
-#define SCRIPT "# ", ""
-#define CPP "// ", ""
-const struct cor_simulator cor_simulators[] = {
-    {"lammps", "LAMMPS", SCRIPT, "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes." FRICTION,
-     "timestep {dt}\n", "29 Sep 2021"},
-    {"liggghts", "LIGGGHTS", SCRIPT,
-     "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types_in_words} in "
-     "create_box." FRICTION,
-     "timestep {dt}\n", "3.8.0"},
-    {"yade", "YADE", SCRIPT, "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0." FRICTION,
-     "O.dt = {dt}\n", "2023.02"},
-    {"mercurydpm", "MercuryDPM", CPP, "SI units.", "setTimeStep({dt});\n", NULL},
-    {"chrono", "Chrono", CPP, "SI units.", "const double time_step = {dt}; // s, for DoStepDynamics\n", NULL},
-    {"mfix", "MFiX", "! ", "", "UNITS = 'SI'; MFiX chooses its time step.", NULL, NULL},
-    {"openfoam", "OpenFOAM", CPP, "SI units." FRICTION, NULL, NULL},
-    {"esys-particle", "ESyS-Particle", SCRIPT, "SI units." FRICTION, "sim.setTimeStepSize({dt})\n", NULL},
-    {"mujoco", "MuJoCo", XML, "Units of the model: m, kg, s. To be put into <mujoco>." FRICTION,
-     "<option timestep=\"{dt}\"/>\n", "2.2.2"},
-    {"drake", "Drake", XML, "SI units.", NULL, NULL},
-    {"simbody", "Simbody", CPP, "SI units." FRICTION " The integrator chooses the time step.", NULL, "3.7"},
-    {"bullet", "Bullet", CPP, "SI units.", NULL, "3.24"},
-    {"rebound", "REBOUND", CPP, "cor_eps takes m/s.", NULL, NULL},
-    {"modelica", "Modelica", CPP, "SI units. The integrator chooses the time step.", NULL, NULL},
-};
-const size_t cor_simulator_count = sizeof cor_simulators / sizeof *cor_simulators;
+/* ---- names and versions ---- */
 
 /* The number of first letters of `text` that are those of `name`, which has no upper case */
 static size_t common_letters(const char *text, const char *name)
@@ -59,7 +31,8 @@ const struct cor_simulator *cor_simulator_named(const char *name)
     for (size_t i = 0; i < cor_simulator_count; i++) {
         const char *const own = cor_simulators[i].name;
         const size_t length = common_letters(name, own);
-        if (name[length] == '\0' && length > 0 && (own[length] == '\0' || own[length] == '-'))
+        if (cor_simulators[i].comment && name[length] == '\0' && length > 0 &&
+            (own[length] == '\0' || own[length] == '-'))
             return &cor_simulators[i];
     }
     return NULL;
@@ -194,6 +167,7 @@ struct task {
     struct cor_simulator_wish wish[CONTACTS];
     struct cor_simulator_request softened; /* of soften_wall */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
+    double k1, kp, depth;               /* of put_luding */
     char law[NUMBER];                   /* its name */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
@@ -277,11 +251,6 @@ static int end_of(const struct cor_scene *scene)
     return scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP;
 }
 
-static int is_of(const struct cor_simulator_model *model, const struct task *task)
-{
-    return model->lines && strcmp(model->simulator, task->simulator->name) == 0;
-}
-
 static int version_has(const struct cor_simulator_model *model, const char *version)
 {
     return cor_model_has_version(model, version ? cor_simulator_version(version) : 0);
@@ -290,16 +259,16 @@ static int version_has(const struct cor_simulator_model *model, const char *vers
 /* Whether lines of the model can be printed, but for their numbers */
 static int suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
-    return is_of(model, task) && version_has(model, task->request->version) &&
+    return model->lines && version_has(model, task->request->version) &&
            (!task->request->scene->wall || model->wall_lines) &&
            (has_law ? cor_simulator_has_law(model, task->request->contacts)
                     : cor_simulator_has_one_eps(model, task->request->contacts));
 }
 
-/* True for a sphere with Hertz's force at a wall of YADE */
-static int is_yade_wall(const struct task *task)
+/* True for a sphere with Hertz's force at a wall that makes it softer */
+static int has_soft_wall(const struct task *task)
 {
-    return strcmp(task->simulator->name, "yade") == 0 && task->request->scene->wall &&
+    return task->simulator->wall_divides > 0 && task->request->scene->wall &&
            cor_law_is_hertz(&task->request->contacts->law);
 }
 
@@ -308,7 +277,7 @@ static int is_yade_wall(const struct task *task)
 static double damping_of(const struct block *block, const struct task *task, int pair)
 {
     const struct cor_simulator_model *const model = block->model;
-    return cor_simulator_has_function(model) ? NAN
+    return model->has_function ? NAN
            : model->damping_of_e
                ? model->damping_of_e(block->number[pair])
                : model->damping_of_number(block->number[pair], task->wish[pair].contacts, block->speed_m_s);
@@ -326,7 +295,7 @@ static double realised(const struct block *block, const struct task *task, doubl
 {
     const struct cor_simulator_model *const model = block->model;
     double eps = NAN;
-    if (cor_simulator_has_function(model))
+    if (model->has_function)
         cor_scene_eps(&eps, task->request->contacts, speed_m_s, end_of(task->request->scene));
     else if (model->law == COR_LAW_IMPULSE || (!task->pressed && cor_law_is_constant(&cor_law_exponents[model->law])))
         eps = cor_law_eps(model->law, model->end, block->damping);
@@ -339,7 +308,7 @@ static double realised(const struct block *block, const struct task *task, doubl
 
 static int integrator_of(const struct task *task)
 {
-    const int own = cor_simulator_integrator(task->simulator->name);
+    const int own = task->simulator->integrator;
     return own == COR_NO_INTEGRATOR || task->request->integrator == COR_NO_INTEGRATOR ? own : task->request->integrator;
 }
 
@@ -524,53 +493,112 @@ static void put_embed(struct text *t, const struct task *task)
     put(t, line);
 }
 
-/* A word for the pair; t->known becomes 0 if its number is not known. */
-static void put_word(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
+/* The number of a word; NaN if it is not known. zeta and the natural frequency fix MuJoCo's time constant, the contact
+ * time and e' the numbers of YADE. Simbody's stiffness s of each of two bodies is K = (4/3) sqrt(R) s/2^(3/2). */
+static double word_number(const char *word, const struct block *block, const struct task *task, int pair)
+{
+    const struct cor_simulator_wish *const wish = &task->wish[pair];
+    const struct cor_body one = cor_scene_body(wish->scene, 1), two = cor_scene_body(wish->scene, 2);
+    const double k = wish->contacts->stiffness, m = wish->contacts->mass_kg, radius = wish->contacts->radius_m;
+    const double kn = k / sqrt(radius), number = block->number[pair], l = number > 0 ? log(number) : (double)NAN;
+    const double nu = one.poisson_ratio, density = cor_scene_body_density(wish->scene, 1);
+    const int alike = !cor_scene_materials_differ(wish->scene) && one.dissipation_time_s == two.dissipation_time_s;
+    const struct {
+        const char *word;
+        double value;
+    } words[] = {{"n", number},
+                 {"n/2", number / 2},
+                 {"root", sqrt(number)},
+                 {"K", k},
+                 {"2K", 2 * k},
+                 {"K/m", k / m},
+                 {"K/R", k / radius},
+                 {"R", radius},
+                 {"kn", kn},
+                 {"stiffness", cor_law_is(&task->request->contacts->law, 2, 0) ? k : kn},
+                 {"E", 0.75 * k / sqrt(radius)},
+                 {"2m", 2 * m},
+                 {"tc", sqrt(m / k * (COR_PI * COR_PI + l * l))},
+                 {"timeconst", sqrt(m / k) / number},
+                 {"simbody", sqrt(4.5) * k / sqrt(radius)},
+                 {"young", one.young_modulus_pa},
+                 {"poisson", nu},
+                 {"youngpair", 2 * (1 - nu * nu) * 0.75 * k / sqrt(radius)},
+                 {"young2", two.young_modulus_pa},
+                 {"poisson2", two.poisson_ratio},
+                 {"density", density},
+                 {"density2", cor_scene_body_density(wish->scene, 2)},
+                 {"rho", alike ? density : (double)NAN},
+                 {"k1", task->k1},
+                 {"kp", task->kp},
+                 {"kp/k1", task->kp / task->k1},
+                 {"depth", task->depth},
+                 {"dt", block->time_step_s},
+                 {"0", 0},
+                 {"1", 1}};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(words[i].word, word) == 0)
+            return words[i].value;
+    return NAN;
+}
+
+/* The text of a word; NULL: the word stands for a number */
+static const char *word_text(const char *word, const struct task *task, int pair)
 {
     static const char *const pairs[] = {"1 2", "1 1", "2 2"};
-    const struct cor_scene_contact *const contact = task->request->contacts;
-    const int hooke = cor_law_is(&contact->law, 2, 0);
-    const size_t length = strlen(word);
-    const int two = task->types == 2;
-    char type[WORD], density[NUMBER + WORD];
-    if (strcmp(word, "embed") == 0) {
+    const int hooke = cor_law_is(&task->request->contacts->law, 2, 0), two = task->types == 2;
+    const struct {
+        const char *word, *text;
+    } words[] = {{"model", hooke ? "hooke" : "hertz"},
+                 {"Model", hooke ? "Hooke" : "Hertz"},
+                 {"pair", two && pair < PAIRS ? pairs[pair] : "* *"},
+                 {"types", two ? "2" : "1"},
+                 {"s", two ? "s" : ""}};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(words[i].word, word) == 0)
+            return words[i].text;
+    return NULL;
+}
+
+static void put_number(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
+{
+    const double value = word_number(word, block, task, pair);
+    t->known = t->known && !isnan(value);
+    put(t, number_text(value, strcmp(word, "dt") == 0 ? TEXT_DIGITS : INPUT_DIGITS).text);
+}
+
+/* The density of a body as an argument, if it is known; of the second body it is needed only where materials differ. */
+static void put_density(struct text *t, const char *word, const struct block *block, const struct task *task)
+{
+    const double density = word_number(word, block, task, PAIR);
+    t->known = t->known && (word[strlen("density")] == '\0' || cor_scene_materials_differ(task->request->scene));
+    put(t, isnan(density) ? "" : "density=");
+    put(t, isnan(density) ? "" : INPUT(density));
+    put(t, isnan(density) ? "" : ", ");
+}
+
+/* A word for the pair; t->known becomes 0 if its number is not known. {X[]} is the matrix of X for all pairs of types,
+ * {X[i]} the list of X of all bodies. */
+static void put_word(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
+{
+    static const int order[] = {LIKE_1, PAIR, PAIR, LIKE_2};
+    const int two = task->types == 2, name = (int)strcspn(word, "["), matrix = strcmp(word + name, "[]") == 0;
+    const char *const text = word_text(word, task, pair);
+    char of_two[WORD + 1];
+    if (text) {
+        put(t, text);
+    } else if (strcmp(word, "embed") == 0) {
         put_embed(t, task);
-    } else if (strcmp(word, "model") == 0 || strcmp(word, "Model") == 0) {
-        put(t, word[0] == 'm' ? (hooke ? "hooke" : "hertz") : (hooke ? "Hooke" : "Hertz"));
-    } else if (strcmp(word, "pair") == 0) {
-        put(t, two ? pairs[pair] : "* *");
-    } else if (strcmp(word, "types") == 0 || strcmp(word, "types_in_words") == 0) {
-        put(t, two ? "2" : "1");
-        put(t, word[5] == '\0' ? "" : two ? " types" : " type");
-    } else if (strcmp(word, "density") == 0 || strcmp(word, "density2") == 0) {
-        const double rho = cor_simulator_word(word, &task->wish[pair], 1);
-        t->known = t->known && (word[7] == '\0' || cor_scene_materials_differ(task->request->scene));
-        snprintf(density, sizeof density, "density=%s, ", INPUT(rho));
-        put(t, isnan(rho) ? "" : density);
-    } else if (strcmp(word, "spring") == 0) {
-        put(t, hooke ? "hooke " : "hertz ");
-        put_word(t, hooke ? "K" : "kn", block, task, pair);
-    } else if (length > 2 && length < WORD && strcmp(word + length - 2, "[]") == 0) {
-        /* the matrix of all pairs of types */
-        static const int order[] = {LIKE_1, PAIR, PAIR, LIKE_2};
-        snprintf(type, WORD, "%.*s", (int)length - 2, word);
-        for (int i = 0; i < (two ? 4 : 1); i++) {
-            put(t, i > 0 ? " " : "");
-            put_word(t, type, block, task, two ? order[i] : PAIR);
-        }
-    } else if (strcmp(word, "youngs") == 0 || strcmp(word, "poissons") == 0) {
-        for (int body = 1; body <= task->types; body++) {
-            const int what = word[0] == 'y' ? COR_SCENE_YOUNG : COR_SCENE_POISSON;
-            const double value = cor_scene_of_body(task->request->scene, what, body);
-            t->known = t->known && !isnan(value);
-            put(t, body > 1 ? " " : "");
-            put(t, INPUT(value));
-        }
+    } else if (strncmp(word, "density", strlen("density")) == 0) {
+        put_density(t, word, block, task);
+    } else if (word[name] == '\0') {
+        put_number(t, word, block, task, pair);
     } else {
-        const double value = strcmp(word, "dt") == 0 ? block->time_step_s
-                                                     : cor_simulator_word(word, &task->wish[pair], block->number[pair]);
-        t->known = t->known && !isnan(value);
-        put(t, number_text(value, strcmp(word, "dt") == 0 ? TEXT_DIGITS : INPUT_DIGITS).text);
+        for (int i = 0; i < (!two ? 1 : matrix ? 4 : 2); i++) {
+            snprintf(of_two, sizeof of_two, "%.*s%s", name, word, !matrix && i > 0 ? "2" : "");
+            put(t, i > 0 ? " " : "");
+            put_number(t, of_two, block, task, matrix && two ? order[i] : PAIR);
+        }
     }
 }
 
@@ -679,7 +707,7 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
     const char *const numbers = has_own_damping(scene)
                                     ? "the damping of their materials, as given"
                                     : "the damping of the pair 1 2, which is theirs only if both are of one material";
-    if (task->types == 1 || scene->wall || cor_simulator_has_function(block->model))
+    if (task->types == 1 || scene->wall || block->model->has_function)
         return;
     if (pairs == COR_PAIRS_LINES)
         comment(
@@ -726,7 +754,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
 {
     const struct cor_simulator_request *const request = task->request;
     const enum cor_law law = block->model->law;
-    const int constant = law == COR_LAW_IMPULSE ? !cor_simulator_has_function(block->model)
+    const int constant = law == COR_LAW_IMPULSE ? !block->model->has_function
                                                 : !task->pressed && cor_law_is_constant(&cor_law_exponents[law]);
     const double *const speed = request->speeds > 0 ? request->speed_m_s : &task->wish[PAIR].speed_m_s;
     const size_t speeds = request->speeds > 0 ? request->speeds : (size_t)!isnan(*speed);
@@ -751,7 +779,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
 static void put_own_e(struct text *t, const struct block *block, const struct task *task)
 {
     const double eps = cor_law_eps(block->model->law, block->model->end, block->damping);
-    if (task->pressed || !block->model->damping_of_e || cor_simulator_has_function(block->model) ||
+    if (task->pressed || !block->model->damping_of_e || block->model->has_function ||
         fabs(block->number[PAIR] - eps) < 1e-7)
         return;
     const double back = cor_simulator_realised(block->model, eps);
@@ -768,9 +796,8 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     comment(t, "%s%s, %s (%s): contacts end at %s", instead, task->simulator->title, model->model, model->version,
             cor_end_names[model->end]);
     put_realised(t, block, task);
-    if (is_yade_wall(task))
-        comment(t, "YADE's walls have K/sqrt(2), its facets K sqrt(2/3), where K is Hertz's: contacts last longer.%s",
-                task->pressed ? " Here eps is that of a wall." : "");
+    if (has_soft_wall(task))
+        comment(t, "%s%s", task->simulator->wall, task->pressed ? " Here eps is that of a wall." : "");
     if (task->pressed)
         comment(t, "The simulator adds gravity; eps is the speed at %s over the impact speed.",
                 model->end == COR_END_ZERO_OVERLAP ? "zero overlap" : "the surface");
@@ -778,8 +805,8 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     put_own_e(t, block, task);
     put_mass(t, block, task);
     put_pairs(t, block, task);
-    if (model->pairs == COR_PAIRS_ONE_LAW && isnan(cor_simulator_word("density", &task->wish[PAIR], 1)))
-        comment(t, "cor_material gets the density that YADE chooses, 1000 kg/m^3: add that of your bodies.");
+    if (task->simulator->density && isnan(cor_scene_body_density(task->request->scene, 1)))
+        comment(t, "%s", task->simulator->density);
     if (!*instead) {
         t->commented++;
         put_template(t, task->simulator->setup, block, task);
@@ -795,7 +822,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     t->commented -= *instead != '\0';
     if (!isnan(block->time_step_s) && !task->simulator->time_step)
         comment(t, "time step: at most %s s", TEXT(block->time_step_s));
-    if (cor_simulator_has_function(model))
+    if (model->has_function)
         comment(t, "Outside these speeds cor_eps returns the value at the nearer end of their range.");
     put(t, "\n");
     return known;
@@ -805,63 +832,38 @@ static int put_block(struct text *t, const struct block *block, const struct tas
 
 /* Luding's contact loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p of the largest overlap x, so that
  * eps = sqrt(k_1/k_2). k_1 gives the largest overlap of the contact at its speed; x_p is twice that overlap. */
-static void put_luding(struct text *t, const struct task *task, double speed_m_s, double eps)
+static void put_luding(struct text *t, struct task *task, double speed_m_s, double eps)
 {
     const struct cor_scene_contact *const contact = task->request->contacts;
-    const int yade = strcmp(task->simulator->name, "yade") == 0;
+    const struct block block = {.time_step_s = NAN};
     struct cor_scene_impact impact;
-    if (isnan(contact->mass_kg) || isnan(contact->radius_m) || (yade && task->request->scene->wall) ||
+    if (isnan(contact->mass_kg) || isnan(contact->radius_m) ||
+        (task->simulator->wall_divides > 0 && task->request->scene->wall) ||
         cor_scene_impact(&impact, contact, speed_m_s) != COR_FAULT_NONE || !(eps < 1))
         return;
-    const double x = impact.max_overlap_m, k = contact->mass_kg * speed_m_s * speed_m_s / (x * x);
-    const double ratio = 2 / (eps * eps) - 1, depth = x * (1 - 1 / ratio) / contact->radius_m;
+    const double x = impact.max_overlap_m, ratio = 2 / (eps * eps) - 1;
+    task->k1 = contact->mass_kg * speed_m_s * speed_m_s / (x * x);
+    task->kp = ratio * task->k1;
+    task->depth = x * (1 - 1 / ratio) / contact->radius_m;
     comment(t, "Instead, %s (run): Luding's linear hysteresis loads with k_1 and unloads with k_2,",
-            yade ? "YADE, LudingMat" : "LIGGGHTS, luding");
+            task->simulator->luding);
     comment(t,
             "eps = sqrt(k_1/k_2). These numbers of the pair realise eps = %s and the largest overlap, %s m, at %s m/s.",
             TEXT(eps), TEXT(x), TEXT(speed_m_s));
     comment(t, "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster than eps of the spheres.",
             TEXT((1 / (eps * eps) - 1) / speed_m_s));
-    if (yade) {
-        for (int body = 1; body <= (cor_scene_materials_differ(task->request->scene) ? 2 : 1); body++)
-            comment(t,
-                    "cor_material%s = LudingMat(frictionAngle=0, density=%s, k1=%s, kp=%s, kc=0, ks=0, PhiF=%s, G0=0)",
-                    body > 1 ? "_2" : "", INPUT(cor_scene_body_density(task->request->scene, body)), INPUT(k),
-                    INPUT(ratio * k), INPUT(depth));
-        comment(t,
-                "cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_LudingMat_LudingMat_LudingPhys()], "
-                "[Law2_ScGeom_LudingPhys_Basic()])");
-        return;
-    }
-    const struct {
-        const char *name;
-        double value;
-    } property[] = {{"LoadingStiffness", k},
-                    {"UnloadingStiffness", ratio},
-                    {"coefficientAdhesionStiffness", 0},
-                    {"coefficientPlasticityDepth", depth},
-                    {"pullOffForce", 0},
-                    {"coefficientRestitution", 1}};
-    comment(t, "pair_style gran model luding tangential history");
-    for (size_t i = 0; i < sizeof property / sizeof *property; i++) {
-        const struct number n = number_text(property[i].value, INPUT_DIGITS);
-        comment(t,
-                task->types == 2 ? "fix cor_luding_%d all property/global %s peratomtypepair 2 %s %s %s %s"
-                                 : "fix cor_luding_%d all property/global %s peratomtypepair 1 %s",
-                (int)i, property[i].name, n.text, n.text, n.text, n.text);
-    }
+    t->commented++;
+    put_template(t, task->simulator->luding_lines, &block, task);
+    t->commented--;
 }
 
-/* What a simulator has for spheres that yield, beside the lines that hold at one speed */
-static void put_plastic(struct text *t, const struct task *task)
+/* Prints the model of a simulator for spheres that yield, next to the lines that hold at one speed. */
+static void put_yielding(struct text *t, struct task *task)
 {
-    const struct cor_simulator_wish *const wish = &task->wish[PAIR];
-    const char *const name = task->simulator->name;
-    if (strcmp(name, "lammps") == 0)
-        comment(t, "LAMMPS of 2025 and later has mdr, which takes E, nu and the yield stress: elastic-plastic with "
-                   "another yield criterion, so that its eps is another one. It was not run.");
-    else if (strcmp(name, "liggghts") == 0 || strcmp(name, "yade") == 0)
-        put_luding(t, task, wish->speed_m_s, wish->eps);
+    if (task->simulator->yielding)
+        comment(t, "%s", task->simulator->yielding);
+    else if (task->simulator->luding)
+        put_luding(t, task, task->wish[PAIR].speed_m_s, task->wish[PAIR].eps);
     else if (!task->has_law) /* by a function of the speed */
         comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
 }
@@ -915,14 +917,12 @@ static void put_other_end(struct text *t, const struct block *active, const stru
 static void put_own_maps(struct text *t, const struct task *task)
 {
     const double eps = task->wish[PAIR].eps;
-    for (size_t i = 0; i < cor_simulator_model_count && !isnan(eps) && !task->pressed; i++) {
-        const struct cor_simulator_model *const model = &cor_simulator_models[i];
+    for (int i = 0; i < task->simulator->model_count && !isnan(eps) && !task->pressed; i++) {
+        const struct cor_simulator_model *const model = &task->simulator->models[i];
         const double own = cor_simulator_realised(model, eps);
-        if (strcmp(model->simulator, task->simulator->name) != 0 || !model->damping_of_e ||
-            cor_simulator_has_function(model) || !version_has(model, task->request->version))
-            continue;
-        comment(t, "If e = %s is set by hand: %s (%s) %s%s.", TEXT(eps), model->model, model->version,
-                isnan(own) ? "refuses it" : "realises ", isnan(own) ? "" : TEXT(own));
+        if (model->damping_of_e && !model->has_function && version_has(model, task->request->version))
+            comment(t, "If e = %s is set by hand: %s (%s) %s%s.", TEXT(eps), model->model, model->version,
+                    isnan(own) ? "refuses it" : "realises ", isnan(own) ? "" : TEXT(own));
     }
 }
 
@@ -946,8 +946,8 @@ static int put_all(struct text *t, struct task *task)
     struct block block, active = {.model = NULL};
     char instead[SENTENCE];
     for (int wanted = 3; wanted >= 0 && !active.model; wanted--)
-        for (size_t i = 0; i < cor_simulator_model_count && !active.model; i++) {
-            const struct cor_simulator_model *const model = &cor_simulator_models[i];
+        for (int i = 0; i < task->simulator->model_count && !active.model; i++) {
+            const struct cor_simulator_model *const model = &task->simulator->models[i];
             const struct text before = *t;
             if (!suits(model, task, task->has_law) || rank(model, task) != wanted)
                 continue;
@@ -965,8 +965,8 @@ static int put_all(struct text *t, struct task *task)
     if (!active.model)
         return 0;
     put_other_end(t, &active, task);
-    for (size_t i = 0; i < cor_simulator_model_count; i++) {
-        const struct cor_simulator_model *const model = &cor_simulator_models[i];
+    for (int i = 0; i < task->simulator->model_count; i++) {
+        const struct cor_simulator_model *const model = &task->simulator->models[i];
         const struct text before = *t;
         if (!suits(model, task, task->has_law) || model == active.model)
             continue;
@@ -983,16 +983,16 @@ static int put_all(struct text *t, struct task *task)
 
 /* ---- the text ---- */
 
-/* At a wall YADE has K/sqrt(2), where K is Hertz's stiffness, as between spheres. eps depends on it under gravity. */
+/* Gives the contact the stiffness of a soft wall, on which eps depends under gravity. */
 static void soften_wall(struct task *task)
 {
     const double *const number = task->request->scene->number;
     const int end = task->request->scene->end, measured = !isnan(number[COR_SCENE_RESTITUTION] * number[COR_SCENE_AT]);
-    if (!task->pressed || !is_yade_wall(task))
+    if (!task->pressed || !has_soft_wall(task))
         return;
     for (int i = 0; i < task->request->count; i++) {
         task->soft[i] = task->request->contacts[i];
-        task->soft[i].stiffness /= sqrt(2);
+        task->soft[i].stiffness /= task->simulator->wall_divides;
         if (measured)
             cor_scene_set_damping(&task->soft[i], COR_SCENE_RESTITUTION, number[COR_SCENE_RESTITUTION],
                                   number[COR_SCENE_AT], end == COR_BOTH_ENDS ? i : end);
@@ -1046,8 +1046,8 @@ static int check_task(struct task *task)
         put(&t, request->simulator);
         put(&t, "' is not a simulator that cor has lines for; allowed: ");
         for (size_t i = 0; i < cor_simulator_count; i++) {
-            put(&t, i > 0 ? ", " : "");
-            put(&t, cor_simulators[i].name);
+            put(&t, i > 0 && cor_simulators[i].comment ? ", " : "");
+            put(&t, cor_simulators[i].comment ? cor_simulators[i].name : "");
         }
         return 0;
     }
@@ -1071,9 +1071,9 @@ static int check_task(struct task *task)
         snprintf(task->law, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping,
                  law->denominator);
     task->types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
-    for (size_t i = 0; i < cor_simulator_model_count; i++) {
-        task->has_law = task->has_law || suits(&cor_simulator_models[i], task, 1);
-        has_wall = has_wall || (is_of(&cor_simulator_models[i], task) && cor_simulator_models[i].wall_lines);
+    for (int i = 0; i < task->simulator->model_count; i++) {
+        task->has_law = task->has_law || suits(&task->simulator->models[i], task, 1);
+        has_wall = has_wall || task->simulator->models[i].wall_lines;
     }
     return !request->scene->wall || has_wall ||
            refuse(task, "no model of %s has lines for a wall", task->simulator->title);
@@ -1086,8 +1086,8 @@ static void refuse_law(struct task *task)
     const struct cor_scene_contact *const contact = request->contacts;
     const struct cor_simulator_wish *const wish = &task->wish[PAIR];
     char instead[SENTENCE] = "";
-    for (size_t i = 0; i < cor_simulator_model_count && !*instead; i++)
-        if (is_of(&cor_simulator_models[i], task) && cor_simulator_models[i].law == COR_LAW_LINEAR &&
+    for (int i = 0; i < task->simulator->model_count && !*instead; i++)
+        if (task->simulator->models[i].lines && task->simulator->models[i].law == COR_LAW_LINEAR &&
             contact->mass_kg > 0 && !task->pressed && !contact->plastic && !contact->plate && wish->eps <= 1)
             snprintf(
                 instead, sizeof instead,
@@ -1108,7 +1108,7 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
         struct text t = {text, size, 0, task.simulator, 0, 1, 1};
         if (put_all(&t, &task)) {
             if (request->contacts[0].plastic)
-                put_plastic(&t, &task);
+                put_yielding(&t, &task);
             return (long)t.length;
         }
         if (!*task.refusal)
@@ -1124,19 +1124,16 @@ long cor_simulator_list(char *text, size_t size, const struct cor_simulator *sim
     char line[SENTENCE];
     for (const struct cor_simulator *s = cor_simulators; s < cor_simulators + cor_simulator_count; s++) {
         int models = 0, walls = 0;
-        for (size_t k = 0; k < cor_simulator_model_count; k++) {
-            const struct cor_simulator_model *const model = &cor_simulator_models[k];
-            if (!model->lines || strcmp(model->simulator, s->name) != 0)
-                continue;
-            models++;
+        for (const struct cor_simulator_model *model = s->models; model < s->models + s->model_count; model++) {
+            models += model->lines != NULL;
             walls += model->wall_lines != NULL;
             snprintf(line, sizeof line, "%s (%s, ends at %s%s; %s)\n", model->model, cor_law_name(model->law),
                      cor_end_names[model->end], model->wall_lines ? ", walls too" : "", model->version);
-            put(&t, s == simulator ? line : "");
+            put(&t, model->lines && s == simulator ? line : "");
         }
         snprintf(line, sizeof line, "%-13s  %2d model%s%s%s%s\n", s->name, models, models > 1 ? "s" : "",
                  walls ? ", walls too" : "", s->version ? "; first those of " : "", s->version ? s->version : "");
-        put(&t, simulator ? "" : line);
+        put(&t, simulator || !s->comment ? "" : line);
     }
     return (long)t.length;
 }

@@ -173,8 +173,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "pair_style gran model " model " tangential off" limit "\n"                                                        \
     "pair_coeff * *\n" properties
 #define LIGGGHTS_E                                                                                                     \
-    "?fix cor_young all property/global youngsModulus peratomtype {youngs}\n"                                          \
-    "?fix cor_poisson all property/global poissonsRatio peratomtype {poissons}\n"                                      \
+    "?fix cor_young all property/global youngsModulus peratomtype {young[i]}\n"                                        \
+    "?fix cor_poisson all property/global poissonsRatio peratomtype {poisson[i]}\n"                                    \
     "fix cor_e all property/global coefficientRestitution peratomtypepair {types} {n[]}\n"
 /* kt and gammat are asked for even with tangential off. */
 #define LIGGGHTS_STIFFNESS(stiffness)                                                                                  \
@@ -198,149 +198,182 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define OPENFOAM_NUMBERS                                                                                               \
     "    alpha {n};\n    b 1.5;\n    mu 0;\n    cohesionEnergyDensity 0;\n    collisionResolutionSteps 12;\n}\n"
 
+#define LUDING(number, property, value)                                                                                \
+    "fix cor_luding_" number " all property/global " property " peratomtypepair {types} " value "\n"
+#define YADE_LUDING "k1={k1}, kp={kp}, kc=0, ks=0, PhiF={depth}, G0=0)\n"
+
 /* Of one material: the mixed species of two has no density. */
 #define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
-/* Where a model comes from: simulator, file, "run" or "source", version */
-#define OF(of_simulator, of_file, how, of_version)                                                                     \
-    .simulator = of_simulator, .file = of_file, .known = how, .version = of_version
-#define OF_LAMMPS_RUN OF("lammps", "src/GRANULAR/gran_sub_mod_damping.cpp", "run", "29 Sep 2021 to 4 Feb 2025")
-#define OF_LAMMPS_SOURCE OF("lammps", "src/GRANULAR/gran_sub_mod_damping.cpp", "source", "source 07b704ca, 2026")
-#define OF_LIGGGHTS(in) OF("liggghts", "src/" in, "run", "3.8, source 3d5c00f2")
-#define OF_YADE(in) OF("yade", "pkg/dem/" in, "run", "2023.02a")
-#define OF_MERCURYDPM(in) OF("mercurydpm", "Kernel/Species/NormalForceSpecies/" in, "source", "source fb0ebf1d")
-#define OF_CHRONO OF("chrono", "src/chrono/physics/ChContactSMC.cpp", "source", "source 7689fbc0")
-#define OF_MFIX OF("mfix", "model/check_data/check_solids_dem.f", "source", "21.3.2")
-#define OF_KRATOS(in) OF("kratos", "applications/DEMApplication/" in, "source", "source 03f57bf0")
-#define OF_ESYS_PARTICLE OF("esys-particle", "Model", "source", "2.3.5")
-#define OF_DRAKE(in) OF("drake", "multibody/" in, "source", "source be259df7")
-#define OF_MUJOCO OF("mujoco", "src/engine/engine_core_constraint.c", "run", "2.2.2, source a7255075")
-#define OF_MODELICA                                                                                                    \
-    OF("modelica", "Mechanics/Translational/Components/ElastoGap", "source", "Modelica Standard Library 4")
-#define OF_BULLET(in) OF("bullet", "src/" in, "run", "3.24")
+/* Where a model comes from: file, "run" or "source", version */
+#define OF(of_file, how, of_version) .file = of_file, .known = how, .version = of_version
+#define OF_LAMMPS_RUN OF("src/GRANULAR/gran_sub_mod_damping.cpp", "run", "29 Sep 2021 to 4 Feb 2025")
+#define OF_LAMMPS_SOURCE OF("src/GRANULAR/gran_sub_mod_damping.cpp", "source", "source 07b704ca, 2026")
+#define OF_LIGGGHTS(in) OF("src/" in, "run", "3.8, source 3d5c00f2")
+#define OF_YADE(in) OF("pkg/dem/" in, "run", "2023.02a")
+#define OF_MERCURYDPM(in) OF("Kernel/Species/NormalForceSpecies/" in, "source", "source fb0ebf1d")
+#define OF_CHRONO OF("src/chrono/physics/ChContactSMC.cpp", "source", "source 7689fbc0")
+#define OF_MFIX OF("model/check_data/check_solids_dem.f", "source", "21.3.2")
+#define OF_KRATOS(in) OF("applications/DEMApplication/" in, "source", "source 03f57bf0")
+#define OF_ESYS_PARTICLE OF("Model", "source", "2.3.5")
+#define OF_DRAKE(in) OF("multibody/" in, "source", "source be259df7")
+#define OF_MUJOCO OF("src/engine/engine_core_constraint.c", "run", "2.2.2, source a7255075")
+#define OF_MODELICA OF("Mechanics/Translational/Components/ElastoGap", "source", "Modelica Standard Library 4")
+#define OF_BULLET(in) OF("src/" in, "run", "3.24")
+#define SIMULATOR(rows, of_name, of_title, moves)                                                                      \
+    .name = of_name, .title = of_title, .integrator = COR_##moves, .models = rows,                                     \
+    .model_count = sizeof(rows) / sizeof *(rows)
 /* Last come the lines, and .since and .until */
-#define ROW(of, of_model, number, of_law, of_end, map, sentence, ...)                                                  \
+#define ROW(of_id, of, of_model, number, of_law, of_end, map, sentence, ...)                                           \
     {                                                                                                                  \
-        of, .model = of_model, .parameter = number, .law = COR_LAW_##of_law, .end = COR_END_##of_end, map,             \
-            .advice = sentence, __VA_ARGS__                                                                            \
+        .id = COR_##of_id, of, .model = of_model, .parameter = number, .law = COR_LAW_##of_law,                        \
+        .end = COR_END_##of_end, map, .advice = sentence, __VA_ARGS__                                                  \
     }
-const struct cor_simulator_model cor_simulator_models[] = {
-    ROW(OF_LAMMPS_RUN, "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot),
-        "eta_n is the dashpot itself.", LAMMPS("hooke {K}", "velocity")),
-    ROW(OF_LAMMPS_RUN, "granular hooke, damping velocity, limit_damping", "eta_n, kg/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot), "Exact.", LAMMPS("hooke {K}", "velocity limit_damping")),
-    ROW(OF_LAMMPS_RUN, "granular hooke, damping mass_velocity; gran/hooke", "eta_n or gamma_n, 1/s", LINEAR,
-        ZERO_OVERLAP, NUMBER(dashpot_per_mass), "Exact.", LAMMPS("hooke {K}", "mass_velocity")),
-    ROW(OF_LAMMPS_RUN, "granular hooke, damping mass_velocity, limit_damping", "eta_n, 1/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot_per_mass), "Exact.", LAMMPS("hooke {K}", "mass_velocity limit_damping")),
-    ROW(OF_LAMMPS_RUN, "granular hooke, damping viscoelastic (the default)", "eta_n, 1/(m s)", LINEAR_ROOT,
-        ZERO_OVERLAP, NUMBER(area_root), "The restitution depends on the impact speed: the number holds at one speed.",
+#define FRICTION " Friction is 0 in these lines; add yours."
+#define COMMENT(before, after) .comment = before, .comment_end = after
+#define XML COMMENT("<!-- ", " -->")
+#define SCRIPT COMMENT("# ", "")
+#define CPP COMMENT("// ", "")
+static const struct cor_simulator_model lammps[] = {
+    ROW(LAMMPS_HOOKE_VELOCITY, OF_LAMMPS_RUN, "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP,
+        NUMBER(dashpot), "eta_n is the dashpot itself.", LAMMPS("hooke {K}", "velocity")),
+    ROW(LAMMPS_HOOKE_VELOCITY_LIMIT, OF_LAMMPS_RUN, "granular hooke, damping velocity, limit_damping", "eta_n, kg/s",
+        LINEAR, ZERO_FORCE, NUMBER(dashpot), "Exact.", LAMMPS("hooke {K}", "velocity limit_damping")),
+    ROW(LAMMPS_HOOKE_MASS_VELOCITY, OF_LAMMPS_RUN, "granular hooke, damping mass_velocity; gran/hooke",
+        "eta_n or gamma_n, 1/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass), "Exact.",
+        LAMMPS("hooke {K}", "mass_velocity")),
+    ROW(LAMMPS_HOOKE_MASS_VELOCITY_LIMIT, OF_LAMMPS_RUN, "granular hooke, damping mass_velocity, limit_damping",
+        "eta_n, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
+        LAMMPS("hooke {K}", "mass_velocity limit_damping")),
+    ROW(LAMMPS_HOOKE_VISCOELASTIC, OF_LAMMPS_RUN, "granular hooke, damping viscoelastic (the default)",
+        "eta_n, 1/(m s)", LINEAR_ROOT, ZERO_OVERLAP, NUMBER(area_root),
+        "The restitution depends on the impact speed: the number holds at one speed.",
         LAMMPS("hooke {K}", "viscoelastic")),
-    ROW(OF_LAMMPS_RUN, "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)",
-        VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("eta_n"), LAMMPS("hertz {kn}", "viscoelastic")),
-    ROW(OF_LAMMPS_RUN, "granular hertz, damping viscoelastic, limit_damping", "eta_n, 1/(m s)", VISCOELASTIC,
-        ZERO_FORCE, NUMBER(area_hertz), SPHERE("eta_n"), LAMMPS("hertz {kn}", "viscoelastic limit_damping")),
-    ROW(OF_LAMMPS_RUN, "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT, ZERO_OVERLAP,
-        NUMBER(hertz_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "velocity")),
-    ROW(OF_LAMMPS_RUN, "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT, ZERO_OVERLAP,
-        NUMBER(hertz_mass_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "mass_velocity")),
-    ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", LAMMPS("{spring}", "coeff_restitution"), .any_spring = 1,
-        .since = 20250205),
-    ROW(OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
+    ROW(LAMMPS_HERTZ_VISCOELASTIC, OF_LAMMPS_RUN,
+        "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)", VISCOELASTIC,
+        ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("eta_n"), LAMMPS("hertz {kn}", "viscoelastic")),
+    ROW(LAMMPS_HERTZ_VISCOELASTIC_LIMIT, OF_LAMMPS_RUN, "granular hertz, damping viscoelastic, limit_damping",
+        "eta_n, 1/(m s)", VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz), SPHERE("eta_n"),
+        LAMMPS("hertz {kn}", "viscoelastic limit_damping")),
+    ROW(LAMMPS_HERTZ_VELOCITY, OF_LAMMPS_RUN, "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT,
+        ZERO_OVERLAP, NUMBER(hertz_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "velocity")),
+    ROW(LAMMPS_HERTZ_MASS_VELOCITY, OF_LAMMPS_RUN, "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT,
+        ZERO_OVERLAP, NUMBER(hertz_mass_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "mass_velocity")),
+    ROW(LAMMPS_COEFF_RESTITUTION, OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution", "e", TSUJI,
+        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.",
+        LAMMPS("{model} {stiffness}", "coeff_restitution"), .any_spring = 1, .since = 20250205),
+    ROW(LAMMPS_COEFF_RESTITUTION_LIMIT, OF_LAMMPS_SOURCE,
+        "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
         "LAMMPS computes its damping for contacts that end at zero overlap: these realise more than its e.",
-        LAMMPS("{spring}", "coeff_restitution limit_damping"), .any_spring = 1, .since = 20250205),
-    ROW(OF_LAMMPS_RUN, "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(tsuji_until_2026, 0, 1),
+        LAMMPS("{model} {stiffness}", "coeff_restitution limit_damping"), .any_spring = 1, .since = 20250205),
+    ROW(LAMMPS_HERTZ_TSUJI, OF_LAMMPS_RUN, "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI,
+        ZERO_OVERLAP, ASKED(tsuji_until_2026, 0, 1),
         "LAMMPS realises up to 0.143 more than its e; coeff_restitution of later versions is exact.",
         LAMMPS("hertz {kn}", "tsuji"), .until = 20260731),
-    ROW(OF_LAMMPS_RUN, "granular hertz, damping tsuji, limit_damping, releases to July 2026", "e", TSUJI, ZERO_FORCE,
-        ASKED(tsuji_until_2026, 0, 1), "LAMMPS realises up to 0.263 more than its e.",
+    ROW(LAMMPS_HERTZ_TSUJI_LIMIT, OF_LAMMPS_RUN, "granular hertz, damping tsuji, limit_damping, releases to July 2026",
+        "e", TSUJI, ZERO_FORCE, ASKED(tsuji_until_2026, 0, 1), "LAMMPS realises up to 0.263 more than its e.",
         LAMMPS("hertz {kn}", "tsuji limit_damping"), .until = 20260731),
-    ROW(OF_LAMMPS_SOURCE, "granular hertz, damping tsuji, source after July 2026", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(tsuji_since_2026, 0, 1), "Within 0.002 from e = 0.05 on; coeff_restitution is exact.", NO_LINES,
-        .since = 20260801),
-    ROW(OF_LAMMPS_RUN, "granular hooke, damping tsuji, releases to July 2026", "e", LINEAR, ZERO_OVERLAP,
-        ASKED(tsuji_on_hooke_until_2026, 0, 1),
+    ROW(LAMMPS_HERTZ_TSUJI_2026, OF_LAMMPS_SOURCE, "granular hertz, damping tsuji, source after July 2026", "e", TSUJI,
+        ZERO_OVERLAP, ASKED(tsuji_since_2026, 0, 1), "Within 0.002 from e = 0.05 on; coeff_restitution is exact.",
+        NO_LINES, .since = 20260801),
+    ROW(LAMMPS_HOOKE_TSUJI, OF_LAMMPS_RUN, "granular hooke, damping tsuji, releases to July 2026", "e", LINEAR,
+        ZERO_OVERLAP, ASKED(tsuji_on_hooke_until_2026, 0, 1),
         "LAMMPS uses a formula for Hertz's force on a linear spring; damping velocity is exact.",
         LAMMPS("hooke {K}", "tsuji"), .until = 20260731),
-    ROW(OF_LAMMPS_SOURCE, "granular hooke, damping tsuji, source after July 2026", "e", LINEAR, ZERO_OVERLAP,
-        ASKED(tsuji_on_hooke_since_2026, 0, 1),
+    ROW(LAMMPS_HOOKE_TSUJI_2026, OF_LAMMPS_SOURCE, "granular hooke, damping tsuji, source after July 2026", "e", LINEAR,
+        ZERO_OVERLAP, ASKED(tsuji_on_hooke_since_2026, 0, 1),
         "LAMMPS uses a formula for Hertz's force on a linear spring, and another one than in older releases; "
         "coeff_restitution.",
         LAMMPS("hooke {K}", "tsuji"), .since = 20260801),
-    ROW(OF_LIGGGHTS("normal_model_hooke_stiffness.h"), "hooke/stiffness, gamman", "gamman, 1/s", LINEAR, ZERO_OVERLAP,
-        NUMBER(dashpot_per_mass), "Exact.", LIGGGHTS("hooke/stiffness", "", LIGGGHTS_STIFFNESS("{K[]}"))),
-    ROW(OF_LIGGGHTS("normal_model_hooke_stiffness.h"), "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR,
-        ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
+};
+
+static const struct cor_simulator_model liggghts[] = {
+    ROW(LIGGGHTS_HOOKE_GAMMAN, OF_LIGGGHTS("normal_model_hooke_stiffness.h"), "hooke/stiffness, gamman", "gamman, 1/s",
+        LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass), "Exact.",
+        LIGGGHTS("hooke/stiffness", "", LIGGGHTS_STIFFNESS("{K[]}"))),
+    ROW(LIGGGHTS_HOOKE_GAMMAN_LIMIT, OF_LIGGGHTS("normal_model_hooke_stiffness.h"),
+        "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
         LIGGGHTS("hooke/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{K[]}"))),
-    ROW(OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; it refuses e <= 0.05.", LIGGGHTS("{model}", "", LIGGGHTS_E),
-        .any_spring = 1),
-    ROW(OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI,
-        ZERO_FORCE, ASKED(exact_at_zero_overlap, 0.05, 1),
+    ROW(LIGGGHTS_RESTITUTION, OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution", "e", TSUJI,
+        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; it refuses e <= 0.05.",
+        LIGGGHTS("{model}", "", LIGGGHTS_E), .any_spring = 1),
+    ROW(LIGGGHTS_RESTITUTION_LIMIT, OF_LIGGGHTS("normal_model_hertz.h"),
+        "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI, ZERO_FORCE,
+        ASKED(exact_at_zero_overlap, 0.05, 1),
         "LIGGGHTS computes its damping for contacts that end at zero overlap: these realise more than its e.",
         LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E), .any_spring = 1),
-    ROW(OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman", "gamman, 1/(m s)", VISCOELASTIC,
-        ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("gamman"),
+    ROW(LIGGGHTS_HERTZ_GAMMAN, OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman",
+        "gamman, 1/(m s)", VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("gamman"),
         LIGGGHTS("hertz/stiffness", "", LIGGGHTS_STIFFNESS("{kn[]}"))),
-    ROW(OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)",
-        VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz), SPHERE("gamman"),
-        LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}"))),
-    ROW(OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "Exact.",
-        YADE_MINDLIN("betan={n}, betas=0")),
-    ROW(OF_YADE("HertzMindlin.cpp"), "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE,
+    ROW(LIGGGHTS_HERTZ_GAMMAN_LIMIT, OF_LIGGGHTS("normal_model_hertz_stiffness.h"),
+        "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz),
+        SPHERE("gamman"), LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}"))),
+};
+
+static const struct cor_simulator_model yade[] = {
+    ROW(YADE_BETAN, OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio),
+        "Exact.", YADE_MINDLIN("betan={n}, betas=0")),
+    ROW(YADE_EN, OF_YADE("HertzMindlin.cpp"), "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_yade, 0.001, 1), "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.",
         YADE_MINDLIN("en={n}, es=1"), .since = 20230200),
-    ROW(OF("yade", "pkg/dem/HertzMindlin.cpp", "source", "before 2023.02a; SudoDEM 6666937"),
+    ROW(YADE_EN_UNTIL_2023, OF("pkg/dem/HertzMindlin.cpp", "source", "before 2023.02a; SudoDEM 6666937"),
         "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its e; betan is exact.", NO_LINES),
-    ROW(OF("yade", "pkg/dem/HertzMindlin.cpp", "run", "2025.2.0"), "Mindlin, en at vn = 1 m/s (2025)", "en",
+    ROW(YADE_EN_VN, OF("pkg/dem/HertzMindlin.cpp", "run", "2025.2.0"), "Mindlin, en at vn = 1 m/s (2025)", "en",
         VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
         "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.",
         YADE_MINDLIN("en={n}, vn=1.0"), .since = 20250200),
-    ROW(OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR,
-        ZERO_FORCE, NUMBER(pair_dashpot), "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
+    ROW(YADE_KN_CN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s",
+        LINEAR, ZERO_FORCE, NUMBER(pair_dashpot),
+        "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
         YADE(EVERYWHERE, "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
-    ROW(OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE,
+    ROW(YADE_TC_EN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.",
         /* at a wall YADE makes half of these kn and cn */
         YADE(PAIRS, "cor_material = ViscElMat({density}tc={tc}, en={n}, et=1, frictionAngle=0)\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
-    ROW(OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
+};
+
+static const struct cor_simulator_model mercurydpm[] = {
+    ROW(MERCURYDPM_LINEAR, OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
         "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, 0, 1), "Exact, with the mass of one particle; e = 0 sticks for ever.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n"),
         .mass = COR_MASS_IN_LINES),
-    ROW(OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
+    ROW(MERCURYDPM_HERTZIAN, OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
         "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n")),
-    ROW(OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"), "HertzianViscoelastic, dissipation", "dissipation",
-        TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta), "Exact.",
+    ROW(MERCURYDPM_HERTZIAN_DISSIPATION, OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
+        "HertzianViscoelastic, dissipation", "dissipation", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta), "Exact.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
                                       "species->setDissipation({n});\n")),
-    ROW(OF_MERCURYDPM("HertzianBSHPViscoelasticNormalSpecies.cc"), "HertzianBSHPViscoelastic", "dissipation A, s",
-        VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time), "The viscoelastic sphere: A holds at every speed.",
+    ROW(MERCURYDPM_BSHP, OF_MERCURYDPM("HertzianBSHPViscoelasticNormalSpecies.cc"), "HertzianBSHPViscoelastic",
+        "dissipation A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time),
+        "The viscoelastic sphere: A holds at every speed.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
                                       "species->setDissipation({n});\n")),
-    ROW(OF_CHRONO, "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
+};
+
+static const struct cor_simulator_model chrono[] = {
+    ROW(CHRONO_MATERIAL, OF_CHRONO, "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
         "Chrono computes its damping for contacts that end at zero overlap: these realise more than cr.",
         PAIRS("system.UseMaterialProperties(true);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});\n"
               "material->SetRestitution({n});\n"),
         .any_spring = 1),
-    ROW(OF_CHRONO, "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
+    ROW(CHRONO_HOOKE, OF_CHRONO, "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass),
+        "Exact.",
         PAIRS("system.UseMaterialProperties(false);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hooke);\n"
               "material->SetKn({K});\n"
               "material->SetGn({n});\n")),
-    ROW(OF_CHRONO, "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE, NUMBER(chrono_hertz),
-        "K is kn R. The viscoelastic sphere: one gn for every speed.",
+    ROW(CHRONO_HERTZ, OF_CHRONO, "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE,
+        NUMBER(chrono_hertz), "K is kn R. The viscoelastic sphere: one gn for every speed.",
         PAIRS("// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each "
               "pair of spheres\n"
               "ChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\n"
@@ -348,10 +381,16 @@ const struct cor_simulator_model cor_simulator_models[] = {
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\n"
               "material->SetKn({K/R});\n"
               "material->SetGn({n});\n")),
-    ROW(OF("chrono-multicore", "src/chrono_multicore/physics", "source", "source 7689fbc0"),
+};
+
+static const struct cor_simulator_model chrono_multicore[] = {
+    ROW(CHRONO_MULTICORE_FLORES, OF("src/chrono_multicore/physics", "source", "source 7689fbc0"),
         "Flores, cr, at the characteristic speed", "e", HUNT_CROSSLEY, ZERO_FORCE, ASKED(cor_flores_beta, 0.01, 1),
         "Realises less than its cr at that speed.", NO_LINES),
-    ROW(OF_MFIX, "DEM, LSD", "e", LINEAR, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
+};
+
+static const struct cor_simulator_model mfix[] = {
+    ROW(MFIX_LSD, OF_MFIX, "DEM, LSD", "e", LINEAR, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
         "Exact; e = 0 sticks for ever.",
         BOTH("DES_COLL_MODEL = 'LSD'\n"
              "KN = {K}\n"
@@ -359,14 +398,17 @@ const struct cor_simulator_model cor_simulator_models[] = {
              "DES_COLL_MODEL = 'LSD'\n"
              "KN_W = {K}\n"
              "DES_EN_WALL_INPUT(1) = {n}\n")),
-    ROW(OF_MFIX, "DEM, HERTZIAN", "e", TSUJI, ZERO_OVERLAP, ASKED(mfix_hertz, 0, 1),
+    ROW(MFIX_HERTZIAN, OF_MFIX, "DEM, HERTZIAN", "e", TSUJI, ZERO_OVERLAP, ASKED(mfix_hertz, 0, 1),
         "MFiX uses the formula of a linear spring on Hertz's force: it realises more than its e.",
         BOTH("DES_COLL_MODEL = 'HERTZIAN'\n"
              "DES_EN_INPUT(1) = {n}\n",
              "DES_COLL_MODEL = 'HERTZIAN'\n"
              "DES_EN_WALL_INPUT(1) = {n}\n")),
-    ROW(OF("openfoam", "src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source",
-           "source 446e5777"),
+};
+
+static const struct cor_simulator_model openfoam[] = {
+    ROW(OPENFOAM_PAIR,
+        OF("src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source", "source 446e5777"),
         "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
         "The usual alpha = 0.12 is e = 0.84465.",
         BOTH("pairModel pairSpringSliderDashpot;\n"
@@ -379,71 +421,101 @@ const struct cor_simulator_model cor_simulator_models[] = {
              "    useEquivalentSize no;\n"
              "?    youngsModulus {young2};\n"
              "?    poissonsRatio {poisson2};\n" OPENFOAM_NUMBERS)),
-    ROW(OF_KRATOS("python_scripts"), "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE,
+};
+
+static const struct cor_simulator_model kratos[] = {
+    ROW(KRATOS_HERTZ, OF_KRATOS("python_scripts"), "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_kratos, 0, 1), "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NO_LINES),
-    ROW(OF_KRATOS("custom_constitutive"), "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI, ZERO_FORCE,
-        NUMBER(tangent_ratio), "Exact.", NO_LINES),
-    ROW(OF_KRATOS("python_scripts"), "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE,
+    ROW(KRATOS_HERTZ_GAMMA, OF_KRATOS("custom_constitutive"), "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI,
+        ZERO_FORCE, NUMBER(tangent_ratio), "Exact.", NO_LINES),
+    ROW(KRATOS_LINEAR, OF_KRATOS("python_scripts"), "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE,
         ASKED(kratos_linear, 0, 1),
         "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.", NO_LINES),
-    ROW(OF_KRATOS("custom_constitutive"), "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR, ZERO_FORCE,
-        NUMBER(damping_ratio), "Exact.", NO_LINES),
-    ROW(OF("granulars.jl", "src", "source", "source 32b1cfd"), "en", "e", TSUJI, ZERO_FORCE, ASKED(thornton, 0, 1),
+    ROW(KRATOS_LINEAR_GAMMA, OF_KRATOS("custom_constitutive"), "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR,
+        ZERO_FORCE, NUMBER(damping_ratio), "Exact.", NO_LINES),
+};
+
+static const struct cor_simulator_model granulars_jl[] = {
+    ROW(GRANULARS_EN, OF("src", "source", "source 32b1cfd"), "en", "e", TSUJI, ZERO_FORCE, ASKED(thornton, 0, 1),
         "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", NO_LINES),
-    ROW(OF_ESYS_PARTICLE, "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time_esys),
-        "Its A is (3/2) of the dissipation time.",
+};
+
+static const struct cor_simulator_model esys_particle[] = {
+    ROW(ESYS_HERTZIAN, OF_ESYS_PARTICLE, "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE,
+        NUMBER(dissipation_time_esys), "Its A is (3/2) of the dissipation time.",
         PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={youngpair}, nu={poisson})\n")),
-    ROW(OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1), "Right to 1e-8.",
+    ROW(ESYS_HERTZ_MINDLIN, OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1),
+        "Right to 1e-8.",
         PAIRS("HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n")),
-    ROW(OF("dem-engine", "src/DEM/DEMModelSnippets", "source", "source a1dc2312"), "full Hertz model, CoR", "e", TSUJI,
-        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", NO_LINES),
-    ROW(OF("exadem", "src/contact", "source", "source 0d0dc656"), "damp_rate", "damp_rate", LINEAR, ZERO_FORCE,
+};
+
+static const struct cor_simulator_model dem_engine[] = {
+    ROW(DEM_ENGINE_HERTZ, OF("src/DEM/DEMModelSnippets", "source", "source a1dc2312"), "full Hertz model, CoR", "e",
+        TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", NO_LINES),
+};
+
+static const struct cor_simulator_model exadem[] = {
+    ROW(EXADEM_DAMP_RATE, OF("src/contact", "source", "source 0d0dc656"), "damp_rate", "damp_rate", LINEAR, ZERO_FORCE,
         NUMBER(damping_ratio), "Exact.", NO_LINES),
-    ROW(OF_DRAKE("plant"), "point contact or hydroelastic, hunt_crossley_dissipation", "d of the pair, s/m",
-        HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_per_speed),
+};
+
+static const struct cor_simulator_model mujoco[] = {
+    ROW(MUJOCO_TIME_CONSTANT, OF_MUJOCO, "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE,
+        NUMBER(damping_ratio), "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.",
+        EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
+    ROW(MUJOCO_STIFFNESS, OF_MUJOCO, "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot_per_mass), "Stiffness and damping are per unit of mass.",
+        EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"),
+        .mass = COR_MASS_PER_UNIT),
+};
+
+static const struct cor_simulator_model newton[] = {
+    ROW(NEWTON_SEMI_IMPLICIT, OF("newton/_src/solvers/semi_implicit/kernels_contact.py", "source", "source 41a5392c"),
+        "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
+        "The damper works while the bodies approach only.", NO_LINES),
+};
+
+static const struct cor_simulator_model drake[] = {
+    ROW(DRAKE_HUNT_CROSSLEY, OF_DRAKE("plant"), "point contact or hydroelastic, hunt_crossley_dissipation",
+        "d of the pair, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_per_speed),
         "One d holds at one speed; the rebound is never faster than 1/d.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n"
                    "</drake:proximity_properties>\n")),
-    ROW(OF_DRAKE("contact_solvers"), "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE,
+    ROW(DRAKE_SAP, OF_DRAKE("contact_solvers"), "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE,
         NUMBER(relaxation_time), "As the step goes to zero; 0.1 s each if nothing is set.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n"
                    "  <drake:relaxation_time>{n/2}</drake:relaxation_time>\n"
                    "</drake:proximity_properties>\n")),
-    ROW(OF("simbody", "Simbody/src/HuntCrossleyForce.cpp", "run", "3.7, source f312d0dd"), "HuntCrossleyForce; OpenSim",
-        "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(simbody), "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
+};
+
+static const struct cor_simulator_model simbody[] = {
+    ROW(SIMBODY_HUNT_CROSSLEY, OF("Simbody/src/HuntCrossleyForce.cpp", "run", "3.7, source f312d0dd"),
+        "HuntCrossleyForce; OpenSim", "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(simbody),
+        "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
         EVERYWHERE("?const double stiffness = {simbody}; // Pa, of both bodies\n"
                    "const double dissipation = {n}; // s/m, of both bodies\n"
                    "force.setBodyParameters(surface, stiffness, dissipation, 0, 0, 0);\n")),
-    ROW(OF_MUJOCO, "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
-        "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.",
-        EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
-    ROW(OF_MUJOCO, "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot_per_mass), "Stiffness and damping are per unit of mass.",
-        EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"),
-        .mass = COR_MASS_PER_UNIT),
-    ROW(OF("newton", "newton/_src/solvers/semi_implicit/kernels_contact.py", "source", "source 41a5392c"),
-        "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
-        "The damper works while the bodies approach only.", NO_LINES),
-    ROW(OF_MODELICA, "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, NUMBER(dashpot),
-        "The damping force is limited to the spring's.",
-        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n")),
-    ROW(OF_MODELICA, "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, NUMBER(hertz_velocity),
-        "The damping force is limited to the spring's; slow impacts lose more.",
-        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n")),
-    ROW(OF("opensees", "HertzDamp material", "documentation", "its documentation of 2026"), "HertzDamp, xi", "xi",
-        HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_beta), "The recommended 8 (1 - e)/(5 e) realises less than e.",
+};
+
+static const struct cor_simulator_model opensees[] = {
+    ROW(OPENSEES_HERTZ_DAMP, OF("HertzDamp material", "documentation", "its documentation of 2026"), "HertzDamp, xi",
+        "xi", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_beta), "The recommended 8 (1 - e)/(5 e) realises less than e.",
         NO_LINES),
-    ROW(OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
+};
+
+static const struct cor_simulator_model bullet[] = {
+    ROW(BULLET_RESTITUTION, OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
         "setRestitution of both bodies, product e", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as "
         "e = 0.",
         EVERYWHERE("body->setRestitution({root}); // each of two equal bodies\n"
                    "world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
                    "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n")),
-    ROW(OF_BULLET("BulletCollision/CollisionDispatch/btManifoldResult.cpp"), "contact callback, e of the impact speed",
-        "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1), "Any law: eps of each impact is computed from its speed.",
+    ROW(BULLET_CALLBACK, OF_BULLET("BulletCollision/CollisionDispatch/btManifoldResult.cpp"),
+        "contact callback, e of the impact speed", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
+        "Any law: eps of each impact is computed from its speed.",
         EVERYWHERE(
             "// cor_eps.h: {embed}\n"
             "#include \"cor_eps.h\"\n"
@@ -467,15 +539,18 @@ const struct cor_simulator_model cor_simulator_models[] = {
             "// each body: body->setCollisionFlags(body->getCollisionFlags() | "
             "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
         .has_function = 1),
-    ROW(OF("rebound", "src/collision.c", "source", "5.0.0"), "coefficient_of_restitution, constant", "e", IMPULSE,
-        INSTANT, ASKED(loss_of_impulse, 0, 1), "Exact for hard spheres.",
+};
+
+static const struct cor_simulator_model rebound[] = {
+    ROW(REBOUND_CONSTANT, OF("src/collision.c", "source", "5.0.0"), "coefficient_of_restitution, constant", "e",
+        IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1), "Exact for hard spheres.",
         PAIRS("static double cor_restitution(const struct reb_simulation *const r, double v)\n"
               "{\n"
               "    return {n};\n"
               "}\n"
               "// once: r->coefficient_of_restitution = cor_restitution;\n")),
-    ROW(OF("rebound", "src/collision.c", "run", "5.0.0"), "coefficient_of_restitution, e of the impact speed", "e",
-        IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1), "Any law: eps of each impact is computed from its speed.",
+    ROW(REBOUND_CALLBACK, OF("src/collision.c", "run", "5.0.0"), "coefficient_of_restitution, e of the impact speed",
+        "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1), "Any law: eps of each impact is computed from its speed.",
         PAIRS("// cor_eps.h: {embed}\n"
               "#include \"cor_eps.h\"\n"
               "static double cor_restitution(const struct reb_simulation *const r, double v)\n"
@@ -485,9 +560,88 @@ const struct cor_simulator_model cor_simulator_models[] = {
               "// once: r->coefficient_of_restitution = cor_restitution;\n"),
         .has_function = 1),
 };
-const size_t cor_simulator_model_count = sizeof cor_simulator_models / sizeof *cor_simulator_models;
+
+static const struct cor_simulator_model modelica[] = {
+    ROW(MODELICA_LINEAR, OF_MODELICA, "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, NUMBER(dashpot),
+        "The damping force is limited to the spring's.",
+        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n")),
+    ROW(MODELICA_HERTZ, OF_MODELICA, "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, NUMBER(hertz_velocity),
+        "The damping force is limited to the spring's; slow impacts lose more.",
+        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n")),
+};
+
+const struct cor_simulator cor_simulators[] = {
+    {SIMULATOR(lammps, "lammps", "LAMMPS", VERLET_HALF_STEP), SCRIPT,
+     .setup = "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes." FRICTION,
+     .time_step = "timestep {dt}\n", .version = "29 Sep 2021",
+     .yielding = "LAMMPS of 2025 and later has mdr, which takes E, nu and the yield stress: elastic-plastic with "
+                 "another yield criterion, so that its eps is another one. It was not run."},
+    {SIMULATOR(liggghts, "liggghts", "LIGGGHTS", VERLET_HALF_STEP), SCRIPT,
+     .setup = "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types} type{s} in "
+              "create_box." FRICTION,
+     .time_step = "timestep {dt}\n", .version = "3.8.0", .luding = "LIGGGHTS, luding",
+     .luding_lines = "pair_style gran model luding tangential history\n" LUDING("0", "LoadingStiffness", "{k1[]}")
+         LUDING("1", "UnloadingStiffness", "{kp/k1[]}") LUDING("2", "coefficientAdhesionStiffness", "{0[]}")
+             LUDING("3", "coefficientPlasticityDepth", "{depth[]}") LUDING("4", "pullOffForce", "{0[]}")
+                 LUDING("5", "coefficientRestitution", "{1[]}")},
+    {SIMULATOR(yade, "yade", "YADE", LEAPFROG), SCRIPT,
+     .setup = "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0." FRICTION,
+     .time_step = "O.dt = {dt}\n", .version = "2023.02", .wall_divides = 1.4142135623730951,
+     .wall = "YADE's walls have K/sqrt(2), its facets K sqrt(2/3), where K is Hertz's: contacts last longer.",
+     .density = "cor_material gets the density that YADE chooses, 1000 kg/m^3: add that of your bodies.",
+     .luding = "YADE, LudingMat",
+     .luding_lines = "cor_material = LudingMat(frictionAngle=0, {density}" YADE_LUDING
+                     "?cor_material_2 = LudingMat(frictionAngle=0, {density2}" YADE_LUDING
+                     "cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], "
+                     "[Ip2_LudingMat_LudingMat_LudingPhys()], [Law2_ScGeom_LudingPhys_Basic()])\n"},
+    {SIMULATOR(mercurydpm, "mercurydpm", "MercuryDPM", VERLET_HALF_STEP), CPP, .setup = "SI units.",
+     .time_step = "setTimeStep({dt});\n"},
+    {SIMULATOR(chrono, "chrono", "Chrono", SYMPLECTIC_EULER), CPP, .setup = "SI units.",
+     .time_step = "const double time_step = {dt}; // s, for DoStepDynamics\n"},
+    {SIMULATOR(chrono_multicore, "chrono-multicore", "chrono-multicore", NO_INTEGRATOR)},
+    {SIMULATOR(mfix, "mfix", "MFiX", SYMPLECTIC_EULER), COMMENT("! ", ""),
+     .setup = "UNITS = 'SI'; MFiX chooses its time step."},
+    {SIMULATOR(openfoam, "openfoam", "OpenFOAM", VERLET_HALF_STEP), CPP, .setup = "SI units." FRICTION},
+    {SIMULATOR(kratos, "kratos", "kratos", SYMPLECTIC_EULER)},
+    {SIMULATOR(granulars_jl, "granulars.jl", "granulars.jl", NO_INTEGRATOR)},
+    {SIMULATOR(esys_particle, "esys-particle", "ESyS-Particle", SYMPLECTIC_EULER), SCRIPT,
+     .setup = "SI units." FRICTION, .time_step = "sim.setTimeStepSize({dt})\n"},
+    {SIMULATOR(dem_engine, "dem-engine", "dem-engine", NO_INTEGRATOR)},
+    {SIMULATOR(exadem, "exadem", "exadem", NO_INTEGRATOR)},
+    {SIMULATOR(mujoco, "mujoco", "MuJoCo", SYMPLECTIC_EULER), XML,
+     .setup = "Units of the model: m, kg, s. To be put into <mujoco>." FRICTION,
+     .time_step = "<option timestep=\"{dt}\"/>\n", .version = "2.2.2"},
+    {SIMULATOR(newton, "newton", "newton", SYMPLECTIC_EULER)},
+    {SIMULATOR(drake, "drake", "Drake", NO_INTEGRATOR), XML, .setup = "SI units."},
+    {SIMULATOR(simbody, "simbody", "Simbody", NO_INTEGRATOR), CPP,
+     .setup = "SI units." FRICTION " The integrator chooses the time step.", .version = "3.7"},
+    {SIMULATOR(opensees, "opensees", "opensees", NO_INTEGRATOR)},
+    {SIMULATOR(bullet, "bullet", "Bullet", NO_INTEGRATOR), CPP, .setup = "SI units.", .version = "3.24"},
+    {SIMULATOR(rebound, "rebound", "REBOUND", NO_INTEGRATOR), CPP, .setup = "cor_eps takes m/s."},
+    {SIMULATOR(modelica, "modelica", "Modelica", NO_INTEGRATOR), CPP,
+     .setup = "SI units. The integrator chooses the time step."},
+};
+const size_t cor_simulator_count = sizeof cor_simulators / sizeof *cor_simulators;
 
 /* ---- results from the table ---- */
+
+const struct cor_simulator *cor_simulator_of(enum cor_simulator_model_id id)
+{
+    for (size_t i = 0; i < cor_simulator_count; i++)
+        for (int k = 0; k < cor_simulators[i].model_count; k++)
+            if (cor_simulators[i].models[k].id == id)
+                return &cor_simulators[i];
+    return NULL;
+}
+
+const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_id id)
+{
+    const struct cor_simulator *const simulator = cor_simulator_of(id);
+    for (int k = 0; simulator && k < simulator->model_count; k++)
+        if (simulator->models[k].id == id)
+            return &simulator->models[k];
+    return NULL;
+}
 
 /* The parameter of a law from eps, or eps from the parameter */
 static double closed_form(enum cor_law law, enum cor_end end, double x, int from_eps)
@@ -574,17 +728,12 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
 
 /* ---- the numbers by which a model realises a contact ---- */
 
-int cor_simulator_has_function(const struct cor_simulator_model *model)
-{
-    return model->has_function;
-}
-
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact)
 {
     const struct cor_exponents *const law = &contact->law;
     const int linear = cor_law_is(law, 2, 0);
     if (contact->plastic)
-        return model->law == COR_LAW_IMPULSE && cor_simulator_has_function(model);
+        return model->law == COR_LAW_IMPULSE && model->has_function;
     switch (model->law) {
     case COR_LAW_LINEAR:
         return linear;
@@ -600,8 +749,7 @@ int cor_simulator_has_law(const struct cor_simulator_model *model, const struct 
     case COR_LAW_HUNT_CROSSLEY:
         return cor_law_is_hunt_crossley(law);
     case COR_LAW_IMPULSE:
-        return !(cor_law_is_constant(law) && contact->force_n > 0) &&
-               cor_law_is_constant(law) != cor_simulator_has_function(model);
+        return !(cor_law_is_constant(law) && contact->force_n > 0) && cor_law_is_constant(law) != model->has_function;
     default:
         return 0;
     }
@@ -612,7 +760,7 @@ int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const str
 {
     switch (model->law) {
     case COR_LAW_IMPULSE:
-        return !cor_simulator_has_function(model);
+        return !model->has_function;
     case COR_LAW_HUNT_CROSSLEY:
         return 1;
     case COR_LAW_TSUJI:
@@ -666,7 +814,7 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
 {
     const double damping = cor_simulator_damping(model, wish, same_law);
     *status = COR_SIMULATOR_OK;
-    if (cor_simulator_has_function(model))
+    if (model->has_function)
         return 1; /* its lines have no number */
     if (isnan(damping)) {
         *status = COR_SIMULATOR_NO_CLOSED_FORM;
@@ -678,45 +826,4 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
     if (isnan(number))
         *status = COR_SIMULATOR_NO_SCALES;
     return number;
-}
-
-/* zeta and natural frequency fix MuJoCo's time constant; contact time and e' those of YADE. Simbody's stiffness s of
- * each of two bodies is K = (4/3) sqrt(R) s/2^(3/2). */
-double cor_simulator_word(const char *word, const struct cor_simulator_wish *wish, double number)
-{
-    const double k = wish->contacts->stiffness, m = wish->contacts->mass_kg, radius = wish->contacts->radius_m;
-    const double l = log(number);
-    const struct cor_body one = cor_scene_body(wish->scene, 1), two = cor_scene_body(wish->scene, 2);
-    const double nu = one.poisson_ratio, density = cor_scene_body_density(wish->scene, 1);
-    const int alike = !cor_scene_materials_differ(wish->scene) && one.dissipation_time_s == two.dissipation_time_s;
-    const struct {
-        const char *word;
-        double value;
-    } words[] = {{"n", number},
-                 {"n/2", number / 2},
-                 {"root", sqrt(number)},
-                 {"K", k},
-                 {"2K", 2 * k},
-                 {"K/m", k / m},
-                 {"K/R", k / radius},
-                 {"R", radius},
-                 {"kn", k / sqrt(radius)},
-                 {"E", 0.75 * k / sqrt(radius)},
-                 {"2m", 2 * m},
-                 {"tc", sqrt(m / k * (COR_PI * COR_PI + l * l))},
-                 {"timeconst", sqrt(m / k) / number},
-                 {"simbody", sqrt(4.5) * k / sqrt(radius)},
-                 {"young", one.young_modulus_pa},
-                 {"poisson", nu},
-                 {"youngpair", 2 * (1 - nu * nu) * 0.75 * k / sqrt(radius)},
-                 {"young2", two.young_modulus_pa},
-                 {"poisson2", two.poisson_ratio},
-                 {"density", density},
-                 {"rho", alike ? density : (double)NAN},
-                 {"density2", cor_scene_body_density(wish->scene, 2)},
-                 {"0", 0}};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strcmp(words[i].word, word) == 0)
-            return words[i].value;
-    return NAN;
 }

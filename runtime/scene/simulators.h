@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Published formulas that simulators use, for comparisons with exact functions; versions of models */
+/* Published formulas that simulators use, for comparisons with exact functions; the numbers of models */
 #ifndef COR_RUNTIME_SCENE_SIMULATORS_H
 #define COR_RUNTIME_SCENE_SIMULATORS_H
 
@@ -43,10 +43,33 @@ static inline int cor_scene_materials_differ(const struct cor_scene *scene)
            fabs(cor_scene_body_density(scene, 1) / cor_scene_body_density(scene, 2) - 1) > 1e-14;
 }
 
-/* Whether a version, by cor_simulator_version, has the model; 0: any version will do */
+/* True if a version, by cor_simulator_version, has the model; 0: any version */
 static inline int cor_model_has_version(const struct cor_simulator_model *model, long version)
 {
     return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
 }
+
+/* True if the model has the law of the contact; if it can realise one eps of it, at one speed */
+int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
+int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
+
+/* The request to a model: the contacts of a scene by cor_scene_contacts, at one speed or, NaN, at all; eps at the speed
+ * or at all speeds; NaN if it depends on the speed or the end. steps > 0: number of time steps in an elastic duration;
+ * the damping is then the one of cor_scene_step_corrected at the speed. */
+struct cor_simulator_wish {
+    const struct cor_scene *scene;
+    const struct cor_scene_contact *contacts;
+    int count;
+    double speed_m_s, eps, steps;
+};
+/* The damping of the model for the wish, by its law (`same_law`) or by eps only, and the number that a user sets for
+ * it; NaN with the reason if they do not exist */
+double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+                             int same_law);
+double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+                            int same_law, enum cor_simulator_status *status);
+/* The damping corrected for wish->steps; NaN if the simulator has no integrator of ours. An impulse needs none. */
+double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+                                  int same_law, double damping);
 
 #endif

@@ -14,20 +14,6 @@
 const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step", "leapfrog", "symplectic-euler",
                                                                "verlet-full-step", NULL};
 
-int cor_simulator_integrator(const char *simulator)
-{
-    enum { MOST = 7 };
-    static const char *const of[COR_INTEGRATORS][MOST] = {
-        [COR_VERLET_HALF_STEP] = {"lammps", "liggghts", "mercurydpm", "openfoam"},
-        [COR_LEAPFROG] = {"yade"},
-        [COR_SYMPLECTIC_EULER] = {"chrono", "mfix", "kratos", "mujoco", "newton", "esys-particle"}};
-    for (int i = 0; i < COR_INTEGRATORS; i++)
-        for (int k = 0; of[i][k]; k++)
-            if (strcmp(of[i][k], simulator) == 0)
-                return i;
-    return COR_NO_INTEGRATOR;
-}
-
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double a = cor_elastic(&contact->law);
@@ -337,6 +323,6 @@ double cor_simulator_step_damping(const struct cor_simulator_model *model, const
         cor_model_contact(*wish->contacts, same_law && !crossley ? NULL : &law, damping, wish->speed_m_s);
     struct cor_scene_contact corrected;
     cor_scene_step_corrected(&corrected, &contact, wish->speed_m_s, (int)model->end, wish->steps,
-                             cor_simulator_integrator(model->simulator));
+                             cor_simulator_of(model->id)->integrator);
     return damping * (corrected.damping / contact.damping);
 }

@@ -11,6 +11,7 @@
 #include "cor/law.h"
 #include "cor/sphere.h"
 #include "enclosure/collision.h"
+#include "runtime/scene/simulators.h"
 
 /* ---- the force in SI units, integrated ---- */
 
@@ -454,11 +455,10 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
     char *const text = contact_simulator_text(REQUEST(host, contacts, &speed));
     const bool same_law = text && !strstr(text, "does not have the law of the contact");
     size_t found = 0;
-    for (size_t i = 0; text && i < cor_simulator_model_count; i++) {
-        const struct cor_simulator_model *const row = &cor_simulator_models[i];
-        if (!row->lines || strcmp(row->simulator, cor_simulator_named(host)->name) != 0)
-            continue;
-        const double number = number_in_text(row, text, &wish, same_law);
+    const struct cor_simulator *const simulator = cor_simulator_named(host);
+    for (int i = 0; text && i < simulator->model_count; i++) {
+        const struct cor_simulator_model *const row = &simulator->models[i];
+        const double number = row->lines ? number_in_text(row, text, &wish, same_law) : (double)NAN;
         if (isnan(number))
             continue;
         const double damping =
@@ -495,9 +495,11 @@ TEST(hosts_realise_what_is_wished)
         assert_true(i == 0 || strstr(list, line));
     }
     free(list);
-    assert_int_equal(COUNT_OF(row), cor_simulator_count);
+    size_t hosts = 0;
     for (size_t i = 0; i < cor_simulator_count; i++)
-        assert_string_equal(cor_simulators[i].name, contact_simulator_names[i]);
+        if (cor_simulators[i].comment)
+            assert_string_equal(cor_simulators[i].name, contact_simulator_names[hosts++]);
+    assert_int_equal(COUNT_OF(row), hosts);
     assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, GLASS, measured), 1);
     assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, GLASS, measured), 2);
     assert_null(cor_simulator_named("kratos")); /* in the table, without lines */

@@ -85,7 +85,7 @@ static void scene_arguments_draw(struct scene_arguments *s, struct random_state 
     s->contact.plastic = s->contact.plastic || (count == 0 && random_below(r, 2)); /* by hand, not whole */
     for (int k = 0; k < 4; k++)
         s->x[k] = random_below(r, 4) ? random_log(r, 1e-5, 10) : any[COR_SCENE_NUMBERS + k];
-    s->model = &cor_simulator_models[random_below(r, cor_simulator_model_count)];
+    s->model = cor_simulator_model((enum cor_simulator_model_id)random_below(r, COR_SIMULATOR_MODELS));
     s->end = (int)random_below(r, 3);
     s->number = (int)random_below(r, COR_SCENE_EPS_ZERO_FORCE + 1);
     s->tolerance = s->x[3] > 0 && s->x[3] <= 1e6 ? 2 : s->x[3]; /* smaller ones would take long */
@@ -106,10 +106,10 @@ static const struct cor_exponents *exponents;
 static const struct cor_simulator_model *model;
 static const struct cor_simulator *named;
 static const struct cor_scene *scene;
-static const char *simulator, *name, *word;
+static const char *name;
+static enum cor_simulator_model_id id;
 static char text[20000];
 static const size_t size = sizeof text;
-static struct cor_simulator_wish wish[1];
 static struct cor_simulator_request request[1];
 static struct cor_scene_contact contact[1], contacts[COR_SCENE_ENDS], corrected[1];
 static struct cor_scene_fault fault[1];
@@ -141,12 +141,10 @@ static void scene_arguments_load(const struct scene_arguments *s)
     model = s->model;
     named = NULL;
     scene = &s->scene;
-    simulator = name = model->simulator;
-    word = same_law ? "K" : "young";
+    name = cor_simulator_of(id = model->id)->name;
     contact[0] = corrected[0] = contacts[0] = contacts[1] = s->contact;
     exponents = &contact->law;
     end = s->end % (contact->plate ? 1 : COR_SCENE_ENDS);
-    wish[0] = (struct cor_simulator_wish){scene, contact, 1, s->x[0], s->x[1], s->end ? 0 : steps};
     request[0] = (struct cor_simulator_request){.simulator = name,
                                                 .scene = scene,
                                                 .contacts = contact,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The error of a time step: another integrator with other phases, limits, and what is refused */
+#include "runtime/scene/simulators.h"
 #include "scene.h"
 
 static struct cor_scene_contact contact_with(enum cor_law law, double eps, int end)
@@ -281,10 +282,10 @@ TEST(special)
                       "law %d end %d, damping times %g: status %d, %g, %g", law, end, factor, status, e.bias,
                       e.scatter);
             }
-    assert_int_equal(cor_simulator_integrator("yade"), COR_LEAPFROG);
-    assert_int_equal(cor_simulator_integrator("lammps"), COR_VERLET_HALF_STEP);
-    assert_int_equal(cor_simulator_integrator("rebound"), COR_NO_INTEGRATOR);
-    assert_int_equal(cor_simulator_integrator("unknown"), COR_NO_INTEGRATOR);
+    assert_int_equal(cor_simulator_named("yade")->integrator, COR_LEAPFROG);
+    assert_int_equal(cor_simulator_named("lammps")->integrator, COR_VERLET_HALF_STEP);
+    assert_int_equal(cor_simulator_of(COR_KRATOS_HERTZ)->integrator, COR_SYMPLECTIC_EULER);
+    assert_int_equal(cor_simulator_named("rebound")->integrator, COR_NO_INTEGRATOR);
 }
 
 /* ---- simulators ---- */
@@ -295,9 +296,9 @@ TEST(models)
     static const double eps = 0.7, speed = 0.5, steps = 12;
     const struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
     int judged = 0;
-    for (size_t i = 0; i < cor_simulator_model_count; i++) {
-        const struct cor_simulator_model *const model = &cor_simulator_models[i];
-        const int integrator = cor_simulator_integrator(model->simulator);
+    for (int i = 0; i < COR_SIMULATOR_MODELS; i++) {
+        const struct cor_simulator_model *const model = cor_simulator_model((enum cor_simulator_model_id)i);
+        const int integrator = cor_simulator_of(model->id)->integrator;
         if (integrator < 0 || model->law >= COR_LAW_LINEAR_ROOT || model->end > COR_END_ZERO_FORCE)
             continue;
         struct cor_scene_contact contact = contact_with(model->law, eps, (int)model->end);
@@ -309,12 +310,10 @@ TEST(models)
                               speed, 0);
         const struct mean mean = simulated(&given, speed, (int)model->end,
                                            cor_scene_elastic_duration_s(&contact, speed) / steps, integrator, 401, 0.3);
-        check(fabs(mean.eps - eps) < COR_SCENE_STEP_ERROR * mean.scatter, "%s, %s: %g", model->simulator, model->model,
-              mean.eps);
+        check(fabs(mean.eps - eps) < COR_SCENE_STEP_ERROR * mean.scatter, "%s: %g", model->model, mean.eps);
         /* by eps alone the same, where the law has a closed form */
         const double by_eps = cor_simulator_damping(model, &wish, 0);
-        check(isnan(by_eps) || fabs(by_eps / damping - 1) < 1e-9, "%s, %s: %g, %g", model->simulator, model->model,
-              by_eps, damping);
+        check(isnan(by_eps) || fabs(by_eps / damping - 1) < 1e-9, "%s: %g, %g", model->model, by_eps, damping);
         judged++;
     }
     check(judged > 25, "%d models", judged);

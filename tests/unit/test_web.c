@@ -144,13 +144,12 @@ TEST(test_lines_and_own_maps_of_a_simulator)
     assert_true(web_read(GLASS "restitution=0.9\nat=1\nend=zero-overlap\nfor=lammps\nspeed=1"));
     assert_non_null(strstr(web_lines(), "pair_style granular\n"));
     assert_non_null(strstr(web_models(6), "0.9\t1\tzero overlap\n"));
-    for (size_t i = 0; i < cor_simulator_model_count; i++) {
-        const struct cor_simulator_model *const model = &cor_simulator_models[i];
-        if (!web_is_model_of(model, &web_now))
-            continue;
-        assert_string_equal(model->simulator, "lammps");
+    int next = 0, models = 0;
+    for (const struct cor_simulator_model *model; (model = web_model(&web_now, &next)); models++) {
+        assert_ptr_equal(cor_simulator_of(model->id), cor_simulator_named("lammps"));
         assert_near(web_realised(model, &web_now, 1), cor_simulator_realised(model, 0.9), 1e-12);
     }
+    assert_int_equal(models, 7);
     /* one speed and no --at: eps there */
     char request[200];
     const double speed = random_log(&draw, 0.1, 10);
