@@ -7,7 +7,7 @@ A contact is a cor.Contact; or one cor.Body or a pair of them, or nothing, with 
 
 import math
 import os
-from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -56,35 +56,33 @@ def _version(version: Optional[str]) -> Any:
     return ffi.NULL if version is None else ffi.new("char[]", version.encode())
 
 
+_IDS = ffi.typeof("enum cor_simulator_model_id").elements
+_SIMULATORS = [lib.cor_simulators[i] for i in range(lib.cor_simulator_count)]
+
+
 def names() -> List[str]:
     """The simulators that lines knows."""
-    return [string(lib.cor_simulators[i].name) for i in range(lib.cor_simulator_count)]
+    return [string(s.name) for s in _SIMULATORS if s.comment != ffi.NULL]
 
 
-def _models(simulator: str) -> List[Any]:
-    known = lib.cor_simulator_named(_text("simulator", simulator))
+def models(simulator: str) -> Dict[str, str]:
+    """The contact models of a simulator: the name of each by its id."""
+    found = [s for s in _SIMULATORS if string(s.name) == str(simulator).lower()]
+    known = found[0] if found else lib.cor_simulator_named(_text("simulator", simulator))
     if known == ffi.NULL:
-        raise ValueError(f"simulator: {simulator!r}; allowed: {', '.join(names())}")
-    all_models = [ffi.addressof(lib.cor_simulator_models, i) for i in range(lib.cor_simulator_model_count)]
-    of = string(known.name)
-    return [m for m in all_models if string(m.simulator).split("-")[0] == of.split("-")[0]]
+        raise ValueError(f"simulator: {simulator!r}; allowed: {', '.join(string(s.name) for s in _SIMULATORS)}")
+    rows = [known.models[k] for k in range(known.model_count)]
+    return {_IDS[m.id][len("COR_") :].lower(): string(m.model) for m in rows}
 
 
-def models(simulator: str) -> List[str]:
-    """The contact models of a simulator."""
-    return list(dict.fromkeys(string(m.model) for m in _models(simulator)))
-
-
-def realised(simulator: str, model: str, e: ArrayLike) -> Any:
-    """The restitution that a model realises where a user sets e, with a time step of zero (cor_simulator_realised); NaN
-    where it has no e, or refuses this one. The beginning of a model's name will do where no other begins so."""
-    known = models(simulator)
-    begun = [name for name in known if name == model] or [name for name in known if name.startswith(str(model))]
-    if len(begun) != 1:
-        raise ValueError(f"model: {model!r} is not one of {simulator}; allowed: {'; '.join(known)}")
-    found = [m for m in _models(simulator) if string(m.model) == begun[0]]
-    given = np.asarray(e, np.float64)
-    result = np.array([lib.cor_simulator_realised(found[0], x) for x in given.ravel()]).reshape(given.shape)
+def realised(model: str, e: ArrayLike) -> Any:
+    """The restitution that the model of an id realises where a user sets e, with a time step of zero
+    (cor_simulator_realised); NaN where it has no e, or refuses this one."""
+    name = f"COR_{model}".upper()
+    if name not in _IDS.values() or name == "COR_SIMULATOR_MODELS":
+        raise ValueError(f"model: {model!r} is not an id; models(simulator) lists them")
+    row, given = lib.cor_simulator_model(getattr(lib, name)), np.asarray(e, np.float64)
+    result = np.array([lib.cor_simulator_realised(row, x) for x in given.ravel()]).reshape(given.shape)
     return like([e], result[()])
 
 

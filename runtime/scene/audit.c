@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From the contacts of an input to what they realise: cor_simulator_models has every formula. */
+/* From the contacts of an input to what they realise: cor_simulators has every formula. */
 #include "runtime/scene/audit.h"
 
 #include <math.h>

@@ -43,7 +43,7 @@ struct audit_contact {
     const char *file, *text; /* the line with its variables replaced */
     long line;
     int word[2];           /* of `text`, those that hold e; -1: none */
-    const char *model;     /* of cor_simulator_models */
+    const char *model;     /* of cor_simulators */
     int limited;           /* the same model, but it ends at zero force */
     const char *pair;      /* NULL: named by its types */
     int first[2], last[2]; /* types of both bodies, from 0 */

@@ -519,7 +519,7 @@ static void read_property(struct audit *a)
     }
 }
 
-/* The models by LIGGGHTS' names, and their rows of cor_simulator_models; the second row is that of limitForce. */
+/* The models by LIGGGHTS' names, and their rows of cor_simulators; the second row is that of limitForce. */
 #define ROWS(name) name, name ", limitForce on"
 static const struct contact_model {
     const char *name, *rows[2];

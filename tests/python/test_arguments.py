@@ -153,7 +153,7 @@ def test_masks_stay():
     for records in (disk.collision(TABLE, 10, COLLISION, speeds), disk.collision_array(TABLE, 10, COLLISION, speeds)):
         np.testing.assert_array_equal(records["eps"].mask, speeds.mask)
     np.testing.assert_array_equal(
-        simulators.realised("lammps", simulators.models("lammps")[0], speeds).mask, speeds.mask
+        simulators.realised("lammps_hertz_tsuji", speeds).mask, speeds.mask
     )
 
 
