@@ -30,8 +30,7 @@ def constant_type(constant: Constant) -> str:
 def declarations(declared: Declarations) -> str:
     """What cffi is given to read."""
     lines = list(declared.types)
-    called = [c for c in calls(declared).values() if c.kind == "other" or is_a_call(c)]
-    for function in [call.function for call in called] + [declared.functions[name] for name in BY_HAND]:
+    for function in [c.function for c in calls(declared).values()] + [declared.functions[name] for name in BY_HAND]:
         parameters = ", ".join(f"{p.type} {p.name}" for p in function.parameters)
         lines.append(f"{function.result} {function.name}({parameters or 'void'});")
     lines += [f"extern {o.type} {o.name};" for o in declared.objects.values()]
@@ -100,12 +99,9 @@ def source(declared: Declarations) -> str:
     parts = [
         "#define COR_WITH_DISK\n#include <math.h>\n#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
         "enum { COR_IMPACT_COLUMNS = 9 };",
-        "#if defined __GNUC__ && !defined __clang__ /* at -O2 gcc does not use vectors for conversions */",
-        '#pragma GCC push_options\n#pragma GCC optimize("O3")\n#endif',
         "/* A loop has a step for every number, also where the form that it calls needs none. */",
     ]
     parts += [f"{head}\n{{\n{body}}}" for head, body in HAND + _loops(declared)]
-    parts += ["#if defined __GNUC__ && !defined __clang__\n#pragma GCC pop_options\n#endif"]
     return "\n\n".join(parts) + "\n"
 
 
@@ -120,29 +116,7 @@ def _observers(declared: Declarations) -> List[str]:
 
 
 def _loops(declared: Declarations) -> "list[tuple[str, str]]":
-    found = []
-    for call in calls(declared).values():
-        if call.kind == "elementwise":
-            found.append(_loop(call))
-            if has_float(call):
-                found.append(_rounded_loop(call))
-        elif call.kind in ("record", "init"):
-            found.append(_record_loop(call))
-    for constant in declared.constants.values():
-        if constant.parameters:
-            found.append(_macro_loop(constant))
-    return found
-
-
-def _number(p: Parameter, real: str) -> str:
-    return C_OF_KIND[kind_of(p)].replace("double", real)
-
-
-def _head(name: str, call: Call, real: str, results: str) -> str:
-    parameters = [f"{p.type} {p.name}" for p in call.structs]
-    for p in call.values:
-        parameters += [f"const {_number(p, real)} *{p.name}", f"size_t {p.name}_step"]
-    return f"static void {name}({', '.join(parameters + [results, 'size_t count'])})"
+    return [_loop(call) for call in calls(declared).values() if call.kind == "elementwise"]
 
 
 def _element(p: Parameter) -> str:
@@ -153,7 +127,10 @@ def _element(p: Parameter) -> str:
 
 
 def _loop(call: Call) -> "tuple[str, str]":
-    head = _head(call.loop, call, "double", f"{call.function.result} *result")
+    parameters = [f"{p.type} {p.name}" for p in call.structs]
+    for p in call.values:
+        parameters += [f"const {C_OF_KIND[kind_of(p)]} *{p.name}", f"size_t {p.name}_step"]
+    head = f"static void {call.loop}({', '.join(parameters)}, {call.function.result} *result, size_t count)"
     body = ""
     if call.array:
         tests, arguments = [], []
@@ -167,59 +144,4 @@ def _loop(call: Call) -> "tuple[str, str]":
     arguments = [_element(p) for p in call.function.parameters]
     body += "    for (size_t i = 0; i < count; i++)\n"
     body += f"        result[i] = {call.function.name}({', '.join(arguments)});\n"
-    return head, body
-
-
-def has_float(call: Call) -> bool:
-    """True if a loop accepts and returns float: it rounds the double results once."""
-    return call.function.result == "double" and any(map(_is_real, call.values))
-
-
-def is_a_call(call: Call) -> bool:
-    """Whether one number is computed by a call of the function itself, without a loop."""
-    return call.kind == "elementwise" and bool(call.values) and call.function.result == "double"
-
-
-def _is_real(p: Parameter) -> bool:
-    return kind_of(p) == "d"
-
-
-def _rounded_loop(call: Call) -> "tuple[str, str]":
-    """By blocks through the loop in double, so that they stay in the cache."""
-    head = _head(call.loop + "f", call, "float", "float *result")
-    reals = [p.name for p in call.values if _is_real(p)]
-    body = "    enum { BLOCK = 256 };\n"
-    body += f"    double y[BLOCK], {', '.join(f'{name}_[BLOCK]' for name in reals)};\n"
-    body += "    for (size_t i = 0, n; i < count; i += n) {\n"
-    body += "        n = count - i < BLOCK ? count - i : BLOCK;\n"
-    for name in reals:
-        body += f"        const float *const {name}_i = {name} + i * {name}_step;\n"
-        body += f"        for (size_t j = 0; j < ({name}_step ? n : 1); j++)\n            {name}_[j] = {name}_i[j];\n"
-    arguments = [p.name for p in call.structs]
-    for p in call.values:
-        arguments += [f"{p.name}_" if _is_real(p) else f"{p.name} + i * {p.name}_step", f"{p.name}_step"]
-    body += f"        {call.loop}({', '.join(arguments)}, y, n);\n"
-    body += "        for (size_t j = 0; j < n; j++)\n            result[i + j] = (float)y[j];\n    }\n"
-    return head, body
-
-
-def _record_loop(call: Call) -> "tuple[str, str]":
-    out = call.out
-    head = _head(call.loop, call, "double", "char *result, size_t stride")
-    arguments = [
-        f"(struct {out} *)(void *)(result + i * stride)" if p.type == f"struct {out} *" else _element(p)
-        for p in call.function.parameters
-    ]
-    body = "    for (size_t i = 0; i < count; i++) {\n"
-    body += f"        int *status = (int *)(void *)(result + i * stride + sizeof(struct {out}));\n"
-    body += f"        *status = {call.function.name}({', '.join(arguments)});\n    }}\n"
-    return head, body
-
-
-def _macro_loop(constant: Constant) -> "tuple[str, str]":
-    names = constant.parameters
-    values = ", ".join(f"const double *{name}, size_t {name}_step" for name in names)
-    arguments = ", ".join(f"{name}[i * {name}_step]" for name in names)
-    head = f"static void cor_loop_{constant.name[len('COR_'):]}({values}, double *result, size_t count)"
-    body = f"    for (size_t i = 0; i < count; i++)\n        result[i] = {constant.name}({arguments});\n"
     return head, body

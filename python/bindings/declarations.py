@@ -194,7 +194,9 @@ class _Reader:
             self.into.include(include[1], self.header)
         elif define:
             self._define(define[1], define[2], squeeze(define[3]), comment_text(comments[-1]) if comments else "")
-        elif not conditional and not re.match(r"#\s*(ifndef\s+COR_\w+_H$|ifdef\s+COR_WITH_DISK$|endif$|undef\s|include\s*<)", line):
+        elif not conditional and not re.match(
+            r"#\s*(ifndef\s+COR_\w+_H$|ifdef\s+COR_WITH_DISK$|endif$|undef\s|include\s*<)", line
+        ):
             raise SyntaxError(f"{self.header}: {line}")
 
     def _define(self, name: str, parameters: Optional[str], value: str, comment: str) -> None:

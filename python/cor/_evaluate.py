@@ -23,9 +23,10 @@ _POINTER = {
     np.dtype(np.intc): "int[]",
     np.dtype(np.uintp): "size_t[]",
 }
-_INTEGER = {"i": np.dtype(np.intc), "n": np.dtype(np.uintp)}
+_INTC: "np.dtype[Any]" = np.dtype(np.intc)
 _FLOAT64: "np.dtype[Any]" = np.dtype(np.float64)
 _FLOAT32: "np.dtype[Any]" = np.dtype(np.float32)
+_DTYPE = {ffi.typeof("double"): _FLOAT64, ffi.typeof("size_t"): np.dtype(np.uintp)}  # _INTC for others
 _number = np.float64
 _NUMBERS = frozenset((float, int, _number))
 
@@ -156,9 +157,10 @@ class Struct:
         made._c = c
         return made
 
-    @classmethod
-    def _of_fields(cls: "type[S]", *fields: float) -> S:
-        return cls._of(ffi.new(f"struct {cls._struct} *", fields))
+    def __getattr__(self, name: str) -> Any:
+        if name not in self._fields:
+            raise AttributeError(f"{type(self).__name__} has no {name}; it has {', '.join(self._fields)}")
+        return getattr(self._c, name)
 
     def _values(self) -> Tuple[Any, ...]:
         return tuple(getattr(self._c, field) for field in self._fields)
@@ -174,7 +176,7 @@ class Struct:
         return hash((type(self), self._values()))
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return type(self)._of_fields, self._values()
+        return type(self), self._values()
 
 
 def pointer(struct: Any, name: str, argument: str = "") -> Any:
@@ -203,8 +205,7 @@ def _is_narrow(value: Any, array: Array, name: str) -> Optional[bool]:
     return bool(np.can_cast(array.dtype, _FLOAT32))
 
 
-def _integers(array: Array, kind: str, name: str) -> Array:
-    dtype = _INTEGER[kind]
+def _integers(array: Array, dtype: "np.dtype[Any]", name: str) -> Array:
     if array.dtype.kind not in "biu":
         raise TypeError(f"{name}: an integer is needed, not {array.dtype}")
     if array.dtype != dtype:
@@ -220,68 +221,66 @@ def prepared_array(array: Array, dtype: "np.dtype[Any]") -> Array:
     return array if array.flags.aligned else array.copy()
 
 
-class _Loop:
-    """The numbers of one call: kinds has one letter for each, d for a real number, i for int, n for size_t; names are
-    those of the arguments, with spaces between."""
+class _Function:
+    """A function of C. names: the arguments, without the struct of results, which C has at the index out. The first
+    `fixed` arguments and structs are the same for all elements; the others are numbers or arrays."""
 
-    def __init__(self, kinds: str, names: str) -> None:
-        self._kinds = kinds
+    def __init__(self, name: str, names: str, out: Optional[int] = None, fixed: int = 0) -> None:
+        self._c = getattr(lib, name)
+        c_type = ffi.typeof(self._c)
+        kinds = list(c_type.args)
+        self._out = None if out is None else kinds.pop(out).item.cname[len("struct ") :]
+        self._result = _DTYPE.get(c_type.result, _INTC)
+        structs = [kind.item.cname[len("struct ") :] if kind.kind == "pointer" else "" for kind in kinds]
+        self._structs = [(i, struct) for i, struct in enumerate(structs) if struct]
+        self._numbers = [i for i, struct in enumerate(structs) if i >= fixed and not struct]
+        self._dtypes = [_DTYPE.get(kind, _INTC) for kind in kinds]
         self._names = names.split()
 
-    def _arrays(self, values: Sequence[ArrayLike], has_float: bool) -> Tuple[List[Array], bool]:
-        """The numbers as arrays of the types that C takes; and whether the result is to be float32."""
-        arrays = [np.asarray(value) for value in values]
-        given = zip(values, arrays, self._kinds, self._names)
-        reals = [_is_narrow(v, a, name) for v, a, kind, name in given if kind == "d"]
+    def _pointers(self, given: Sequence[Any]) -> List[Any]:
+        """The arguments with the addresses of structs"""
+        made = list(given)
+        for i, struct in self._structs:
+            made[i] = pointer(made[i], struct, self._names[i])
+        return made
+
+    def _arrays(self, given: Sequence[ArrayLike], has_float: bool) -> Tuple[List[Array], bool]:
+        """The numbers as arrays of the types that C accepts; and True if the result is to be float32."""
+        arrays = [np.asarray(given[i]) for i in self._numbers]
+        kinds = [(a, self._dtypes[i], self._names[i]) for a, i in zip(arrays, self._numbers)]
+        reals = [_is_narrow(given[i], a, n) for (a, dtype, n), i in zip(kinds, self._numbers) if dtype == _FLOAT64]
         narrow = True in reals and False not in reals
         real = _FLOAT32 if narrow and has_float else _FLOAT64
-        kinds = zip(arrays, self._kinds, self._names)
-        made = [prepared_array(a, real) if kind == "d" else _integers(a, kind, name) for a, kind, name in kinds]
-        return made, narrow
-
-    @staticmethod
-    def _arguments(arrays: List[Array], shape: Tuple[int, ...], size: int) -> List[Any]:
-        """Address and step of each array, repeated where broadcasting needs it."""
-        arguments = []
-        for array in arrays:
-            if array.size == size:
-                step = 1
-            elif array.size == 1:
-                step = 0
-            else:
-                array = np.ascontiguousarray(np.broadcast_to(array, shape))
-                step = 1
-            arguments += [address(array), step]
-        return arguments
+        return [prepared_array(a, real) if k == _FLOAT64 else _integers(a, k, name) for a, k, name in kinds], narrow
 
 
 def _shape(arrays: List[Array]) -> Tuple[int, ...]:
     return arrays[0].shape if len(arrays) == 1 else np.broadcast_shapes(*[a.shape for a in arrays])
 
 
-class Elementwise(_Loop):
-    """A function that returns a number. result is d for a real number or n for size_t; has_float says whether there
-    is a loop in float, too. Otherwise the double result is rounded once for arguments of float32."""
+class Elementwise(_Function):
+    """A function that returns a number. It has a loop in C, and with has_float also one in float. Otherwise the double
+    result is rounded once for arguments of float32."""
 
-    def __init__(self, name: str, kinds: str, result: str, has_float: bool, names: str) -> None:
-        super().__init__(kinds, names)
+    def __init__(self, name: str, names: str, fixed: int = 0, has_float: bool = False) -> None:
+        super().__init__(name, names, None, fixed)
         loop = "cor_loop_" + name[len("cor_") :]
         self._loop = getattr(lib, loop)
         self._float_loop = getattr(lib, loop + "f") if has_float else None
-        self._result = _FLOAT64 if result == "d" else _INTEGER[result]
-        self._scalar = getattr(lib, name, None)
 
-    def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...], out: Optional[Array] = None) -> Any:
-        if out is None and self._scalar is not None:
-            for value in values:
-                if type(value) not in _NUMBERS and not isinstance(value, IntEnum):
+    def __call__(self, given: Sequence[Any], out: Optional[Array] = None) -> Any:
+        pointers = self._pointers(given) if self._structs else given
+        if out is None and self._result is _FLOAT64:
+            for i in self._numbers:
+                if type(given[i]) not in _NUMBERS and not isinstance(given[i], IntEnum):
                     break
             else:  # numbers alone: no arrays are made
                 try:
-                    return _number(self._scalar(*structs, *values))
+                    return _number(self._c(*pointers))
                 except (OverflowError, TypeError):  # an integer beyond the doubles; a fraction for an integer
                     pass
-        arrays, narrow = self._arrays(values, self._float_loop is not None)
+        values = [given[i] for i in self._numbers]
+        arrays, narrow = self._arrays(given, self._float_loop is not None)
         shape = _shape(arrays) if arrays else ()
         in_float = narrow and self._float_loop is not None
         loop = self._float_loop if in_float else self._loop
@@ -291,13 +290,20 @@ class Elementwise(_Loop):
         assert result is not None and loop is not None
         if out is not None:
             check_out(out, shape, final)
-        loop(*structs, *self._arguments(arrays, shape, result.size), address(result, True), result.size)
+        arguments = [p for i, p in enumerate(pointers) if i not in self._numbers]
+        for array in arrays:  # address and step; repeated where broadcasting needs it
+            if array.size not in (1, result.size):
+                array = np.ascontiguousarray(np.broadcast_to(array, shape))
+            arguments += [address(array), int(array.size == result.size)]
+        loop(*arguments, address(result, True), result.size)
         if out is None:
-            return like(values, result.astype(final, copy=False)[() if shape == () else ...])
+            with np.errstate(over="ignore"):
+                return like(values, result.astype(final, copy=False)[() if shape == () else ...])
         if isinstance(out, np.ma.MaskedArray):
             out.mask = mask_of(values, shape)
         if result is not out:
-            np.copyto(out, result, casting="same_kind")
+            with np.errstate(over="ignore"):
+                np.copyto(out, result, casting="same_kind")
         return out
 
 
@@ -343,48 +349,48 @@ def record_dtype(struct: str) -> "np.dtype[Any]":
     return np.dtype((np.record, np.dtype(with_status)))  # type: ignore[call-overload]
 
 
-class _Records(_Loop):
-    def __init__(self, name: str, out: str, kinds: str, names: str) -> None:
-        super().__init__(kinds, names)
-        self._loop = getattr(lib, "cor_loop_" + name[len("cor_") :])
-        self._out = out
-        self._dtype = record_dtype(out)
+class Record(_Function):
+    """A function that returns a status and fills a struct of results: a record with its fields and the status, or an
+    array of records."""
 
-    def _run(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Array:
-        arrays, _ = self._arrays(values, False)
+    def __init__(self, name: str, names: str, out: int = -1) -> None:
+        super().__init__(name, names, out)
+        self._at = out % (len(self._names) + 1)
+        self._dtype = record_dtype(str(self._out))
+
+    def _run(self, given: Sequence[Any]) -> Array:
+        arrays, _ = self._arrays(given, False)
         shape = _shape(arrays) if arrays else ()
         result = np.zeros(shape, self._dtype)
-        arguments, size = self._arguments(arrays, shape, result.size), self._dtype.itemsize
-        at = ffi.from_buffer("char[]", result, True)
-
-        def run(first: int, count: int) -> None:
-            steps = arguments[1::2]
-            given = [x for a, step in zip(arguments[::2], steps) for x in (a + first * step, step)]
-            self._loop(*structs, *given, at + first * size, size, count)
-
-        in_parts(result.size, run)
-        mask = mask_of(values, shape)
+        first, size = ffi.from_buffer("char[]", result, True), self._dtype.itemsize
+        arguments = self._pointers(given)
+        columns = [np.broadcast_to(array, shape).ravel().tolist() for array in arrays]
+        status = np.zeros(result.size, np.intc)
+        for k in range(result.size):
+            for i, column in zip(self._numbers, columns):
+                arguments[i] = column[k]
+            to = ffi.cast(f"struct {self._out} *", first + k * size)
+            status[k] = self._c(*arguments[: self._at], to, *arguments[self._at :])
+        result["status"] = status.reshape(shape)
+        mask = mask_of([given[i] for i in self._numbers], shape)
         judge(np.where(mask, 0, result["status"]))
         return result if mask is np.ma.nomask else np.ma.array(result, mask=mask)
 
-
-class Record(_Records):
-    """A function that returns a status and a struct of results: a record with these fields and the status, or an array
-    of records."""
-
-    def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Any:
-        result = self._run(structs, values)
+    def __call__(self, given: Sequence[Any]) -> Any:
+        result = self._run(given)
         return result if isinstance(result, np.ma.MaskedArray) else result.view(np.recarray)[()]
 
 
-class Init(_Records):
-    """A function that fills a struct which other functions take."""
+class Init(Record):
+    """A function that fills a struct which other functions accept"""
 
-    def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Any:
-        for name, value in zip(self._names, values):
+    def __init__(self, name: str, names: str) -> None:
+        super().__init__(name, names, 0)
+
+    def __call__(self, given: Sequence[Any]) -> Any:
+        for name, value in zip(self._names, given):
             if np.ndim(value):
                 raise TypeError(f"{name}: a number is needed, not an array")
-        result = self._run(structs, values)
         made = ffi.new(f"struct {self._out} *")
-        ffi.memmove(made, ffi.from_buffer("char[]", result), ffi.sizeof(f"struct {self._out}"))
+        ffi.memmove(made, ffi.from_buffer("char[]", self._run(given)), ffi.sizeof(f"struct {self._out}"))
         return made

@@ -53,7 +53,7 @@ def function(law: str, end: str, quantity: str) -> Optional[Function]:
     return None if found == ffi.NULL else Function(string(found.name), found.least, found.largest, found.max_ulp)
 
 
-_value = Elementwise("cor_law_value", "d", "d", True, "x")
+_value = Elementwise("cor_law_value", "law end quantity x", 3, True)
 
 
 def value(law: str, end: str, quantity: str, x: ArrayLike, *, out: Optional[Array] = None) -> Any:
@@ -67,4 +67,4 @@ def value(law: str, end: str, quantity: str, x: ArrayLike, *, out: Optional[Arra
     within 0.75 units of the last place, the others rounded once.
 
     C: cor_law_value, cor_law_array, cor_law_arrayf"""
-    return _value(_indices(law, end, quantity), (x,), out)
+    return _value((*_indices(law, end, quantity), x), out)

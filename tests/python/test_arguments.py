@@ -160,13 +160,18 @@ def test_masks_stay():
 def test_a_series_stays_a_series():
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame({"v": [0.1, 0.2, 0.4], "eps": [0.9, 0.8, 0.7]}, index=["a", "b", "c"])
-    contact = cor.contact.SphereContact(BODY, BODY)
-    result = contact.eps_zero_force(frame["v"])
-    assert list(result.index) == ["a", "b", "c"] and result.name == "v" and result["b"] == contact.eps_zero_force(0.2)
-    assert list(contact.dissipation_time_s_zero_force(frame.v, frame.eps).index) == ["a", "b", "c"]
+    contact = cor.contact.sphere_contact_init(BODY, BODY)
+    result = cor.contact.eps_zero_force(contact, frame["v"])
+    assert (
+        list(result.index) == ["a", "b", "c"]
+        and result.name == "v"
+        and result["b"] == cor.contact.eps_zero_force(contact, 0.2)
+    )
+    time = cor.contact.dissipation_time_s_zero_force
+    assert list(time(contact, frame.v, frame.eps).index) == ["a", "b", "c"]
     assert cor.sphere.eps_zero_force(frame).loc["c", "eps"] == cor.sphere.eps_zero_force(0.7)
     with pytest.raises(ValueError, match="different indexes"):
-        contact.dissipation_time_s_zero_force(frame.v, frame.eps[::-1])
+        time(contact, frame.v, frame.eps[::-1])
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,7 @@ def test_empty_arrays():
         assert cor.sphere.eps_zero_force(np.empty(shape, np.float32)).dtype == np.float32
     assert cor.disk.eps(np.empty(0), 0.3).shape == (0,)
     assert cor.disk.eps(np.empty((0, 1)), [0.1, 0.2]).shape == (0, 2)
-    assert cor.contact.SphereContact(GLASS, GLASS).eps_zero_force([]).shape == (0,)
+    assert cor.Contact(GLASS).impacts([]).shape == (0,)
     assert cor.disk.hard_wall_nu(np.empty(0), cor.disk.HardWallOptions(1e-3), 0.1).shape == (0,)
     assert cor.disk.rayleigh_array(cor.disk.modes_nu033, 10, 0, []).shape == (0,)
 
@@ -69,8 +69,11 @@ def test_dtypes():
 
 def test_numbers_alone():
     """They go to C without arrays; test_bits.py has those of all functions of one and of two."""
-    duration = cor.contact.SphereContact(GLASS, GLASS).duration_s_zero_overlap
-    for function, count in ((duration, 1), (cor.contact.tangential_kappa, 4)):
+    contact = cor.contact.sphere_contact_init(GLASS, GLASS)
+    for function, count in (
+        (lambda g: cor.contact.duration_s_zero_overlap(contact, g), 1),
+        (cor.contact.tangential_kappa, 4),
+    ):
         for value in (0.3, 1, np.float64(0.25), -1.0, 0.0, np.nan, np.inf):
             number = function(*[value] * count)
             assert type(number) is np.float64
@@ -93,10 +96,10 @@ def test_broadcasting():
     for i in range(3):
         for k in range(4):
             assert result[i, k] == cor.disk.eps(speed[i, 0], nu[k])
-    contact = cor.contact.SphereContact(GLASS, GLASS)
-    times = contact.dissipation_time_s_zero_force([[0.5], [1.0]], [0.9, 0.8, 0.7])
+    contact = cor.contact.sphere_contact_init(GLASS, GLASS)
+    times = cor.contact.dissipation_time_s_zero_force(contact, [[0.5], [1.0]], [0.9, 0.8, 0.7])
     assert times.shape == (2, 3)
-    assert times[1, 2] == contact.dissipation_time_s_zero_force(1.0, 0.7)
+    assert times[1, 2] == cor.contact.dissipation_time_s_zero_force(contact, 1.0, 0.7)
     exponents = cor.law.hunt_crossley_max_overlap(X[:, np.newaxis], [1.0, 1.5])
     np.testing.assert_array_equal(exponents[:, 1], cor.law.hunt_crossley_max_overlap(X, 1.5))
     load = cor.disk.load(0.1, 0.33, [0, 1, 2])

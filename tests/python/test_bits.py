@@ -139,6 +139,7 @@ int main(void)
 """
     )
     wanted = [float.fromhex(v) for v in subprocess.run([program], stdout=subprocess.PIPE, text=True).stdout.split()]
-    c = cor.contact.SphereContact(cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3), cor.Body(5e9, 0.4, 1e-6, 1e-2, 2e-3))
-    given = [c.beta_per_root, c.scale, c.eps_zero_force(0.3), c.eps_zero_overlap(0.3)]
-    assert wanted == given + [c.dissipation_time_s_zero_force(0.5, 0.9), c.g_star_m_s()]
+    c = cor.contact.sphere_contact_init(cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3), cor.Body(5e9, 0.4, 1e-6, 1e-2, 2e-3))
+    of = cor.contact
+    given = [c.beta_per_root, c.scale, of.eps_zero_force(c, 0.3), of.eps_zero_overlap(c, 0.3)]
+    assert wanted == given + [of.dissipation_time_s_zero_force(c, 0.5, 0.9), of.g_star_m_s(c)]

@@ -270,7 +270,7 @@ def test_a_measured_restitution():
         (lambda: simulators.audit("x", tolerance=-1), "^tolerance: "),
         (lambda: cor.sphere.eps_zero_force("x"), "^beta: |^x: "),
         (lambda: cor.contact.sphere_mass_kg(1, "x"), "^density_kg_m3: "),
-        (lambda: cor.contact.SphereContact(BODY, 1), "^body_2: "),
+        (lambda: cor.contact.sphere_contact_init(BODY, 1), "^body_2: "),
         (lambda: cor.disk.eps(1j, 0.1), "^speed: "),
     ],
 )
@@ -281,18 +281,22 @@ def test_errors_name_the_argument(act, text):
 
 
 def test_float32_is_the_rounded_double():
-    contact = cor.contact.SphereContact(BODY, BODY)
+    contact = cor.contact.sphere_contact_init(BODY, BODY)
     speeds = np.random.RandomState(1).uniform(1e-3, 10, 1000).astype(np.float32)
-    for function in (contact.eps_zero_force, contact.max_overlap_m, cor.Contact(BODY, end="zero_force").eps):
+    for function in (
+        lambda g: cor.contact.max_overlap_m(contact, g),
+        cor.Contact(BODY, end="zero_force").eps,
+        cor.sphere.eps_zero_force,
+    ):
         result = function(speeds)
         assert result.dtype == np.float32
         np.testing.assert_array_equal(result, function(speeds.astype(np.float64)).astype(np.float32))
     eps = np.full(1000, 0.5, np.float32)
-    both = contact.dissipation_time_s_zero_force(speeds, eps[:1])
-    np.testing.assert_array_equal(both, contact.dissipation_time_s_zero_force(speeds, eps))
+    both = cor.contact.dissipation_time_s_zero_force(contact, speeds, eps[:1])
+    np.testing.assert_array_equal(both, cor.contact.dissipation_time_s_zero_force(contact, speeds, eps))
     inside = speeds.copy()
-    assert contact.eps_zero_force(inside, out=inside) is inside
-    np.testing.assert_array_equal(inside, contact.eps_zero_force(speeds))
+    assert cor.sphere.eps_zero_force(inside, out=inside) is inside
+    np.testing.assert_array_equal(inside, cor.sphere.eps_zero_force(speeds))
 
 
 def test_a_tolerance_may_stand_for_the_options_of_a_rigid_wall():
