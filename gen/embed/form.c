@@ -58,8 +58,6 @@ double embed_root_error(int refinement, bool single)
     return fmax(error[refinement], single ? 7e-7 : 0);
 }
 
-/* ---- the arithmetic of the header ---- */
-
 double embed_from_bits(const struct embed_form *f, uint64_t bits)
 {
     const uint32_t low = (uint32_t)bits;
@@ -75,6 +73,84 @@ double embed_row_start(const struct embed_form *f, slong row)
     return embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
 }
 
+static const double root_coefficients[2][2][4] = {
+    {{0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971}, {1, 0.2, 0.12, 0.088}},
+    {{(double)0.9999949028651255f, (double)0.19999368411425256f, (double)0.12170544636870924f,
+      (double)0.08960415657233971f},
+     {1, (double)0.2f, (double)0.12f, (double)0.088f}}};
+
+/* ---- the program of a form ---- */
+
+static int add_step(struct embed_program *p, enum embed_code code, const char *name, int x, int y, int z)
+{
+    p->step[p->count] = (struct embed_step){code, name, x, y, z, NULL, 0, 0};
+    return p->count++;
+}
+
+static int add_horner(struct embed_program *p, const char *name, int x, const double *c, slong degree, slong stride)
+{
+    p->step[p->count] = (struct embed_step){STEP_HORNER, name, x, 0, 0, c, degree - degree % stride, stride};
+    return p->count++;
+}
+
+/* r = g^(-1/5) in one step or two from the start, and g r^4 */
+static int add_fifth_root(struct embed_program *p, const struct embed_form *f, const char *name)
+{
+    static const char *const names[2][5] = {{"square_1", "fourth_1", "g * guess", "off_1", "factor_1"},
+                                            {"square_2", "fourth_2", "g * better", "off_2", "factor_2"}};
+    int r = add_step(p, STEP_START, "guess", 0, 0, 0), square;
+    for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
+        square = add_step(p, STEP_MUL, names[k][0], r, r, 0);
+        const int fourth = add_step(p, STEP_MUL, names[k][1], square, square, 0);
+        const int off = add_step(p, STEP_OFF, names[k][3], add_step(p, STEP_MUL, names[k][2], 0, r, 0), fourth, 0);
+        add_horner(p, names[k][4], off, root_coefficients[f->single][k], k == 0 ? 3 : f->refinement, 1);
+        r = add_step(p, STEP_MUL, k == 0 && f->refinement > 0 ? "better" : "inverse", r, off + 1, 0);
+    }
+    square = add_step(p, STEP_MUL, "square", r, r, 0);
+    return add_step(p, STEP_MUL, name, 0, add_step(p, STEP_MUL, "(square * square)", square, square, 0), 0);
+}
+
+/* Step x + 1 is x^2 if the degree is EMBED_SPLIT or more. names: the polynomial, its even part and its odd part */
+static int add_polynomial(struct embed_program *p, const char *const names[3], int x, const double *c, slong degree)
+{
+    if (degree < EMBED_SPLIT)
+        return add_horner(p, names[0], x, c, degree, 1);
+    const int even = add_horner(p, names[1], x + 1, c, degree, 2);
+    return add_step(p, STEP_MUL_ADD, names[0], x, add_horner(p, names[2], x + 1, c + 1, degree - 1, 2), even);
+}
+
+struct embed_program embed_program_of(const struct embed_form *f)
+{
+    static const char *const eps[] = {"eps", "eps_even", "eps_odd"}, *const above[] = {"p", "p_even", "p_odd"},
+                             *const below[] = {"q", "q_even", "q_odd"};
+    const struct embed_root *const root = &embed_roots[f->variable];
+    const slong m = f->numerator, n = f->denominator;
+    struct embed_program program = {.count = 0}, *const p = &program;
+    int x = add_step(p, STEP_CLAMP, "g", 0, 0, 0);
+    if (root->fifth)
+        x = add_fifth_root(p, f, root->square_roots > 0 ? "y" : "x");
+    for (int left = root->square_roots; left > 0; left--)
+        x = add_step(p, STEP_SQRT, left > 1 ? "half" : "x", x, 0, 0);
+    p->x = x;
+    if (f->rows > 0)
+        x = add_step(p, f->family == FAMILY_PIECES_SPEED ? STEP_ROW_OF_BITS : STEP_ROW_OF_PLACE, "t", x, 0, 0);
+    p->argument = x;
+    if (f->rows > 0) {
+        p->p = add_horner(p, "eps", x, NULL, m, 1);
+        return program;
+    }
+    if (FLINT_MAX(m, n) >= EMBED_SPLIT)
+        add_step(p, STEP_MUL, "xx", x, x, 0);
+    p->p = add_polynomial(p, n > 0 ? above : eps, x, f->number, m);
+    if (n > 0) {
+        p->q = add_polynomial(p, below, x, f->number + m + 1, n);
+        add_step(p, STEP_DIV, "p / q", p->p, p->q, 0);
+    }
+    return program;
+}
+
+/* ---- its values ---- */
+
 /* It counts its operations. */
 struct arithmetic {
     bool single, fused;
@@ -88,11 +164,6 @@ static double rounded(struct arithmetic *a, enum embed_operation operation, doub
     return a->single ? (double)(float)x : x;
 }
 
-static double product(struct arithmetic *a, double x, double y)
-{
-    return rounded(a, OP_MUL, x * y);
-}
-
 /* x y + z */
 static double mul_add(struct arithmetic *a, double x, double y, double z)
 {
@@ -102,33 +173,17 @@ static double mul_add(struct arithmetic *a, double x, double y, double z)
     return a->single ? (double)fmaf((float)x, (float)y, (float)z) : fma(x, y, z);
 }
 
-/* c[0] + c[step] x + ... + c[degree] x^(degree/step) */
-static double horner(struct arithmetic *a, const double *c, slong degree, slong step, double x)
+static double horner(struct arithmetic *a, const struct embed_step *s, const double *c, double x)
 {
-    double y = c[degree];
-    for (slong k = degree - step; k >= 0; k -= step)
+    double y = c[s->degree];
+    for (slong k = s->degree - s->stride; k >= 0; k -= s->stride)
         y = mul_add(a, x, y, c[k]);
-    if (degree >= step && c[degree] == 1) { /* a leading coefficient of 1 needs no product */
+    if (s->degree >= s->stride && c[s->degree] == 1) { /* a leading coefficient of 1 needs no product */
         a->count[OP_MUL_ADD]--;
         a->count[OP_ADD]++;
     }
     return y;
 }
-
-/* c_0 + c_2 x^2 + ... + x (c_1 + c_3 x^2 + ...) */
-static double polynomial(struct arithmetic *a, const double *c, slong degree, double x, double square)
-{
-    if (degree < EMBED_SPLIT)
-        return horner(a, c, degree, 1, x);
-    const double even = horner(a, c, degree - degree % 2, 2, square);
-    return mul_add(a, x, horner(a, c + 1, degree - 1 - (degree - 1) % 2, 2, square), even);
-}
-
-const double embed_root_coefficients[2][2][4] = {
-    {{0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971}, {1, 0.2, 0.12, 0.088}},
-    {{(double)0.9999949028651255f, (double)0.19999368411425256f, (double)0.12170544636870924f,
-      (double)0.08960415657233971f},
-     {1, (double)0.2f, (double)0.12f, (double)0.088f}}};
 
 static double root_start(struct arithmetic *a, const struct embed_form *f, double g)
 {
@@ -145,66 +200,72 @@ double embed_root_start(const struct embed_form *f, double g)
     return root_start(&(struct arithmetic){f->single, false, {0}}, f, g);
 }
 
-static double fifth_root(struct arithmetic *a, const struct embed_form *f, double g)
+/* The value of a step from the values of those before it. A place in a table sets *row. */
+static double step_value(struct arithmetic *a, const struct embed_form *f, const struct embed_step *s,
+                         const double *value, slong *row)
 {
-    double r = root_start(a, f, g), square;
-    for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
-        square = product(a, r, r);
-        const double off = mul_add(a, -product(a, g, r), product(a, square, square), 1);
-        r = product(a, r, horner(a, embed_root_coefficients[f->single][k], k == 0 ? 3 : f->refinement, 1, off));
+    const double x = value[s->x], y = value[s->y];
+    const uint64_t upper = emit_bits_of(f->single, x) >> f->low_bits;
+    double place;
+    switch (s->code) {
+    case STEP_CLAMP:
+        a->count[OP_COMPARE] += 2;
+        place = x > f->speed_min ? x : f->speed_min;
+        return place < f->speed_max ? place : f->speed_max;
+    case STEP_START:
+        return root_start(a, f, x);
+    case STEP_ROW_OF_BITS:
+        a->count[OP_BITS] += 3; /* shift, subtraction of the first row, and shift back */
+        *row = (slong)(upper - f->first);
+        return rounded(a, OP_ADD, x - embed_from_bits(f, upper << f->low_bits));
+    case STEP_ROW_OF_PLACE:
+        a->count[OP_CONVERT] += 2;
+        place = mul_add(a, x, f->slope, f->shift);
+        *row = (int)place;
+        return rounded(a, OP_ADD, place - (double)*row);
+    case STEP_SQRT:
+        return rounded(a, OP_SQRT, sqrt(x));
+    case STEP_HORNER:
+        a->count[OP_LOAD] += s->c ? 0 : (int)s->degree + 1;
+        return horner(a, s, s->c ? s->c : f->number + *row * (s->degree + 1), x);
+    case STEP_DIV:
+        return rounded(a, OP_DIV, x / y);
+    case STEP_MUL:
+        return rounded(a, OP_MUL, x * y);
+    case STEP_MUL_ADD:
+        return mul_add(a, x, y, value[s->z]);
+    default: /* STEP_OFF */
+        return mul_add(a, -x, y, 1);
     }
-    square = product(a, r, r);
-    return product(a, g, product(a, square, square));
 }
 
-static double form_value(struct arithmetic *a, const struct embed_form *f, double speed)
+static double form_value(struct arithmetic *a, const struct embed_form *f, const struct embed_program *p, double speed)
 {
-    const slong m = f->numerator, n = f->denominator;
-    const double above = speed > f->speed_min ? speed : f->speed_min;
-    const double g = above < f->speed_max ? above : f->speed_max;
-    const double *number = f->number;
-    double x = embed_roots[f->variable].fifth ? fifth_root(a, f, g) : g, value;
-    for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
-        x = rounded(a, OP_SQRT, sqrt(x));
-    if (f->family == FAMILY_PIECES_SPEED) {
-        const uint64_t row = emit_bits_of(f->single, g) >> f->low_bits;
-        number += (slong)(row - f->first) * (m + 1);
-        x = rounded(a, OP_ADD, g - embed_from_bits(f, row << f->low_bits));
-        a->count[OP_BITS] += 3; /* shift, subtraction of the first row, and shift back */
-    } else if (f->family == FAMILY_PIECES_BETA) {
-        const double place = mul_add(a, x, f->slope, f->shift);
-        const int row = (int)place;
-        number += row * (m + 1);
-        x = rounded(a, OP_ADD, place - row);
-        a->count[OP_CONVERT] += 2;
-    }
-    if (f->rows > 0) {
-        a->count[OP_LOAD] += (int)m + 1;
-        value = horner(a, number, m, 1, x);
-    } else {
-        const double square = FLINT_MAX(m, n) >= EMBED_SPLIT ? product(a, x, x) : 0;
-        value = polynomial(a, number, m, x, square);
-        if (n > 0)
-            value = rounded(a, OP_DIV, value / polynomial(a, number + m + 1, n, x, square));
-    }
+    double value[EMBED_STEPS] = {speed};
+    slong row = 0;
+    for (int i = 0; i < p->count; i++)
+        value[i] = step_value(a, f, &p->step[i], value, &row);
     const double whole = speed + f->origin;
     a->count[OP_ADD] += f->origin > 0;
-    a->count[OP_COMPARE] += f->onset > 0 ? 4 : 3;
-    return !(whole >= 0) ? (double)NAN : f->onset > 0 && whole <= f->onset ? f->before : value;
+    a->count[OP_COMPARE] += f->onset > 0 ? 2 : 1;
+    return !(whole >= 0) ? (double)NAN : f->onset > 0 && whole <= f->onset ? f->before : value[p->count - 1];
 }
 
 double embed_form_value(const struct embed_form *f, double speed, bool fused)
 {
-    return form_value(&(struct arithmetic){f->single, fused, {0}}, f, speed);
+    const struct embed_program p = embed_program_of(f);
+    return form_value(&(struct arithmetic){f->single, fused, {0}}, f, &p, speed);
 }
 
 void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride)
 {
+    const struct embed_program p = embed_program_of(f);
     f->error = 0;
     f->error_at = f->speed_min;
     for (slong i = 0; i < EMBED_SAMPLES; i += stride) {
         for (int fused = 0; fused < 2; fused++) {
-            const double value = embed_form_value(f, samples->speed[i], fused);
+            struct arithmetic a = {f->single, fused, {0}};
+            const double value = form_value(&a, f, &p, samples->speed[i]);
             const double error = fabs(((value - samples->eps[i]) - samples->rest[i]) / samples->eps[i]);
             if (!(error <= f->error)) { /* true for NaN, too */
                 f->error = isnan(error) ? INFINITY : error;
@@ -226,8 +287,9 @@ double embed_cost(const double cost[USES], enum embed_purpose purpose)
 void embed_form_price(struct embed_form *f)
 {
     struct arithmetic a = {.single = f->single};
+    const struct embed_program p = embed_program_of(f);
     const int *const n = a.count;
-    form_value(&a, f, f->speed_min);
+    form_value(&a, f, &p, f->speed_min);
     memcpy(f->operations, n, sizeof f->operations);
     for (int use = 0; use < USES; use++) {
         /* an operation that prevents vectorisation makes all other operations scalar */

@@ -97,13 +97,42 @@ struct embed_form {
 
 void embed_form_clear(struct embed_form *f);
 
-/* Of doubles and of floats, for both steps */
-extern const double embed_root_coefficients[2][2][4];
+/* The program of a form: the header's function as a list of steps. form.c computes their values and counts their
+ * operations, header.c prints them, rounding.c bounds their rounding errors, and proof.c encloses their values without
+ * rounding as functions of the speed. */
+enum embed_code {
+    STEP_CLAMP,        /* the speed, limited to the range of the form */
+    STEP_START,        /* the start value of x^(-1/5) */
+    STEP_ROW_OF_BITS,  /* the distance from x down to the start of a row, whose number is the upper bits of x */
+    STEP_ROW_OF_PLACE, /* the fraction of x slope + shift, whose integer part is the row */
+    STEP_SQRT,
+    STEP_HORNER,  /* c[0] + c[stride] x + ... + c[degree] x^(degree/stride); c NULL: of the numbers of a row */
+    STEP_DIV,     /* x/y */
+    STEP_MUL,     /* x y */
+    STEP_MUL_ADD, /* z + x y */
+    STEP_OFF      /* 1 - x y */
+};
+enum { EMBED_STEPS = 28 };
+
+struct embed_program {
+    struct embed_step {
+        enum embed_code code;
+        const char *name; /* of the header's variable, or an expression that later lines contain */
+        int x, y, z;      /* steps before this one. Step 0 takes the speed. */
+        const double *c;
+        slong degree, stride;
+    } step[EMBED_STEPS];
+    int count;
+    int x, argument; /* the root of the speed; the variable of the polynomials, that root or its place in a row */
+    int p, q;        /* the polynomials; q = 0 if there is no denominator */
+};
+/* It refers to the numbers of the form. */
+struct embed_program embed_program_of(const struct embed_form *f);
 
 /* The start value of g^(-1/5), as the header computes it without fused operations. It does not rise with g. */
 double embed_root_start(const struct embed_form *f, double g);
 
-/* The header's function in its arithmetic, with the same operations that emit_form writes. `fused`: a product and its
+/* The header's function in its arithmetic. `fused`: a product and its
  * addition are rounded once, as compilers may do. */
 double embed_form_value(const struct embed_form *f, double speed, bool fused);
 

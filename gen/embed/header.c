@@ -170,7 +170,7 @@ static void append_provenance(FILE *t, const struct embed_scene *s, const struct
     fputs(dialects, t);
 }
 
-/* ---- the function: the operations of embed_form_value, all in one block ---- */
+/* ---- the function ---- */
 
 /* A variable of a type, whose text is that of emit_lines, with the bits of another */
 static void emit_copy(struct emit *e, const char *type, const char *name, const char *from)
@@ -200,13 +200,13 @@ static void emit_clamped(struct emit *e, const struct embed_form *f, const char 
     emit_copy(e, "$T", "g", "inside");
 }
 
-static void emit_fifth_root(struct emit *e, const struct embed_form *f, const char *name)
+static void emit_start(struct emit *e, const char *name)
 {
     emit_lines(e, "    /* g^(-1/5), 3 % off: minus a fifth of the bits */\n");
     emit_copy(e, "uint$B_t", "bits", "g");
-    if (f->single) {
+    if (e->single) {
         fprintf(e->file, "    const uint32_t fifth = %uu - bits / 5u;\n", EMBED_ROOT_SINGLE);
-        emit_copy(e, "float", "guess", "fifth");
+        emit_copy(e, "float", name, "fifth");
     } else {
         /* the double 2^52 + n holds the integer n in its low bits */
         emit_lines(e, "    const uint64_t upper = (bits >> 32) | UINT64_C(0x4330000000000000);\n");
@@ -214,43 +214,27 @@ static void emit_fifth_root(struct emit *e, const struct embed_form *f, const ch
         emit_lines(e, "    const double fifth = $x - $x * number;\n", EMBED_ROOT_CONSTANT, EMBED_ROOT_FIFTH);
         emit_copy(e, "uint64_t", "shifted", "fifth");
         emit_lines(e, "    shifted <<= 32;\n");
-        emit_copy(e, "double", "guess", "shifted");
+        emit_copy(e, "double", name, "shifted");
     }
     emit_lines(e, "    /* and off = 1 - g guess^5, so that g^(-1/5) = guess (1 - off)^(-1/5) */\n");
-    const char *r = "guess";
-    for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
-        static const char *const off[] = {"off_1", "off_2"}, *const factor[] = {"factor_1", "factor_2"};
-        const char *const out = k == 0 && f->refinement > 0 ? "better" : "inverse";
-        emit_lines(e,
-                   "    const $T square_$d = $s * $s;\n    const $T fourth_$d = square_$d * square_$d;\n"
-                   "    const $T $s = 1.0$F - g * $s * fourth_$d;\n",
-                   k + 1, r, r, k + 1, k + 1, k + 1, off[k], r, k + 1);
-        emit_let_polynomial(e, factor[k], off[k], embed_root_coefficients[f->single][k], k == 0 ? 3 : f->refinement, 1);
-        emit_lines(e, "    const $T $s = $s * $s;\n", out, r, factor[k]);
-        r = out;
-    }
-    emit_lines(e, "    const $T square = inverse * inverse;\n    const $T $s = g * (square * square);\n", name);
 }
 
-static void emit_split_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree)
+static void emit_step(struct emit *e, const struct embed_form *f, const struct embed_program *p,
+                      const struct embed_step *s)
 {
-    char even[16], odd[16];
-    if (degree < EMBED_SPLIT) {
-        emit_let_polynomial(e, name, x, c, degree, 1);
+    static const char *const texts[] = {[STEP_SQRT] = "    const $T $s = sqrt$F($s);\n",
+                                        [STEP_MUL] = "    const $T $s = $s * $s;\n",
+                                        [STEP_MUL_ADD] = "    const $T $s = $s + $s * $s;\n",
+                                        [STEP_OFF] = "    const $T $s = 1.0$F - $s * $s;\n"};
+    const char *const x = p->step[s->x].name, *const y = p->step[s->y].name;
+    if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* an expression, or emit_clamped */
         return;
-    }
-    snprintf(even, sizeof even, "%s_even", name);
-    snprintf(odd, sizeof odd, "%s_odd", name);
-    emit_let_polynomial(e, even, "xx", c, degree - degree % 2, 2);
-    emit_let_polynomial(e, odd, "xx", c + 1, degree - 1 - (degree - 1) % 2, 2);
-    emit_lines(e, "    const $T $s = $s + $s * $s;\n", name, even, x, odd);
-}
-
-/* The row and the place in it */
-static void emit_row_place(struct emit *e, const struct embed_form *f, const char *x)
-{
-    if (f->family == FAMILY_PIECES_SPEED) {
-        emit_copy(e, "uint$B_t", "bits", "g");
+    switch (s->code) {
+    case STEP_START:
+        emit_start(e, s->name);
+        break;
+    case STEP_ROW_OF_BITS:
+        emit_copy(e, "uint$B_t", "bits", x);
         emit_lines(e, "    const uint$B_t upper = bits >> $d;\n    const uint$B_t start_bits = upper << $d;\n",
                    f->low_bits, f->low_bits);
         emit_copy(e, "$T", "start", "start_bits");
@@ -258,12 +242,25 @@ static void emit_row_place(struct emit *e, const struct embed_form *f, const cha
                 f->single ? "    const uint32_t i = upper - %lluu;\n"
                           : "    const uint64_t i = upper - UINT64_C(%llu);\n",
                 (unsigned long long)f->first);
-        emit_lines(e, "    const $T t = g - start;\n");
-    } else {
+        emit_lines(e, "    const $T $s = $s - start;\n", s->name, x);
+        break;
+    case STEP_ROW_OF_PLACE:
         emit_lines(e,
                    "    const $T place = $s * $x + $x;\n    const int i = (int)place;\n"
-                   "    const $T t = place - $si;\n",
-                   x, f->slope, f->shift, f->single ? "(float)" : "");
+                   "    const $T $s = place - $si;\n",
+                   x, f->slope, f->shift, s->name, f->single ? "(float)" : "");
+        break;
+    case STEP_HORNER:
+        if (s->c)
+            emit_let_polynomial(e, s->name, x, s->c, s->degree, s->stride);
+        else
+            emit_let_row_polynomial(e, s->name, "row", "i", x, s->degree);
+        break;
+    case STEP_MUL_ADD:
+        emit_lines(e, texts[s->code], s->name, p->step[s->z].name, x, y);
+        break;
+    default:
+        emit_lines(e, texts[s->code], s->name, x, y);
     }
 }
 
@@ -286,34 +283,17 @@ static void emit_return(struct emit *e, const struct embed_form *f, const char *
 
 static void emit_form(struct emit *e, const char *name, const struct embed_form *f, bool vector)
 {
-    const bool constant = f->rows == 0 && f->numerator + f->denominator == 0, quotient = f->denominator > 0;
+    const struct embed_program p = embed_program_of(f);
     emit_lines(e, "COR_INLINE $T $s($T speed)\n{\n", name);
     if (f->rows > 0)
         emit_table(e, "row", f->number, f->rows, f->numerator + 1);
     if (f->origin > 0)
         emit_lines(e, "    const $T more = speed - $x;\n", f->origin);
-    if (!constant)
+    if (f->rows > 0 || f->numerator + f->denominator > 0)
         emit_clamped(e, f, f->origin > 0 ? "more" : "speed", vector);
-    const struct embed_root *const root = &embed_roots[f->variable];
-    const char *x = "g";
-    if (root->fifth)
-        emit_fifth_root(e, f, x = root->square_roots > 0 ? "y" : "x");
-    for (int left = root->square_roots; left-- > 0;) {
-        const char *const next = left > 0 ? "half" : "x";
-        emit_lines(e, "    const $T $s = sqrt$F($s);\n", next, x);
-        x = next;
-    }
-    if (f->rows > 0) {
-        emit_row_place(e, f, x);
-        emit_let_row_polynomial(e, "eps", "row", "i", "t", f->numerator);
-    } else {
-        if (FLINT_MAX(f->numerator, f->denominator) >= EMBED_SPLIT)
-            emit_lines(e, "    const $T xx = $s * $s;\n", x, x);
-        emit_split_polynomial(e, quotient ? "p" : "eps", x, f->number, f->numerator);
-        if (quotient)
-            emit_split_polynomial(e, "q", x, f->number + f->numerator + 1, f->denominator);
-    }
-    emit_return(e, f, quotient ? "p / q" : "eps", vector);
+    for (int i = 0; i < p.count; i++)
+        emit_step(e, f, &p, &p.step[i]);
+    emit_return(e, f, p.step[p.count - 1].name, vector);
 }
 
 void embed_header_write(FILE *file, const struct embed_request *request, const struct embed_scene *s,

@@ -41,6 +41,7 @@ struct part {
 
 struct prover {
     const struct embed_form *f;
+    struct embed_program program;
     const struct embed_scene *s;
     struct interpolant_proof *interpolant; /* spheres */
     struct law_proof *law;                 /* other laws */
@@ -116,36 +117,48 @@ static bool part_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_
     return done;
 }
 
-static void part_polynomial(arb_poly_t p, const double *c, slong degree, const arb_poly_t y)
+/* The polynomials of the program as functions of its variable y, in a row, without rounding */
+static void part_polynomials(arb_poly_t p, arb_poly_t q, const arb_poly_t y, const struct prover *w, slong row)
 {
-    arb_poly_zero(p);
-    for (slong k = degree; k >= 0; k--) {
-        enclosed_multiply(p, p, y);
-        enclosed_add_double(p, c[k]);
+    const struct embed_form *const f = w->f;
+    const int first = w->program.x;
+    const double start = embed_row_start(f, row);
+    LOCAL(arb_poly, v0, v1, v2, v3, v4, v5, v6, v7, v8);
+    arb_poly_struct *const value[] = {v0, v1, v2, v3, v4, v5, v6, v7, v8};
+    arb_poly_set(v0, y);
+    for (int i = first + 1; i < w->program.count; i++) {
+        const struct embed_step *const s = &w->program.step[i];
+        const double *const c = s->c ? s->c : f->number + row * (s->degree + 1);
+        arb_poly_struct *const z = value[i - first], *const x = value[s->x - first];
+        if (s->code == STEP_ROW_OF_BITS)
+            LET_FUNCTION(z, "x - start", x, start);
+        else if (s->code == STEP_ROW_OF_PLACE)
+            LET_FUNCTION(z, "x*f->slope + f->shift - row", x, f->slope, f->shift, row);
+        else if (s->code != STEP_HORNER && s->code != STEP_DIV)
+            enclosed_multiply(z, x, value[s->y - first]);
+        if (s->code == STEP_MUL_ADD)
+            arb_poly_add(z, z, value[s->z - first], ENCLOSED_BITS);
+        for (slong k = s->degree; s->code == STEP_HORNER && k >= 0; k -= s->stride) {
+            enclosed_multiply(z, z, x);
+            enclosed_add_double(z, c[k]);
+        }
     }
+    arb_poly_set(p, value[w->program.p - first]);
+    if (w->program.q > 0)
+        arb_poly_set(q, value[w->program.q - first]);
 }
 
 /* Bound of |p/q - eps|/eps on a part; infinite where there is no proof */
 static double part_error(const struct prover *w, const struct part *part, int depth)
 {
-    const struct embed_form *const f = w->f;
-    const double *const c = f->number + (f->rows > 0 ? part->row * (f->numerator + 1) : 0);
-    LOCAL(arb_poly, eps, beta, x, y, p, v);
+    LOCAL(arb_poly, eps, beta, x, y, p, q, v);
     double error = HUGE_VAL, known = 0;
     if (part_functions(eps, beta, x, w, part) && part_variable(y, eps, v, beta, x, w, part->by_log)) {
-        const slong row = part->row;
-        const double start = embed_row_start(f, row);
-        if (f->family == FAMILY_PIECES_SPEED) /* the distance from the start of the row */
-            LET_FUNCTION(y, "y - start", y, start);
-        else if (f->family == FAMILY_PIECES_BETA)
-            LET_FUNCTION(y, "y*f->slope + f->shift - row", y, f->slope, f->shift, row);
-        part_polynomial(p, c, f->numerator, y);
+        part_polynomials(p, q, y, w, part->row);
         if (!arb_is_zero(w->s->liquid_speed))
             enclosed_multiply(p, p, v);
-        if (f->denominator > 0) { /* |p - q eps|/|q eps| */
-            part_polynomial(x, c + f->numerator + 1, f->denominator, y);
-            enclosed_multiply(eps, eps, x);
-        }
+        if (w->f->denominator > 0) /* |p - q eps|/|q eps| */
+            enclosed_multiply(eps, eps, q);
         arb_poly_sub(p, p, eps, ENCLOSED_BITS);
         for (int k = -POINTS; k <= POINTS; k++)
             known = fmax(known, enclosed_ratio_at(p, eps, k / (double)POINTS));
@@ -287,6 +300,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     proof->rounding = rounding.error;
     const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* otherwise the ends coincide */
     struct prover w = {.f = f,
+                       .program = embed_program_of(f),
                        .s = s,
                        .quantity = overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE,
                        .enough = f->error * NEAR_SAMPLED,

@@ -30,25 +30,16 @@ static const struct arithmetic {
     double unit, least, most;
 } arithmetic[] = {{0x1p-53, 0, DBL_MAX}, {0x1p-24, 0x1p-150, (double)FLT_MAX}};
 
-/* ---- a result and its error ---- */
+/* ---- the steps of a program ---- */
 
-/* All values of an expression without rounding, and how far the computed value can be from it */
+enum { NUMBER = EMBED_STEPS, NONE };
+
+/* All values of every step without rounding, and how far the computed value can be from them. NUMBER is a number. */
 struct rounded {
-    arb_t exact;
-    double error;
+    const struct arithmetic *arithmetic;
+    arb_ptr exact;
+    double error[EMBED_STEPS + 1];
 };
-
-static void rounded_init(struct rounded *x)
-{
-    *x = (struct rounded){.error = 0};
-    arb_init(x->exact);
-}
-
-static void rounded_clear(struct rounded *x)
-{
-    arb_clear(x->exact);
-}
-LOCAL_STRUCT(rounded)
 
 /* (1 + x)(1 + y) - 1 and (1 + x)^n - 1 */
 static double both(double x, double y)
@@ -62,76 +53,69 @@ static double power_of_error(double x, double n)
 }
 
 /* |x| where the computed x may be */
-static double rounded_size(const struct rounded *x)
+static double rounded_size(const struct rounded *v, int x)
 {
-    return (ball_magnitude(x->exact) + x->error) * RAISE;
+    return (ball_magnitude(v->exact + x) + v->error[x]) * RAISE;
 }
 
 /* The error of one rounding; infinite where the result may overflow */
-static double rounding_of(const struct rounded *x, const struct arithmetic *a)
+static double rounding_of(const struct rounded *v, int x)
 {
-    const double size = rounded_size(x);
-    return size < a->most / 2 ? size * a->unit + a->least + DBL_MIN : HUGE_VAL;
+    const double size = rounded_size(v, x);
+    return size < v->arithmetic->most / 2 ? size * v->arithmetic->unit + v->arithmetic->least + DBL_MIN : HUGE_VAL;
 }
 
-/* z = x y + c; the product and the sum are rounded each, which covers the fused operation. */
-static void rounded_mul_add(struct rounded *z, const struct rounded *x, const struct rounded *y, double c,
-                            const struct arithmetic *a)
+/* z = x y + addend; the product and the sum are rounded each, which covers the fused operation. */
+static void rounded_mul_add(struct rounded *v, int z, int x, int y, int addend)
 {
-    LOCAL(arb, addend);
-    arb_set_d(addend, c);
-    const double error = ball_magnitude(x->exact) * y->error + rounded_size(y) * x->error;
-    arb_mul(z->exact, x->exact, y->exact, BITS);
-    z->error = error * RAISE;
-    z->error += rounding_of(z, a);
-    if (c != 0) {
-        arb_add(z->exact, z->exact, addend, BITS);
-        z->error += rounding_of(z, a);
+    const double error = ball_magnitude(v->exact + x) * v->error[y] + rounded_size(v, y) * v->error[x];
+    arb_mul(v->exact + z, v->exact + x, v->exact + y, BITS);
+    v->error[z] = error * RAISE;
+    v->error[z] += rounding_of(v, z);
+    if (addend != NONE) {
+        arb_add(v->exact + z, v->exact + z, v->exact + addend, BITS);
+        v->error[z] += v->error[addend];
+        v->error[z] += rounding_of(v, z);
     }
-    z->error *= RAISE;
+    v->error[z] *= RAISE;
 }
 
-static void rounded_horner(struct rounded *y, const double *c, slong degree, slong step, const struct rounded *x,
-                           const struct arithmetic *a)
+/* Bounds steps first to last of a program. row: the coefficients of a row */
+static void rounded_steps(struct rounded *v, const struct embed_program *p, int first, int last, const double *row)
 {
-    arb_set_d(y->exact, c[degree]);
-    y->error = 0;
-    for (slong k = degree - step; k >= 0; k -= step)
-        rounded_mul_add(y, x, y, c[k], a);
-}
-
-/* As polynomial() of form.c; without the split as horner() */
-static void rounded_polynomial(struct rounded *y, const double *c, slong degree, const struct rounded *x, bool split,
-                               const struct arithmetic *a)
-{
-    if (!split || degree < EMBED_SPLIT) {
-        rounded_horner(y, c, degree, 1, x, a);
-        return;
+    for (int i = first; i <= last; i++) {
+        const struct embed_step *const s = &p->step[i];
+        const double *const c = s->c ? s->c : row;
+        arb_set_d(v->exact + NUMBER, -1);
+        if (s->code != STEP_HORNER)
+            rounded_mul_add(v, i, s->x, s->y, s->code == STEP_MUL ? NONE : s->code == STEP_OFF ? NUMBER : s->z);
+        else
+            arb_set_d(v->exact + i, c[s->degree]);
+        if (s->code == STEP_OFF) /* x y - 1 */
+            arb_neg(v->exact + i, v->exact + i);
+        for (slong k = s->degree - s->stride; s->code == STEP_HORNER && k >= 0; k -= s->stride) {
+            arb_set_d(v->exact + NUMBER, c[k]);
+            rounded_mul_add(v, i, s->x, i, c[k] != 0 ? NUMBER : NONE);
+        }
     }
-    LOCAL(rounded, square, even, odd);
-    rounded_mul_add(square, x, x, 0, a);
-    rounded_horner(even, c, degree - degree % 2, 2, square, a);
-    rounded_horner(odd, c + 1, degree - 1 - (degree - 1) % 2, 2, square, a);
-    rounded_mul_add(y, x, odd, 0, a);
-    arb_add(y->exact, y->exact, even->exact, BITS);
-    y->error += even->error;
-    y->error = (y->error + rounding_of(y, a)) * RAISE;
 }
 
 /* ---- the fifth root ---- */
 
-/* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Without rounding, its relative distance
- * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. The rounding error is that in
- * units in which r = 1, so that g = 1 - x. Returns a bound of the distance with rounding, infinite if |H| may reach
- * 1/2, which it does not for e < SEED_LIMIT. */
-static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
+/* Six steps of the program from `first` on make r S(1 - g r^5), S a polynomial, of an r with |1 - g r^5| <= e. Without
+ * rounding, the relative distance of the result from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1,
+ * |x| <= e. Its rounding error is computed in units in which r = 1, so that g = 1 - x. Returns a bound of the distance
+ * with rounding, infinite if |H| may reach 1/2, which it does not for e < SEED_LIMIT. */
+static double root_step(const struct embed_program *p, int first, double e, const struct arithmetic *a)
 {
+    const struct embed_step *const factor = &p->step[first + 4];
     LOCAL(arb_poly, x, S, h, one);
-    LOCAL(rounded, r, fourth, product, off, series);
     LOCAL(arb, radius);
+    LOCAL_VECTOR(values, EMBED_STEPS + 1);
+    struct rounded v = {a, values, {0}};
     enclosed_variable(x, -e, e);
-    for (slong k = degree; k >= 0; k--) {
-        const double c_k = c[k];
+    for (slong k = factor->degree; k >= 0; k--) {
+        const double c_k = factor->c[k];
         LET_FUNCTION(S, "S*x + c_k", S, x, c_k);
     }
     LET_FUNCTION(h, "S^5*(1 - x) - 1", S, x);
@@ -143,25 +127,20 @@ static double root_step(const double *c, slong degree, double e, const struct ar
     if (!(most < 0.5))
         return HUGE_VAL;
     const double exact = -power_of_error(-most, 0.2) * RAISE + 1e-18;
-    arb_one(r->exact);
-    rounded_mul_add(fourth, r, r, 0, a);
-    rounded_mul_add(fourth, fourth, fourth, 0, a);
     arb_set_d(radius, e);
-    arb_set_si(product->exact, -1);
-    arb_add_error(product->exact, radius);
-    product->error = rounding_of(product, a);
-    rounded_mul_add(off, product, fourth, 1, a);
-    rounded_horner(series, c, degree, 1, off, a);
-    rounded_mul_add(series, r, series, 0, a);
+    arb_one(values);
+    arb_add_error(values, radius);
+    arb_one(values + p->step[first].x);
+    rounded_steps(&v, p, first, first + 5, NULL);
     const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
-    return both(exact, series->error / least) * RAISE;
+    return both(exact, v.error[first + 5] / least) * RAISE;
 }
 
 /* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. Of the fifth
  * root a start r is off by e >= |1 - g r^5|: the upper bits of r fall as those of g rise, so the ends of an interval of
  * speeds bound r. In half of an interval r falls by 400 units of 2^-20 or more, and a fused operation moves it by one:
  * whichever half g is in, the bound of the whole interval holds for that r, too. */
-static double variable_bound(const struct embed_form *f, const struct arithmetic *a)
+static double variable_bound(const struct embed_form *f, const struct embed_program *p, const struct arithmetic *a)
 {
     static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
     const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = emit_bits_of(f->single, f->speed_max);
@@ -175,9 +154,9 @@ static double variable_bound(const struct embed_form *f, const struct arithmetic
         e = e * (1 + 1e-9) + 1e-12;
         if (!(e < SEED_LIMIT))
             return HUGE_VAL;
-        double r = root_step(embed_root_coefficients[f->single][0], 3, e, a);
+        double r = root_step(p, 2, e, a);
         if (f->refinement > 0)
-            r = root_step(embed_root_coefficients[f->single][1], f->refinement, power_of_error(r, 5) * RAISE, a);
+            r = root_step(p, 8, power_of_error(r, 5) * RAISE, a);
         /* g (r^2)^2 */
         error = both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
     }
@@ -213,24 +192,25 @@ static double least_size(const arb_t x)
 
 /* Relative rounding error of the result for arguments lo <= x <= hi of the polynomials, whose own error is at most
  * x_error, absolute. The cell is widened by that. */
-static double cell_bound(const struct embed_form *f, const double *c, double lo, double hi, double x_error)
+static double cell_bound(const struct embed_form *f, const struct embed_program *program, const double *c, double lo,
+                         double hi, double x_error)
 {
     const struct arithmetic *const a = &arithmetic[f->single];
     const slong m = f->numerator, n = f->denominator;
     LOCAL(arb, middle, radius, value, slope, q_value, q_slope);
-    LOCAL(rounded, x, p, q);
+    LOCAL_VECTOR(values, EMBED_STEPS + 1);
+    struct rounded v = {a, values, {0}};
     arb_set_d(middle, lo / 2 + hi / 2);
     arb_set_d(radius, ((hi - lo) / 2 + x_error + 1e-15 * fabs(hi) + DBL_MIN) * RAISE);
-    arb_set(x->exact, middle);
-    arb_add_error(x->exact, radius);
-    rounded_polynomial(p, c, m, x, f->rows == 0, a);
+    arb_set(values + program->argument, middle);
+    arb_add_error(values + program->argument, radius);
+    rounded_steps(&v, program, program->argument + 1, n > 0 ? program->q : program->p, c);
     cell_values(value, slope, c, m, middle, radius);
-    double least = least_size(value), relative = p->error / least;
+    double least = least_size(value), relative = v.error[program->p] / least;
     arb_div(slope, slope, value, BITS);
     if (n > 0) {
-        rounded_polynomial(q, c + m + 1, n, x, true, a);
         cell_values(q_value, q_slope, c + m + 1, n, middle, radius);
-        const double of_q = q->error / least_size(q_value);
+        const double of_q = v.error[program->q] / least_size(q_value);
         relative = of_q < 0.5 ? (relative + of_q) / (1 - of_q) : HUGE_VAL;
         relative += (1 + relative) * a->unit;
         least /= ball_magnitude(q_value);
@@ -244,6 +224,7 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
 
 struct cells {
     const struct embed_form *f;
+    struct embed_program program;
     double lo, hi; /* of the variable, without rounding */
     double root, place;
     double *bound; /* of each cell */
@@ -258,7 +239,7 @@ static void bound_cell(void *context, slong i)
         const double step = log(w->hi / w->lo) / (double)CELLS;
         const double lo = w->lo * exp(step * (double)i) * (1 - 1e-12),
                      hi = w->lo * exp(step * (double)(i + 1)) * (1 + 1e-12);
-        w->bound[i] = cell_bound(f, f->number, lo, hi, w->root * hi * RAISE);
+        w->bound[i] = cell_bound(f, &w->program, f->number, lo, hi, w->root * hi * RAISE);
         return;
     }
     double lo = 0, hi = 1;
@@ -268,7 +249,7 @@ static void bound_cell(void *context, slong i)
         hi = fmin(embed_row_start(f, row + 1), f->speed_max) - start;
     }
     const double width = (hi - lo) / (double)ROW_CELLS, first = lo + width * (double)(i % ROW_CELLS);
-    w->bound[i] = cell_bound(f, f->number + row * (f->numerator + 1), first, first + width, w->place);
+    w->bound[i] = cell_bound(f, &w->program, f->number + row * (f->numerator + 1), first, first + width, w->place);
 }
 
 bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form *f)
@@ -277,10 +258,11 @@ bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form 
     const double power = 1 / (double)embed_roots[f->variable].degree;
     const slong count = f->rows > 0 ? f->rows * ROW_CELLS : CELLS;
     struct cells w = {.f = f,
+                      .program = embed_program_of(f),
                       .lo = pow(f->speed_min, power) * (1 - 1e-12),
                       .hi = pow(f->speed_max, power) * (1 + 1e-12),
-                      .root = variable_bound(f, a),
                       .bound = xmalloc((size_t)count * sizeof(double))};
+    w.root = variable_bound(f, &w.program, a);
     if (f->family == FAMILY_PIECES_BETA) {
         /* the place x slope + shift, which rounding keeps on its side of 0 and below the number of rows */
         const double most = (double)f->rows, end = most * (1 - a->unit);
