@@ -521,7 +521,8 @@ struct cor_simulator {
     const char *comment, *comment_end;
     const char *setup;     /* what its input must contain elsewhere */
     const char *time_step; /* template of lines that set the time step; NULL: they are absent */
-    const char *version;   /* the version whose models come first: that of Debian 12; NULL: none */
+    const char *version;   /* the version of Debian 12, whose models come first; NULL: none */
+    long packaged;         /* this version by cor_simulator_version; 0: none */
 
     /* At a wall the stiffness of two bodies with Hertz's force is divided by this number; 0: it is not. */
     double wall_divides;

@@ -251,16 +251,17 @@ static int end_of(const struct cor_scene *scene)
     return scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP;
 }
 
-static int version_has(const struct cor_simulator_model *model, const char *version)
+/* True if the version of the request has the model */
+static int is_requested(const struct cor_simulator_model *model, const struct task *task)
 {
+    const char *const version = task->request->version;
     return cor_model_has_version(model, version ? cor_simulator_version(version) : 0);
 }
 
 /* Whether lines of the model can be printed, but for their numbers */
 static int suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
-    return model->lines && version_has(model, task->request->version) &&
-           (!task->request->scene->wall || model->wall_lines) &&
+    return model->lines && is_requested(model, task) && (!task->request->scene->wall || model->wall_lines) &&
            (has_law ? cor_simulator_has_law(model, task->request->contacts)
                     : cor_simulator_has_one_eps(model, task->request->contacts));
 }
@@ -811,7 +812,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
         t->commented++;
         put_template(t, task->simulator->setup, block, task);
         t->commented--;
-        if (!task->request->version && !version_has(model, task->simulator->version))
+        if (!task->request->version && !cor_model_has_version(model, task->simulator->packaged))
             comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
                     task->simulator->title, task->simulator->version, task->simulator->version);
     }
@@ -875,7 +876,7 @@ static int rank(const struct cor_simulator_model *model, const struct task *task
 {
     const int end = task->request->scene->end;
     return 2 * (end == COR_BOTH_ENDS || (int)model->end == end || model->law == COR_LAW_IMPULSE) +
-           version_has(model, task->simulator->version);
+           cor_model_has_version(model, task->simulator->packaged);
 }
 
 /* Prints the model by which the simulator realises at its own end what was asked for at another one. */
@@ -920,7 +921,7 @@ static void put_own_maps(struct text *t, const struct task *task)
     for (int i = 0; i < task->simulator->model_count && !isnan(eps) && !task->pressed; i++) {
         const struct cor_simulator_model *const model = &task->simulator->models[i];
         const double own = cor_simulator_realised(model, eps);
-        if (model->damping_of_e && !model->has_function && version_has(model, task->request->version))
+        if (model->damping_of_e && !model->has_function && is_requested(model, task))
             comment(t, "If e = %s is set by hand: %s (%s) %s%s.", TEXT(eps), model->model, model->version,
                     isnan(own) ? "refuses it" : "realises ", isnan(own) ? "" : TEXT(own));
     }
@@ -930,7 +931,7 @@ static void put_own_maps(struct text *t, const struct task *task)
 static void choose_reason(char instead[SENTENCE], const struct cor_simulator_model *model, const struct block *active,
                           const struct task *task)
 {
-    if (!task->request->version && !version_has(model, task->simulator->version))
+    if (!task->request->version && !cor_model_has_version(model, task->simulator->packaged))
         snprintf(instead, SENTENCE, "Instead, in another version: ");
     else if (model->end != active->model->end)
         snprintf(instead, SENTENCE, "Instead, where contacts are to end at %s: ", cor_end_names[model->end]);

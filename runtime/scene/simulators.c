@@ -573,20 +573,20 @@ static const struct cor_simulator_model modelica[] = {
 const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(lammps, "lammps", "LAMMPS", VERLET_HALF_STEP), SCRIPT,
      .setup = "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes." FRICTION,
-     .time_step = "timestep {dt}\n", .version = "29 Sep 2021",
+     .time_step = "timestep {dt}\n", .version = "29 Sep 2021", .packaged = 20210929,
      .yielding = "LAMMPS of 2025 and later has mdr, which takes E, nu and the yield stress: elastic-plastic with "
                  "another yield criterion, so that its eps is another one. It was not run."},
     {SIMULATOR(liggghts, "liggghts", "LIGGGHTS", VERLET_HALF_STEP), SCRIPT,
      .setup = "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types} type{s} in "
               "create_box." FRICTION,
-     .time_step = "timestep {dt}\n", .version = "3.8.0", .luding = "LIGGGHTS, luding",
+     .time_step = "timestep {dt}\n", .version = "3.8.0", .packaged = 30800, .luding = "LIGGGHTS, luding",
      .luding_lines = "pair_style gran model luding tangential history\n" LUDING("0", "LoadingStiffness", "{k1[]}")
          LUDING("1", "UnloadingStiffness", "{kp/k1[]}") LUDING("2", "coefficientAdhesionStiffness", "{0[]}")
              LUDING("3", "coefficientPlasticityDepth", "{depth[]}") LUDING("4", "pullOffForce", "{0[]}")
                  LUDING("5", "coefficientRestitution", "{1[]}")},
     {SIMULATOR(yade, "yade", "YADE", LEAPFROG), SCRIPT,
      .setup = "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0." FRICTION,
-     .time_step = "O.dt = {dt}\n", .version = "2023.02", .wall_divides = 1.4142135623730951,
+     .time_step = "O.dt = {dt}\n", .version = "2023.02", .packaged = 20230200, .wall_divides = 1.4142135623730951,
      .wall = "YADE's walls have K/sqrt(2), its facets K sqrt(2/3), where K is Hertz's: contacts last longer.",
      .density = "cor_material gets the density that YADE chooses, 1000 kg/m^3: add that of your bodies.",
      .luding = "YADE, LudingMat",
@@ -610,13 +610,14 @@ const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(exadem, "exadem", "exadem", NO_INTEGRATOR)},
     {SIMULATOR(mujoco, "mujoco", "MuJoCo", SYMPLECTIC_EULER), XML,
      .setup = "Units of the model: m, kg, s. To be put into <mujoco>." FRICTION,
-     .time_step = "<option timestep=\"{dt}\"/>\n", .version = "2.2.2"},
+     .time_step = "<option timestep=\"{dt}\"/>\n", .version = "2.2.2", .packaged = 20202},
     {SIMULATOR(newton, "newton", "newton", SYMPLECTIC_EULER)},
     {SIMULATOR(drake, "drake", "Drake", NO_INTEGRATOR), XML, .setup = "SI units."},
     {SIMULATOR(simbody, "simbody", "Simbody", NO_INTEGRATOR), CPP,
-     .setup = "SI units." FRICTION " The integrator chooses the time step.", .version = "3.7"},
+     .setup = "SI units." FRICTION " The integrator chooses the time step.", .version = "3.7", .packaged = 30700},
     {SIMULATOR(opensees, "opensees", "opensees", NO_INTEGRATOR)},
-    {SIMULATOR(bullet, "bullet", "Bullet", NO_INTEGRATOR), CPP, .setup = "SI units.", .version = "3.24"},
+    {SIMULATOR(bullet, "bullet", "Bullet", NO_INTEGRATOR), CPP, .setup = "SI units.", .version = "3.24",
+     .packaged = 32400},
     {SIMULATOR(rebound, "rebound", "REBOUND", NO_INTEGRATOR), CPP, .setup = "cor_eps takes m/s."},
     {SIMULATOR(modelica, "modelica", "Modelica", NO_INTEGRATOR), CPP,
      .setup = "SI units. The integrator chooses the time step."},

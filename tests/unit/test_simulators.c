@@ -272,7 +272,8 @@ TEST(units)
 TEST(rows_are_whole)
 {
     int rows = 0, found[COR_SIMULATOR_MODELS] = {0};
-    for (const struct cor_simulator *s = cor_simulators; s < cor_simulators + cor_simulator_count; s++)
+    for (const struct cor_simulator *s = cor_simulators; s < cor_simulators + cor_simulator_count; s++) {
+        assert_int_equal(s->packaged, s->version ? cor_simulator_version(s->version) : 0);
         for (const struct cor_simulator_model *m = s->models; m < s->models + s->model_count; m++, rows++) {
             const char *const words[] = {s->name, s->title, m->model, m->parameter, m->file, m->advice, m->version};
             for (size_t k = 0; k < COUNT_OF(words); k++)
@@ -288,6 +289,7 @@ TEST(rows_are_whole)
             for (const struct cor_simulator_model *other = s->models; other < m; other++)
                 assert_string_not_equal(other->model, m->model);
         }
+    }
     assert_int_equal(rows, COR_SIMULATOR_MODELS);
     assert_null(cor_simulator_model(COR_SIMULATOR_MODELS));
 }
