@@ -23,6 +23,16 @@ static inline int cor_law_is(const struct cor_exponents *law, int a2, int b2)
     return 2 * law->elastic == a2 * law->denominator && 2 * law->damping == b2 * law->denominator;
 }
 
+static inline int cor_law_has_spring_of(const struct cor_exponents *law, const struct cor_exponents *other)
+{
+    return law->elastic * other->denominator == other->elastic * law->denominator;
+}
+
+static inline int cor_law_is_same(const struct cor_exponents *law, const struct cor_exponents *other)
+{
+    return cor_law_has_spring_of(law, other) && law->damping * other->denominator == other->damping * law->denominator;
+}
+
 static inline int cor_law_is_hertz(const struct cor_exponents *law)
 {
     return 2 * law->elastic == 3 * law->denominator;

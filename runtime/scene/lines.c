@@ -364,7 +364,7 @@ static double time_step(const struct block *block, const struct task *task)
         double steps = request->steps > 0 ? request->steps : DEFAULT_STEPS;
         for (int pair = 0; pair < CONTACTS; pair++) {
             const struct cor_scene_contact c = contact_made(block, task, pair);
-            if (c.law.elastic * law->denominator != law->elastic * c.law.denominator)
+            if (!cor_law_has_spring_of(&c.law, law))
                 return NAN; /* another spring: its stiffness is the user's */
             if (has_contact(block, task, pair))
                 least = fmin(least, step_of(&c, task, pair, end,
@@ -452,8 +452,7 @@ static int fill_block(struct block *block, const struct task *task, const struct
 static int law_with_name(const struct cor_exponents *law)
 {
     for (int i = COR_LAW_PLATE - 1; i >= 0; i--)
-        if (cor_law_exponents[i].elastic * law->denominator == law->elastic * cor_law_exponents[i].denominator &&
-            cor_law_exponents[i].damping * law->denominator == law->damping * cor_law_exponents[i].denominator)
+        if (cor_law_is_same(law, &cor_law_exponents[i]))
             return i;
     return -1;
 }

@@ -644,32 +644,20 @@ const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_i
     return NULL;
 }
 
-/* The parameter of a law from eps, or eps from the parameter */
-static double closed_form(enum cor_law law, enum cor_end end, double x, int from_eps)
+static double closed_form(enum cor_law law, enum cor_end end, enum cor_quantity quantity, double x)
 {
-    static double (*const linear[2][COR_ENDS])(double) = {
-        {cor_linear_eps_zero_overlap, cor_linear_eps_zero_force, cor_linear_eps_limited, cor_linear_eps_approach_only},
-        {cor_linear_zeta_zero_overlap, cor_linear_zeta_zero_force, cor_linear_zeta_limited,
-         cor_linear_zeta_approach_only}};
-    static double (*const crossley[2][COR_ENDS])(double) = {
-        {cor_hunt_crossley_eps, cor_hunt_crossley_eps, NULL, cor_hunt_crossley_eps_approach_only},
-        {cor_hunt_crossley_beta, cor_hunt_crossley_beta, NULL, cor_hunt_crossley_beta_approach_only}};
-    if (law == COR_LAW_IMPULSE)
-        return 1 - x;
-    double (*const function)(double) = law == COR_LAW_LINEAR || law == COR_LAW_TSUJI ? linear[from_eps][end]
-                                       : law == COR_LAW_HUNT_CROSSLEY                ? crossley[from_eps][end]
-                                                                                     : NULL;
-    return function ? function(x) : NAN;
+    const int has_one = law == COR_LAW_LINEAR || law == COR_LAW_TSUJI || law == COR_LAW_HUNT_CROSSLEY;
+    return law == COR_LAW_IMPULSE ? 1 - x : has_one ? cor_law_value(law, end, quantity, x) : (double)NAN;
 }
 
 double cor_law_eps(enum cor_law law, enum cor_end end, double damping)
 {
-    return closed_form(law, end, damping, 0);
+    return closed_form(law, end, COR_EPS, damping);
 }
 
 double cor_law_damping(enum cor_law law, enum cor_end end, double eps)
 {
-    return closed_form(law, end, eps, 1);
+    return closed_form(law, end, COR_DAMPING_OF_EPS, eps);
 }
 
 double cor_simulator_realised(const struct cor_simulator_model *model, double e)
@@ -732,43 +720,24 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact)
 {
     const struct cor_exponents *const law = &contact->law;
-    const int linear = cor_law_is(law, 2, 0);
     if (contact->plastic)
         return model->law == COR_LAW_IMPULSE && model->has_function;
-    switch (model->law) {
-    case COR_LAW_LINEAR:
-        return linear;
-    case COR_LAW_TSUJI:
-        /* an e may serve a linear spring, too */
-        return (cor_law_is_hertz(law) && cor_law_is_constant(law)) || (linear && model->any_spring);
-    case COR_LAW_LINEAR_ROOT:
-        return cor_law_is(law, 2, 1);
-    case COR_LAW_HERTZ_DASHPOT:
-        return cor_law_is(law, 3, 0);
-    case COR_LAW_VISCOELASTIC:
-        return cor_law_is(law, 3, 1) && cor_scene_has_end(contact, (int)model->end);
-    case COR_LAW_HUNT_CROSSLEY:
-        return cor_law_is_hunt_crossley(law);
-    case COR_LAW_IMPULSE:
+    if (model->law == COR_LAW_IMPULSE)
         return !(cor_law_is_constant(law) && contact->force_n > 0) && cor_law_is_constant(law) != model->has_function;
-    default:
-        return 0;
-    }
+    if (model->law == COR_LAW_HUNT_CROSSLEY)
+        return cor_law_is_hunt_crossley(law);
+    return (cor_law_is_same(law, &cor_law_exponents[model->law]) &&
+            (model->law != COR_LAW_VISCOELASTIC || cor_scene_has_end(contact, (int)model->end))) ||
+           (cor_law_is(law, 2, 0) && model->any_spring);
 }
 
 /* A law with a closed form, and the spring of the contact */
 int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact)
 {
-    switch (model->law) {
-    case COR_LAW_IMPULSE:
-        return !model->has_function;
-    case COR_LAW_HUNT_CROSSLEY:
-        return 1;
-    case COR_LAW_TSUJI:
-        return model->damping_of_e || cor_law_is_hertz(&contact->law);
-    default:
-        return model->law == COR_LAW_LINEAR && cor_law_is(&contact->law, 2, 0);
-    }
+    return model->law == COR_LAW_IMPULSE ? !model->has_function
+           : model->law == COR_LAW_TSUJI ? model->damping_of_e || cor_law_is_hertz(&contact->law)
+                                         : model->law == COR_LAW_HUNT_CROSSLEY ||
+                                               (model->law == COR_LAW_LINEAR && cor_law_is(&contact->law, 2, 0));
 }
 
 /* The speed at which numbers are converted. Where the model has the contact's law, any speed gives the same lines. */
@@ -792,7 +761,7 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
         return cor_law_damping(model->law, model->end, wish->eps);
     if (!same_law) { /* eps of the speed, under the force */
         struct cor_scene_contact c = cor_model_contact(*contact, &cor_law_exponents[model->law], 0, 1);
-        return has_end && c.law.elastic * contact->law.denominator == contact->law.elastic * c.law.denominator &&
+        return has_end && cor_law_has_spring_of(&c.law, &contact->law) &&
                        cor_scene_set_damping(&c, COR_SCENE_RESTITUTION, wish->eps, wish->speed_m_s, end) == 0
                    ? (cor_law_is_constant(&c.law) ? c.damping : cor_scene_beta(&c, wish->speed_m_s))
                    : (double)NAN;
