@@ -116,12 +116,14 @@ static void print_table(const char *title, double (*quantity)(const struct cor_s
 
 static void print_models(void)
 {
-    printf("| simulator | version | model | a user sets | law | end | what to know | file | known "
-           "|\n|---|---|---|---|---|---|---|---|---|\n");
+    printf("| simulator | version | model | a user sets | over the damping | law | end | what to know | file | known "
+           "|\n|---|---|---|---|---|---|---|---|---|---|\n");
     for (int i = 0; i < COR_SIMULATOR_MODELS; i++) {
         const struct cor_simulator_model *const m = model_at(i);
-        printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", cor_simulator_of(m->id)->name, m->version, m->model,
-               m->parameter, cor_law_name(m->law), cor_end_names[m->end], m->advice, m->file, m->known);
+        const char *const quote = m->scale ? "`" : "";
+        printf("| %s | %s | %s | %s | %s%s%s | %s | %s | %s | %s | %s |\n", cor_simulator_of(m->id)->name, m->version,
+               m->model, m->parameter, quote, m->scale ? m->scale : "", quote, cor_law_name(m->law),
+               cor_end_names[m->end], m->advice, m->file, m->known);
     }
 }
 

@@ -451,6 +451,7 @@ struct cor_simulator_model {
      * stiffness or radius of the contact, and nothing else of it. */
     double (*number_of_damping)(double damping, const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(double number, const struct cor_scene_contact *contact, double speed_m_s);
+    const char *scale; /* the number over the damping, of mass M, stiffness K, radius R and speed G */
 
     const char *file;    /* the simulator's file that computes it */
     const char *known;   /* "run", "source" or "documentation" */

@@ -78,6 +78,7 @@ static double kratos_linear(double e)
 /* ---- numbers from the damping, and back ---- */
 
 #define SCALED(name, factor)                                                                                           \
+    static const char scale_of_##name[] = #factor;                                                                     \
     static double name##_of_damping(double damping, const struct cor_scene_contact *c, double g)                       \
     {                                                                                                                  \
         (void)c, (void)g;                                                                                              \
@@ -126,6 +127,8 @@ static double yade_pade(double v)
     return p / q;
 }
 
+static const char scale_of_yade_en[] = "P(v)/v^2, v^2 = beta/G^0.2";
+
 static double yade_en_of_damping(double damping, const struct cor_scene_contact *c, double g)
 {
     (void)c;
@@ -150,7 +153,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define SPHERE(parameter) "The viscoelastic sphere: " parameter " = (3/2) A k_n/m for every speed."
 #define NOT_SLOW "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping."
 #define ASKED(map, from, to) .damping_of_e = map, .least = from, .most = to
-#define NUMBER(name) .most = 1, .number_of_damping = name##_of_damping, .damping_of_number = damping_of_##name
+#define NUMBER(name)                                                                                                   \
+    .most = 1, .number_of_damping = name##_of_damping, .damping_of_number = damping_of_##name, .scale = scale_of_##name
 #define OPEN 0x1p-1022 /* e > 0 */
 /* Lines for the input. Both kinds of lines: for two bodies, and for a body and a wall */
 #define EVERYWHERE(text) .lines = text, .wall_lines = text
