@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cor/status.h"
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_parts.h"
 #include "runtime/number/environment.h"
 
 /* COR_OK, or the status of the first error in the table and the options */

@@ -3,7 +3,7 @@
  * sets give the same bits (kernel_vector.h). */
 #include <math.h>
 
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_parts.h"
 #include "runtime/number/kernel_vector.h"
 
 /* Number of vectors in which a sum over terms or angles is accumulated. With it additions do not wait for each other

@@ -6,7 +6,7 @@
  *
  * replaces the potential V of the wall. This costs one more passage from the rim to the modes and back, but no second
  * exponential. Two successive halves of free motion are one drift. */
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_parts.h"
 
 #include <math.h>
 

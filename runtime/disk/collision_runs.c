@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_parts.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Restitution of a disk of infinitely many modes at a rigid wall: the ladder of levels Omega, its extrapolation to
  * Omega -> infinity and the error estimate. docs/theory-disks.md, 17. */
-#include "runtime/disk/hard_wall.h"
+#include "runtime/disk/hard_wall_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

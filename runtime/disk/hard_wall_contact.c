@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "runtime/disk/hard_wall.h"
+#include "runtime/disk/hard_wall_parts.h"
 
 /* Number of rounds of pivoting without progress in which all wrong angles change sides. After these rounds one angle
  * changes at a time, which terminates (Murty). */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of a disk at a rigid wall over modes, angles and rows of the compliance, for one instruction set
  * (sets.h). All sets give the same bits (kernel_vector.h). */
-#include "runtime/disk/hard_wall.h"
+#include "runtime/disk/hard_wall_parts.h"
 #include "runtime/number/kernel_vector.h"
 
 /* Number of vectors of angles that are summed at once. With it additions do not wait for each other and registers

@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "cor/status.h"
-#include "runtime/disk/collision.h"
-#include "runtime/disk/hard_wall.h"
+#include "runtime/disk/collision_parts.h"
+#include "runtime/disk/hard_wall_parts.h"
 
 #define LN_2 0.69314718055994531
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy: the sum over the modes of a table and its tail (rayleigh.h), at one speed, at one speed to a
+/* Rayleigh's energy: the sum over the modes of a table and its tail (rayleigh_parts.h), at one speed, at one speed to a
  * tolerance, and at many speeds. */
 #include <math.h>
 #include <stdint.h>
@@ -8,7 +8,7 @@
 #include "cor/disk.h"
 #include "cor/status.h"
 #include "runtime/disk/quasistatic.h"
-#include "runtime/disk/rayleigh.h"
+#include "runtime/disk/rayleigh_parts.h"
 #include "runtime/number/environment.h"
 
 /* The tail uses this number of modes if the table has them, even if the caller asked for fewer. */

@@ -2,7 +2,7 @@
 /* The loops of Rayleigh's energy over nodes and over modes, for one instruction set (sets.h), free of calls;
  * gcc 12 vectorises all of them, in the portable set too (-fopt-info-vec). No set may fuse a multiplication with an
  * addition, and sums have sixteen parts for every width of a vector. All sets therefore give the same bits. */
-#include "runtime/disk/rayleigh.h"
+#include "runtime/disk/rayleigh_parts.h"
 #include "runtime/disk/rayleigh_path.h"
 #include "runtime/number/kernel_vector.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A point of the path of integration (rayleigh.h), and t there, without a call, for loops that the compiler
+/* A point of the path of integration (rayleigh_parts.h), and t there, without a call, for loops that the compiler
  * vectorises. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_PATH_H
 #define COR_RUNTIME_DISK_RAYLEIGH_PATH_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "runtime/disk/rayleigh.h"
+#include "runtime/disk/rayleigh_parts.h"
 
 #include <math.h>
 #include <string.h>

@@ -15,7 +15,7 @@
  *   modes of the table contain these echoes. Their oscillation, under a weight that is negative before it rises to 1
  *   (kernel_echo_weight), predicts part of the oscillation beyond the table. The rest is estimated from the echo
  *   strength at T = tau, measured on the modes of the table. */
-#include "runtime/disk/rayleigh.h"
+#include "runtime/disk/rayleigh_parts.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 
 #include <cor/disk.h>
 
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_parts.h"
 
 /* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that the next stage frees */
 struct stage {

@@ -6,7 +6,7 @@
 #include <cor/disk.h>
 #include <cor/status.h>
 
-#include "runtime/disk/hard_wall.h"
+#include "runtime/disk/hard_wall_parts.h"
 
 static const double pi = 3.14159265358979323846;
 

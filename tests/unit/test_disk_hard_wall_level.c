@@ -7,7 +7,7 @@
 #include <cor/status.h>
 
 #include "reference_hard_wall.h"
-#include "runtime/disk/hard_wall.h"
+#include "runtime/disk/hard_wall_parts.h"
 #include "runtime/disk/mode_source.h"
 
 static const double pi = 3.14159265358979323846;

@@ -2,7 +2,7 @@
 /* Every instruction set gives the same bits, at any depth and frequency. */
 #include "check.h"
 
-#include "runtime/disk/rayleigh.h"
+#include "runtime/disk/rayleigh_parts.h"
 
 static const double first = 1.07;
 

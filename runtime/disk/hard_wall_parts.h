@@ -13,8 +13,8 @@
  *
  * where F_k is the force on the mode. The code stores q = Q/sqrt(g). The same coefficients c = sqrt(w g) C and s =
  * sqrt(w g) S then lead from modes to the rim and from forces to modes. */
-#ifndef COR_RUNTIME_DISK_HARD_WALL_H
-#define COR_RUNTIME_DISK_HARD_WALL_H
+#ifndef COR_RUNTIME_DISK_HARD_WALL_PARTS_H
+#define COR_RUNTIME_DISK_HARD_WALL_PARTS_H
 
 #include "runtime/disk/rim.h"
 

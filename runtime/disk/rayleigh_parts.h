@@ -14,8 +14,8 @@
  * a omega^2 and b omega^2 vary slowly, without oscillation, and are interpolated. The neglected integral between the
  * far ends of the two legs is below 1e-12 of a at omega = 1.17. No disk has a lower frequency: the lowest mode has
  * omega > 1.1769 at any nu. */
-#ifndef COR_RUNTIME_DISK_RAYLEIGH_H
-#define COR_RUNTIME_DISK_RAYLEIGH_H
+#ifndef COR_RUNTIME_DISK_RAYLEIGH_PARTS_H
+#define COR_RUNTIME_DISK_RAYLEIGH_PARTS_H
 
 #include <stddef.h>
 

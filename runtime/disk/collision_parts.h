@@ -9,8 +9,8 @@
  * A mode is stored as the canonical pair q = sqrt(m omega) Q and p = sqrt(m omega) dQ/dt / omega. Free motion turns the
  * pair by the angle omega t. The same coefficients c = C/sqrt(m omega) and s = S/sqrt(m omega) lead from modes to the
  * rim and from the wall's force to modes. */
-#ifndef COR_RUNTIME_DISK_COLLISION_H
-#define COR_RUNTIME_DISK_COLLISION_H
+#ifndef COR_RUNTIME_DISK_COLLISION_PARTS_H
+#define COR_RUNTIME_DISK_COLLISION_PARTS_H
 
 #include "runtime/disk/collision_tuning.h"
 #include "runtime/disk/rim.h"
