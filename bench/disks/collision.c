@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include <cor/status.h>
-
 #include "disk.h"
 #include "reference_collision.h"
 

@@ -3,10 +3,14 @@
 #ifndef COR_BENCH_DISKS_DISK_H
 #define COR_BENCH_DISKS_DISK_H
 
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include <cor/disk.h>
+#include <cor/status.h>
 
+#include "support/table.h"
 #include "support/timing.h"
 
 struct disk_bench {
@@ -30,9 +34,28 @@ struct disk_row {
     double seconds, error;
 };
 
-void disk_csv(struct disk_bench *bench, const struct disk_row *row);
+static inline void disk_csv(struct disk_bench *bench, const struct disk_row *row)
+{
+    FILE *const files[2] = {bench->csv, stdout};
+    for (int i = 0; i < 2; i++) {
+        fprintf(files[i], "%s,%s", row->table, row->method);
+        table_number(files[i], "%.6g", row->speed);
+        table_number(files[i], "%.4g", row->setting);
+        table_number(files[i], "%.0f", row->modes ? (double)row->modes : NAN);
+        table_number(files[i], "%.4g", row->seconds);
+        table_number(files[i], "%.2e", row->error);
+        fputc('\n', files[i]);
+    }
+    fflush(stdout);
+}
 
 /* Exits with the text of the status, unless it is COR_OK or the other one. */
-void disk_must(int status, int other);
+static inline void disk_must(int status, int other)
+{
+    if (status != COR_OK && status != other) {
+        fprintf(stderr, "bench: %s\n", cor_status_text(status));
+        exit(1);
+    }
+}
 
 #endif

@@ -1,36 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Speed of the disk functions, error beside every time. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cor/status.h>
-
 #include "disk.h"
-#include "support/table.h"
-
-void disk_must(int status, int other)
-{
-    if (status != COR_OK && status != other) {
-        fprintf(stderr, "bench: %s\n", cor_status_text(status));
-        exit(1);
-    }
-}
-
-void disk_csv(struct disk_bench *bench, const struct disk_row *row)
-{
-    FILE *const files[2] = {bench->csv, stdout};
-    for (int i = 0; i < 2; i++) {
-        fprintf(files[i], "%s,%s", row->table, row->method);
-        table_number(files[i], "%.6g", row->speed);
-        table_number(files[i], "%.4g", row->setting);
-        table_number(files[i], "%.0f", row->modes ? (double)row->modes : NAN);
-        table_number(files[i], "%.4g", row->seconds);
-        table_number(files[i], "%.2e", row->error);
-        fputc('\n', files[i]);
-    }
-    fflush(stdout);
-}
 
 int main(int argc, char **argv)
 {

@@ -5,8 +5,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include <cor/status.h>
-
 #include "disk.h"
 #include "reference_rayleigh.h"
 

@@ -21,19 +21,6 @@ enum {
     ROWS = METHODS_MAX
 };
 
-#if !(defined __GNUC__ && (defined __AVX__ || defined __SSE2__))
-volatile float methods_zero = 0;
-#endif
-
-void methods_add(struct methods *methods, const struct method *method)
-{
-    if (methods->n == METHODS_MAX) {
-        fprintf(stderr, "bench: more methods than methods.h has rows for\n");
-        exit(1);
-    }
-    methods->row[methods->n++] = *method;
-}
-
 struct task {
     const struct method *method;
     const struct scene *scene;

@@ -4,6 +4,9 @@
 #ifndef COR_BENCH_SPHERES_METHODS_H
 #define COR_BENCH_SPHERES_METHODS_H
 
+#include <stdio.h>
+#include <stdlib.h>
+
 #include "scene.h"
 
 enum {
@@ -36,7 +39,14 @@ struct methods {
     size_t n;
 };
 
-void methods_add(struct methods *methods, const struct method *method);
+static inline void methods_add(struct methods *methods, const struct method *method)
+{
+    if (methods->n == METHODS_MAX) {
+        fprintf(stderr, "bench: more methods than methods.h has rows for\n");
+        exit(1);
+    }
+    methods->row[methods->n++] = *method;
+}
 
 /* Each adds its rows. */
 void add_published(struct methods *methods);
@@ -60,7 +70,7 @@ void add_embedded_avx512(struct methods *methods);
 #elif defined __GNUC__ && defined __SSE2__
 #define WAIT_FOR(LAST, G) __asm__ volatile("unpcklpd %1, %0" : "+x"(G) : "x"(LAST))
 #else
-extern volatile float methods_zero;
+static volatile float methods_zero;
 #define WAIT_FOR(LAST, G) ((G) += methods_zero * (LAST))
 #endif
 

@@ -8,11 +8,6 @@ enum {
     SOLVING_BITS = 960 /* for the linear equations of the far coefficients, which may be ill-conditioned */
 };
 
-arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity)
-{
-    return f->far[interpolant_end(f, quantity)];
-}
-
 /* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
 static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law, slong prec)
 {

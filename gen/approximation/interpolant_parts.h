@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the parts of the interpolant share: samples (interpolant_samples.c), values (interpolant_values.c), what follows
- * the last interval (interpolant_far.c) and the inverse functions (interpolant_inverse.c). */
+/* Shared by the parts of the interpolant, each of which calls the parts before it: samples (interpolant_samples.c), the
+ * continuation of the last interval (interpolant_far.c), construction and values (interpolant_values.c), inverse
+ * functions (interpolant_inverse.c). */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H
 
@@ -35,9 +36,7 @@ void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_var
                       slong prec);
 /* For a <= b the two ends of contact coincide. */
 enum quantity interpolant_end(const struct interpolant *f, enum quantity quantity);
-/* The polynomial through the samples of interval i, at x */
-void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
-                               slong prec);
+
 /* The last place of a variable at which the quantity is sampled; if it is not sampled, a number below all places */
 double interpolant_last(const struct interpolant *f, enum quantity quantity, enum interval_variable variable);
 

@@ -1,36 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <stdlib.h>
 
 #include "approximation/interpolant_parts.h"
+#include "enclosure/collision.h"
+#include "series/restitution.h"
+#include "support/console.h"
 #include "support/local.h"
 
-/* Powers of beta that the quantities follow for large beta. A duration at zero overlap is mainly the creep along the
- * slow manifold or, if a - b > 1, the end of the creep. */
-struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity)
-{
-    const struct ratio a = law->a, b = law->b;
-    if (law_is_linear(law) && is_of_overlap(quantity)) /* no power */
-        return (struct ratio){0, 1};
-    switch (quantity) {
-    case EPS_ZERO_OVERLAP:
-        return RATIO("-(a + 1)/(2*b - a + 1)", a, b);
-    case EPS_ZERO_FORCE:
-        return RATIO("-(a + 1)/(b + 1)", a, b);
-    case DURATION_ZERO_OVERLAP:
-        return law->ad - law->bd > law->d ? RATIO("(a - 1)/(2*b - a + 1)", a, b) : RATIO("a/(b + 1)", a, b);
-    default:
-        return RATIO("-1/(b + 1)", b);
-    }
-}
+enum {
+    CHECK_BITS = 70,     /* of collisions to check with */
+    CONSTANT_BITS = 200, /* of beta_c and v_f */
+    BACKWARD_ORDER = 24  /* of order of G and T, which are used for w below 1/8 */
+};
 
-void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec)
-{
-    const slong num = power.num, den = power.den;
-    LET(y, prec, "exp(u*num/den)", u, num, den);
-}
-
-void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
-                               slong prec)
+/* Evaluates the polynomial through the samples of interval i at x. */
+static void polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
+                          slong prec)
 {
     const struct interval *const interval = &f->layout->interval[i];
     const arb_poly_struct *const p = &f->samples[i].polynomial[quantity];
@@ -63,15 +49,6 @@ static int interval_at(const struct interpolant *f, enum quantity quantity, enum
             break;
     }
     return found;
-}
-
-void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_variable variable, const arb_t x,
-                      slong prec)
-{
-    static const char *const of_place[] = {
-        [INTERVAL_ROOT] = "x^root", [INTERVAL_LOG] = "exp(x)", [INTERVAL_BELOW] = "f->threshold - exp(x)"};
-    const slong root = f->layout->root;
-    LET(beta, prec, of_place[variable], x, root, f->threshold);
 }
 
 /* The quantity, or (1 - eps)/beta, from the number that an interval stores */
@@ -167,7 +144,7 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
     const int i = interval_at(f, stored, variable, x, false);
     enum interval_form form = FORM_LOG;
     if (i >= 0) {
-        interpolant_polynomial_at(y, f, i, stored, x, prec);
+        polynomial_at(y, f, i, stored, x, prec);
         form = f->layout->interval[i].form;
     } else if (stored == EPS_ZERO_OVERLAP) { /* q = 0: exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
         LOCAL(arb, beta);
@@ -186,7 +163,7 @@ void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quanti
     quantity = interpolant_end(f, quantity);
     const int i = interval_at(f, quantity, variable, x, variable == INTERVAL_LOG);
     const enum interval_form form = f->layout->interval[i].form;
-    interpolant_polynomial_at(y, f, i, quantity, x, prec);
+    polynomial_at(y, f, i, quantity, x, prec);
     if (form != FORM_POWER)
         restore(y, f, quantity, false, form, variable, x, prec);
 }
@@ -236,4 +213,142 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
             interpolant_far_value(y, f, quantity, x, prec);
         }
     }
+}
+
+arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity)
+{
+    return f->far[interpolant_end(f, quantity)];
+}
+
+/* ---- construction ---- */
+
+static int make_constants(struct interpolant *f, double beta_max)
+{
+    const struct law *law = &f->layout->law;
+    arb_pos_inf(f->threshold);
+    if (f->layout->press)
+        return STATUS_OK;
+    if (law_fall_power(law).num <= 0) {
+        LOCAL(arb, height);
+        const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
+        arb_get_mid_arb(f->threshold, f->threshold); /* v counts from this number */
+        return status;
+    }
+    const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);
+    const bool beyond_samples = beta_max >= fmax(root_end, exp(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_LOG)));
+    return beyond_samples ? collision_final_speed(f->final_speed, law, CONSTANT_BITS) : STATUS_OK;
+}
+
+static int make_samples(struct interpolant *f, double beta_min, double beta_max)
+{
+    const struct interpolant_layout *const layout = f->layout;
+    for (int i = 0; i < layout->intervals; i++) {
+        /* [beta_min, beta_max] meets the interval; the far coefficients continue the last u */
+        const struct interval *const interval = &layout->interval[i];
+        struct samples *const s = &f->samples[i];
+        const double lo = interval->lo, hi = interval->hi;
+        const double x = interpolant_beta_near(f, interval, lo), y = interpolant_beta_near(f, interval, hi);
+        const bool continued = i == layout->intervals - 1 && interval->variable == INTERVAL_LOG;
+        s->known = beta_max >= fmin(x, y) && (beta_min <= fmax(x, y) || continued);
+        for (slong j = 0; j < interval->count && s->known; j++)
+            interpolant_place(s->beta + j, s->node + j, f, interval,
+                              (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, interval->count));
+    }
+    const int status = samples_collide(f->samples, layout->intervals, f, layout->interval, "collisions");
+    for (int i = 0; i < layout->intervals; i++)
+        for (int q = 0; q < QUANTITIES && f->samples[i].known; q++)
+            if (holds(&layout->interval[i], (enum quantity)q))
+                interpolant_through_samples(&f->samples[i].polynomial[q], &f->samples[i], &layout->interval[i],
+                                            (enum quantity)q);
+    return status;
+}
+
+struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max)
+{
+    struct interpolant *f = xmalloc(sizeof *f);
+    f->layout = layout;
+    f->samples = xmalloc((size_t)layout->intervals * sizeof *f->samples);
+    for (int i = 0; i < layout->intervals; i++)
+        samples_init(&f->samples[i], layout->interval[i].count);
+    for (int q = 0; q < QUANTITIES; q++)
+        f->far[q] = _arb_vec_init(INTERPOLANT_FAR);
+    FOR_ALL(arb, init, f->fall, f->threshold, f->final_speed);
+    FOR_ALL(arb_poly, init, f->backward, f->backward_time);
+
+    int status = make_constants(f, beta_max);
+    if (!layout->press && !holds(&layout->interval[0], EPS_ZERO_FORCE) && law_force_ends(&layout->law)) {
+        LOCAL(fmpq_poly, G, T); /* near beta = 0 nothing samples zero force */
+        restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
+        arb_poly_set_fmpq_poly(f->backward, G, INTERPOLANT_BITS);
+        arb_poly_set_fmpq_poly(f->backward_time, T, INTERPOLANT_BITS);
+    }
+    if (status == STATUS_OK)
+        status = make_samples(f, beta_min, beta_max);
+    const struct interval *last = &layout->interval[layout->intervals - 1];
+    if (status == STATUS_OK && layout->far && beta_max > exp(last->hi))
+        status = interpolant_make_far(f);
+    if (status == STATUS_OK)
+        return f;
+    interpolant_free(f);
+    return NULL;
+}
+
+void interpolant_free(struct interpolant *f)
+{
+    if (!f)
+        return;
+    for (int i = 0; i < f->layout->intervals; i++)
+        samples_clear(&f->samples[i], f->layout->interval[i].count);
+    free(f->samples);
+    for (int q = 0; q < QUANTITIES; q++)
+        _arb_vec_clear(f->far[q], INTERPOLANT_FAR);
+    FOR_ALL(arb, clear, f->fall, f->threshold, f->final_speed);
+    FOR_ALL(arb_poly, clear, f->backward, f->backward_time);
+    free(f);
+}
+
+/* The relative error of the polynomial at sample k of interval i */
+static double error_at(const struct interpolant *f, int i, enum quantity quantity, const struct samples *s, slong k)
+{
+    const arb_srcptr known = s->value[quantity] + k;
+    LOCAL(arb, y);
+    polynomial_at(y, f, i, quantity, s->node + k, INTERPOLANT_BITS);
+    if (f->layout->interval[i].form == FORM_LOG && is_eps(quantity))
+        LET(y, INTERPOLANT_BITS, "y - known", y, known); /* for a logarithm the absolute error counts */
+    else
+        LET(y, INTERPOLANT_BITS, "y/known - 1", y, known);
+    return fabs(arf_get_d(arb_midref(y), ARF_RND_UP));
+}
+
+/* The places include the ends, where interpolation is worst. */
+int interpolant_check(double *error, const struct interpolant *f, int points)
+{
+    const int intervals = f->layout->intervals;
+    struct samples *const s = xmalloc((size_t)intervals * sizeof *s);
+    struct interval *const checked = xmalloc((size_t)intervals * sizeof *checked);
+    for (int i = 0; i < intervals; i++) {
+        const struct interval *const interval = &f->layout->interval[i];
+        checked[i] = *interval;
+        checked[i].count = points;
+        checked[i].bits = CHECK_BITS;
+        samples_init(&s[i], points);
+        s[i].known = f->samples[i].known;
+        for (slong k = 0; k < points; k++) {
+            const bool at_zero = k == 0 && interval->variable == INTERVAL_ROOT && interval->lo == 0;
+            const double place = at_zero ? 1e-6 : points > 1 ? (double)k / (points - 1) : 0;
+            interpolant_place(s[i].beta + k, s[i].node + k, f, interval,
+                              interval->lo + (interval->hi - interval->lo) * place);
+        }
+    }
+    const int status = samples_collide(s, intervals, f, checked, "collisions to check with");
+    *error = 0;
+    for (int i = 0; i < intervals; i++) {
+        for (int q = 0; q < QUANTITIES && s[i].known; q++)
+            for (slong k = 0; k < points && holds(&checked[i], (enum quantity)q); k++)
+                *error = fmax(*error, error_at(f, i, (enum quantity)q, &s[i], k));
+        samples_clear(&s[i], points);
+    }
+    free(checked);
+    free(s);
+    return status;
 }
