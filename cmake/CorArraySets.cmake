@@ -3,7 +3,7 @@
 # (runtime/number/sets.h), with the part of the library that it belongs to. cor_defaults forbids contraction,
 # so that every set gives the same bits. The loops vectorise only where sqrt need not set errno and comparisons may be
 # evaluated ahead. -Wno-psabi: vectors are arguments of functions that are all inlined.
-set(cor_array_options $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)
+set(cor_array_options $<IF:$<CONFIG:Debug>,-Og,-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)
 set(avx2 -mavx2)
 # AVX-512 has fused operations, which gcc 12 takes where it vectorises straight code, whatever -ffp-contract says.
 set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-slp-vectorize)

@@ -514,6 +514,8 @@ TEST(parts_of_the_estimate)
  * level with finer steps and angles. */
 TEST(usual_errors)
 {
+    if (points(10) < 10) /* for the use of memory the scenes of the test `errors` are enough */
+        skip();
     const size_t scenes = points(1), most = scenes < 20 ? 10 : COR_DISK_HARD_WALL_MAX_LEVELS;
     double worst = 0;
     int settled = 0;
