@@ -2,7 +2,7 @@
 # cmake -DRUNTIME=<runtime/> -DOUTPUT=<file.c> -P EvaluatorText.cmake
 # Writes the evaluator's sources as C arrays of bytes (gen/support/emit_c.h).
 set(text "#include \"support/emit_c.h\"\n")
-foreach(pair number/inline:inline number/pair:pair number/fifth_root:fifth_root table/row:row sphere/eval:sphere
+foreach(pair number/inline:inline number/pair:pair number/elementary:elementary number/fifth_root:fifth_root table/row:row sphere/eval:sphere
         table/law:law)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 file)

@@ -28,7 +28,9 @@
 #ifndef COR_SPHERE_EMBEDDED_H
 #define COR_SPHERE_EMBEDDED_H
 
-/* The includes and the attribute with which C99, C++11, CUDA and HIP compile a function into its caller. */
+/* The includes and the attributes with which C99, C++11, CUDA and HIP compile a function into its caller. Compilers may
+ * leave a call of a COR_INLINE. They must not leave one of a COR_KERNEL: a call in a loop prevents the vectorisation of
+ * the loop, and arguments that are constants of the caller stop being constants. */
 #ifndef COR_INLINE
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
@@ -41,6 +43,13 @@
 #include <stdint.h>
 #include <string.h>
 
+#endif
+#ifndef COR_KERNEL
+#ifdef __GNUC__
+#define COR_KERNEL COR_INLINE __attribute__((always_inline))
+#else
+#define COR_KERNEL COR_INLINE
+#endif
 #endif
 
 /* Bits of doubles, and sums and products with their rounding errors.
@@ -243,18 +252,24 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
     return product;
 }
 
-/* The relative error of the next two functions is a few 2^-104. */
+/* x y, relative error a few 2^-104 */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);
     return cor_inline_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x, struct cor_inline_pair y)
+/* x/d from `inverse`, which is 1/d within a few units of the last place: relative error 2^-100 */
+COR_KERNEL struct cor_inline_pair cor_pair_over_with(struct cor_inline_pair x, struct cor_inline_pair d, double inverse)
 {
-    const double q = x.hi / y.hi;
-    const struct cor_inline_pair p = cor_inline_product(q, y.hi);
-    return cor_inline_sum(q, (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
+    const double q = x.hi * inverse;
+    const struct cor_inline_pair p = cor_inline_product(q, d.hi);
+    return cor_inline_sum(q, (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - p.hi) - p.lo) + (x.lo - q * d.lo)) * inverse);
+}
+
+COR_KERNEL struct cor_inline_pair cor_pair_over(struct cor_inline_pair x, struct cor_inline_pair d)
+{
+    return cor_pair_over_with(x, d, 1 / d.hi);
 }
 
 /* ln(x) of a normal, finite x >= 1. The absolute error is below 2^-53, or below 2^-53 ln(x) for large x, if that of
@@ -581,7 +596,7 @@ COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor
     if (fifths)
         power = cor_inline_pair_times(power, whole);
     *exponent = (fifths ? -5 : -2) * (e / 3);
-    return cor_inline_pair_over(factor, power);
+    return cor_pair_over(factor, power);
 }
 
 /* The same, rounded to a double; 0 for an infinite beta */
@@ -613,7 +628,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     power = cor_inline_pair_times(cor_inline_pair_times(power, power), b);
     h5.hi = h[0];
     h5.lo = h[1];
-    const double eps = cor_inline_pair_over(h5, power).hi;
+    const double eps = cor_pair_over(h5, power).hi;
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
@@ -796,7 +811,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     numerator.lo = a[1];
     denominator.hi = tiny ? cor_inline_raised(eps, COR_INLINE_2_500) : eps;
     denominator.lo = 0;
-    return cor_inline_pair_over(numerator, denominator);
+    return cor_pair_over(numerator, denominator);
 }
 
 /* beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */

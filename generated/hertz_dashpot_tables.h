@@ -5686,7 +5686,7 @@ COR_INLINE const double *cor_rows_hertz_dashpot_far_time_of_max_overlap(int i)
 
 /* What runtime/table/law.h needs of each quantity */
 
-COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_overlap(void)
+COR_KERNEL struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_loss_zero_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP_END);
@@ -5697,7 +5697,7 @@ COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_ove
     return x;
 }
 
-COR_INLINE_LAW struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_overlap(void)
+COR_KERNEL struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_overlap(void)
 {
     struct cor_inline_law_inverse x = cor_inline_law_inverse_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_beta_zero_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP_END);
@@ -5705,7 +5705,7 @@ COR_INLINE_LAW struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_z
     return x;
 }
 
-COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_force(void)
+COR_KERNEL struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_force(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_loss_zero_force, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE), 3, COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE_END);
@@ -5722,7 +5722,7 @@ COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_for
     return x;
 }
 
-COR_INLINE_LAW struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_force(void)
+COR_KERNEL struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_force(void)
 {
     struct cor_inline_law_inverse x = cor_inline_law_inverse_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_beta_zero_force, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE), 3, COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE_END);
@@ -5730,7 +5730,7 @@ COR_INLINE_LAW struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_z
     return x;
 }
 
-COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_overlap(void)
+COR_KERNEL struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_duration_zero_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP_END);
@@ -5742,7 +5742,7 @@ COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zer
     return x;
 }
 
-COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_force(void)
+COR_KERNEL struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_force(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_duration_zero_force, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE), 3, COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE_END);
@@ -5759,7 +5759,7 @@ COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zer
     return x;
 }
 
-COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_max_overlap(void)
+COR_KERNEL struct cor_inline_law_quantity cor_law_hertz_dashpot_max_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_max_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_MAX_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_MAX_OVERLAP_END);
@@ -5776,7 +5776,7 @@ COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_max_overlap(
     return x;
 }
 
-COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_time_of_max_overlap(void)
+COR_KERNEL struct cor_inline_law_quantity cor_law_hertz_dashpot_time_of_max_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_time_of_max_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP_END);

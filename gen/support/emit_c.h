@@ -96,7 +96,7 @@ struct bound_text emit_bound(double x);
  * runtime/sphere/eval.h or runtime/table/law.h, in this order. The library and the headers to embed thus share one
  * source. The build copies the text into corgen (cmake/EvaluatorText.cmake), without the lines that include one another
  * and without licence lines. */
-extern const char evaluator_inline[], evaluator_pair[], evaluator_fifth_root[], evaluator_row[], evaluator_sphere[],
-    evaluator_law[];
+extern const char evaluator_inline[], evaluator_pair[], evaluator_elementary[], evaluator_fifth_root[], evaluator_row[],
+    evaluator_sphere[], evaluator_law[];
 
 #endif

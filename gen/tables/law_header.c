@@ -96,7 +96,7 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
     const char *const kind = inverse ? "inverse" : "quantity";
     int status = STATUS_OK;
     emit_lines(e,
-               "\nCOR_INLINE_LAW struct cor_inline_law_$s cor_law_$s_$s$s(void)\n{\n"
+               "\nCOR_KERNEL struct cor_inline_law_$s cor_law_$s_$s$s(void)\n{\n"
                "    struct cor_inline_law_$s x = cor_inline_law_$s_of();\n",
                kind, name, inverse ? "inverse_" : "", quantity_stem[quantity], kind, kind);
     for (int i = 0; i < t->layout.tables; i++) {
@@ -220,8 +220,8 @@ static void write_embedded(FILE *file, struct emit *e, const struct law_tables *
                 ratio_text(law->b).text, name);
     emit_open(e, file, guard, banner);
     e->decimal = true;
-    fprintf(file, "\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_pair, evaluator_row,
-            evaluator_law);
+    fprintf(file, "\n%s\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_pair, evaluator_elementary,
+            evaluator_row, evaluator_law);
     free(banner);
 }
 

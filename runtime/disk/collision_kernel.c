@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "runtime/disk/collision_parts.h"
+#include "runtime/number/elementary.h"
 #include "runtime/number/kernel_vector.h"
 
 /* Number of vectors in which a sum over terms or angles is accumulated. With it additions do not wait for each other
@@ -36,8 +37,8 @@ static void kernel_turn(const struct cor_rim *rim, double *q, double *p, const d
 }
 
 /* result[i] = offset + shape[i] + sum_k factor[k] table[k][i], i < COR_PANEL, k < count */
-KERNEL void kernel_sum(size_t count, double offset, const double *shape, const double *factor, const double *table,
-                       double *result)
+COR_KERNEL void kernel_sum(size_t count, double offset, const double *shape, const double *factor, const double *table,
+                           double *result)
 {
     for (size_t part = 0; part < COR_PANEL; part += ACCUMULATORS * VECTOR) {
         vector sum[ACCUMULATORS];
@@ -69,9 +70,9 @@ static void kernel_transform(const struct cor_rim *rim, size_t points, const dou
 }
 
 /* exp(x); 0 below -700, infinite from 700 on */
-KERNEL double kernel_push(double x)
+COR_KERNEL double kernel_push(double x)
 {
-    const double e = kernel_exp(x > -700 ? x < 700 ? x : 700 : -700);
+    const double e = cor_kernel_exp(x > -700 ? x < 700 ? x : 700 : -700);
     return x < 700 ? x > -700 ? e : 0 : (double)INFINITY;
 }
 

@@ -11,8 +11,8 @@ enum { COLUMNS = 4 };
 /* One pass over the modes; `steps` is a constant. It starts from q at a kick and at the kick before. With the forces of
  * this kick and of the next steps - 1 kicks, it computes q at the kick after them. It then predicts the sums at `steps`
  * kicks from that one on. */
-KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
-                           const double *force_s, double *sum_c, double *sum_s)
+COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
+                               const double *force_s, double *sum_c, double *sum_s)
 {
     const size_t lanes = modes->blocks * COR_LANES;
     for (size_t b = 0; b < modes->blocks; b++) {

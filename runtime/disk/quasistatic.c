@@ -188,7 +188,7 @@ double cor_disk_load_by_pairs(double compression, double nu, enum cor_disk_datum
     if (!(compression > 0))
         return not_positive(compression, 0, nu, datum);
     const pair t = cor_lambert_t_pair(depth(COMPRESSION, compression, nu, datum));
-    return times(compression, cor_inline_pair_over(pi, one_plus(t)));
+    return times(compression, cor_pair_over(pi, one_plus(t)));
 }
 
 static double law_compression(double load, double nu, enum cor_disk_datum datum)
@@ -208,7 +208,7 @@ static double law_load_of_energy(double energy, double nu, enum cor_disk_datum d
     const pair t = cor_lambert_t_pair(depth(ENERGY, energy, nu, datum));
     const int small = energy < COR_INLINE_2_M900;
     const pair scaled = cor_pair(small ? energy * COR_INLINE_2_200 : energy, 0);
-    const pair root = pair_sqrt(cor_inline_pair_over(cor_inline_pair_times(four_pi, scaled), one_plus(t)));
+    const pair root = pair_sqrt(cor_pair_over(cor_inline_pair_times(four_pi, scaled), one_plus(t)));
     return small ? root.hi / COR_INLINE_2_100 : root.hi;
 }
 
@@ -233,14 +233,14 @@ double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
 static double law_max_load(double speed, double nu, enum cor_disk_datum datum)
 {
     const pair t = t_of_speed(speed, nu, datum);
-    return times(speed, cor_inline_pair_over(root_2_pi, pair_sqrt(one_plus(t))));
+    return times(speed, cor_pair_over(root_2_pi, pair_sqrt(one_plus(t))));
 }
 
 static double law_max_compression(double speed, double nu, enum cor_disk_datum datum)
 {
     const pair t = t_of_speed(speed, nu, datum), half = {t.hi / 2, t.lo / 2};
     const pair numerator = cor_inline_pair_times(root_2, one_plus(half));
-    return times(speed, cor_inline_pair_over(numerator, pair_sqrt(one_plus(t))));
+    return times(speed, cor_pair_over(numerator, pair_sqrt(one_plus(t))));
 }
 
 /* exp(u) - 1 - u, 0 <= u < 100, with an error of 3 ulp. For tiny u the relative error is u/3, and the part of such u in
@@ -366,7 +366,7 @@ LAW(max_compression)
     COR_IN_ENVIRONMENT(double, cor_disk_##name##_leading_log, leading_##name, (double x), (x))
 LEADING_LOGARITHM(compression, x <= load_end, 0,
                   times(x, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, x))))
-LEADING_LOGARITHM(load, x < 4, 0, times(x, cor_inline_pair_over(pi, cor_log_ratio(&four, x))))
-LEADING_LOGARITHM(energy, x < 4, 0, square_times(x, cor_inline_pair_over(half_pi, cor_log_ratio(&four, x))))
+LEADING_LOGARITHM(load, x < 4, 0, times(x, cor_pair_over(pi, cor_log_ratio(&four, x))))
+LEADING_LOGARITHM(energy, x < 4, 0, square_times(x, cor_pair_over(half_pi, cor_log_ratio(&four, x))))
 LEADING_LOGARITHM(max_compression, x <= 4, 0, times(x, pair_sqrt(cor_log_ratio(&four, x))))
 LEADING_LOGARITHM(contact_time, x <= 4, INFINITY, cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, x))).hi)

@@ -11,7 +11,7 @@
 enum { LANES = 16 };
 
 /* n, rounded up to whole vectors */
-KERNEL int vectors_of(int n)
+COR_KERNEL int vectors_of(int n)
 {
     return (n + VECTOR - 1) & -VECTOR;
 }
@@ -27,8 +27,8 @@ struct gauss_nodes {
     double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
 };
 
-KERNEL void nodes_at(struct gauss_nodes *restrict node, const struct cor_leg_path *path, int from_zero,
-                     const double *restrict rho, double panel)
+COR_KERNEL void nodes_at(struct gauss_nodes *restrict node, const struct cor_leg_path *path, int from_zero,
+                         const double *restrict rho, double panel)
 {
     for (int i = 0; i < LANES; i++) {
         const struct path_point point = kernel_path(path, from_zero, rho[i]);
@@ -108,8 +108,8 @@ SHARED void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], 
     }
 }
 
-KERNEL void weights_at(double *restrict w_re, double *restrict w_im, const struct cor_leg_path *path, int from_zero,
-                       const double *restrict rho, int n)
+COR_KERNEL void weights_at(double *restrict w_re, double *restrict w_im, const struct cor_leg_path *path, int from_zero,
+                           const double *restrict rho, int n)
 {
     for (int k = 0; k < n; k++) {
         const struct path_point point = kernel_path(path, from_zero, rho[k]);
@@ -155,7 +155,7 @@ static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *ru
 
 /* ---- sums ---- */
 
-KERNEL double kernel_total(const double part[COR_LEG_PART])
+COR_KERNEL double kernel_total(const double part[COR_LEG_PART])
 {
     double total = 0;
     for (int l = 0; l < COR_LEG_PART; l++)
@@ -164,8 +164,8 @@ KERNEL double kernel_total(const double part[COR_LEG_PART])
 }
 
 /* exp(-omega p) */
-KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double *restrict p_im, double omega,
-                                double *restrict e_re, double *restrict e_im)
+COR_KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double *restrict p_im, double omega,
+                                    double *restrict e_re, double *restrict e_im)
 {
     for (int i = 0; i < (n & -COR_LEG_PART); i++) {
         const double size = kernel_decay(omega * p_re[i]);
@@ -176,9 +176,9 @@ KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double
 }
 
 /* Returns the sum of w e, and squares e in place. n is a multiple of COR_LEG_PART. */
-KERNEL void kernel_sum_and_square(int n, const double *restrict w_re, const double *restrict w_im,
-                                  double *restrict e_re, double *restrict e_im, double *restrict sum_re,
-                                  double *restrict sum_im)
+COR_KERNEL void kernel_sum_and_square(int n, const double *restrict w_re, const double *restrict w_im,
+                                      double *restrict e_re, double *restrict e_im, double *restrict sum_re,
+                                      double *restrict sum_im)
 {
     double re[COR_LEG_PART] = {0}, im[COR_LEG_PART] = {0};
     for (int i = 0; i < n; i += COR_LEG_PART)
@@ -284,13 +284,13 @@ static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
  * times a factor that is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 from u = 15 on, 0.03 from 30. A
  * fade from 0.65 without a negative part has 0.66 instead of 0.29. No weight has less than about 0.18, the norm of the
  * Hankel operator (1 + x + y)^(-7/2); weights near this bound fall off more slowly. */
-KERNEL double kernel_echo_weight(double x)
+COR_KERNEL double kernel_echo_weight(double x)
 {
     const double y = x < 0 ? 0 : x, square = y * y;
     return square * square * y * (5 + y * (16 * y - 20));
 }
 
-KERNEL double kernel_bump(double omega, const double window[2])
+COR_KERNEL double kernel_bump(double omega, const double window[2])
 {
     const double x = (omega - window[0]) / (window[1] - window[0]), y = 4 * x * (1 - x), inside = y < 0 ? 0 : y;
     const double square = inside * inside;
@@ -356,7 +356,7 @@ static void kernel_sum(const struct cor_lines *restrict lines, const struct cor_
 }
 
 /* Newton's interpolation in 1/n */
-KERNEL double kernel_newton(const struct cor_surface_fit *fit, const double *c, double x)
+COR_KERNEL double kernel_newton(const struct cor_surface_fit *fit, const double *c, double x)
 {
     double value = c[COR_SURFACE_FITTED - 1];
     for (int i = COR_SURFACE_FITTED - 2; i >= 0; i--)

@@ -20,7 +20,7 @@
 #include <stddef.h>
 
 #include "cor/disk.h"
-#include "runtime/number/kernel_exp.h" /* KERNEL */
+#include "runtime/number/kernel.h" /* COR_KERNEL */
 #include "runtime/number/sets.h"
 
 enum {
@@ -73,7 +73,7 @@ struct cor_fading {
 };
 
 /* A smooth step from 0 to 1, whose first three derivatives vanish at both ends */
-KERNEL double cor_rayleigh_fade(double x)
+COR_KERNEL double cor_rayleigh_fade(double x)
 {
     const double y = x < 0 ? 0 : x > 1 ? 1 : x, square = y * y;
     return square * square * (35 + y * (-84 + y * (70 - 20 * y)));

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "runtime/number/kernel_exp.h"
+#include "runtime/number/elementary.h"
 
 struct cor_leg_path {
     int from_zero;            /* whether the base is 0 or pi/2 - i Theta */
@@ -22,9 +22,9 @@ struct sine_cosine {
 
 /* sin(x) and cos(x) for |x| < 2^20. pi/2 has three parts of 33 bits, so that k times the first two is exact. Taylor's
  * series has terms down to 2^-55 at pi/4. The absolute error is below 2^-52 + 2^-53 |x|. */
-KERNEL struct sine_cosine kernel_sincos(double x)
+COR_KERNEL struct sine_cosine kernel_sincos(double x)
 {
-    const double k = (x * 0.63661977236758134 + ROUND_TO_INTEGER) - ROUND_TO_INTEGER;
+    const double k = (x * 0.63661977236758134 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
     const double r = ((x - k * 0x1.921fb544p+0) - k * 0x1.0b4611a6p-34) - k * 0x1.3198a2e037073p-69;
     const double z = r * r;
     const double s =
@@ -40,7 +40,7 @@ KERNEL struct sine_cosine kernel_sincos(double x)
                                                          z * (1.0 / 479001600 - z * (1.0 / 87178291200 -
                                                                                      z * (1.0 / 20922789888000))))))));
     /* the quadrant, -2 to 2 */
-    const double m = k - 4 * ((0.25 * k + ROUND_TO_INTEGER) - ROUND_TO_INTEGER);
+    const double m = k - 4 * ((0.25 * k + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER);
     const int odd = m * m == 1, sine_turns = (m == 2) | (m == -2) | (m == -1),
               cosine_turns = (m == 2) | (m == -2) | (m == 1);
     struct sine_cosine result = {odd ? c : s, odd ? s : c};
@@ -50,9 +50,9 @@ KERNEL struct sine_cosine kernel_sincos(double x)
 }
 
 /* exp(-x), x > -700; 0 beyond 700 */
-KERNEL double kernel_decay(double x)
+COR_KERNEL double kernel_decay(double x)
 {
-    const double e = kernel_exp(x < 700 ? -x : -700);
+    const double e = cor_kernel_exp(x < 700 ? -x : -700);
     return x < 700 ? e : 0;
 }
 
@@ -62,44 +62,44 @@ struct cx {
     double re, im;
 };
 
-KERNEL struct cx cx_of(double re, double im)
+COR_KERNEL struct cx cx_of(double re, double im)
 {
     const struct cx z = {re, im};
     return z;
 }
 
-KERNEL struct cx cx_plus(struct cx x, struct cx y)
+COR_KERNEL struct cx cx_plus(struct cx x, struct cx y)
 {
     return cx_of(x.re + y.re, x.im + y.im);
 }
 
-KERNEL struct cx cx_minus(struct cx x, struct cx y)
+COR_KERNEL struct cx cx_minus(struct cx x, struct cx y)
 {
     return cx_of(x.re - y.re, x.im - y.im);
 }
 
-KERNEL struct cx cx_times(struct cx x, struct cx y)
+COR_KERNEL struct cx cx_times(struct cx x, struct cx y)
 {
     return cx_of(x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re);
 }
 
-KERNEL struct cx cx_scaled(double c, struct cx x)
+COR_KERNEL struct cx cx_scaled(double c, struct cx x)
 {
     return cx_of(c * x.re, c * x.im);
 }
 
-KERNEL double cx_norm(struct cx x)
+COR_KERNEL double cx_norm(struct cx x)
 {
     return x.re * x.re + x.im * x.im;
 }
 
-KERNEL struct cx cx_over(struct cx x, struct cx y)
+COR_KERNEL struct cx cx_over(struct cx x, struct cx y)
 {
     return cx_scaled(1 / cx_norm(y), cx_times(x, cx_of(y.re, -y.im)));
 }
 
 /* The square root of x != 0 that has Re >= 0 */
-KERNEL struct cx cx_root(struct cx x)
+COR_KERNEL struct cx cx_root(struct cx x)
 {
     const double half = sqrt(0.5 * (sqrt(cx_norm(x)) + fabs(x.re))), other = 0.5 * x.im / half;
     const double re = x.re >= 0 ? half : fabs(other), im = x.re >= 0 ? other : x.im < 0 ? -half : half;
@@ -108,7 +108,7 @@ KERNEL struct cx cx_root(struct cx x)
 
 /* ln(x) for a normal x, and arg(x), with an absolute error of 1e-5, as start values: the series of atanh; Abramowitz
  * and Stegun 4.4.49 */
-KERNEL double rough_log(double x)
+COR_KERNEL double rough_log(double x)
 {
     uint64_t bits, exponent;
     double m, k;
@@ -121,7 +121,7 @@ KERNEL double rough_log(double x)
     return (k - 4503599627370496.0 - 1022.5) * 0.69314718055994531 + 2 * f * (1 + z * (1.0 / 3 + z * (1.0 / 5)));
 }
 
-KERNEL double rough_argument(struct cx x)
+COR_KERNEL double rough_argument(struct cx x)
 {
     const double a = fabs(x.re), b = fabs(x.im), r = a > b ? b / a : a / b, z = r * r;
     const double t = r * (0.9998660 + z * (-0.3302995 + z * (0.1801410 + z * (-0.0851330 + z * 0.0208351))));
@@ -129,7 +129,7 @@ KERNEL double rough_argument(struct cx x)
     return x.im < 0 ? -upper : upper;
 }
 
-KERNEL struct cx cx_rough_log(struct cx x)
+COR_KERNEL struct cx cx_rough_log(struct cx x)
 {
     return cx_of(0.5 * rough_log(cx_norm(x)), rough_argument(x));
 }
@@ -142,7 +142,7 @@ struct cx_sine_cosine {
     struct sine_cosine turn; /* sin(x) and cos(x) */
 };
 
-KERNEL struct cx_sine_cosine kernel_complex_sincos(struct cx x)
+COR_KERNEL struct cx_sine_cosine kernel_complex_sincos(struct cx x)
 {
     const struct sine_cosine turn = kernel_sincos(x.re);
     const double down = kernel_decay(x.im), up = 1 / down, cosh_im = 0.5 * (up + down), z = x.im * x.im;
@@ -165,7 +165,7 @@ struct path_point {
     struct cx beyond_one; /* sine - 1 at the second base; 1 at the first */
 };
 
-KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_zero, double rho)
+COR_KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_zero, double rho)
 {
     struct path_point point;
     const double inverse = 1 / (1 + rho), angle = path->tilt * rho * inverse, turn = angle * inverse;
@@ -191,7 +191,7 @@ KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_z
 }
 
 /* A step of Halley's method on (1 + t) exp(q - t) = 1, exp(q - q0) = power; no step if move is 0 instead of 1. */
-KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct cx t)
+COR_KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct cx t)
 {
     const struct cx one = cx_of(1, 0), six = cx_of(6, 0), y = cx_plus(one, t);
     const struct sine_cosine turn = kernel_sincos(t.im);
@@ -205,7 +205,7 @@ KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct c
 }
 
 /* q = q0 - 2 ln(sin(theta)), Im(q) >= 0, with an absolute error of 1e-5, as a start value */
-KERNEL struct cx rough_q(const struct cor_leg_path *path, const struct path_point *point)
+COR_KERNEL struct cx rough_q(const struct cor_leg_path *path, const struct path_point *point)
 {
     /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: this form gives its argument without a jump
      * at any distance */
@@ -215,7 +215,7 @@ KERNEL struct cx rough_q(const struct cor_leg_path *path, const struct path_poin
 }
 
 /* q = -2 ln(1 + m) for theta near the branch point, where m = sin(theta) - 1 is small */
-KERNEL struct cx near_q(struct cx m)
+COR_KERNEL struct cx near_q(struct cx m)
 {
     struct cx series = cx_plus(cx_scaled(-1.0 / 6, m), cx_of(1.0 / 5, 0));
     series = cx_plus(cx_times(series, m), cx_of(-1.0 / 4, 0));
@@ -227,7 +227,7 @@ KERNEL struct cx near_q(struct cx m)
 
 /* t of s = sqrt(2 q): the series at the branch point, with the coefficients of DLMF 5.11.3; below |s| = 0.1 its next
  * term is 2^-60 */
-KERNEL struct cx near_t(struct cx s)
+COR_KERNEL struct cx near_t(struct cx s)
 {
     const struct cx up = cx_of(s.im < 0 ? -s.re : s.re, fabs(s.im));
     struct cx series = cx_of(-139.0 / 5443200, 0);
@@ -240,7 +240,7 @@ KERNEL struct cx near_t(struct cx s)
 }
 
 /* t of q far from the branch point */
-KERNEL struct cx far_t(struct cx q)
+COR_KERNEL struct cx far_t(struct cx q)
 {
     const struct cx one = cx_of(1, 0);
     return cx_plus(q, cx_rough_log(cx_plus(cx_plus(one, q), cx_rough_log(cx_plus(one, q)))));
@@ -248,7 +248,7 @@ KERNEL struct cx far_t(struct cx q)
 
 /* The solution t of t - ln(1 + t) = q on the sheet where Im(t) > 0 for Im(q) > 0. Returns a start value for Halley's
  * method, or t itself with *move = 0. */
-KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct path_point *point, double *move)
+COR_KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct path_point *point, double *move)
 {
     const int near = cx_norm(point->beyond_one) < 6e-6;
     const struct cx rough = rough_q(path, point), exact = near_q(point->beyond_one);

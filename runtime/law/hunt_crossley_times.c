@@ -129,7 +129,7 @@ struct crossley_side {
 /* (exp(x) - 1)/x - 1, |x| < 0.34, with relative accuracy */
 static double crossley_mean_exponential(double x)
 {
-    const double *c = cor_kernel_exp_polynomial;
+    static const double c[] = COR_KERNEL_EXP_POLYNOMIAL;
     const double x2 = x * x, x4 = x2 * x2;
     return x * (COR_POLYNOMIAL_8(c, x, x2, x4) + ((c[8] + c[9] * x) + c[10] * x2) * (x4 * x4));
 }

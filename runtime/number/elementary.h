@@ -6,13 +6,6 @@
 
 #include "runtime/number/pair.h"
 
-/* A function call in a loop would prevent the vectorisation of the loop. */
-#ifdef __GNUC__
-#define COR_KERNEL static inline __attribute__((always_inline))
-#else
-#define COR_KERNEL static inline
-#endif
-
 /* For |x| < 2^51, x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer k. The last bits of k + 1.5 2^52 are k. */
 #define COR_KERNEL_INTEGER 6755399441055744.0
 
@@ -27,28 +20,23 @@
 #define COR_POLYNOMIAL_8(c, x, x2, x4) (COR_POLYNOMIAL_4(c, x, x2) + COR_POLYNOMIAL_4((c) + 4, x, x2) * (x4))
 
 /* Every polynomial of the kernels interpolates its function at the Chebyshev points of its interval, with coefficients
- * rounded once. tests/accuracy/test_polynomials.c proves the stated errors. */
+ * rounded once. tests/accuracy/test_polynomials.c proves the stated errors. Headers of corgen law contain this file:
+ * C++11 has no hexadecimal constants, and functions of GPUs need local arrays. */
 
 /* (e^x - 1 - x)/x^2 for |x| <= 0.3467: the error times x^2 is below 2^-60. */
-static const double cor_kernel_exp_polynomial[11] = {
-    0x1.0p-1,
-    0x1.5555555555557p-3,
-    0x1.5555555555556p-5,
-    0x1.11111111100d3p-7,
-    0x1.6c16c16c162cfp-10,
-    0x1.a01a01abeccc3p-13,
-    0x1.a01a01a6db488p-16,
-    0x1.71de02225a2f3p-19,
-    0x1.27e4db5bb725ap-22,
-    0x1.af4e092e1705bp-26,
-    0x1.1f7315649f2d7p-29,
-};
+#define COR_KERNEL_EXP_POLYNOMIAL                                                                                      \
+    {                                                                                                                  \
+        0.5, 0.1666666666666667, 0.04166666666666667, 0.00833333333332612, 0.0013888888888883737,                      \
+            0.00019841269874873975, 2.480158732558584e-05, 2.755725533255441e-06, 2.7557273594799413e-07,              \
+            2.510524515390137e-08, 2.0914707069612355e-09                                                              \
+    }
 
 /* (atanh(s) - s)/s^3 times 2 in x = s^2, 0 <= x <= 0.02945: the error times x/2 is below 2^-59. */
-static const double cor_kernel_log_polynomial[8] = {
-    0x1.5555555555555p-1, 0x1.9999999999a38p-2, 0x1.2492492476ba1p-2, 0x1.c71c72017a15cp-3,
-    0x1.745cf8f6c9119p-3, 0x1.3b1c38474d3eep-3, 0x1.0fbe478772696p-3, 0x1.0c06cf14c641bp-3,
-};
+#define COR_KERNEL_LOG_POLYNOMIAL                                                                                      \
+    {                                                                                                                  \
+        0.6666666666666666, 0.4000000000000088, 0.28571428570801954, 0.22222222392089008, 0.18181795600060793,         \
+            0.15386241881938595, 0.13268714792348096, 0.1308723619665962                                               \
+    }
 
 /* ---- pairs ---- */
 
@@ -68,7 +56,8 @@ COR_KERNEL struct cor_inline_pair cor_pair_scaled(struct cor_inline_pair x, doub
 COR_KERNEL struct cor_inline_pair cor_pair_root_with(struct cor_inline_pair x, double root, double about_inverse)
 {
     const struct cor_inline_pair square = cor_inline_product(root, root);
-    return cor_pair(root, 0.5 * (((x.hi - square.hi) - square.lo) + x.lo) * about_inverse);
+    return cor_pair(root,
+                    0.5 * (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - square.hi) - square.lo) + x.lo) * about_inverse);
 }
 
 /* sqrt(x), x.hi > 0 */
@@ -76,19 +65,6 @@ COR_KERNEL struct cor_inline_pair cor_pair_root(struct cor_inline_pair x)
 {
     const double root = sqrt(x.hi);
     return cor_pair_root_with(x, root, 1 / root);
-}
-
-/* x/d from `inverse`, which is 1/d within a few units of the last place: relative error 2^-100 */
-COR_KERNEL struct cor_inline_pair cor_pair_over_with(struct cor_inline_pair x, struct cor_inline_pair d, double inverse)
-{
-    const double q = x.hi * inverse;
-    const struct cor_inline_pair p = cor_inline_product(q, d.hi);
-    return cor_inline_sum(q, (((x.hi - p.hi) - p.lo) + (x.lo - q * d.lo)) * inverse);
-}
-
-COR_KERNEL struct cor_inline_pair cor_pair_over(struct cor_inline_pair x, struct cor_inline_pair d)
-{
-    return cor_pair_over_with(x, d, 1 / d.hi);
 }
 
 /* The smaller and the larger of two numbers, neither of them NaN. Compilers vectorise these selections. */
@@ -119,11 +95,11 @@ struct cor_kernel_decay {
     double k, r, q;
 };
 
-/* Domain: |x.hi| <= 1400 */
-COR_KERNEL struct cor_kernel_decay cor_kernel_decay(struct cor_inline_pair x)
+/* Domain: |x.hi| <= 2000 */
+COR_KERNEL struct cor_kernel_decay cor_kernel_decay_of(struct cor_inline_pair x)
 {
-    const double *c = cor_kernel_exp_polynomial;
-    const double nearest = (x.hi * 1.4426950408889634 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
+    static const double c[] = COR_KERNEL_EXP_POLYNOMIAL;
+    const double nearest = COR_INLINE_KEEP(x.hi * 1.4426950408889634 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
     const double k = fabs(x.hi) < 0.34 ? 0 : nearest;   /* 0 in every rounding mode, so that 1 - exp(-x) does not
                                                        * cancel */
     const double head = k * COR_KERNEL_LN2_HEAD - x.hi; /* exact */
@@ -140,26 +116,48 @@ COR_KERNEL struct cor_kernel_decay cor_kernel_decay(struct cor_inline_pair x)
 /* exp(-x), 0 <= x.hi <= 1400: 0.75 ulp, or 1.1 where the result is subnormal */
 COR_KERNEL double cor_kernel_exp_minus(struct cor_inline_pair x)
 {
-    const struct cor_kernel_decay d = cor_kernel_decay(x);
+    const struct cor_kernel_decay d = cor_kernel_decay_of(x);
     const double one = 1 + d.r, value = one + ((d.r - (one - 1)) + d.q);
     const double first = cor_kernel_min(d.k, 1000);
     return (value * cor_kernel_power_of_two(-first)) * cor_kernel_power_of_two(first - d.k);
 }
 
+/* exp(-x) 2^k as a pair: relative error 2^-54.5 */
+COR_KERNEL struct cor_inline_pair cor_kernel_decay_sum(struct cor_kernel_decay d)
+{
+    const double one = COR_INLINE_KEEP(1 + d.r);
+    return cor_inline_sum(one, (d.r - (one - 1)) + d.q);
+}
+
 /* exp(-x) as a pair, |x.hi| <= 700: relative error 2^-54.5 */
 COR_KERNEL struct cor_inline_pair cor_kernel_exp_minus_pair(struct cor_inline_pair x)
 {
-    const struct cor_kernel_decay d = cor_kernel_decay(x);
-    const double one = 1 + d.r;
-    return cor_pair_scaled(cor_inline_sum(one, (d.r - (one - 1)) + d.q), cor_kernel_power_of_two(-d.k));
+    const struct cor_kernel_decay d = cor_kernel_decay_of(x);
+    return cor_pair_scaled(cor_kernel_decay_sum(d), cor_kernel_power_of_two(-d.k));
 }
 
 /* 1 - exp(-x), 0 <= x.hi <= 1400: 1.2 ulp, also where a subtraction would cancel */
 COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
 {
-    const struct cor_kernel_decay d = cor_kernel_decay(x);
+    const struct cor_kernel_decay d = cor_kernel_decay_of(x);
     const double power = cor_kernel_power_of_two(-cor_kernel_min(d.k, 1000));
     return (1 - power) - power * (d.r + d.q);
+}
+
+/* exp(x) for |x| <= 700; the result is undefined beyond. Loops of disks need fewer operations with it than with the exp
+ * of pairs above. Taylor's series on |r| <= ln(2)/2 with terms down to 2^-55. */
+COR_KERNEL double cor_kernel_exp(double x)
+{
+    const double shifted = x * 1.4426950408889634 + COR_KERNEL_INTEGER, k = shifted - COR_KERNEL_INTEGER;
+    const double r = (x - k * COR_KERNEL_LN2_HEAD) - k * COR_KERNEL_LN2_TAIL;
+    const double p =
+        1.0 / 5040 +
+        r * (1.0 / 40320 +
+             r * (1.0 / 362880 +
+                  r * (1.0 / 3628800 + r * (1.0 / 39916800 + r * (1.0 / 479001600 + r * (1.0 / 6227020800))))));
+    const double e =
+        1 + (r + r * r * (0.5 + r * (1.0 / 6 + r * (1.0 / 24 + r * (1.0 / 120 + r * (1.0 / 720 + r * p))))));
+    return e * cor_inline_from_bits((cor_inline_bits(shifted) + 1023) << 52); /* the last bits hold the integer */
 }
 
 /* ---- ln ---- */
@@ -170,7 +168,7 @@ struct cor_kernel_split {
 };
 
 /* x = hi + lo, hi a normal double */
-COR_KERNEL struct cor_kernel_split cor_kernel_split(struct cor_inline_pair x)
+COR_KERNEL struct cor_kernel_split cor_kernel_split_of(struct cor_inline_pair x)
 {
     const uint64_t root_half = UINT64_C(0x3fe6a09e667f3bcd), one = UINT64_C(0x3ff0000000000000);
     const uint64_t two52 = UINT64_C(0x4330000000000000);
@@ -186,9 +184,10 @@ COR_KERNEL struct cor_kernel_split cor_kernel_split(struct cor_inline_pair x)
  * ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)), s = f/(2 + f). */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_split x)
 {
+    static const double c[] = COR_KERNEL_LOG_POLYNOMIAL;
     const double f = x.f, s = f / (2 + f), z = s * s, z2 = z * z, z4 = z2 * z2;
     const struct cor_inline_pair square = cor_inline_product(f, f);
-    const double series = z * COR_POLYNOMIAL_8(cor_kernel_log_polynomial, z, z2, z4);
+    const double series = z * COR_POLYNOMIAL_8(c, z, z2, z4);
     const double rest = s * (0.5 * square.hi + series) - 0.5 * square.lo + x.lo * (1 - f + f * f);
     const struct cor_inline_pair head = cor_inline_sum(f, -0.5 * square.hi);
     const struct cor_inline_pair sum = cor_pair_two_sum(x.k * COR_KERNEL_LN2_HEAD, head.hi);
@@ -198,7 +197,7 @@ COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_spli
 /* -ln(x) for x = hi + lo, hi a normal double */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log(struct cor_inline_pair x)
 {
-    return cor_kernel_minus_log_of(cor_kernel_split(x));
+    return cor_kernel_minus_log_of(cor_kernel_split_of(x));
 }
 
 /* ln(1 + x), 1 + x > 0 a normal double: the relative error of cor_kernel_minus_log */
@@ -213,7 +212,7 @@ COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_one_minus(double loss)
 {
     const double eps = 1 - loss;
     const int small = loss < 0.25;
-    struct cor_kernel_split split = cor_kernel_split(cor_pair(eps, (1 - eps) - loss));
+    struct cor_kernel_split split = cor_kernel_split_of(cor_pair(eps, (1 - eps) - loss));
     split.k = small ? 0 : split.k;
     split.f = small ? -loss : split.f;
     split.lo = small ? 0 : split.lo;

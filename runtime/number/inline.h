@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The includes and the attribute with which C99, C++11, CUDA and HIP compile a function into its caller. */
+/* The includes and the attributes with which C99, C++11, CUDA and HIP compile a function into its caller. Compilers may
+ * leave a call of a COR_INLINE. They must not leave one of a COR_KERNEL: a call in a loop prevents the vectorisation of
+ * the loop, and arguments that are constants of the caller stop being constants. */
 #ifndef COR_INLINE
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
@@ -12,4 +14,11 @@
 #include <stdint.h>
 #include <string.h>
 
+#endif
+#ifndef COR_KERNEL
+#ifdef __GNUC__
+#define COR_KERNEL COR_INLINE __attribute__((always_inline))
+#else
+#define COR_KERNEL COR_INLINE
+#endif
 #endif

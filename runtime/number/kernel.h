@@ -1,20 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* What the loops of all kernels share: how they are compiled, and masks. */
+/* Masks, which the loops of all kernels share. */
 #ifndef COR_RUNTIME_KERNEL_H
 #define COR_RUNTIME_KERNEL_H
 
 #include "runtime/number/pair.h"
 
-/* KERNEL: a part of a loop, for a call would prevent the vectorisation of the loop. SHARED: called once for each block
- * of numbers, so that a kernel has it once. */
-#if defined(__clang__)
-#define KERNEL static inline __attribute__((always_inline))
-#define SHARED static __attribute__((noinline))
-#elif defined(__GNUC__)
-#define KERNEL static inline __attribute__((always_inline))
+#define KERNEL COR_KERNEL
+/* Called once for each block of numbers, so that a kernel has it once */
+#if defined(__GNUC__) && !defined(__clang__)
 #define SHARED static __attribute__((noinline, noclone))
+#elif defined(__clang__)
+#define SHARED static __attribute__((noinline))
 #else
-#define KERNEL static inline
 #define SHARED static
 #endif
 
@@ -22,30 +19,30 @@
  * conditional expressions only sometimes. */
 typedef int64_t mask;
 
-KERNEL mask mask_of(int condition)
+COR_KERNEL mask mask_of(int condition)
 {
     return -(mask)condition;
 }
 
 /* Whether first <= x < end. The bits as integers have the order of nonnegative doubles, and are negative for other
  * doubles. */
-KERNEL mask holds(double x, double first, double end)
+COR_KERNEL mask holds(double x, double first, double end)
 {
     const int64_t bits = (int64_t)cor_inline_bits(x);
     return mask_of(bits >= (int64_t)cor_inline_bits(first)) & mask_of(bits < (int64_t)cor_inline_bits(end));
 }
 
-KERNEL mask is_same(double x, double y)
+COR_KERNEL mask is_same(double x, double y)
 {
     return mask_of(cor_inline_bits(x) == cor_inline_bits(y));
 }
 
-KERNEL uint64_t choose_bits(mask choice, uint64_t if_true, uint64_t if_false)
+COR_KERNEL uint64_t choose_bits(mask choice, uint64_t if_true, uint64_t if_false)
 {
     return (if_true & (uint64_t)choice) | (if_false & ~(uint64_t)choice);
 }
 
-KERNEL double choose(mask choice, double if_true, double if_false)
+COR_KERNEL double choose(mask choice, double if_true, double if_false)
 {
     return cor_inline_from_bits(choose_bits(choice, cor_inline_bits(if_true), cor_inline_bits(if_false)));
 }

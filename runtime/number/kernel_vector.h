@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-#include "runtime/number/kernel_exp.h" /* KERNEL */
-#include "runtime/number/sets.h"       /* COR_LANES */
+#include "runtime/number/kernel.h"
+#include "runtime/number/sets.h" /* COR_LANES */
 
 #if defined(__AVX512F__)
 #define VECTOR 8
@@ -28,7 +28,7 @@ typedef struct {
     double of[VECTOR];
 } vector;
 #define VECTOR_OPERATION(name, op)                                                                                     \
-    KERNEL vector name(vector x, vector y)                                                                             \
+    COR_KERNEL vector name(vector x, vector y)                                                                         \
     {                                                                                                                  \
         for (int i = 0; i < VECTOR; i++)                                                                               \
             x.of[i] = x.of[i] op y.of[i];                                                                              \
@@ -39,19 +39,19 @@ VECTOR_OPERATION(PLUS, +)
 VECTOR_OPERATION(TIMES, *)
 #endif
 
-KERNEL vector load(const double *from)
+COR_KERNEL vector load(const double *from)
 {
     vector x;
     memcpy(&x, from, sizeof x);
     return x;
 }
 
-KERNEL void store(double *to, vector x)
+COR_KERNEL void store(double *to, vector x)
 {
     memcpy(to, &x, sizeof x);
 }
 
-KERNEL vector all(double x)
+COR_KERNEL vector all(double x)
 {
 #if defined(__GNUC__) && VECTOR == 8 /* gcc 12 compiles this to one instruction */
     const vector result = {x, x, x, x, x, x, x, x};
@@ -67,7 +67,7 @@ KERNEL vector all(double x)
     return result;
 }
 
-KERNEL double sum_of_lanes(const double sum[COR_LANES])
+COR_KERNEL double sum_of_lanes(const double sum[COR_LANES])
 {
     return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }

@@ -200,18 +200,24 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
     return product;
 }
 
-/* The relative error of the next two functions is a few 2^-104. */
+/* x y, relative error a few 2^-104 */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);
     return cor_inline_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x, struct cor_inline_pair y)
+/* x/d from `inverse`, which is 1/d within a few units of the last place: relative error 2^-100 */
+COR_KERNEL struct cor_inline_pair cor_pair_over_with(struct cor_inline_pair x, struct cor_inline_pair d, double inverse)
 {
-    const double q = x.hi / y.hi;
-    const struct cor_inline_pair p = cor_inline_product(q, y.hi);
-    return cor_inline_sum(q, (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
+    const double q = x.hi * inverse;
+    const struct cor_inline_pair p = cor_inline_product(q, d.hi);
+    return cor_inline_sum(q, (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - p.hi) - p.lo) + (x.lo - q * d.lo)) * inverse);
+}
+
+COR_KERNEL struct cor_inline_pair cor_pair_over(struct cor_inline_pair x, struct cor_inline_pair d)
+{
+    return cor_pair_over_with(x, d, 1 / d.hi);
 }
 
 /* ln(x) of a normal, finite x >= 1. The absolute error is below 2^-53, or below 2^-53 ln(x) for large x, if that of

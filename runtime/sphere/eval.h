@@ -71,7 +71,7 @@ COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor
     if (fifths)
         power = cor_inline_pair_times(power, whole);
     *exponent = (fifths ? -5 : -2) * (e / 3);
-    return cor_inline_pair_over(factor, power);
+    return cor_pair_over(factor, power);
 }
 
 /* The same, rounded to a double; 0 for an infinite beta */
@@ -103,7 +103,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     power = cor_inline_pair_times(cor_inline_pair_times(power, power), b);
     h5.hi = h[0];
     h5.lo = h[1];
-    const double eps = cor_inline_pair_over(h5, power).hi;
+    const double eps = cor_pair_over(h5, power).hi;
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
@@ -286,7 +286,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     numerator.lo = a[1];
     denominator.hi = tiny ? cor_inline_raised(eps, COR_INLINE_2_500) : eps;
     denominator.lo = 0;
-    return cor_inline_pair_over(numerator, denominator);
+    return cor_pair_over(numerator, denominator);
 }
 
 /* beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */

@@ -17,15 +17,11 @@
 #ifndef COR_RUNTIME_TABLE_LAW_H
 #define COR_RUNTIME_TABLE_LAW_H
 
+#include "runtime/number/elementary.h"
 #include "runtime/table/row.h"
 
-/* Functions with the structs below as arguments must be inlined, so that the structs are constants of each caller.
+/* Functions with the structs below as arguments are COR_KERNEL, so that the structs are constants of each caller.
  * Otherwise their copies cost several times the evaluation. */
-#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
-#define COR_INLINE_LAW COR_INLINE __attribute__((always_inline))
-#else
-#define COR_INLINE_LAW COR_INLINE
-#endif
 
 /* ---- the data of a law ---- */
 
@@ -66,7 +62,7 @@ struct cor_inline_law_inverse {
     struct cor_inline_law_table near, rows;
 };
 
-COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_none(void)
+COR_KERNEL struct cor_inline_law_table cor_inline_law_none(void)
 {
     struct cor_inline_law_table table;
     table.kind = 0;
@@ -78,8 +74,8 @@ COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_none(void)
     return table;
 }
 
-COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_grid(const double *(*rows)(int), struct cor_inline_grid grid,
-                                                               int root, double end)
+COR_KERNEL struct cor_inline_law_table cor_inline_law_grid(const double *(*rows)(int), struct cor_inline_grid grid,
+                                                           int root, double end)
 {
     struct cor_inline_law_table table = cor_inline_law_none();
     table.kind = 1;
@@ -90,8 +86,8 @@ COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_grid(const double *(*r
     return table;
 }
 
-COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_octaves(const double *(*rows)(int),
-                                                                  struct cor_inline_octaves octaves, double end)
+COR_KERNEL struct cor_inline_law_table cor_inline_law_octaves(const double *(*rows)(int),
+                                                              struct cor_inline_octaves octaves, double end)
 {
     struct cor_inline_law_table table = cor_inline_law_none();
     table.kind = 2;
@@ -102,7 +98,7 @@ COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_octaves(const double *
 }
 
 /* A quantity without any table */
-COR_INLINE_LAW struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
+COR_KERNEL struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
 {
     struct cor_inline_law_quantity q;
     q.near = q.middle = q.below = q.tail = cor_inline_law_none();
@@ -116,7 +112,7 @@ COR_INLINE_LAW struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
     return q;
 }
 
-COR_INLINE_LAW struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
+COR_KERNEL struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
 {
     struct cor_inline_law_inverse inverse;
     inverse.near = inverse.rows = cor_inline_law_none();
@@ -158,14 +154,6 @@ COR_INLINE double cor_inline_root_of(double x, int root)
     return root == 1 ? x : root == 2 ? sqrt(x) : root == 3 ? cbrt(x) : pow(x, 1.0 / root);
 }
 
-/* sqrt(x) of a normal x > 0 */
-COR_INLINE struct cor_inline_pair cor_inline_pair_root(struct cor_inline_pair x)
-{
-    const double r = cor_inline_head(sqrt(x.hi)), rest = COR_INLINE_KEEP(x.hi - r * r) + x.lo;
-    const double d = rest / (r * r); /* x = r^2 (1 + d) */
-    return cor_inline_sum(r, r * (d * (0.5 - d * (0.125 - d * 0.0625))));
-}
-
 /* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The first terms of (1 - d)^(-1/den), d = (m - r^den)/m
  * < 2^-22, correct the root r of 26 bits. The power of r and the quotient are double-doubles, so the relative error is
  * below 2^-90 for exponents up to a few hundred. */
@@ -189,7 +177,7 @@ COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pa
     }
     result = cor_inline_pair_power(y, n);
     if (power.num < 0)
-        result = cor_inline_pair_over(cor_pair(1, 0), result);
+        result = cor_pair_over(cor_pair(1, 0), result);
     return result;
 }
 
@@ -198,24 +186,6 @@ COR_INLINE struct cor_inline_pair cor_inline_beta_power(double beta, struct cor_
 {
     const int e = cor_inline_exponent(beta);
     return cor_inline_rational_power(cor_pair(cor_inline_significand(beta), 0), e, power, exponent);
-}
-
-/* exp(-x) of 0 <= x < 2000 as a pair times 2^*exponent: relative error below 2^-56 */
-COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, int *exponent)
-{
-    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14; /* as above */
-    const int k = (int)(x.hi * 1.4426950408889634 + 0.5);
-    const struct cor_inline_pair r = cor_pair_two_sum(k * ln2_hi - x.hi, k * ln2_lo - x.lo);
-    const double t = r.hi; /* |t| < 0.35: t^16/16! is below 2^-68 */
-    const double c11 =
-        1.0 / 39916800 +
-        t * (1.0 / 479001600 + t * (1.0 / 6227020800.0 + t * (1.0 / 87178291200.0 + t * (1.0 / 1307674368000.0))));
-    const double c7 = 1.0 / 5040 + t * (1.0 / 40320 + t * (1.0 / 362880 + t * (1.0 / 3628800 + t * c11)));
-    const double c3 = 1.0 / 6 + t * (1.0 / 24 + t * (1.0 / 120 + t * (1.0 / 720 + t * c7)));
-    const double rest = t * t * (0.5 + t * c3);
-    const struct cor_inline_pair sum = cor_pair_two_sum(1, t);
-    *exponent = -k;
-    return cor_inline_sum(sum.hi, sum.lo + (r.lo * (1 + t) + rest));
 }
 
 /* ---- rows ---- */
@@ -229,14 +199,14 @@ COR_INLINE double cor_inline_law_product(struct cor_inline_place place, double x
 }
 
 /* The place of x in a table by octaves */
-COR_INLINE_LAW struct cor_inline_place cor_inline_law_octave(struct cor_inline_law_table table, double x)
+COR_KERNEL struct cor_inline_place cor_inline_law_octave(struct cor_inline_law_table table, double x)
 {
     return cor_inline_place_of(table.rows((int)cor_inline_octaves_row(table.octaves, x)),
                                cor_inline_octaves_t(table.octaves, x));
 }
 
 /* The row on the grid of a table near 0 */
-COR_INLINE_LAW struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
+COR_KERNEL struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
 {
     const double y = cor_inline_root_of(x, table.root);
     const int i = cor_inline_grid_row(table.grid, y);
@@ -244,8 +214,7 @@ COR_INLINE_LAW struct cor_inline_place cor_inline_law_near(struct cor_inline_law
 }
 
 /* c_0 and the remainder of the row of x = hi + lo, by octaves */
-COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table,
-                                                                struct cor_inline_pair x)
+COR_KERNEL struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table, struct cor_inline_pair x)
 {
     struct cor_inline_place place = cor_inline_law_octave(table, x.hi);
     place.t += x.lo * cor_inline_power_of_two(-cor_inline_exponent(x.hi));
@@ -254,7 +223,7 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inlin
 
 /* The second and the third order in mu = beta^(-num/den) at v = ln(beta). mu < 6e-8, so its rounding errors are
  * negligible; below exp(-60) mu itself is. */
-COR_INLINE_LAW double cor_inline_law_orders(struct cor_inline_law_quantity q, double v)
+COR_KERNEL double cor_inline_law_orders(struct cor_inline_law_quantity q, double v)
 {
     const double *c = q.far(0);
     const double decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
@@ -262,7 +231,7 @@ COR_INLINE_LAW double cor_inline_law_orders(struct cor_inline_law_quantity q, do
 }
 
 /* Three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
-COR_INLINE_LAW struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
+COR_KERNEL struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
 {
     const double *c = q.far(0);
     if (q.far_kind == 2)
@@ -289,7 +258,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x,
 }
 
 /* The quantity for beta beyond the middle rows, as a pair times 2^*exponent */
-COR_INLINE_LAW struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
+COR_KERNEL struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
 {
     const struct cor_inline_pair u = cor_inline_log(beta);
     if (q.tail.kind && u.hi < q.tail.end) {
@@ -307,7 +276,7 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_
 }
 
 /* beta_c - beta for 0 < beta < beta_c, or a number that is not above 0 */
-COR_INLINE_LAW struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
+COR_KERNEL struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_below(beta, COR_INLINE_2_900) ? cor_pair_two_sum(q.threshold.hi - beta, q.threshold.lo)
                                                     : cor_pair(-1, 0); /* no sum overflows, rounded downward */
@@ -315,7 +284,7 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_below(struct cor_inline_law
 
 /* For q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c, with relative error 2^-90
  * where eps is not 0. Next to beta_c the result is 1e9. */
-COR_INLINE_LAW struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
+COR_KERNEL struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
     const struct cor_inline_pair square = cor_inline_product(beta, beta);
@@ -323,18 +292,18 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_linear(struct cor_inline_la
     const struct cor_inline_pair om2 = cor_inline_sum(difference.hi, difference.lo + (q.critical.lo - square.lo));
     if (!(om2.hi > 1e-18))
         return cor_pair(1e9, 0);
-    const struct cor_inline_pair om = cor_inline_pair_root(om2);
+    const struct cor_inline_pair om = cor_pair_root(om2);
     if (beta < COR_INLINE_2_M300) { /* the halves of a product would be subnormal */
-        const struct cor_inline_pair slope = cor_inline_pair_over(pi, om);
+        const struct cor_inline_pair slope = cor_pair_over(pi, om);
         const struct cor_inline_pair l = cor_inline_pair_times(slope, cor_pair(beta * COR_INLINE_2_500, 0));
         return cor_pair((l.hi + l.lo) / COR_INLINE_2_500, 0);
     }
-    return cor_inline_pair_over(cor_inline_pair_times(pi, cor_pair(beta, 0)), om);
+    return cor_pair_over(cor_inline_pair_times(pi, cor_pair(beta, 0)), om);
 }
 
 /* ---- times and the largest overlap ---- */
 
-COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, double beta)
+COR_KERNEL double cor_inline_law_value(struct cor_inline_law_quantity q, double beta)
 {
     if (cor_inline_below(beta, q.near.end) || beta == 0)
         return cor_inline_row_value(cor_inline_law_near(q.near, beta == 0 ? 0 : beta));
@@ -342,7 +311,6 @@ COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, dou
         return cor_inline_row_value(cor_inline_law_octave(q.middle, beta));
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    int exponent;
     if (q.below.kind) {
         const struct cor_inline_pair d = cor_inline_law_below(q, beta);
         if (!(d.hi > 0))
@@ -351,17 +319,18 @@ COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, dou
         if (!q.linear)
             return row.hi + row.lo;
         const struct cor_inline_pair faded =
-            cor_inline_pair_over(cor_inline_pair_times(cor_inline_law_linear(q, beta), cor_pair(q.fading.num, 0)),
-                                 cor_pair(q.fading.den, 0));
+            cor_pair_over(cor_inline_pair_times(cor_inline_law_linear(q, beta), cor_pair(q.fading.num, 0)),
+                          cor_pair(q.fading.den, 0));
         if (!(faded.hi < 1500))
             return q.beyond;
         /* exp(faded) = 1/exp(-faded) */
-        const struct cor_inline_pair power =
-            cor_inline_pair_over(cor_inline_sum(row.hi, row.lo), cor_inline_law_exp(faded, &exponent));
-        return cor_inline_pair_scaled(power, -exponent);
+        const struct cor_kernel_decay decay = cor_kernel_decay_of(faded);
+        const struct cor_inline_pair power = cor_pair_over(cor_inline_sum(row.hi, row.lo), cor_kernel_decay_sum(decay));
+        return cor_inline_pair_scaled(power, (int)decay.k);
     }
     if (!cor_inline_is_finite(beta))
         return q.infinite;
+    int exponent;
     const struct cor_inline_pair value = cor_inline_law_tail(q, beta, &exponent);
     return cor_inline_pair_scaled(value, exponent);
 }
@@ -369,14 +338,13 @@ COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, dou
 /* ---- eps and 1 - eps ---- */
 
 /* 1 - eps near beta = 0 */
-COR_INLINE_LAW double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
+COR_KERNEL double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_law_product(cor_inline_law_near(q.near, beta), beta);
 }
 
 /* eps between the near rows and infinity as a pair times 2^*exponent; hi = 0 if eps is 0 */
-COR_INLINE_LAW struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law_quantity q, double beta,
-                                                               int *exponent)
+COR_KERNEL struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law_quantity q, double beta, int *exponent)
 {
     *exponent = 0;
     if (cor_inline_below(beta, q.middle.end)) {
@@ -394,7 +362,7 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline
     return cor_inline_law_tail(q, beta, exponent);
 }
 
-COR_INLINE_LAW double cor_inline_law_eps(struct cor_inline_law_quantity q, double beta)
+COR_KERNEL double cor_inline_law_eps(struct cor_inline_law_quantity q, double beta)
 {
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
@@ -404,9 +372,8 @@ COR_INLINE_LAW double cor_inline_law_eps(struct cor_inline_law_quantity q, doubl
         const struct cor_inline_pair l = cor_inline_law_linear(q, beta);
         if (l.hi > 800)
             return 0;
-        int exponent;
-        const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
-        return cor_inline_pair_scaled(eps, exponent);
+        const struct cor_kernel_decay decay = cor_kernel_decay_of(l);
+        return cor_inline_pair_scaled(cor_kernel_decay_sum(decay), -(int)decay.k);
     }
     if (cor_inline_below(beta, q.near.end) || beta == 0)
         return 1 - cor_inline_law_near_loss(q, beta == 0 ? 0 : beta);
@@ -416,7 +383,7 @@ COR_INLINE_LAW double cor_inline_law_eps(struct cor_inline_law_quantity q, doubl
 }
 
 /* 1 - exp(-l), l > 0 */
-COR_INLINE_LAW double cor_inline_law_linear_loss(struct cor_inline_pair l)
+COR_KERNEL double cor_inline_law_linear_loss(struct cor_inline_pair l)
 {
     if (l.hi > 60)
         return 1;
@@ -435,14 +402,14 @@ COR_INLINE_LAW double cor_inline_law_linear_loss(struct cor_inline_pair l)
         const struct cor_inline_pair sum = cor_pair_two_sum(x, -0.5 * square.hi);
         return sum.hi + (sum.lo + (l.lo * (1 - x) - 0.5 * square.lo + x * square.hi * c3));
     }
-    int exponent;
-    const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
-    const double unit = cor_inline_power_of_two(exponent);
+    const struct cor_kernel_decay decay = cor_kernel_decay_of(l);
+    const struct cor_inline_pair eps = cor_kernel_decay_sum(decay);
+    const double unit = cor_inline_power_of_two(-(int)decay.k);
     const struct cor_inline_pair loss = cor_pair_two_sum(1, -eps.hi * unit);
     return loss.hi + (loss.lo - eps.lo * unit);
 }
 
-COR_INLINE_LAW double cor_inline_law_loss(struct cor_inline_law_quantity q, double beta)
+COR_KERNEL double cor_inline_law_loss(struct cor_inline_law_quantity q, double beta)
 {
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
@@ -465,13 +432,13 @@ COR_INLINE_LAW double cor_inline_law_loss(struct cor_inline_law_quantity q, doub
 /* ---- the inverse ---- */
 
 /* (c_0/eps)^s as a pair times 2^*exponent, where eps = c_0 beta^power and s = -1/power */
-COR_INLINE_LAW struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_inline_law_quantity q, double eps,
-                                                                   int *exponent)
+COR_KERNEL struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_inline_law_quantity q, double eps,
+                                                               int *exponent)
 {
     const double *c = q.far(0);
     const int tiny = eps < COR_INLINE_2_M900;
     const double scaled = tiny ? eps * COR_INLINE_2_200 : eps;
-    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_pair(c[0], c[1]), cor_pair(scaled, 0));
+    const struct cor_inline_pair ratio = cor_pair_over(cor_pair(c[0], c[1]), cor_pair(scaled, 0));
     const int e = cor_inline_exponent(ratio.hi);
     const double unit = cor_inline_power_of_two(-e);
     struct cor_inline_law_power inverse;
@@ -484,7 +451,7 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_in
 /* beta below the rows of eps. At zero overlap eps is the power v_f beta^(-1/q). At zero force eps = beta^power (a_0 +
  * ...) is R (1 + x)^s, where R is that of the power and x the orders in mu over a_0, below 1e-5. The code iterates
  * ln(beta) = ln(R) + s x twice. */
-COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
+COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
     int exponent;
     const struct cor_inline_pair root = cor_inline_law_beta_of_power(q, eps, &exponent);
@@ -499,8 +466,8 @@ COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, 
 }
 
 /* The smallest beta with this eps <= 1/2, below the rows near eps = 1 */
-COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
-                                              double eps)
+COR_KERNEL double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                          double eps)
 {
     if (cor_inline_between(eps, inverse.rows.octaves.first, inverse.rows.end))
         return cor_inline_row_value(cor_inline_law_octave(inverse.rows, eps));
@@ -513,7 +480,7 @@ COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, 
 
 /* The round-off of the root of a loss: without this correction beta/loss, which grows with the root, is off by two
  * units of the last place next to loss = 1/2. A small loss needs none. */
-COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
+COR_KERNEL double cor_inline_law_root_rest(double loss, int root)
 {
     if (root == 1 || loss < 0.00390625)
         return 0;
@@ -523,7 +490,7 @@ COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
 }
 
 /* The same near eps = 1, from the loss 0 <= loss <= 1/2 */
-COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
+COR_KERNEL double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
 {
     struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
     place.t += cor_inline_law_root_rest(loss, inverse.near.root);
@@ -531,30 +498,30 @@ COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inv
 }
 
 /* beta_c loss/pi for a loss that may be subnormal */
-COR_INLINE_LAW double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
+COR_KERNEL double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
 {
     const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
-    const struct cor_inline_pair slope = cor_inline_pair_over(q.threshold, pi);
+    const struct cor_inline_pair slope = cor_pair_over(q.threshold, pi);
     const struct cor_inline_pair beta = cor_inline_pair_times(slope, cor_pair(loss * COR_INLINE_2_200, 0));
     return (beta.hi + beta.lo) * COR_INLINE_2_M200;
 }
 
 /* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
-COR_INLINE_LAW double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
+COR_KERNEL double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
 {
     const struct cor_inline_pair pi2 = cor_pair(9.869604401089358, 6.265295508739711e-16);
     const double l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
     if (loss < 1e-100) /* L equals the loss, and its square underflows */
         return cor_inline_law_linear_slope(q, loss);
     const struct cor_inline_pair square = cor_inline_product(l, l), sum = cor_pair_two_sum(pi2.hi, square.hi);
-    const struct cor_inline_pair root = cor_inline_pair_root(cor_inline_sum(sum.hi, sum.lo + (pi2.lo + square.lo)));
-    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_pair(l, 0), root);
+    const struct cor_inline_pair root = cor_pair_root(cor_inline_sum(sum.hi, sum.lo + (pi2.lo + square.lo)));
+    const struct cor_inline_pair ratio = cor_pair_over(cor_pair(l, 0), root);
     const struct cor_inline_pair beta = cor_inline_pair_times(ratio, q.threshold);
     return eps == 0 ? q.threshold.hi : beta.hi + beta.lo;
 }
 
-COR_INLINE_LAW double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
-                                          double eps)
+COR_KERNEL double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                      double eps)
 {
     const double positive = eps == 0 ? 0 : eps; /* not -0 */
     if (cor_inline_bits(positive) > cor_inline_bits(1))
@@ -565,8 +532,8 @@ COR_INLINE_LAW double cor_inline_law_beta(struct cor_inline_law_quantity q, stru
                           : cor_inline_law_beta_near(inverse, 1 - positive);
 }
 
-COR_INLINE_LAW double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q,
-                                                  struct cor_inline_law_inverse inverse, double loss)
+COR_KERNEL double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                              double loss)
 {
     const double positive = loss == 0 ? 0 : loss; /* not -0 */
     if (cor_inline_bits(positive) > cor_inline_bits(1))

@@ -918,29 +918,30 @@ static void write_pair_times(const std::string &name, number low, number bound)
     g.write(name, {}, "|off|" + at_most(bound) + " /\\ |low| in [0, 1b-51]");
 }
 
-/* cor_inline_pair_over: hi is a rounded sum that is within 2^-70 of (x.hi + x.lo)/(y.hi + y.lo) */
+/* cor_pair_over: hi is a rounded sum that is within 2^-70 of (x.hi + x.lo)/(y.hi + y.lo) */
 static void write_pair_over(void)
 {
     start();
     const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
-    const struct cor_inline_pair p = cor_inline_pair_over(x, y);
+    const struct cor_inline_pair p = cor_pair_over(x, y);
     gappa g;
     pair_in(g, x, "xh", "xl");
     pair_in(g, y, "yh", "yl");
     g.define(p.hi);
-    g.match(p.hi, "(q+c:(rest:(((xh-hi)-low)+last)/yh))");
+    g.match(p.hi, "(q:(xh*r)+c:(rest:(((xh-hi)-low)+last)*r))");
     const std::string product = product_error(g, g["hi"], g["low"]);
     g.say("exact = ($xh + $xl) / ($yh + $yl);");
     g.say("terms = (($xh - $hi) - $rest.ab) + ($xl - $q * $yl);");
     g.say("residue = ($xh - $q * $yh) + ($xl - $q * $yl);");
     g.say("off = ($q + $c) - exact;");
-    g.hint("off -> ($c - $rest / $yh) + ($rest - residue) / $yh + $yl * (exact - $q) / $yh"
+    g.hint("off -> ($c - $rest * $r) + $rest * ($r - 1 / $yh) + ($rest - residue) / $yh + $yl * (exact - $q) / $yh"
            " { $yh <> 0, ($yh + $yl) <> 0 }");
     g.hint("$rest - residue -> ($rest - terms) - " + product);
     g.hint("exact - $q -> ($xh / $yh - $q) + ($xl - $yl * $xh / $yh) / ($yh + $yl) { $yh <> 0, ($yh + $yl) <> 0 }");
     g.hint("$rest -> residue + ($rest - residue)");
     g.hint("residue -> $yh * ($xh / $yh - $q) + ($xl - $q * $yl) { $yh <> 0 }");
     g.hint("$xh - $hi -> $yh * ($xh / $yh - $q) - ($hi - $q * $yh) { $yh <> 0 }");
+    g.hint("$xh / $yh - $q -> $xh * (1 / $yh - $r) - ($q - $xh * $r) { $yh <> 0 }");
     g.write("pair_over", {}, "|off| in [0, 1b-70]");
 }
 
