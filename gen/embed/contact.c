@@ -14,70 +14,51 @@ static exact number_of(const struct embed_request *request, int which, int body)
     return embed_number_of_body(request, which, body)->value;
 }
 
-/* m, K, A and R = 1/(1/R_1 + 1/R_2) of a contact */
-struct contact {
-    arb_t mass, stiffness, time, radius;
-};
-
-static void contact_init(struct contact *c)
+/* m, K, A and R = 1/(1/R_1 + 1/R_2) of two bodies: K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 +
+ * c_2), c_i = (1 - nu_i^2)/Y_i. m_i is given or (4/3) pi R_i^3 rho_i. A wall and a plate have 1/R = 1/m = 0; a plate of
+ * the thickness h has A_2 = 0, and m/Z is added to A, Z = 4 h^2 sqrt(rho_2/(3 c_2)). A_i is given, or that of
+ * viscosities, (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y, or 0. Or a spring and an
+ * effective mass. */
+static void contact_of(arb_t m, arb_t K, arb_t A, arb_t R, const struct embed_request *request, slong prec)
 {
-    FOR_ALL(arb, init, c->mass, c->stiffness, c->time, c->radius);
-}
-
-static void contact_clear(struct contact *c)
-{
-    FOR_ALL(arb, clear, c->mass, c->stiffness, c->time, c->radius);
-}
-LOCAL_STRUCT(contact)
-
-/* K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) of two bodies, c_i = (1 - nu_i^2)/Y_i. m_i is
- * given or (4/3) pi R_i^3 rho_i. A wall and a plate have 1/R = 1/m = 0; a plate of the thickness h has A_2 = 0, and m/Z
- * is added to A, Z = 4 h^2 sqrt(rho_2/(3 c_2)). A_i is given, or that of viscosities, (1 + nu)/(1 - nu)
- * ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y, or 0. Or a spring and an effective mass. */
-static void contact_of(struct contact *c, const struct embed_request *request, slong prec)
-{
-    const exact h = request->number[COR_SCENE_PLATE_THICKNESS].value;
-    const bool plate = request->law == COR_LAW_PLATE;
-    LOCAL(arb, own, compliance, curvature, time, mass);
+    const exact h = request->number[COR_SCENE_PLATE_THICKNESS].value, rho = number_of(request, COR_SCENE_DENSITY, 2);
+    const bool plate = request->law == COR_LAW_PLATE, timed = embed_given(request, COR_SCENE_DISSIPATION_TIME);
+    LOCAL(arb, c, compliance, curvature, time, inverse);
     if (!embed_given(request, COR_SCENE_YOUNG)) {
-        arb_set_fmpq(c->mass, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
-        arb_set_fmpq(c->stiffness, request->number[COR_SCENE_STIFFNESS].value, prec);
-        if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
-            arb_set_fmpq(c->time, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
+        arb_set_fmpq(m, request->number[COR_SCENE_EFFECTIVE_MASS].value, prec);
+        arb_set_fmpq(K, request->number[COR_SCENE_STIFFNESS].value, prec);
+        if (timed)
+            arb_set_fmpq(A, request->number[COR_SCENE_DISSIPATION_TIME].value, prec);
         return;
     }
     for (int body = 1; body <= 2; body++) {
         const exact nu = number_of(request, COR_SCENE_POISSON, body), Y = number_of(request, COR_SCENE_YOUNG, body),
-                    R = number_of(request, COR_SCENE_RADIUS, body), m = number_of(request, COR_SCENE_MASS, body),
+                    r = number_of(request, COR_SCENE_RADIUS, body), mass = number_of(request, COR_SCENE_MASS, body),
                     density = number_of(request, COR_SCENE_DENSITY, body);
-        LET(own, prec, "(1 - nu^2)/Y", nu, Y);
-        LET(compliance, prec, "compliance + own", compliance, own);
         const char *const viscosity = request->viscosity[body == 2 && request->viscosity[1] ? 1 : 0];
         struct decimal eta[2] = {{0}};
-        arb_zero(time);
+        LET(c, prec, "(1 - nu^2)/Y", nu, Y);
+        LET(compliance, prec, "compliance + c", compliance, c);
         if (viscosity && embed_viscosity(eta, viscosity))
             LET(time, prec, "(1 + nu)/(1 - nu)*(2/3*(1 - nu + nu^2)*eta[0].value + (1 - 2*nu)^2*eta[1].value)/Y", nu,
                 eta[0].value, eta[1].value, Y);
-        else if (embed_given(request, COR_SCENE_DISSIPATION_TIME))
+        else if (timed)
             arb_set_fmpq(time, number_of(request, COR_SCENE_DISSIPATION_TIME, body), prec);
         decimal_clear(&eta[0]);
         decimal_clear(&eta[1]);
         if (body == 1 || !plate)
-            LET(c->time, prec, "c->time + time*own", c->time, time, own);
+            LET(A, prec, "A + time*c", A, time, c);
         if (body == 1 || !(request->wall || plate)) {
-            LET(curvature, prec, "curvature + 1/R", curvature, R);
-            LET(mass, prec, embed_mass_is_given(request, body) ? "mass + 1/m" : "mass + 3/(4*R^3*density*pi)", mass, m,
-                R, density);
+            LET(curvature, prec, "curvature + 1/r", curvature, r);
+            LET(inverse, prec,
+                embed_mass_is_given(request, body) ? "inverse + 1/mass" : "inverse + 3/(4*r^3*density*pi)", inverse,
+                mass, r, density);
         }
     }
-    LET(c->mass, prec, "1/mass", mass);
-    LET(c->radius, prec, "1/curvature", curvature);
-    LET(c->stiffness, prec, "4/3/compliance*sqrt(c->radius)", compliance, c->radius);
-    LET(c->time, prec, "c->time/compliance", c->time, compliance);
-    if (plate) {
-        const exact density = number_of(request, COR_SCENE_DENSITY, 2);
-        LET(c->time, prec, "c->time + c->mass/(4*h^2*sqrt(density/(3*own)))", c->time, c->mass, h, density, own);
-    }
+    LET(m, prec, "1/inverse", inverse);
+    LET(R, prec, "1/curvature", curvature);
+    LET(K, prec, "4/3/compliance*sqrt(R)", compliance, R);
+    LET(A, prec, plate ? "A/compliance + m/(4*h^2*sqrt(rho/(3*c)))" : "A/compliance", A, compliance, m, h, rho, c);
 }
 
 /* ---- beta ---- */
@@ -104,16 +85,16 @@ void embed_contact_force(arb_t force, const struct embed_request *request, const
 {
     const bool heavy = embed_given(request, COR_SCENE_GRAVITY), sticky = embed_given(request, COR_SCENE_ADHESION);
     const exact G = request->number[COR_SCENE_GRAVITY].value, w = request->number[COR_SCENE_ADHESION].value;
-    LOCAL(contact, c);
+    LOCAL(arb, m, K, A, R);
     arb_zero(force);
     if (!heavy && !sticky)
         return;
-    contact_of(c, request, prec);
+    contact_of(m, K, A, R, request, prec);
     if (heavy)
         arb_set_fmpq(force, G, prec);
     if (sticky)
-        LET(force, prec, "force + 2*pi*w*c->radius/c->mass", force, w, c->radius, c->mass);
-    LET(force, prec, "force*(c->mass/c->stiffness)^(1/(law->a + 1))", force, c->mass, c->stiffness, law->a);
+        LET(force, prec, "force + 2*pi*w*R/m", force, w, R, m);
+    LET(force, prec, "force*(m/K)^(1/(law->a + 1))", force, m, K, law->a);
 }
 
 /* ---- a measured restitution ---- */
@@ -184,12 +165,10 @@ int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request 
         LET(beta_per_root, prec, law_is_linear(law) ? "beta" : "beta/at^q", beta, at, q);
     } else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
         const bool given = embed_given(request, COR_SCENE_DAMPING_COEFFICIENT);
-        LOCAL(contact, c);
-        LOCAL(arb, damping);
-        contact_of(c, request, prec);
-        LET(damping, prec, given ? "C" : "c->time*c->stiffness*3/2", C, c->time, c->stiffness);
-        LET(beta_per_root, prec, "(c->mass/c->stiffness)^((law->b + 1)/(law->a + 1))*damping/c->mass", c->mass,
-            c->stiffness, law->a, law->b, damping);
+        LOCAL(arb, m, K, A, R);
+        contact_of(m, K, A, R, request, prec);
+        LET(A, prec, given ? "C" : "A*K*3/2", C, A, K);
+        LET(beta_per_root, prec, "(m/K)^((law->b + 1)/(law->a + 1))*A/m", m, K, law->a, law->b, A);
     }
     return STATUS_OK;
 }
@@ -241,12 +220,11 @@ int embed_contact_yield_speed(arb_t speed, const struct embed_request *request, 
                               slong prec)
 {
     const exact p = request->number[COR_SCENE_YIELD_STRESS].value;
-    LOCAL(contact, c);
+    LOCAL(arb, m, K, A, R);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return yield_speed_of_restitution(speed, request, contact->yield_speed_m_s, prec);
-    contact_of(c, request, prec);
-    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*c->radius^5/(c->stiffness*3/4)^4/c->mass)", p, c->radius, c->stiffness,
-        c->mass);
+    contact_of(m, K, A, R, request, prec);
+    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/m)", p, R, K, m);
     return STATUS_OK;
 }
 
@@ -255,10 +233,10 @@ void embed_contact_liquid_speed(arb_t speed, const struct embed_request *request
 {
     const exact outer = request->number[COR_SCENE_GAP_OUTER].value, inner = request->number[COR_SCENE_GAP_INNER].value,
                 eta = request->number[COR_SCENE_LIQUID_VISCOSITY].value;
-    LOCAL(contact, c);
+    LOCAL(arb, m, K, A, R);
     arb_zero(speed);
     if (!embed_given(request, COR_SCENE_LIQUID_VISCOSITY))
         return;
-    contact_of(c, request, prec);
-    LET(speed, prec, "6*pi*eta*c->radius^2*log(outer/inner)/c->mass", eta, c->radius, outer, inner, c->mass);
+    contact_of(m, K, A, R, request, prec);
+    LET(speed, prec, "6*pi*eta*R^2*log(outer/inner)/m", eta, R, outer, inner, m);
 }

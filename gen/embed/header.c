@@ -238,10 +238,9 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
         emit_lines(e, "    const uint$B_t upper = bits >> $d;\n    const uint$B_t start_bits = upper << $d;\n",
                    f->low_bits, f->low_bits);
         emit_copy(e, "$T", "start", "start_bits");
-        fprintf(e->file,
-                f->single ? "    const uint32_t i = upper - %lluu;\n"
-                          : "    const uint64_t i = upper - UINT64_C(%llu);\n",
-                (unsigned long long)f->first);
+        emit_lines(
+            e, f->single ? "    const uint32_t i = upper - $bu;\n" : "    const uint64_t i = upper - UINT64_C($b);\n",
+            embed_from_bits(f, f->first));
         emit_lines(e, "    const $T $s = $s - start;\n", s->name, x);
         break;
     case STEP_ROW_OF_PLACE:

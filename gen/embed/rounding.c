@@ -103,9 +103,9 @@ static void rounded_steps(struct rounded *v, const struct embed_program *p, int 
 /* ---- the fifth root ---- */
 
 /* Six steps of the program from `first` on make r S(1 - g r^5), S a polynomial, of an r with |1 - g r^5| <= e. Without
- * rounding, the relative distance of the result from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1,
- * |x| <= e. Its rounding error is computed in units in which r = 1, so that g = 1 - x. Returns a bound of the distance
- * with rounding, infinite if |H| may reach 1/2, which it does not for e < SEED_LIMIT. */
+ * rounding, the relative distance of the result from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), |x| <= e, where
+ * H(x) = S(x)^5 (1 - x) - 1. Its rounding error is computed in units in which r = 1, so that g = 1 - x. Returns a bound
+ * of the distance with rounding, infinite if |H| may reach 1/2, which it does not for e < SEED_LIMIT. */
 static double root_step(const struct embed_program *p, int first, double e, const struct arithmetic *a)
 {
     const struct embed_step *const factor = &p->step[first + 4];

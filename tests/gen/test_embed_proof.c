@@ -10,8 +10,6 @@
 #include "support/emit_c.h"
 #include "support/local.h"
 
-#include <cor/sphere.h>
-
 #define UNIT 0x1p-53
 /* Size of the errors that forms get; the errors of the fits below are smaller. */
 #define BUMP 1e-6
@@ -127,34 +125,14 @@ static struct interpolant *interpolant(void)
     return made;
 }
 
-/* The polynomial in (x - start) unit of degree `degree` through eps at Chebyshev points between lo and hi, x = beta or
- * beta^5 */
-static void fit(double *c, slong degree, const struct embed_scene *s, double lo, double hi, bool of_speed, double start,
-                double unit)
-{
-    LOCAL_VECTOR(x, degree + 1);
-    LOCAL_VECTOR(eps, degree + 1);
-    LOCAL(arb_poly, p);
-    for (slong i = 0; i <= degree; i++) {
-        const double at = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(i, degree + 1);
-        const double beta = of_speed ? pow(at, 0.2) : at;
-        arb_set_d(x + i, (at - start) * unit);
-        arb_set_d(eps + i,
-                  s->end == COR_END_ZERO_OVERLAP ? cor_sphere_eps_zero_overlap(beta) : cor_sphere_eps_zero_force(beta));
-    }
-    arb_poly_interpolate_newton(p, x, eps, degree + 1, EMBED_BITS);
-    for (slong k = 0; k <= degree; k++)
-        c[k] = middle(arb_poly_get_coeff_ptr(p, k));
-}
-
 /* A rational function of beta from 0.15 to 0.95 in two intervals */
 TEST(test_intervals)
 {
     struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
-    double number[12];
-    const struct embed_form f = form_of(&s, FAMILY_RATIONAL_BETA, FIFTH_ROOT_OF_SPEED, 11, number);
-    fit(number, f.numerator, &s, s.beta_min, s.beta_max, false, 0, 1);
+    struct embed_form f = form_of(&s, FAMILY_RATIONAL_BETA, FIFTH_ROOT_OF_SPEED, 11, NULL);
+    assert_true(embed_fit_rational(&f, &s));
     assert_bumps_proved(&f, &s, "a rational function of beta");
+    embed_form_clear(&f);
     clear_scene(&s);
 }
 
@@ -166,21 +144,14 @@ TEST(test_rows)
     for (int of_speed = 0; of_speed < 2; of_speed++) {
         struct embed_form f = form_of(&s, of_speed ? FAMILY_PIECES_SPEED : FAMILY_PIECES_BETA,
                                       of_speed ? SPEED : FIFTH_ROOT_OF_SPEED, DEGREE, NULL);
-        f.slope = (double)ROWS * (1 - 1e-9) / (s.beta_max - s.beta_min);
         f.low_bits = 50;
-        f.shift = 1e-10 - s.beta_min * f.slope;
         f.first = emit_bits_of(f.single, s.speed_min) >> f.low_bits;
         f.rows = of_speed ? (slong)((emit_bits_of(f.single, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
-        double *const number = f.number = calloc((size_t)f.rows * (DEGREE + 1), sizeof *number);
-        for (slong row = 0; row < f.rows; row++) {
-            const double lo = of_speed ? embed_row_start(&f, row) : ((double)row - f.shift) / f.slope;
-            const double hi = of_speed ? embed_row_start(&f, row + 1) : ((double)row + 1 - f.shift) / f.slope;
-            fit(number + row * (DEGREE + 1), DEGREE, &s, lo, hi, of_speed, lo, of_speed ? 1 : f.slope);
-        }
+        assert_true(embed_fit_pieces(&f, &s));
         assert_true(proof_of(&f, &s).formula < BUMP / 10);
         /* the last row in the speed has one argument only */
         const slong row = (slong)random_below(&draw, (unsigned)(f.rows - of_speed));
-        double *const c = number + row * (DEGREE + 1);
+        double *const c = f.number + row * (DEGREE + 1);
         const double width = of_speed ? embed_row_start(&f, row + 1) - embed_row_start(&f, row) : 1;
         for (int at_end = 0; at_end < 2; at_end++) {
             double kept[DEGREE + 1], power = 1, at_start = c[0], last = 0;
@@ -198,7 +169,7 @@ TEST(test_rows)
                   of_speed ? "the speed" : "beta", BUMP, at_end ? "end" : "start", proof.formula);
             memcpy(c, kept, sizeof kept);
         }
-        free(number);
+        embed_form_clear(&f);
     }
     clear_scene(&s);
 }
