@@ -166,56 +166,43 @@ static int check_scene(struct embed_request *request, bool proved)
     return found;
 }
 
-/* Every family over scenes of both ends, several tolerances and both types. */
+/* Every family over scenes of both ends, several tolerances and both types. Of other laws: q of both signs, the rows
+ * below the threshold, beyond all rows, ends that coincide; the families of a series are of spheres. */
 TEST(test_scenes)
 {
+    static const char *const hertz[] = {"3/2", "0"}, *const linear[] = {"1", "2"}, *const crossley[] = {"3/2", "3/2"},
+                             *const root[] = {"1", "1/2"};
+    enum { OVERLAP = COR_END_ZERO_OVERLAP, FORCE = COR_END_ZERO_FORCE };
     static const struct {
-        const char *min, *max, *tolerance;
-        enum cor_end end;
-        bool single;
+        const char *const *law; /* the exponents; NULL: spheres */
+        const char *min, *max, *tolerance, *beta;
+        int end, type;
+        bool proved;
         int least; /* families that must have a member */
     } scenes[] = {
-        {"0.1", "10", "1e-6", COR_END_ZERO_OVERLAP, false, 8},
-        {"0.1", "10", "1e-3", COR_END_ZERO_FORCE, true, 8},
-        {"1e-4", "1e-2", "1e-9", COR_END_ZERO_FORCE, false, 8},
-        {"1e-4", "1e-2", "1e-5", COR_END_ZERO_OVERLAP, true, 10},
-        {"1e-5", "0.1", "1e-13", COR_END_ZERO_OVERLAP, false, 7},
+        {NULL, "0.1", "10", "1e-6", NULL, OVERLAP, EMBED_DOUBLE, true, 8},
+        {NULL, "0.1", "10", "1e-3", NULL, FORCE, EMBED_FLOAT, true, 8},
+        {NULL, "1e-4", "1e-2", "1e-9", NULL, FORCE, EMBED_DOUBLE, true, 8},
+        {NULL, "1e-4", "1e-2", "1e-5", NULL, OVERLAP, EMBED_FLOAT, true, 10},
+        {NULL, "1e-5", "0.1", "1e-13", NULL, OVERLAP, EMBED_DOUBLE, true, 7},
+        {hertz, "0.02", "10", "1e-6", "0.5", OVERLAP, EMBED_DOUBLE, false, 4},    /* beta up to 1.093; beta_c = 1.128 */
+        {hertz, "1e-50", "1e-46", "1e-12", "0.5", FORCE, EMBED_DOUBLE, false, 4}, /* beta from 7.9e8 */
+        {linear, "0.1", "2", "1e-3", "1", FORCE, EMBED_DOUBLE, true, 4},
+        {hertz, "1e-3", "10", "1e-9", "0.5", FORCE, EMBED_DOUBLE, true, 4},
+        {crossley, "1e-3", "7", "1e-6", "1", FORCE, EMBED_DOUBLE, true, 4},
+        {root, "1e2", "1e4", "1e-10", "1", OVERLAP, EMBED_DOUBLE, false, 4}, /* beta from 10: a power of the speed */
     };
-    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
-        if (!in_turn(i, 5))
-            continue;
-        struct embed_request request =
-            request_of(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end, g_star);
-        request.type = scenes[i].single ? EMBED_FLOAT : EMBED_DOUBLE;
-        assert_true(check_scene(&request, true) >= scenes[i].least);
-    }
-}
-
-/* Scenes of other laws: q of both signs, the rows below the threshold, beyond all rows, ends that coincide. The
- * families of a series are of spheres. */
-TEST(test_laws)
-{
-    static const struct {
-        const char *elastic, *damping, *min, *max, *tolerance, *beta;
-        enum cor_end end;
-        bool proved;
-    } scenes[] = {
-        {"3/2", "0", "0.02", "10", "1e-6", "0.5", COR_END_ZERO_OVERLAP, false}, /* beta up to 1.093; beta_c = 1.128 */
-        {"3/2", "0", "1e-50", "1e-46", "1e-12", "0.5", COR_END_ZERO_FORCE, false}, /* beta from 7.9e8 */
-        {"1", "2", "0.1", "2", "1e-3", "1", COR_END_ZERO_FORCE, true},
-        {"3/2", "0", "1e-3", "10", "1e-9", "0.5", COR_END_ZERO_FORCE, true},
-        {"3/2", "3/2", "1e-3", "7", "1e-6", "1", COR_END_ZERO_FORCE, true},
-        {"1", "1/2", "1e2", "1e4", "1e-10", "1", COR_END_ZERO_OVERLAP, false}, /* beta from 10: a power of the speed */
-    };
-    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+    for (size_t i = 0; i < COUNT_OF(scenes); i++) {
         if (!in_turn(i, 6))
             continue;
-        struct embed_request request = request_of(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end,
-                                                  GIVEN({COR_SCENE_BETA, scenes[i].beta}, {COR_SCENE_AT, "1"}));
-        request.elastic = scenes[i].elastic;
-        request.damping = scenes[i].damping;
+        struct embed_request request =
+            request_of(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end,
+                       scenes[i].law ? GIVEN({COR_SCENE_BETA, scenes[i].beta}, {COR_SCENE_AT, "1"}) : g_star);
+        request.type = scenes[i].type;
+        request.elastic = scenes[i].law ? scenes[i].law[0] : NULL;
+        request.damping = scenes[i].law ? scenes[i].law[1] : NULL;
         const int found = check_scene(&request, scenes[i].proved);
-        assert_true(found >= 4 && found <= FAMILIES - 3);
+        assert_true(found >= scenes[i].least && found <= (scenes[i].law ? FAMILIES - 3 : FAMILIES));
     }
 }
 
@@ -501,5 +488,5 @@ TEST(test_pressed)
     }
 }
 
-RUN_TESTS(test_pressed, test_yield, test_choice, test_counts, test_fit, test_scenes, test_laws, test_far,
-          test_far_force, test_ways_of_a_contact, test_viscosities, test_constant)
+RUN_TESTS(test_pressed, test_yield, test_choice, test_counts, test_fit, test_scenes, test_far, test_far_force,
+          test_ways_of_a_contact, test_viscosities, test_constant)
