@@ -136,33 +136,41 @@ static double root_step(const struct embed_program *p, int first, double e, cons
     return both(exact, v.error[first + 5] / least) * RAISE;
 }
 
-/* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. Of the fifth
- * root a start r is off by e >= |1 - g r^5|: the upper bits of r fall as those of g rise, so the ends of an interval of
+/* Bound of |1 - g r^5| for the start r. The upper bits of r fall as those of g rise, so the ends of an interval of
  * speeds bound r. In half of an interval r falls by 400 units of 2^-20 or more, and a fused operation moves it by one:
  * whichever half g is in, the bound of the whole interval holds for that r, too. */
+static double start_bound(const struct embed_form *f)
+{
+    const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = emit_bits_of(f->single, f->speed_max);
+    double e = 0;
+    for (uint64_t bits = emit_bits_of(f->single, f->speed_min) & ~(step - 1); bits <= last; bits += step) {
+        const double lo = embed_from_bits(f, bits), hi = embed_from_bits(f, bits + step - 1);
+        const double most = embed_root_start(f, lo), least = embed_root_start(f, hi);
+        e = fmax(e, fmax(fabs(1 - hi * pow(most, 5)), fabs(1 - lo * pow(least, 5))));
+    }
+    return e * (1 + 1e-9) + 1e-12;
+}
+
+/* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. */
 static double variable_bound(const struct embed_form *f, const struct embed_program *p, const struct arithmetic *a)
 {
     static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
-    const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = emit_bits_of(f->single, f->speed_max);
-    double e = 0, error = 0;
-    if (embed_roots[f->variable].fifth) {
-        for (uint64_t bits = emit_bits_of(f->single, f->speed_min) & ~(step - 1); bits <= last; bits += step) {
-            const double lo = embed_from_bits(f, bits), hi = embed_from_bits(f, bits + step - 1);
-            const double most = embed_root_start(f, lo), least = embed_root_start(f, hi);
-            e = fmax(e, fmax(fabs(1 - hi * pow(most, 5)), fabs(1 - lo * pow(least, 5))));
+    double error[EMBED_STEPS] = {0}, e = 0;
+    for (int i = 1; i <= p->x; i++) {
+        const struct embed_step *const s = &p->step[i];
+        if (s->code == STEP_START) {
+            e = start_bound(f);
+        } else if (p->step[i + 3].code == STEP_OFF) {
+            i += 5;
+            error[i] = e < SEED_LIMIT ? root_step(p, i - 5, e, a) : HUGE_VAL;
+            e = power_of_error(error[i], 5) * RAISE;
+        } else if (s->code == STEP_SQRT) {
+            error[i] = 0.5 * error[s->x] + a->unit;
+        } else {
+            error[i] = both(both(error[s->x], error[s->y]), a->unit) * RAISE;
         }
-        e = e * (1 + 1e-9) + 1e-12;
-        if (!(e < SEED_LIMIT))
-            return HUGE_VAL;
-        double r = root_step(p, 2, e, a);
-        if (f->refinement > 0)
-            r = root_step(p, 8, power_of_error(r, 5) * RAISE, a);
-        /* g (r^2)^2 */
-        error = both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
     }
-    for (int k = 0; k < embed_roots[f->variable].square_roots; k++)
-        error = 0.5 * error + a->unit;
-    return error * (1 + more[f->variable]);
+    return error[p->x] * (1 + more[f->variable]);
 }
 
 /* ---- polynomials on a cell ---- */
