@@ -33,52 +33,68 @@ static void collision_of(struct collision *c, const char *beta, const struct law
 
 /* ---- values ---- */
 
-TEST(test_final_speed)
+/* Final speeds; thresholds; and largest forces, by a Taylor method of mpmath in 30 digits, with all peaks, at a beta */
+TEST(test_known_values)
 {
-    leave_to_turn(1, 3);
-    static const char *const known[][3] = {
-        {"3/2", "1/2", "5.158381704267685216414306"}, {"1", "1/2", "1.164851686794881988247080"},
-        {"1", "1/4", "2.200399437627255818774633"},   {"3/2", "3/4", "1.565682010609567453723451"},
-        {"3/2", "1", "1.171163520514752061878210"},   {"3/2", "1/3", "2773.778352292957387496648"},
-        {"2", "1", "2.312529479726488376853578"},     {"1", "2", "1.003082882448614883279965"},
-        {"3/2", "2", "0.962408308157971724827216"},   {"5/2", "1", "43.93446711299146524909560"},
-        {"1/2", "0", "1.156264739863244188426789"},   {"2", "3/4", "14.14471851749285544858152"},
-        {"3/2", "3/2", "1.000000000000000000000000"}, {"0", "0", "1.000000000000000000000000"},
+    static const char *const known[][4] = {
+        {"3/2", "1/2", NULL, "5.158381704267685216414306"},
+        {"1", "1/2", NULL, "1.164851686794881988247080"},
+        {"1", "1/4", NULL, "2.200399437627255818774633"},
+        {"3/2", "3/4", NULL, "1.565682010609567453723451"},
+        {"3/2", "1", NULL, "1.171163520514752061878210"},
+        {"3/2", "1/3", NULL, "2773.778352292957387496648"},
+        {"2", "1", NULL, "2.312529479726488376853578"},
+        {"1", "2", NULL, "1.003082882448614883279965"},
+        {"3/2", "2", NULL, "0.962408308157971724827216"},
+        {"5/2", "1", NULL, "43.93446711299146524909560"},
+        {"1/2", "0", NULL, "1.156264739863244188426789"},
+        {"2", "3/4", NULL, "14.14471851749285544858152"},
+        {"3/2", "3/2", NULL, "1.000000000000000000000000"},
+        {"0", "0", NULL, "1.000000000000000000000000"},
+        {"2", "0", NULL, "0.893418920406822391217901"},
+        {"2", "1/4", NULL, "1.373179906839651113496148"},
+        {"3", "0", NULL, "0.703904969011338841807913"},
+        {"5/2", "0", NULL, "0.774823419665093189770702"},
+        {"3", "1/2", NULL, "1.324417837320823384052893"},
+        {"1", "0", "0.4", "0.820918521755729634032"},
+        {"1", "0", "3", "3.00000000000000000"},
+        {"3/2", "1/2", "0.5", "0.916480541415681004443"},
+        {"3/2", "1/2", "2", "1.02525803288663656746"},
+        {"3/2", "0", "0.7", "0.740467087348158470513"},
+        {"3/2", "0", "0.8", "0.800000000000000000"},
+        {"3/2", "0", "1.3", "1.30000000000000000"},
+        {"3/2", "1/4", "1", "0.828995201887272359413"},
+        {"3/2", "3/2", "2", "1.10425499427189254098"},
+        {"2", "1/2", "0.6", "0.918533331227900162579"},
+        {"1", "1/2", "1.5", "1.01785453302894993159"},
+        {"1", "2", "1", "1.03227986139330523459"},
+        {"3/2", "1/2", "0", "1.14326262981831586601"},
     };
-    LOCAL(arb, v);
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    enum { SPEEDS = 14, THRESHOLDS = 5 };
+    const struct law tsuji = law_of("3/2", "1/4"), hertz = law_of("3/2", "0"), several = law_of("2", "1/8");
+    LOCAL(arb, beta, value, c_star);
+    for (size_t i = left_to_turn(1, 3) ? SPEEDS : 0; i < COUNT_OF(known); i++) {
         const struct law law = law_of(known[i][0], known[i][1]);
-        assert_int_equal(collision_final_speed(v, &law, 90), 0);
-        assert_bits(v, 90);
-        assert_digits(v, known[i][2]);
+        const bool force = i >= SPEEDS + THRESHOLDS, speed = i < SPEEDS;
+        if (force)
+            set_number(beta, known[i][2]);
+        assert_int_equal(force   ? collision_force_max(value, beta, &law, 90)
+                         : speed ? collision_final_speed(value, &law, 90)
+                                 : collision_threshold(value, c_star, &law, 85),
+                         0);
+        assert_digits(value, known[i][3]);
+        assert_bits(value, force || speed ? 90 : 85);
     }
-    assert_int_equal(collision_h_star(v, 90), 0);
-    assert_digits(v, "1.388361925615829410");
-    const struct law tsuji = law_of("3/2", "1/4"), hertz = law_of("3/2", "0");
-    assert_int_equal(collision_final_speed(v, &tsuji, 60), 1);
-    assert_int_equal(collision_final_speed(v, &hertz, 60), 1);
-}
-
-TEST(test_threshold)
-{
-    static const char *const known[][3] = {
-        {"2", "0", "0.893418920406822391217901"},   {"2", "1/4", "1.373179906839651113496148"},
-        {"3", "0", "0.703904969011338841807913"},   {"5/2", "0", "0.774823419665093189770702"},
-        {"3", "1/2", "1.324417837320823384052893"},
-    };
-    LOCAL(arb, beta_c, c_star);
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const struct law law = law_of(known[i][0], known[i][1]);
-        assert_int_equal(collision_threshold(beta_c, c_star, &law, 85), 0);
-        assert_digits(beta_c, known[i][2]);
-    }
-    const struct law hertz = law_of("3/2", "0");
-    assert_int_equal(collision_threshold(beta_c, c_star, &hertz, 140), 0);
-    assert_bits(beta_c, 140);
+    assert_int_equal(collision_h_star(value, 90), 0);
+    assert_digits(value, "1.388361925615829410");
+    assert_int_equal(collision_threshold(value, c_star, &hertz, 140), 0);
+    assert_bits(value, 140);
     assert_bits(c_star, 140);
-    assert_digits(beta_c, "1.127988135520169216213166580023238450374");
+    assert_digits(value, "1.127988135520169216213166580023238450374");
     assert_digits(c_star, "0.352545567978675826201665210787138910");
-    assert_int_equal(collision_threshold(beta_c, c_star, &law_sphere, 60), 1);
+    assert_true(collision_final_speed(value, &tsuji, 60) == 1 && collision_final_speed(value, &hertz, 60) == 1 &&
+                collision_threshold(value, c_star, &law_sphere, 60) == 1 &&
+                collision_force_max(value, beta, &several, 90) == 1);
 }
 
 /* a, b, beta and the six fields; NULL where no other program gave one */
@@ -99,6 +115,12 @@ static const char *const collisions[][3 + COLLISION_FIELDS] = {
      "0.570733527712282338", NULL},
     {"3/2", "0", "30", "0", NULL, "inf", NULL, NULL, NULL},
     {"3/2", "1/4", "2.5", "0", NULL, "inf", NULL, NULL, NULL},
+    /* Tsuji's at zeta = 1/4 and 2, beta = sqrt(5) zeta */
+    {"3/2", "1/4", "0.559016994374947424102293417182819058860154589902881431", "0.444344225088488753",
+     "0.506276552518630332", "3.585839815827821764", "2.828408309179784348", "0.832758608536924381",
+     "1.468372332360592689"},
+    {"3/2", "1/4", "4.472135954999579392818347337462552470881236719223051448", NULL, "0.047768732505620189", NULL,
+     "1.903214870431890414", NULL, NULL},
     {"3/2", "1/2", "0.1", "0.892147587290229345", NULL, NULL, NULL, NULL, NULL},
     {"3/2", "1/2", "0.5", "0.573824628664948983", "0.595251501135126961", NULL, NULL, NULL, NULL},
     {"3/2", "1/2", "1", "0.331164810466640935", "0.393930603229873193", NULL, NULL, NULL, NULL},
@@ -110,7 +132,7 @@ static const char *const collisions[][3 + COLLISION_FIELDS] = {
 TEST(test_collisions)
 {
     LOCAL(collision, c);
-    for (size_t i = 0; i < sizeof collisions / sizeof *collisions; i++) {
+    for (size_t i = 0; i < COUNT_OF(collisions); i++) {
         const char *const *const text = collisions[i] + 3;
         const struct law law = law_of(collisions[i][0], collisions[i][1]);
         LOCAL(arb, beta);
@@ -125,31 +147,11 @@ TEST(test_collisions)
                 assert_digits(c->field[k], text[k]);
         }
     }
-    const struct law dashpot = law_of("3/2", "0"); /* near the threshold bits are lost, and asked for again */
-    collision_of(c, "1.127988", &dashpot, 90);
-    assert_true(arb_rel_accuracy_bits(c->eps_zero_overlap) >= 90);
-}
-
-/* Tsuji's at zeta = 1/4 and 2, beta = sqrt(5) zeta in a ball. */
-TEST(test_tsuji)
-{
-    const struct law law = law_of("3/2", "1/4");
-    LOCAL(collision, c);
-    LOCAL(arb, beta);
-    LET(beta, PREC, "sqrt(5)/4");
-    assert_int_equal(collision_solve(c, beta, &law, 90), 0);
-    assert_digits(c->x_max, "0.832758608536924381");
-    assert_digits(c->t_max, "1.468372332360592689");
-    assert_digits(c->t_zero_overlap, "3.585839815827821764");
-    assert_digits(c->t_zero_force, "2.828408309179784348");
-    assert_digits(c->eps_zero_overlap, "0.444344225088488753");
-    assert_digits(c->eps_zero_force, "0.506276552518630332");
-    arb_mul_2exp_si(beta, beta, 3);
-    assert_int_equal(collision_solve(c, beta, &law, 90), 0);
-    assert_digits(c->eps_zero_force, "0.047768732505620189");
-    assert_digits(c->t_zero_force, "1.903214870431890414");
+    const struct law dashpot = law_of("3/2", "0"), tsuji = law_of("3/2", "1/4");
+    collision_of(c, "1.127988", &dashpot, 90); /* near the threshold bits are lost, and asked for again */
+    assert_bits(c->eps_zero_overlap, 90);
     /* within 1e-3 of zeta = 1: eps = exp(-pi zeta/sqrt(1 - zeta^2)) is 3e-61 */
-    collision_of(c, "2.2355", &law, 90);
+    collision_of(c, "2.2355", &tsuji, 90);
     assert_true(arb_is_positive(c->eps_zero_overlap));
     assert_bits(c->eps_zero_overlap, 90);
     assert_bits(c->t_zero_overlap, 90);
@@ -167,7 +169,7 @@ TEST(test_backward_series)
     LOCAL(collision, c);
     LOCAL(arb, w, x, beta);
     restitution_zero_force_exact(G, T, ORDER, &law_sphere);
-    for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
+    for (size_t i = 0; i < COUNT_OF(betas); i++) {
         collision_of(c, betas[i], &law_sphere, 90);
         arb_set_str(beta, betas[i], PREC);
         LET(w, PREC, "beta^(5/2)*sqrt(c->eps_zero_overlap)", beta, c->eps_zero_overlap);
@@ -190,8 +192,8 @@ TEST(test_closed_forms)
     static const char *const betas[] = {"1e-9", "0.3", "1.2", "1.99", "2.3", "4", "9"};
     LOCAL(collision, motion, closed);
     LOCAL(arb, beta);
-    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
-        for (size_t k = 0; k < sizeof betas / sizeof *betas; k++) {
+    for (size_t i = 0; i < COUNT_OF(laws); i++)
+        for (size_t k = 0; k < COUNT_OF(betas); k++) {
             const struct law law = law_of(laws[i][0], laws[i][1]);
             const slong index = (slong)(10 * i + k);
             set_number(beta, betas[k]);
@@ -257,7 +259,7 @@ TEST(test_angle)
         arb_add_error_2exp_si(y, -160);
         assert_overlap(x, y, "A near 1", sign);
     }
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+    for (size_t i = 0; i < COUNT_OF(places); i++) {
         arb_set_d(zeta, places[i]);
         closed_form_angle(x, zeta, 200);
         assert_bits(x, 180);
@@ -278,7 +280,7 @@ TEST(test_slow_manifold)
     };
     LOCAL(collision, slow, direct);
     LOCAL(arb, beta, p, slope);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT_OF(cases); i++) {
         const struct law law = law_of(cases[i][0], cases[i][1]);
         const struct slow_manifold *const m = slow_manifold_of(&law, 24, 250);
         arb_poly_evaluate2(p, slope, m->p, m->last, 250);
@@ -314,7 +316,7 @@ TEST(test_forgetting)
     LOCAL(arb, v, beta, x);
     LOCAL(collision, c);
     /* P = 41 of the last case takes a second: a long run alone looks at it */
-    const size_t count = sizeof cases / sizeof *cases - (points(1) > 1 ? 0 : 1);
+    const size_t count = COUNT_OF(cases) - (points(1) > 1 ? 0 : 1);
     for (size_t i = 0; i < count; i++) {
         const struct law law = law_of(cases[i].a, cases[i].b);
         const struct ratio n_ratio = law_fall_power(&law), speed_power = law_speed_exponent(&law);
@@ -397,7 +399,7 @@ TEST(test_strong_force)
                                           {"3/2", "1/2"}, {"2", "1"}, {"1", "1/2"}};
     LOCAL(collision, c);
     LOCAL(arb, beta);
-    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+    for (size_t i = 0; i < COUNT_OF(laws); i++) {
         const struct law law = law_of(laws[i][0], laws[i][1]);
         const double a = (double)law.a.num / (double)law.a.den, b = (double)law.b.num / (double)law.b.den;
         const double X = pow(b + 1, 1 / (b + 1));
@@ -587,7 +589,7 @@ TEST(test_one_end)
         {"3/2", "1/2", "12"}, {"3/2", "1/2", "40"}, {"3/2", "1/2", "1e6"}};
     LOCAL(collision, both, one);
     LOCAL(arb, beta, none);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT_OF(cases); i++) {
         const struct law law = law_of(cases[i][0], cases[i][1]);
         set_number(beta, cases[i][2]);
         assert_int_equal(collision_solve(both, beta, &law, 70), 0);
@@ -607,30 +609,6 @@ TEST(test_one_end)
         assert_int_equal(collision_solve_force(both, beta, &law_sphere, 60), 1);
         assert_int_equal(collision_solve_pressed(both, beta, none, &law_sphere, 1, 60), i < 3);
     }
-}
-
-/* The largest force, by a Taylor method of mpmath in 30 digits, with all peaks */
-TEST(test_force)
-{
-    static const char *const known[][4] = {
-        {"1", "0", "0.4", "0.820918521755729634032"},     {"1", "0", "3", "3.00000000000000000"},
-        {"3/2", "1/2", "0.5", "0.916480541415681004443"}, {"3/2", "1/2", "2", "1.02525803288663656746"},
-        {"3/2", "0", "0.7", "0.740467087348158470513"},   {"3/2", "0", "0.8", "0.800000000000000000"},
-        {"3/2", "0", "1.3", "1.30000000000000000"},       {"3/2", "1/4", "1", "0.828995201887272359413"},
-        {"3/2", "3/2", "2", "1.10425499427189254098"},    {"2", "1/2", "0.6", "0.918533331227900162579"},
-        {"1", "1/2", "1.5", "1.01785453302894993159"},    {"1", "2", "1", "1.03227986139330523459"},
-        {"3/2", "1/2", "0", "1.14326262981831586601"},
-    };
-    LOCAL(arb, beta, force);
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const struct law law = law_of(known[i][0], known[i][1]);
-        set_number(beta, known[i][2]);
-        assert_int_equal(collision_force_max(force, beta, &law, 90), 0);
-        assert_digits(force, known[i][3]);
-        assert_bits(force, 90);
-    }
-    const struct law several = law_of("2", "1/8");
-    assert_int_equal(collision_force_max(force, beta, &several, 90), 1);
 }
 
 /* Between the methods: too early for the slow manifold at so many bits. It was tried for ever. The alarm ends the
@@ -674,7 +652,7 @@ TEST(test_edges)
     }
 }
 
-RUN_TESTS(test_force, test_final_speed, test_threshold, test_collisions, test_tsuji, test_backward_series,
-          test_closed_forms, test_wide_beta, test_angle, test_slow_manifold, test_forgetting, test_missed_manifold,
-          test_below_threshold, test_strong_force, test_turns_beyond_rest, test_surface, test_sticking_force,
-          test_critical, test_one_end, test_between_methods, test_edges)
+RUN_TESTS(test_known_values, test_collisions, test_backward_series, test_closed_forms, test_wide_beta, test_angle,
+          test_slow_manifold, test_forgetting, test_missed_manifold, test_below_threshold, test_strong_force,
+          test_turns_beyond_rest, test_surface, test_sticking_force, test_critical, test_one_end, test_between_methods,
+          test_edges)
