@@ -21,41 +21,23 @@ ROOM = np.empty(1 << 22, np.uint8)
 LINE = "pair_coeff * * hertz/material 7e10 0.5 0.22 tangential mindlin NULL 1 0.5 damping tsuji"
 DECK = f"pair_style granular\n{LINE}\n"
 MEASURED = {"restitution": 0.8, "at": 1.0}
+LAMMPS, AT_ONE = ("lammps", BODY), {"speeds": 1.0}
+AUDITED = {"radius": 2e-3, "density": 1.0, "time_step": 1e-7, "tolerance": 0.9, "version": "2 Aug 2023"}
 CONTACT = cor.Contact(BODY, end="zero_force")
 
 # A function, what it is called with, and for each of its optional arguments another value
 OPTIONAL = [
-    (
-        simulators.lines,
-        ("lammps", BODY),
-        {"speeds": [1.0, 2.0], **MEASURED},
-        {"contact": SOFT, "speeds": 0.5, "version": "1 Jan 2020"},
-    ),
-    (
-        simulators.lines,
-        ("lammps", BODY),
-        {"speeds": 1.0, "steps": 12},
-        {"steps": 30, "time_step": 1e-8, "step_corrected": True},
-    ),
-    (simulators.lines, ("lammps", BODY), {"speeds": 1.0}, {"step_tolerance": 1e-3}),
+    (simulators.lines, LAMMPS, {**MEASURED, **AT_ONE}, {"contact": SOFT, "speeds": 0.5, "version": "1 Jan 2020"}),
+    (simulators.lines, LAMMPS, {**AT_ONE, "steps": 12}, {"steps": 30, "time_step": 1e-8, "step_corrected": True}),
+    (simulators.lines, LAMMPS, AT_ONE, {"step_tolerance": 1e-3}),
     (simulators.step_error, (BODY, 0.1, 12), {"end": "zero_force"}, {"integrator": "verlet-full-step"}),
     (cor.Contact, (BODY,), MEASURED, {"end": "zero_force", "wall": True, "law": "tsuji", "elastic": 1, "damping": 1}),
     (cor.Contact, (BODY,), {"adhesion": 1.0, "adhesion_model": "dmt"}, {"adhesion_model": "jkr"}),
     (CONTACT.eps, (1.0,), {}, {"end": "zero_overlap"}),
     (CONTACT.impacts, (1.0,), {}, {"steps": 20}),
-    (
-        simulators.audit,
-        (DECK,),
-        {"simulator": "lammps", "speeds": 1.0},
-        {"speeds": 2.0, "simulator": "yade"},
-    ),
-    (
-        simulators.audit,
-        (DECK,),
-        {"speeds": 1.0, "radius": 1e-3, "density": 2500},
-        {"radius": 2e-3, "density": 1.0, "time_step": 1e-7, "tolerance": 0.9, "version": "2 Aug 2023"},
-    ),
-    (simulators.audit, ("include more\n",), {"simulator": "lammps", "speeds": 1.0}, {"include": lambda name, of: DECK}),
+    (simulators.audit, (DECK,), {"simulator": "lammps", **AT_ONE}, {"speeds": 2.0, "simulator": "yade"}),
+    (simulators.audit, (DECK,), {**AT_ONE, "radius": 1e-3, "density": 2500}, AUDITED),
+    (simulators.audit, ("include more\n",), {"simulator": "lammps", **AT_ONE}, {"include": lambda name, of: DECK}),
     (disk.rayleigh, (TABLE, TABLE.count, 0, 0.01), {}, {"mode_fraction": True}),
     (disk.rayleigh_array, (TABLE, TABLE.count, 0, [0.01]), {}, {"mode_fraction": True}),
     (TABLE.rayleigh, (0.01,), {}, {"n_modes": 30, "datum": 1}),
@@ -78,10 +60,8 @@ def test_every_optional_argument_matters(row):
     function, given, more, others = OPTIONAL[row]
     before = outcome(function, *given, **more)
     for name, value in others.items():
-        if name == "contact":
-            assert outcome(function, given[0], value, **more) != before
-        else:
-            assert outcome(function, *given, **{**more, name: value}) != before, name
+        place = (given[0], value) if name == "contact" else given
+        assert outcome(function, *place, **(more if name == "contact" else {**more, name: value})) != before, name
 
 
 def test_details_are_filled_and_observe():
@@ -97,9 +77,8 @@ def test_details_are_filled_and_observe():
 
 
 def optional_of(function):
-    return [
-        p.name for p in inspect.signature(function).parameters.values() if p.default is not p.empty and p.name != "out"
-    ]
+    parameters = inspect.signature(function).parameters
+    return [name for name, p in parameters.items() if p.default is not p.empty and name != "out"]
 
 
 def test_no_optional_argument_is_left_out():
@@ -112,14 +91,8 @@ def test_no_optional_argument_is_left_out():
         for n in dir(m)
         if n[0].islower() or n.endswith("Options")
     ]
-    for function in [f for f in public if inspect.isroutine(f) or inspect.isclass(f)] + [
-        cor.Contact,
-        CONTACT.eps,
-        CONTACT.impacts,
-        TABLE.rayleigh,
-        TABLE.collision,
-        TABLE.hard_wall,
-    ]:
+    methods = [cor.Contact, CONTACT.eps, CONTACT.impacts, TABLE.rayleigh, TABLE.collision, TABLE.hard_wall]
+    for function in [f for f in public if inspect.isroutine(f) or inspect.isclass(f)] + methods:
         if optional_of(function) != ["detail"]:
             assert set(optional_of(function)) <= tested.get(function.__name__, set()), function
 
@@ -137,11 +110,7 @@ def test_all_fractions():
 def test_masks_stay():
     draw = np.random.RandomState(random.randrange(1000))
     x = np.ma.array(draw.uniform(0, 3, (4, 5)), mask=draw.randint(0, 2, (4, 5)))
-    for function in (
-        cor.sphere.eps_zero_force,
-        CONTACT.eps,
-        lambda y: disk.load(y / 20, 0.3, 0),
-    ):
+    for function in (cor.sphere.eps_zero_force, CONTACT.eps, lambda y: disk.load(y / 20, 0.3, 0)):
         result = function(x)
         np.testing.assert_array_equal(result.mask, x.mask)
         np.testing.assert_array_equal(result.compressed(), function(x.compressed()))
@@ -152,9 +121,7 @@ def test_masks_stay():
     speeds = np.ma.array([0.1, -1.0, 0.2], mask=[0, 1, 0])  # a masked speed is no error
     for records in (disk.collision(TABLE, 10, COLLISION, speeds), disk.collision_array(TABLE, 10, COLLISION, speeds)):
         np.testing.assert_array_equal(records["eps"].mask, speeds.mask)
-    np.testing.assert_array_equal(
-        simulators.realised("lammps_hertz_tsuji", speeds).mask, speeds.mask
-    )
+    np.testing.assert_array_equal(simulators.realised("lammps_hertz_tsuji", speeds).mask, speeds.mask)
 
 
 def test_a_series_stays_a_series():
@@ -162,11 +129,8 @@ def test_a_series_stays_a_series():
     frame = pandas.DataFrame({"v": [0.1, 0.2, 0.4], "eps": [0.9, 0.8, 0.7]}, index=["a", "b", "c"])
     contact = cor.contact.sphere_contact_init(BODY, BODY)
     result = cor.contact.eps_zero_force(contact, frame["v"])
-    assert (
-        list(result.index) == ["a", "b", "c"]
-        and result.name == "v"
-        and result["b"] == cor.contact.eps_zero_force(contact, 0.2)
-    )
+    assert list(result.index) == ["a", "b", "c"] and result.name == "v"
+    assert result["b"] == cor.contact.eps_zero_force(contact, 0.2)
     time = cor.contact.dissipation_time_s_zero_force
     assert list(time(contact, frame.v, frame.eps).index) == ["a", "b", "c"]
     assert cor.sphere.eps_zero_force(frame).loc["c", "eps"] == cor.sphere.eps_zero_force(0.7)
@@ -177,7 +141,7 @@ def test_a_series_stays_a_series():
 @pytest.mark.parametrize(
     "act",
     [
-        lambda x: cor.sphere.eps_zero_force(x),
+        cor.sphere.eps_zero_force,
         lambda x: cor.sphere.eps_zero_force([1, x]),
         lambda x: disk.load(0.1, x, 0),
         lambda x: cor.Body(7e10, 0.2, 1e-7, x, 1e-3),
