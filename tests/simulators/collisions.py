@@ -6,6 +6,7 @@ which ends it at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simula
     tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
 """
 import glob
+import itertools
 import math
 import os
 import random
@@ -18,16 +19,17 @@ sys.dont_write_bytecode = True
 from common import (CORGEN, HERE, LIGGGHTS, LMP, ROOT, YADE, extrapolated, first_row, numbers_of,  # noqa: E402
                     output_of, run, skip, summary, verdict)
 
-# Largest |simulated/exact - 1| after extrapolation. Seen: 5e-8, and 6e-8 at 1e-6 m/s, where doubles of positions have
-# too few digits for the overlap. What must not pass for right has to be MARGIN tolerances away.
+# Largest |simulated/exact - 1| after extrapolation. Seen: 8e-8 at 1e-6 m/s, where doubles of positions have too few
+# digits for the overlap. What must not pass for right has to be MARGIN tolerances away.
 TOLERANCE, MARGIN = 3e-7, 100
-# The spheres of lammps.in and yade.py
+# The spheres of restitution/yade.py and lammps.in
 A, REFF, MEFF = 1.25e-3, 0.004, 0.0016
 K = 1e6 * math.sqrt(REFF)
 SPEEDS = ["1e-6", "1e-3", "0.1", "5"]
 # The relative error of the interpolation in the table of eps that YADE reads, and the speeds at which it is tried
 TABLE_TOLERANCE, TABLE_SPEEDS = 1e-4, ["1e-3", "0.003", "0.03", "0.3", "0.9"]
 ENDS = ["zero_overlap", "zero_force"]
+YADE_STEPS = (16e-5, 8e-5, 4e-5)
 SPHERES = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3".split()
 
 
@@ -71,13 +73,28 @@ def lines_of(command, word):
     return rows
 
 
-def steps_of(rows, power, value, touching):
-    """eps of each three rows, extrapolated, by the fields before; 0 where the spheres still touch"""
-    values = {}
-    for row in rows:
-        values.setdefault(tuple(row[:value - 1]), []).append(0 if touching(row) else float(row[value]))
-    return {key: extrapolated(power, three) if min(three) > 0 and len(three) == 3 else 0
-            for key, three in values.items()}
+def eps_of(rows, power):
+    """eps of three rows eps ... VALUE CHANGE, extrapolated; 0 where the velocity still changes"""
+    values = [float(row[-2]) for row in rows if abs(float(row[-1])) < 1e-12]
+    return extrapolated(power, values) if len(values) == 3 else 0
+
+
+def steps_of(duration, speed, steps=(8e-5, 4e-5, 2e-5)):
+    """Numbers of steps in a contact, for steps in units of T = (m/K)^(2/5) g^(-1/5)"""
+    return [int(duration * (K / MEFF)**0.4 * float(speed)**0.2 / step) for step in steps]
+
+
+def duration_of(speed, end, *damping):
+    return float(first_row("contact", "--stiffness", "%.17g" % K, "--effective-mass", str(MEFF), "--speed", str(speed),
+                           *damping)["duration_s_" + end])
+
+
+def written(work, name, text):
+    """The path of a new file of this text"""
+    path = os.path.join(work, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
 
 
 # ---- LAMMPS ----
@@ -89,11 +106,16 @@ def lammps(script, *variables):
                     "oblique" if script == "oblique.in" else "eps")
 
 
-def lammps_head_on():
-    rows = lammps("lammps.in", ("A", str(A)), ("speed", *SPEEDS))
-    for (end, speed), eps in steps_of(rows, 1.5, 3, lambda row: float(row[4]) <= 0).items():
+def lammps_head_on(work):
+    for speed, end in itertools.product(SPEEDS, ENDS):
         beta, other = beta_at(speed), ENDS[end == ENDS[0]]
-        judge("LAMMPS, %s m/s, %s" % (speed, end.replace("_", " ")), eps, exact(end, beta),
+        coefficients = "1e6 %.17g tangential linear_nohistory 0 0" % (1.5 * A * 1e6 / MEFF)
+        paste = written(work, "head_on", "pair_style granular\npair_coeff * * hertz %s damping viscoelastic %s\n" %
+                        (coefficients, "limit_damping" * (end == ENDS[1])))
+        duration = duration_of(speed, end, "--dissipation-time", str(A))
+        rows = lammps("restitution/lammps.in", ("paste", paste), ("wall", "0"), ("duration", "%.17g" % duration),
+                      ("speed", speed), ("n", *map(str, steps_of(duration, speed))))
+        judge("LAMMPS, %s m/s, %s" % (speed, end.replace("_", " ")), eps_of(rows, 1.5), exact(end, beta),
               [exact(other, beta), exact(end, beta_at(speed, 1.01)), published(beta)])
 
 
@@ -148,23 +170,69 @@ def lammps_jkr():
 # ---- YADE, zero force ----
 
 
-def yade(script, *arguments):
-    return [YADE, "-x", "-n", "-j1", os.path.join(HERE, script), *arguments]
+def yade(*runs):
+    """The command by which YADE runs dicts of restitution/yade.py"""
+    return [YADE, "-x", "-n", "-j1", os.path.join(HERE, "restitution", "yade.py"), *map(repr, runs)]
 
 
-def yade_eps(power, arguments):
-    """eps by (law, value, speed), of yade.py"""
-    rows = lines_of(yade("yade.py", *(word for three in arguments for word in three)), "eps")
-    found = steps_of(rows, power, 4, lambda row: float(row[5]) != 0)
-    return [found.get((law, value, speed), 0) for law, value, speed in arguments]
+def yade_eps(work, power, runs):
+    """eps of each (text, duration, speed, numbers of steps)"""
+    given = [{"paste": written(work, "yade%d" % i, text), "duration": duration, "n": n, "speed": float(speed)}
+             for i, (text, duration, speed, n) in enumerate(runs)]
+    rows = lines_of(yade(*given), "eps")
+    return [eps_of(rows[3 * i:3 * i + 3], power) for i in range(len(runs))]
 
 
-def yade_constant():
+# Two half spaces of Young's modulus Y and Poisson's ratio 0 have E_eff = Y/2.
+MINDLIN = """cor_material = FrictMat(young=1.5e6, poisson=0, frictionAngle=0, density=1000)
+cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_MindlinPhys(%s)],
+                              [Law2_ScGeom_MindlinPhys_Mindlin()])
+"""
+# c_n = 2 betan sqrt(m k_n) = A k_n with the tangent stiffness k_n = (3/2) rho sqrt(overlap)
+STEP_BY_STEP = """from math import sqrt
+def betan_of(overlap):
+    return 0.5 * %(A)s * sqrt(1.5 * %(K)r * sqrt(max(overlap, 0)) / %(MEFF)s)
+""" + MINDLIN % "betan=betan_of(%(speed)s * step), betas=0" + """
+def set_betan():
+    if O.interactions.countReal():
+        O.interactions[0, 1].phys.betan = betan_of(0.025 - O.bodies[0].state.pos[2] + O.bodies[1].state.pos[2])
+before_step = ["set_betan()"]
+"""
+# a linear spring whose dashpot is set at each first contact so that the pair rebounds with eps of the table
+TABLE = """from math import acos, log, sqrt
+from numpy import interp
+exec(open(%r).read())
+cor_material = ViscElMat(kn=2e5, cn=0, ks=0, cs=0, density=1000)
+cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_ViscElMat_ViscElMat_ViscElPhys()],
+                              [Law2_ScGeom_ViscElPhys_Basic()])
+def zeta_of(eps): # -ln eps = 2 zeta acos(zeta)/sqrt(1 - zeta^2) at zero force
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        zeta = (low + high) / 2
+        smaller = 2 * zeta * acos(zeta) / sqrt(1 - zeta * zeta) < -log(eps)
+        low, high = (zeta, high) if smaller else (low, zeta)
+    return low
+def set_dashpots():
+    for i in O.interactions:
+        if i.isReal and i.phys.cn == 0:
+            first, second = O.bodies[i.id1].state, O.bodies[i.id2].state
+            speed = (first.vel - second.vel).dot(i.geom.normal)
+            m = first.mass * second.mass / (first.mass + second.mass)
+            eps = interp(log(speed), [log(g) for g in speed_m_s], eps_table)
+            i.phys.cn = 2 * zeta_of(eps) * sqrt(m * i.phys.kn)
+eps_table, before_step = eps, ["set_dashpots()"]
+"""
+
+
+def yade_constant(work):
     """Its own law: betan constant is x^(1/4) damping with beta = sqrt(6) betan."""
-    law = ("--elastic", "3/2", "--damping", "1/4")
-    betans = ["0.05", "0.4", "1"]
-    for betan, eps in zip(betans, yade_eps(1.25, [("betan", "%.17g" % float(b), "0.1") for b in betans])):
-        beta = math.sqrt(6) * float(betan)
+    law, betans = ("--elastic", "3/2", "--damping", "1/4"), [0.05, 0.4, 1]
+    durations = [duration_of(0.1, "zero_force", "--law", "tsuji", "--zeta", "%.17g" % (math.sqrt(1.2) * b))
+                 for b in betans]
+    runs = [(MINDLIN % "betan=%s, betas=0" % b, d, 0.1, steps_of(d, 0.1, YADE_STEPS))
+            for b, d in zip(betans, durations)]
+    for betan, eps in zip(betans, yade_eps(work, 1.25, runs)):
+        beta = math.sqrt(6) * betan
         judge("YADE, betan = %s, zero force" % betan, eps, exact("zero_force", beta, *law),
               [exact("zero_force", 1.01 * beta, *law), exact("zero_force", beta)])
 
@@ -173,8 +241,16 @@ def wrong_of(speed):
     return [exact("zero_overlap", beta_at(speed)), exact("zero_force", beta_at(speed, 1.01))]
 
 
-def yade_step_by_step():
-    for speed, eps in zip(SPEEDS, yade_eps(1.5, [("step", "%.17g" % A, "%s" % float(speed)) for speed in SPEEDS])):
+def yade_sphere(text, speed, steps):
+    duration = duration_of(speed, "zero_force", "--dissipation-time", str(A))
+    return text, duration, speed, steps_of(duration, speed, steps)
+
+
+def yade_step_by_step(work):
+    numbers = {"A": A, "K": K, "MEFF": MEFF}
+    runs = [yade_sphere(STEP_BY_STEP % {**numbers, "speed": speed}, speed, [5 * h for h in YADE_STEPS])
+            for speed in SPEEDS]
+    for speed, eps in zip(SPEEDS, yade_eps(work, 1.5, runs)):
         judge("YADE, %s m/s, c_n = A k_n step by step, zero force" % speed, eps, exact("zero_force", beta_at(speed)),
               wrong_of(speed))
 
@@ -185,29 +261,34 @@ def yade_table(work):
     output_of([CORGEN, "sample", "--stiffness", "%.17g" % K, "--effective-mass", str(MEFF),
                "--dissipation-time", str(A), "--tolerance", str(TABLE_TOLERANCE), "--output", table]
               + "--speed-min 1e-3 --speed-max 1 --log --end zero-force --format python".split())
-    arguments = [("table", table, "%s" % float(speed)) for speed in TABLE_SPEEDS]
-    for speed, eps in zip(TABLE_SPEEDS, yade_eps(2, arguments)):
+    elastic = math.pi * math.sqrt(MEFF / 1e5)
+    runs = [(TABLE % table, elastic, speed, [400, 800, 1600]) for speed in TABLE_SPEEDS]
+    for speed, eps in zip(TABLE_SPEEDS, yade_eps(work, 2, runs)):
         judge("YADE, %s m/s, table of corgen sample, zero force" % speed, eps, exact("zero_force", beta_at(speed)),
               wrong_of(speed) + [exact("zero_force", beta_at(1))], TABLE_TOLERANCE, 10)
 
 
-def yade_gravity():
-    """A linear spring and dashpot that never pulls, under gravity: eps at the surface, with a step of 1e-6 s"""
-    for speed in "0.1", "1":
-        row = first_row("contact", *"--law linear --stiffness 1e3 --damping-coefficient 0.4 --effective-mass 4e-3 --wall "
-                        "--gravity 9.81 --speed".split(), speed)
-        seen = [float(row[-1]) for row in lines_of(yade("yade.py", "gravity", "1e3,0.4", speed), "gravity")]
+def yade_gravity(work):
+    """A linear spring and dashpot that never pulls, under gravity: eps at the surface"""
+    ball = ("contact --law linear --stiffness 1e3 --damping-coefficient 0.4 --effective-mass 2e-3 --wall "
+            "--gravity 9.81 --end surface --speed").split()
+    for speed in 0.1, 1.0:
+        row = first_row(*ball, str(speed))
+        paste = written(work, "fall", output_of([CORGEN, *ball, str(speed), "--for", "yade"]))
+        run_of = {"paste": paste, "duration": float(row["duration_s_surface"]), "n": [20000], "wall": 1, "speed": speed,
+                  "g": 9.81}
+        seen = [float(row[-2]) for row in lines_of(yade(run_of), "eps")]
         verdict(seen and abs(seen[0] - float(row["eps_surface"])) < 1e-4,
                 "YADE, gravity, surface, %s m/s: %s, exact %s" % (speed, seen, row["eps_surface"]))
 
 
-def yade_vn():
+def yade_vn(work):
     """The spheres' law: from en at vn it finds A by its Pade approximant. With en = eps the result misses eps by the
     error of that approximant, mirrored, and by nothing else."""
     rights = [exact("zero_force", beta_at(speed)) for speed in SPEEDS]
     pades = [yade_pade(beta_at(speed)) for speed in SPEEDS]
-    arguments = [("vn", "%.17g" % en, "%s" % float(speed)) for ens in (pades, rights) for en, speed in zip(ens, SPEEDS)]
-    found = yade_eps(1.5, arguments)
+    found = yade_eps(work, 1.5, [yade_sphere(MINDLIN % "en=%.17g, vn=%s" % (en, speed), speed, YADE_STEPS)
+                                 for ens in (pades, rights) for en, speed in zip(ens, SPEEDS)])
     for speed, right, pade, of_pade, of_eps in zip(SPEEDS, rights, pades, found, found[len(SPEEDS):]):
         judge("YADE, %s m/s, en = its Pade approximant, zero force" % speed, of_pade, right, wrong_of(speed))
         off, mirrored = of_eps / right - 1, right / pade - 1
@@ -260,7 +341,7 @@ def luding(host, work):
     paste = os.path.join(work, "luding")
     with open(paste, "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
-    command = yade("restitution/yade.py", paste, "0", duration, "4000") if host == "yade" else [
+    command = yade({"paste": paste, "duration": float(duration), "n": [4000]}) if host == "yade" else [
         LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "restitution", "liggghts.in"), "-var", "paste", paste,
         "-var", "wall", "0", "-var", "types", "2", "-var", "duration", duration, "-var", "n", "4000"]
     seen = [float(row[-2]) for row in lines_of(command, "eps")]
@@ -329,7 +410,8 @@ def unlike(host, work, seed):
         radii, seconds = ["%.17g" % bodies[k][2] for k in (i, j)], "%.17g" % (dt * (int(n) + 0.5))
         g = gravity if falls else "0"
         if host == "yade":
-            commands += [paste, ":".join(["%d" % wall, g, radii[0], "%d" % i, radii[1], "%d" % j]), seconds, n]
+            commands.append({"paste": paste, "duration": float(seconds), "n": [int(n)], "wall": wall, "g": float(g),
+                             "radius": [bodies[k][2] for k in (i, j)], "material": [i, j]})
             continue
         masses = ["%.17g" % (4 / 3 * math.pi * bodies[k][2]**3 * float("%.6g" % bodies[k][3])) for k in (i, j)]
         types = "12" if wall and host == "liggghts" else (str(i + 1), str(j + 1))
@@ -339,7 +421,7 @@ def unlike(host, work, seed):
                          os.path.join(HERE, "restitution", host + ".in"),
                          *(word for pair in variables.items() for word in ("-var", *pair))])
     if host == "yade":
-        commands = [yade("restitution/yade.py", *commands)]
+        commands = [yade(*commands)]
     seen = [row for command in commands for row in lines_of(command, "eps")]
     for kind, row in zip(e, seen):
         wanted = e[PAIR if kind in WALLS and host == "yade" else kind]
@@ -363,17 +445,16 @@ def main():
                 skip(title, "no program %s; Debian calls its package %s" % (os.path.basename(program), host))
                 continue
             if host == "lammps":
-                for test in [lammps_head_on, lammps_oblique, lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
+                lammps_head_on(work)
+                for test in [lammps_oblique, lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
                     test()
             else:
                 luding(host, work)
             if host == "yade":
-                yade_constant()
-                yade_step_by_step()
-                yade_table(work)
-                yade_gravity()
-                if "vn yes" in run(yade("yade.py", "version")).stdout:
-                    yade_vn()
+                for test in yade_constant, yade_step_by_step, yade_table, yade_gravity:
+                    test(work)
+                if "vn yes" in run(yade()).stdout:
+                    yade_vn(work)
                 else:
                     skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
             unlike(host, work, seed)

@@ -97,7 +97,7 @@ def main():
         plain = printed(work, "plain", lambda text: text, given)
         verdict(plain == printed(work, "reworded", reword, given) and len(plain) > 500000,
                 "other letters in labels, sentences and templates: the same %d characters" % len(plain))
-        by_label = ["model->any_spring", 'strstr(model->model, "ooke") != NULL']
+        by_label = ["model->any_spring", 'model->law == COR_LAW_TSUJI && strstr(model->model, "ooke")']
         verdict(plain == printed(work, "by_label", lambda text: text.replace(*by_label), given) != printed(
             work, "reworded_by_label", lambda text: reword(text.replace(*by_label)), given),
                 "a label that decides a number is found")

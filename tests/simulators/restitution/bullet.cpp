@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Two equal spheres head-on in Bullet, with the lines of corgen contact --for bullet. The file
- * bullet_cases.inc, which run writes, holds the array bullet_cases. The first overlap depends on where in a time step the spheres meet. The program prints for each case the smallest and
- * the largest restitution of 64 such places, with steps of 1/240 s:
- *     eps NAME 64 SMALLEST LARGEST
- * With an argument it prints Bullet's version. */
+/* Two equal spheres head-on in Bullet, with the lines of corgen contact --for bullet. The file bullet_cases.inc, which
+ * run writes, holds the array bullet_cases. The first overlap depends on where in a time step the spheres meet. The
+ * program prints for each case the smallest and the largest restitution of 64 such places, with steps of 1/240 s:
+ *     eps NAME 64 SMALLEST LARGEST */
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
@@ -52,12 +51,8 @@ static double restitution(const bullet_case &one, double steps, double step_s)
 
 #include "bullet_cases.inc"
 
-int main(int argc, char **)
+int main()
 {
-    if (argc > 1) {
-        std::printf("%d.%02d\n", btGetVersion() / 100, btGetVersion() % 100);
-        return 0;
-    }
     const int places = 64;
     const double step_s = 1 / 240.0;
     for (const auto &one : bullet_cases) {

@@ -4,8 +4,7 @@
 corgen contact --for HOST, which the simulators read as they are. Two bodies meet head-on at 1 m/s.
 
     tests/simulators/restitution/measure.py            CORGEN, LMP, LIGGGHTS and YADE name the programs
-    tests/simulators/restitution/measure.py --short    two restitutions alone
-    tests/simulators/restitution/measure.py --write    docs/simulators.md gets the tables
+    tests/simulators/restitution/measure.py --short    only two restitutions
 
 A simulator that is not installed is skipped by name. tests/simulators/run runs this and adds its counts.
 """
@@ -24,10 +23,8 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.dirname(HERE))
 sys.dont_write_bytecode = True
-from common import (CORGEN, LIGGGHTS, LMP, ROOT, YADE, counts, extrapolated, first_row, output_of,  # noqa: E402
-                    renew, skip, summary, verdict)
-
-PAGE = os.path.join(ROOT, "docs", "simulators.md")
+from common import (CORGEN, LIGGGHTS, LMP, YADE, extrapolated, first_row, output_of, skip, summary,  # noqa: E402
+                    verdict)
 
 RESTITUTIONS = ["0.1", "0.3", "0.5", "0.7", "0.9", "0.99"]
 # Those that are also wished with --end, at a wall, and in the short run
@@ -351,40 +348,30 @@ def has_header(name, options, language):
     return not output_of(command + options + ["-include", name, os.devnull])
 
 
-def version_of(command, pattern):
-    found = re.search(pattern, output_of(command))
-    return found[1] if found else "unknown version"
-
-
 # present says whether it is installed, build compiles its driver
-Host = collections.namedtuple("Host", "name package present cases run version build", defaults=(None, ))
+Host = collections.namedtuple("Host", "name package present cases run build", defaults=(None, ))
 
 
 def hosts_of(work):
     mujoco = os.path.join(work, "mujoco")
     return [
         Host("lammps", "lammps", lambda: installed(LMP), lambda: cases_of("lammps", LAWS, lammps_has),
-             stepped(lambda paste, case: [script_of("lammps.in", LMP, paste, case, COUNTS)]),
-             lambda: version_of([LMP, "-h"], r" - (\d+ \w+ \d+)")),
-        Host("liggghts", "liggghts", lambda: installed(LIGGGHTS), liggghts_cases, stepped(liggghts_commands),
-             lambda: version_of([LIGGGHTS, "-log", "none", "-in", os.devnull], r"LIGGGHTS-\w+ ([\d.]+\d)")),
+             stepped(lambda paste, case: [script_of("lammps.in", LMP, paste, case, COUNTS)])),
+        Host("liggghts", "liggghts", lambda: installed(LIGGGHTS), liggghts_cases, stepped(liggghts_commands)),
         Host("yade", "yade", lambda: installed(YADE), lambda: cases_of("yade", LAWS, yade_has),
-             stepped(lambda paste, case: [[YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py"), paste,
-                                           "%d" % case.wall, "%.17g" % case.duration, ",".join(map(str, COUNTS))]]),
-             lambda: version_of([YADE, "-x", "-n", os.devnull], r"Welcome to Yade (\S+)")),
+             stepped(lambda paste, case: [[YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py"), repr(
+                 {"paste": paste, "wall": case.wall, "duration": case.duration, "n": COUNTS})]])),
         Host("mujoco", "libmujoco-dev", lambda: has_header("mujoco/mujoco.h", [], "c"), lambda: cases_of("mujoco"),
              stepped(lambda paste, case: [[mujoco, paste, "2e-3" if case.wall else "1.6e-3", "%.17g" % case.duration,
-                                           *map(str, COUNTS)]]), lambda: output_of([mujoco, "version"]).strip(),
+                                           *map(str, COUNTS)]]),
              lambda: compiled("mujoco.c", work, ["-lmujoco"])),
         Host("simbody", "libsimbody-dev", lambda: has_header("SimTKcommon.h", SIMBODY_FLAGS[:1], "c++"), simbody_cases,
              functools.partial(run_compiled, "simbody", SIMBODY_FLAGS,
                                "HuntCrossleyForce &force, ContactSurfaceIndex surface",
-                               lambda case, first, work: ("", case.lines)),
-             lambda: output_of([os.path.join(work, "simbody"), "version"]).strip()),
+                               lambda case, first, work: ("", case.lines))),
         Host("bullet", "libbullet-dev", lambda: has_header("btBulletDynamicsCommon.h", BULLET_FLAGS[:2], "c++"),
              bullet_cases, functools.partial(run_compiled, "bullet", BULLET_FLAGS,
-                                             "btRigidBody *body, btDiscreteDynamicsWorld *world", bullet_lines),
-             lambda: output_of([os.path.join(work, "bullet"), "version"]).strip()),
+                                             "btRigidBody *body, btDiscreteDynamicsWorld *world", bullet_lines)),
     ]
 
 
@@ -392,8 +379,7 @@ def hosts_of(work):
 
 
 def judge(host, cases):
-    """One verdict for each model and kind of number; returns the largest errors {model: error}"""
-    errors = {}
+    """One verdict for each model and kind of number"""
     for model, own in dict.fromkeys((case.model, case.own) for case in cases):
         group = [case for case in cases if case.model == model and case.own == own]
         broken = [case for case in group if math.isnan(case.eps) or abs(case.change) > 1e-12]
@@ -411,55 +397,12 @@ def judge(host, cases):
             against = "the map of runtime/scene/simulators.c" if own else "e"
             verdict(error <= TOLERANCE, "%s: %d collisions, largest difference from %s %.1e" %
                     (name, len(group), against, error))
-        errors[model, own] = error
-    return errors
-
-
-# ---- tables ----
-
-
-def number(x):
-    return "refused" if math.isnan(x) else "%.5f" % x
-
-
-def asked_rows(host, cases):
-    """Rows of the first table: the restitution measured where a user asks for e"""
-    maps = {e: own_maps_of(text_for(host.name, "tsuji", e)) for e in RESTITUTIONS}
-    models = list(dict.fromkeys(case.model for case in cases if case.own or case.model in maps["0.5"]))
-    for model in models:
-        own = {case.e: case for case in cases if case.model == model and case.own}
-        own = own or {case.e: case for case in cases if case.model == model and case.expected == float(case.e)}
-        cells = ["refused" if e not in own else number(own[e].eps) if own[e].eps_most - own[e].eps < 1e-6 else
-                 "%s to %s" % (number(own[e].eps), number(own[e].eps_most)) for e in RESTITUTIONS]
-        if any(e in own for e in RESTITUTIONS):
-            yield "| %s %s | %s | %s |" % (host.name, host.version(), model, " | ".join(cells))
-
-
-def cured_rows(host, cases, errors):
-    for model in dict.fromkeys(case.model for case in cases if not case.own):
-        group = [case for case in cases if case.model == model and not case.own]
-        laws = ", ".join(dict.fromkeys(case.law for case in group))
-        missing = [e for e in RESTITUTIONS if e not in [case.e for case in group]] if group[0].e in RESTITUTIONS else []
-        yield "| %s %s | %s | %s | %s | %s | %.0e |" % (host.name, host.version(), model, laws, group[0].end,
-                                                       ", ".join(missing), errors[model, False])
-
-
-def write_page(results):
-    asked = ["| simulator | model | %s |" % " | ".join(RESTITUTIONS), "|---|---|%s" % ("---|" * len(RESTITUTIONS))]
-    cured = ["| simulator | model | law | end | e that no number realises | largest difference from e |",
-             "|---|---|---|---|---|---|"]
-    for host, cases, errors in results:
-        asked += asked_rows(host, cases)
-        cured += cured_rows(host, cases, errors)
-    for name, lines in (("asked", asked), ("cured", cured)):
-        renew(PAGE, name, "run", "\n".join(lines) + "\n")
 
 
 def main():
     if not os.access(CORGEN, os.X_OK):
         sys.exit("measure.py: no program %s; build it, or name it by CORGEN" % CORGEN)
-    results = []
-    only = [argument for argument in sys.argv[1:] if argument not in ("--write", "--short")]
+    only = [argument for argument in sys.argv[1:] if argument != "--short"]
     with tempfile.TemporaryDirectory() as work:
         os.environ["HOME"] = work  # simulators may write there
         for host in hosts_of(work):
@@ -475,13 +418,7 @@ def main():
                 continue
             cases = host.cases()
             host.run(cases, work)
-            results.append((host, cases, judge(host, cases)))
-    if "--write" in sys.argv[1:]:
-        if counts["skipped"] or only:
-            print("not written: a simulator is missing")
-        else:
-            write_page(results)
-            print("written: docs/simulators.md")
+            judge(host, cases)
     return summary()
 
 

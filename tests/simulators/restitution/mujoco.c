@@ -3,7 +3,7 @@
  *     mujoco PASTE MASS DURATION N [N]...
  * prints for each N, with DURATION/(N + 1/2) s as the time step,
  *     eps N VALUE CHANGE
- * CHANGE of the velocity after the contact must be 0. `mujoco version` prints MuJoCo's. */
+ * CHANGE of the velocity after the contact must be 0. */
 #include <mujoco/mujoco.h>
 
 #include <stdio.h>
@@ -54,10 +54,6 @@ static int collide(const char *paste, const char *mass, double duration, int n)
 int main(int argc, char **argv)
 {
     char paste[PASTE] = "";
-    if (argc == 2 && strcmp(argv[1], "version") == 0) {
-        printf("%s\n", mj_versionString());
-        return 0;
-    }
     FILE *const file = argc > 4 ? fopen(argv[1], "r") : NULL;
     if (!file) {
         fputs("usage: mujoco PASTE MASS DURATION N [N]...\n", stderr);

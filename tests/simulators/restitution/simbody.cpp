@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A sphere against a half-space in Simbody's HuntCrossleyForce, with the lines of corgen contact --for simbody. The
- * file simbody_cases.inc, which run writes, holds the array simbody_cases. The program prints for each case, at 1 m/s and for two accuracies of the integrator,
- *     eps NAME ACCURACY VALUE 0
- * With an argument it prints Simbody's version. */
+ * file simbody_cases.inc, which run writes, holds the array simbody_cases. The program prints for each case, at 1 m/s
+ * and for two accuracies of the integrator,
+ *     eps NAME ACCURACY VALUE 0 */
 #include <Simbody.h>
 
 #include <cstdio>
@@ -43,14 +43,8 @@ struct simbody_case {
 
 #include "simbody_cases.inc"
 
-int main(int argc, char **)
+int main()
 {
-    if (argc > 1) {
-        int major, minor, build;
-        SimTK_version_simbody(&major, &minor, &build);
-        std::printf("%d.%d\n", major, minor);
-        return 0;
-    }
     for (const auto &one : simbody_cases)
         for (const double accuracy : {1e-8, 1e-11})
             std::printf("eps %s %g %.17g 0\n", one.name, accuracy, rebound_speed(one.set, accuracy));
