@@ -167,7 +167,7 @@ struct task {
     struct cor_simulator_wish wish[CONTACTS];
     struct cor_simulator_request softened; /* of soften_wall */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
-    double k1, kp, depth;               /* of put_luding */
+    double k1, hardening, depth;        /* of put_luding: k_1, k_p/k_1, plasticity depth */
     char law[NUMBER];                   /* its name */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
@@ -500,7 +500,8 @@ static double word_number(const char *word, const struct block *block, const str
     const struct cor_simulator_wish *const wish = &task->wish[pair];
     const struct cor_body one = cor_scene_body(wish->scene, 1), two = cor_scene_body(wish->scene, 2);
     const double k = wish->contacts->stiffness, m = wish->contacts->mass_kg, radius = wish->contacts->radius_m;
-    const double kn = k / sqrt(radius), number = block->number[pair], l = number > 0 ? log(number) : (double)NAN;
+    const double kn = k / sqrt(radius), number = block->number[pair];
+    const double positive = number > 0 ? number : (double)NAN, l = log(positive);
     const double nu = one.poisson_ratio, density = cor_scene_body_density(wish->scene, 1);
     const int alike = !cor_scene_materials_differ(wish->scene) && one.dissipation_time_s == two.dissipation_time_s;
     const struct {
@@ -519,7 +520,7 @@ static double word_number(const char *word, const struct block *block, const str
                  {"E", 0.75 * k / sqrt(radius)},
                  {"2m", 2 * m},
                  {"tc", sqrt(m / k * (COR_PI * COR_PI + l * l))},
-                 {"timeconst", sqrt(m / k) / number},
+                 {"timeconst", sqrt(m / k) / positive},
                  {"simbody", sqrt(4.5) * k / sqrt(radius)},
                  {"young", one.young_modulus_pa},
                  {"poisson", nu},
@@ -530,8 +531,8 @@ static double word_number(const char *word, const struct block *block, const str
                  {"density2", cor_scene_body_density(wish->scene, 2)},
                  {"rho", alike ? density : (double)NAN},
                  {"k1", task->k1},
-                 {"kp", task->kp},
-                 {"kp/k1", task->kp / task->k1},
+                 {"kp", task->hardening * task->k1},
+                 {"kp/k1", task->hardening},
                  {"depth", task->depth},
                  {"dt", block->time_step_s},
                  {"0", 0},
@@ -842,8 +843,8 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
         cor_scene_impact(&impact, contact, speed_m_s) != COR_FAULT_NONE || !(eps < 1))
         return;
     const double x = impact.max_overlap_m, ratio = 2 / (eps * eps) - 1;
+    task->hardening = ratio;
     task->k1 = contact->mass_kg * speed_m_s * speed_m_s / (x * x);
-    task->kp = ratio * task->k1;
     task->depth = x * (1 - 1 / ratio) / contact->radius_m;
     comment(t, "Instead, %s (run): Luding's linear hysteresis loads with k_1 and unloads with k_2,",
             task->simulator->luding);

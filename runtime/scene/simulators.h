@@ -32,7 +32,7 @@ static inline struct cor_scene_contact cor_model_contact(struct cor_scene_contac
 static inline double cor_scene_body_density(const struct cor_scene *scene, int body)
 {
     const struct cor_body b = cor_scene_body(scene, body);
-    return b.mass_kg / (4 * COR_PI / 3 * b.radius_m * b.radius_m * b.radius_m);
+    return isinf(b.radius_m) ? (double)NAN : b.mass_kg / (4 * COR_PI / 3 * b.radius_m * b.radius_m * b.radius_m);
 }
 
 /* True if Young's modulus, Poisson's ratio or the density of the bodies differ */
