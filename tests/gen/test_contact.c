@@ -413,58 +413,35 @@ TEST(the_step_for_a_tolerance_is_rounded_down)
                                            .speed_m_s = (SPEED_M_S),                                                   \
                                            .speeds = 1})
 
-/* eps of a law for the damping, at either end, by the functions of the library */
-static double eps_of_damping(const struct cor_simulator_model *row, double damping)
-{
-    if (row->law == COR_LAW_VISCOELASTIC)
-        return row->end == COR_END_ZERO_FORCE ? cor_sphere_eps_zero_force(damping)
-                                              : cor_sphere_eps_zero_overlap(damping);
-    if (row->law == COR_LAW_HERTZ_DASHPOT)
-        return row->end == COR_END_ZERO_FORCE ? cor_hertz_dashpot_eps_zero_force(damping)
-                                              : cor_hertz_dashpot_eps_zero_overlap(damping);
-    return cor_law_eps(row->law, row->end, damping);
-}
-
-/* The number that a user sets, as the lines of a model in the text have it; NaN if it has no lines there */
-static double number_in_text(const struct cor_simulator_model *row, const char *text,
-                             const struct cor_simulator_wish *wish, bool same_law)
-{
-    static const char *const words[] = {"{n}", "{n/2}", "{root}", "{n[]}"};
-    enum cor_simulator_status status;
-    char title[200], printed[32];
-    snprintf(title, sizeof title, ", %s (%s): contacts end at", row->model, row->version);
-    const char *const heading = strstr(text, title);
-    int k = 0;
-    while (k < 4 && !strstr(row->lines, words[k]))
-        k++;
-    if (!heading || k == 4)
-        return (double)NAN;
-    const double number = cor_simulator_number(row, wish, same_law, &status);
-    snprintf(printed, sizeof printed, "%.12g", k == 0 || k == 3 ? number : k == 1 ? number / 2 : sqrt(number));
-    const char *const lines = strstr(heading, row->advice), *const found = strstr(lines + strlen(row->advice), printed);
-    check(found && found < strstr(lines, "\n\n"), "%s: no %s in %s", row->model, printed, heading);
-    const double value = strtod(printed, NULL);
-    return k == 0 || k == 3 ? value : k == 1 ? 2 * value : value * value;
-}
-
+/* Counts the models whose lines in the text have their number, and checks that this number gives eps. */
 static size_t host_realises(const char *host, int law, const struct given *bodies, const struct given *given)
 {
     const struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);
     const double eps = 0.7, speed = 0.4;
     const struct cor_simulator_wish wish = {&contacts.scene, contacts.contact, contacts.count, speed, eps, 0};
-    char *const text = contact_simulator_text(REQUEST(host, contacts, &speed));
+    char *const text = contact_simulator_text(REQUEST(host, contacts, &speed)), title[200], form[32];
     const bool same_law = text && !strstr(text, "does not have the law of the contact");
-    size_t found = 0;
     const struct cor_simulator *const simulator = cor_simulator_named(host);
-    for (int i = 0; text && i < simulator->model_count; i++) {
-        const struct cor_simulator_model *const row = &simulator->models[i];
-        const double number = row->lines ? number_in_text(row, text, &wish, same_law) : (double)NAN;
-        if (isnan(number))
+    enum cor_simulator_status status;
+    size_t found = 0;
+    for (const struct cor_simulator_model *m = simulator->models; m < simulator->models + simulator->model_count; m++) {
+        snprintf(title, sizeof title, ", %s (%s): contacts end at", m->model, m->version);
+        const char *const heading = text && !m->has_function ? strstr(text, title) : NULL;
+        if (!heading)
             continue;
+        const double number = cor_simulator_number(m, &wish, same_law, &status);
+        const char *const lines = strstr(heading, m->advice) + strlen(m->advice);
+        bool is_printed = false; /* as {n}, {n/2} or {root} */
+        for (int k = 0; k < 3; k++) {
+            snprintf(form, sizeof form, "%.12g", k == 0 ? number : k == 1 ? number / 2 : sqrt(number));
+            const char *const at = strstr(lines, form);
+            is_printed = is_printed || (at && at < strstr(lines, "\n\n"));
+        }
         const double damping =
-            row->damping_of_e ? row->damping_of_e(number) : row->damping_of_number(number, contacts.contact, speed);
-        check(fabs(eps_of_damping(row, damping) - eps) < 1e-9, "%s, %s: %.12g gives eps %.12g, not %g", host,
-              row->model, number, eps_of_damping(row, damping), eps);
+            m->damping_of_e ? m->damping_of_e(number) : m->damping_of_number(number, contacts.contact, speed);
+        const double got = m->law == COR_LAW_IMPULSE ? 1 - damping : cor_law_value(m->law, m->end, COR_EPS, damping);
+        check(is_printed && fabs(got - eps) < 1e-9, "%s, %s: %.12g gives eps %.12g, not %g, in %s", host, m->model,
+              number, got, eps, heading);
         found++;
     }
     free(text);
