@@ -97,7 +97,8 @@ void contact_warn_yield(const struct contacts *contacts, double speed_m_s)
          "stress, %.4g Pa. The bodies yield from %.4g m/s on, and this law does not describe them there; "
          "--law elastic-plastic does.",
          speed_m_s, cor_scene_pressure(c, cor_scene_elastic_overlap(c, speed)),
-         cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)), c->yield_speed_m_s);
+         cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)),
+         c->yield_speed_m_s + c->liquid_speed_m_s);
 }
 
 /* ---- lines of simulators ---- */

@@ -228,6 +228,12 @@ TEST(test_rows)
         /* the table as a whole */
         assert_int_equal(row_proof_table(&p, proof), 0);
         assert_true(p.proved);
+        double worst = INFINITY;
+        for (slong row = 0; row < p.rows; row++)
+            worst = fmin(worst, p.bits[row]);
+        p.least_bits = worst + 0.01;
+        assert_int_equal(row_proof_table(&p, proof), 1);
+        p.least_bits = 54;
         p.value[(p.rows / 2) * columns + 2] += 0x1p-44;
         p.proved = false;
         assert_int_equal(row_proof_table(&p, proof), 1);

@@ -11,6 +11,14 @@ static struct cor_scene_contact contact_with(enum cor_law law, double eps, int e
     return contact;
 }
 
+static struct cor_step_error error_of(const struct cor_scene_contact *contact, double speed, int end, double steps,
+                                      int integrator)
+{
+    struct cor_step_error e;
+    assert_int_equal(cor_scene_step_error(&e, contact, speed, end, steps, integrator), COR_OK);
+    return e;
+}
+
 /* ---- another route: SI units, the three parts of velocity Verlet, pow, every step up to the surface ---- */
 
 struct mean {
@@ -82,13 +90,9 @@ TEST(another_route)
         /* again: damped so strongly that a predicted velocity lets the force push again after zero */
         const int again = k % 8 == 7, end = again || k / 5 % 2, weak = !again && k / 10 % 2,
                   integrator = again ? COR_VERLET_FULL_STEP : (int)random_below(&r, COR_INTEGRATORS);
-        const double eps = weak ? 1 - random_log(&r, 1e-4, 0.3)
-                                : random_uniform(&r, again ? 0.2 : 0.3, again ? 0.5 : 0.99),
-                     speed = random_log(&r, 0.05, 20),
-                     steps = random_log(&r, 2.2,
-                                        weak    ? 200
-                                        : again ? 6
-                                                : 20);
+        const double low = again ? 0.2 : 0.3, high = again ? 0.5 : 0.99, most = weak ? 200 : (again ? 6 : 20);
+        const double eps = weak ? 1 - random_log(&r, 1e-4, 0.3) : random_uniform(&r, low, high),
+                     speed = random_log(&r, 0.05, 20), steps = random_log(&r, 2.2, most);
         struct cor_scene_contact contact = contact_with(law, eps, end), corrected;
         cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, eps, speed, end);
         const double duration = cor_scene_elastic_duration_s(&contact, speed), step_s = duration / steps;
@@ -99,8 +103,7 @@ TEST(another_route)
                  integrator, eps, steps);
         const double exact = scene_eps(&contact, speed, end), first = random_uniform(&r, 0, 1);
         struct mean other = simulated(&contact, speed, end, step_s, integrator, OTHER_PHASES, first);
-        struct cor_step_error e, after;
-        assert_int_equal(cor_scene_step_error(&e, &contact, speed, end, steps, integrator), COR_OK);
+        const struct cor_step_error e = error_of(&contact, speed, end, steps, integrator);
         check(e.least <= e.bias && e.bias <= e.largest, "%s: %g, %g, %g", what, e.least, e.bias, e.largest);
         check_mean(what, e.bias + exact, e.scatter, &other);
         if (weak)
@@ -109,10 +112,9 @@ TEST(another_route)
         check(status == COR_OK || (status == COR_FAULT_NO_DAMPING && steps < 6), "%s: status %d", what, status);
         if (status != COR_OK)
             continue;
-        const double changed = scene_eps(&corrected, speed, end);
-        cor_scene_step_error(&after, &corrected, speed, end, steps, integrator);
-        check(fabs(after.bias + changed - exact) < 1e-9, "%s: corrected, and off by %g", what,
-              after.bias + changed - exact);
+        const struct cor_step_error after = error_of(&corrected, speed, end, steps, integrator);
+        const double off = after.bias + scene_eps(&corrected, speed, end) - exact;
+        check(fabs(off) < 1e-9, "%s: corrected, and off by %g", what, off);
         other = simulated(&corrected, speed, end, step_s, integrator, OTHER_PHASES, first);
         check_mean(what, exact, after.scatter, &other);
     }
@@ -124,10 +126,10 @@ TEST(narrow_windows)
     const double many[][3] = {{5e-3, 0.005961276382523327, 2.655e-6}, {3e-4, 0.0628198558985, 1.466e-6}};
     for (size_t k = 0; k < COUNT_OF(many); k++) { /* zeta, the step in units of sqrt(m/K), scatter */
         struct cor_scene_contact contact = contact_with(COR_LAW_LINEAR, 1, COR_END_ZERO_OVERLAP);
-        struct cor_step_error e;
         contact.damping = many[k][0];
-        cor_scene_step_error(&e, &contact, 1, COR_END_ZERO_OVERLAP, 3.14159265358979324 / many[k][1], COR_LEAPFROG);
-        check(fabs(e.scatter / many[k][2] - 1) < COR_SCENE_STEP_ERROR, "zeta %g: scatter %g", many[k][0], e.scatter);
+        const double steps = 3.14159265358979324 / many[k][1];
+        check_near(error_of(&contact, 1, COR_END_ZERO_OVERLAP, steps, COR_LEAPFROG).scatter, many[k][2],
+                   COR_SCENE_STEP_ERROR);
     }
 }
 
@@ -135,9 +137,7 @@ TEST(narrow_windows)
 
 static double bias_at(const struct cor_scene_contact *contact, double steps, int integrator)
 {
-    struct cor_step_error e;
-    assert_int_equal(cor_scene_step_error(&e, contact, 1, COR_END_ZERO_OVERLAP, steps, integrator), COR_OK);
-    return e.bias;
+    return error_of(contact, 1, COR_END_ZERO_OVERLAP, steps, integrator).bias;
 }
 
 TEST(small_steps)
@@ -164,18 +164,17 @@ TEST(step_for)
     for (int k = 0; k < 3; k++)
         for (double tolerance = 1e-2; tolerance > 5e-4; tolerance /= 3) {
             const struct cor_scene_contact contact = contact_with(laws[k], 0.7, k % 2);
-            struct cor_step_error e;
             double steps;
             assert_int_equal(cor_scene_step_for(&steps, &contact, 1, k % 2, tolerance, COR_LEAPFROG), COR_OK);
             double worst = 0;
             for (double less = steps / 1.002; less < steps + 1;
                  less += 0.125 * (double)check_number("COR_TEST_DIVISOR", 1)) {
-                cor_scene_step_error(&e, &contact, 1, k % 2, less, COR_LEAPFROG);
+                const struct cor_step_error e = error_of(&contact, 1, k % 2, less, COR_LEAPFROG);
                 worst = fmax(worst, fmax(fabs(e.bias), e.scatter));
             }
             check(worst > 0.9 * tolerance, "%g steps are not the least", steps);
             for (double more = steps; more < 8 * steps; more *= 1.037) {
-                cor_scene_step_error(&e, &contact, 1, k % 2, more, COR_LEAPFROG);
+                const struct cor_step_error e = error_of(&contact, 1, k % 2, more, COR_LEAPFROG);
                 check(fabs(e.bias) <= tolerance && e.scatter <= 1.1 * tolerance, "%g steps of at least %g: %g, %g",
                       more, steps, e.bias, e.scatter);
             }
@@ -202,9 +201,8 @@ TEST(pressed)
     /* LAMMPS, wall/gran hooke with limit_damping and fix gravity: mean and standard deviation of 40 phases */
     struct cor_scene_contact ball = {
         .law = {1, 0, 1}, .mass_kg = 0.00418879, .stiffness = 1000, .force_n = 0.00418879 * 9.81};
-    struct cor_step_error lammps;
     cor_scene_set_damping(&ball, COR_SCENE_DAMPING_COEFFICIENT, 0.4, 0.1, COR_END_ZERO_FORCE);
-    cor_scene_step_error(&lammps, &ball, 0.1, COR_END_ZERO_FORCE, 12, COR_VERLET_HALF_STEP);
+    struct cor_step_error lammps = error_of(&ball, 0.1, COR_END_ZERO_FORCE, 12, COR_VERLET_HALF_STEP);
     check(fabs(lammps.bias + scene_eps(&ball, 0.1, COR_END_ZERO_FORCE) - 0.662257) < 5e-6 &&
               fabs(lammps.scatter - 0.010791) < 1e-5,
           "bias %g, scatter %g", lammps.bias, lammps.scatter);
@@ -213,26 +211,25 @@ TEST(pressed)
     ball.force_n *= 100;
     assert_int_equal(cor_scene_step_for(&steps_for, &ball, 0.1, COR_END_ZERO_FORCE, 0.1, COR_LEAPFROG), COR_OK);
     ball.damping = 100;
-    assert_int_equal(cor_scene_step_error(&lammps, &ball, 0.1, COR_END_ZERO_OVERLAP, 1e4, COR_LEAPFROG), COR_OK);
+    lammps = error_of(&ball, 0.1, COR_END_ZERO_OVERLAP, 1e4, COR_LEAPFROG);
     check(lammps.bias == 0 && lammps.scatter == 0, "bias %g, scatter %g", lammps.bias, lammps.scatter);
     struct random_state r = random_start();
     for (int k = 0; k < (int)points(100); k++) {
         const int end = k / 5 % 2, integrator = (int)random_below(&r, COR_INTEGRATORS);
         struct cor_scene_contact contact = contact_with((enum cor_law)(k % 5), random_uniform(&r, 0.3, 0.95), end);
-        struct cor_step_error e;
         contact.force_n = random_log(&r, 1e-4, 1e2);
         const double stays = cor_scene_sticking_speed(&contact, end), speed = stays * random_uniform(&r, 1.2, 10),
                      steps = random_log(&r, 1e3, 1e4);
         if (!(stays < 1e3)) /* at every speed */
             continue;
-        assert_int_equal(cor_scene_step_error(&e, &contact, speed, end, steps, integrator), COR_OK);
+        struct cor_step_error e = error_of(&contact, speed, end, steps, integrator);
         check(fabs(e.bias) < (integrator == COR_VERLET_FULL_STEP ? 1e3 / steps : 2) / steps,
               "law %d end %d integrator %d, %g steps: bias %g", k % 5, end, integrator, steps, e.bias);
         const double slow = stays * random_uniform(&r, 0.3, 0.8);
         /* in a step of half the largest change of the speed, or shorter */
         const double many =
             fmax(steps, contact.force_n * cor_scene_elastic_duration_s(&contact, slow) / (contact.mass_kg * slow));
-        assert_int_equal(cor_scene_step_error(&e, &contact, slow, end, many, integrator), COR_OK);
+        e = error_of(&contact, slow, end, many, integrator);
         check(e.bias == 0 && e.scatter == 0, "law %d end %d, %g steps: %g, %g", k % 5, end, many, e.bias, e.scatter);
         if (many > steps)
             refused(&contact, slow, end, many / 2.001, integrator);
@@ -246,10 +243,10 @@ TEST(special)
     double steps;
     EACH (no_steps, 1.9, 1.1e6, NAN)
         refused(&contact, 1, COR_END_ZERO_OVERLAP, *no_steps, COR_LEAPFROG);
-    refused(&contact, 1, COR_END_ZERO_OVERLAP, 12, COR_NO_INTEGRATOR);
-    refused(&contact, 1, COR_END_ZERO_OVERLAP, 12, COR_INTEGRATORS);
-    refused(&contact, 1, COR_END_LIMITED, 12, COR_LEAPFROG);
-    refused(&contact, 1, COR_BOTH_ENDS, 12, COR_LEAPFROG);
+    EACH (integrators, COR_NO_INTEGRATOR, COR_INTEGRATORS)
+        refused(&contact, 1, COR_END_ZERO_OVERLAP, 12, (int)*integrators);
+    EACH (ends, COR_END_LIMITED, COR_BOTH_ENDS)
+        refused(&contact, 1, (int)*ends, 12, COR_LEAPFROG);
     refused(&contact, NAN, COR_END_ZERO_OVERLAP, 12, COR_LEAPFROG);
     contact.plate = 1;
     refused(&contact, 1, COR_END_ZERO_FORCE, 12, COR_LEAPFROG);
@@ -263,14 +260,13 @@ TEST(special)
     contact.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
     /* no damping: a symmetric integrator, whose error is that of the contact's ends alone; nothing to correct */
     contact.damping = 0;
-    assert_int_equal(cor_scene_step_error(&e, &contact, 1, COR_END_ZERO_OVERLAP, 50, COR_LEAPFROG), COR_OK);
-    check(fabs(e.bias) < 1e-5, "elastic: %g", e.bias);
+    check(fabs(bias_at(&contact, 50, COR_LEAPFROG)) < 1e-5, "elastic: %g", bias_at(&contact, 50, COR_LEAPFROG));
     assert_int_equal(cor_scene_step_corrected(&corrected, &contact, 1, COR_END_ZERO_OVERLAP, 50, COR_LEAPFROG), COR_OK);
     check(corrected.damping == 0, "elastic: %g", corrected.damping);
     /* bodies that never part, and damping from weak to absurd: results are finite, or refused */
     contact = contact_with(COR_LAW_HERTZ_DASHPOT, 0.5, COR_END_ZERO_OVERLAP);
     contact.damping *= 10;
-    assert_int_equal(cor_scene_step_error(&e, &contact, 1, COR_END_ZERO_OVERLAP, 40, COR_LEAPFROG), COR_OK);
+    e = error_of(&contact, 1, COR_END_ZERO_OVERLAP, 40, COR_LEAPFROG);
     check(e.bias == 0 && e.scatter == 0, "stuck: %g, %g", e.bias, e.scatter);
     for (int law = 0; law < COR_LAW_PLATE; law++)
         for (double factor = 1e-300; factor < 1e300; factor *= 1e20)
