@@ -927,20 +927,6 @@ static void put_own_maps(struct text *t, const struct task *task)
     }
 }
 
-/* Why a user may want a model instead of the active one */
-static void choose_reason(char instead[SENTENCE], const struct cor_simulator_model *model, const struct block *active,
-                          const struct task *task)
-{
-    if (!task->request->version && !cor_model_has_version(model, task->simulator->packaged))
-        snprintf(instead, SENTENCE, "Instead, in another version: ");
-    else if (model->end != active->model->end)
-        snprintf(instead, SENTENCE, "Instead, where contacts are to end at %s: ", cor_end_names[model->end]);
-    else if (model->damping_of_e && needs_mass(active, task))
-        snprintf(instead, SENTENCE, "Instead, where masses differ: ");
-    else
-        snprintf(instead, SENTENCE, "Instead, the same by another parameter: ");
-}
-
 /* Prints all models with the contact. False if none has it: the refusal has the reason of the first one, or is empty */
 static int put_all(struct text *t, struct task *task)
 {
@@ -971,7 +957,14 @@ static int put_all(struct text *t, struct task *task)
         const struct text before = *t;
         if (!suits(model, task, task->has_law) || model == active.model)
             continue;
-        choose_reason(instead, model, &active, task);
+        const int other_version = !task->request->version && !cor_model_has_version(model, task->simulator->packaged),
+                  other_end = !other_version && model->end != active.model->end;
+        snprintf(instead, sizeof instead, "Instead, %s%s: ",
+                 other_version                                      ? "in another version"
+                 : other_end                                        ? "where contacts are to end at "
+                 : model->damping_of_e && needs_mass(&active, task) ? "where masses differ"
+                                                                    : "the same by another parameter",
+                 other_end ? cor_end_names[model->end] : "");
         if (!fill_block(&block, task, model)) {
             comment(t, "Not possible: %s: %s.", model->model, block.reason);
             put(t, "\n");

@@ -17,7 +17,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 from common import (CORGEN, HERE, LIGGGHTS, LMP, ROOT, YADE, extrapolated, first_row, numbers_of,  # noqa: E402
-                    output_of, run, skip, summary, verdict)
+                    output_of, run, script, skip, summary, verdict)
 
 # Largest |simulated/exact - 1| after extrapolation. Seen: 8e-8 at 1e-6 m/s, where doubles of positions have too few
 # digits for the overlap. What must not pass for right has to be MARGIN tolerances away.
@@ -100,10 +100,8 @@ def written(work, name, text):
 # ---- LAMMPS ----
 
 
-def lammps(script, *variables):
-    command = [LMP, "-log", "none", "-in", os.path.join(HERE, script), "-var", "here", HERE]
-    return lines_of(command + [word for pair in variables for word in ("-var", *pair)],
-                    "oblique" if script == "oblique.in" else "eps")
+def lammps(name, **variables):
+    return lines_of(script(LMP, name, **variables), "oblique" if name == "oblique.in" else "eps")
 
 
 def lammps_head_on(work):
@@ -113,8 +111,8 @@ def lammps_head_on(work):
         paste = written(work, "head_on", "pair_style granular\npair_coeff * * hertz %s damping viscoelastic %s\n" %
                         (coefficients, "limit_damping" * (end == ENDS[1])))
         duration = duration_of(speed, end, "--dissipation-time", str(A))
-        rows = lammps("restitution/lammps.in", ("paste", paste), ("wall", "0"), ("duration", "%.17g" % duration),
-                      ("speed", speed), ("n", *map(str, steps_of(duration, speed))))
+        rows = lammps("restitution/lammps.in", paste=paste, wall=0, duration=duration, speed=speed,
+                      n=steps_of(duration, speed))
         judge("LAMMPS, %s m/s, %s" % (speed, end.replace("_", " ")), eps_of(rows, 1.5), exact(end, beta),
               [exact(other, beta), exact(end, beta_at(speed, 1.01)), published(beta)])
 
@@ -132,7 +130,7 @@ def lammps_oblique():
 
     for model in "mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force":
         for nu in "0.3", "0.45":
-            three = [float(row[3]) for row in lammps("oblique.in", ("model", model), ("nu", nu))]
+            three = [float(row[3]) for row in lammps("oblique.in", model=model, nu=nu)]
             judge("LAMMPS, %s, nu = %s" % (model, nu), extrapolated(1.5, three),
                   integrated.get((model, nu)) or no_slip(nu), [no_slip("0.31")], tolerance=1e-6)
 
@@ -161,7 +159,7 @@ def lammps_jkr():
                    "--dissipation-time " + time).split()
         of = numbers_of(*spheres)
         eta = of["damping_coefficient"] / (math.sqrt(of["effective_radius"]) * of["effective_mass"])
-        for speed, value, gap in lammps("jkr.in", ("eta", "%.15g" % eta)):
+        for speed, value, gap in lammps("jkr.in", eta=eta):
             eps = float(list(first_row("contact", *spheres, "--speed", speed).values())[3])
             verdict(float(gap) > 0 and abs(float(value)**2 - eps**2) < 1e-5 if eps > 0 else float(gap) < 0,
                     "LAMMPS, JKR, A = %s s, %s m/s: %s, exact %.12g" % (time, speed, value, eps))
@@ -333,17 +331,14 @@ def rebound(work):
 def luding(host, work):
     contact = SPHERES + "--radius-2 2e-2 --mass-2 8e-3 --law elastic-plastic --yield-stress 3e5 --speed 1".split()
     row = list(first_row("contact", *contact).values())
-    eps, duration = float(row[2]), "%.17g" % (4 * float(row[6]))
+    eps, duration = float(row[2]), 4 * float(row[6])
     wanted = r"# ((pair_style gran model luding|fix cor_luding|cor_material = Luding|cor_contact.*Luding).*)"
     lines = [found[1] for found in re.finditer(wanted, output_of([CORGEN, "contact", *contact, "--for", host]))]
     if host == "liggghts":
         lines += ["pair_coeff * *", "fix cor_mu all property/global coefficientFriction peratomtypepair 2 0 0 0 0"]
-    paste = os.path.join(work, "luding")
-    with open(paste, "w", encoding="utf-8") as file:
-        file.write("\n".join(lines) + "\n")
-    command = yade({"paste": paste, "duration": float(duration), "n": [4000]}) if host == "yade" else [
-        LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "restitution", "liggghts.in"), "-var", "paste", paste,
-        "-var", "wall", "0", "-var", "types", "2", "-var", "duration", duration, "-var", "n", "4000"]
+    paste = written(work, "luding", "\n".join(lines) + "\n")
+    command = yade({"paste": paste, "duration": duration, "n": [4000]}) if host == "yade" else script(
+        LIGGGHTS, "restitution/liggghts.in", paste=paste, wall=0, types=2, duration=duration, n=4000)
     seen = [float(row[-2]) for row in lines_of(command, "eps")]
     verdict(seen and abs(seen[0] / eps - 1) < 1e-5,
             "%s, Luding's contact realises %.6f: %s" % (host.upper(), eps, " ".join("%.8g" % value for value in seen)))
@@ -403,23 +398,17 @@ def unlike(host, work, seed):
         dt = float(re.search(r"^(?:timestep|O\.dt =) (\S+)", texts[own], re.M)[1])
         elastic, damped = duration(kind, 1, gravity) / dt, duration(kind, e[kind], gravity) / dt
         steps[kind] = max(elastic, damped)
-        n = str(int(0.95 * damped if falls else 1.25 * steps[kind])) # a ball that falls is soon back
-        paste = os.path.join(work, "unlike%d" % number)
-        with open(paste, "w", encoding="utf-8") as file:
-            file.write(unlike_paste(host, texts, kind) + "\n")
-        radii, seconds = ["%.17g" % bodies[k][2] for k in (i, j)], "%.17g" % (dt * (int(n) + 0.5))
-        g = gravity if falls else "0"
+        n = int(0.95 * damped if falls else 1.25 * steps[kind])  # a ball that falls is soon back
+        paste = written(work, "unlike%d" % number, unlike_paste(host, texts, kind) + "\n")
+        shared = {"paste": paste, "wall": wall, "duration": dt * (n + 0.5), "g": float(gravity) if falls else 0}
+        radii = [bodies[k][2] for k in (i, j)]
         if host == "yade":
-            commands.append({"paste": paste, "duration": float(seconds), "n": [int(n)], "wall": wall, "g": float(g),
-                             "radius": [bodies[k][2] for k in (i, j)], "material": [i, j]})
+            commands.append({**shared, "n": [n], "radius": radii, "material": [i, j]})
             continue
-        masses = ["%.17g" % (4 / 3 * math.pi * bodies[k][2]**3 * float("%.6g" % bodies[k][3])) for k in (i, j)]
-        types = "12" if wall and host == "liggghts" else (str(i + 1), str(j + 1))
-        variables = dict(here=HERE, paste=paste, wall="%d" % wall, types="2", duration=seconds, n=n, g=g, r1=radii[0],
-                         r2=radii[1], m1=masses[0], m2=masses[1], t1=types[0], t2=types[1])
-        commands.append([LMP if host == "lammps" else LIGGGHTS, "-log", "none", "-in",
-                         os.path.join(HERE, "restitution", host + ".in"),
-                         *(word for pair in variables.items() for word in ("-var", *pair))])
+        masses = [4 / 3 * math.pi * bodies[k][2]**3 * float("%.6g" % bodies[k][3]) for k in (i, j)]
+        types = "12" if wall and host == "liggghts" else (i + 1, j + 1)
+        commands.append(script(LMP if host == "lammps" else LIGGGHTS, "restitution/%s.in" % host, **shared, n=n, types=2,
+                               r1=radii[0], r2=radii[1], m1=masses[0], m2=masses[1], t1=types[0], t2=types[1]))
     if host == "yade":
         commands = [yade(*commands)]
     seen = [row for command in commands for row in lines_of(command, "eps")]

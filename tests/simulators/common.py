@@ -42,6 +42,15 @@ def output_of(command, **options):
     return done.stdout + (done.stderr if done.returncode else "")
 
 
+def script(program, name, **variables):
+    """The command by which LAMMPS or LIGGGHTS runs a script of this folder with variables"""
+    command = [program, "-log", "none", "-in", os.path.join(HERE, name), "-var", "here", HERE]
+    for variable, value in variables.items():
+        values = value if isinstance(value, list) else [value]
+        command += ["-var", variable, *("%.17g" % v if isinstance(v, float) else str(v) for v in values)]
+    return command
+
+
 def first_row(*options):
     """The first row of corgen's csv, by column"""
     return next(csv.DictReader(io.StringIO(output_of([CORGEN, *options, "--format", "csv"]))))

@@ -22,8 +22,8 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.dirname(HERE))
 sys.dont_write_bytecode = True
-from common import (CORGEN, LIGGGHTS, LMP, YADE, extrapolated, first_row, output_of, skip, summary,  # noqa: E402
-                    verdict)
+from common import (CORGEN, LIGGGHTS, LMP, YADE, extrapolated, first_row, output_of, script, skip,  # noqa: E402
+                    summary, verdict)
 
 RESTITUTIONS = ["0.1", "0.3", "0.5", "0.7", "0.9", "0.99"]
 # Those that are also wished with --end, at a wall, and in the short run
@@ -207,15 +207,10 @@ def read_steps(case, text):
     case.change = max(abs(values[n][1]) for n in COUNTS)
 
 
-def script_of(script, program, paste, case, numbers):
-    return [program, "-log", "none", "-in", os.path.join(HERE, script), "-var", "here", os.path.dirname(HERE), "-var",
-            "paste", paste, "-var", "wall", "%d" % case.wall, "-var", "duration", "%.17g" % case.duration, "-var", "n",
-            *map(str, numbers)]
-
-
 def liggghts_commands(paste, case):
-    types = "2" if any("peratomtypepair 2" in line for line in case.lines) else "1"
-    return [script_of("liggghts.in", LIGGGHTS, paste, case, [n]) + ["-var", "types", types] for n in COUNTS]
+    types = 2 if any("peratomtypepair 2" in line for line in case.lines) else 1
+    return [script(LIGGGHTS, "restitution/liggghts.in", paste=paste, wall=int(case.wall), duration=case.duration, n=n,
+                   types=types) for n in COUNTS]
 
 
 def stepped(commands_of):
@@ -347,7 +342,8 @@ def hosts_of(work):
     mujoco = os.path.join(work, "mujoco")
     return [
         Host("lammps", "lammps", lambda: installed(LMP), lambda: cases_of("lammps"),
-             stepped(lambda paste, case: [script_of("lammps.in", LMP, paste, case, COUNTS)])),
+             stepped(lambda paste, case: [script(LMP, "restitution/lammps.in", paste=paste, wall=int(case.wall),
+                                                 duration=case.duration, n=COUNTS)])),
         Host("liggghts", "liggghts", lambda: installed(LIGGGHTS), liggghts_cases, stepped(liggghts_commands)),
         Host("yade", "yade", lambda: installed(YADE), lambda: cases_of("yade"),
              stepped(lambda paste, case: [[YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py"), repr(
