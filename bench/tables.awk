@@ -142,17 +142,15 @@ function large(    t, i) {
 function floats(    i, k, t, q, ns, error, order) {
     t = "floats"
     for (i = 1; i <= rows[t]; i++) {
-        if (cell[t, i, 3] != "as shipped" && cell[t, i, 3] != "") continue
         q = cell[t, i, 1]
-        if (!((q, "double") in ns)) order[++k] = q
-        ns[q, cell[t, i, 2]] = sprintf("%.2f", cell[t, i, 4]) (cell[t, i, 2] ~ /float/ ? sprintf(", %.2f", cell[t, i, 5]) : "")
-        error[q, cell[t, i, 2]] = cell[t, i, 6]
+        if (!((q, "double array") in ns)) order[++k] = q
+        ns[q, cell[t, i, 2]] = sprintf("%.2f", cell[t, i, 4]) # the last set is the widest
+        error[q] = cell[t, i, 6]
     }
-    head("| function | double | `..f` | `..fastf` | array | `.._arrayf` | `.._fast_arrayf` | error of `..f` | of `..fastf` |")
+    head("| function | double array | float array | error |")
     for (i = 1; i <= k; i++) {
         q = order[i]
-        printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", q, ns[q, "double"], ns[q, "float"], ns[q, "fast float"], \
-            ns[q, "double array"], ns[q, "float array"], ns[q, "fast float array"], error[q, "float"], error[q, "fast float array"]
+        printf "| %s | %s | %s | %s |\n", q, ns[q, "double array"], ns[q, "float array"], error[q]
     }
 }
 

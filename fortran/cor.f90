@@ -41,20 +41,15 @@ module cor
     COR_DISK_EPS_MIN_SPEED = 1e-5_c_double, COR_DISK_EPS_MAX_SPEED = 0.3_c_double, COR_DISK_EPS_CALM_SPEED = &
     0.15_c_double, COR_DISK_EPS_MIN_NU = -0.2_c_double, COR_DISK_EPS_MAX_NU = 0.4875_c_double, &
     COR_DISK_EPS_MAX_UNCERTAINTY = 3.4e-5_c_double, COR_DISK_EPS_MAX_UNCERTAINTY_FAST = 1e-4_c_double, &
-    COR_DISK_EPS_MAX_JUMP = 1e-12_c_double, COR_HERTZ_DASHPOT_EPS_MAX_ULP = 1.0_c_double, &
-    COR_HERTZ_DASHPOT_LOSS_MAX_ULP = 1.0_c_double, COR_HERTZ_DASHPOT_MAX_OVERLAP_MAX_ULP = 1.0_c_double, &
-    COR_HERTZ_DASHPOT_TIME_MAX_ULP = 2.0_c_double, COR_HERTZ_DASHPOT_BETA_MAX_ULP = 2.0_c_double, &
-    COR_HERTZ_DASHPOT_FLOAT_MAX_ULP = 1.0_c_double, COR_HERTZ_DASHPOT_BETA_C = 1.12798813552016922_c_double, &
-    COR_HERTZ_DASHPOT_APPROACH_MAX_ULP = 2.0_c_double, COR_LAW_EPS_MAX_ULP = 2.0_c_double, COR_LAW_LOSS_MAX_ULP = &
-    2.0_c_double, COR_LAW_INVERSE_MAX_ULP = 2.0_c_double, COR_LAW_MAX_OVERLAP_MAX_ULP = 2.0_c_double, &
-    COR_LAW_TIME_MAX_ULP = 2.0_c_double, COR_LAW_FLOAT_MAX_ULP = 1.0_c_double, COR_HUNT_CROSSLEY_TIME_MAX_ERROR = &
-    1e-14_c_double, COR_HUNT_CROSSLEY_MAX_EXPONENT = 100.0_c_double, COR_NO_SLIP_MAX_ULP = 0.51_c_double, &
-    COR_NO_SLIP_MAX_KAPPA = 1e6_c_double, COR_NO_SLIP_MIN_EXPONENT = 1e-6_c_double, COR_NO_SLIP_MAX_EXPONENT = &
-    100.0_c_double, COR_SPHERE_EPS_MAX_ULP = 1.0_c_double, COR_SPHERE_LOSS_MAX_ULP = 1.0_c_double, &
-    COR_SPHERE_MAX_OVERLAP_MAX_ULP = 1.0_c_double, COR_SPHERE_TIME_MAX_ULP = 2.0_c_double, COR_SPHERE_BETA_MAX_ULP = &
-    2.0_c_double, COR_SPHERE_FLOAT_MAX_ULP = 1.0_c_double, COR_SPHERE_C1 = -1.15344885809528879913_c_double, &
-    COR_SPHERE_FAST_FLOAT_MAX_ULP = 0.75_c_double, COR_SPHERE_APPROACH_MAX_ULP = 2.0_c_double, COR_SPHERE_SIMPLE_D = &
-    0.504454894269828315974_c_double, COR_SPHERE_EPS_SIMPLE_MAX_ULP = 12.0_c_double
+    COR_DISK_EPS_MAX_JUMP = 1e-12_c_double, COR_HERTZ_DASHPOT_BETA_C = 1.12798813552016922_c_double, &
+    COR_HUNT_CROSSLEY_MAX_ULP = 2.0_c_double, COR_HUNT_CROSSLEY_TIME_MAX_ERROR = 1e-14_c_double, &
+    COR_HUNT_CROSSLEY_MAX_EXPONENT = 100.0_c_double, COR_NO_SLIP_MAX_ULP = 0.51_c_double, COR_NO_SLIP_MAX_KAPPA = &
+    1e6_c_double, COR_NO_SLIP_MIN_EXPONENT = 1e-6_c_double, COR_NO_SLIP_MAX_EXPONENT = 100.0_c_double, &
+    COR_SPHERE_EPS_MAX_ULP = 1.0_c_double, COR_SPHERE_LOSS_MAX_ULP = 1.0_c_double, COR_SPHERE_MAX_OVERLAP_MAX_ULP = &
+    1.0_c_double, COR_SPHERE_TIME_MAX_ULP = 2.0_c_double, COR_SPHERE_BETA_MAX_ULP = 2.0_c_double, COR_SPHERE_C1 = &
+    -1.15344885809528879913_c_double, COR_SPHERE_FLOAT_MAX_ULP = 0.75_c_double, COR_SPHERE_APPROACH_MAX_ULP = &
+    2.0_c_double, COR_SPHERE_SIMPLE_D = 0.504454894269828315974_c_double, COR_SPHERE_EPS_SIMPLE_MAX_ULP = &
+    12.0_c_double
   type, public, bind(c) :: cor_body_t
     real(c_double) :: young_modulus_pa, poisson_ratio, dissipation_time_s, radius_m, mass_kg
   end type
@@ -334,171 +329,6 @@ module cor
     pure real(c_double) function c_cor_disk_one_minus_eps2_uncertainty(speed, nu) bind(c, &
       name="cor_disk_one_minus_eps2_uncertainty")
       import; real(c_double), value :: speed, nu; end function
-    pure real(c_double) function c_cor_hertz_dashpot_eps_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_eps_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_eps_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_eps_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_eps_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_eps_zero_force(x) bind(c, &
-      name="cor_hertz_dashpot_eps_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_eps_zero_forcef(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_eps_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_eps_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_loss_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_loss_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_loss_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_loss_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_loss_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_loss_zero_force(x) bind(c, &
-      name="cor_hertz_dashpot_loss_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_loss_zero_forcef(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_loss_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_loss_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_beta_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_beta_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_beta_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_beta_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_beta_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_beta_zero_force(x) bind(c, &
-      name="cor_hertz_dashpot_beta_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_beta_zero_forcef(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_beta_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_beta_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_beta_of_loss_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_beta_of_loss_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_beta_of_loss_zero_overlap_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hertz_dashpot_beta_of_loss_zero_overlap_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_beta_of_loss_zero_force(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_beta_of_loss_zero_forcef(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_beta_of_loss_zero_force_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hertz_dashpot_beta_of_loss_zero_force_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_duration_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_duration_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_duration_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_duration_zero_overlap_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hertz_dashpot_duration_zero_overlap_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_duration_zero_force(x) bind(c, &
-      name="cor_hertz_dashpot_duration_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_duration_zero_forcef(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_duration_zero_force_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hertz_dashpot_duration_zero_force_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_max_overlap(x) bind(c, name="cor_hertz_dashpot_max_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_max_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_hertz_dashpot_max_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_max_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_time_of_max_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_time_of_max_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_time_of_max_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_time_of_max_overlap_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hertz_dashpot_time_of_max_overlap_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_eps_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_eps_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_eps_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_eps_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_eps_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_loss_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_loss_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_loss_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_beta_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_beta_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_beta_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_beta_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hertz_dashpot_beta_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_beta_of_loss_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_beta_of_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_beta_of_loss_approach_only_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hertz_dashpot_beta_of_loss_approach_only_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_hertz_dashpot_duration_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_duration_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hertz_dashpot_duration_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hertz_dashpot_duration_approach_only_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hertz_dashpot_duration_approach_only_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
     type(c_ptr) function cor_law_function(law, end, quantity) bind(c); import
       integer(c_int), value :: law, end, quantity; end function
     pure real(c_double) function c_cor_law_value(law, end, quantity, x) bind(c, name="cor_law_value"); import
@@ -515,601 +345,110 @@ module cor
       end function
     type(c_ptr) function c_cor_quantity_name(quantity) bind(c, name="cor_quantity_name"); import
       integer(c_int), value :: quantity; end function
-    pure real(c_double) function c_cor_linear_eps_zero_overlap(x) bind(c, name="cor_linear_eps_zero_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_eps_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_eps_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_eps_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_eps_zero_force(x) bind(c, name="cor_linear_eps_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_eps_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_eps_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_eps_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_eps_limited(x) bind(c, name="cor_linear_eps_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_eps_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_eps_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_eps_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_eps_approach_only(x) bind(c, name="cor_linear_eps_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_eps_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_eps_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_eps_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_loss_zero_overlap(x) bind(c, name="cor_linear_loss_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_loss_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_loss_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_loss_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_loss_zero_force(x) bind(c, name="cor_linear_loss_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_loss_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_loss_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_loss_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_loss_limited(x) bind(c, name="cor_linear_loss_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_loss_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_loss_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_loss_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_loss_approach_only(x) bind(c, name="cor_linear_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_loss_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_loss_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_zero_overlap(x) bind(c, name="cor_linear_zeta_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_zeta_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_zeta_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_zero_force(x) bind(c, name="cor_linear_zeta_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_zeta_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_zeta_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_limited(x) bind(c, name="cor_linear_zeta_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_zeta_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_zeta_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_approach_only(x) bind(c, name="cor_linear_zeta_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_zeta_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_zeta_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_of_loss_zero_overlap(x) bind(c, &
-      name="cor_linear_zeta_of_loss_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_of_loss_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_linear_zeta_of_loss_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_zeta_of_loss_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_of_loss_zero_force(x) bind(c, &
-      name="cor_linear_zeta_of_loss_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_of_loss_zero_forcef(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_linear_zeta_of_loss_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_zeta_of_loss_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_of_loss_limited(x) bind(c, name="cor_linear_zeta_of_loss_limited")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_of_loss_limitedf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_linear_zeta_of_loss_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_zeta_of_loss_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_zeta_of_loss_approach_only(x) bind(c, &
-      name="cor_linear_zeta_of_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_zeta_of_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_linear_zeta_of_loss_approach_only_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_linear_zeta_of_loss_approach_only_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_linear_duration_zero_overlap(x) bind(c, &
-      name="cor_linear_duration_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_duration_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_linear_duration_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_duration_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_duration_zero_force(x) bind(c, name="cor_linear_duration_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_duration_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_duration_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_duration_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_duration_limited(x) bind(c, name="cor_linear_duration_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_duration_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_duration_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_duration_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_duration_approach_only(x) bind(c, &
-      name="cor_linear_duration_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_duration_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_linear_duration_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_duration_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_max_overlap(x) bind(c, name="cor_linear_max_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_linear_max_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_max_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_max_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_linear_time_of_max_overlap(x) bind(c, name="cor_linear_time_of_max_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_linear_time_of_max_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_linear_time_of_max_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_linear_time_of_max_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_eps_zero_overlap(x) bind(c, name="cor_tsuji_eps_zero_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_eps_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_eps_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_eps_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_eps_zero_force(x) bind(c, name="cor_tsuji_eps_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_eps_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_eps_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_eps_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_eps_limited(x) bind(c, name="cor_tsuji_eps_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_eps_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_eps_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_eps_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_eps_approach_only(x) bind(c, name="cor_tsuji_eps_approach_only"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_eps_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_eps_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_eps_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_loss_zero_overlap(x) bind(c, name="cor_tsuji_loss_zero_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_loss_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_loss_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_loss_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_loss_zero_force(x) bind(c, name="cor_tsuji_loss_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_loss_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_loss_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_loss_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_loss_limited(x) bind(c, name="cor_tsuji_loss_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_loss_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_loss_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_loss_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_loss_approach_only(x) bind(c, name="cor_tsuji_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_loss_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_loss_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_zero_overlap(x) bind(c, name="cor_tsuji_zeta_zero_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_zeta_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_zero_force(x) bind(c, name="cor_tsuji_zeta_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_zeta_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_limited(x) bind(c, name="cor_tsuji_zeta_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_zeta_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_approach_only(x) bind(c, name="cor_tsuji_zeta_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_zeta_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_of_loss_zero_overlap(x) bind(c, &
-      name="cor_tsuji_zeta_of_loss_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_of_loss_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_tsuji_zeta_of_loss_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_of_loss_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_of_loss_zero_force(x) bind(c, &
-      name="cor_tsuji_zeta_of_loss_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_of_loss_zero_forcef(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_tsuji_zeta_of_loss_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_of_loss_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_of_loss_limited(x) bind(c, name="cor_tsuji_zeta_of_loss_limited")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_of_loss_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_zeta_of_loss_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_of_loss_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_zeta_of_loss_approach_only(x) bind(c, &
-      name="cor_tsuji_zeta_of_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_zeta_of_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_tsuji_zeta_of_loss_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_zeta_of_loss_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_duration_zero_overlap(x) bind(c, name="cor_tsuji_duration_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_duration_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_tsuji_duration_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_duration_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_duration_zero_force(x) bind(c, name="cor_tsuji_duration_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_duration_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_duration_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_duration_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_duration_limited(x) bind(c, name="cor_tsuji_duration_limited"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_duration_limitedf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_duration_limited_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_duration_limited_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_duration_approach_only(x) bind(c, &
-      name="cor_tsuji_duration_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_duration_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_tsuji_duration_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_duration_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_max_overlap(x) bind(c, name="cor_tsuji_max_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_max_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_max_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_max_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_tsuji_time_of_max_overlap(x) bind(c, name="cor_tsuji_time_of_max_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_tsuji_time_of_max_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_tsuji_time_of_max_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tsuji_time_of_max_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_eps(x) bind(c, name="cor_hunt_crossley_eps"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_epsf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_hunt_crossley_eps_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_eps_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_eps_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_eps_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_eps_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hunt_crossley_eps_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_eps_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_loss(x) bind(c, name="cor_hunt_crossley_loss"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_lossf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_hunt_crossley_loss_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_loss_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_loss_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hunt_crossley_loss_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_loss_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_beta(x) bind(c, name="cor_hunt_crossley_beta"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_betaf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_hunt_crossley_beta_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_beta_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_beta_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_beta_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_beta_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hunt_crossley_beta_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_beta_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_beta_of_loss(x) bind(c, name="cor_hunt_crossley_beta_of_loss")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_beta_of_lossf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_hunt_crossley_beta_of_loss_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_beta_of_loss_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_hunt_crossley_beta_of_loss_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_beta_of_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_hunt_crossley_beta_of_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_hunt_crossley_beta_of_loss_approach_only_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    subroutine cor_hunt_crossley_beta_of_loss_approach_only_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
     pure real(c_double) function c_cor_hunt_crossley_max_overlap(beta, elastic_exponent) bind(c, &
       name="cor_hunt_crossley_max_overlap")
       import; real(c_double), value :: beta, elastic_exponent; end function
-    real(c_float) function cor_hunt_crossley_max_overlapf(beta, elastic_exponent) bind(c); import
-      real(c_float), value :: beta, elastic_exponent; end function
     subroutine cor_hunt_crossley_max_overlap_array(beta, elastic_exponent, y, n) bind(c); import
       real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_max_overlap_arrayf(beta, elastic_exponent, y, n) bind(c); import
-      real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
     pure real(c_double) function c_cor_hunt_crossley_duration(beta, elastic_exponent) bind(c, &
       name="cor_hunt_crossley_duration")
       import; real(c_double), value :: beta, elastic_exponent; end function
-    real(c_float) function cor_hunt_crossley_durationf(beta, elastic_exponent) bind(c); import
-      real(c_float), value :: beta, elastic_exponent; end function
     subroutine cor_hunt_crossley_duration_array(beta, elastic_exponent, y, n) bind(c); import
       real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_duration_arrayf(beta, elastic_exponent, y, n) bind(c); import
-      real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
     pure real(c_double) function c_cor_hunt_crossley_duration_approach_only(beta, elastic_exponent) bind(c, &
       name="cor_hunt_crossley_duration_approach_only")
       import; real(c_double), value :: beta, elastic_exponent; end function
-    real(c_float) function cor_hunt_crossley_duration_approach_onlyf(beta, elastic_exponent) bind(c); import
-      real(c_float), value :: beta, elastic_exponent; end function
     subroutine cor_hunt_crossley_duration_approach_only_array(beta, elastic_exponent, y, n) bind(c); import
       real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_duration_approach_only_arrayf(beta, elastic_exponent, y, n) bind(c); import
-      real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
     pure real(c_double) function c_cor_hunt_crossley_time_of_max_overlap(beta, elastic_exponent) bind(c, &
       name="cor_hunt_crossley_time_of_max_overlap")
       import; real(c_double), value :: beta, elastic_exponent; end function
-    real(c_float) function cor_hunt_crossley_time_of_max_overlapf(beta, elastic_exponent) bind(c); import
-      real(c_float), value :: beta, elastic_exponent; end function
     subroutine cor_hunt_crossley_time_of_max_overlap_array(beta, elastic_exponent, y, n) bind(c); import
       real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_hunt_crossley_time_of_max_overlap_arrayf(beta, elastic_exponent, y, n) bind(c); import
-      real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
     pure real(c_double) function c_cor_tangential_no_slip(kappa, elastic_exponent) bind(c, &
       name="cor_tangential_no_slip")
       import; real(c_double), value :: kappa, elastic_exponent; end function
-    real(c_float) function cor_tangential_no_slipf(kappa, elastic_exponent) bind(c); import
-      real(c_float), value :: kappa, elastic_exponent; end function
     subroutine cor_tangential_no_slip_array(kappa, elastic_exponent, y, n) bind(c); import
       real(c_double), intent(in) :: kappa(*); real(c_double), value :: elastic_exponent
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_tangential_no_slip_arrayf(kappa, elastic_exponent, y, n) bind(c); import
-      real(c_float), intent(in) :: kappa(*); real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_eps_zero_overlap(x) bind(c, name="cor_sphere_eps_zero_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_eps_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_eps_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_eps_zero_overlap(beta) bind(c, name="cor_sphere_eps_zero_overlap")
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_eps_zero_overlap_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_eps_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_eps_zero_force(x) bind(c, name="cor_sphere_eps_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_eps_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_eps_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_eps_zero_force(beta) bind(c, name="cor_sphere_eps_zero_force"); import
+      real(c_double), value :: beta; end function
+    subroutine cor_sphere_eps_zero_force_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_eps_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_loss_zero_overlap(x) bind(c, name="cor_sphere_loss_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_loss_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_loss_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_loss_zero_overlap(beta) bind(c, name="cor_sphere_loss_zero_overlap")
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_loss_zero_overlap_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_loss_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_loss_zero_force(x) bind(c, name="cor_sphere_loss_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_loss_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_loss_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_loss_zero_force(beta) bind(c, name="cor_sphere_loss_zero_force"); import
+      real(c_double), value :: beta; end function
+    subroutine cor_sphere_loss_zero_force_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_loss_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_beta_zero_overlap(x) bind(c, name="cor_sphere_beta_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_beta_zero_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_beta_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_beta_zero_overlap(eps) bind(c, name="cor_sphere_beta_zero_overlap")
+      import; real(c_double), value :: eps; end function
+    subroutine cor_sphere_beta_zero_overlap_array(eps, y, n) bind(c); import; real(c_double), intent(in) :: eps(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_beta_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_beta_zero_force(x) bind(c, name="cor_sphere_beta_zero_force"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_beta_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_beta_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_beta_zero_force(eps) bind(c, name="cor_sphere_beta_zero_force"); import
+      real(c_double), value :: eps; end function
+    subroutine cor_sphere_beta_zero_force_array(eps, y, n) bind(c); import; real(c_double), intent(in) :: eps(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_beta_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_duration_zero_overlap(x) bind(c, &
+    pure real(c_double) function c_cor_sphere_duration_zero_overlap(beta) bind(c, &
       name="cor_sphere_duration_zero_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_duration_zero_overlapf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_duration_zero_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_duration_zero_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_duration_zero_force(x) bind(c, name="cor_sphere_duration_zero_force")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_duration_zero_forcef(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_duration_zero_force_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_duration_zero_force_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_max_overlap(x) bind(c, name="cor_sphere_max_overlap"); import
-      real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_max_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_max_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_max_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_time_of_max_overlap(x) bind(c, name="cor_sphere_time_of_max_overlap")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_time_of_max_overlapf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_time_of_max_overlap_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_time_of_max_overlap_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    real(c_float) function cor_sphere_eps_zero_overlap_fastf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    real(c_float) function cor_sphere_eps_zero_force_fastf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_eps_zero_force_fast_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    real(c_float) function cor_sphere_loss_zero_overlap_fastf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_loss_zero_overlap_fast_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    real(c_float) function cor_sphere_loss_zero_force_fastf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_loss_zero_force_fast_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    real(c_float) function cor_sphere_duration_zero_overlap_fastf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_duration_zero_overlap_fast_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_duration_zero_overlap_array(beta, y, n) bind(c); import
+      real(c_double), intent(in) :: beta(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
       end subroutine
-    real(c_float) function cor_sphere_duration_zero_force_fastf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_duration_zero_force_fast_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    real(c_float) function cor_sphere_max_overlap_fastf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_max_overlap_fast_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    real(c_float) function cor_sphere_time_of_max_overlap_fastf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_time_of_max_overlap_fast_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_eps_approach_only(x) bind(c, name="cor_sphere_eps_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_eps_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_eps_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_duration_zero_force(beta) bind(c, name="cor_sphere_duration_zero_force")
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_duration_zero_force_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_eps_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_loss_approach_only(x) bind(c, name="cor_sphere_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_loss_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_max_overlap(beta) bind(c, name="cor_sphere_max_overlap"); import
+      real(c_double), value :: beta; end function
+    subroutine cor_sphere_max_overlap_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_loss_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_beta_approach_only(x) bind(c, name="cor_sphere_beta_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_beta_approach_onlyf(x) bind(c); import; real(c_float), value :: x; end function
-    subroutine cor_sphere_beta_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
+    pure real(c_double) function c_cor_sphere_time_of_max_overlap(beta) bind(c, name="cor_sphere_time_of_max_overlap")
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_time_of_max_overlap_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
       real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_beta_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
+    subroutine cor_sphere_eps_zero_overlap_arrayf(beta, y, n) bind(c); import; real(c_float), intent(in) :: beta(*)
       real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    pure real(c_double) function c_cor_sphere_beta_of_loss_approach_only(x) bind(c, &
+    subroutine cor_sphere_eps_zero_force_arrayf(beta, y, n) bind(c); import; real(c_float), intent(in) :: beta(*)
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
+    subroutine cor_sphere_loss_zero_overlap_arrayf(beta, y, n) bind(c); import; real(c_float), intent(in) :: beta(*)
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
+    subroutine cor_sphere_loss_zero_force_arrayf(beta, y, n) bind(c); import; real(c_float), intent(in) :: beta(*)
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
+    pure real(c_double) function c_cor_sphere_eps_approach_only(beta) bind(c, name="cor_sphere_eps_approach_only")
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_eps_approach_only_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
+    pure real(c_double) function c_cor_sphere_loss_approach_only(beta) bind(c, name="cor_sphere_loss_approach_only")
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_loss_approach_only_array(beta, y, n) bind(c); import; real(c_double), intent(in) :: beta(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
+    pure real(c_double) function c_cor_sphere_beta_approach_only(eps) bind(c, name="cor_sphere_beta_approach_only")
+      import; real(c_double), value :: eps; end function
+    subroutine cor_sphere_beta_approach_only_array(eps, y, n) bind(c); import; real(c_double), intent(in) :: eps(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
+    pure real(c_double) function c_cor_sphere_beta_of_loss_approach_only(loss) bind(c, &
       name="cor_sphere_beta_of_loss_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_beta_of_loss_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_beta_of_loss_approach_only_array(x, y, n) bind(c); import
-      real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
+      import; real(c_double), value :: loss; end function
+    subroutine cor_sphere_beta_of_loss_approach_only_array(loss, y, n) bind(c); import
+      real(c_double), intent(in) :: loss(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
       end subroutine
-    subroutine cor_sphere_beta_of_loss_approach_only_arrayf(x, y, n) bind(c); import
-      real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
-      end subroutine
-    pure real(c_double) function c_cor_sphere_duration_approach_only(x) bind(c, &
+    pure real(c_double) function c_cor_sphere_duration_approach_only(beta) bind(c, &
       name="cor_sphere_duration_approach_only")
-      import; real(c_double), value :: x; end function
-    real(c_float) function cor_sphere_duration_approach_onlyf(x) bind(c); import; real(c_float), value :: x
-      end function
-    subroutine cor_sphere_duration_approach_only_array(x, y, n) bind(c); import; real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
-    subroutine cor_sphere_duration_approach_only_arrayf(x, y, n) bind(c); import; real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n; end subroutine
+      import; real(c_double), value :: beta; end function
+    subroutine cor_sphere_duration_approach_only_array(beta, y, n) bind(c); import
+      real(c_double), intent(in) :: beta(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
+      end subroutine
     pure real(c_double) function c_cor_sphere_eps_simple(beta) bind(c, name="cor_sphere_eps_simple"); import
       real(c_double), value :: beta; end function
     pure real(c_double) function c_cor_sphere_eps_simple_fraction(beta, depth) bind(c, &
@@ -1139,151 +478,25 @@ module cor
     cor_disk_rayleigh, cor_disk_rayleigh_array, cor_disk_rayleigh_tolerance, cor_disk_collision, &
     cor_disk_collision_array, cor_disk_collision_workspace, cor_disk_collision_in, cor_disk_hard_wall, &
     cor_disk_hard_wall_nu, cor_disk_hard_wall_workspace, cor_disk_hard_wall_in, cor_disk_eps, cor_disk_eps_array, &
-    cor_disk_eps_uncertainty, cor_disk_one_minus_eps2, cor_disk_one_minus_eps2_uncertainty, &
-    cor_hertz_dashpot_eps_zero_overlap, cor_hertz_dashpot_eps_zero_overlapf, &
-    cor_hertz_dashpot_eps_zero_overlap_array, cor_hertz_dashpot_eps_zero_overlap_arrayf, &
-    cor_hertz_dashpot_eps_zero_force, cor_hertz_dashpot_eps_zero_forcef, cor_hertz_dashpot_eps_zero_force_array, &
-    cor_hertz_dashpot_eps_zero_force_arrayf, cor_hertz_dashpot_loss_zero_overlap, &
-    cor_hertz_dashpot_loss_zero_overlapf, cor_hertz_dashpot_loss_zero_overlap_array, &
-    cor_hertz_dashpot_loss_zero_overlap_arrayf, cor_hertz_dashpot_loss_zero_force, &
-    cor_hertz_dashpot_loss_zero_forcef, cor_hertz_dashpot_loss_zero_force_array, &
-    cor_hertz_dashpot_loss_zero_force_arrayf, cor_hertz_dashpot_beta_zero_overlap, &
-    cor_hertz_dashpot_beta_zero_overlapf, cor_hertz_dashpot_beta_zero_overlap_array, &
-    cor_hertz_dashpot_beta_zero_overlap_arrayf, cor_hertz_dashpot_beta_zero_force, &
-    cor_hertz_dashpot_beta_zero_forcef, cor_hertz_dashpot_beta_zero_force_array, &
-    cor_hertz_dashpot_beta_zero_force_arrayf, cor_hertz_dashpot_beta_of_loss_zero_overlap, &
-    cor_hertz_dashpot_beta_of_loss_zero_overlapf, cor_hertz_dashpot_beta_of_loss_zero_overlap_array, &
-    cor_hertz_dashpot_beta_of_loss_zero_overlap_arrayf, cor_hertz_dashpot_beta_of_loss_zero_force, &
-    cor_hertz_dashpot_beta_of_loss_zero_forcef, cor_hertz_dashpot_beta_of_loss_zero_force_array, &
-    cor_hertz_dashpot_beta_of_loss_zero_force_arrayf, cor_hertz_dashpot_duration_zero_overlap, &
-    cor_hertz_dashpot_duration_zero_overlapf, cor_hertz_dashpot_duration_zero_overlap_array, &
-    cor_hertz_dashpot_duration_zero_overlap_arrayf, cor_hertz_dashpot_duration_zero_force, &
-    cor_hertz_dashpot_duration_zero_forcef, cor_hertz_dashpot_duration_zero_force_array, &
-    cor_hertz_dashpot_duration_zero_force_arrayf, cor_hertz_dashpot_max_overlap, cor_hertz_dashpot_max_overlapf, &
-    cor_hertz_dashpot_max_overlap_array, cor_hertz_dashpot_max_overlap_arrayf, cor_hertz_dashpot_time_of_max_overlap, &
-    cor_hertz_dashpot_time_of_max_overlapf, cor_hertz_dashpot_time_of_max_overlap_array, &
-    cor_hertz_dashpot_time_of_max_overlap_arrayf, cor_hertz_dashpot_eps_approach_only, &
-    cor_hertz_dashpot_eps_approach_onlyf, cor_hertz_dashpot_eps_approach_only_array, &
-    cor_hertz_dashpot_eps_approach_only_arrayf, cor_hertz_dashpot_loss_approach_only, &
-    cor_hertz_dashpot_loss_approach_onlyf, cor_hertz_dashpot_loss_approach_only_array, &
-    cor_hertz_dashpot_loss_approach_only_arrayf, cor_hertz_dashpot_beta_approach_only, &
-    cor_hertz_dashpot_beta_approach_onlyf, cor_hertz_dashpot_beta_approach_only_array, &
-    cor_hertz_dashpot_beta_approach_only_arrayf, cor_hertz_dashpot_beta_of_loss_approach_only, &
-    cor_hertz_dashpot_beta_of_loss_approach_onlyf, cor_hertz_dashpot_beta_of_loss_approach_only_array, &
-    cor_hertz_dashpot_beta_of_loss_approach_only_arrayf, cor_hertz_dashpot_duration_approach_only, &
-    cor_hertz_dashpot_duration_approach_onlyf, cor_hertz_dashpot_duration_approach_only_array, &
-    cor_hertz_dashpot_duration_approach_only_arrayf, cor_law_function, cor_law_value, cor_law_array, cor_law_arrayf, &
-    cor_law_name, cor_end_name, cor_quantity_name, cor_linear_eps_zero_overlap, cor_linear_eps_zero_overlapf, &
-    cor_linear_eps_zero_overlap_array, cor_linear_eps_zero_overlap_arrayf, cor_linear_eps_zero_force, &
-    cor_linear_eps_zero_forcef, cor_linear_eps_zero_force_array, cor_linear_eps_zero_force_arrayf, &
-    cor_linear_eps_limited, cor_linear_eps_limitedf, cor_linear_eps_limited_array, cor_linear_eps_limited_arrayf, &
-    cor_linear_eps_approach_only, cor_linear_eps_approach_onlyf, cor_linear_eps_approach_only_array, &
-    cor_linear_eps_approach_only_arrayf, cor_linear_loss_zero_overlap, cor_linear_loss_zero_overlapf, &
-    cor_linear_loss_zero_overlap_array, cor_linear_loss_zero_overlap_arrayf, cor_linear_loss_zero_force, &
-    cor_linear_loss_zero_forcef, cor_linear_loss_zero_force_array, cor_linear_loss_zero_force_arrayf, &
-    cor_linear_loss_limited, cor_linear_loss_limitedf, cor_linear_loss_limited_array, cor_linear_loss_limited_arrayf, &
-    cor_linear_loss_approach_only, cor_linear_loss_approach_onlyf, cor_linear_loss_approach_only_array, &
-    cor_linear_loss_approach_only_arrayf, cor_linear_zeta_zero_overlap, cor_linear_zeta_zero_overlapf, &
-    cor_linear_zeta_zero_overlap_array, cor_linear_zeta_zero_overlap_arrayf, cor_linear_zeta_zero_force, &
-    cor_linear_zeta_zero_forcef, cor_linear_zeta_zero_force_array, cor_linear_zeta_zero_force_arrayf, &
-    cor_linear_zeta_limited, cor_linear_zeta_limitedf, cor_linear_zeta_limited_array, cor_linear_zeta_limited_arrayf, &
-    cor_linear_zeta_approach_only, cor_linear_zeta_approach_onlyf, cor_linear_zeta_approach_only_array, &
-    cor_linear_zeta_approach_only_arrayf, cor_linear_zeta_of_loss_zero_overlap, &
-    cor_linear_zeta_of_loss_zero_overlapf, cor_linear_zeta_of_loss_zero_overlap_array, &
-    cor_linear_zeta_of_loss_zero_overlap_arrayf, cor_linear_zeta_of_loss_zero_force, &
-    cor_linear_zeta_of_loss_zero_forcef, cor_linear_zeta_of_loss_zero_force_array, &
-    cor_linear_zeta_of_loss_zero_force_arrayf, cor_linear_zeta_of_loss_limited, cor_linear_zeta_of_loss_limitedf, &
-    cor_linear_zeta_of_loss_limited_array, cor_linear_zeta_of_loss_limited_arrayf, &
-    cor_linear_zeta_of_loss_approach_only, cor_linear_zeta_of_loss_approach_onlyf, &
-    cor_linear_zeta_of_loss_approach_only_array, cor_linear_zeta_of_loss_approach_only_arrayf, &
-    cor_linear_duration_zero_overlap, cor_linear_duration_zero_overlapf, cor_linear_duration_zero_overlap_array, &
-    cor_linear_duration_zero_overlap_arrayf, cor_linear_duration_zero_force, cor_linear_duration_zero_forcef, &
-    cor_linear_duration_zero_force_array, cor_linear_duration_zero_force_arrayf, cor_linear_duration_limited, &
-    cor_linear_duration_limitedf, cor_linear_duration_limited_array, cor_linear_duration_limited_arrayf, &
-    cor_linear_duration_approach_only, cor_linear_duration_approach_onlyf, cor_linear_duration_approach_only_array, &
-    cor_linear_duration_approach_only_arrayf, cor_linear_max_overlap, cor_linear_max_overlapf, &
-    cor_linear_max_overlap_array, cor_linear_max_overlap_arrayf, cor_linear_time_of_max_overlap, &
-    cor_linear_time_of_max_overlapf, cor_linear_time_of_max_overlap_array, cor_linear_time_of_max_overlap_arrayf, &
-    cor_tsuji_eps_zero_overlap, cor_tsuji_eps_zero_overlapf, cor_tsuji_eps_zero_overlap_array, &
-    cor_tsuji_eps_zero_overlap_arrayf, cor_tsuji_eps_zero_force, cor_tsuji_eps_zero_forcef, &
-    cor_tsuji_eps_zero_force_array, cor_tsuji_eps_zero_force_arrayf, cor_tsuji_eps_limited, cor_tsuji_eps_limitedf, &
-    cor_tsuji_eps_limited_array, cor_tsuji_eps_limited_arrayf, cor_tsuji_eps_approach_only, &
-    cor_tsuji_eps_approach_onlyf, cor_tsuji_eps_approach_only_array, cor_tsuji_eps_approach_only_arrayf, &
-    cor_tsuji_loss_zero_overlap, cor_tsuji_loss_zero_overlapf, cor_tsuji_loss_zero_overlap_array, &
-    cor_tsuji_loss_zero_overlap_arrayf, cor_tsuji_loss_zero_force, cor_tsuji_loss_zero_forcef, &
-    cor_tsuji_loss_zero_force_array, cor_tsuji_loss_zero_force_arrayf, cor_tsuji_loss_limited, &
-    cor_tsuji_loss_limitedf, cor_tsuji_loss_limited_array, cor_tsuji_loss_limited_arrayf, &
-    cor_tsuji_loss_approach_only, cor_tsuji_loss_approach_onlyf, cor_tsuji_loss_approach_only_array, &
-    cor_tsuji_loss_approach_only_arrayf, cor_tsuji_zeta_zero_overlap, cor_tsuji_zeta_zero_overlapf, &
-    cor_tsuji_zeta_zero_overlap_array, cor_tsuji_zeta_zero_overlap_arrayf, cor_tsuji_zeta_zero_force, &
-    cor_tsuji_zeta_zero_forcef, cor_tsuji_zeta_zero_force_array, cor_tsuji_zeta_zero_force_arrayf, &
-    cor_tsuji_zeta_limited, cor_tsuji_zeta_limitedf, cor_tsuji_zeta_limited_array, cor_tsuji_zeta_limited_arrayf, &
-    cor_tsuji_zeta_approach_only, cor_tsuji_zeta_approach_onlyf, cor_tsuji_zeta_approach_only_array, &
-    cor_tsuji_zeta_approach_only_arrayf, cor_tsuji_zeta_of_loss_zero_overlap, cor_tsuji_zeta_of_loss_zero_overlapf, &
-    cor_tsuji_zeta_of_loss_zero_overlap_array, cor_tsuji_zeta_of_loss_zero_overlap_arrayf, &
-    cor_tsuji_zeta_of_loss_zero_force, cor_tsuji_zeta_of_loss_zero_forcef, cor_tsuji_zeta_of_loss_zero_force_array, &
-    cor_tsuji_zeta_of_loss_zero_force_arrayf, cor_tsuji_zeta_of_loss_limited, cor_tsuji_zeta_of_loss_limitedf, &
-    cor_tsuji_zeta_of_loss_limited_array, cor_tsuji_zeta_of_loss_limited_arrayf, &
-    cor_tsuji_zeta_of_loss_approach_only, cor_tsuji_zeta_of_loss_approach_onlyf, &
-    cor_tsuji_zeta_of_loss_approach_only_array, cor_tsuji_zeta_of_loss_approach_only_arrayf, &
-    cor_tsuji_duration_zero_overlap, cor_tsuji_duration_zero_overlapf, cor_tsuji_duration_zero_overlap_array, &
-    cor_tsuji_duration_zero_overlap_arrayf, cor_tsuji_duration_zero_force, cor_tsuji_duration_zero_forcef, &
-    cor_tsuji_duration_zero_force_array, cor_tsuji_duration_zero_force_arrayf, cor_tsuji_duration_limited, &
-    cor_tsuji_duration_limitedf, cor_tsuji_duration_limited_array, cor_tsuji_duration_limited_arrayf, &
-    cor_tsuji_duration_approach_only, cor_tsuji_duration_approach_onlyf, cor_tsuji_duration_approach_only_array, &
-    cor_tsuji_duration_approach_only_arrayf, cor_tsuji_max_overlap, cor_tsuji_max_overlapf, &
-    cor_tsuji_max_overlap_array, cor_tsuji_max_overlap_arrayf, cor_tsuji_time_of_max_overlap, &
-    cor_tsuji_time_of_max_overlapf, cor_tsuji_time_of_max_overlap_array, cor_tsuji_time_of_max_overlap_arrayf, &
-    cor_hunt_crossley_eps, cor_hunt_crossley_epsf, cor_hunt_crossley_eps_array, cor_hunt_crossley_eps_arrayf, &
-    cor_hunt_crossley_eps_approach_only, cor_hunt_crossley_eps_approach_onlyf, &
-    cor_hunt_crossley_eps_approach_only_array, cor_hunt_crossley_eps_approach_only_arrayf, cor_hunt_crossley_loss, &
-    cor_hunt_crossley_lossf, cor_hunt_crossley_loss_array, cor_hunt_crossley_loss_arrayf, &
-    cor_hunt_crossley_loss_approach_only, cor_hunt_crossley_loss_approach_onlyf, &
-    cor_hunt_crossley_loss_approach_only_array, cor_hunt_crossley_loss_approach_only_arrayf, cor_hunt_crossley_beta, &
-    cor_hunt_crossley_betaf, cor_hunt_crossley_beta_array, cor_hunt_crossley_beta_arrayf, &
-    cor_hunt_crossley_beta_approach_only, cor_hunt_crossley_beta_approach_onlyf, &
-    cor_hunt_crossley_beta_approach_only_array, cor_hunt_crossley_beta_approach_only_arrayf, &
-    cor_hunt_crossley_beta_of_loss, cor_hunt_crossley_beta_of_lossf, cor_hunt_crossley_beta_of_loss_array, &
-    cor_hunt_crossley_beta_of_loss_arrayf, cor_hunt_crossley_beta_of_loss_approach_only, &
-    cor_hunt_crossley_beta_of_loss_approach_onlyf, cor_hunt_crossley_beta_of_loss_approach_only_array, &
-    cor_hunt_crossley_beta_of_loss_approach_only_arrayf, cor_hunt_crossley_max_overlap, &
-    cor_hunt_crossley_max_overlapf, cor_hunt_crossley_max_overlap_array, cor_hunt_crossley_max_overlap_arrayf, &
-    cor_hunt_crossley_duration, cor_hunt_crossley_durationf, cor_hunt_crossley_duration_array, &
-    cor_hunt_crossley_duration_arrayf, cor_hunt_crossley_duration_approach_only, &
-    cor_hunt_crossley_duration_approach_onlyf, cor_hunt_crossley_duration_approach_only_array, &
-    cor_hunt_crossley_duration_approach_only_arrayf, cor_hunt_crossley_time_of_max_overlap, &
-    cor_hunt_crossley_time_of_max_overlapf, cor_hunt_crossley_time_of_max_overlap_array, &
-    cor_hunt_crossley_time_of_max_overlap_arrayf, cor_tangential_no_slip, cor_tangential_no_slipf, &
-    cor_tangential_no_slip_array, cor_tangential_no_slip_arrayf, cor_sphere_eps_zero_overlap, &
-    cor_sphere_eps_zero_overlapf, cor_sphere_eps_zero_overlap_array, cor_sphere_eps_zero_overlap_arrayf, &
-    cor_sphere_eps_zero_force, cor_sphere_eps_zero_forcef, cor_sphere_eps_zero_force_array, &
-    cor_sphere_eps_zero_force_arrayf, cor_sphere_loss_zero_overlap, cor_sphere_loss_zero_overlapf, &
-    cor_sphere_loss_zero_overlap_array, cor_sphere_loss_zero_overlap_arrayf, cor_sphere_loss_zero_force, &
-    cor_sphere_loss_zero_forcef, cor_sphere_loss_zero_force_array, cor_sphere_loss_zero_force_arrayf, &
-    cor_sphere_beta_zero_overlap, cor_sphere_beta_zero_overlapf, cor_sphere_beta_zero_overlap_array, &
-    cor_sphere_beta_zero_overlap_arrayf, cor_sphere_beta_zero_force, cor_sphere_beta_zero_forcef, &
-    cor_sphere_beta_zero_force_array, cor_sphere_beta_zero_force_arrayf, cor_sphere_duration_zero_overlap, &
-    cor_sphere_duration_zero_overlapf, cor_sphere_duration_zero_overlap_array, &
-    cor_sphere_duration_zero_overlap_arrayf, cor_sphere_duration_zero_force, cor_sphere_duration_zero_forcef, &
-    cor_sphere_duration_zero_force_array, cor_sphere_duration_zero_force_arrayf, cor_sphere_max_overlap, &
-    cor_sphere_max_overlapf, cor_sphere_max_overlap_array, cor_sphere_max_overlap_arrayf, &
-    cor_sphere_time_of_max_overlap, cor_sphere_time_of_max_overlapf, cor_sphere_time_of_max_overlap_array, &
-    cor_sphere_time_of_max_overlap_arrayf, cor_sphere_eps_zero_overlap_fastf, &
-    cor_sphere_eps_zero_overlap_fast_arrayf, cor_sphere_eps_zero_force_fastf, cor_sphere_eps_zero_force_fast_arrayf, &
-    cor_sphere_loss_zero_overlap_fastf, cor_sphere_loss_zero_overlap_fast_arrayf, cor_sphere_loss_zero_force_fastf, &
-    cor_sphere_loss_zero_force_fast_arrayf, cor_sphere_duration_zero_overlap_fastf, &
-    cor_sphere_duration_zero_overlap_fast_arrayf, cor_sphere_duration_zero_force_fastf, &
-    cor_sphere_duration_zero_force_fast_arrayf, cor_sphere_max_overlap_fastf, cor_sphere_max_overlap_fast_arrayf, &
-    cor_sphere_time_of_max_overlap_fastf, cor_sphere_time_of_max_overlap_fast_arrayf, cor_sphere_eps_approach_only, &
-    cor_sphere_eps_approach_onlyf, cor_sphere_eps_approach_only_array, cor_sphere_eps_approach_only_arrayf, &
-    cor_sphere_loss_approach_only, cor_sphere_loss_approach_onlyf, cor_sphere_loss_approach_only_array, &
-    cor_sphere_loss_approach_only_arrayf, cor_sphere_beta_approach_only, cor_sphere_beta_approach_onlyf, &
-    cor_sphere_beta_approach_only_array, cor_sphere_beta_approach_only_arrayf, cor_sphere_beta_of_loss_approach_only, &
-    cor_sphere_beta_of_loss_approach_onlyf, cor_sphere_beta_of_loss_approach_only_array, &
-    cor_sphere_beta_of_loss_approach_only_arrayf, cor_sphere_duration_approach_only, &
-    cor_sphere_duration_approach_onlyf, cor_sphere_duration_approach_only_array, &
-    cor_sphere_duration_approach_only_arrayf, cor_sphere_eps_simple, cor_sphere_eps_simple_fraction, &
-    cor_sphere_eps_published_pade, cor_status_text
+    cor_disk_eps_uncertainty, cor_disk_one_minus_eps2, cor_disk_one_minus_eps2_uncertainty, cor_law_function, &
+    cor_law_value, cor_law_array, cor_law_arrayf, cor_law_name, cor_end_name, cor_quantity_name, &
+    cor_hunt_crossley_max_overlap, cor_hunt_crossley_max_overlap_array, cor_hunt_crossley_duration, &
+    cor_hunt_crossley_duration_array, cor_hunt_crossley_duration_approach_only, &
+    cor_hunt_crossley_duration_approach_only_array, cor_hunt_crossley_time_of_max_overlap, &
+    cor_hunt_crossley_time_of_max_overlap_array, cor_tangential_no_slip, cor_tangential_no_slip_array, &
+    cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_overlap_array, cor_sphere_eps_zero_force, &
+    cor_sphere_eps_zero_force_array, cor_sphere_loss_zero_overlap, cor_sphere_loss_zero_overlap_array, &
+    cor_sphere_loss_zero_force, cor_sphere_loss_zero_force_array, cor_sphere_beta_zero_overlap, &
+    cor_sphere_beta_zero_overlap_array, cor_sphere_beta_zero_force, cor_sphere_beta_zero_force_array, &
+    cor_sphere_duration_zero_overlap, cor_sphere_duration_zero_overlap_array, cor_sphere_duration_zero_force, &
+    cor_sphere_duration_zero_force_array, cor_sphere_max_overlap, cor_sphere_max_overlap_array, &
+    cor_sphere_time_of_max_overlap, cor_sphere_time_of_max_overlap_array, cor_sphere_eps_zero_overlap_arrayf, &
+    cor_sphere_eps_zero_force_arrayf, cor_sphere_loss_zero_overlap_arrayf, cor_sphere_loss_zero_force_arrayf, &
+    cor_sphere_eps_approach_only, cor_sphere_eps_approach_only_array, cor_sphere_loss_approach_only, &
+    cor_sphere_loss_approach_only_array, cor_sphere_beta_approach_only, cor_sphere_beta_approach_only_array, &
+    cor_sphere_beta_of_loss_approach_only, cor_sphere_beta_of_loss_approach_only_array, &
+    cor_sphere_duration_approach_only, cor_sphere_duration_approach_only_array, cor_sphere_eps_simple, &
+    cor_sphere_eps_simple_fraction, cor_sphere_eps_published_pade, cor_status_text
 
 contains
   elemental real(c_double) function cor_sphere_mass_kg(radius_m, density_kg_m3) result(value)
@@ -1416,40 +629,6 @@ contains
     real(c_double), intent(in) :: speed, nu; value = c_cor_disk_one_minus_eps2(speed, nu); end function
   elemental real(c_double) function cor_disk_one_minus_eps2_uncertainty(speed, nu) result(value)
     real(c_double), intent(in) :: speed, nu; value = c_cor_disk_one_minus_eps2_uncertainty(speed, nu); end function
-  elemental real(c_double) function cor_hertz_dashpot_eps_zero_overlap(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_eps_zero_overlap(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_eps_zero_force(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_eps_zero_force(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_loss_zero_overlap(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_loss_zero_overlap(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_loss_zero_force(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_loss_zero_force(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_beta_zero_overlap(eps) result(value)
-    real(c_double), intent(in) :: eps; value = c_cor_hertz_dashpot_beta_zero_overlap(eps); end function
-  elemental real(c_double) function cor_hertz_dashpot_beta_zero_force(eps) result(value)
-    real(c_double), intent(in) :: eps; value = c_cor_hertz_dashpot_beta_zero_force(eps); end function
-  elemental real(c_double) function cor_hertz_dashpot_beta_of_loss_zero_overlap(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_hertz_dashpot_beta_of_loss_zero_overlap(loss); end function
-  elemental real(c_double) function cor_hertz_dashpot_beta_of_loss_zero_force(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_hertz_dashpot_beta_of_loss_zero_force(loss); end function
-  elemental real(c_double) function cor_hertz_dashpot_duration_zero_overlap(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_duration_zero_overlap(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_duration_zero_force(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_duration_zero_force(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_max_overlap(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_max_overlap(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_time_of_max_overlap(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_time_of_max_overlap(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_eps_approach_only(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_eps_approach_only(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_loss_approach_only(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_loss_approach_only(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_beta_approach_only(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_beta_approach_only(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_beta_of_loss_approach_only(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_beta_of_loss_approach_only(beta); end function
-  elemental real(c_double) function cor_hertz_dashpot_duration_approach_only(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hertz_dashpot_duration_approach_only(beta); end function
   elemental real(c_double) function cor_law_value(law, end, quantity, x) result(value)
     integer(c_int), intent(in) :: law, end, quantity; real(c_double), intent(in) :: x
     value = c_cor_law_value(law, end, quantity, x); end function
@@ -1468,110 +647,6 @@ contains
     character(len=:), allocatable :: text
     text = text_of(c_cor_quantity_name(quantity))
   end function
-  elemental real(c_double) function cor_linear_eps_zero_overlap(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_eps_zero_overlap(zeta); end function
-  elemental real(c_double) function cor_linear_eps_zero_force(zeta) result(value); real(c_double), intent(in) :: zeta
-    value = c_cor_linear_eps_zero_force(zeta); end function
-  elemental real(c_double) function cor_linear_eps_limited(zeta) result(value); real(c_double), intent(in) :: zeta
-    value = c_cor_linear_eps_limited(zeta); end function
-  elemental real(c_double) function cor_linear_eps_approach_only(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_eps_approach_only(zeta); end function
-  elemental real(c_double) function cor_linear_loss_zero_overlap(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_loss_zero_overlap(zeta); end function
-  elemental real(c_double) function cor_linear_loss_zero_force(zeta) result(value); real(c_double), intent(in) :: zeta
-    value = c_cor_linear_loss_zero_force(zeta); end function
-  elemental real(c_double) function cor_linear_loss_limited(zeta) result(value); real(c_double), intent(in) :: zeta
-    value = c_cor_linear_loss_limited(zeta); end function
-  elemental real(c_double) function cor_linear_loss_approach_only(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_loss_approach_only(zeta); end function
-  elemental real(c_double) function cor_linear_zeta_zero_overlap(eps) result(value); real(c_double), intent(in) :: eps
-    value = c_cor_linear_zeta_zero_overlap(eps); end function
-  elemental real(c_double) function cor_linear_zeta_zero_force(eps) result(value); real(c_double), intent(in) :: eps
-    value = c_cor_linear_zeta_zero_force(eps); end function
-  elemental real(c_double) function cor_linear_zeta_limited(eps) result(value); real(c_double), intent(in) :: eps
-    value = c_cor_linear_zeta_limited(eps); end function
-  elemental real(c_double) function cor_linear_zeta_approach_only(eps) result(value)
-    real(c_double), intent(in) :: eps; value = c_cor_linear_zeta_approach_only(eps); end function
-  elemental real(c_double) function cor_linear_zeta_of_loss_zero_overlap(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_linear_zeta_of_loss_zero_overlap(loss); end function
-  elemental real(c_double) function cor_linear_zeta_of_loss_zero_force(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_linear_zeta_of_loss_zero_force(loss); end function
-  elemental real(c_double) function cor_linear_zeta_of_loss_limited(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_linear_zeta_of_loss_limited(loss); end function
-  elemental real(c_double) function cor_linear_zeta_of_loss_approach_only(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_linear_zeta_of_loss_approach_only(loss); end function
-  elemental real(c_double) function cor_linear_duration_zero_overlap(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_duration_zero_overlap(zeta); end function
-  elemental real(c_double) function cor_linear_duration_zero_force(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_duration_zero_force(zeta); end function
-  elemental real(c_double) function cor_linear_duration_limited(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_duration_limited(zeta); end function
-  elemental real(c_double) function cor_linear_duration_approach_only(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_duration_approach_only(zeta); end function
-  elemental real(c_double) function cor_linear_max_overlap(zeta) result(value); real(c_double), intent(in) :: zeta
-    value = c_cor_linear_max_overlap(zeta); end function
-  elemental real(c_double) function cor_linear_time_of_max_overlap(zeta) result(value)
-    real(c_double), intent(in) :: zeta; value = c_cor_linear_time_of_max_overlap(zeta); end function
-  elemental real(c_double) function cor_tsuji_eps_zero_overlap(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_eps_zero_overlap(x); end function
-  elemental real(c_double) function cor_tsuji_eps_zero_force(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_eps_zero_force(x); end function
-  elemental real(c_double) function cor_tsuji_eps_limited(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_eps_limited(x); end function
-  elemental real(c_double) function cor_tsuji_eps_approach_only(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_eps_approach_only(x); end function
-  elemental real(c_double) function cor_tsuji_loss_zero_overlap(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_loss_zero_overlap(x); end function
-  elemental real(c_double) function cor_tsuji_loss_zero_force(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_loss_zero_force(x); end function
-  elemental real(c_double) function cor_tsuji_loss_limited(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_loss_limited(x); end function
-  elemental real(c_double) function cor_tsuji_loss_approach_only(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_loss_approach_only(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_zero_overlap(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_zeta_zero_overlap(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_zero_force(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_zeta_zero_force(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_limited(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_zeta_limited(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_approach_only(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_zeta_approach_only(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_of_loss_zero_overlap(x) result(value)
-    real(c_double), intent(in) :: x; value = c_cor_tsuji_zeta_of_loss_zero_overlap(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_of_loss_zero_force(x) result(value)
-    real(c_double), intent(in) :: x; value = c_cor_tsuji_zeta_of_loss_zero_force(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_of_loss_limited(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_zeta_of_loss_limited(x); end function
-  elemental real(c_double) function cor_tsuji_zeta_of_loss_approach_only(x) result(value)
-    real(c_double), intent(in) :: x; value = c_cor_tsuji_zeta_of_loss_approach_only(x); end function
-  elemental real(c_double) function cor_tsuji_duration_zero_overlap(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_duration_zero_overlap(x); end function
-  elemental real(c_double) function cor_tsuji_duration_zero_force(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_duration_zero_force(x); end function
-  elemental real(c_double) function cor_tsuji_duration_limited(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_duration_limited(x); end function
-  elemental real(c_double) function cor_tsuji_duration_approach_only(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_duration_approach_only(x); end function
-  elemental real(c_double) function cor_tsuji_max_overlap(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_max_overlap(x); end function
-  elemental real(c_double) function cor_tsuji_time_of_max_overlap(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_tsuji_time_of_max_overlap(x); end function
-  elemental real(c_double) function cor_hunt_crossley_eps(beta) result(value); real(c_double), intent(in) :: beta
-    value = c_cor_hunt_crossley_eps(beta); end function
-  elemental real(c_double) function cor_hunt_crossley_eps_approach_only(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hunt_crossley_eps_approach_only(beta); end function
-  elemental real(c_double) function cor_hunt_crossley_loss(beta) result(value); real(c_double), intent(in) :: beta
-    value = c_cor_hunt_crossley_loss(beta); end function
-  elemental real(c_double) function cor_hunt_crossley_loss_approach_only(beta) result(value)
-    real(c_double), intent(in) :: beta; value = c_cor_hunt_crossley_loss_approach_only(beta); end function
-  elemental real(c_double) function cor_hunt_crossley_beta(eps) result(value); real(c_double), intent(in) :: eps
-    value = c_cor_hunt_crossley_beta(eps); end function
-  elemental real(c_double) function cor_hunt_crossley_beta_approach_only(eps) result(value)
-    real(c_double), intent(in) :: eps; value = c_cor_hunt_crossley_beta_approach_only(eps); end function
-  elemental real(c_double) function cor_hunt_crossley_beta_of_loss(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_hunt_crossley_beta_of_loss(loss); end function
-  elemental real(c_double) function cor_hunt_crossley_beta_of_loss_approach_only(loss) result(value)
-    real(c_double), intent(in) :: loss; value = c_cor_hunt_crossley_beta_of_loss_approach_only(loss); end function
   elemental real(c_double) function cor_hunt_crossley_max_overlap(beta, elastic_exponent) result(value)
     real(c_double), intent(in) :: beta, elastic_exponent
     value = c_cor_hunt_crossley_max_overlap(beta, elastic_exponent); end function
@@ -1609,8 +684,8 @@ contains
     real(c_double), intent(in) :: beta; value = c_cor_sphere_time_of_max_overlap(beta); end function
   elemental real(c_double) function cor_sphere_eps_approach_only(beta) result(value)
     real(c_double), intent(in) :: beta; value = c_cor_sphere_eps_approach_only(beta); end function
-  elemental real(c_double) function cor_sphere_loss_approach_only(x) result(value); real(c_double), intent(in) :: x
-    value = c_cor_sphere_loss_approach_only(x); end function
+  elemental real(c_double) function cor_sphere_loss_approach_only(beta) result(value)
+    real(c_double), intent(in) :: beta; value = c_cor_sphere_loss_approach_only(beta); end function
   elemental real(c_double) function cor_sphere_beta_approach_only(eps) result(value)
     real(c_double), intent(in) :: eps; value = c_cor_sphere_beta_approach_only(eps); end function
   elemental real(c_double) function cor_sphere_beta_of_loss_approach_only(loss) result(value)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units of
  * (m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in ln(1 + beta), and
- * what follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: docs/laws.md; form:
+ * what follows at large beta. Evaluated by runtime/law/hunt_crossley_functions.c. Source: docs/laws.md; form:
  * docs/internals.md.
  *
  * Written by:  corgen tables

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the
  * sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large
- * zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/internals.md.
+ * zeta. Evaluated by runtime/law/linear_tsuji.c. Source: docs/laws.md; form: docs/internals.md.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check

@@ -1,61 +1,64 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of libcor of one number, for arrays. They are loops over scalar functions: libcor's own loops hold the
- * tables of all float functions, too, which the module need not carry. */
+/* The functions of the table of law.h, and those with an exponent, for arrays. They are loops over scalar functions, so
+ * that the module need not contain libcor's own loops. */
 #include <math.h>
+#include <stdio.h>
 
-#include "cor/hertz_dashpot.h"
 #include "cor/law.h"
-#include "cor/sphere.h"
 #include "web/web.h"
 
-#define BOTH(f, group, name) f(group, name##_zero_overlap) f(group, name##_zero_force)
-#define FOUR(f, group, name) BOTH(f, group, name) f(group, name##_limited) f(group, name##_approach_only)
-#define WITH_APPROACH(f, group, name) BOTH(f, group, name) f(group, name##_approach_only)
-#define ONE(f, group, name) f(group, name) f(group, name##_approach_only)
-#define SPHERES(f, group)                                                                                              \
-    WITH_APPROACH(f, group, eps)                                                                                       \
-    WITH_APPROACH(f, group, loss)                                                                                      \
-    WITH_APPROACH(f, group, beta)                                                                                      \
-    f(group, beta_of_loss_approach_only) WITH_APPROACH(f, group, duration) f(group, max_overlap)                       \
-        f(group, time_of_max_overlap)
-#define RATIOS(f, group)                                                                                               \
-    FOUR(f, group, eps)                                                                                                \
-    FOUR(f, group, loss)                                                                                               \
-    FOUR(f, group, zeta)                                                                                               \
-    FOUR(f, group, zeta_of_loss) FOUR(f, group, duration) f(group, max_overlap) f(group, time_of_max_overlap)
-#define CROSSLEYS(f)                                                                                                   \
-    ONE(f, hunt_crossley, eps)                                                                                         \
-    ONE(f, hunt_crossley, loss) ONE(f, hunt_crossley, beta) ONE(f, hunt_crossley, beta_of_loss)
-
-#define ROW(group, name) {#group "." #name, cor_##group##_##name},
-static const struct {
-    const char *name;
+enum { MOST = 150, NAME = 64 };
+static struct {
+    char name[NAME];
     double (*function)(double x);
-} functions[] = {SPHERES(ROW, sphere) SPHERES(ROW, hertz_dashpot) BOTH(ROW, hertz_dashpot, beta_of_loss)
-                     RATIOS(ROW, linear) RATIOS(ROW, tsuji) CROSSLEYS(ROW)};
-enum { FUNCTIONS = sizeof functions / sizeof *functions };
+} functions[MOST];
+static int count;
 
 /* of beta and of the elastic exponent */
 static const struct {
     const char *name;
     double (*function)(double beta, double exponent);
-} with_exponent[] = {ONE(ROW, hunt_crossley, duration) ROW(hunt_crossley, max_overlap)
-                         ROW(hunt_crossley, time_of_max_overlap)};
+} with_exponent[] = {{"hunt_crossley.duration", cor_hunt_crossley_duration},
+                     {"hunt_crossley.duration_approach_only", cor_hunt_crossley_duration_approach_only},
+                     {"hunt_crossley.max_overlap", cor_hunt_crossley_max_overlap},
+                     {"hunt_crossley.time_of_max_overlap", cor_hunt_crossley_time_of_max_overlap}};
 enum { WITH_EXPONENT = sizeof with_exponent / sizeof *with_exponent };
+
+/* Adds "linear.zeta_of_loss_limited", ...; a function of several ends once. */
+static void add(int law, int end, int quantity)
+{
+    static const char *const groups[] = {"sphere", "linear", "tsuji", "hunt_crossley", "hertz_dashpot"},
+                             *const ends[] = {"_zero_overlap", "_zero_force", "_limited", "_approach_only"};
+    const struct cor_law_function *const f =
+        cor_law_function((enum cor_law)law, (enum cor_end)end, (enum cor_quantity)quantity);
+    const int is_ratio = law == COR_LAW_LINEAR || law == COR_LAW_TSUJI, is_crossley = law == COR_LAW_HUNT_CROSSLEY;
+    const char *const names[] = {
+        "eps",      "loss",        is_ratio ? "zeta" : "beta", is_ratio ? "zeta_of_loss" : "beta_of_loss",
+        "duration", "max_overlap", "time_of_max_overlap"};
+    const int of_all = quantity >= COR_MAX_OVERLAP || (is_crossley && end != COR_END_APPROACH_ONLY);
+    if (!f || (of_all && end != COR_END_ZERO_OVERLAP) || (is_crossley && quantity >= COR_DURATION))
+        return;
+    snprintf(functions[count].name, NAME, "%s.%s%s", groups[law], names[quantity], of_all ? "" : ends[end]);
+    functions[count++].function = f->value;
+}
 
 /* "sphere.eps_zero_force", ...; those with an exponent come last, from web_functions_with_exponent on; NULL: no more */
 WEB_EXPORT(web_function_name) const char *web_function_name(int i)
 {
-    return i < FUNCTIONS ? functions[i].name : i < FUNCTIONS + WITH_EXPONENT ? with_exponent[i - FUNCTIONS].name : NULL;
+    for (int law = count ? COR_LAWS : 0; law <= COR_LAW_HERTZ_DASHPOT; law++)
+        for (int end = 0; end <= COR_END_APPROACH_ONLY; end++)
+            for (int quantity = 0; quantity < COR_QUANTITIES; quantity++)
+                add(law, end, quantity);
+    return i < count ? functions[i].name : i < count + WITH_EXPONENT ? with_exponent[i - count].name : NULL;
 }
 
 WEB_EXPORT(web_functions_with_exponent) int web_functions_with_exponent(void)
 {
-    return FUNCTIONS;
+    return count;
 }
 
 WEB_EXPORT(web_map) void web_map(int i, const double *x, double *y, size_t n, double exponent)
 {
     for (size_t k = 0; k < n; k++)
-        y[k] = i < FUNCTIONS ? functions[i].function(x[k]) : with_exponent[i - FUNCTIONS].function(x[k], exponent);
+        y[k] = i < count ? functions[i].function(x[k]) : with_exponent[i - count].function(x[k], exponent);
 }

@@ -11,11 +11,9 @@
 #include <cor/cor.h>
 
 #include "reference_law.h"
+#include "runtime/number/sets.h"
 #include "runtime/scene/simulators.h"
 #include "support/timing.h"
-
-#include "runtime/law/array.h"
-#include "runtime/law/dashpot_array.h"
 
 enum { COUNT = 2048 };
 
@@ -27,11 +25,11 @@ enum { COUNT = 2048 };
         const long double l = reference_ratio_exponent(end, zeta);                                                     \
         return value;                                                                                                  \
     }
-EXACT(eps_overlap, LAW_ZERO_OVERLAP, expl(-l))
-EXACT(eps_force, LAW_ZERO_FORCE, expl(-l))
-EXACT(loss_force, LAW_ZERO_FORCE, -expm1l(-l))
-EXACT(eps_approach, LAW_APPROACH_ONLY, expl(-l))
-EXACT(eps_limited, LAW_LIMITED, expl(-l))
+EXACT(eps_overlap, COR_END_ZERO_OVERLAP, expl(-l))
+EXACT(eps_force, COR_END_ZERO_FORCE, expl(-l))
+EXACT(loss_force, COR_END_ZERO_FORCE, -expm1l(-l))
+EXACT(eps_approach, COR_END_APPROACH_ONLY, expl(-l))
+EXACT(eps_limited, COR_END_LIMITED, expl(-l))
 
 /* a = 3/2: the energy at the largest overlap is that of a rebound without damping */
 static long double exact_overlap(long double beta)
@@ -171,84 +169,83 @@ static double duration_by_quadrature(double beta)
 typedef double scalar_function(double x);
 typedef long double exact_function(long double x);
 
-enum { NO_LOOP = -1, FIRST_DASHPOT = COR_LAW_LOOP_COUNT, MAX_JOBS = 128 };
-#define DASHPOT_LOOP(function) (FIRST_DASHPOT + COR_DASHPOT_##function)
+enum { SCALAR = -1, MAX_JOBS = 128 };
 
-/* Rows of cor name a loop, which is timed in every instruction set: one of law.h, or DASHPOT_LOOP of hertz_dashpot.h */
+/* In place of the library's function, so that its arrays use the set of a line */
+static int array_set;
+int cor_array_set(void)
+{
+    return array_set;
+}
+
+/* OF: a function of law.h, whose array is timed in every instruction set */
+#define OF(LAW, END, QUANTITY) NULL, COR_LAW_##LAW, COR_END_##END, COR_##QUANTITY
+#define OTHER(function) function, COR_LAW_VISCOELASTIC, COR_END_ZERO_FORCE, COR_EPS
 static const struct method {
     const char *quantity, *method;
-    scalar_function *scalar;
-    int loop;
+    scalar_function *scalar; /* NULL: of law.h */
+    enum cor_law law;
+    enum cor_end end;
+    enum cor_quantity of;
     exact_function *exact; /* of the value, or of eps for an inverse; NULL: none is at hand */
     int inverse;
     double low, high; /* of the argument */
 } methods[] = {
-    {"eps of zeta; zero overlap", "cor", cor_linear_eps_zero_overlap, COR_LAW_ratio_eps_zero_overlap, exact_eps_overlap,
-     0, 0.01, 0.8},
-    {"eps of zeta; zero overlap", "exp(-pi zeta/sqrt(1-zeta^2))", formula_eps_overlap, NO_LOOP, exact_eps_overlap, 0,
+    {"eps of zeta; zero overlap", "cor", OF(LINEAR, ZERO_OVERLAP, EPS), exact_eps_overlap, 0, 0.01, 0.8},
+    {"eps of zeta; zero overlap", "exp(-pi zeta/sqrt(1-zeta^2))", OTHER(formula_eps_overlap), exact_eps_overlap, 0,
      0.01, 0.8},
-    {"eps of zeta; zero force", "cor", cor_linear_eps_zero_force, COR_LAW_ratio_eps_zero_force, exact_eps_force, 0,
-     0.01, 2},
-    {"eps of zeta; zero force", "three cases: atan or ln; exp", formula_eps_force, NO_LOOP, exact_eps_force, 0, 0.01,
-     2},
-    {"1-eps of zeta; zero force; zeta < 1e-4", "cor", cor_linear_loss_zero_force, COR_LAW_ratio_loss_zero_force,
-     exact_loss_force, 0, 1e-6, 1e-4},
-    {"1-eps of zeta; zero force; zeta < 1e-4", "1 - the three cases", formula_loss_force, NO_LOOP, exact_loss_force, 0,
+    {"eps of zeta; zero force", "cor", OF(LINEAR, ZERO_FORCE, EPS), exact_eps_force, 0, 0.01, 2},
+    {"eps of zeta; zero force", "three cases: atan or ln; exp", OTHER(formula_eps_force), exact_eps_force, 0, 0.01, 2},
+    {"1-eps of zeta; zero force; zeta < 1e-4", "cor", OF(LINEAR, ZERO_FORCE, LOSS), exact_loss_force, 0, 1e-6, 1e-4},
+    {"1-eps of zeta; zero force; zeta < 1e-4", "1 - the three cases", OTHER(formula_loss_force), exact_loss_force, 0,
      1e-6, 1e-4},
-    {"eps of zeta; approach only", "cor", cor_linear_eps_approach_only, COR_LAW_ratio_eps_approach_only,
-     exact_eps_approach, 0, 0.01, 2},
-    {"eps of zeta; limited damper", "cor", cor_linear_eps_limited, COR_LAW_ratio_eps_limited, exact_eps_limited, 0,
-     0.01, 2},
-    {"zeta of eps; zero overlap", "cor", cor_linear_zeta_zero_overlap, COR_LAW_ratio_zeta_zero_overlap,
+    {"eps of zeta; approach only", "cor", OF(LINEAR, APPROACH_ONLY, EPS), exact_eps_approach, 0, 0.01, 2},
+    {"eps of zeta; limited damper", "cor", OF(LINEAR, LIMITED, EPS), exact_eps_limited, 0, 0.01, 2},
+    {"zeta of eps; zero overlap", "cor", OF(LINEAR, ZERO_OVERLAP, DAMPING_OF_EPS), exact_eps_overlap, 1, 0.1, 0.99},
+    {"zeta of eps; zero overlap", "-ln(e)/sqrt(pi^2+ln(e)^2)", OTHER(formula_zeta_overlap), exact_eps_overlap, 1, 0.1,
+     0.99},
+    {"zeta of eps; zero overlap", "LAMMPS tsuji since July 2026: degree 6", OTHER(formula_tsuji_2026),
      exact_eps_overlap, 1, 0.1, 0.99},
-    {"zeta of eps; zero overlap", "-ln(e)/sqrt(pi^2+ln(e)^2)", formula_zeta_overlap, NO_LOOP, exact_eps_overlap, 1, 0.1,
+    {"zeta of eps; zero force", "cor", OF(LINEAR, ZERO_FORCE, DAMPING_OF_EPS), exact_eps_force, 1, 0.1, 0.99},
+    {"zeta of eps; zero force", "Thornton: degree 10; exp; sqrt", OTHER(formula_thornton), exact_eps_force, 1, 0.1,
      0.99},
-    {"zeta of eps; zero overlap", "LAMMPS tsuji since July 2026: degree 6", formula_tsuji_2026, NO_LOOP,
-     exact_eps_overlap, 1, 0.1, 0.99},
-    {"zeta of eps; zero force", "cor", cor_linear_zeta_zero_force, COR_LAW_ratio_zeta_zero_force, exact_eps_force, 1,
+    {"zeta of eps; zero force", "bisected to 0.0001 (Kratos)", OTHER(formula_bisected), exact_eps_force, 1, 0.1, 0.99},
+    {"zeta of eps; zero force", "bisected to the last bit", OTHER(formula_bisected_full), exact_eps_force, 1, 0.1,
+     0.99},
+    {"zeta of eps; zero force", "the zero-overlap formula (Chrono)", OTHER(formula_zeta_overlap), exact_eps_force, 1,
      0.1, 0.99},
-    {"zeta of eps; zero force", "Thornton: degree 10; exp; sqrt", formula_thornton, NO_LOOP, exact_eps_force, 1, 0.1,
-     0.99},
-    {"zeta of eps; zero force", "bisected to 0.0001 (Kratos)", formula_bisected, NO_LOOP, exact_eps_force, 1, 0.1,
-     0.99},
-    {"zeta of eps; zero force", "bisected to the last bit", formula_bisected_full, NO_LOOP, exact_eps_force, 1, 0.1,
-     0.99},
-    {"zeta of eps; zero force", "the zero-overlap formula (Chrono)", formula_zeta_overlap, NO_LOOP, exact_eps_force, 1,
-     0.1, 0.99},
-    {"zeta of eps; limited damper", "cor", cor_linear_zeta_limited, COR_LAW_ratio_zeta_limited, exact_eps_limited, 1,
-     0.1, 0.99},
-    {"eps of beta; Hunt-Crossley", "cor", cor_hunt_crossley_eps, COR_LAW_crossley_eps, reference_hunt_crossley_eps, 0,
-     0.01, 5},
-    {"eps of beta; Hunt-Crossley", "Newton's method with log1p", formula_crossley, NO_LOOP, reference_hunt_crossley_eps,
+    {"zeta of eps; limited damper", "cor", OF(LINEAR, LIMITED, DAMPING_OF_EPS), exact_eps_limited, 1, 0.1, 0.99},
+    {"eps of beta; Hunt-Crossley", "cor", OF(HUNT_CROSSLEY, ZERO_FORCE, EPS), reference_hunt_crossley_eps, 0, 0.01, 5},
+    {"eps of beta; Hunt-Crossley", "Newton's method with log1p", OTHER(formula_crossley), reference_hunt_crossley_eps,
      0, 0.01, 5},
-    {"beta of eps; Hunt-Crossley", "cor", cor_hunt_crossley_beta, COR_LAW_crossley_beta, reference_hunt_crossley_eps, 1,
+    {"beta of eps; Hunt-Crossley", "cor", OF(HUNT_CROSSLEY, ZERO_FORCE, DAMPING_OF_EPS), reference_hunt_crossley_eps, 1,
      0.1, 0.99},
-    {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", cor_flores_beta, NO_LOOP, reference_hunt_crossley_eps, 1, 0.1,
+    {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", OTHER(cor_flores_beta), reference_hunt_crossley_eps, 1, 0.1,
      0.99},
-    {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", formula_lankarani, NO_LOOP,
+    {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", OTHER(formula_lankarani),
      reference_hunt_crossley_eps, 1, 0.1, 0.99},
-    {"largest overlap; Hunt-Crossley; a = 3/2", "cor", overlap, NO_LOOP, exact_overlap, 0, 0.01, 5},
-    {"largest overlap; Hunt-Crossley; a = 3/2", "log1p and pow", formula_overlap, NO_LOOP, exact_overlap, 0, 0.01, 5},
-    {"duration; Hunt-Crossley; a = 3/2", "cor", duration, NO_LOOP, NULL, 0, 0.01, 5},
-    {"duration; Hunt-Crossley; a = 5/4", "cor", duration_by_quadrature, NO_LOOP, NULL, 0, 0.01, 5},
-    {"duration; Tsuji; zero overlap", "cor", cor_tsuji_duration_zero_overlap, NO_LOOP, NULL, 0, 0.01, 0.65},
-    {"duration; Tsuji; zero force", "cor", cor_tsuji_duration_zero_force, NO_LOOP, NULL, 0, 0.01, 2},
-    {"eps of beta; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_eps_zero_overlap,
-     DASHPOT_LOOP(eps_zero_overlap), NULL, 0, 0.01, 1.1},
-    {"eps of beta; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_eps_zero_force,
-     DASHPOT_LOOP(eps_zero_force), NULL, 0, 0.2, 5},
-    {"1-eps of beta; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_loss_zero_overlap,
-     DASHPOT_LOOP(loss_zero_overlap), NULL, 0, 0.01, 1.1},
-    {"duration; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_duration_zero_force,
-     DASHPOT_LOOP(duration_zero_force), NULL, 0, 0.2, 5},
-    {"beta of eps; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_beta_zero_force,
-     DASHPOT_LOOP(beta_zero_force), NULL, 1, 0.1, 0.49},
-    {"beta of eps; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_beta_zero_overlap,
-     DASHPOT_LOOP(beta_zero_overlap), NULL, 1, 0.1, 0.99},
-    {"beta of eps; Hertz and constant dashpot; approach only", "cor", cor_hertz_dashpot_beta_approach_only, NO_LOOP,
+    {"largest overlap; Hunt-Crossley; a = 3/2", "cor", OTHER(overlap), exact_overlap, 0, 0.01, 5},
+    {"largest overlap; Hunt-Crossley; a = 3/2", "log1p and pow", OTHER(formula_overlap), exact_overlap, 0, 0.01, 5},
+    {"duration; Hunt-Crossley; a = 3/2", "cor", OTHER(duration), NULL, 0, 0.01, 5},
+    {"duration; Hunt-Crossley; a = 5/4", "cor", OTHER(duration_by_quadrature), NULL, 0, 0.01, 5},
+    {"duration; Tsuji; zero overlap", "cor", OF(TSUJI, ZERO_OVERLAP, DURATION), NULL, 0, 0.01, 0.65},
+    {"duration; Tsuji; zero force", "cor", OF(TSUJI, ZERO_FORCE, DURATION), NULL, 0, 0.01, 2},
+    {"eps of beta; Hertz and constant dashpot; zero overlap", "cor", OF(HERTZ_DASHPOT, ZERO_OVERLAP, EPS), NULL, 0,
+     0.01, 1.1},
+    {"eps of beta; Hertz and constant dashpot; zero force", "cor", OF(HERTZ_DASHPOT, ZERO_FORCE, EPS), NULL, 0, 0.2, 5},
+    {"1-eps of beta; Hertz and constant dashpot; zero overlap", "cor", OF(HERTZ_DASHPOT, ZERO_OVERLAP, LOSS), NULL, 0,
+     0.01, 1.1},
+    {"duration; Hertz and constant dashpot; zero force", "cor", OF(HERTZ_DASHPOT, ZERO_FORCE, DURATION), NULL, 0, 0.2,
+     5},
+    {"beta of eps; Hertz and constant dashpot; zero force", "cor", OF(HERTZ_DASHPOT, ZERO_FORCE, DAMPING_OF_EPS), NULL,
+     1, 0.1, 0.49},
+    {"beta of eps; Hertz and constant dashpot; zero overlap", "cor", OF(HERTZ_DASHPOT, ZERO_OVERLAP, DAMPING_OF_EPS),
      NULL, 1, 0.1, 0.99},
-    {"beta of eps; sphere; zero force", "cor", cor_sphere_beta_zero_force, NO_LOOP, exact_sphere_force, 1, 0.1, 0.99},
-    {"beta of eps; sphere; zero force", "Newton's method on a Pade", formula_sphere_newton, NO_LOOP, exact_sphere_force,
+    {"beta of eps; Hertz and constant dashpot; approach only", "cor", OF(HERTZ_DASHPOT, APPROACH_ONLY, DAMPING_OF_EPS),
+     NULL, 1, 0.1, 0.99},
+    {"beta of eps; sphere; zero force", "cor", OF(VISCOELASTIC, ZERO_FORCE, DAMPING_OF_EPS), exact_sphere_force, 1, 0.1,
+     0.99},
+    {"beta of eps; sphere; zero force", "Newton's method on a Pade", OTHER(formula_sphere_newton), exact_sphere_force,
      1, 0.1, 0.99},
 };
 enum { METHODS = sizeof methods / sizeof *methods };
@@ -256,7 +253,7 @@ enum { METHODS = sizeof methods / sizeof *methods };
 /* One line of the result */
 struct line {
     const struct method *method;
-    int set; /* NO_LOOP: the scalar */
+    int set; /* SCALAR: the scalar function */
     const char *set_name;
     double x[COUNT], y[COUNT], error;
 };
@@ -264,15 +261,15 @@ struct line {
 static void run_line(void *closure)
 {
     struct line *line = closure;
-    const int loop = line->method->loop;
-    scalar_function *const f = line->method->scalar;
-    if (line->set == NO_LOOP)
+    const struct method *const m = line->method;
+    const struct cor_law_function *const law = cor_law_function(m->law, m->end, m->of);
+    scalar_function *const f = m->scalar ? m->scalar : law->value;
+    array_set = line->set;
+    if (line->set == SCALAR)
         for (int i = 0; i < COUNT; i++)
             line->y[i] = f(line->x[i]);
-    else if (loop < FIRST_DASHPOT)
-        cor_law_array_of_set(line->set, (enum cor_law_loop)loop, line->x, line->y, COUNT);
     else
-        cor_dashpot_array_of_set(line->set, (enum cor_dashpot_number)(loop - FIRST_DASHPOT), line->x, line->y, COUNT);
+        law->array(line->x, line->y, COUNT);
 }
 
 static double worst_error(const struct line *line)
@@ -306,7 +303,7 @@ int main(int argc, char **argv)
     struct job jobs[MAX_JOBS];
     int n = 0;
     for (const struct method *m = methods; m < methods + METHODS; m++)
-        for (int set = NO_LOOP; set < (m->loop >= 0 ? COR_INSTRUCTION_SETS : 0); set++)
+        for (int set = SCALAR; set < (m->scalar ? 0 : COR_INSTRUCTION_SETS); set++)
             n += add_line(&lines[n], m, set);
     for (int i = 0; i < n; i++)
         jobs[i] = (struct job){run_line, &lines[i], COUNT, 0};

@@ -2,35 +2,39 @@
 /* libcor: scalar functions, in float too, and arrays by instruction set. */
 #include "methods.h"
 
-#include "runtime/sphere/array.h"
+#include <cor/cor.h>
+
+#include "runtime/number/sets.h"
 
 #define CONTACT const struct cor_sphere_contact *const contact = &scene->contact
 SCALAR_METHOD_OF(double, speed_overlap, CONTACT, cor_contact_eps_zero_overlap(contact, g))
 SCALAR_METHOD_OF(double, speed_force, CONTACT, cor_contact_eps_zero_force(contact, g))
 SCALAR_METHOD_OF(double, beta_overlap, , cor_sphere_eps_zero_overlap(g))
 SCALAR_METHOD_OF(double, beta_force, , cor_sphere_eps_zero_force(g))
-SCALAR_METHOD_OF(float, float_overlap, , cor_sphere_eps_zero_overlapf(g))
-SCALAR_METHOD_OF(float, float_force, , cor_sphere_eps_zero_forcef(g))
+
+/* In place of the library's function, so that its arrays use the set of a method */
+static int array_set;
+int cor_array_set(void)
+{
+    return array_set;
+}
 
 static void array_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
 {
     const int is_overlap = method->end == ZERO_OVERLAP;
-    if (method->input == FROM_SPEED) {
-        cor_contact_loops(method->number)
-            ->run(&cor_contact_functions[is_overlap ? COR_CONTACT_eps_zero_overlap : COR_CONTACT_eps_zero_force],
-                  &scene->contact, in, NULL, out, n);
-    } else {
-        const struct cor_sphere_rows *const rows =
-            &cor_sphere_rows[is_overlap ? COR_SPHERE_eps_zero_overlap : COR_SPHERE_eps_zero_force];
-        const struct cor_row_call call = {&rows->table, rows->one, NULL, NULL, NULL, 0};
-        cor_row_loops(method->number)->doubles(&call, in, out, n);
-    }
+    array_set = method->number;
+    if (method->input == FROM_SPEED)
+        (is_overlap ? cor_contact_eps_zero_overlap_array : cor_contact_eps_zero_force_array)(&scene->contact, in, out,
+                                                                                             n);
+    else
+        (is_overlap ? cor_sphere_eps_zero_overlap_array : cor_sphere_eps_zero_force_array)(in, out, n);
 }
 
 static void float_array_each(const struct method *method, const struct scene *scene, const double *in, double *out,
                              size_t n)
 {
     (void)scene;
+    array_set = cor_widest_set();
     (method->end == ZERO_OVERLAP ? cor_sphere_eps_zero_overlap_arrayf
                                  : cor_sphere_eps_zero_force_arrayf)((const void *)in, (void *)out, n);
 }
@@ -43,8 +47,6 @@ void add_library(struct methods *methods)
         METHOD("cor", "", ZERO_FORCE, FROM_SPEED, 0, speed_force),
         METHOD("cor", "", ZERO_OVERLAP, FROM_BETA, 0, beta_overlap),
         METHOD("cor", "", ZERO_FORCE, FROM_BETA, 0, beta_force),
-        METHOD("cor float", "", ZERO_OVERLAP, FROM_BETA, FLOAT, float_overlap),
-        METHOD("cor float", "", ZERO_FORCE, FROM_BETA, FLOAT, float_force),
     };
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
         methods_add(methods, &calls[i]);
@@ -59,7 +61,7 @@ void add_library(struct methods *methods)
         array.curve = "cor";
         array.each = array_each;
         for (array.number = COR_PORTABLE; array.number < COR_INSTRUCTION_SETS; array.number++)
-            for (array.input = FROM_SPEED; array.input <= FROM_BETA && cor_row_loops(array.number); array.input++) {
+            for (array.input = FROM_SPEED; array.input <= FROM_BETA && cor_processor_has(array.number); array.input++) {
                 array.instructions = set_name[array.number];
                 array.flags = ARRAY | (array.input == FROM_SPEED ? LARGE : 0);
                 methods_add(methods, &array);

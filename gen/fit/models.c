@@ -10,21 +10,24 @@
 
 /* ---- curves ---- */
 
-typedef void curve_array(const double *beta, double *eps, size_t n);
-
-/* array: eps of n values of beta; NULL: not a function of one beta. A curve with a loss has a dry one and x. */
+/* of_beta: eps is a function of beta, that of a law and an end. A curve with a loss has a dry one and x. */
 enum loss { LOSS_NONE, LOSS_ADHESION, LOSS_LIQUID };
 static const struct {
     double exponent; /* q */
-    curve_array *array;
+    bool of_beta;
+    enum cor_law law;
+    enum cor_end end;
     enum loss loss;
     enum fit_curve dry;
 } curves[FIT_CURVES] = {
-    [FIT_SPHERE_ZERO_OVERLAP] = {.exponent = 0.2, .array = cor_sphere_eps_zero_overlap_array},
-    [FIT_SPHERE_ZERO_FORCE] = {.exponent = 0.2, .array = cor_sphere_eps_zero_force_array},
-    [FIT_HUNT_CROSSLEY] = {.exponent = 1, .array = cor_hunt_crossley_eps_array},
-    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {.exponent = -0.2, .array = cor_hertz_dashpot_eps_zero_overlap_array},
-    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {.exponent = -0.2, .array = cor_hertz_dashpot_eps_zero_force_array},
+    [FIT_SPHERE_ZERO_OVERLAP] = {.exponent = 0.2, .of_beta = true, .law = COR_LAW_VISCOELASTIC},
+    [FIT_SPHERE_ZERO_FORCE] = {.exponent = 0.2, .of_beta = true, .end = COR_END_ZERO_FORCE},
+    [FIT_HUNT_CROSSLEY] = {.exponent = 1, .of_beta = true, .law = COR_LAW_HUNT_CROSSLEY},
+    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {.exponent = -0.2, .of_beta = true, .law = COR_LAW_HERTZ_DASHPOT},
+    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {.exponent = -0.2,
+                                      .of_beta = true,
+                                      .law = COR_LAW_HERTZ_DASHPOT,
+                                      .end = COR_END_ZERO_FORCE},
     [FIT_ADHESIVE] = {.loss = LOSS_ADHESION, .dry = FIT_CONSTANT},
     [FIT_ADHESIVE_SPHERE_ZERO_OVERLAP] = {.loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_OVERLAP},
     [FIT_ADHESIVE_SPHERE_ZERO_FORCE] = {.loss = LOSS_ADHESION, .dry = FIT_SPHERE_ZERO_FORCE},
@@ -82,8 +85,8 @@ void fit_curve_eps(enum fit_curve curve, const double *theta, const double *log_
                       : curve == FIT_POWER_LAW       ? exp(fmin(theta[0] + theta[1] * place[i], 0))
                       : curve == FIT_ELASTIC_PLASTIC ? cor_elastic_plastic_eps(exp(place[i] - theta[0]))
                                                      : exp(theta[0] + curves[curve].exponent * place[i]);
-        if (curves[curve].array)
-            curves[curve].array(beta, eps + first, count);
+        if (curves[curve].of_beta)
+            cor_law_array(curves[curve].law, curves[curve].end, COR_EPS, beta, eps + first, count);
         else
             memcpy(eps + first, beta, count * sizeof *beta);
     }
@@ -114,6 +117,16 @@ void fit_curve_range(enum fit_curve curve, int parameter, double least_log_speed
 }
 
 /* ---- parameters ---- */
+
+static double zeta_zero_overlap(double eps)
+{
+    return cor_law_value(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, COR_DAMPING_OF_EPS, eps);
+}
+
+static double zeta_zero_force(double eps)
+{
+    return cor_law_value(COR_LAW_LINEAR, COR_END_ZERO_FORCE, COR_DAMPING_OF_EPS, eps);
+}
 
 static double identity(double theta)
 {
@@ -196,10 +209,10 @@ const struct fit_model fit_models[] = {
     {ZERO_OVERLAP("plate"), FIT_SPHERE_ZERO_OVERLAP,
      KNOWN("zener_lambda_at_1_m_s", zener_lambda, "plate_thickness_m", plate_thickness_m)},
     {BOTH_ENDS("constant"), FIT_CONSTANT, ONE("eps", identity)},
-    {ZERO_OVERLAP("linear"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
-    {ZERO_FORCE("linear"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
-    {ZERO_OVERLAP("tsuji"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_overlap)},
-    {ZERO_FORCE("tsuji"), FIT_CONSTANT, ONE("zeta", cor_linear_zeta_zero_force)},
+    {ZERO_OVERLAP("linear"), FIT_CONSTANT, ONE("zeta", zeta_zero_overlap)},
+    {ZERO_FORCE("linear"), FIT_CONSTANT, ONE("zeta", zeta_zero_force)},
+    {ZERO_OVERLAP("tsuji"), FIT_CONSTANT, ONE("zeta", zeta_zero_overlap)},
+    {ZERO_FORCE("tsuji"), FIT_CONSTANT, ONE("zeta", zeta_zero_force)},
     {BOTH_ENDS("hunt-crossley"), FIT_HUNT_CROSSLEY, ONE("dissipation_s_m", exp)},
     {ZERO_OVERLAP("hertz-dashpot"), FIT_HERTZ_DASHPOT_ZERO_OVERLAP, DASHPOT},
     {ZERO_FORCE("hertz-dashpot"), FIT_HERTZ_DASHPOT_ZERO_FORCE, DASHPOT},

@@ -10,7 +10,6 @@
 
 #include "approximation/pade.h"
 #include "cor/contact.h"
-#include "cor/hertz_dashpot.h"
 #include "cor/law.h"
 #include "cor/sphere.h"
 #include "embed/form.h"
@@ -387,22 +386,26 @@ static void add_library(const struct spheres *s)
 }
 
 /* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
- * cor_hertz_dashpot_eps_* and cor_hunt_crossley_eps, for other laws the header of corgen law. */
+ * cor_law_value of the laws that have a name, for other laws the header of corgen law. */
 static void add_function_of_beta(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
     const struct law *law = &s->scene.law;
     const bool dashpot = law->a.num == 3 && law->a.den == 2 && law->b.num == 0, crossley = law_is_hunt_crossley(law);
     const double q = speed_exponent(s), per_beta = s->scene.slope / (5 * fabs(q));
-    const double ulp = dashpot ? COR_HERTZ_DASHPOT_EPS_MAX_ULP : crossley ? COR_LAW_EPS_MAX_ULP : 1;
+    const struct cor_law_function *const f =
+        cor_law_function(crossley ? COR_LAW_HUNT_CROSSLEY : COR_LAW_HERTZ_DASHPOT, (enum cor_end)s->scene.end, COR_EPS);
+    const double ulp = dashpot || crossley ? f->max_ulp : 1;
     char call[TEXT];
-    if (dashpot)
-        snprintf(call, sizeof call, "cor_hertz_dashpot_eps_%s", contact_end_names[s->scene.end]);
-    else if (crossley)
-        snprintf(call, sizeof call, "cor_hunt_crossley_eps");
+    if (dashpot || crossley)
+        snprintf(call, sizeof call, "cor_law_value(COR_LAW_%s, COR_END_ZERO_%s, COR_EPS, ",
+                 dashpot ? "HERTZ_DASHPOT" : "HUNT_CROSSLEY",
+                 s->scene.end == COR_END_ZERO_OVERLAP ? "OVERLAP" : "FORCE");
     else
-        snprintf(call, sizeof call, "law_eps_%s", contact_end_names[s->scene.end]);
-    struct plan_model *m = plan_add(plan, dashpot || crossley ? "library: %s" : "corgen law: %s", call);
+        snprintf(call, sizeof call, "law_eps_%s(", contact_end_names[s->scene.end]);
+    struct plan_model *m = dashpot || crossley
+                               ? plan_add(plan, "library: %s", f->name)
+                               : plan_add(plan, "corgen law: law_eps_%s", contact_end_names[s->scene.end]);
     model_promise(s, m, (ulp + per_beta * ROUNDINGS_OF_BETA) * DBL_EPSILON);
     char *beta = arb_get_str(s->scene.beta_per_root, 17, ARB_STR_NO_RADIUS), *source;
     if (dashpot || crossley)
@@ -411,7 +414,7 @@ static void add_function_of_beta(const struct spheres *s)
         source = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n#include \"law.h\"",
                          ratio_text(law->a).text, ratio_text(law->b).text);
     model_is(s, m, crossley ? cost_crossley : cost_function, "nothing; good at every speed",
-             xprintf("%s\ndouble eps = %s(%s * pow(speed, %.17g));\n", source, call, beta, q));
+             xprintf("%s\ndouble eps = %s%s * pow(speed, %.17g));\n", source, call, beta, q));
     free(source);
     flint_free(beta);
 }

@@ -633,7 +633,7 @@ int tsuji_tables_write(FILE *file)
     static const char what[] =
         "Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the\n"
         "sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
-        "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n";
+        "zeta. Evaluated by runtime/law/linear_tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n";
     return file_write(file, "tsuji", what, how_times, tsuji_rows, COUNT(tsuji_rows), 0, tsuji_far);
 }
 
@@ -642,7 +642,7 @@ int hunt_crossley_tables_write(FILE *file)
     static const char what[] =
         "Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units "
         "of\n(m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in "
-        "ln(1 + beta), and\nwhat follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: "
+        "ln(1 + beta), and\nwhat follows at large beta. Evaluated by runtime/law/hunt_crossley_functions.c. Source: "
         "docs/laws.md; form:\ndocs/internals.md.\n";
     return file_write(file, "hunt_crossley", what, how_times, crossley_rows, COUNT(crossley_rows), 0, crossley_far);
 }

@@ -82,10 +82,6 @@ static const struct law_table layout_tables[] = {
     FLOATS("eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, -9, 4, 6, 0),
     FLOATS("loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, -6, 3, 6, 19),
     FLOATS("loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, -17, 4, 5, 19),
-    FLOATS("duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, -6, 3, 6, 0),
-    FLOATS("duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, -11, 4, 5, 0),
-    FLOATS("max_overlap", "largest overlap", MAX_OVERLAP, -6, 4, 5, 0),
-    FLOATS("time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, -6, 4, 5, 0),
 };
 enum { TABLES = sizeof layout_tables / sizeof *layout_tables };
 

@@ -5,8 +5,7 @@
  *     I have                                              I want                                     header
  *     materials or one measured eps, and a speed, SI      eps, duration, overlap; A; g*              contact.h
  *     beta, the dimensionless damping                     eps of viscoelastic spheres, its inverse   sphere.h
- *     a dashpot: linear, Tsuji's, Hunt and Crossley's     eps, the damping for an eps, durations     law.h
- *     Hertz's force with a constant dashpot               the same                                   hertz_dashpot.h
+ *     the damping of a simulator's law                    eps, the damping for an eps, durations     law.h
  *     an elastic disk                                     modes, contact law, energy, collisions     disk.h
  *     a status                                            its sentence                               status.h
  *
@@ -28,8 +27,7 @@
  * of scalar functions change by a relative 1e-9 at most (floats: 1.2e-7), and eps and loss stay in [0, 1]. Array
  * functions round to nearest in every mode.
  * Arrays: a function whose name ends in _array sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the
- * pointers may be NULL. x and y may be the same array, but must not overlap otherwise. A name that ends in f is the
- * function in float: it rounds the double result once.
+ * pointers may be NULL. x and y may be the same array, but must not overlap otherwise.
  * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time, and
  * none changes a result. Where a function calls the C library's exp, log, sin or atan, another C library may change the
  * last place, and of Rayleigh's energy and collisions of disks more, far within their error estimates

@@ -12,7 +12,7 @@
  *     zero overlap     x = 0 again; the force is attractive just before
  *     zero force       x'' = 0, that is x = -beta x'; no attraction
  *
- * Each name below stands for four functions, NAME, NAMEf, NAME_array and NAME_arrayf:
+ * Each name below stands for two functions, NAME and NAME_array:
  *
  *     cor_sphere_eps_zero_overlap         cor_sphere_eps_zero_force          cor_sphere_eps_approach_only
  *     cor_sphere_loss_zero_overlap        cor_sphere_loss_zero_force         cor_sphere_loss_approach_only
@@ -20,8 +20,8 @@
  *     cor_sphere_duration_zero_overlap    cor_sphere_duration_zero_force     cor_sphere_duration_approach_only
  *     cor_sphere_max_overlap              cor_sphere_time_of_max_overlap     cor_sphere_beta_of_loss_approach_only
  *
- * Those of beta but approach_only also exist in float arithmetic, as NAME_fastf and NAME_fast_arrayf. Published
- * approximations: cor_sphere_eps_simple, cor_sphere_eps_simple_fraction, cor_sphere_eps_published_pade.
+ * eps and loss at zero overlap and zero force also have NAME_arrayf, in float arithmetic. Published approximations:
+ * cor_sphere_eps_simple, cor_sphere_eps_simple_fraction, cor_sphere_eps_published_pade.
  *
  * cor.h says what holds of threads, memory, the floating-point environment and arrays. No function uses more bytes of
  * stack than COR_SPHERE_MAX_STACK (4 kB, if it is not of arrays). Beyond beta = 8, or 16 for eps and
@@ -55,8 +55,6 @@ extern "C" {
  * in tests/header/run. */
 #define COR_SPHERE_INLINE_FAST_MATH_ULP 4
 #define COR_SPHERE_INLINE_NATIVE_ULP 4
-/* Bound on the error of the float variants, in units of the last place of a float. */
-#define COR_SPHERE_FLOAT_MAX_ULP 1.0
 /* Bytes of stack; 17.8 kB are measured in an optimised build, libm included. */
 #define COR_SPHERE_MAX_STACK 24576
 
@@ -67,13 +65,6 @@ extern "C" {
  * by (30). The constant is rounded to the nearest double. */
 #define COR_SPHERE_C1 (-1.15344885809528879913)
 
-/* Double, float, and arrays of either: cor.h */
-#define COR_SPHERE_DECLARE_(quantity)                                                                                  \
-    COR_API double cor_sphere_##quantity(double x);                                                                    \
-    COR_API float cor_sphere_##quantity##f(float x);                                                                   \
-    COR_API void cor_sphere_##quantity##_array(const double *x, double *y, size_t n);                                  \
-    COR_API void cor_sphere_##quantity##_arrayf(const float *x, float *y, size_t n);
-
 /* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient for the end of
  * contact that the name says.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1, and from one double beta to the next eps
@@ -82,15 +73,19 @@ extern "C" {
  * (3/2)^(2/3) beta^(-5/3) and corrections of relative size beta^(-5/3) ln(beta) (zero force).
  * Special values: +-0 -> exactly 1, +inf -> 0; negative and NaN -> NaN.
  * Source: (10), by the equation of motion itself; docs/theory.md, 4 to 6 and 8. */
-COR_SPHERE_DECLARE_(eps_zero_overlap)
-COR_SPHERE_DECLARE_(eps_zero_force)
+COR_API double cor_sphere_eps_zero_overlap(double beta);
+COR_API void cor_sphere_eps_zero_overlap_array(const double *beta, double *y, size_t n);
+COR_API double cor_sphere_eps_zero_force(double beta);
+COR_API void cor_sphere_eps_zero_force_array(const double *beta, double *y, size_t n);
 
 /* double cor_sphere_loss_zero_overlap(double beta), cor_sphere_loss_zero_force: 1 - eps. The relative accuracy holds
  * where a subtraction would cancel: the loss tends to |C_1| beta as beta -> 0, down to the smallest subnormal.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_LOSS_MAX_ULP.
  * Special values: +-0 -> 0, +inf -> 1; negative and NaN -> NaN. Source: as eps. */
-COR_SPHERE_DECLARE_(loss_zero_overlap)
-COR_SPHERE_DECLARE_(loss_zero_force)
+COR_API double cor_sphere_loss_zero_overlap(double beta);
+COR_API void cor_sphere_loss_zero_overlap_array(const double *beta, double *y, size_t n);
+COR_API double cor_sphere_loss_zero_force(double beta);
+COR_API void cor_sphere_loss_zero_force_array(const double *beta, double *y, size_t n);
 
 /* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse functions, which return the
  * beta that has this eps.
@@ -98,8 +93,10 @@ COR_SPHERE_DECLARE_(loss_zero_force)
  * where beta is (1 - eps)/|C_1|, one unit of the last place of eps changes beta much: the condition number is eps/(1 -
  * eps).)
  * Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as eps. */
-COR_SPHERE_DECLARE_(beta_zero_overlap)
-COR_SPHERE_DECLARE_(beta_zero_force)
+COR_API double cor_sphere_beta_zero_overlap(double eps);
+COR_API void cor_sphere_beta_zero_overlap_array(const double *eps, double *y, size_t n);
+COR_API double cor_sphere_beta_zero_force(double eps);
+COR_API void cor_sphere_beta_zero_force_array(const double *eps, double *y, size_t n);
 
 /* double cor_sphere_duration_zero_overlap(double beta), cor_sphere_duration_zero_force: duration of the contact, in
  * units of (rho/m)^(-2/5) g^(-1/5), s.
@@ -107,47 +104,39 @@ COR_SPHERE_DECLARE_(beta_zero_force)
  * Large beta: (10/3) beta ln(beta) (zero overlap); beta^(-2/3) (2.9119... ln(beta) + 0.5292...) (zero force).
  * Special values: +-0 -> 2 tau_0 of (51), 3.2180...; +inf -> +inf (zero overlap), 0 (zero force); negative and
  * NaN -> NaN. Source: docs/theory.md, 4 to 6 and 8. */
-COR_SPHERE_DECLARE_(duration_zero_overlap)
-COR_SPHERE_DECLARE_(duration_zero_force)
+COR_API double cor_sphere_duration_zero_overlap(double beta);
+COR_API void cor_sphere_duration_zero_overlap_array(const double *beta, double *y, size_t n);
+COR_API double cor_sphere_duration_zero_force(double beta);
+COR_API void cor_sphere_duration_zero_force_array(const double *beta, double *y, size_t n);
 
 /* double cor_sphere_max_overlap(double beta): largest overlap x_max, in units of (rho/m)^(-2/5) g^(4/5).
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_MAX_OVERLAP_MAX_ULP.
  * Large beta: (3/2)^(2/3) beta^(-2/3).
  * Special values: +-0 -> y_0 of (51), 1.0933...; +inf -> 0; negative and NaN -> NaN. Source: (57) to (62). */
-COR_SPHERE_DECLARE_(max_overlap)
+COR_API double cor_sphere_max_overlap(double beta);
+COR_API void cor_sphere_max_overlap_array(const double *beta, double *y, size_t n);
 
 /* double cor_sphere_time_of_max_overlap(double beta): the time at which the overlap is largest, in units of
  * (rho/m)^(-2/5) g^(-1/5).
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP.
  * Large beta: beta^(-2/3) (1.4559... ln(beta) + 0.4112...).
  * Special values: +-0 -> tau_0 of (51), 1.6090...; +inf -> 0; negative and NaN -> NaN. Source: (51) to (56). */
-COR_SPHERE_DECLARE_(time_of_max_overlap)
+COR_API double cor_sphere_time_of_max_overlap(double beta);
+COR_API void cor_sphere_time_of_max_overlap_array(const double *beta, double *y, size_t n);
 
-/* ---- Float arithmetic ----
+/* ---- Arrays of floats ----
  *
- * float cor_sphere_eps_zero_overlap_fastf(float x), and of the other functions of beta above: computed in float
- * arithmetic, in less time than in double; arrays take less than half the time of the double arrays. The results are
- * not correctly rounded. Those of cor_sphere_eps_zero_overlapf and its array are, which round the double result once
- * and correct the few arguments where that is not the nearest float.
- * cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) sets y[i] to the bits of the function at x[i], for i < n.
- * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_FAST_FLOAT_MAX_ULP, in units of the last place of a float, measured at
- * every float (tests/accuracy/test_floats.c). Beta >= 8 (eps, loss and duration at zero overlap)
- * or 16 (the others), -0 and, for the loss, 0 < beta < 2^-100 take the correctly rounded function, which is slower.
- * Special values: those of the double functions; beta = 0 gives the float nearest to the exact value.
- * Source: that of each function. */
-#define COR_SPHERE_FAST_FLOAT_MAX_ULP 0.75
-#define COR_SPHERE_DECLARE_FAST_(quantity)                                                                             \
-    COR_API float cor_sphere_##quantity##_fastf(float x);                                                              \
-    COR_API void cor_sphere_##quantity##_fast_arrayf(const float *x, float *y, size_t n);
-COR_SPHERE_DECLARE_FAST_(eps_zero_overlap)
-COR_SPHERE_DECLARE_FAST_(eps_zero_force)
-COR_SPHERE_DECLARE_FAST_(loss_zero_overlap)
-COR_SPHERE_DECLARE_FAST_(loss_zero_force)
-COR_SPHERE_DECLARE_FAST_(duration_zero_overlap)
-COR_SPHERE_DECLARE_FAST_(duration_zero_force)
-COR_SPHERE_DECLARE_FAST_(max_overlap)
-COR_SPHERE_DECLARE_FAST_(time_of_max_overlap)
-#undef COR_SPHERE_DECLARE_FAST_
+ * eps and 1 - eps in float arithmetic, in less than half the time of the double arrays. For every other function of
+ * floats call the double function and round its result.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_FLOAT_MAX_ULP, in units of the last place of a float, measured at
+ * every float (tests/accuracy/test_floats.c). Beta >= 8 (zero overlap) or 16 (zero force), -0 and, for the loss,
+ * 0 < beta < 2^-100 give the double result rounded to a float, which takes longer.
+ * Special values: those of the double functions. */
+#define COR_SPHERE_FLOAT_MAX_ULP 0.75
+COR_API void cor_sphere_eps_zero_overlap_arrayf(const float *beta, float *y, size_t n);
+COR_API void cor_sphere_eps_zero_force_arrayf(const float *beta, float *y, size_t n);
+COR_API void cor_sphere_loss_zero_overlap_arrayf(const float *beta, float *y, size_t n);
+COR_API void cor_sphere_loss_zero_force_arrayf(const float *beta, float *y, size_t n);
 
 /* ---- Damping during the approach only ----
  *
@@ -172,13 +161,16 @@ COR_SPHERE_DECLARE_FAST_(time_of_max_overlap)
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP. Special values: +-0 -> 2 tau_0, +inf -> +inf; negative
  * and NaN -> NaN. */
 #define COR_SPHERE_APPROACH_MAX_ULP 2.0
-COR_SPHERE_DECLARE_(eps_approach_only)
-COR_SPHERE_DECLARE_(loss_approach_only)
-COR_SPHERE_DECLARE_(beta_approach_only)
-COR_SPHERE_DECLARE_(beta_of_loss_approach_only)
-COR_SPHERE_DECLARE_(duration_approach_only)
-
-#undef COR_SPHERE_DECLARE_
+COR_API double cor_sphere_eps_approach_only(double beta);
+COR_API void cor_sphere_eps_approach_only_array(const double *beta, double *y, size_t n);
+COR_API double cor_sphere_loss_approach_only(double beta);
+COR_API void cor_sphere_loss_approach_only_array(const double *beta, double *y, size_t n);
+COR_API double cor_sphere_beta_approach_only(double eps);
+COR_API void cor_sphere_beta_approach_only_array(const double *eps, double *y, size_t n);
+COR_API double cor_sphere_beta_of_loss_approach_only(double loss);
+COR_API void cor_sphere_beta_of_loss_approach_only_array(const double *loss, double *y, size_t n);
+COR_API double cor_sphere_duration_approach_only(double beta);
+COR_API void cor_sphere_duration_approach_only_array(const double *beta, double *y, size_t n);
 
 /* ---- Approximations published in 1999, as they were published. Call them only to reproduce old results. ---- */
 

@@ -22,7 +22,8 @@ REALS = ("double", "float")
 MACROS = {
     "NUMBER(name)": "the name of a parameter that is a double or a float",
     "SCALAR(function, type, given)": "a number from numbers and structs",
-    "ARRAY(function, type, given, element)": "fills y[0..n-1]; `element` gives y[i]",
+    "ARRAY(function, given, element)": "fills y[0..n-1]; `element` gives y[i]",
+    "FLOATS(function, given)": "fills y[0..n-1] in float arithmetic",
     "INIT(function, type, given)": "fills the struct at out",
     "OTHER(function)": "of another kind",
 }
@@ -63,8 +64,9 @@ def _array(function: Function, names: List[str]) -> str:
     for p, name in list(zip(function.parameters, names))[:-2]:
         given.append(f"a->{name}{suffix}" if _pointer(p) else _argument(p, name, "0"))
         element.append(given[-1] + ("[i]" if _pointer(p) else ""))
-    scalar = function.name.replace("_arrayf", "f").replace("_array", "")
-    return f"ARRAY({function.name}, {real}, ({', '.join(given)}, y, n), {scalar}({', '.join(element)}))"
+    if real == "float":
+        return f"FLOATS({function.name}, ({', '.join(given)}, y, n))"
+    return f"ARRAY({function.name}, ({', '.join(given)}, y, n), {function.name[:-len('_array')]}({', '.join(element)}))"
 
 
 def lines(declared: Declarations) -> List[str]:

@@ -1,34 +1,47 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions for the list COR_LAW_LOOPS, for one instruction set (sets.h): the loops of runtime/table/row_loops.h,
- * without rows, and after them kernels that a compiler vectorises. No set may fuse a multiplication with an addition,
- * so all sets and the scalar functions give the same bits. */
-#include "cor/law.h"
-#include "runtime/law/array.h"
+/* Array functions of the linear dashpot's times, for one instruction set (sets.h): the loops of
+ * runtime/table/row_loops.h, without rows, and after them kernels that a compiler vectorises. No set may fuse a
+ * multiplication with an addition, so all sets and the scalar functions give the same bits. */
+#include "runtime/law/functions.h"
+#include "runtime/law/linear.h"
 #include "runtime/table/row_loops.h"
 
 /* The least multiple of COR_LANES from n on, up to which the numbers of a block are filled. A compiler that sees it,
- * and that it is not 0, leaves out the loop over what is no whole vector. */
+ * and that it is not 0, leaves out the loop over the rest of a vector. */
 #define WHOLE(n) (((n) + COR_LANES - 1) / COR_LANES * COR_LANES)
 
-#define VALUES_(name, public, least, largest, value)                                                                   \
-    static void values_##name(double *restrict y, const double *restrict inside, size_t n)                             \
-    {                                                                                                                  \
-        const size_t end = WHOLE(n);                                                                                   \
-        for (size_t j = 0; end > 0 && j < end; j++) {                                                                  \
-            const double x = inside[j];                                                                                \
-            y[j] = value;                                                                                              \
-        }                                                                                                              \
-    }
-COR_LAW_LOOPS(VALUES_)
+static void duration_zero_overlap(double *restrict y, const double *restrict x, size_t n)
+{
+    const size_t end = WHOLE(n);
+    for (size_t j = 0; end > 0 && j < end; j++)
+        y[j] = cor_linear_inline_duration_zero_overlap_near(x[j]);
+}
 
+static void duration_zero_force(double *restrict y, const double *restrict x, size_t n)
+{
+    const size_t end = WHOLE(n);
+    for (size_t j = 0; end > 0 && j < end; j++)
+        y[j] = cor_linear_inline_duration_zero_force_near(x[j]);
+}
+
+static void time_of_max_overlap(double *restrict y, const double *restrict x, size_t n)
+{
+    const size_t end = WHOLE(n);
+    for (size_t j = 0; end > 0 && j < end; j++)
+        y[j] = cor_linear_inline_time_of_max_overlap_near(x[j]);
+}
+
+/* `values` and `one` give the same bits for 0 <= x <= largest. */
 struct loop {
-    struct cor_row_table interval;
+    void (*values)(double *restrict y, const double *restrict x, size_t n);
+    double largest;
     double (*one)(double x);
-    void (*values)(double *restrict y, const double *restrict inside, size_t n);
 };
-#define LOOP_(name, public, from, largest, value)                                                                      \
-    {{.kind = COR_ROW_NONE, .least = from, .end = largest, .also = largest}, cor_##public, values_##name},
-static const struct loop loops[] = {COR_LAW_LOOPS(LOOP_)};
+static const struct loop loops[] = {
+    [COR_LINEAR_DURATION_ZERO_OVERLAP] = {duration_zero_overlap, COR_RATIO_BELOW_ONE, NULL},
+    [COR_LINEAR_DURATION_ZERO_FORCE] = {duration_zero_force, COR_RATIO_FORCE_NEAR, NULL},
+    [COR_LINEAR_TIME_OF_MAX_OVERLAP] = {time_of_max_overlap, COR_RATIO_FORCE_NEAR, NULL},
+};
 
 static void complete(void *context, const struct cor_row_block *block, double *value)
 {
@@ -39,29 +52,17 @@ static void complete(void *context, const struct cor_row_block *block, double *v
             value[j] = loop->one(block->x[j]);
 }
 
-static void run(enum cor_law_loop number, const double *in, double *out, size_t n)
+static void run(enum cor_law_loop number, double (*one)(double), const double *x, double *y, size_t n)
 {
-    struct loop loop = loops[number];
-    const struct cor_row_call call = {&loop.interval, NULL, &loop, NULL, complete, 1};
+    struct loop loop = {loops[number].values, loops[number].largest, one};
+    const struct cor_row_table interval = {.kind = COR_ROW_NONE, .end = loop.largest, .also = loop.largest};
+    const struct cor_row_call call = {&interval, NULL, &loop, NULL, complete, 1};
     if (n >= 3) {
-        COR_OF_SET(cor_row_loops).doubles(&call, in, out, n);
+        COR_OF_SET(cor_row_loops).doubles(&call, x, y, n);
         return;
     }
     for (size_t i = 0; i < n; i++) /* the scalar function is faster */
-        out[i] = loop.one(in[i]);
+        y[i] = one(x[i]);
 }
 
-static void run_floats(enum cor_law_loop number, const float *in, float *out, size_t n)
-{
-    double wide[COR_ROW_BLOCK];
-    for (size_t i = 0; i < n; i += COR_ROW_BLOCK) {
-        const size_t m = n - i < COR_ROW_BLOCK ? n - i : COR_ROW_BLOCK;
-        for (size_t j = 0; j < m; j++)
-            wide[j] = (double)in[i + j];
-        run(number, wide, wide, m);
-        for (size_t j = 0; j < m; j++)
-            out[i + j] = (float)wide[j];
-    }
-}
-
-const struct cor_law_loops COR_OF_SET(cor_law_loops) = {run, run_floats};
+const struct cor_law_loops COR_OF_SET(cor_law_loops) = {run};

@@ -8,18 +8,113 @@
 
 #include "generated/closed_form_tables.h"
 #include "runtime/law/damping_ratio.h"
+#include "runtime/law/functions.h"
 #include "runtime/law/hunt_crossley.h"
 #include "runtime/table/law.h"
+#include "runtime/table/row_loops.h"
 
-/* FORM(law, public, x, end, LAW, X, END): the functions cor_<law>_eps<end>, ... below, whose public names are
- * cor_<public>_eps<end>, .... Tsuji's damping has those of the linear dashpot. */
-#define COR_CLOSED_FORMS(FORM)                                                                                         \
-    FORM(ratio, linear, zeta, _zero_overlap, RATIO, ZETA, _ZERO_OVERLAP)                                               \
-    FORM(ratio, linear, zeta, _zero_force, RATIO, ZETA, _ZERO_FORCE)                                                   \
-    FORM(ratio, linear, zeta, _approach_only, RATIO, ZETA, _APPROACH_ONLY)                                             \
-    FORM(ratio, linear, zeta, _limited, RATIO, ZETA, _LIMITED)                                                         \
-    FORM(crossley, hunt_crossley, beta, , CROSSLEY, BETA, )                                                            \
-    FORM(crossley, hunt_crossley, beta, _approach_only, CROSSLEY, BETA, _APPROACH_ONLY)
+/* Each table serves the scalar and the array function. `beyond` computes numbers that the rows do not have. */
+struct cor_closed_form {
+    struct cor_row_table eps, loss, damping_of_eps, damping_of_loss;
+    double (*eps_beyond)(double x), (*loss_beyond)(double x), (*damping_beyond)(double eps);
+};
+
+/* A loss above 1/2 is computed one by one in damping_of_loss. */
+#define FORM(law, x, end, LAW, X, END)                                                                                 \
+    {                                                                                                                  \
+        COR_ROW_TABLE_OF_PARTS(cor_rows_##law##_loss##end, COR_ROWS_##LAW##_LOSS##END, cor_rows_##law##_eps##end,      \
+                               COR_ROWS_##LAW##_EPS##END, COR_ROW_EPS, 0),                                             \
+            COR_ROW_TABLE_OF_PARTS(cor_rows_##law##_loss##end, COR_ROWS_##LAW##_LOSS##END, cor_rows_##law##_eps##end,  \
+                                   COR_ROWS_##LAW##_EPS##END, COR_ROW_LOSS, COR_INLINE_2_M900),                        \
+            COR_ROW_TABLE_OF_INVERSE(COR_ROW_INVERSE, cor_rows_##law##_near_##x##end, COR_ROWS_##LAW##_NEAR_##X##END,  \
+                                     cor_rows_##law##_##x##end, COR_ROWS_##LAW##_##X##END),                            \
+            COR_ROW_TABLE_OF_GRID(cor_rows_##law##_near_##x##end, COR_ROWS_##LAW##_NEAR_##X##END, COR_ROW_GRID,        \
+                                  COR_ROW_PRODUCT, COR_INLINE_2_M900, 0),                                              \
+            cor_##law##_eps_beyond##end, cor_##law##_loss_beyond##end, cor_##law##_##x##_beyond##end                   \
+    }
+
+/* By the damping ratio, and of Hunt and Crossley's law */
+static const struct cor_closed_form ratio_zero_overlap = FORM(ratio, zeta, _zero_overlap, RATIO, ZETA, _ZERO_OVERLAP),
+                                    ratio_zero_force = FORM(ratio, zeta, _zero_force, RATIO, ZETA, _ZERO_FORCE),
+                                    ratio_limited = FORM(ratio, zeta, _limited, RATIO, ZETA, _LIMITED),
+                                    ratio_approach_only =
+                                        FORM(ratio, zeta, _approach_only, RATIO, ZETA, _APPROACH_ONLY),
+                                    crossley_ends = FORM(crossley, beta, , CROSSLEY, BETA, ),
+                                    crossley_approach_only =
+                                        FORM(crossley, beta, _approach_only, CROSSLEY, BETA, _APPROACH_ONLY);
+
+/* The functions below must be inlined, so that the form is a constant of each caller. */
+
+COR_KERNEL double closed_eps(const struct cor_closed_form *form, double x)
+{
+    const struct cor_row_table *const rows = &form->eps;
+    if (cor_inline_between(x, rows->octaves.first, rows->middle_end))
+        return cor_inline_row_value(cor_row_middle(rows, x));
+    if (cor_inline_below(x, rows->near_end))
+        return 1 - cor_inline_row_product(cor_row_near(rows, x), x);
+    return form->eps_beyond(x);
+}
+
+COR_KERNEL double closed_loss(const struct cor_closed_form *form, double x)
+{
+    const struct cor_row_table *const rows = &form->loss;
+    if (cor_inline_below(x, rows->near_end))
+        return cor_inline_law_product(cor_row_near(rows, x), x);
+    if (cor_inline_between(x, rows->octaves.first, rows->middle_end)) {
+        const struct cor_inline_place place = cor_row_middle(rows, x);
+        const struct cor_inline_pair less = cor_pair_two_sum(1, -place.row[0]);
+        return less.hi + (less.lo - cor_inline_row(place));
+    }
+    return form->loss_beyond(x);
+}
+
+COR_KERNEL double closed_damping_of_eps(const struct cor_closed_form *form, double eps)
+{
+    const struct cor_row_table *const rows = &form->damping_of_eps;
+    if (eps >= 0.5 && eps <= 1)
+        return cor_inline_law_product(cor_row_near(rows, 1 - eps), 1 - eps);
+    if (cor_inline_between(eps, rows->octaves.first, 0.5))
+        return cor_inline_row_value(cor_row_middle(rows, eps));
+    return form->damping_beyond(eps);
+}
+
+COR_KERNEL double closed_damping_of_loss(const struct cor_closed_form *form, double loss)
+{
+    if (cor_inline_below(loss, 0.5))
+        return cor_inline_law_product(cor_row_near(&form->damping_of_loss, loss), loss);
+    if (!(loss >= 0 && loss <= 1))
+        return (double)NAN;
+    return loss == 0 ? 0 : closed_damping_of_eps(form, 1 - loss);
+}
+
+COR_KERNEL double closed_formula(const struct cor_closed_form *form, enum cor_quantity quantity, double x)
+{
+    return quantity == COR_EPS              ? closed_eps(form, x)
+           : quantity == COR_LOSS           ? closed_loss(form, x)
+           : quantity == COR_DAMPING_OF_EPS ? closed_damping_of_eps(form, x)
+                                            : closed_damping_of_loss(form, x);
+}
+
+/* One copy in a source, for numbers that are not ordinary */
+#ifdef __GNUC__
+#define CLOSED_COLD static __attribute__((noinline, unused))
+#else
+#define CLOSED_COLD static inline
+#endif
+
+/* In the default environment; volatile operands: see environment.h */
+CLOSED_COLD double closed_anywhere(const struct cor_closed_form *form, enum cor_quantity quantity, double x)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double at = x, value = closed_formula(form, quantity, at);
+    cor_environment_leave(&caller);
+    return value;
+}
+
+COR_KERNEL double closed_value(const struct cor_closed_form *form, enum cor_quantity quantity, double x)
+{
+    return law_is_ordinary(x) ? closed_formula(form, quantity, x) : closed_anywhere(form, quantity, x);
+}
 
 /* The value of a table on a grid at y = head + tail, as a pair */
 COR_INLINE struct cor_inline_pair cor_grid_value(struct cor_inline_grid grid, const double *(*rows)(int),
@@ -29,63 +124,6 @@ COR_INLINE struct cor_inline_pair cor_grid_value(struct cor_inline_grid grid, co
     place.t += y.lo;
     return cor_inline_sum(place.row[0], cor_inline_row(place));
 }
-
-/* One copy in a source: the public function jumps to it, and calls it in another environment. */
-#ifdef __GNUC__
-#define COR_ONCE static __attribute__((noinline, unused))
-#else
-#define COR_ONCE static inline
-#endif
-
-#define COR_CLOSED_FORM_FUNCTIONS_(law, public, damping, end, LAW, DAMPING, END)                                       \
-    COR_ONCE double cor_##law##_eps##end(double x)                                                                     \
-    {                                                                                                                  \
-        if (cor_inline_between(x, COR_ROWS_##LAW##_EPS##END##_FIRST, COR_ROWS_##LAW##_EPS##END##_END))                 \
-            return cor_inline_row_value(cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_##LAW##_EPS##END), x,     \
-                                                                 cor_rows_##law##_eps##end));                          \
-        if (cor_inline_below(x, COR_ROWS_##LAW##_LOSS##END##_END))                                                     \
-            return 1 - cor_inline_row_product(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_##LAW##_LOSS##END), x,    \
-                                                                    cor_rows_##law##_loss##end),                       \
-                                              x);                                                                      \
-        return cor_##law##_eps_beyond##end(x);                                                                         \
-    }                                                                                                                  \
-    COR_ONCE double cor_##law##_loss##end(double x)                                                                    \
-    {                                                                                                                  \
-        if (cor_inline_below(x, COR_ROWS_##LAW##_LOSS##END##_END))                                                     \
-            return cor_inline_law_product(                                                                             \
-                cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_##LAW##_LOSS##END), x, cor_rows_##law##_loss##end), x); \
-        if (cor_inline_between(x, COR_ROWS_##LAW##_EPS##END##_FIRST, COR_ROWS_##LAW##_EPS##END##_END)) {               \
-            const struct cor_inline_place place =                                                                      \
-                cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_##LAW##_EPS##END), x, cor_rows_##law##_eps##end); \
-            const struct cor_inline_pair less = cor_pair_two_sum(1, -place.row[0]);                                    \
-            return less.hi + (less.lo - cor_inline_row(place));                                                        \
-        }                                                                                                              \
-        return cor_##law##_loss_beyond##end(x);                                                                        \
-    }                                                                                                                  \
-    COR_INLINE double cor_##law##_near_##damping##end(double loss)                                                     \
-    {                                                                                                                  \
-        return cor_inline_law_product(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_##LAW##_NEAR_##DAMPING##END),     \
-                                                            loss, cor_rows_##law##_near_##damping##end),               \
-                                      loss);                                                                           \
-    }                                                                                                                  \
-    COR_ONCE double cor_##law##_##damping##end(double eps)                                                             \
-    {                                                                                                                  \
-        if (eps >= 0.5 && eps <= 1)                                                                                    \
-            return cor_##law##_near_##damping##end(1 - eps);                                                           \
-        if (cor_inline_between(eps, COR_ROWS_##LAW##_##DAMPING##END##_FIRST, 0.5))                                     \
-            return cor_inline_row_value(cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_##LAW##_##DAMPING##END),  \
-                                                                 eps, cor_rows_##law##_##damping##end));               \
-        return cor_##law##_##damping##_beyond##end(eps);                                                               \
-    }                                                                                                                  \
-    COR_ONCE double cor_##law##_##damping##_of_loss##end(double loss)                                                  \
-    {                                                                                                                  \
-        if (cor_inline_below(loss, 0.5))                                                                               \
-            return cor_##law##_near_##damping##end(loss);                                                              \
-        if (!(loss >= 0 && loss <= 1))                                                                                 \
-            return (double)NAN;                                                                                        \
-        return loss == 0 ? 0 : cor_##law##_##damping##end(1 - loss);                                                   \
-    }
-COR_CLOSED_FORMS(COR_CLOSED_FORM_FUNCTIONS_)
 
 /* eps of Hunt and Crossley's law with damping during the approach only as a pair, -1 < beta < inf */
 COR_INLINE struct cor_inline_pair cor_crossley_eps_approach_pair(double beta)

@@ -259,16 +259,25 @@ COR_INLINE double cor_ratio_eps_beyond_limited(double zeta)
     return zeta == 0 ? 1 : zeta > 0 ? 0 : (double)NAN;
 }
 
-#define COR_RATIO_LOSS_BEYOND_(end)                                                                                    \
-    COR_INLINE double cor_ratio_loss_beyond_##end(double zeta)                                                         \
-    {                                                                                                                  \
-        return zeta == 0 ? 0 : 1 - cor_ratio_eps_beyond_##end(zeta);                                                   \
-    }
-COR_RATIO_LOSS_BEYOND_(zero_overlap)
-COR_RATIO_LOSS_BEYOND_(zero_force)
-COR_RATIO_LOSS_BEYOND_(approach_only)
-COR_RATIO_LOSS_BEYOND_(limited)
-#undef COR_RATIO_LOSS_BEYOND_
+COR_INLINE double cor_ratio_loss_beyond_zero_overlap(double zeta)
+{
+    return zeta == 0 ? 0 : 1 - cor_ratio_eps_beyond_zero_overlap(zeta);
+}
+
+COR_INLINE double cor_ratio_loss_beyond_zero_force(double zeta)
+{
+    return zeta == 0 ? 0 : 1 - cor_ratio_eps_beyond_zero_force(zeta);
+}
+
+COR_INLINE double cor_ratio_loss_beyond_approach_only(double zeta)
+{
+    return zeta == 0 ? 0 : 1 - cor_ratio_eps_beyond_approach_only(zeta);
+}
+
+COR_INLINE double cor_ratio_loss_beyond_limited(double zeta)
+{
+    return zeta == 0 ? 0 : 1 - cor_ratio_eps_beyond_limited(zeta);
+}
 
 /* ---- inverses beyond the rows ---- */
 

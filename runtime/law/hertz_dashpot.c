@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "cor/hertz_dashpot.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -11,20 +9,18 @@
 #define COR_INLINE static inline __attribute__((always_inline))
 #endif
 
-#include "runtime/law/dashpot_array.h"
+#include "runtime/law/functions.h"
 #include "runtime/law/hertz_dashpot_approach_only.h"
-#include "runtime/number/environment.h"
-#include "runtime/table/row_loops.h"
 
 /* ---- tables of the loops ---- */
 
-static const double *first_row(struct cor_inline_law_table table)
+COR_INLINE const double *first_row(struct cor_inline_law_table table)
 {
     return table.kind ? table.rows(0) : NULL;
 }
 
 /* The least beta > 0 of a product with beta; rows near 0 in a cube root of beta are left to the scalar function. */
-static inline struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
+COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
     const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;
     const struct cor_row_table table = {.kind = has_near ? COR_ROW_PARTS : COR_ROW_OCTAVES,
@@ -47,98 +43,92 @@ static inline struct cor_row_table table_of_quantity(struct cor_inline_law_quant
     return table;
 }
 
-#define GRID(quantity, QUANTITY, value, least)                                                                         \
-    COR_ROW_TABLE_OF_GRID(cor_rows_hertz_dashpot_##quantity, COR_ROWS_HERTZ_DASHPOT_##QUANTITY, COR_ROW_GRID, value,   \
-                          least, 0)
-#define INVERSE(quantity, QUANTITY)                                                                                    \
-    COR_ROW_TABLE_OF_INVERSE(COR_ROW_INVERSE, cor_rows_hertz_dashpot_near_##quantity,                                  \
-                             COR_ROWS_HERTZ_DASHPOT_NEAR_##QUANTITY, cor_rows_hertz_dashpot_##quantity,                \
-                             COR_ROWS_HERTZ_DASHPOT_##QUANTITY)
+static const struct cor_row_table beta_rows_zero_overlap = DASHPOT_INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP),
+                                  /* from 1/2 on the rows are in a cube root */
+    beta_rows_zero_force = COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force,
+                                                    COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE, COR_ROW_SUM);
 
-static struct cor_row_table dashpot_table(enum cor_dashpot_number function)
+/* Inlined, so that the table is made of constants */
+COR_INLINE void quantity_array(struct cor_inline_law_quantity quantity, enum cor_row_value value, double (*one)(double),
+                               const double *x, double *y, size_t n)
 {
-    static const struct cor_row_table of_eps_and_approach[] = {
-        INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP),
-        /* from 1/2 on the rows are in a cube root */
-        COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force, COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE,
-                                 COR_ROW_SUM),
-        GRID(eps_approach_only, EPS_APPROACH_ONLY, COR_ROW_SUM, 0),
-        GRID(loss_approach_only, LOSS_APPROACH_ONLY, COR_ROW_PRODUCT, COR_INLINE_2_M900),
-        GRID(duration_approach_only, DURATION_APPROACH_ONLY, COR_ROW_SUM, 0),
-        INVERSE(beta_approach_only, BETA_APPROACH_ONLY)};
-#define PARTS(function, tables, value)                                                                                 \
-    case COR_DASHPOT_##function:                                                                                       \
-        return table_of_quantity(cor_law_hertz_dashpot_##tables(), value);
-    switch (function) {
-        PARTS(eps_zero_overlap, eps_zero_overlap, COR_ROW_EPS)
-        PARTS(eps_zero_force, eps_zero_force, COR_ROW_EPS)
-        PARTS(loss_zero_overlap, eps_zero_overlap, COR_ROW_LOSS)
-        PARTS(loss_zero_force, eps_zero_force, COR_ROW_LOSS)
-        PARTS(duration_zero_overlap, duration_zero_overlap, COR_ROW_SUM)
-        PARTS(duration_zero_force, duration_zero_force, COR_ROW_SUM)
-        PARTS(max_overlap, max_overlap, COR_ROW_SUM)
-        PARTS(time_of_max_overlap, time_of_max_overlap, COR_ROW_SUM)
-    default:
-        return of_eps_and_approach[function - COR_DASHPOT_beta_zero_overlap];
-    }
+    const struct cor_row_table table = table_of_quantity(quantity, value);
+    cor_row_array(&table, one, x, y, n);
 }
 
-/* ---- the functions of hertz_dashpot.h ---- */
+/* ---- the functions of the table: x is beta, eps or 1 - eps ---- */
 
-#define SCALARS(quantity)                                                                                              \
-    double cor_hertz_dashpot_##quantity(double x)                                                                      \
+/* One line each */
+/* clang-format off */
+static double eps_zero_overlap(double x) { return cor_inline_hertz_dashpot_eps_zero_overlap(x); }
+static double loss_zero_overlap(double x) { return cor_inline_hertz_dashpot_loss_zero_overlap(x); }
+static double beta_zero_overlap(double x) { return cor_inline_hertz_dashpot_beta_zero_overlap(x); }
+static double beta_of_loss_zero_overlap(double x) { return cor_inline_hertz_dashpot_beta_of_loss_zero_overlap(x); }
+static double duration_zero_overlap(double x) { return cor_inline_hertz_dashpot_duration_zero_overlap(x); }
+static double eps_zero_force(double x) { return cor_inline_hertz_dashpot_eps_zero_force(x); }
+static double loss_zero_force(double x) { return cor_inline_hertz_dashpot_loss_zero_force(x); }
+static double beta_zero_force(double x) { return cor_inline_hertz_dashpot_beta_zero_force(x); }
+static double beta_of_loss_zero_force(double x) { return cor_inline_hertz_dashpot_beta_of_loss_zero_force(x); }
+static double duration_zero_force(double x) { return cor_inline_hertz_dashpot_duration_zero_force(x); }
+static double max_overlap(double x) { return cor_inline_hertz_dashpot_max_overlap(x); }
+static double time_of_max_overlap(double x) { return cor_inline_hertz_dashpot_time_of_max_overlap(x); }
+static double eps_approach_only(double x) { return cor_hertz_eps(&dashpot_law, x); }
+static double loss_approach_only(double x) { return cor_hertz_loss(&dashpot_law, x); }
+static double duration_approach_only(double x) { return cor_hertz_duration(&dashpot_law, x); }
+static double beta_approach_only(double x) { return dashpot_beta_approach_only(x); }
+static double beta_of_loss_approach_only(double x)
+{ return cor_hertz_beta_of_loss(&dashpot_law, dashpot_beta_approach_only, x); }
+
+static void eps_zero_overlap_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_eps_zero_overlap(), COR_ROW_EPS, eps_zero_overlap, x, y, n); }
+static void loss_zero_overlap_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_eps_zero_overlap(), COR_ROW_LOSS, loss_zero_overlap, x, y, n); }
+static void beta_zero_overlap_array(const double *x, double *y, size_t n)
+{ cor_row_array(&beta_rows_zero_overlap, beta_zero_overlap, x, y, n); }
+static void beta_of_loss_zero_overlap_array(const double *x, double *y, size_t n)
+{ cor_array_in_environment(beta_of_loss_zero_overlap, x, y, n); }
+static void duration_zero_overlap_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_duration_zero_overlap(), COR_ROW_SUM, duration_zero_overlap, x, y, n); }
+static void eps_zero_force_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_eps_zero_force(), COR_ROW_EPS, eps_zero_force, x, y, n); }
+static void loss_zero_force_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_eps_zero_force(), COR_ROW_LOSS, loss_zero_force, x, y, n); }
+static void beta_zero_force_array(const double *x, double *y, size_t n)
+{ cor_row_array(&beta_rows_zero_force, beta_zero_force, x, y, n); }
+static void beta_of_loss_zero_force_array(const double *x, double *y, size_t n)
+{ cor_array_in_environment(beta_of_loss_zero_force, x, y, n); }
+static void duration_zero_force_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_duration_zero_force(), COR_ROW_SUM, duration_zero_force, x, y, n); }
+static void max_overlap_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_max_overlap(), COR_ROW_SUM, max_overlap, x, y, n); }
+static void time_of_max_overlap_array(const double *x, double *y, size_t n)
+{ quantity_array(cor_law_hertz_dashpot_time_of_max_overlap(), COR_ROW_SUM, time_of_max_overlap, x, y, n); }
+static void eps_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&dashpot_law.eps, eps_approach_only, x, y, n); }
+static void loss_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&dashpot_law.loss, loss_approach_only, x, y, n); }
+static void duration_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&dashpot_law.duration, duration_approach_only, x, y, n); }
+static void beta_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&dashpot_law.beta, beta_approach_only, x, y, n); }
+static void beta_of_loss_approach_only_array(const double *x, double *y, size_t n)
+{ cor_array_in_environment(beta_of_loss_approach_only, x, y, n); }
+/* clang-format on */
+
+#define ROWS(end, ulp)                                                                                                 \
     {                                                                                                                  \
-        return cor_inline_hertz_dashpot_##quantity(x);                                                                 \
-    }                                                                                                                  \
-    float cor_hertz_dashpot_##quantity##f(float x)                                                                     \
-    {                                                                                                                  \
-        return (float)cor_hertz_dashpot_##quantity((double)x);                                                         \
+        COR_LAW_ROW("hertz_dashpot_eps_" #end, eps_##end, 0, INFINITY, ulp),                                           \
+            COR_LAW_ROW("hertz_dashpot_loss_" #end, loss_##end, 0, INFINITY, ulp),                                     \
+            COR_LAW_ROW("hertz_dashpot_damping_of_eps_" #end, beta_##end, 0, 1, 2),                                    \
+            COR_LAW_ROW("hertz_dashpot_damping_of_loss_" #end, beta_of_loss_##end, 0, 1, 2),                           \
+            COR_LAW_ROW("hertz_dashpot_duration_" #end, duration_##end, 0, INFINITY, 2),                               \
+            COR_LAW_ROW("hertz_dashpot_max_overlap", max_overlap, 0, INFINITY, 1),                                     \
+            COR_LAW_ROW("hertz_dashpot_time_of_max_overlap", time_of_max_overlap, 0, INFINITY, 2)                      \
     }
-COR_DASHPOT_LOOPS(SCALARS, SCALARS)
 
-/* ---- arrays ---- */
-
-#define SCALAR_(function) cor_hertz_dashpot_##function,
-#define SCALARF_(function) cor_hertz_dashpot_##function##f,
-static double (*const scalar[])(double) = {COR_DASHPOT_LOOPS(SCALAR_, SCALAR_)};
-static float (*const scalarf[])(float) = {COR_DASHPOT_LOOPS(SCALARF_, SCALARF_)};
-
-int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n)
-{
-    const struct cor_row_loops *const loops = cor_row_loops(set);
-    const struct cor_row_table table = dashpot_table(function);
-    const struct cor_row_call call = {&table, scalar[function], NULL, NULL, NULL, 0};
-    const struct cor_environment caller = cor_environment_enter();
-    if (loops)
-        loops->doubles(&call, in, out, n);
-    cor_environment_leave(&caller);
-    return loops != NULL;
-}
-
-static void dashpot_floats(enum cor_dashpot_number function, const float *in, float *out, size_t n)
-{
-    const struct cor_row_table table = dashpot_table(function);
-    const struct cor_environment caller = cor_environment_enter();
-    cor_row_loops(cor_widest_set())->floats(&table, scalarf[function], NAN, in, out, n);
-    cor_environment_leave(&caller);
-}
-
-#define ARRAYS(function)                                                                                               \
-    void cor_hertz_dashpot_##function##_array(const double *x, double *y, size_t n)                                    \
-    {                                                                                                                  \
-        cor_dashpot_array_of_set(cor_widest_set(), COR_DASHPOT_##function, x, y, n);                                   \
-    }                                                                                                                  \
-    void cor_hertz_dashpot_##function##_arrayf(const float *x, float *y, size_t n)                                     \
-    {                                                                                                                  \
-        dashpot_floats(COR_DASHPOT_##function, x, y, n);                                                               \
-    }
-COR_DASHPOT_LOOPS(ARRAYS, ARRAYS)
-
-/* Arrays of these are computed one number after the other. */
-#define ONE_BY_ONE(quantity)                                                                                           \
-    SCALARS(quantity)                                                                                                  \
-    COR_ARRAY_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_array, cor_hertz_dashpot_##quantity)               \
-    COR_ARRAY_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_arrayf, cor_hertz_dashpot_##quantity##f)
-ONE_BY_ONE(beta_of_loss_zero_overlap)
-ONE_BY_ONE(beta_of_loss_zero_force)
-ONE_BY_ONE(beta_of_loss_approach_only)
+/* In the order of enum cor_quantity */
+const cor_law_functions cor_hertz_dashpot_functions = {
+    [COR_END_ZERO_OVERLAP] = ROWS(zero_overlap, 1),
+    [COR_END_ZERO_FORCE] = ROWS(zero_force, 1),
+    [COR_END_APPROACH_ONLY] = ROWS(approach_only, 2),
+};

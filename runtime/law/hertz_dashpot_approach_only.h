@@ -4,7 +4,6 @@
 #ifndef COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 #define COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 
-#include "cor/hertz_dashpot.h"
 #include "generated/hertz_dashpot_tables.h"
 #include "runtime/table/hertz_approach_only.h"
 
@@ -18,8 +17,27 @@ static inline struct cor_inline_pair cor_inline_hertz_dashpot_overlap(double bet
     return cor_pair_scaled(value, cor_kernel_power_of_two(more));
 }
 
-COR_HERTZ_APPROACH_ONLY(cor_inline_hertz_dashpot, cor_rows_hertz_dashpot, COR_ROWS_HERTZ_DASHPOT,
-                        cor_hertz_dashpot_time_of_max_overlap)
+static double dashpot_time_of_max_overlap(double beta)
+{
+    return cor_inline_hertz_dashpot_time_of_max_overlap(beta);
+}
+
+#define DASHPOT_GRID(quantity, QUANTITY, value, least)                                                                 \
+    COR_ROW_TABLE_OF_GRID(cor_rows_hertz_dashpot_##quantity, COR_ROWS_HERTZ_DASHPOT_##QUANTITY, COR_ROW_GRID, value,   \
+                          least, 0)
+#define DASHPOT_INVERSE(quantity, QUANTITY)                                                                            \
+    COR_ROW_TABLE_OF_INVERSE(COR_ROW_INVERSE, cor_rows_hertz_dashpot_near_##quantity,                                  \
+                             COR_ROWS_HERTZ_DASHPOT_NEAR_##QUANTITY, cor_rows_hertz_dashpot_##quantity,                \
+                             COR_ROWS_HERTZ_DASHPOT_##QUANTITY)
+
+static const struct cor_hertz_law dashpot_law = {
+    DASHPOT_GRID(eps_approach_only, EPS_APPROACH_ONLY, COR_ROW_SUM, 0),
+    DASHPOT_GRID(loss_approach_only, LOSS_APPROACH_ONLY, COR_ROW_PRODUCT, COR_INLINE_2_M900),
+    DASHPOT_GRID(duration_approach_only, DURATION_APPROACH_ONLY, COR_ROW_SUM, 0),
+    DASHPOT_INVERSE(beta_approach_only, BETA_APPROACH_ONLY),
+    cor_inline_hertz_dashpot_overlap,
+    dashpot_time_of_max_overlap,
+};
 
 /* ln(eps(beta)/eps) to first order where it is small */
 static inline double dashpot_excess(double beta, double eps)
@@ -68,14 +86,13 @@ static inline double dashpot_beta_beyond(double eps)
     return eps == 0 ? INFINITY : dashpot_beta_of_eps(eps);
 }
 
-static inline double cor_inline_hertz_dashpot_beta_approach_only(double eps)
+static inline double dashpot_beta_approach_only(double eps)
 {
+    const struct cor_row_table *const rows = &dashpot_law.beta;
     if (cor_inline_between(eps, 0.5, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
-        return cor_inline_hertz_dashpot_beta_near(1 - eps);
-    if (cor_inline_between(eps, COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY_FIRST, 0.5))
-        return cor_inline_row_value(
-            cor_inline_octaves_place(COR_INLINE_OCTAVES(COR_ROWS_HERTZ_DASHPOT_BETA_APPROACH_ONLY), eps,
-                                     cor_rows_hertz_dashpot_beta_approach_only));
+        return cor_hertz_beta_near(&dashpot_law, 1 - eps);
+    if (cor_inline_between(eps, rows->octaves.first, 0.5))
+        return cor_inline_row_value(cor_row_middle(rows, eps));
     return cor_in_environment(dashpot_beta_beyond, eps);
 }
 

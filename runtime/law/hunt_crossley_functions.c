@@ -1,15 +1,377 @@
 /* SPDX-License-Identifier: MIT */
-/* The closed forms of Hunt and Crossley's law; hunt_crossley_times.c computes its times. */
-#include "cor/law.h"
-#include "runtime/law/define.h"
+/* The functions of Hunt and Crossley's law. eps, loss and their inverses: closed_form.h. Durations and the time of the
+ * largest overlap: tables for a = 1 and a = 3/2 (generated/hunt_crossley_tables.h), quadrature for every other exponent
+ * and for negative damping. */
+#include "generated/hunt_crossley_tables.h"
+#include "runtime/law/closed_form.h"
 #include "runtime/number/fifth_root.h"
+#include "runtime/table/hertz_approach_only.h"
+#include "runtime/table/row.h"
+
+/* ---- a = 1 and a = 3/2 by tables ---- */
+
+/* Tables and constants of one exponent */
+struct crossley_tables {
+    const double *(*max_rows)(int), *(*duration_rows)(int), *(*far_max)(int), *(*far_rebound)(int);
+    struct cor_inline_pair exponent; /* k = a/(a + 1) */
+    double elastic, elastic_tail;    /* half of the elastic duration, as a pair */
+};
+
+static struct crossley_tables crossley_tables_of(double a)
+{
+    struct crossley_tables t;
+    if (a == 1) {
+        t.max_rows = cor_rows_crossley_time_of_max_overlap_1;
+        t.duration_rows = cor_rows_crossley_duration_1;
+        t.far_max = cor_rows_crossley_far_time_of_max_overlap_1;
+        t.far_rebound = cor_rows_crossley_far_rebound_1;
+        t.exponent = cor_pair(0.5, 0);
+        t.elastic = 1.57079632679489655800;
+        t.elastic_tail = 6.12323399573676588613e-17;
+    } else {
+        t.max_rows = cor_rows_crossley_time_of_max_overlap_3_2;
+        t.duration_rows = cor_rows_crossley_duration_3_2;
+        t.far_max = cor_rows_crossley_far_time_of_max_overlap_3_2;
+        t.far_rebound = cor_rows_crossley_far_rebound_3_2;
+        t.exponent = cor_pair(0.6, 2.22044604925031308085e-17);
+        t.elastic = COR_HERTZ_HALF_DURATION;
+        t.elastic_tail = COR_HERTZ_HALF_DURATION_TAIL;
+    }
+    return t;
+}
+
+/* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53, where (1 + beta)^k is beta^k (1 +
+ * k/beta). The two powers combine to beta^(k - 1) (1 - k)^k. */
+static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta, struct cor_inline_pair k)
+{
+    const struct cor_inline_pair rest = cor_pair_plus(cor_pair(1, 0), cor_pair(-k.hi, -k.lo));
+    const struct cor_inline_pair power = cor_inline_pair_times(rest, log_beta);
+    const struct cor_inline_pair constant = cor_inline_pair_times(k, cor_kernel_minus_log(rest));
+    return cor_kernel_exp_minus_pair(cor_pair_plus(power, constant));
+}
+
+/* The time of the largest overlap, 0 <= beta < inf */
+static struct cor_inline_pair crossley_max(const struct crossley_tables *tables, double beta)
+{
+    const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
+    if (s.hi < COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_END)
+        return cor_grid_value(COR_INLINE_GRID(COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1), tables->max_rows, s);
+    const double *c = tables->far_max(0), inverse = 1 / beta, v = s.hi;
+    /* (1 + beta)^-k is beta^-k (1 - k/beta), so that ln(beta) suffices */
+    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair(beta, 0)), u = cor_pair(-minus.hi, -minus.lo);
+    struct cor_inline_pair sum = cor_pair_plus(s, cor_pair(c[0], c[1]));
+    sum.lo += inverse * (c[2] + v * (c[3] + v * c[4]) - tables->exponent.hi * (v + c[0]));
+    return cor_inline_pair_times(crossley_far_unit(u, tables->exponent), sum);
+}
+
+/* The rebound for s = ln(1 + beta) >= 4.5: with U = 1 + beta - s,
+ * beta^(2k - 1) (a + 1)^-k U^(1 - k) ((a + 1) + (c_1/U + ... + c_11/U^11)/U) */
+static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables *tables, double beta,
+                                                   struct cor_inline_pair s)
+{
+    const double *c = tables->far_rebound(0);
+    const struct cor_inline_pair k = tables->exponent, one = cor_pair(1, 0);
+    const struct cor_inline_pair rest = cor_pair_plus(one, cor_pair(-k.hi, -k.lo)); /* 1/(a + 1) */
+    const struct cor_inline_pair u = cor_pair_plus(cor_pair_two_sum(1, beta), cor_pair(-s.hi, -s.lo));
+    const struct cor_inline_pair log_u = cor_kernel_minus_log(u), log_beta = cor_kernel_minus_log(cor_pair(beta, 0));
+    double sum = 0;
+    const double x = 1 / u.hi;
+    for (int p = 10; p >= 0; p--)
+        sum = c[p] + x * sum;
+    /* -ln of beta^(2k - 1) U^(1 - k) (1 - k)^k */
+    const struct cor_inline_pair slope = cor_pair_plus(k, cor_pair(-rest.hi, -rest.lo));
+    struct cor_inline_pair exponent = cor_inline_pair_times(slope, log_beta);
+    exponent = cor_pair_plus(exponent, cor_inline_pair_times(rest, log_u));
+    const struct cor_inline_pair constant = cor_inline_pair_times(k, cor_kernel_minus_log(rest));
+    exponent = cor_pair_plus(cor_pair(exponent.hi, exponent.lo), constant);
+    struct cor_inline_pair factor = cor_pair_over(one, rest);
+    factor = cor_inline_sum(factor.hi, factor.lo + x * x * sum);
+    return cor_inline_pair_times(cor_kernel_exp_minus_pair(exponent), factor);
+}
+
+/* 0 <= beta < inf */
+static double crossley_table_duration(const struct crossley_tables *tables, double beta)
+{
+    const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
+    if (s.hi < COR_ROWS_CROSSLEY_DURATION_1_END)
+        return cor_grid_value(COR_INLINE_GRID(COR_ROWS_CROSSLEY_DURATION_1), tables->duration_rows, s).hi;
+    return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
+}
+
+/* x^exponent, x.hi a normal double */
+static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct cor_inline_pair exponent)
+{
+    return cor_kernel_exp_minus_pair(cor_inline_pair_times(exponent, cor_kernel_minus_log(x)));
+}
+
+/* ---- every exponent: quadrature ----
+ *
+ * Loading, with tau = ln((1 + beta)/(1 + beta v)), and rebound, with tau = ln((1 + beta v)/(1 - h)) from the end
+ * backwards, take the time
+ *
+ *     beta^(2k - 1) int_0^end (tau B(tau)/(1 - k))^-k d tau,   B = (1 + beta) E(-tau) - 1 or 1 - (1 - h) E(tau)
+ *
+ * with k = a/(a + 1), end = ln(1 + beta) or -ln(1 - h) and E(x) = (exp(x) - 1)/x. With tau = end w and b = B/(beta r),
+ * r = 1 or eps, so that b(0) = 1, both times are
+ *
+ *     ((a + 1) end/beta)^(1/(a+1)) r^-k (1 - k) int_0^1 w^-k b(w)^-k dw
+ *
+ * b is a function without singularities, whose zeros are next to tau = 2 pi i m, m != 0, for the loading, and beyond
+ * the end for the rebound: at end + ln(1 + beta), where the collision began, and with imaginary parts of 7 or more. The
+ * interval is divided so that polynomials of degree 20 through b^-k at Chebyshev points, which converge like 3.7^-20 at
+ * worst, replace it. In the first panel they are integrated with the weight w^-k. */
+
+struct crossley_side {
+    double end, rest;   /* end; 1 - h of the rebound */
+    double speed, beta; /* beta r; beta */
+    int rebound;
+};
+
+/* (exp(x) - 1)/x - 1, |x| < 0.34, with relative accuracy */
+static double crossley_mean_exponential(double x)
+{
+    static const double c[] = COR_KERNEL_EXP_POLYNOMIAL;
+    const double x2 = x * x, x4 = x2 * x2;
+    return x * (COR_POLYNOMIAL_8(c, x, x2, x4) + ((c[8] + c[9] * x) + c[10] * x2) * (x4 * x4));
+}
+
+/* b at w = 1 - below. Near w = 1 the rebound needs end - tau, which follows from `below` without cancellation. */
+static double crossley_b(const struct crossley_side *side, double w, double below)
+{
+    const double tau = side->end * w;
+    if (tau < 0.34) {
+        const double e = crossley_mean_exponential(side->rebound ? tau : -tau);
+        return side->rebound ? 1 - side->rest / side->speed * e : 1 + e + e / side->beta;
+    }
+    if (!side->rebound) {
+        const double gone = cor_kernel_one_minus_exp_minus(cor_pair(tau, 0));
+        return (gone - (tau - gone) / side->beta) / tau;
+    }
+    const double left = side->end * below, near = left < 1400 ? cor_kernel_exp_minus(cor_pair(left, 0)) : 0;
+    return (tau - near + side->rest) / (tau * side->speed);
+}
+
+/* exp(x) */
+static double crossley_exp(double x)
+{
+    return cor_kernel_exp_minus_pair(cor_pair(-x, 0)).hi;
+}
+
+/* -ln(x) */
+static double crossley_minus_log(double x)
+{
+    return cor_kernel_minus_log(cor_pair(x, 0)).hi;
+}
+
+enum { DEGREE = 20 };
+
+/* (1 + cos(pi j/20))/2, and weights of Clenshaw and Curtis's rule on [0, 1], which are symmetric */
+static const double crossley_place[DEGREE + 1] = {0x1.0000000000000p+0, 0x1.fcd924a17f22ep-1, 0x1.f378709a22a80p-1,
+                                                  0x1.e41900e9e9636p-1, 0x1.cf1bbcdcbfa54p-1, 0x1.b504f333f9de6p-1,
+                                                  0x1.96791823aad2fp-1, 0x1.7438b8ad13780p-1, 0x1.4f1bbcdcbfa54p-1,
+                                                  0x1.280c16cf50a6fp-1, 0x1.0000000000000p-1, 0x1.afe7d2615eb23p-2,
+                                                  0x1.61c8864680b58p-2, 0x1.178e8ea5d9100p-2, 0x1.a61b9f7154b44p-3,
+                                                  0x1.2bec333018867p-3, 0x1.8722191a02d61p-4, 0x1.be6ff16169c9bp-5,
+                                                  0x1.90f1ecbbab00ap-6, 0x1.936daf406e919p-8, 0};
+static const double clenshaw_curtis[DEGREE / 2 + 1] = {
+    0x1.4880522014880p-10, 0x1.88ddbc6c94bdfp-7, 0x1.8f64d1c1e488ap-6, 0x1.23a57ba9f2560p-5,
+    0x1.7a75f00c6ed6ep-5,  0x1.c6c0ba9c5f3a8p-5, 0x1.0456353477520p-4, 0x1.1e928048c5ae2p-4,
+    0x1.32029b0efece3p-4,  0x1.3dafadaabf1b0p-4, 0x1.41c002b231adfp-4};
+
+/* k = a/(a + 1), share = 1 - k, and the weights of (1 - k) int_0^1 w^-k f(w) dw */
+struct crossley_rule {
+    struct cor_inline_pair plus, share, k; /* a + 1 */
+    double weight[DEGREE + 1];
+};
+
+/* The integrals of Chebyshev's polynomials follow from each other as in Piessens and Branders, J. Comput. Appl. Math.
+ * 1, 55 (1975). */
+static void crossley_rule_make(struct crossley_rule *rule, double a)
+{
+    double moment[DEGREE + 1], cosine[2 * DEGREE];
+    rule->plus = cor_pair_two_sum(1, a);
+    rule->share = cor_pair_over(cor_pair(1, 0), rule->plus);
+    rule->k = cor_pair_over(cor_pair(a, 0), rule->plus);
+    const double share = rule->share.hi;
+    moment[0] = 1;
+    moment[1] = -rule->k.hi / (1 + share);
+    for (int n = 2; n <= DEGREE; n++)
+        moment[n] = -(share + n * (n - 1 - share) * moment[n - 1]) / ((n - 1) * (n + share));
+    moment[0] *= 0.5;
+    moment[DEGREE] *= 0.5;
+    for (int j = 0; j < 2 * DEGREE; j++)
+        cosine[j] = 2 * crossley_place[j <= DEGREE ? j : 2 * DEGREE - j] - 1;
+    for (int j = 0; j <= DEGREE / 2; j++) {
+        double even = moment[0], odd = 0;
+        for (int n = 1, at = j; n < DEGREE; n += 2) {
+            const int next = at + j < 2 * DEGREE ? at + j : at + j - 2 * DEGREE;
+            odd += moment[n] * cosine[at];
+            even += moment[n + 1] * cosine[next];
+            at = next + j < 2 * DEGREE ? next + j : next + j - 2 * DEGREE;
+        }
+        const double scale = j ? 2.0 / DEGREE : 1.0 / DEGREE;
+        rule->weight[j] = scale * (even + odd);
+        rule->weight[DEGREE - j] = scale * (even - odd);
+    }
+}
+
+/* The beginning of the panel that ends at w: 0, or a place as far from the singularity of w^-k as the panel is long */
+static double crossley_panel(const struct crossley_side *side, double w)
+{
+    const double tau = side->end * w, least = 0x1p-52 * side->end; /* shorter panels count for nothing */
+    const double gap = side->end - tau + cor_kernel_log_plus_1(side->beta).hi;
+    const double longest = side->rebound ? cor_kernel_max(2.0 * gap, least) : 5;
+    if (tau <= longest)
+        return 0;
+    return cor_kernel_max(side->rebound ? w - longest / side->end : 0, w / 2.2);
+}
+
+/* (1 - k) int_0^1 w^-k b^-k dw. In the first panel the integral of w^-k (b^-k - 1), which is small where k is near 1,
+ * is added to that of w^-k. */
+static double crossley_quadrature(const struct crossley_side *side, const struct crossley_rule *rule)
+{
+    const double k = rule->k.hi, share = rule->share.hi;
+    double sum = 0;
+    for (double to = 1, from; to > 0; to = from) {
+        from = crossley_panel(side, to);
+        const double length = to - from;
+        double part = 0;
+        for (int j = 0; j < DEGREE + (from > 0); j++) { /* at w = 0 the value is 1 */
+            const double w = from + length * crossley_place[j];
+            const double b = crossley_b(side, w, (1 - to) + length * crossley_place[DEGREE - j]);
+            const double value = crossley_exp(k * crossley_minus_log(from > 0 ? w * b : b));
+            part +=
+                from > 0 ? value * clenshaw_curtis[j <= DEGREE / 2 ? j : DEGREE - j] : (value - 1) * rule->weight[j];
+        }
+        sum += from > 0 ? share * length * part : (1 + part) * crossley_exp(share * -crossley_minus_log(to));
+    }
+    return sum;
+}
+
+static double crossley_side_time(const struct crossley_side *side, const struct crossley_rule *rule)
+{
+    const struct cor_inline_pair log_speed = cor_kernel_minus_log(cor_pair(side->speed, 0)),
+                                 log_beta = cor_kernel_minus_log(cor_pair(side->beta, 0)),
+                                 log_end = cor_kernel_minus_log(cor_pair(side->end / side->beta * rule->plus.hi, 0));
+    /* -ln of the factors: a power of beta alone would lose digits where k ln(beta) is large */
+    const struct cor_inline_pair slow = cor_pair_plus(log_beta, cor_pair(-log_speed.hi, -log_speed.lo));
+    const struct cor_inline_pair factor = cor_kernel_exp_minus_pair(
+        cor_pair_plus(cor_inline_pair_times(rule->share, log_end), cor_inline_pair_times(rule->k, slow)));
+    return factor.hi * crossley_quadrature(side, rule);
+}
+
+static double crossley_loading(double beta, const struct crossley_rule *rule)
+{
+    const struct crossley_side side = {cor_kernel_log_plus_1(beta).hi, 0, beta, beta, 0};
+    return crossley_side_time(&side, rule);
+}
+
+/* -ln(1 - h) is U = beta + 1 - ln(1 + beta) - (1 - h) or, for small beta, -ln(1 - h) itself */
+static double crossley_rebound(double beta, const struct crossley_rule *rule)
+{
+    const int weak = beta < 2;
+    const double h = cor_kernel_min(beta * closed_eps(&crossley_ends, beta), 1), rest = 1 - h;
+    const double end = weak ? cor_kernel_minus_log_one_minus(h).hi : beta + 1 - cor_kernel_log_plus_1(beta).hi - rest;
+    const struct crossley_side side = {end, rest, h, beta, 1};
+    return crossley_side_time(&side, rule);
+}
+
+/* Loading or rebound. A collision with negative damping, in backward time, is the damped collision that starts with the
+ * speed eps, with h = -beta. The loading of one is the rebound of the other. */
+static double crossley_half(double beta, const struct crossley_rule *rule, int rebound)
+{
+    if (fabs(beta) < 1e-15)
+        return crossley_loading(1e-15, rule);
+    if (beta > 0)
+        return rebound ? crossley_rebound(beta, rule) : crossley_loading(beta, rule);
+    const double eps = closed_eps(&crossley_ends, beta), damped = -beta * eps;
+    const struct cor_inline_pair power = cor_pair_plus(rule->share, cor_pair(-rule->k.hi, -rule->k.lo));
+    const double unit = crossley_power(cor_pair(eps, 0), power).hi;
+    const struct crossley_side backward = {-cor_kernel_log_plus_1(beta).hi, 1 + beta, -beta, damped, 1};
+    return unit * (rebound ? crossley_loading(damped, rule) : crossley_side_time(&backward, rule));
+}
+
+/* ---- the functions ---- */
+
+static int crossley_valid(double beta, double a)
+{
+    return beta > -1 && a >= 0 && a <= COR_HUNT_CROSSLEY_MAX_EXPONENT;
+}
+
+static int crossley_has_table(double beta, double a)
+{
+    return beta >= 0 && (a == 1 || a == 1.5);
+}
+
+static double crossley_duration(double beta, double elastic_exponent)
+{
+    const double a = elastic_exponent;
+    if (!crossley_valid(beta, a))
+        return NAN;
+    if (isinf(beta))
+        return a > 0 ? INFINITY
+                     : 1; /* a constant force: the approach takes no time, and the rebound, (1 - h) e^tau = 1, the whole
+                           * time */
+    if (crossley_has_table(beta, a)) {
+        const struct crossley_tables tables = crossley_tables_of(a);
+        return crossley_table_duration(&tables, beta);
+    }
+    struct crossley_rule rule;
+    crossley_rule_make(&rule, a);
+    return crossley_half(beta, &rule, 0) + crossley_half(beta, &rule, 1);
+}
+
+static double crossley_time_of_max_overlap(double beta, double elastic_exponent)
+{
+    const double a = elastic_exponent;
+    if (!crossley_valid(beta, a))
+        return NAN;
+    if (isinf(beta))
+        return 0;
+    if (crossley_has_table(beta, a)) {
+        const struct crossley_tables tables = crossley_tables_of(a);
+        return crossley_max(&tables, beta).hi;
+    }
+    struct crossley_rule rule;
+    crossley_rule_make(&rule, a);
+    return crossley_half(beta, &rule, 0);
+}
+
+/* The elastic rebound to the speed eps takes half of the elastic duration times eps^((1 - a)/(1 + a)). */
+static struct cor_inline_pair crossley_elastic_rebound(double beta, double a)
+{
+    const struct cor_inline_pair plus = cor_pair_two_sum(1, a), minus = cor_pair_two_sum(1, -a);
+    return crossley_power(cor_crossley_eps_approach_pair(beta), cor_pair_over(minus, plus));
+}
+
+static double crossley_duration_approach_only(double beta, double elastic_exponent)
+{
+    const double a = elastic_exponent;
+    if (!crossley_valid(beta, a))
+        return NAN;
+    if (isinf(beta) && a != 1)
+        return a > 1 ? INFINITY : 0;
+    if (crossley_has_table(beta, a)) {
+        const struct crossley_tables tables = crossley_tables_of(a);
+        const struct cor_inline_pair half = cor_pair(tables.elastic, tables.elastic_tail);
+        if (isinf(beta))
+            return half.hi;
+        const struct cor_inline_pair rebound = cor_inline_pair_times(half, crossley_elastic_rebound(beta, a));
+        return cor_pair_plus(rebound, crossley_max(&tables, beta)).hi;
+    }
+    struct crossley_rule rule;
+    crossley_rule_make(&rule, a);
+    return crossley_half(beta, &rule, 0) + crossley_half(0, &rule, 0) * crossley_elastic_rebound(beta, a).hi;
+}
+
+/* ---- the largest overlap ---- */
 
 /* eps beyond this beta is computed in units of 2^-380, so that its fourth power is a normal number. */
 #define CROSSLEY_HUGE COR_INLINE_2_500
 
 /* X^(1/(a + 1)), X = (a + 1)/2 eps^2 with eps of damping during the approach only, 0 <= a < inf: the fifth root of X^2
  * for a = 3/2, the square root for a = 1 */
-static double cor_crossley_max_overlap(double beta, double elastic_exponent)
+static double crossley_max_overlap(double beta, double elastic_exponent)
 {
     const double a = elastic_exponent;
     if (!(beta > -1 && a >= 0) || isinf(a))
@@ -38,12 +400,134 @@ static double cor_crossley_max_overlap(double beta, double elastic_exponent)
     return cor_kernel_exp_minus_pair(cor_pair_over(minus_log, plus)).hi;
 }
 
-LAW_DEFINE(hunt_crossley_eps, crossley_eps)
-LAW_DEFINE(hunt_crossley_loss, crossley_loss)
-LAW_DEFINE(hunt_crossley_beta, crossley_beta)
-LAW_DEFINE(hunt_crossley_beta_of_loss, crossley_beta_of_loss)
-LAW_DEFINE(hunt_crossley_eps_approach_only, crossley_eps_approach_only)
-LAW_DEFINE(hunt_crossley_loss_approach_only, crossley_loss_approach_only)
-LAW_DEFINE(hunt_crossley_beta_approach_only, crossley_beta_approach_only)
-LAW_DEFINE(hunt_crossley_beta_of_loss_approach_only, crossley_beta_of_loss_approach_only)
-LAW_DEFINE_WITH_EXPONENT(hunt_crossley_max_overlap, crossley_max_overlap)
+/* ---- the functions with the exponent as an argument ---- */
+
+double cor_hunt_crossley_max_overlap(double beta, double elastic_exponent)
+{
+    return law_value_of_exponent(crossley_max_overlap, beta, elastic_exponent);
+}
+
+void cor_hunt_crossley_max_overlap_array(const double *beta, double elastic_exponent, double *y, size_t n)
+{
+    law_array_of_exponent(crossley_max_overlap, beta, elastic_exponent, y, n);
+}
+
+double cor_hunt_crossley_duration(double beta, double elastic_exponent)
+{
+    return law_value_of_exponent(crossley_duration, beta, elastic_exponent);
+}
+
+void cor_hunt_crossley_duration_array(const double *beta, double elastic_exponent, double *y, size_t n)
+{
+    law_array_of_exponent(crossley_duration, beta, elastic_exponent, y, n);
+}
+
+double cor_hunt_crossley_duration_approach_only(double beta, double elastic_exponent)
+{
+    return law_value_of_exponent(crossley_duration_approach_only, beta, elastic_exponent);
+}
+
+void cor_hunt_crossley_duration_approach_only_array(const double *beta, double elastic_exponent, double *y, size_t n)
+{
+    law_array_of_exponent(crossley_duration_approach_only, beta, elastic_exponent, y, n);
+}
+
+double cor_hunt_crossley_time_of_max_overlap(double beta, double elastic_exponent)
+{
+    return law_value_of_exponent(crossley_time_of_max_overlap, beta, elastic_exponent);
+}
+
+void cor_hunt_crossley_time_of_max_overlap_array(const double *beta, double elastic_exponent, double *y, size_t n)
+{
+    law_array_of_exponent(crossley_time_of_max_overlap, beta, elastic_exponent, y, n);
+}
+
+/* ---- the functions of the table: x is beta, eps or 1 - eps ---- */
+
+/* The law by name has the elastic exponent 3/2. Its times are those of damping. */
+#define ELASTIC 1.5
+
+static double duration_at(double beta)
+{
+    return cor_inline_is_refused(beta) ? NAN : crossley_duration(beta, ELASTIC);
+}
+
+static double duration_approach_only_at(double beta)
+{
+    return cor_inline_is_refused(beta) ? NAN : crossley_duration_approach_only(beta, ELASTIC);
+}
+
+static double time_of_max_overlap_at(double beta)
+{
+    return cor_inline_is_refused(beta) ? NAN : crossley_time_of_max_overlap(beta, ELASTIC);
+}
+
+static double max_overlap_at(double beta)
+{
+    return crossley_max_overlap(beta, ELASTIC);
+}
+
+/* One line each */
+/* clang-format off */
+static double eps_ends(double x) { return closed_value(&crossley_ends, COR_EPS, x); }
+static double loss_ends(double x) { return closed_value(&crossley_ends, COR_LOSS, x); }
+static double beta_ends(double x) { return closed_value(&crossley_ends, COR_DAMPING_OF_EPS, x); }
+static double beta_of_loss_ends(double x) { return closed_value(&crossley_ends, COR_DAMPING_OF_LOSS, x); }
+static double eps_approach_only(double x) { return closed_value(&crossley_approach_only, COR_EPS, x); }
+static double loss_approach_only(double x) { return closed_value(&crossley_approach_only, COR_LOSS, x); }
+static double beta_approach_only(double x) { return closed_value(&crossley_approach_only, COR_DAMPING_OF_EPS, x); }
+static double beta_of_loss_approach_only(double x)
+{ return closed_value(&crossley_approach_only, COR_DAMPING_OF_LOSS, x); }
+static double duration(double x) { return law_value(duration_at, x); }
+static double duration_approach_only(double x) { return law_value(duration_approach_only_at, x); }
+static double time_of_max_overlap(double x) { return law_value(time_of_max_overlap_at, x); }
+static double max_overlap(double x) { return law_value(max_overlap_at, x); }
+
+static void eps_ends_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_ends.eps, eps_ends, x, y, n); }
+static void loss_ends_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_ends.loss, loss_ends, x, y, n); }
+static void beta_ends_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_ends.damping_of_eps, beta_ends, x, y, n); }
+static void beta_of_loss_ends_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_ends.damping_of_loss, beta_of_loss_ends, x, y, n); }
+static void eps_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_approach_only.eps, eps_approach_only, x, y, n); }
+static void loss_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_approach_only.loss, loss_approach_only, x, y, n); }
+static void beta_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_approach_only.damping_of_eps, beta_approach_only, x, y, n); }
+static void beta_of_loss_approach_only_array(const double *x, double *y, size_t n)
+{ cor_row_array(&crossley_approach_only.damping_of_loss, beta_of_loss_approach_only, x, y, n); }
+static void duration_array(const double *x, double *y, size_t n)
+{ cor_array_in_environment(duration_at, x, y, n); }
+static void duration_approach_only_array(const double *x, double *y, size_t n)
+{ cor_array_in_environment(duration_approach_only_at, x, y, n); }
+static void time_of_max_overlap_array(const double *x, double *y, size_t n)
+{ cor_array_in_environment(time_of_max_overlap_at, x, y, n); }
+static void max_overlap_array(const double *x, double *y, size_t n)
+{ cor_array_in_environment(max_overlap_at, x, y, n); }
+/* clang-format on */
+
+/* The least double above -1 */
+#define LEAST (-0x1.fffffffffffffp-1)
+
+#define OVERLAP_ROWS                                                                                                   \
+    COR_LAW_ROW("hunt_crossley_max_overlap", max_overlap, LEAST, INFINITY, 2),                                         \
+        COR_LAW_ROW("hunt_crossley_time_of_max_overlap", time_of_max_overlap, 0, INFINITY, 2)
+#define ROWS(end, eps, loss, damping_of_eps, damping_of_loss, duration)                                                \
+    {                                                                                                                  \
+        COR_LAW_ROW("hunt_crossley_eps_" end, eps, LEAST, INFINITY, 2),                                                \
+            COR_LAW_ROW("hunt_crossley_loss_" end, loss, LEAST, INFINITY, 2),                                          \
+            COR_LAW_ROW("hunt_crossley_damping_of_eps_" end, damping_of_eps, 0, 1, 2),                                 \
+            COR_LAW_ROW("hunt_crossley_damping_of_loss_" end, damping_of_loss, 0, 1, 2),                               \
+            COR_LAW_ROW("hunt_crossley_duration_" end, duration, 0, INFINITY, 2), OVERLAP_ROWS                         \
+    }
+
+/* In the order of enum cor_quantity */
+const cor_law_functions cor_hunt_crossley_functions = {
+    [COR_END_ZERO_OVERLAP] = ROWS("zero_overlap", eps_ends, loss_ends, beta_ends, beta_of_loss_ends, duration),
+    [COR_END_ZERO_FORCE] = ROWS("zero_force", eps_ends, loss_ends, beta_ends, beta_of_loss_ends, duration),
+    [COR_END_APPROACH_ONLY] = ROWS("approach_only", eps_approach_only, loss_approach_only, beta_approach_only,
+                                   beta_of_loss_approach_only, duration_approach_only),
+};

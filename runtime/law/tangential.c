@@ -12,9 +12,8 @@
  * whose sum is below 2^36. Next to a zero, kappa >= 2^-28 and a >= 2^-20 are multiples of 2^-81 and 2^-73, so that P is
  * 0 or at least 2^-154; elsewhere it is larger. All that follows is computed in pairs, with relative errors below
  * 2^-90, and rounded once. */
-#include "cor/law.h"
 #include "runtime/law/damping_ratio.h"
-#include "runtime/law/define.h"
+#include "runtime/law/functions.h"
 
 enum { PRODUCT_TERMS = 5, Q_TERMS = 4, P_TERMS = Q_TERMS * (PRODUCT_TERMS + 1) + 1, SUM_PASSES = 5, SINE_TERMS = 14 };
 
@@ -74,7 +73,7 @@ static struct cor_inline_pair tangential_sine(struct cor_inline_pair t)
     return cor_inline_pair_times(x, sum);
 }
 
-static double cor_tangential_inline_no_slip(double kappa, double elastic_exponent)
+static double tangential_no_slip(double kappa, double elastic_exponent)
 {
     const double a = elastic_exponent;
     if (!(kappa >= 0 && kappa <= COR_NO_SLIP_MAX_KAPPA && a >= COR_NO_SLIP_MIN_EXPONENT &&
@@ -94,4 +93,12 @@ static double cor_tangential_inline_no_slip(double kappa, double elastic_exponen
     return n % 2 == 0 ? 0 - ratio : 0 + ratio;
 }
 
-LAW_DEFINE_WITH_EXPONENT(tangential_no_slip, tangential_inline_no_slip)
+double cor_tangential_no_slip(double kappa, double elastic_exponent)
+{
+    return law_value_of_exponent(tangential_no_slip, kappa, elastic_exponent);
+}
+
+void cor_tangential_no_slip_array(const double *kappa, double elastic_exponent, double *y, size_t n)
+{
+    law_array_of_exponent(tangential_no_slip, kappa, elastic_exponent, y, n);
+}

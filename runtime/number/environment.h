@@ -73,6 +73,28 @@ static inline double cor_in_environment(double (*function)(double), double x)
     return value;
 }
 
+/* The same for function(context, x) */
+static inline double cor_in_environment_with(double (*function)(const void *context, double x), const void *context,
+                                             double x)
+{
+    double (*const volatile in_environment)(const void *, double) = function;
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double value = in_environment(context, x);
+    cor_environment_leave(&caller);
+    return value;
+}
+
+/* Sets y[i] to formula(x[i]) in the default environment. The pointer is volatile, so that no element is read before. */
+static inline void cor_array_in_environment(double (*formula)(double), const double *x, double *y, size_t n)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const double *const volatile pointer = x;
+    const double *const in = pointer;
+    for (size_t i = 0; i < n; i++)
+        y[i] = formula(in[i]);
+    cor_environment_leave(&caller);
+}
+
 /* Defines the function `name`, which returns formula(arguments) in the default environment. The pointer is volatile, so
  * that no compiler looks into the formula. */
 #define COR_IN_ENVIRONMENT(type, name, formula, parameters, arguments)                                                 \
@@ -94,14 +116,5 @@ static inline double cor_in_environment(double (*function)(double), double x)
         in_environment arguments;                                                                                      \
         cor_environment_leave(&caller);                                                                                \
     }
-
-/* Defines the array function `name` of formula(x): the elements one by one in the default environment. */
-#define COR_ARRAY_IN_ENVIRONMENT(type, name, formula)                                                                  \
-    static void one_by_one_##name(const type *x, type *y, size_t n)                                                    \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = formula(x[i]);                                                                                      \
-    }                                                                                                                  \
-    COR_RUN_IN_ENVIRONMENT(name, one_by_one_##name, (const type *x, type *y, size_t n), (x, y, n))
 
 #endif

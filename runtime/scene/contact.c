@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "cor/hertz_dashpot.h"
 #include "cor/law.h"
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
@@ -146,25 +145,23 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 
 /* ---- collisions ---- */
 
-/* Functions of the damping parameter, zeta where q = 0 and beta elsewhere, by the ends of contact; `damping` is the
- * inverse of eps. */
+/* The law in libcor's table, whose parameter is zeta where q = 0 and beta elsewhere; and if durations and overlap are
+ * those of the table, too */
 struct functions {
-    double (*eps[COR_SCENE_ENDS])(double damping);
-    double (*duration[COR_SCENE_ENDS])(double damping);
-    double (*max_overlap)(double damping);
-    double (*damping[COR_SCENE_ENDS])(double eps);
+    enum cor_law law;
+    int has_times;
 };
-#define AT_ENDS(name) cor_##name##_zero_overlap, cor_##name##_zero_force
-#define OF_LAW(law, inverse)                                                                                           \
-    .eps = {AT_ENDS(law##_eps)}, .duration = {AT_ENDS(law##_duration)}, .max_overlap = cor_##law##_max_overlap,        \
-    .damping = {AT_ENDS(law##_##inverse)}
-static const struct functions sphere = {OF_LAW(sphere, beta)}, dashpot = {OF_LAW(hertz_dashpot, beta)},
-                              linear = {OF_LAW(linear, zeta)}, tsuji = {OF_LAW(tsuji, zeta)};
+static const struct functions sphere = {COR_LAW_VISCOELASTIC, 1}, dashpot = {COR_LAW_HERTZ_DASHPOT, 1},
+                              linear = {COR_LAW_LINEAR, 1}, tsuji = {COR_LAW_TSUJI, 1};
 /* eps of q = 0 is that of zeta, whatever the exponents are */
-static const struct functions constant = {.eps = {AT_ENDS(linear_eps)}, .damping = {AT_ENDS(linear_zeta)}};
+static const struct functions constant = {COR_LAW_LINEAR, 0};
 /* durations and overlap depend on the elastic exponent, too */
-static const struct functions hunt_crossley = {.eps = {cor_hunt_crossley_eps, cor_hunt_crossley_eps},
-                                               .damping = {cor_hunt_crossley_beta, cor_hunt_crossley_beta}};
+static const struct functions hunt_crossley = {COR_LAW_HUNT_CROSSLEY, 0};
+
+static double value_of(const struct functions *f, int end, enum cor_quantity quantity, double x)
+{
+    return cor_law_value(f->law, (enum cor_end)end, quantity, x);
+}
 
 /* NULL: not a law of the library */
 static const struct functions *functions_of(const struct cor_exponents *law)
@@ -209,14 +206,14 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
             return status;
     }
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
-        impact->eps[end] = f->eps[end](parameter);
-        if (f->duration[end])
-            impact->duration[end] = f->duration[end](parameter);
+        impact->eps[end] = value_of(f, end, COR_EPS, parameter);
+        if (f->has_times)
+            impact->duration[end] = value_of(f, end, COR_DURATION, parameter);
         else if (f == &hunt_crossley)
             impact->duration[end] = cor_hunt_crossley_duration(parameter, a);
     }
-    if (f->max_overlap)
-        impact->max_overlap = f->max_overlap(parameter);
+    if (f->has_times)
+        impact->max_overlap = value_of(f, COR_END_ZERO_OVERLAP, COR_MAX_OVERLAP, parameter);
     else if (f == &hunt_crossley)
         impact->max_overlap = cor_hunt_crossley_max_overlap(parameter, a);
     return COR_FAULT_NONE;
@@ -227,7 +224,7 @@ static int eps_of(double *eps, const struct cor_scene_contact *contact, double p
 {
     const struct functions *const f = functions_of(&contact->law);
     if (f) {
-        *eps = f->eps[end](parameter);
+        *eps = value_of(f, end, COR_EPS, parameter);
         return COR_FAULT_NONE;
     }
     const int at = cor_scene_ends_differ(contact) ? end : COR_END_ZERO_OVERLAP;
@@ -442,7 +439,7 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
         break;
     case COR_SCENE_RESTITUTION:
         if (f && !pressed)
-            parameter = f->damping[end](value);
+            parameter = value_of(f, end, COR_DAMPING_OF_EPS, value);
         else if (value < 1)
             status = solved_beta(&parameter, contact, value, speed_m_s, end);
         if (pressed && is_constant)

@@ -41,7 +41,7 @@ double cor_flores_beta(double e)
     }
 
 /* Exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use it for every end of contact. */
-MAP(exact_at_zero_overlap, cor_linear_zeta_zero_overlap(e))
+MAP(exact_at_zero_overlap, cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e))
 /* The damping is 2 gamma sqrt(m k), where k = (3/2) K sqrt(x) is the tangent stiffness; zeta = sqrt(6/5) gamma. */
 MAP(thornton, sqrt(1.2) * cor_thornton_gamma(e))
 /* YADE: no damping at e = 1 exactly */
@@ -54,7 +54,7 @@ MAP(tsuji_since_2026, sqrt(0.4) * cor_tsuji_alpha(e))
 MAP(tsuji_on_hooke_until_2026, cor_tsuji_alpha(e) / 2)
 MAP(tsuji_on_hooke_since_2026, cor_tsuji_alpha(e) / sqrt(2))
 /* the formula of the linear dashpot, with Hertz's force */
-MAP(mfix_hertz, 2 / sqrt(5) * cor_linear_zeta_zero_overlap(e))
+MAP(mfix_hertz, 2 / sqrt(5) * cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e))
 /* pi with 8 digits */
 #define ESYS_PI 3.1415927
 MAP(esys, e == 0 ? 1 : -log(e) / sqrt(ESYS_PI * ESYS_PI + log(e) * log(e)))
@@ -69,7 +69,7 @@ static double kratos_linear(double e)
     if (wanted > 0.999)
         return 0;
     while (high - low > 0.0001) {
-        *(cor_linear_eps_zero_force(gamma) > wanted ? &low : &high) = gamma;
+        *(cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE, gamma) > wanted ? &low : &high) = gamma;
         gamma = 0.5 * (low + high);
     }
     return gamma;

@@ -3,7 +3,6 @@
  * largest overlap Y is a pair, from which the rest follows (runtime/table/hertz_approach_only.h). */
 #include "cor/sphere.h"
 #include "runtime/sphere/eval.h"
-#include "runtime/sphere/float_exceptions.h"
 #include "runtime/table/hertz_approach_only.h"
 
 /* Y for finite beta beyond the rows */
@@ -16,7 +15,17 @@ static inline struct cor_inline_pair sphere_overlap(double beta, int *fourth)
     return cor_pair_scaled(value, cor_kernel_power_of_two(exponent));
 }
 
-COR_HERTZ_APPROACH_ONLY(sphere, cor_rows, COR_ROWS, cor_sphere_time_of_max_overlap)
+#define GRID(quantity, NAME, value, least)                                                                             \
+    COR_ROW_TABLE_OF_GRID(cor_rows_##quantity, COR_ROWS_##NAME, COR_ROW_GRID, value, least, 0)
+static const struct cor_hertz_law sphere_law = {
+    GRID(eps_approach_only, EPS_APPROACH_ONLY, COR_ROW_SUM, 0),
+    GRID(loss_approach_only, LOSS_APPROACH_ONLY, COR_ROW_PRODUCT, COR_INLINE_2_M900),
+    GRID(duration_approach_only, DURATION_APPROACH_ONLY, COR_ROW_SUM, 0),
+    COR_ROW_TABLE_OF_INVERSE(COR_ROW_INVERSE, cor_rows_near_beta_approach_only, COR_ROWS_NEAR_BETA_APPROACH_ONLY,
+                             cor_rows_beta_approach_only, COR_ROWS_BETA_APPROACH_ONLY),
+    sphere_overlap,
+    cor_sphere_time_of_max_overlap,
+};
 
 /* beta from an eps below the rows by Newton's method: eps beta^(5/6) changes little there. The residual is computed
  * with pairs. */
@@ -47,7 +56,24 @@ static double beta_beyond(double eps)
     return eps < SPHERE_LEAST_EPS ? INFINITY : beta_far(eps);
 }
 
-static inline double sphere_beta_approach_only(double eps)
+/* ---- the functions ---- */
+
+double cor_sphere_eps_approach_only(double beta)
+{
+    return cor_hertz_eps(&sphere_law, beta);
+}
+
+double cor_sphere_loss_approach_only(double beta)
+{
+    return cor_hertz_loss(&sphere_law, beta);
+}
+
+double cor_sphere_duration_approach_only(double beta)
+{
+    return cor_hertz_duration(&sphere_law, beta);
+}
+
+double cor_sphere_beta_approach_only(double eps)
 {
     if (cor_inline_between(eps, COR_ROWS_BETA_APPROACH_ONLY_FIRST, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_APPROACH_ONLY), 0,
@@ -56,14 +82,34 @@ static inline double sphere_beta_approach_only(double eps)
     return cor_in_environment(beta_beyond, eps);
 }
 
-#define SPHERE_APPROACH_ONLY(quantity)                                                                                 \
-    COR_SPHERE_SCALARS(quantity##_approach_only, sphere_##quantity##_approach_only, cor_inline_narrow)
-SPHERE_APPROACH_ONLY(eps)
-SPHERE_APPROACH_ONLY(loss)
-SPHERE_APPROACH_ONLY(beta)
-SPHERE_APPROACH_ONLY(beta_of_loss)
-SPHERE_APPROACH_ONLY(duration)
+double cor_sphere_beta_of_loss_approach_only(double loss)
+{
+    return cor_hertz_beta_of_loss(&sphere_law, cor_sphere_beta_approach_only, loss);
+}
 
-/* The other arrays are in array_kernel.c. */
-COR_ARRAY_IN_ENVIRONMENT(double, cor_sphere_beta_of_loss_approach_only_array, sphere_beta_of_loss_approach_only)
-COR_ARRAY_IN_ENVIRONMENT(float, cor_sphere_beta_of_loss_approach_only_arrayf, cor_sphere_beta_of_loss_approach_onlyf)
+/* ---- arrays ---- */
+
+void cor_sphere_eps_approach_only_array(const double *beta, double *y, size_t n)
+{
+    cor_row_array(&sphere_law.eps, cor_sphere_eps_approach_only, beta, y, n);
+}
+
+void cor_sphere_loss_approach_only_array(const double *beta, double *y, size_t n)
+{
+    cor_row_array(&sphere_law.loss, cor_sphere_loss_approach_only, beta, y, n);
+}
+
+void cor_sphere_duration_approach_only_array(const double *beta, double *y, size_t n)
+{
+    cor_row_array(&sphere_law.duration, cor_sphere_duration_approach_only, beta, y, n);
+}
+
+void cor_sphere_beta_approach_only_array(const double *eps, double *y, size_t n)
+{
+    cor_row_array(&sphere_law.beta, cor_sphere_beta_approach_only, eps, y, n);
+}
+
+void cor_sphere_beta_of_loss_approach_only_array(const double *loss, double *y, size_t n)
+{
+    cor_array_in_environment(cor_sphere_beta_of_loss_approach_only, loss, y, n);
+}

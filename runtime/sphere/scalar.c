@@ -1,18 +1,53 @@
 /* SPDX-License-Identifier: MIT */
 #include "cor/sphere.h"
 #include "runtime/sphere/eval.h"
-#include "runtime/sphere/float_exceptions.h"
 
-/* NARROW_BOUNDED is for functions that cannot exceed the largest float. */
-#define NARROW_BOUNDED(x) ((float)(x))
-#define SPHERE_FUNCTION(quantity, narrow) COR_SPHERE_SCALARS(quantity, cor_inline_##quantity, narrow)
-SPHERE_FUNCTION(eps_zero_overlap, NARROW_BOUNDED)
-SPHERE_FUNCTION(eps_zero_force, NARROW_BOUNDED)
-SPHERE_FUNCTION(loss_zero_overlap, NARROW_BOUNDED)
-SPHERE_FUNCTION(loss_zero_force, NARROW_BOUNDED)
-SPHERE_FUNCTION(beta_zero_overlap, cor_inline_narrow)
-SPHERE_FUNCTION(beta_zero_force, cor_inline_narrow)
-SPHERE_FUNCTION(duration_zero_overlap, cor_inline_narrow)
-SPHERE_FUNCTION(duration_zero_force, NARROW_BOUNDED)
-SPHERE_FUNCTION(max_overlap, NARROW_BOUNDED)
-SPHERE_FUNCTION(time_of_max_overlap, NARROW_BOUNDED)
+double cor_sphere_eps_zero_overlap(double beta)
+{
+    return cor_inline_eps_zero_overlap(beta);
+}
+
+double cor_sphere_eps_zero_force(double beta)
+{
+    return cor_inline_eps_zero_force(beta);
+}
+
+double cor_sphere_loss_zero_overlap(double beta)
+{
+    return cor_inline_loss_zero_overlap(beta);
+}
+
+double cor_sphere_loss_zero_force(double beta)
+{
+    return cor_inline_loss_zero_force(beta);
+}
+
+double cor_sphere_beta_zero_overlap(double eps)
+{
+    return cor_inline_beta_zero_overlap(eps);
+}
+
+double cor_sphere_beta_zero_force(double eps)
+{
+    return cor_inline_beta_zero_force(eps);
+}
+
+double cor_sphere_duration_zero_overlap(double beta)
+{
+    return cor_inline_duration_zero_overlap(beta);
+}
+
+double cor_sphere_duration_zero_force(double beta)
+{
+    return cor_inline_duration_zero_force(beta);
+}
+
+double cor_sphere_max_overlap(double beta)
+{
+    return cor_inline_max_overlap(beta);
+}
+
+double cor_sphere_time_of_max_overlap(double beta)
+{
+    return cor_inline_time_of_max_overlap(beta);
+}

@@ -149,8 +149,6 @@ KERNEL floats float_values(const struct float_table *table, floats x)
 
 /* ---- arrays ---- */
 
-typedef float float_scalar(float x);
-
 enum { FLOAT_BLOCK = 256 };
 
 KERNEL int float_is_outside(const struct float_table *table, float x)
@@ -161,7 +159,8 @@ KERNEL int float_is_outside(const struct float_table *table, float x)
 }
 
 /* The function at each number, by blocks; `one` computes numbers outside the table. */
-KERNEL void floats_from_beta(const float *in, float *out, size_t n, const struct float_table *table, float_scalar *one)
+KERNEL void floats_from_beta(const float *in, float *out, size_t n, const struct float_table *table,
+                             double (*one)(double))
 {
     for (size_t i = 0, m; i < n; i += m) {
         float last[FLOATS], value[FLOAT_BLOCK];
@@ -183,7 +182,7 @@ KERNEL void floats_from_beta(const float *in, float *out, size_t n, const struct
         if (WORDS_SIGNS(outside))
             for (size_t j = 0; j < m; j++)
                 if (float_is_outside(table, in[i + j]))
-                    value[j] = one(in[i + j]);
+                    value[j] = (float)one((double)in[i + j]);
         memcpy(out + i, value, m * sizeof *out);
     }
 }

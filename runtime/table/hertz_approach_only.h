@@ -7,6 +7,7 @@
 #include "runtime/number/elementary.h"
 #include "runtime/number/environment.h"
 #include "runtime/table/law.h"
+#include "runtime/table/row_loops.h"
 
 /* sqrt(4/5) = (4/5)^(1/2) and (4/5)^(-1/10) as pairs */
 #define COR_HERTZ_SPEED 8.94427190999915855407e-01
@@ -44,82 +45,92 @@ COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overla
 
 /* ---- functions by rows ----
  *
- * Defines law_<quantity>_approach_only of a law with rows of eps, loss, duration and near_beta from 0 on, for the
- * quantities eps, loss, duration and beta_of_loss. Beyond the rows of beta they follow from law_overlap(beta, &fourth),
- * which returns Y times 2^(-4 fourth) for finite beta; law_beta_approach_only has every eps. */
-#define COR_HERTZ_ROW_(x, rows, ROWS) cor_inline_grid_place(COR_INLINE_GRID(ROWS), x, rows)
-#define COR_HERTZ_APPROACH_ONLY(law, rows, ROWS, time_of_max_overlap)                                                  \
-    static double law##_eps_beyond(double beta)                                                                        \
-    {                                                                                                                  \
-        if (cor_inline_is_refused(beta))                                                                               \
-            return NAN;                                                                                                \
-        if (beta < 1 || isinf(beta)) /* below 2^-60, where a row rounded upward exceeds 1 */                           \
-            return beta < 1;                                                                                           \
-        int fourth;                                                                                                    \
-        const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law##_overlap(beta, &fourth));                  \
-        return fourth ? cor_inline_pair_scaled(eps, 5 * fourth) : eps.hi;                                              \
-    }                                                                                                                  \
-    static inline double law##_eps_approach_only(double beta)                                                          \
-    {                                                                                                                  \
-        if (cor_inline_between(beta, COR_INLINE_2_M60, ROWS##_EPS_APPROACH_ONLY_END))                                  \
-            return cor_inline_row_value(COR_HERTZ_ROW_(beta, rows##_eps_approach_only, ROWS##_EPS_APPROACH_ONLY));     \
-        return cor_in_environment(law##_eps_beyond, beta);                                                             \
-    }                                                                                                                  \
-    static double law##_loss_beyond(double beta)                                                                       \
-    {                                                                                                                  \
-        if (cor_inline_is_refused(beta))                                                                               \
-            return NAN;                                                                                                \
-        if (cor_inline_is_zero(beta) || isinf(beta))                                                                   \
-            return beta > 0;                                                                                           \
-        int fourth;                                                                                                    \
-        struct cor_inline_pair eps = cor_hertz_eps_approach_only(law##_overlap(beta, &fourth));                        \
-        if (fourth < -40)                                                                                              \
-            return 1;                                                                                                  \
-        if (fourth)                                                                                                    \
-            eps = cor_pair_scaled(eps, ldexp(1, 5 * fourth));                                                          \
-        return (1 - eps.hi) - eps.lo;                                                                                  \
-    }                                                                                                                  \
-    static inline double law##_loss_approach_only(double beta)                                                         \
-    {                                                                                                                  \
-        if (cor_inline_below(beta, ROWS##_LOSS_APPROACH_ONLY_END))                                                     \
-            return cor_inline_law_product(COR_HERTZ_ROW_(beta, rows##_loss_approach_only, ROWS##_LOSS_APPROACH_ONLY),  \
-                                          beta);                                                                       \
-        return cor_in_environment(law##_loss_beyond, beta);                                                            \
-    }                                                                                                                  \
-    static double law##_duration_beyond(double beta)                                                                   \
-    {                                                                                                                  \
-        if (cor_inline_is_refused(beta))                                                                               \
-            return NAN;                                                                                                \
-        if (isinf(beta))                                                                                               \
-            return INFINITY;                                                                                           \
-        int fourth; /* of Y's power of two: the duration of the rebound has Y^(-1/4) */                                \
-        const struct cor_inline_pair overlap = law##_overlap(beta, &fourth);                                           \
-        const double time = time_of_max_overlap(beta);                                                                 \
-        return fourth ? ldexp(cor_hertz_duration_approach_only(overlap, ldexp(time, fourth)), -fourth)                 \
-                      : cor_hertz_duration_approach_only(overlap, time);                                               \
-    }                                                                                                                  \
-    static inline double law##_duration_approach_only(double beta)                                                     \
-    {                                                                                                                  \
-        if (cor_inline_below(beta, ROWS##_DURATION_APPROACH_ONLY_END) || cor_inline_is_zero(beta))                     \
-            return cor_inline_row_value(                                                                               \
-                COR_HERTZ_ROW_(beta, rows##_duration_approach_only, ROWS##_DURATION_APPROACH_ONLY));                   \
-        return cor_in_environment(law##_duration_beyond, beta);                                                        \
-    }                                                                                                                  \
-    static inline double law##_beta_approach_only(double eps);                                                         \
-    /* 0 <= loss <= 1/2 */                                                                                             \
-    static inline double law##_beta_near(double loss)                                                                  \
-    {                                                                                                                  \
-        return cor_inline_law_product(                                                                                 \
-            COR_HERTZ_ROW_(loss, rows##_near_beta_approach_only, ROWS##_NEAR_BETA_APPROACH_ONLY), loss);               \
-    }                                                                                                                  \
-    static inline double law##_beta_of_loss_approach_only(double loss)                                                 \
-    {                                                                                                                  \
-        if (cor_inline_below(loss, 0x1.0000000000001p-1)) /* 1/2, too */                                               \
-            return law##_beta_near(loss);                                                                              \
-        if (cor_inline_is_zero(loss))                                                                                  \
-            return 0;                                                                                                  \
-        return cor_inline_is_refused(loss) ? (double)NAN                                                               \
-                                           : law##_beta_approach_only(1 - loss); /* exact from 1/2 to 1 */             \
-    }
+ * A law with rows of eps, loss, duration and the inverse from 0 on. Functions with it as an argument must be inlined,
+ * so that it is a constant of each caller. */
+struct cor_hertz_law {
+    struct cor_row_table eps, loss, duration, beta;
+    struct cor_inline_pair (*overlap)(double beta, int *fourth); /* Y 2^(-4 fourth), beta finite and beyond the rows */
+    double (*time_of_max_overlap)(double beta);
+};
+
+static inline double cor_hertz_eps_beyond(const void *of, double beta)
+{
+    const struct cor_hertz_law *const law = of;
+    if (cor_inline_is_refused(beta))
+        return NAN;
+    if (beta < 1 || isinf(beta)) /* below 2^-60, where a row rounded upward exceeds 1 */
+        return beta < 1;
+    int fourth;
+    const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law->overlap(beta, &fourth));
+    return fourth ? cor_inline_pair_scaled(eps, 5 * fourth) : eps.hi;
+}
+
+COR_KERNEL double cor_hertz_eps(const struct cor_hertz_law *law, double beta)
+{
+    if (cor_inline_between(beta, COR_INLINE_2_M60, law->eps.end))
+        return cor_inline_row_value(cor_row_near(&law->eps, beta));
+    return cor_in_environment_with(cor_hertz_eps_beyond, law, beta);
+}
+
+static inline double cor_hertz_loss_beyond(const void *of, double beta)
+{
+    const struct cor_hertz_law *const law = of;
+    if (cor_inline_is_refused(beta))
+        return NAN;
+    if (cor_inline_is_zero(beta) || isinf(beta))
+        return beta > 0;
+    int fourth;
+    struct cor_inline_pair eps = cor_hertz_eps_approach_only(law->overlap(beta, &fourth));
+    if (fourth < -40)
+        return 1;
+    if (fourth)
+        eps = cor_pair_scaled(eps, ldexp(1, 5 * fourth));
+    return (1 - eps.hi) - eps.lo;
+}
+
+COR_KERNEL double cor_hertz_loss(const struct cor_hertz_law *law, double beta)
+{
+    if (cor_inline_below(beta, law->loss.end))
+        return cor_inline_law_product(cor_row_near(&law->loss, beta), beta);
+    return cor_in_environment_with(cor_hertz_loss_beyond, law, beta);
+}
+
+static inline double cor_hertz_duration_beyond(const void *of, double beta)
+{
+    const struct cor_hertz_law *const law = of;
+    if (cor_inline_is_refused(beta))
+        return NAN;
+    if (isinf(beta))
+        return INFINITY;
+    int fourth; /* of Y's power of two: the duration of the rebound has Y^(-1/4) */
+    const struct cor_inline_pair overlap = law->overlap(beta, &fourth);
+    const double time = law->time_of_max_overlap(beta);
+    return fourth ? ldexp(cor_hertz_duration_approach_only(overlap, ldexp(time, fourth)), -fourth)
+                  : cor_hertz_duration_approach_only(overlap, time);
+}
+
+COR_KERNEL double cor_hertz_duration(const struct cor_hertz_law *law, double beta)
+{
+    if (cor_inline_below(beta, law->duration.end) || cor_inline_is_zero(beta))
+        return cor_inline_row_value(cor_row_near(&law->duration, beta));
+    return cor_in_environment_with(cor_hertz_duration_beyond, law, beta);
+}
+
+/* 0 <= loss <= 1/2 */
+COR_KERNEL double cor_hertz_beta_near(const struct cor_hertz_law *law, double loss)
+{
+    return cor_inline_law_product(cor_row_near(&law->beta, loss), loss);
+}
+
+/* beta_of_eps: the inverse for every eps */
+COR_KERNEL double cor_hertz_beta_of_loss(const struct cor_hertz_law *law, double (*beta_of_eps)(double eps),
+                                         double loss)
+{
+    if (cor_inline_below(loss, 0x1.0000000000001p-1)) /* 1/2, too */
+        return cor_hertz_beta_near(law, loss);
+    if (cor_inline_is_zero(loss))
+        return 0;
+    return cor_inline_is_refused(loss) ? (double)NAN : beta_of_eps(1 - loss); /* exact from 1/2 to 1 */
+}
 
 #endif

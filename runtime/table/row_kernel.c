@@ -333,74 +333,10 @@ static void one_block(const struct cor_row_table *table, const double *x, double
     evaluate_block(value, table, taken, whole(m));
 }
 
-/* ---- arrays of floats ---- */
-
-/* The numbers of a table that are floats, but for one `apart`, as words */
-struct float_interval {
-    int32_t least, end, also, apart;
-};
-
-/* The least float from x on */
-KERNEL int32_t word_from(double x)
-{
-    const float nearest = (float)x;
-    return word_of_float(nearest) + ((double)nearest < x);
-}
-
-KERNEL int32_t float_has(const struct float_interval *t, int32_t x)
-{
-    return -(int32_t)(((x >= t->least) & (x < t->end)) | (x == t->also)) & -(int32_t)(x != t->apart);
-}
-
-SHARED size_t take_floats(double *restrict x, struct float_interval interval, const float *restrict in, size_t m)
-{
-    const double fill = (double)float_of_word(interval.also);
-    int32_t inside = 0;
-    for (size_t j = 0; j < m; j++) {
-        const int32_t word = word_of_float(in[j]), is_inside = float_has(&interval, word);
-        x[j] = (double)float_of_word((word & is_inside) | (interval.also & ~is_inside));
-        inside -= is_inside;
-    }
-    for (size_t j = m; j < whole(m); j++)
-        x[j] = fill;
-    return m - (size_t)inside;
-}
-
-SHARED void narrow(float *restrict out, const double *restrict value, size_t m)
-{
-    for (size_t j = 0; j < m; j++)
-        out[j] = (float)value[j];
-}
-
-static void loop_floats(const struct cor_row_table *table, float (*one)(float), float apart, const float *in,
-                        float *out, size_t n)
-{
-    const struct float_interval interval = {word_from(table->least), word_from(table->end),
-                                            word_of_float((float)table->also), word_of_float(apart)};
-    if (one_by_one(table, n)) {
-        for (size_t i = 0; i < n; i++)
-            out[i] = one(in[i]);
-        return;
-    }
-    for (size_t i = 0, m; i < n; i += m) {
-        double x[BLOCK], value[BLOCK];
-        float result[BLOCK];
-        m = n - i < BLOCK ? n - i : BLOCK;
-        const size_t outside = take_floats(x, interval, in + i, m);
-        evaluate_block(value, table, x, whole(m));
-        narrow(outside ? result : out + i, value, m);
-        if (!outside)
-            continue;
-        for (size_t j = 0; j < m; j++)
-            if (!is_same((double)in[i + j], x[j]))
-                result[j] = one(in[i + j]);
-        memcpy(out + i, result, m * sizeof *out);
-    }
-}
+/* ---- arrays in float arithmetic ---- */
 
 /* For each kind a loop of its own */
-static void loop_fast_floats(const struct float_table *table, float (*one)(float), const float *in, float *out,
-                             size_t n)
+static void loop_floats(const struct float_table *table, double (*one)(double), const float *in, float *out, size_t n)
 {
     struct float_table t = *table;
     if (table->product) {
@@ -412,5 +348,4 @@ static void loop_fast_floats(const struct float_table *table, float (*one)(float
     }
 }
 
-const struct cor_row_loops COR_OF_SET(cor_row_loops) = {COR_SET_NAME, loop_doubles, loop_floats, loop_fast_floats,
-                                                        one_block};
+const struct cor_row_loops COR_OF_SET(cor_row_loops) = {COR_SET_NAME, loop_doubles, loop_floats, one_block};

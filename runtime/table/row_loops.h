@@ -85,18 +85,36 @@ struct cor_row_call {
     int always_after;
 };
 
-/* The loops of a set: doubles; floats, each the double result rounded once, but for the number `apart`, which `one`
- * computes; floats in float arithmetic; and the values of at most COR_ROW_BLOCK numbers x, into arrays of that length.
- * Where the table does not have a number, `taken` differs from x, and the value is of no use. */
+/* The loops of a set: doubles; floats in float arithmetic; and the values of at most COR_ROW_BLOCK numbers x, into
+ * arrays of that length. Where the table does not have a number, `taken` differs from x, and the value is undefined. */
 enum { COR_ROW_BLOCK = 256 };
 struct cor_row_loops {
     const char *name;
     void (*doubles)(const struct cor_row_call *call, const double *in, double *out, size_t n);
-    void (*floats)(const struct cor_row_table *table, float (*one)(float), float apart, const float *in, float *out,
-                   size_t n);
-    void (*fast_floats)(const struct float_table *table, float (*one)(float), const float *in, float *out, size_t n);
+    void (*floats)(const struct float_table *table, double (*one)(double x), const float *in, float *out, size_t n);
     void (*block)(const struct cor_row_table *table, const double *x, double *taken, double *value, size_t m);
 };
 COR_TABLES(struct cor_row_loops, cor_row_loops, cor_row_loops)
+
+/* Sets y[i] to the function of x[i] by the rows of a table, in the default environment. `one` computes numbers that the
+ * table does not have, and with COR_WITHOUT_LOOPS, for a small module (web/run), every number. */
+void cor_row_array(const struct cor_row_table *table, double (*one)(double x), const double *x, double *y, size_t n);
+
+/* The instruction set of the array functions: the widest of this processor. A test has a function of this name. */
+int cor_array_set(void);
+
+/* The place of x in the near and in the middle rows of a table, as the scalar functions need it */
+KERNEL struct cor_inline_place cor_row_near(const struct cor_row_table *table, double x)
+{
+    const struct cor_inline_grid grid = {0, table->step, table->per_unit};
+    const int i = cor_inline_grid_row(grid, x);
+    return cor_inline_place_of(table->near + i * COR_INLINE_COLUMNS, cor_inline_grid_t(grid, x, i));
+}
+
+KERNEL struct cor_inline_place cor_row_middle(const struct cor_row_table *table, double x)
+{
+    return cor_inline_place_of(table->middle + cor_inline_octaves_row(table->octaves, x) * COR_INLINE_COLUMNS,
+                               cor_inline_octaves_t(table->octaves, x));
+}
 
 #endif

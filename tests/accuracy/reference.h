@@ -29,23 +29,23 @@ enum quantity {
 };
 
 /* The functions of one double: name, shape of search.h, quantity and bound; a loss and an inverse have the quantity of
- * their eps. FAST ones have arrays in float arithmetic, too. */
-#define SPHERE_FUNCTIONS(FAST, PLAIN)                                                                                  \
-    FAST(eps_zero_overlap, EPS, EPS_ZERO_OVERLAP, COR_SPHERE_EPS_MAX_ULP)                                              \
-    FAST(eps_zero_force, EPS, EPS_ZERO_FORCE, COR_SPHERE_EPS_MAX_ULP)                                                  \
-    FAST(loss_zero_overlap, LOSS, EPS_ZERO_OVERLAP, COR_SPHERE_LOSS_MAX_ULP)                                           \
-    FAST(loss_zero_force, LOSS, EPS_ZERO_FORCE, COR_SPHERE_LOSS_MAX_ULP)                                               \
-    FAST(duration_zero_overlap, OTHER, DURATION_ZERO_OVERLAP, COR_SPHERE_TIME_MAX_ULP)                                 \
-    FAST(duration_zero_force, OTHER, DURATION_ZERO_FORCE, COR_SPHERE_TIME_MAX_ULP)                                     \
-    FAST(max_overlap, OTHER, MAX_OVERLAP, COR_SPHERE_MAX_OVERLAP_MAX_ULP)                                              \
-    FAST(time_of_max_overlap, OTHER, TIME_OF_MAX_OVERLAP, COR_SPHERE_TIME_MAX_ULP)                                     \
-    PLAIN(beta_zero_overlap, INVERSE, EPS_ZERO_OVERLAP, COR_SPHERE_BETA_MAX_ULP)                                       \
-    PLAIN(beta_zero_force, INVERSE, EPS_ZERO_FORCE, COR_SPHERE_BETA_MAX_ULP)                                           \
-    PLAIN(eps_approach_only, EPS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)                                      \
-    PLAIN(loss_approach_only, LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)                                    \
-    PLAIN(duration_approach_only, OTHER, DURATION_APPROACH_ONLY, COR_SPHERE_TIME_MAX_ULP)                              \
-    PLAIN(beta_approach_only, INVERSE, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)                                 \
-    PLAIN(beta_of_loss_approach_only, INVERSE_OF_LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)
+ * their eps. */
+#define SPHERE_FUNCTIONS(ROW)                                                                                          \
+    ROW(eps_zero_overlap, EPS, EPS_ZERO_OVERLAP, COR_SPHERE_EPS_MAX_ULP)                                               \
+    ROW(eps_zero_force, EPS, EPS_ZERO_FORCE, COR_SPHERE_EPS_MAX_ULP)                                                   \
+    ROW(loss_zero_overlap, LOSS, EPS_ZERO_OVERLAP, COR_SPHERE_LOSS_MAX_ULP)                                            \
+    ROW(loss_zero_force, LOSS, EPS_ZERO_FORCE, COR_SPHERE_LOSS_MAX_ULP)                                                \
+    ROW(duration_zero_overlap, OTHER, DURATION_ZERO_OVERLAP, COR_SPHERE_TIME_MAX_ULP)                                  \
+    ROW(duration_zero_force, OTHER, DURATION_ZERO_FORCE, COR_SPHERE_TIME_MAX_ULP)                                      \
+    ROW(max_overlap, OTHER, MAX_OVERLAP, COR_SPHERE_MAX_OVERLAP_MAX_ULP)                                               \
+    ROW(time_of_max_overlap, OTHER, TIME_OF_MAX_OVERLAP, COR_SPHERE_TIME_MAX_ULP)                                      \
+    ROW(beta_zero_overlap, INVERSE, EPS_ZERO_OVERLAP, COR_SPHERE_BETA_MAX_ULP)                                         \
+    ROW(beta_zero_force, INVERSE, EPS_ZERO_FORCE, COR_SPHERE_BETA_MAX_ULP)                                             \
+    ROW(eps_approach_only, EPS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)                                        \
+    ROW(loss_approach_only, LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)                                      \
+    ROW(duration_approach_only, OTHER, DURATION_APPROACH_ONLY, COR_SPHERE_TIME_MAX_ULP)                                \
+    ROW(beta_approach_only, INVERSE, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)                                   \
+    ROW(beta_of_loss_approach_only, INVERSE_OF_LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)
 enum { LOSS_OF_EPS = LOSS_ZERO_OVERLAP - EPS_ZERO_OVERLAP };
 
 /* Makes the tables, some seconds; once, before any thread calls the functions below. */

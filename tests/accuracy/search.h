@@ -17,9 +17,9 @@ struct search_function {
     double (*value)(double);
     enum search_shape shape;
     double max_ulp;
-    int law, end;                 /* which exact value: of the program */
-    long double (*exact)(double); /* or this one */
-    uint64_t share;               /* one in so many points, if not 0 */
+    int law, end, quantity; /* which exact value: of the program */
+    double exponent;
+    uint64_t share; /* one in this number of points, if not 0 */
 };
 
 struct worst {
@@ -72,7 +72,7 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
 
 bool search_wants(const struct search_options *o, const char *name);
 
-/* The parts of test_accuracy: the reference against balls, and the functions of floats. They print what they find. */
+/* The parts of test_accuracy: the reference against balls, and the arrays of floats. They print what they find. */
 bool reference_is_good(const struct search_options *o);
 bool floats_are_good(const struct search_options *o);
 

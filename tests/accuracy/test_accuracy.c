@@ -16,7 +16,7 @@
  * tenth. */
 #define ROW(name, shape, quantity, max_ulp)                                                                            \
     {#name, cor_sphere_##name, shape, max_ulp, quantity, .share = (quantity) >= QUANTITIES ? 10 : 0},
-static const struct search_function functions[] = {SPHERE_FUNCTIONS(ROW, ROW)};
+static const struct search_function functions[] = {SPHERE_FUNCTIONS(ROW)};
 
 static long double exact(const struct search_function *f, enum search_shape shape, long double beta)
 {

@@ -98,7 +98,7 @@ static double value_of_other(double x)
 
 #define ROW(name, value, ulp, ...)                                                                                     \
     {                                                                                                                  \
-        {name, value, OTHER, ulp, 0, 0, NULL, 0}, __VA_ARGS__                                                          \
+        {name, value, OTHER, ulp, 0, 0, 0, 0, 0}, __VA_ARGS__                                                          \
     }
 static struct row rows[] = {
     ROW("cbrt, beta^(2/3)", cbrt, COR_PROOF_CBRT_ULP, mpfr_cbrt, 1, 8, {0x1.7a337e1ba1ec2p+1, 0x1.7a337e1ba1ec2p+0}),

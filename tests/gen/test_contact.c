@@ -7,7 +7,6 @@
 #include "scene.h"
 
 #include "contact/contact.h"
-#include "cor/hertz_dashpot.h"
 #include "cor/law.h"
 #include "cor/sphere.h"
 #include "enclosure/collision.h"

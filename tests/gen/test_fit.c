@@ -113,6 +113,7 @@ static double eps_of_parameter(const struct fit_model *model, const char *name, 
     struct cor_sphere_contact contact;
     struct cor_body body = glass.body_1, wall = glass.body_2;
     const bool zero_force = strcmp(model->end, "zero-force") == 0;
+    const enum cor_end end = zero_force ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP;
     if (strcmp(name, "g_star_m_s") == 0) {
         cor_sphere_contact_init_g_star(&contact, value);
     } else if (strcmp(name, "plate_thickness_m") == 0) {
@@ -125,10 +126,10 @@ static double eps_of_parameter(const struct fit_model *model, const char *name, 
         cor_sphere_contact_init(&contact, &body, &wall);
         const double k = contact.elastic_constant_n_m15, m = contact.effective_mass_kg;
         const double beta = value * pow(m, -0.6) * pow(k, -0.4) * pow(speed, -0.2);
-        return zero_force ? cor_hertz_dashpot_eps_zero_force(beta) : cor_hertz_dashpot_eps_zero_overlap(beta);
+        return cor_law_value(COR_LAW_HERTZ_DASHPOT, end, COR_EPS, beta);
     } else if (strcmp(name, "beta_at_1_m_s") == 0) {
         const double beta = value * pow(speed, -0.2);
-        return zero_force ? cor_hertz_dashpot_eps_zero_force(beta) : cor_hertz_dashpot_eps_zero_overlap(beta);
+        return cor_law_value(COR_LAW_HERTZ_DASHPOT, end, COR_EPS, beta);
     } else if (strcmp(name, "zener_lambda_at_1_m_s") == 0) {
         return cor_sphere_eps_zero_overlap(1.5 * value * pow(speed, 0.2));
     } else if (strcmp(name, "yield_speed_m_s") == 0) {
@@ -140,9 +141,9 @@ static double eps_of_parameter(const struct fit_model *model, const char *name, 
         return cor_elastic_plastic_eps(speed / (pow(pi / (2 * modulus), 2) * pow(limit, 2.5) *
                                                 sqrt(8 * pi * r * r * r / (15 * contact.effective_mass_kg))));
     } else if (strcmp(name, "dissipation_s_m") == 0) {
-        return cor_hunt_crossley_eps(value * speed);
+        return cor_law_value(COR_LAW_HUNT_CROSSLEY, end, COR_EPS, value * speed);
     } else if (strcmp(name, "zeta") == 0) {
-        return zero_force ? cor_tsuji_eps_zero_force(value) : cor_linear_eps_zero_overlap(value);
+        return cor_law_value(COR_LAW_TSUJI, end, COR_EPS, value);
     } else {
         return value;
     }

@@ -71,7 +71,7 @@ def test_docstrings_have_no_prototypes_of_c():
     docs = {name: getattr(module, name).__doc__ or "" for module in modules for name in dir(module)}
     assert [name for name, doc in docs.items() if "double cor_" in doc] == []
     assert docs["eps_zero_force"].startswith("Restitution coefficient")
-    assert docs["hertz_dashpot_max_overlap"].startswith("hertz_dashpot_max_overlap: largest overlap")
+    assert docs["hunt_crossley_max_overlap"].startswith("Largest overlap")
 
 
 # ---- the parser: a header that grows, and one that it cannot read ----
@@ -81,13 +81,15 @@ def headers_with(tmp_path, text):
     for header in (ROOT / "include" / "cor").glob("*.h"):
         (tmp_path / header.name).write_text(header.read_text())
     law = tmp_path / "law.h"
-    law.write_text(law.read_text().replace("#undef COR_LAW_DECLARE_\n", text + "\n#undef COR_LAW_DECLARE_\n"))
+    end = "#ifdef __cplusplus\n}\n"
+    law.write_text(law.read_text().replace(end, text + "\n\n" + end))
     return tmp_path
 
 
 def test_new_functions_are_found(tmp_path):
     text = """/* double cor_spring_eps(double zeta): of a new law. */
-COR_LAW_DECLARE_(spring_eps)
+COR_API double cor_spring_eps(double zeta);
+COR_API void cor_spring_eps_array(const double *zeta, double *y, size_t n);
 /* Two arrays. */
 COR_API double cor_spring_time(double zeta, double mass_kg);
 COR_API void cor_spring_time_array(const double *zeta, const double *mass_kg, double *y, size_t n);"""
@@ -96,7 +98,7 @@ COR_API void cor_spring_time_array(const double *zeta, const double *mass_kg, do
     assert found["cor_spring_eps"].kind == "elementwise" and found["cor_spring_eps"].array is not None
     assert found["cor_spring_time"].array is not None and "cor_spring_time_array" not in found
     module = python_source.modules(declared)["law"]
-    assert "def spring_eps(zeta: ArrayLike, /, *, out" in module and "Of a new law." in module
+    assert "def spring_eps(zeta: ArrayLike, *, out" in module and "Of a new law." in module
     loop = cffi_source.source(declared)
     assert "if (count && (count == 1 || (zeta_step == 1 && mass_kg_step == 1)))" in loop
 

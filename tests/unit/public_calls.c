@@ -233,15 +233,6 @@ static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
     }
 }
 
-void arguments_of_floats(struct arguments *a)
-{
-    for (size_t i = 0; i < a->n; i++) {
-        a->xf[i] = a->epsf[i] = a->lossf[i] = a->betaf[i]; /* a float's argument may be called x alone */
-#define NUMBER(name) a->name[i] = (double)a->name##f[i];
-#include "public_functions.inc"
-    }
-}
-
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal)
 {
     a->n = n;
@@ -314,9 +305,11 @@ static void put_numbers(struct results *r, const void *numbers, size_t n)
     }
 }
 
-int public_is_part(const struct public_function *function)
+int public_is_part(const struct public_function *function, size_t j, size_t n)
 {
     const char *const name = function->name;
+    if (strncmp(name, "cor_law_", strlen("cor_law_")) == 0)
+        return n > 0 && j / n % (COR_QUANTITIES + 1) <= COR_LOSS;
     return strstr(name, "_eps") != NULL || (strstr(name, "_loss") != NULL && strstr(name, "_of_loss") == NULL);
 }
 
@@ -328,7 +321,15 @@ int public_is_part(const struct public_function *function)
         for (size_t i = 0; i < a->n; i++)                                                                              \
             results_put(r, (double)function given);                                                                    \
     }
-#define ARRAY(function, type, given, element)                                                                          \
+#define FLOATS(function, given) CALL_OF_ARRAY(function, float, given)
+#define ARRAY(function, given, element)                                                                                \
+    CALL_OF_ARRAY(function, double, given)                                                                             \
+    static void elements_##function(const struct arguments *a, struct results *r)                                      \
+    {                                                                                                                  \
+        for (size_t i = 0; i < a->n; i++)                                                                              \
+            results_put(r, element);                                                                                   \
+    }
+#define CALL_OF_ARRAY(function, type, given)                                                                           \
     static void call_##function(const struct arguments *a, struct results *r)                                          \
     {                                                                                                                  \
         type y[PUBLIC_COUNT + 1];                                                                                      \
@@ -339,11 +340,6 @@ int public_is_part(const struct public_function *function)
             abort();                                                                                                   \
         for (size_t i = 0; i < n; i++)                                                                                 \
             results_put(r, (double)y[i]);                                                                              \
-    }                                                                                                                  \
-    static void elements_##function(const struct arguments *a, struct results *r)                                      \
-    {                                                                                                                  \
-        for (size_t i = 0; i < a->n; i++)                                                                              \
-            results_put(r, (double)element);                                                                           \
     }
 #define INIT(function, type, given)                                                                                    \
     static void call_##function(const struct arguments *a, struct results *r)                                          \
@@ -358,49 +354,47 @@ int public_is_part(const struct public_function *function)
 
 /* ---- the others ---- */
 
-/* Every combination, and some that do not exist */
-static void put_functions(const struct arguments *a, struct results *r, int kind)
+/* Of every combination, and of some that do not exist: the value (0), the array (1) or the floats (2) of a->n numbers.
+ * Of `n` there is one where a function is looked up and called. */
+static void put_laws(const struct arguments *a, struct results *r, int kind)
 {
-    double y[PUBLIC_COUNT];
-    float yf[PUBLIC_COUNT];
+    double y[PUBLIC_COUNT] = {0};
+    float yf[PUBLIC_COUNT] = {0};
     for (int c = 0; c < 7 * (COR_END_APPROACH_ONLY + 2) * (COR_QUANTITIES + 1); c++) {
         const enum cor_law law = (enum cor_law)(c / (COR_QUANTITIES + 1) / (COR_END_APPROACH_ONLY + 2) - 1);
         const enum cor_end end = (enum cor_end)(c / (COR_QUANTITIES + 1) % (COR_END_APPROACH_ONLY + 2));
         const enum cor_quantity quantity = (enum cor_quantity)(c % (COR_QUANTITIES + 1));
         const int is_inverse = quantity == COR_DAMPING_OF_EPS || quantity == COR_DAMPING_OF_LOSS;
         const double *const in = is_inverse ? a->eps : a->beta;
-        const struct cor_law_function *const f = cor_law_function(law, end, quantity);
-        if (kind == 0)
-            results_put(r, f ? f->value(in[0]) : f == NULL);
-        for (size_t i = 0; kind == 1 && i < a->n; i++)
-            results_put(r, cor_law_value(law, end, quantity, in[i]));
-        if (kind == 2)
+        if (kind == 1)
             cor_law_array(law, end, quantity, in, y, a->n);
-        if (kind == 3)
+        if (kind == 2)
             cor_law_arrayf(law, end, quantity, is_inverse ? a->epsf : a->betaf, yf, a->n);
-        for (size_t i = 0; kind >= 2 && i < a->n; i++)
-            results_put(r, kind == 2 ? y[i] : (double)yf[i]);
+        for (size_t i = 0; i < a->n; i++)
+            results_put(r, kind == 0 ? cor_law_value(law, end, quantity, in[i]) : kind == 1 ? y[i] : (double)yf[i]);
     }
 }
 
 static void call_cor_law_function(const struct arguments *a, struct results *r)
 {
-    put_functions(a, r, 0);
+    const struct cor_law_function *const f = cor_law_function(COR_LAW_TSUJI, COR_END_LIMITED, COR_EPS);
+    for (size_t i = 0; i < a->n; i++)
+        results_put(r, f->value(a->beta[i]));
 }
 
 static void call_cor_law_value(const struct arguments *a, struct results *r)
 {
-    put_functions(a, r, 1);
+    put_laws(a, r, 0);
 }
 
 static void call_cor_law_array(const struct arguments *a, struct results *r)
 {
-    put_functions(a, r, 2);
+    put_laws(a, r, 1);
 }
 
 static void call_cor_law_arrayf(const struct arguments *a, struct results *r)
 {
-    put_functions(a, r, 3);
+    put_laws(a, r, 2);
 }
 
 static void put_name(const char *name, struct results *r)
@@ -591,7 +585,8 @@ static void call_cor_disk_hard_wall_nu(const struct arguments *a, struct results
 /* ---- all of them ---- */
 
 #define SCALAR(function, type, given) {#function, call_##function, NULL, PUBLIC_##type},
-#define ARRAY(function, type, given, element) {#function, call_##function, elements_##function, PUBLIC_##type},
+#define ARRAY(function, given, element) {#function, call_##function, elements_##function, PUBLIC_double},
+#define FLOATS(function, given) {#function, call_##function, NULL, PUBLIC_float},
 #define INIT(function, type, given) {#function, call_##function, NULL, PUBLIC_several},
 #define OTHER(function) {#function, call_##function, NULL, PUBLIC_several},
 const struct public_function public_functions[] = {

@@ -51,9 +51,6 @@ uint64_t random_bits_next(struct bit_source *source);
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal);
 void arguments_flush(struct arguments *a); /* makes subnormal ones 0 */
 
-/* Makes each double the float of its name. */
-void arguments_of_floats(struct arguments *a);
-
 struct results {
     double *value;
     size_t count, capacity;
@@ -71,8 +68,8 @@ struct public_function {
     enum public_type type;
 };
 
-/* Whether the name says that the numbers are eps or 1 - eps, and so in [0, 1] */
-int public_is_part(const struct public_function *function);
+/* True if result j of a call with n arguments is eps or 1 - eps, and so in [0, 1], by the name of the function */
+int public_is_part(const struct public_function *function, size_t j, size_t n);
 
 extern const struct public_function public_functions[];
 extern const size_t public_function_count;

@@ -25,14 +25,14 @@ static long double limited_phase_time(long double zeta)
     return (logl(below + 2 * zeta * om) - logl(1 + 8 * zeta * zeta) / 2) / om;
 }
 
-long double reference_ratio_exponent(enum law_end end, long double zeta)
+long double reference_ratio_exponent(enum cor_end end, long double zeta)
 {
     switch (end) {
-    case LAW_ZERO_OVERLAP:
+    case COR_END_ZERO_OVERLAP:
         return acosl(-1) * zeta / sqrtl((1 - zeta) * (1 + zeta));
-    case LAW_ZERO_FORCE:
+    case COR_END_ZERO_FORCE:
         return 2 * zeta * phase_time(zeta);
-    case LAW_LIMITED:
+    case COR_END_LIMITED:
         return zeta * (2 * phase_time(zeta) - limited_phase_time(zeta));
     default:
         return zeta * phase_time(zeta);
@@ -150,16 +150,16 @@ static long double limited_integrand(long double x, long double below, const lon
     return p[0] / sqrtl(deficit);
 }
 
-long double reference_tsuji_time(enum law_end end, long double zeta)
+long double reference_tsuji_time(enum cor_end end, long double zeta)
 {
     const long double pi = acosl(-1), om = sqrtl(fabsl((1 - zeta) * (1 + zeta))), a = phase_time(zeta);
     const long double twice = zeta < 1 ? 2 * asinl(zeta) : 0;
     switch (end) {
-    case LAW_APPROACH_ONLY:
+    case COR_END_APPROACH_ONLY:
         return tsuji_integral(zeta, a, zeta < 1 ? pi - acosl(zeta) : 0);
-    case LAW_ZERO_FORCE:
+    case COR_END_ZERO_FORCE:
         return tsuji_integral(zeta, 2 * a, twice);
-    case LAW_ZERO_OVERLAP:
+    case COR_END_ZERO_OVERLAP:
         return tsuji_integral(zeta, pi / om, 0);
     default:
         break;

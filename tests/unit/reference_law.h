@@ -5,10 +5,10 @@
 #ifndef COR_TESTS_REFERENCE_LAW_H
 #define COR_TESTS_REFERENCE_LAW_H
 
-enum law_end { LAW_ZERO_OVERLAP, LAW_ZERO_FORCE, LAW_LIMITED, LAW_APPROACH_ONLY, LAW_ENDS };
+#include "cor/law.h"
 
 /* The linear dashpot and Tsuji's damping, zeta > 0: acos and acosh, and the one formula where zeta = 1 */
-long double reference_ratio_exponent(enum law_end end, long double zeta);
+long double reference_ratio_exponent(enum cor_end end, long double zeta);
 
 /* Hunt and Crossley: -ln(beta eps/beta) from f(-h) = f(beta), f by its series or by log1pl; beta > -1, not 0. */
 long double reference_hunt_crossley_loss(long double beta);
@@ -17,10 +17,10 @@ long double reference_hunt_crossley_eps(long double beta);
 long double reference_hunt_crossley_approach_loss(long double beta);
 long double reference_hunt_crossley_approach_eps(long double beta);
 
-/* Tsuji's damping: the time of the largest overlap (LAW_APPROACH_ONLY) or the duration at an end, zeta > 0, relative
- * error below 1e-17. Zero overlap: zeta < 0.999. By double exponential quadrature of exp(zeta s/5) (sin(om
+/* Tsuji's damping: the time of the largest overlap (COR_END_APPROACH_ONLY) or the duration at an end, zeta > 0,
+ * relative error below 1e-17. Zero overlap: zeta < 0.999. By double exponential quadrature of exp(zeta s/5) (sin(om
  * s)/om)^(-1/5). */
-long double reference_tsuji_time(enum law_end end, long double zeta);
+long double reference_tsuji_time(enum cor_end end, long double zeta);
 
 /* Hunt and Crossley, -1 < beta < inf, not 0, elastic exponents 0 <= a <= 100: the time of the largest overlap and the
  * duration, relative error below 2e-15, and 1e-17 where |ln(beta)| is below 10. By double exponential quadrature over

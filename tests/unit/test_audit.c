@@ -123,7 +123,8 @@ TEST(lammps)
           "duration %.15g", seen.finding[0].duration_s);
     assert_true(fabs(seen.finding[0].damping / zeta - 1) < 1e-12 && seen.finding[0].as_asked == -1);
     /* a model without a row for limit_damping: the end is another one */
-    const double end = cor_linear_eps_zero_force(cor_linear_zeta_zero_overlap(0.297340));
+    const double end = cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE,
+                                   cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, 0.297340));
     audits(COR_AUDIT_NOT_AS_ASKED, NAN,
            SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.2 damping tsuji limit_damping\n");
     finds(0, 10, 0.2, end, "hooke, damping tsuji, releases to July 2026, limit_damping, 1-1");

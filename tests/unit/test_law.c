@@ -11,33 +11,28 @@
 
 typedef double law_function(double);
 
-enum { ENDS = 4 };
-static const char *const end_name[ENDS] = {"zero overlap", "zero force", "limited", "approach only"};
+enum { ENDS = COR_END_APPROACH_ONLY + 1 };
 
-/* The functions of the damping ratio, by enum law_end, of both laws that have one */
-#define BY_END(quantity)                                                                                               \
-    {                                                                                                                  \
-        {cor_linear_##quantity##_zero_overlap, cor_linear_##quantity##_zero_force, cor_linear_##quantity##_limited,    \
-         cor_linear_##quantity##_approach_only},                                                                       \
-        {                                                                                                              \
-            cor_tsuji_##quantity##_zero_overlap, cor_tsuji_##quantity##_zero_force, cor_tsuji_##quantity##_limited,    \
-                cor_tsuji_##quantity##_approach_only                                                                   \
-        }                                                                                                              \
-    }
-static law_function *const eps_of[2][ENDS] = BY_END(eps);
-static law_function *const loss_of[2][ENDS] = BY_END(loss);
-static law_function *const zeta_of[2][ENDS] = BY_END(zeta);
-static law_function *const zeta_of_loss[2][ENDS] = BY_END(zeta_of_loss);
-static law_function *const duration_of[2][ENDS] = BY_END(duration);
+/* A function of the table; NULL: absent */
+static law_function *of(enum cor_law law, int end, enum cor_quantity quantity)
+{
+    const struct cor_law_function *const f = cor_law_function(law, (enum cor_end)end, quantity);
+    return f ? f->value : NULL;
+}
+
+static double crossley_eps(double beta)
+{
+    return cor_law_value(COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_FORCE, COR_EPS, beta);
+}
 
 /* ---- special values: tests/accuracy/test_laws.c has those of functions of one number ---- */
 
 TEST(special_crossley)
 {
-    check_ulp(cor_hunt_crossley_max_overlap(0, 1.5), 1.09336207394327805637L, COR_LAW_MAX_OVERLAP_MAX_ULP);
+    check_ulp(cor_hunt_crossley_max_overlap(0, 1.5), 1.09336207394327805637L, COR_HUNT_CROSSLEY_MAX_ULP);
     assert_true(cor_hunt_crossley_max_overlap(0, 1) == 1 && cor_hunt_crossley_max_overlap(INFINITY, 1) == 0);
     /* a constant force, a = 0: 1/2 */
-    check_ulp(cor_hunt_crossley_max_overlap(0, 0), 0.5L, COR_LAW_MAX_OVERLAP_MAX_ULP);
+    check_ulp(cor_hunt_crossley_max_overlap(0, 0), 0.5L, COR_HUNT_CROSSLEY_MAX_ULP);
     assert_true(cor_hunt_crossley_duration(INFINITY, 1) == INFINITY &&
                 cor_hunt_crossley_duration(INFINITY, 2) == INFINITY);
     assert_true(cor_hunt_crossley_duration(INFINITY, 0) == 1 &&
@@ -46,61 +41,57 @@ TEST(special_crossley)
               cor_hunt_crossley_max_overlap(1, INFINITY), cor_hunt_crossley_max_overlap(NAN, 1),
               cor_hunt_crossley_duration(1, 101), cor_hunt_crossley_duration(-1, 1),
               cor_hunt_crossley_duration(1, -0.5), cor_hunt_crossley_duration(1, NAN));
-    check_ulp(cor_hunt_crossley_duration_approach_only(INFINITY, 1), acosl(0), COR_LAW_TIME_MAX_ULP);
+    check_ulp(cor_hunt_crossley_duration_approach_only(INFINITY, 1), acosl(0), COR_HUNT_CROSSLEY_MAX_ULP);
     assert_true(cor_hunt_crossley_duration_approach_only(INFINITY, 1.5) == INFINITY);
 }
 
 /* Spheres and Hertz's spring with a dashpot, damped while approaching only: eps = sqrt(4/5) Y^(5/4), and the rebound
  * takes half of an elastic collision over eps^(1/5). `first`: loss/beta at 0 */
-#define APPROACH(law, first)                                                                                           \
-    {                                                                                                                  \
-        cor_##law##_eps_approach_only, cor_##law##_loss_approach_only, cor_##law##_duration_approach_only,             \
-            cor_##law##_beta_approach_only, cor_##law##_beta_of_loss_approach_only, cor_##law##_max_overlap,           \
-            cor_##law##_time_of_max_overlap, first                                                                     \
-    }
 static const struct {
-    law_function *eps, *loss, *duration, *beta, *beta_of_loss, *max_overlap, *time_of_max_overlap;
+    enum cor_law law;
     long double first;
-} approaches[] = {APPROACH(sphere, -0.5L * COR_SPHERE_C1), APPROACH(hertz_dashpot, 0.893907072144178638L)};
+} approaches[] = {{COR_LAW_VISCOELASTIC, -0.5L * COR_SPHERE_C1}, {COR_LAW_HERTZ_DASHPOT, 0.893907072144178638L}};
 
 TEST(damped_approach)
 {
     const long double half = 1.60903272985952150442L, part = 4.5L * DBL_EPSILON;
     for (size_t k = 0; k < COUNT_OF(approaches); k++) {
-        law_function *const eps = approaches[k].eps, *const loss = approaches[k].loss,
-                            *const beta_of = approaches[k].beta;
+        law_function *f[COR_QUANTITIES];
+        for (int q = 0; q < COR_QUANTITIES; q++)
+            f[q] = of(approaches[k].law, COR_END_APPROACH_ONLY, (enum cor_quantity)q);
+        law_function *const eps = f[COR_EPS], *const loss = f[COR_LOSS], *const beta_of = f[COR_DAMPING_OF_EPS],
+                            *const beta_of_loss = f[COR_DAMPING_OF_LOSS], *const duration = f[COR_DURATION];
         assert_true(eps(0) == 1 && eps(-0.0) == 1 && eps(INFINITY) == 0 && loss(0) == 0 && loss(INFINITY) == 1);
-        assert_true(beta_of(1) == 0 && beta_of(0) == INFINITY && approaches[k].beta_of_loss(0) == 0);
-        assert_true(approaches[k].beta_of_loss(1) == INFINITY && approaches[k].duration(INFINITY) == INFINITY);
+        assert_true(beta_of(1) == 0 && beta_of(0) == INFINITY && beta_of_loss(0) == 0);
+        assert_true(beta_of_loss(1) == INFINITY && duration(INFINITY) == INFINITY);
         EACH (bad, -1e-300, -INFINITY, NAN)
-            check_nan(eps(*bad), loss(*bad), approaches[k].duration(*bad), beta_of(*bad),
-                      approaches[k].beta_of_loss(*bad));
-        check_nan(beta_of(1.5), approaches[k].beta_of_loss(1.5));
-        check_ulp(approaches[k].duration(0), 2 * half, 1);
+            check_nan(eps(*bad), loss(*bad), duration(*bad), beta_of(*bad), beta_of_loss(*bad));
+        check_nan(beta_of(1.5), beta_of_loss(1.5));
+        check_ulp(duration(0), 2 * half, 1);
         check_ulp(loss(0x1p-1000), 0x1p-1000L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         check_ulp(loss(0x1p-1050), 0x1p-1050L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         for (double beta = 0x1p-10; beta < 1e6; beta *= beta < 12.5 ? 1.002 : 1.37)
             for (int side = -1; side <= 1; side++) { /* of where rows end, too: sixteenths */
                 const double at = side == 0 ? beta : nextafter(floor(16 * beta) / 16 + 0.0625, side * DBL_MAX);
-                const long double e = sqrtl(0.8L) * powl(approaches[k].max_overlap(at), 1.25L);
+                const long double e = sqrtl(0.8L) * powl(f[COR_MAX_OVERLAP](at), 1.25L);
                 check_near(eps(at), e, part);
                 check(fabsl(loss(at) - (1 - e)) < part * fmaxl(e, 0.25L), "loss at %a", at);
-                check_near(approaches[k].duration(at), approaches[k].time_of_max_overlap(at) + half * powl(e, -0.2L),
-                           part);
+                check_near(duration(at), f[COR_TIME_OF_MAX_OVERLAP](at) + half * powl(e, -0.2L), part);
                 /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
                 check_near(beta_of(eps(at)), at, part * fmaxl(2, 1 / (1 - e)));
             }
         for (int i = -53; i <= -1; i++) /* both are exact */
-            assert_true(same_bits(beta_of(1 - ldexp(1, i)), approaches[k].beta_of_loss(ldexp(1, i))));
+            assert_true(same_bits(beta_of(1 - ldexp(1, i)), beta_of_loss(ldexp(1, i))));
     }
     const double least = cor_sphere_eps_approach_only(DBL_MAX);
     check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
     check(isinf(cor_sphere_beta_approach_only(least * (1 - 0x1p-48))), "beta is infinite beyond the largest double");
     /* sqrt(4/5) beta^(-5/4), (1 + (5/4) ln(beta) beta^-5/2...) is nothing there; a subnormal eps */
-    check_ulp(cor_hertz_dashpot_eps_approach_only(1e200), 8.94427190999915878564e-251L, 2);
-    check_ulp(cor_hertz_dashpot_eps_approach_only(1e256), 8.9442719099991588e-321L, 2);
-    check_ulp(cor_hertz_dashpot_duration_approach_only(1e200), half * powl(0.8L, -0.1L) * 1e50L, 2);
-    assert_true(cor_hertz_dashpot_eps_approach_only(DBL_MAX) == 0);
+    check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e200), 8.94427190999915878564e-251L, 2);
+    check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e256), 8.9442719099991588e-321L, 2);
+    check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_DURATION)(1e200), half * powl(0.8L, -0.1L) * 1e50L,
+              2);
+    assert_true(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(DBL_MAX) == 0);
 }
 
 /* ---- exponentials and logarithms ---- */
@@ -147,46 +138,47 @@ TEST(logarithms_of_pairs)
 
 /* ---- both directions ---- */
 
-/* A pair of functions: eps -> damping -> eps is off by at most `most` units of eps, however small eps is. */
-static void check_back(const char *name, law_function *inverse, law_function *eps, double e, double most)
+/* eps or loss -> damping -> the same: off by at most `most` units, however small it is */
+static void check_back(enum cor_law law, int end, int of_loss, double e, double most)
 {
-    const double damping = inverse(e);
-    if (damping < DBL_MAX)
-        check(ulp_error(eps(damping), e) <= most, "%s: %a -> %a -> %a", name, e, damping, eps(damping));
+    law_function *const inverse = of(law, end, of_loss ? COR_DAMPING_OF_LOSS : COR_DAMPING_OF_EPS);
+    const double damping = inverse ? inverse(e) : INFINITY;
+    if (damping < DBL_MAX) {
+        const double back = of(law, end, of_loss ? COR_LOSS : COR_EPS)(damping);
+        check(ulp_error(back, e) <= most, "%s, %s, %d: %a -> %a -> %a", cor_law_name(law),
+              cor_end_name((enum cor_end)end), of_loss, e, damping, back);
+    }
 }
 
-/* Every size of e and of 1 - e, subnormal numbers included. eps is a power of the damping where it is small, so that a
- * rounding of the damping costs no more than two roundings of eps. At zero overlap it costs |d ln(eps)/d ln(zeta)| = L
- * (1 + L^2/pi^2). */
+/* What the way back may cost, in units of eps, with L = -ln(eps). eps is a power of the damping where it is small, so
+ * that a rounding of the damping costs no more than two roundings of eps; at zero overlap, by the damping ratio, it
+ * costs |d ln(eps)/d ln(zeta)| = L (1 + L^2/pi^2), and next to beta_c of the dashpot what the rounding of beta costs.
+ * */
+static double cost_of(enum cor_law law, int end, double e)
+{
+    const double l = -log(e);
+    if (law == COR_LAW_VISCOELASTIC)
+        return end == COR_END_APPROACH_ONLY ? 5 : 20;
+    if (law == COR_LAW_HERTZ_DASHPOT)
+        return end == COR_END_APPROACH_ONLY ? 5 : end == COR_END_ZERO_FORCE ? 8 : 8 + 0x1p-51 / (double)ulp(e);
+    return law != COR_LAW_HUNT_CROSSLEY && end == COR_END_ZERO_OVERLAP ? 4 + 2 * l * (1 + l * l / 9.869604401089358)
+                                                                       : 8;
+}
+
+/* Every size of e and of 1 - e, subnormal numbers included */
 TEST(every_size)
 {
     for (int k = -1074; k < 0; k++) {
-        const double e = ldexp(k > -1050 ? 1.375 : 1, k), exponent = -log(e);
-        const double cost = 4 + 2 * exponent * (1 + exponent * exponent / 9.869604401089358);
-        for (int law = 0; law < 2; law++) {
-            for (int end = 0; end < ENDS; end++)
-                check_back(end_name[end], zeta_of[law][end], eps_of[law][end], e, end == LAW_ZERO_OVERLAP ? cost : 8);
-            for (int end = 0; end < ENDS; end++)
-                if (k > -1073 && k < (end == LAW_ZERO_OVERLAP ? -1 : 0))
-                    check_back("loss", zeta_of_loss[law][end], loss_of[law][end], e, 8);
-        }
-        check_back("Hunt-Crossley", cor_hunt_crossley_beta, cor_hunt_crossley_eps, e, 8);
-        check_back("its loss", cor_hunt_crossley_beta_of_loss, cor_hunt_crossley_loss, e, 8);
-        check_back("Hunt-Crossley, approach only", cor_hunt_crossley_beta_approach_only,
-                   cor_hunt_crossley_eps_approach_only, e, 8);
-        check_back("its loss", cor_hunt_crossley_beta_of_loss_approach_only, cor_hunt_crossley_loss_approach_only, e,
-                   8);
-        for (size_t i = 0; i < COUNT_OF(approaches); i++) {
-            check_back("approach only", approaches[i].beta, approaches[i].eps, e, 5);
-            check_back("its loss", approaches[i].beta_of_loss, approaches[i].loss, e, 5);
-        }
-        check_back("dashpot, zero overlap", cor_hertz_dashpot_beta_zero_overlap, cor_hertz_dashpot_eps_zero_overlap, e,
-                   8 + 0x1p-51 / (double)ulp(e)); /* what a rounding of beta next to beta_c may cost */
-        check_back("dashpot, zero force", cor_hertz_dashpot_beta_zero_force, cor_hertz_dashpot_eps_zero_force, e, 8);
-        check_back("its loss", cor_hertz_dashpot_beta_of_loss_zero_overlap, cor_hertz_dashpot_loss_zero_overlap, e, 8);
-        check_back("its loss", cor_hertz_dashpot_beta_of_loss_zero_force, cor_hertz_dashpot_loss_zero_force, e, 8);
-        check_back("sphere, zero overlap", cor_sphere_beta_zero_overlap, cor_sphere_eps_zero_overlap, e, 20);
-        check_back("sphere, zero force", cor_sphere_beta_zero_force, cor_sphere_eps_zero_force, e, 20);
+        const double e = ldexp(k > -1050 ? 1.375 : 1, k);
+        for (int l = 0; l <= COR_LAW_HERTZ_DASHPOT; l++)
+            for (int end = 0; end < ENDS; end++) {
+                const enum cor_law law = (enum cor_law)l;
+                const int is_ratio = law == COR_LAW_LINEAR || law == COR_LAW_TSUJI,
+                          of_approach = l % 4 == 0 && end == COR_END_APPROACH_ONLY; /* of spheres and dashpots */
+                check_back(law, end, 0, e, cost_of(law, end, e));
+                if (!is_ratio || (k > -1073 && k < (end == COR_END_ZERO_OVERLAP ? -1 : 0)))
+                    check_back(law, end, 1, e, of_approach ? 5 : 8);
+            }
     }
 }
 
@@ -194,27 +186,25 @@ TEST(every_size)
 TEST(near_critical_damping)
 {
     for (int i = -64; i <= 64; i++)
-        for (int law = 0; law < 2; law++)
-            for (int end = LAW_ZERO_FORCE; end < ENDS; end++) {
-                const double zeta = 1 + i * 0x1p-21;
-                check_back(end_name[end], zeta_of[law][end], eps_of[law][end], eps_of[law][end](zeta), 8);
-                check_back("loss", zeta_of_loss[law][end], loss_of[law][end], loss_of[law][end](zeta), 8);
-            }
+        for (int end = COR_END_ZERO_FORCE; end < ENDS; end++)
+            for (int of_loss = 0; of_loss < 2; of_loss++)
+                check_back(COR_LAW_LINEAR, end, of_loss,
+                           of(COR_LAW_LINEAR, end, of_loss ? COR_LOSS : COR_EPS)(1 + i * 0x1p-21), 8);
 }
 
-/* Both laws with a damping ratio have the same eps, larger from one end to the next. */
+/* Both laws with a damping ratio have the same functions of eps, and eps is larger from one end to the next. */
 TEST(damping_ratios)
 {
+    for (int end = 0; end < ENDS; end++)
+        for (int q = 0; q <= COR_DAMPING_OF_LOSS; q++)
+            assert_ptr_equal(of(COR_LAW_LINEAR, end, (enum cor_quantity)q),
+                             of(COR_LAW_TSUJI, end, (enum cor_quantity)q));
+    assert_ptr_equal(of(COR_LAW_LINEAR, COR_END_ZERO_FORCE, COR_MAX_OVERLAP),
+                     of(COR_LAW_LINEAR, COR_END_APPROACH_ONLY, COR_EPS));
     for (size_t i = 0; i < points(2000); i++) {
-        const double zeta = random_log(&draw, 1e-6, 1e6), eps = random_uniform(&draw, 0, 1);
-        for (int end = 0; end < ENDS; end++) {
-            assert_true(same_bits(eps_of[0][end](zeta), eps_of[1][end](zeta)) &&
-                        same_bits(loss_of[0][end](zeta), loss_of[1][end](zeta)) &&
-                        same_bits(zeta_of[0][end](eps), zeta_of[1][end](eps)) &&
-                        same_bits(zeta_of_loss[0][end](eps), zeta_of_loss[1][end](eps)));
-            assert_true(end == 0 || eps_of[0][end - 1](zeta) <= eps_of[0][end](zeta));
-        }
-        assert_true(same_bits(cor_linear_max_overlap(zeta), cor_linear_eps_approach_only(zeta)));
+        const double zeta = random_log(&draw, 1e-6, 1e6);
+        for (int end = 1; end < ENDS; end++)
+            assert_true(of(COR_LAW_LINEAR, end - 1, COR_EPS)(zeta) <= of(COR_LAW_LINEAR, end, COR_EPS)(zeta));
     }
 }
 
@@ -224,16 +214,16 @@ TEST(damping_ratios)
 struct law {
     int a4, b4;
     long double beta;
-    enum law_end end;
+    enum cor_end end;
 };
 
 static long double law_force(long double w, long double v, const void *of)
 {
     const struct law *const law = of;
     const long double elastic = motion_power(w, law->a4), damping = law->beta * motion_power(w, law->b4) * v;
-    if (law->end == LAW_APPROACH_ONLY && v < 0)
+    if (law->end == COR_END_APPROACH_ONLY && v < 0)
         return elastic;
-    return elastic + (law->end == LAW_LIMITED ? fminl(damping, elastic) : damping);
+    return elastic + (law->end == COR_END_LIMITED ? fminl(damping, elastic) : damping);
 }
 
 static long double law_excess(const long double *y, const void *of)
@@ -242,44 +232,53 @@ static long double law_excess(const long double *y, const void *of)
     return law->beta * motion_power(y[0], law->b4) * y[1] - motion_power(y[0], law->a4);
 }
 
-static void check_law(const struct law *law, double eps, double duration, double max_overlap, double time)
+/* One of a named law: its damping is beta, or beta over `ratio` where it is zeta. */
+static void check_law(enum cor_law name, struct law law, double ratio)
 {
-    const int free = law->end == LAW_ZERO_FORCE || law->end == LAW_LIMITED;
-    const struct motion_course r = motion_course(&(struct motion){4, 0, law_force, law, free, law_excess}, 1.0L / 400);
-    check_near(eps, r.eps[free], 1e-8);
-    check_near(duration, r.duration[free], 1e-8);
-    if (law->end != LAW_LIMITED) { /* the functions are of a motion without a limit */
-        check_near(max_overlap, r.max_overlap, 1e-8);
-        check_near(time, r.time_of_max_overlap, 1e-8);
+    const int free = law.end == COR_END_ZERO_FORCE || law.end == COR_END_LIMITED;
+    const struct motion_course r = motion_course(&(struct motion){4, 0, law_force, &law, free, law_excess}, 1.0L / 400);
+    const double damping = (double)(law.beta / ratio);
+    check_near(of(name, law.end, COR_EPS)(damping), r.eps[free], 1e-8);
+    if (!(damping < 0))
+        check_near(of(name, law.end, COR_DURATION)(damping), r.duration[free], 1e-8);
+    if (law.end != COR_END_LIMITED) { /* the functions are of a motion without a limit */
+        check_near(of(name, law.end, COR_MAX_OVERLAP)(damping), r.max_overlap, 1e-8);
+        if (!(damping < 0))
+            check_near(of(name, law.end, COR_TIME_OF_MAX_OVERLAP)(damping), r.time_of_max_overlap, 1e-8);
     }
+}
+
+/* Hunt and Crossley's law with any exponent */
+static void check_crossley(struct law law, double a)
+{
+    const struct motion_course r = motion_course(&(struct motion){4, 0, law_force, &law, 0, law_excess}, 1.0L / 400);
+    const double beta = (double)law.beta;
+    check_near(of(COR_LAW_HUNT_CROSSLEY, law.end, COR_EPS)(beta), r.eps[0], 1e-8);
+    check_near((law.end == COR_END_APPROACH_ONLY ? cor_hunt_crossley_duration_approach_only
+                                                 : cor_hunt_crossley_duration)(beta, a),
+               r.duration[0], 1e-8);
+    check_near(cor_hunt_crossley_max_overlap(beta, a), r.max_overlap, 1e-8);
+    check_near(cor_hunt_crossley_time_of_max_overlap(beta, a), r.time_of_max_overlap, 1e-8);
 }
 
 TEST(against_the_equation_of_motion)
 {
-    for (int law = 0; law < 2; law++)
-        for (int end = 0; end < ENDS; end++)
-            EACH (zeta, 0.05, 0.3, 0.8, 1, 1.6) {
-                const struct law m = {law ? 6 : 4, law, (law ? sqrtl(5) : 2) * *zeta, (enum law_end)end};
-                if (end != LAW_ZERO_OVERLAP || *zeta < 0.5) /* it creeps */
-                    check_law(&m, eps_of[law][end](*zeta), duration_of[law][end](*zeta),
-                              (law ? cor_tsuji_max_overlap : cor_linear_max_overlap)(*zeta),
-                              (law ? cor_tsuji_time_of_max_overlap : cor_linear_time_of_max_overlap)(*zeta));
+    for (int end = 0; end < ENDS; end++)
+        EACH (zeta, 0.05, 0.3, 0.8, 1, 1.6)
+            if (end != COR_END_ZERO_OVERLAP || *zeta < 0.5) { /* it creeps */
+                check_law(COR_LAW_LINEAR, (struct law){4, 0, 2 * *zeta, (enum cor_end)end}, 2);
+                check_law(COR_LAW_TSUJI, (struct law){6, 1, sqrtl(5) * *zeta, (enum cor_end)end}, sqrt(5));
             }
     EACH (a, 0.5, 1, 1.5, 2.25)
-        EACH (beta, -0.6, 0.2, 1, 4) {
-            struct law m = {(int)(4 * *a), (int)(4 * *a), *beta, LAW_ZERO_OVERLAP};
-            const double overlap = cor_hunt_crossley_max_overlap(*beta, *a),
-                         time = cor_hunt_crossley_time_of_max_overlap(*beta, *a);
-            check_law(&m, cor_hunt_crossley_eps(*beta), cor_hunt_crossley_duration(*beta, *a), overlap, time);
-            m.end = LAW_APPROACH_ONLY;
-            check_law(&m, cor_hunt_crossley_eps_approach_only(*beta),
-                      cor_hunt_crossley_duration_approach_only(*beta, *a), overlap, time);
-        }
-    EACH (beta, 1, 2, 3) {
-        const struct law m = {6, 2, *beta, LAW_APPROACH_ONLY};
-        check_law(&m, cor_sphere_eps_approach_only(*beta), cor_sphere_duration_approach_only(*beta),
-                  cor_sphere_max_overlap(*beta), cor_sphere_time_of_max_overlap(*beta));
-    }
+        EACH (beta, -0.6, 0.2, 1, 4)
+            for (int end = COR_END_ZERO_OVERLAP; end < ENDS; end += COR_END_APPROACH_ONLY) {
+                const struct law law = {(int)(4 * *a), (int)(4 * *a), *beta, (enum cor_end)end};
+                check_crossley(law, *a);
+                if (law.a4 == 6)
+                    check_law(COR_LAW_HUNT_CROSSLEY, law, 1);
+            }
+    EACH (beta, 1, 2, 3)
+        check_law(COR_LAW_VISCOELASTIC, (struct law){6, 2, *beta, COR_END_APPROACH_ONLY}, 1);
 }
 
 /* beta and a of Hunt and Crossley's law, over all of their domain: every size of beta, both signs, up to the last
@@ -340,7 +339,7 @@ TEST(crossley_times)
     }
     /* a pumped collision takes as long as the damped one backwards */
     for (double beta = 0.1; beta < 30; beta *= 1.7) {
-        const double eps = cor_hunt_crossley_eps(beta), back = -beta * eps, unit = pow(eps, (1 - 1.5) / (1 + 1.5));
+        const double eps = crossley_eps(beta), back = -beta * eps, unit = pow(eps, (1 - 1.5) / (1 + 1.5));
         if (back < -0.999)
             break;
         check_near(cor_hunt_crossley_duration(back, 1.5) * unit, cor_hunt_crossley_duration(beta, 1.5),
@@ -349,15 +348,19 @@ TEST(crossley_times)
     /* the elastic limit and a constant force, whose duration is (1 + eps) over the mean of its force: exact for a = 0
      */
     check_near(cor_hunt_crossley_duration(1e-20, 2), cor_hunt_crossley_duration(0, 2), 1e-13);
-    check_near(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-cor_hunt_crossley_eps(1)),
-               COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
+    check_near(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-crossley_eps(1)), COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
 }
 
-static void check_tsuji(double zeta)
+static void check_tsuji(enum cor_end end, enum cor_quantity quantity, double zeta)
 {
-    check_ulp(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta), COR_LAW_TIME_MAX_ULP);
-    check_ulp(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta), COR_LAW_TIME_MAX_ULP);
-    check_ulp(cor_tsuji_duration_limited(zeta), reference_tsuji_time(LAW_LIMITED, zeta), COR_LAW_TIME_MAX_ULP);
+    check_ulp(of(COR_LAW_TSUJI, end, quantity)(zeta), reference_tsuji_time(end, zeta), 2);
+}
+
+static void check_tsujis(double zeta)
+{
+    check_tsuji(COR_END_ZERO_FORCE, COR_DURATION, zeta);
+    check_tsuji(COR_END_LIMITED, COR_DURATION, zeta);
+    check_tsuji(COR_END_APPROACH_ONLY, COR_TIME_OF_MAX_OVERLAP, zeta);
 }
 
 /* Tsuji's times beyond the tables too; tests/accuracy has more of them. */
@@ -366,16 +369,14 @@ TEST(tsuji_times)
     /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10
      */
     EACH (y, 0.01, 0.3, 1, 3, 5.9, 6.4, 6.6, 7, 8, 9, 9.9, 9.99, 10.0001, 10.1, 10.5, 11, 12, 14, 17) {
-        const double zeta = 10 * *y / sqrt(1 + 100 * *y * *y);
-        check_ulp(cor_tsuji_duration_zero_overlap(zeta), reference_tsuji_time(LAW_ZERO_OVERLAP, zeta),
-                  COR_LAW_TIME_MAX_ULP);
+        check_tsuji(COR_END_ZERO_OVERLAP, COR_DURATION, 10 * *y / sqrt(1 + 100 * *y * *y));
     }
     EACH (zeta, 0.4, 2.5, 40, 2.0899e5, 1e6, 1e17) /* a series from 2.0898e5 on */
-        check_tsuji(*zeta);
+        check_tsujis(*zeta);
     /* every row, next to one of its ends: rows in zeta^(1/5), then in ln(1 + zeta) */
     for (int i = 0; i < 42 + 43; i++) {
         const double part = i % 2 == 0 ? 0.96 : 0.04;
-        check_tsuji(i < 42 ? pow((i + part) / 32, 5) : expm1(1.5 + (i - 42 + part) / 4));
+        check_tsujis(i < 42 ? pow((i + part) / 32, 5) : expm1(1.5 + (i - 42 + part) / 4));
     }
 }
 
@@ -392,9 +393,10 @@ TEST(crossley_rows)
                                                : series[i - SHORT - LONG];
         for (int k = 0; k < 2; k++) {
             const double a = k == 0 ? 1 : 1.5;
-            check_ulp(cor_hunt_crossley_duration(beta, a), reference_crossley_duration(a, beta), COR_LAW_TIME_MAX_ULP);
+            check_ulp(cor_hunt_crossley_duration(beta, a), reference_crossley_duration(a, beta),
+                      COR_HUNT_CROSSLEY_MAX_ULP);
             check_ulp(cor_hunt_crossley_time_of_max_overlap(beta, a), reference_crossley_time_of_max_overlap(a, beta),
-                      COR_LAW_TIME_MAX_ULP);
+                      COR_HUNT_CROSSLEY_MAX_ULP);
         }
     }
 }

@@ -1,142 +1,105 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of arrays are their scalars to the last bit: every function of spheres, contacts and laws, every
- * instruction set, any length, any place; and the error of the sphere's functions in float arithmetic. (Public array
- * functions: test_environment.c.) */
+/* The loops of arrays are their scalars to the last bit: every function of laws and contacts, every instruction set,
+ * any length, any place; and the error of the arrays of floats. (Public array functions: test_environment.c.) */
 #include "check.h"
 
 #include <cor/cor.h>
 
-#include "runtime/law/array.h"
-#include "runtime/law/dashpot_array.h"
-#include "runtime/sphere/array.h"
-#include "runtime/sphere/fast_float.h"
+#include "runtime/table/row_loops.h"
 
 /* SHORT: lengths up to it are all tried; BLOCKS: parts of the arguments that are of one kind each */
 enum { MANY = 20000, SHORT = 40, BLOCKS = 40 };
 
-static size_t many; /* MANY, or fewer where COR_TEST_DIVISOR says so */
+static size_t many; /* MANY, or fewer where COR_TEST_DIVISOR asks for fewer */
 
 static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
 
-/* The loop of one function. Numbers are doubles or floats; eps is read by the functions of two arguments alone. */
+/* In place of the library's function, so that its arrays use the set that a test chooses */
+static int set;
+int cor_array_set(void)
+{
+    return set;
+}
+
+/* An array function and its scalar function, which a law, a contact, or a contact and eps has */
+typedef void contact_array(const struct cor_sphere_contact *contact, const double *speed, double *y, size_t n);
+typedef void eps_array(const struct cor_sphere_contact *contact, const double *speed, const double *eps, double *y,
+                       size_t n);
 struct loop {
     const char *name;
-    int floats, number; /* number: of the function, in the list of its kind */
+    const struct cor_law_function *law;
+    int floats; /* of a law */
+    contact_array *of_speed;
+    double (*one)(const struct cor_sphere_contact *contact, double speed);
+    eps_array *of_eps;
+    double (*one_of_eps)(const struct cor_sphere_contact *contact, double speed, double eps);
     const struct cor_sphere_contact *contact;
-    double (*value)(double);
-    float (*valuef)(float);
-    double seam[4]; /* where its rows change and end */
-    int (*run)(const struct loop *, int set, const void *in, const void *of_eps, void *out, size_t n); /* 0: no set */
 };
 
-/* ---- the loops of each kind ---- */
-
-static int run_sphere(const struct loop *l, int set, const void *in, const void *of_eps, void *out, size_t n)
-{
-    const struct cor_row_loops *const loops = cor_row_loops(set);
-    const struct cor_sphere_rows *const rows = &cor_sphere_rows[l->number];
-    const struct cor_row_call call = {&rows->table, rows->one, NULL, NULL, NULL, 0};
-    (void)of_eps;
-    if (loops && l->floats)
-        loops->floats(&rows->table, rows->onef, rows->exception.x, in, out, n);
-    else if (loops)
-        loops->doubles(&call, in, out, n);
-    return loops != NULL;
-}
-
-static int run_contact(const struct loop *l, int set, const void *in, const void *of_eps, void *out, size_t n)
-{
-    const struct cor_contact_loops *const loops = cor_contact_loops(set);
-    if (loops)
-        loops->run(&cor_contact_functions[l->number], l->contact, in, of_eps, out, n);
-    return loops != NULL;
-}
-
-static int run_law(const struct loop *l, int set, const void *in, const void *of_eps, void *out, size_t n)
-{
-    const enum cor_law_loop loop = (enum cor_law_loop)l->number;
-    (void)of_eps;
-    return l->floats ? cor_law_arrayf_of_set(set, loop, in, out, n) : cor_law_array_of_set(set, loop, in, out, n);
-}
-
-static int run_dashpot(const struct loop *l, int set, const void *in, const void *of_eps, void *out, size_t n)
-{
-    (void)of_eps;
-    return cor_dashpot_array_of_set(set, (enum cor_dashpot_number)l->number, in, out, n);
-}
-
-static struct float_table float_tables(int function)
-{
-    int k = 0;
-#define TABLE(quantity)                                                                                                \
-    if (k++ == function)                                                                                               \
-        return float_table_##quantity();
-    COR_FLOAT_QUANTITIES(TABLE)
-    return float_table_eps_zero_overlap();
-}
-
-static const struct {
-    double (*value)(double);
-    float (*valuef)(float), (*fast)(float);
-} fast_functions[] = {
-#define FAST(quantity) {cor_sphere_##quantity, cor_sphere_##quantity##f, cor_sphere_##quantity##_fastf},
-    COR_FLOAT_QUANTITIES(FAST)};
-
-static int run_fast(const struct loop *l, int set, const void *in, const void *of_eps, void *out, size_t n)
-{
-    const struct cor_row_loops *const loops = cor_row_loops(set);
-    const struct float_table table = float_tables(l->number);
-    (void)of_eps;
-    if (loops)
-        loops->fast_floats(&table, fast_functions[l->number].valuef, in, out, n);
-    return loops != NULL;
-}
-
-/* ---- all of them ---- */
-
-/* As doubles and as floats, whose scalar is the double rounded where there is no other */
-#define BOTH(name, number, value, valuef, run, ...)                                                                    \
-    {name, 0, number, NULL, value, NULL, __VA_ARGS__, run},                                                            \
+#define OF_SPEED(quantity)                                                                                             \
     {                                                                                                                  \
-        name "f", 1, number, NULL, value, valuef, __VA_ARGS__, run                                                     \
+        .name = #quantity, .of_speed = cor_contact_##quantity##_array, .one = cor_contact_##quantity                   \
     }
-#define SPHERE(quantity)                                                                                               \
-    BOTH(#quantity, COR_SPHERE_##quantity, cor_sphere_##quantity, cor_sphere_##quantity##f, run_sphere,                \
-         {7, 8, 16, 0.25}),
-#define FAST_FLOAT(quantity)                                                                                           \
-    {#quantity "_fastf", 1, -1, NULL, NULL, cor_sphere_##quantity##_fastf, {7, 8, 16, 0.25}, run_fast},
-#define LAW(name, public, least, largest, ...)                                                                         \
-    BOTH(#name, COR_LAW_##name, cor_##public, NULL, run_law, {least, largest, least, 1}),
-#define FORM(loop, function, ...) BOTH(#loop, COR_LAW_##loop, cor_##function, NULL, run_law, __VA_ARGS__)
-#define FORMS(law, public, x, end, LAW, X, END)                                                                        \
-    FORM(law##_eps##end, public##_eps##end,                                                                            \
-         {COR_ROWS_##LAW##_EPS##END##_END, COR_ROWS_##LAW##_LOSS##END##_END, 1, 2}),                                   \
-        FORM(law##_loss##end, public##_loss##end,                                                                      \
-             {COR_ROWS_##LAW##_EPS##END##_END, COR_ROWS_##LAW##_LOSS##END##_END, COR_INLINE_2_M900, 1}),               \
-        FORM(law##_##x##end, public##_##x##end, {COR_ROWS_##LAW##_##X##END##_FIRST, 0.5, 1, 0.25}),                    \
-        FORM(law##_##x##_of_loss##end, public##_##x##_of_loss##end, {COR_INLINE_2_M900, 0.5, 1, 0.25}),
-#define DASHPOT(function, ...)                                                                                         \
-    {#function, 0, COR_DASHPOT_##function, NULL, cor_hertz_dashpot_##function, NULL, __VA_ARGS__, run_dashpot},
-#define OF_BETA(function) DASHPOT(function, {0.125, COR_HERTZ_DASHPOT_BETA_C, 0.628, 8})
-#define OF_EPS(function) DASHPOT(function, {0.5, 0x1p-60, 1, 0x1p-24})
-#define CONTACT(quantity) {#quantity, 0, COR_CONTACT_##quantity, NULL, NULL, NULL, {7, 8, 16807, 1048576}, run_contact},
+#define OF_EPS(quantity)                                                                                               \
+    {                                                                                                                  \
+        .name = #quantity, .of_eps = cor_contact_##quantity##_array, .one_of_eps = cor_contact_##quantity              \
+    }
+static const struct loop contact_loops[] = {OF_SPEED(eps_zero_overlap),
+                                            OF_SPEED(eps_zero_force),
+                                            OF_SPEED(beta),
+                                            OF_SPEED(duration_s_zero_overlap),
+                                            OF_SPEED(duration_s_zero_force),
+                                            OF_SPEED(max_overlap_m),
+                                            OF_EPS(dissipation_time_s_zero_overlap),
+                                            OF_EPS(dissipation_time_s_zero_force)};
 
-static const struct loop loops[] = {COR_SPHERE_QUANTITIES(SPHERE) COR_FLOAT_QUANTITIES(FAST_FLOAT) COR_LAW_LOOPS(LAW)
-                                        COR_CLOSED_FORMS(FORMS) COR_DASHPOT_LOOPS(OF_BETA, OF_EPS)
-                                            COR_CONTACT_QUANTITIES(CONTACT) COR_DISSIPATION_QUANTITIES(CONTACT)};
+static int same_float(float a, float b)
+{
+    return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
+}
+
+static int same(const struct loop *l, const void *a, const void *b)
+{
+    return l->floats ? same_float(*(const float *)a, *(const float *)b)
+                     : same_number(*(const double *)a, *(const double *)b);
+}
 
 /* ---- arguments ---- */
 
-/* Of every kind, so that a vector has what lies inside the tables beside what does not; then, block by block, numbers
- * that every function has rows for, those near 0, and those whose products may be subnormal floats. */
-static void fill(const double seam[4], double *drawn)
+/* Of every kind, so that a vector has numbers inside the tables and outside; then, block by block, numbers that every
+ * function has rows for, those near 0, and those whose products may be subnormal floats. Rows end or change at the
+ * seams. */
+static void fill(double *drawn)
 {
     static const double special[] = {0.0,     -0.0,  NAN,  INFINITY, -INFINITY, -1,      4.9406564584124654e-324,
                                      7,       16,    8,    0.25,     DBL_MAX,   DBL_MIN, -4.9406564584124654e-324,
                                      0x1p-40, 0x1p8, 1024, 1,        0.5,       16807,   1048576,
                                      1e300,   1e-310};
+    static const double seam[] = {0x1p-900,
+                                  0x1p-60,
+                                  0x1p-24,
+                                  0x1p-12,
+                                  0x1p-6,
+                                  0.0625,
+                                  0.125,
+                                  0.25,
+                                  0.5,
+                                  0.627988,
+                                  0.75,
+                                  1,
+                                  COR_HERTZ_DASHPOT_BETA_C,
+                                  2,
+                                  3,
+                                  4,
+                                  7,
+                                  8,
+                                  16,
+                                  45,
+                                  64,
+                                  16807,
+                                  1048576};
     for (size_t i = 0; i < many; i++) {
-        const double kind = random_uniform(&draw, 0, 1), *const at = &seam[random_below(&draw, 4)];
+        const double kind = random_uniform(&draw, 0, 1), *const at = &seam[random_below(&draw, COUNT_OF(seam))];
         const size_t block = i / (many / BLOCKS + 1) % 5;
         if (block >= 2)
             drawn[i] = block == 2   ? random_uniform(&draw, 0.01, 0.99)
@@ -158,17 +121,6 @@ static void fill(const double seam[4], double *drawn)
     }
 }
 
-static int same_float(float a, float b)
-{
-    return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
-}
-
-static int same(const struct loop *l, const void *a, const void *b)
-{
-    return l->floats ? same_float(*(const float *)a, *(const float *)b)
-                     : same_number(*(const double *)a, *(const double *)b);
-}
-
 union column {
     double of_doubles[MANY + 8];
     float of_floats[MANY + 8];
@@ -182,51 +134,64 @@ static void *at(const struct loop *l, union column *column, size_t i)
     return l->floats ? (void *)&column->of_floats[i] : (void *)&column->of_doubles[i];
 }
 
+static void run(const struct loop *l, const void *in, const void *of_eps, void *out, size_t n)
+{
+    if (l->floats)
+        l->law->arrayf(in, out, n);
+    else if (l->law)
+        l->law->array(in, out, n);
+    else if (l->of_speed)
+        l->of_speed(l->contact, in, out, n);
+    else
+        l->of_eps(l->contact, in, of_eps, out, n);
+}
+
 /* Results of n arguments from number `first` on */
-static void compare(const struct loop *l, int set, const char *how, size_t first, size_t n)
+static void compare(const struct loop *l, const char *how, size_t first, size_t n)
 {
     for (size_t i = first; i < first + n; i++)
         check(same(l, at(l, &exact, i), at(l, &y, i)), "%s, %s, %s: %zu of %zu from %zu", set_name[set], l->name, how,
               i - first, n, first);
 }
 
-static void check_loop(const struct loop *l, const double *drawn, int set)
+static void check_loop(const struct loop *l, const double *drawn)
 {
     const size_t size = l->floats ? sizeof(float) : sizeof(double);
-    const struct cor_contact_function *const f = &cor_contact_functions[l->contact ? l->number : 0];
+    const int widest = set;
     for (size_t i = 0; i < many; i++) {
-        const float narrow = (float)drawn[i];
         const double mirrored = fabs(drawn[many - 1 - i]);
-        if (l->floats) {
-            x.of_floats[i] = narrow;
-            exact.of_floats[i] = l->valuef ? l->valuef(narrow) : (float)l->value((double)narrow);
+        if (l->floats) { /* one by one without vectors */
+            x.of_floats[i] = (float)drawn[i];
+            set = COR_PORTABLE;
+            l->law->arrayf(&x.of_floats[i], &exact.of_floats[i], 1);
+            set = widest;
             continue;
         }
         x.of_doubles[i] = drawn[i];
         eps.of_doubles[i] = mirrored < 2 ? mirrored : 1 / (1 + fabs(drawn[i]));
-        exact.of_doubles[i] = !l->contact ? l->value(drawn[i])
-                              : f->one    ? f->one(l->contact, drawn[i])
-                                          : f->of_eps(l->contact, drawn[i], eps.of_doubles[i]);
+        exact.of_doubles[i] = l->law   ? l->law->value(drawn[i])
+                              : l->one ? l->one(l->contact, drawn[i])
+                                       : l->one_of_eps(l->contact, drawn[i], eps.of_doubles[i]);
     }
     for (size_t n = 0; n <= many; n += n < SHORT ? 1 : n < 500 ? 61 : 6489)
         for (size_t first = 0; first < 3; first++) {
             const size_t m = first + n <= many ? n : many - first;
             unsigned char *const end = at(l, &y, first + m);
             memset(end, 0x5a, size);
-            l->run(l, set, at(l, &x, first), at(l, &eps, first), at(l, &y, first), m);
-            compare(l, set, "elsewhere", first, m);
+            run(l, at(l, &x, first), at(l, &eps, first), at(l, &y, first), m);
+            compare(l, "elsewhere", first, m);
             check(end[0] == 0x5a && end[size - 1] == 0x5a, "%s, %s wrote past %zu", set_name[set], l->name, m);
         }
     for (size_t n = many; n > 0; n = n > SHORT ? SHORT : n / 2) {
         y = x;
-        l->run(l, set, &y, &eps, &y, n);
-        compare(l, set, "in place", 0, n);
+        run(l, &y, &eps, &y, n);
+        compare(l, "in place", 0, n);
         check(n == many || same(l, at(l, &x, n), at(l, &y, n)), "%s, in place, wrote past %zu", l->name, n);
     }
     if (l->contact) {
         y = eps;
-        l->run(l, set, &x, &y, &y, many);
-        compare(l, set, "in place of eps", 0, many);
+        run(l, &x, &y, &y, many);
+        compare(l, "in place of eps", 0, many);
     }
 }
 
@@ -250,38 +215,52 @@ static void fill_contacts(struct cor_sphere_contact contact[CONTACTS])
     assert_int_equal(cor_sphere_contact_init(&contact[5], NULL, NULL), COR_ERROR_NULL); /* all NaN */
 }
 
+/* The functions of laws, each once: linear and Tsuji share some, and ends of contact others. */
+static size_t law_loops(struct loop *loops)
+{
+    size_t count = 0;
+    for (int c = 0; c < 5 * 4 * COR_QUANTITIES; c++) {
+        const struct cor_law_function *const f =
+            cor_law_function((enum cor_law)(c / COR_QUANTITIES / 4), (enum cor_end)(c / COR_QUANTITIES % 4),
+                             (enum cor_quantity)(c % COR_QUANTITIES));
+        size_t k = 0;
+        while (f && k < count && loops[k].law->value != f->value)
+            k++;
+        if (f && k == count)
+            loops[count++] = (struct loop){.name = f->name, .law = f};
+        if (f && k + 1 == count && f->arrayf)
+            loops[count++] = (struct loop){.name = f->name, .law = f, .floats = 1};
+    }
+    return count;
+}
+
 TEST(every_set)
 {
     static double drawn[MANY];
     struct cor_sphere_contact contact[CONTACTS];
+    struct loop loops[200];
+    const size_t laws = law_loops(loops);
     fill_contacts(contact);
     many = points(MANY) < MANY ? points(MANY) : MANY;
     assert_true(cor_processor_has(COR_PORTABLE) && !cor_row_loops(COR_INSTRUCTION_SETS) && !cor_row_loops(-1));
-    for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
+    for (set = 0; set < COR_INSTRUCTION_SETS; set++) {
         if (!cor_processor_has(set)) {
-            assert_false(cor_law_array_of_set(set, COR_LAW_crossley_eps, NULL, NULL, 0));
             print_message("no %s\n", set_name[set]);
             continue;
         }
-        for (size_t k = 0; k < COUNT_OF(loops); k++) {
-            struct loop l = loops[k];
-            const int of_contact = l.run == run_contact;
-            fill(l.seam, drawn);
-            if (l.run == run_sphere && l.floats) { /* the floats that one rounding does not serve */
-                const struct cor_float_exception *const e = &cor_sphere_rows[l.number].exception;
-                for (size_t i = 0; i < many; i += 531)
-                    drawn[i] = !isnan(e->x) ? (double)e->x : drawn[i];
-                for (size_t i = 1; i < many; i += 531)
-                    drawn[i] = !isnan(e->second_x) ? (double)e->second_x : drawn[i];
-            }
-            if (l.run == run_fast)
-                l.number = (int)(k - 2 * COR_SPHERE_COUNT);
-            for (int c = 0; c < (of_contact ? CONTACTS : 1); c++) {
-                l.contact = of_contact ? &contact[c] : NULL;
-                check_loop(&l, drawn, set);
-            }
+        for (size_t k = 0; k < laws; k++) {
+            fill(drawn);
+            check_loop(&loops[k], drawn);
         }
+        for (size_t k = 0; k < COUNT_OF(contact_loops); k++)
+            for (int c = 0; c < CONTACTS; c++) {
+                struct loop l = contact_loops[k];
+                l.contact = &contact[c];
+                fill(drawn);
+                check_loop(&l, drawn);
+            }
     }
+    set = cor_widest_set();
 }
 
 /* ---- float arithmetic ---- */
@@ -296,20 +275,23 @@ static double float_error(float computed, double exact)
     return fabs((double)computed - exact) / ldexp(1, (exponent < FLT_MIN_EXP ? FLT_MIN_EXP : exponent) - FLT_MANT_DIG);
 }
 
+/* Within the tables, of products that are subnormal, beyond the tables, and special values */
 TEST(float_arithmetic)
 {
     static const float special[] = {0, -0.0F, INFINITY, NAN, -NAN, -INFINITY, -1, -FLT_MIN, -1e-45F};
-    for (size_t k = 0; k < COUNT_OF(fast_functions); k++) {
-        for (size_t i = 0; i < COUNT_OF(special); i++) {
-            const float computed = fast_functions[k].fast(special[i]);
-            check(same_float(computed, fast_functions[k].valuef(special[i])), "%s(%a) = %a",
-                  loops[2 * COR_SPHERE_COUNT + k].name, (double)special[i], (double)computed);
-        }
-        for (size_t i = 0; i < 2 * many; i++) { /* within the tables, of products that are subnormal, and beyond */
-            const float at = (float)random_log(&draw, i % 4 ? 1e-9 : 1e-45, i % 5 ? 7.99 : 3e38),
-                        computed = fast_functions[k].fast(at);
-            check(float_error(computed, fast_functions[k].value((double)at)) <= COR_SPHERE_FAST_FLOAT_MAX_ULP,
-                  "%s(%a) = %a", loops[2 * COR_SPHERE_COUNT + k].name, (double)at, (double)computed);
+    set = cor_widest_set();
+    for (int k = 0; k < 4; k++) {
+        const struct cor_law_function *const f =
+            cor_law_function(COR_LAW_VISCOELASTIC, (enum cor_end)(k / 2), (enum cor_quantity)(k % 2));
+        for (size_t i = 0; i < 2 * many + COUNT_OF(special); i++) {
+            const float at = i < COUNT_OF(special)
+                                 ? special[i]
+                                 : (float)random_log(&draw, i % 4 ? 1e-9 : 1e-45, i % 5 ? 7.99 : 3e38);
+            const double value = f->value((double)at);
+            float computed;
+            f->arrayf(&at, &computed, 1);
+            check(isnan(value) ? isnan(computed) : float_error(computed, value) <= COR_SPHERE_FLOAT_MAX_ULP,
+                  "%s(%a) = %a", f->name, (double)at, (double)computed);
         }
     }
 }

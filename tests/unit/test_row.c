@@ -36,12 +36,18 @@ struct table {
 #define DASHPOT(name, NAME, last, LAST)                                                                                \
     NEAR(name, NAME), FAR(middle_##name, MIDDLE_##NAME), FAR(last##_##name, LAST##_##NAME)
 
-#define CLOSED_FORM(law, public, x, end, LAW, X, END)                                                                  \
+#define CLOSED_FORM(law, x, end, LAW, X, END)                                                                          \
     GRID(law##_loss##end, LAW##_LOSS##END), OCTAVES(law##_eps##end, LAW##_EPS##END),                                   \
         GRID(law##_near_##x##end, LAW##_NEAR_##X##END), OCTAVES(law##_##x##end, LAW##_##X##END),
 
 static const struct table tables[] = {
-    COR_CLOSED_FORMS(CLOSED_FORM) GRID(eps_zero_overlap, EPS_ZERO_OVERLAP),
+    CLOSED_FORM(ratio, zeta, _zero_overlap, RATIO, ZETA, _ZERO_OVERLAP)
+        CLOSED_FORM(ratio, zeta, _zero_force, RATIO, ZETA, _ZERO_FORCE)
+            CLOSED_FORM(ratio, zeta, _limited, RATIO, ZETA, _LIMITED)
+                CLOSED_FORM(ratio, zeta, _approach_only, RATIO, ZETA, _APPROACH_ONLY)
+                    CLOSED_FORM(crossley, beta, , CROSSLEY, BETA, )
+                        CLOSED_FORM(crossley, beta, _approach_only, CROSSLEY, BETA, _APPROACH_ONLY)
+                            GRID(eps_zero_overlap, EPS_ZERO_OVERLAP),
     ROOT_GRID(eps_zero_force, EPS_ZERO_FORCE),
     OCTAVES(power_eps_zero_overlap, POWER_EPS_ZERO_OVERLAP),
     OCTAVES(power_eps_zero_force, POWER_EPS_ZERO_FORCE),

@@ -17,7 +17,6 @@ static const double smallest = 4.9406564584124654e-324;
 struct function {
     const char *name;
     sphere_function *value;
-    float (*valuef)(float);
     double max_ulp;
     size_t reference;
     double at_zero, at_infinity;
@@ -25,8 +24,7 @@ struct function {
 
 #define ROW(quantity, max_ulp, at_zero, at_infinity)                                                                   \
     {                                                                                                                  \
-#quantity, cor_sphere_##quantity, cor_sphere_##quantity##f, max_ulp, offsetof(struct reference, quantity),     \
-            at_zero, at_infinity                                                                                       \
+#quantity, cor_sphere_##quantity, max_ulp, offsetof(struct reference, quantity), at_zero, at_infinity          \
     }
 
 /* The values at zero: sphere.h promises 2 tau_0, y_0 and tau_0 of (51), here to the nearest double. */
@@ -175,17 +173,11 @@ TEST(special_values)
 {
     for (int k = 0; k < FUNCTIONS; k++) {
         const struct function *f = &functions[k];
-        EACH (outside, -INFINITY, NAN, -1, -smallest, -DBL_MIN, -DBL_MAX, -1e-30) {
+        EACH (outside, -INFINITY, NAN, -1, -smallest, -DBL_MIN, -DBL_MAX, -1e-30)
             check(isnan(f->value(*outside)), "%s(%a)", f->name, *outside);
-            const float narrow = (float)*outside;
-            check(isnan(f->valuef(narrow)) || narrow == 0, "%sf(%a)", f->name, *outside);
-        }
         check(f->value(0.0) == f->at_zero && f->value(-0.0) == f->at_zero, "%s(0) = %a", f->name, f->value(0.0));
         check(!signbit(f->value(-0.0)), "%s(-0)", f->name);
         check(f->value(INFINITY) == f->at_infinity, "%s(inf) = %a", f->name, f->value(INFINITY));
-        check(f->valuef(0.0F) == (float)f->at_zero && f->valuef(-0.0F) == (float)f->at_zero, "%sf(0)", f->name);
-        check(f->valuef(INFINITY) == (float)f->at_infinity, "%sf(inf)", f->name);
-        check(isnan(f->valuef(NAN)), "%sf(NaN)", f->name);
         /* subnormal arguments; the losses are tested elsewhere */
         EACH (small, smallest, 3 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 0x1p-1000)
             check(f->value(*small) == f->at_zero || f->at_zero == 0, "%s(%a)", f->name, *small);
@@ -201,45 +193,9 @@ TEST(special_values)
         assert_true(f(smallest) < DBL_MAX && f(smallest) > 1e60);
         assert_true(f(DBL_MIN) > f(nextafter(DBL_MIN, 1)) || f(DBL_MIN) == f(nextafter(DBL_MIN, 1)));
     }
-    assert_true(isnan(cor_sphere_beta_zero_overlapf(NAN)) && isnan(cor_sphere_beta_zero_forcef(1.0000001F)));
-    assert_true(cor_sphere_beta_zero_overlapf(1) == 0 && cor_sphere_beta_zero_forcef(-0.0F) == INFINITY);
     /* underflow of the power law: from 5e64 on, h*^5 beta^-5 is less than half of the smallest number */
     assert_true(cor_sphere_eps_zero_overlap(1.1e65) == 0 && cor_sphere_eps_zero_overlap(1e64) > 0);
     assert_true(cor_sphere_eps_zero_force(1e200) == 0 && cor_sphere_eps_zero_force(1e190) > 0);
-}
-
-/* Arguments whose double result rounds to the wrong float; the right one is its neighbour. By 30 digits of `corgen
- * collide`, the first value is 1.8e-16 below the middle of two floats, the third 2.3e-18 below. */
-TEST(float_exceptions)
-{
-    static const struct {
-        float (*one)(float);
-        void (*array)(const float *, float *, size_t);
-        double (*wide)(double);
-        float x, y;
-    } known[] = {
-#define FLOAT(name, x, y) {cor_sphere_##name##f, cor_sphere_##name##_arrayf, cor_sphere_##name, x, y}
-        FLOAT(duration_zero_overlap, 0x1.073138p-6F, 0x1.9caebap+1F),
-        FLOAT(duration_zero_force, 0x1.2703aep+95F, 0x1.1646f6p-56F),
-        FLOAT(time_of_max_overlap, 0x1.511e64p-14F, 0x1.9be80ep+0F),
-        FLOAT(time_of_max_overlap, 0x1.5b5bb8p+22F, 0x1.7b3fe6p-11F),
-        FLOAT(beta_zero_force, 0x1.c37b7p-13F, 0x1.74754ap+7F),
-        FLOAT(loss_approach_only, 0x1.47e06ep+16F, 0x1.fff30ap-1F),
-        FLOAT(loss_approach_only, 0x1.4fe17ep+30F, 0x1.fffffep-1F),
-        FLOAT(beta_approach_only, 0x1.fefc3ap-23F, 0x1.bc40f6p+26F),
-        FLOAT(beta_approach_only, 0x1.d76bf4p-14F, 0x1.191072p+16F)};
-    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
-        enum { N = 9 };
-        float x[N], y[N];
-        for (int i = 0; i < N; i++)
-            x[i] = known[k].x;
-        known[k].array(x, y, N);
-        known[k].array(x, x, N);
-        for (int i = 0; i < N; i++)
-            check(x[i] == known[k].y && y[i] == known[k].y, "array at %a: %a", (double)known[k].x, (double)y[i]);
-        check(known[k].one(known[k].x) == known[k].y, "%a", (double)known[k].one(known[k].x));
-        check((float)known[k].wide((double)known[k].x) != known[k].y, "%a is no exception", (double)known[k].x);
-    }
 }
 
 /* ---- order ---- */
@@ -391,6 +347,6 @@ TEST(documented_errors_of_1999)
     check(fabs(cor_sphere_eps_published_pade(3) / cor_sphere_eps_zero_overlap(3) - 3.3) < 0.05, "beta = 3");
 }
 
-RUN_TESTS(known_answers, against_the_equation_of_motion, infinitely_strong_damping, special_values, float_exceptions,
+RUN_TESTS(known_answers, against_the_equation_of_motion, infinitely_strong_damping, special_values,
           falls_at_powers_of_two, derivatives, constants, simple_theory, simple_theory_special_values,
           documented_errors_of_1999)

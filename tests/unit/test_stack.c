@@ -82,10 +82,7 @@ static size_t stack_stated(const struct public_function *function)
         {"cor_sphere_mass", 4096},
         {"cor_sphere_", COR_SPHERE_MAX_STACK},
         {"cor_contact_", COR_CONTACT_MAX_STACK},
-        {"cor_hertz_dashpot_", COR_LAW_MAX_STACK},
         {"cor_law_", COR_LAW_MAX_STACK},
-        {"cor_linear_", COR_LAW_MAX_STACK},
-        {"cor_tsuji_", COR_LAW_MAX_STACK},
         {"cor_hunt_crossley_", COR_LAW_MAX_STACK},
     };
     const size_t count = sizeof stated / sizeof *stated;
