@@ -186,6 +186,17 @@ TEST(test_polynomials)
     }
 }
 
+/* The tail of a law without a threshold samples every quantity. */
+TEST(tail)
+{
+    const struct law law = law_of("3/2", "1/2");
+    struct law_layout layout;
+    assert_int_equal(law_layout_init(&layout, &law), 0);
+    const struct interval *const last = &layout.interpolant.interval[layout.interpolant.intervals - 1];
+    assert_true(last->form == FORM_POWER && last->hi == layout.last_log && last->set == SET_ALL);
+    law_layout_clear(&layout);
+}
+
 /* Under a constant force, in the units of another impact speed: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)) */
 TEST(pressed)
 {
@@ -251,4 +262,4 @@ TEST(test_pressed_ellipse)
     interpolant_free(f);
 }
 
-RUN_TESTS(pressed, test_pressed_ellipse, test_real_axis, test_complex_plane, test_singular, test_polynomials)
+RUN_TESTS(pressed, test_pressed_ellipse, test_real_axis, test_complex_plane, test_singular, test_polynomials, tail)
