@@ -179,7 +179,7 @@ TEST(budgets)
     assert_true(ended > 0);
 }
 
-/* The budget of cor_disk_hard_wall_nu, at a scene that took a minute */
+/* The budget of cor_disk_hard_wall_nu, at a scene whose last level exceeds it */
 TEST(whole_budget)
 {
     if (!few_or_all(0, 1))
@@ -187,10 +187,10 @@ TEST(whole_budget)
     const struct cor_disk_hard_wall_options options = {1e-6, 0};
     struct cor_disk_hard_wall within, out;
     double work;
-    assert_int_equal(cor_hard_wall_within(COR_HARD_WALL_WORK, 0.9, &options, 0.1, &within, &work),
+    assert_int_equal(cor_hard_wall_within(COR_HARD_WALL_WORK, 0.9, &options, 0.3, &within, &work),
                      COR_TOLERANCE_NOT_REACHED);
     assert_true(work <= 1.01 * COR_HARD_WALL_WORK && within.omega_levels < COR_DISK_HARD_WALL_MAX_LEVELS);
-    assert_int_equal(cor_disk_hard_wall_nu(0.9, &options, 0.1, &out), COR_TOLERANCE_NOT_REACHED);
+    assert_int_equal(cor_disk_hard_wall_nu(0.9, &options, 0.3, &out), COR_TOLERANCE_NOT_REACHED);
     same_results(&within, &out, "the default");
 }
 
