@@ -78,25 +78,6 @@ static void beta_of_g_star(arb_t beta, exact g_star, const struct law *law, slon
     LET(beta, prec, "1/(g_star^q*c)", g_star, q, c);
 }
 
-/* ---- a constant force ---- */
-
-/* (F/m) (m/K)^(1/(a+1)), F = m G + 2 pi w R */
-void embed_contact_force(arb_t force, const struct embed_request *request, const struct law *law, slong prec)
-{
-    const bool heavy = embed_given(request, COR_SCENE_GRAVITY), sticky = embed_given(request, COR_SCENE_ADHESION);
-    const exact G = request->number[COR_SCENE_GRAVITY].value, w = request->number[COR_SCENE_ADHESION].value;
-    LOCAL(arb, m, K, A, R);
-    arb_zero(force);
-    if (!heavy && !sticky)
-        return;
-    contact_of(m, K, A, R, request, prec);
-    if (heavy)
-        arb_set_fmpq(force, G, prec);
-    if (sticky)
-        LET(force, prec, "force + 2*pi*w*R/m", force, w, R, m);
-    LET(force, prec, "force*(m/K)^(1/(law->a + 1))", force, m, K, law->a);
-}
-
 /* ---- a measured restitution ---- */
 
 enum {
@@ -118,8 +99,8 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
 
 /* Encloses the beta at which eps, which falls with it, is the restitution: secants until eps is above it at one end of
  * a narrow ball, and below at the other */
-static int beta_of_restitution(arb_t beta, const struct embed_request *request, const struct cor_scene_contact *contact,
-                               const struct law *law)
+static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed_request *request,
+                               const struct cor_scene_contact *contact, const struct law *law)
 {
     const exact eps = request->number[COR_SCENE_RESTITUTION].value, at = request->number[COR_SCENE_AT].value;
     const struct ratio q = law_speed_exponent(law), power = RATIO("-2*law->a/(law->a + 1)", law->a); /* of the force */
@@ -130,8 +111,7 @@ static int beta_of_restitution(arb_t beta, const struct embed_request *request, 
     LOCAL(arb, pressing, low, high, above, below, wanted);
     arb_set_fmpq(wanted, eps, SOLVE_BITS);
     arb_set_d(beta, cor_scene_beta(contact, embed_number(request, COR_SCENE_AT)));
-    embed_contact_force(pressing, request, law, 2 * SOLVE_BITS);
-    LET(pressing, 2 * SOLVE_BITS, "pressing*at^power", pressing, at, power);
+    LET(pressing, 2 * SOLVE_BITS, "force*at^power", force, at, power);
     const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
     for (int step = 0; step < SOLVE_STEPS && arb_is_positive(beta); step++) {
         arb_get_mid_arb(beta, beta); /* an exact beta, with which eps has all of its bits */
@@ -147,30 +127,6 @@ static int beta_of_restitution(arb_t beta, const struct embed_request *request, 
         LET(beta, SOLVE_BITS, "low + (above - wanted)/((above - below)/(high - low))", low, above, wanted, below, high);
     }
     return fail("no damping found at which eps is that of --restitution");
-}
-
-int embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request,
-                                const struct cor_scene_contact *contact, const struct law *law, slong prec)
-{
-    const exact zeta = request->number[COR_SCENE_ZETA].value, beta = request->number[COR_SCENE_BETA].value,
-                at = request->number[COR_SCENE_AT].value, C = request->number[COR_SCENE_DAMPING_COEFFICIENT].value;
-    const struct ratio q = law_speed_exponent(law);
-    if (embed_given(request, COR_SCENE_RESTITUTION))
-        return beta_of_restitution(beta_per_root, request, contact, law);
-    if (embed_given(request, COR_SCENE_G_STAR)) {
-        beta_of_g_star(beta_per_root, request->number[COR_SCENE_G_STAR].value, law, prec);
-    } else if (embed_given(request, COR_SCENE_ZETA)) {
-        LET(beta_per_root, prec, "zeta*sqrt(2*(law->a + 1))", zeta, law->a);
-    } else if (embed_given(request, COR_SCENE_BETA)) {
-        LET(beta_per_root, prec, law_is_linear(law) ? "beta" : "beta/at^q", beta, at, q);
-    } else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
-        const bool given = embed_given(request, COR_SCENE_DAMPING_COEFFICIENT);
-        LOCAL(arb, m, K, A, R);
-        contact_of(m, K, A, R, request, prec);
-        LET(A, prec, given ? "C" : "A*K*3/2", C, A, K);
-        LET(beta_per_root, prec, "(m/K)^((law->b + 1)/(law->a + 1))*A/m", m, K, law->a, law->b, A);
-    }
-    return STATUS_OK;
 }
 
 /* ---- yield, and a liquid ---- */
@@ -215,28 +171,42 @@ static int yield_speed_of_restitution(arb_t speed, const struct embed_request *r
     return STATUS_OK;
 }
 
-/* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) and p_y = 1.6 p */
-int embed_contact_yield_speed(arb_t speed, const struct embed_request *request, const struct cor_scene_contact *contact,
-                              slong prec)
+int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, arb_t liquid_speed,
+                          const struct embed_request *request, const struct cor_scene_contact *contact, slong prec)
 {
-    const exact p = request->number[COR_SCENE_YIELD_STRESS].value;
+    const struct decimal *const number = request->number;
+    const exact zeta = number[COR_SCENE_ZETA].value, beta = number[COR_SCENE_BETA].value,
+                at = number[COR_SCENE_AT].value, C = number[COR_SCENE_DAMPING_COEFFICIENT].value,
+                gravity = number[COR_SCENE_GRAVITY].value, w = number[COR_SCENE_ADHESION].value,
+                p = number[COR_SCENE_YIELD_STRESS].value, outer = number[COR_SCENE_GAP_OUTER].value,
+                inner = number[COR_SCENE_GAP_INNER].value, eta = number[COR_SCENE_LIQUID_VISCOSITY].value;
+    const struct law law = embed_law(&contact->law);
+    const struct ratio q = law_speed_exponent(&law), a = law.a, b = law.b;
     LOCAL(arb, m, K, A, R);
+    if (embed_given(request, COR_SCENE_YOUNG) || embed_given(request, COR_SCENE_STIFFNESS))
+        contact_of(m, K, A, R, request, prec);
+    if (embed_given(request, COR_SCENE_GRAVITY))
+        arb_set_fmpq(force, gravity, prec);
+    if (embed_given(request, COR_SCENE_ADHESION))
+        LET(force, prec, "force + 2*pi*w*R/m", force, w, R, m);
+    if (!arb_is_zero(force))
+        LET(force, prec, "force*(m/K)^(1/(a + 1))", force, m, K, a);
+    if (embed_given(request, COR_SCENE_LIQUID_VISCOSITY))
+        LET(liquid_speed, prec, "6*pi*eta*R^2*log(outer/inner)/m", eta, R, outer, inner, m);
     if (embed_given(request, COR_SCENE_RESTITUTION))
-        return yield_speed_of_restitution(speed, request, contact->yield_speed_m_s, prec);
-    contact_of(m, K, A, R, request, prec);
-    LET(speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/m)", p, R, K, m);
+        return contact->plastic ? yield_speed_of_restitution(yield_speed, request, contact->yield_speed_m_s, prec)
+                                : beta_of_restitution(beta_per_root, force, request, contact, &law);
+    if (contact->plastic) /* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) and p_y = 1.6 p */
+        LET(yield_speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/m)", p, R, K, m);
+    else if (embed_given(request, COR_SCENE_G_STAR))
+        beta_of_g_star(beta_per_root, number[COR_SCENE_G_STAR].value, &law, prec);
+    else if (embed_given(request, COR_SCENE_ZETA))
+        LET(beta_per_root, prec, "zeta*sqrt(2*(a + 1))", zeta, a);
+    else if (embed_given(request, COR_SCENE_BETA))
+        LET(beta_per_root, prec, law_is_linear(&law) ? "beta" : "beta/at^q", beta, at, q);
+    else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
+        LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
+        LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);
+    }
     return STATUS_OK;
-}
-
-/* 6 pi eta R^2 ln(outer/inner)/m */
-void embed_contact_liquid_speed(arb_t speed, const struct embed_request *request, slong prec)
-{
-    const exact outer = request->number[COR_SCENE_GAP_OUTER].value, inner = request->number[COR_SCENE_GAP_INNER].value,
-                eta = request->number[COR_SCENE_LIQUID_VISCOSITY].value;
-    LOCAL(arb, m, K, A, R);
-    arb_zero(speed);
-    if (!embed_given(request, COR_SCENE_LIQUID_VISCOSITY))
-        return;
-    contact_of(m, K, A, R, request, prec);
-    LET(speed, prec, "6*pi*eta*R^2*log(outer/inner)/m", eta, R, outer, inner, m);
 }

@@ -170,11 +170,10 @@ static double rounded_down(const struct embed_scene *s, double x)
  * B = beta_1 f_1^(n/(2a)), the same at every speed, and the unit of speed is f_1^((a+1)/(2a)). Then origin, onset and
  * the first speed: v - origin is exact for every v up to speed_max, because the origin is a multiple of the last place
  * of speed_max. */
-static int press(struct embed_scene *s, const struct embed_request *request)
+static int press(struct embed_scene *s, const arb_t force)
 {
     const struct ratio a = s->law.a, n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
-    LOCAL(arb, force, damping, x);
-    embed_contact_force(force, request, &s->law, EMBED_BITS);
+    LOCAL(arb, damping, x);
     LET(s->press, EMBED_BITS, "s->beta_enclosed^(2*a/n)*force", s->beta_enclosed, a, n, force);
     LET(damping, EMBED_BITS, "force^(n/(2*a))*s->beta_enclosed", force, n, a, s->beta_enclosed);
     if (collision_sticking_speed(s->sticking_speed, damping, &s->law, (int)s->end, STICKING_BITS))
@@ -298,12 +297,10 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
 }
 
 /* Of elastic-plastic spheres, and of a constant eps in a liquid, dry eps is a closed form of the speed. */
-static int scene_by_speed(struct embed_scene *s, const struct embed_request *request,
-                          const struct cor_scene_contact *contact)
+static int scene_by_speed(struct embed_scene *s, const struct embed_request *request)
 {
     arb_one(s->eps);
-    const int status = s->plastic ? embed_contact_yield_speed(s->yield_speed, request, contact, EMBED_BITS)
-                                  : scene_collide_once(s, request);
+    const int status = s->plastic ? STATUS_OK : scene_collide_once(s, request);
     s->by_speed = true;
     s->constant = false;
     s->law = law_sphere;
@@ -333,7 +330,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact)
 {
     const struct law law = embed_law(&contact->law);
-    int status = STATUS_OK;
+    LOCAL(arb, force);
     *s = (struct embed_scene){.end = request->end == COR_END_ZERO_OVERLAP ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE,
                               .single = request->type == EMBED_FLOAT,
                               .tolerance = embed_number(request, EMBED_TOLERANCE),
@@ -347,20 +344,19 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     s->speed_min = embed_rounded(s, embed_number(request, EMBED_SPEED_MIN));
     s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
     s->pressed = contact->force_n > 0 && !s->constant;
-    embed_contact_liquid_speed(s->liquid_speed, request, EMBED_BITS);
+    int status =
+        embed_contact_numbers(s->beta_enclosed, force, s->yield_speed, s->liquid_speed, request, contact, EMBED_BITS);
     const double held = is_wet(s) ? cor_scene_sticking_speed(contact, (int)s->end) : 0;
     if (!(s->speed_min > held))
         return usage_error("up to %.6g m/s the liquid holds the bodies, and eps is 0; --speed-min is not above it",
                            held);
-    if (!s->plastic)
-        status = embed_contact_beta_per_root(s->beta_enclosed, request, contact, &law, EMBED_BITS);
     arb_set(s->beta_per_root, s->beta_enclosed);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);
     if (status == STATUS_OK && s->pressed)
-        status = press(s, request);
+        status = press(s, force);
     if (status == STATUS_OK && (s->plastic || (s->constant && is_wet(s))))
-        status = scene_by_speed(s, request, contact);
+        status = scene_by_speed(s, request);
     return status == STATUS_OK ? scene_prepare(s, request) : status;
 }
 

@@ -113,9 +113,10 @@ static int find_truth(struct spheres *s)
     int status = STATUS_OK;
     s->other = xmalloc(2 * (size_t)s->plan->points * sizeof *s->other);
     s->bare = s->other + s->plan->points;
-    embed_contact_force(s->force, s->with_force, &s->scene.law, EMBED_BITS);
+    LOCAL(arb, yield_speed, liquid_speed);
     if (is_pressed(s))
-        status = embed_contact_beta_per_root(s->damped, s->with_force, s->pressed, &s->scene.law, EMBED_BITS);
+        status = embed_contact_numbers(s->damped, s->force, yield_speed, liquid_speed, s->with_force, s->pressed,
+                                       EMBED_BITS);
     if (status == STATUS_OK && s->scene.beta_max >= OVERLAP_FAR && law_is_sphere(&s->scene.law))
         status = collision_h_star(s->h_star, TRUTH_BITS);
     if (status == STATUS_OK)

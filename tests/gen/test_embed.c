@@ -251,10 +251,11 @@ TEST(test_ways_of_a_contact)
             request_give(&request, GIVEN({COR_SCENE_STIFFNESS, "1e9"}, {COR_SCENE_EFFECTIVE_MASS, "1e-3"}));
         request_give(&request, GIVEN({ways[i].number, ways[i].value}, {ways[i].at ? COR_SCENE_AT : -1, ways[i].at}));
         struct contacts contacts;
-        LOCAL(arb, beta, eps, pressing);
+        LOCAL(arb, beta, force, eps, yield_speed, liquid_speed);
         assert_int_equal(contacts_of_request(&contacts, &request), STATUS_OK);
         const struct cor_scene_contact *const contact = &contacts.contact[0];
-        assert_int_equal(embed_contact_beta_per_root(beta, &request, contact, &contacts.law, 192), STATUS_OK);
+        assert_int_equal(embed_contact_numbers(beta, force, yield_speed, liquid_speed, &request, contact, 192),
+                         STATUS_OK);
         const double tolerance = 1e-13 + 1e-15 / (1 - (ways[i].at ? fmin(strtod(ways[i].value, NULL), 1 - 1e-9) : 0));
         check(fabs(middle(beta) - cor_scene_beta(contact, 1)) <= tolerance * middle(beta),
               "way %zu: beta %.17g, in doubles %.17g", i, middle(beta), cor_scene_beta(contact, 1));
@@ -265,7 +266,7 @@ TEST(test_ways_of_a_contact)
             const fmpq *const wanted = request.number[COR_SCENE_RESTITUTION].value;
             LET(beta, 192, "beta*at^power", beta, at, power);
             arb_get_mid_arb(beta, beta);
-            assert_int_equal(embed_contact_eps(eps, beta, pressing, &contacts.law, request.end, 128), STATUS_OK);
+            assert_int_equal(embed_contact_eps(eps, beta, force, &contacts.law, request.end, 128), STATUS_OK);
             assert_true(HOLDS(192, "abs(eps/wanted - 1) < 10^-20", eps, wanted));
         }
         request_clear(&request);
