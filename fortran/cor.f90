@@ -5,8 +5,8 @@
 ! with _array are the loops of C; they are faster. struct cor_body is type(cor_body_t), and so on. An argument that may
 ! be NULL in C is optional. The comments of the headers in include/cor hold for all of them.
 module cor
-  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_funptr, c_int, c_null_char, &
-    c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_funptr, c_int, &
+    c_null_char, c_ptr, c_size_t
   implicit none
   private
   integer(c_int), parameter, public :: COR_VERSION_MAJOR = 1, COR_VERSION_MINOR = 0, COR_VERSION_PATCH = 0, &

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The coefficient of restitution, eps, of colliding viscoelastic bodies, computed by libcor in WebAssembly. Functions
 // take arrays and return new ones; a number outside a function's domain gives NaN, as in C. All numbers are in SI units.
-// Each function of a group is cor_GROUP_NAME of include/cor/sphere.h, law.h or hertz_dashpot.h, where formula, domain
-// and error stand.
+// Formulas, domains and errors are in include/cor/sphere.h and law.h.
 
 export type Numbers = ArrayLike<number>;
 export type Elementwise = (x: Numbers) => Float64Array;
@@ -14,16 +13,20 @@ type SphereName = "eps_zero_overlap" | "eps_zero_force" | "eps_approach_only" | 
     | "loss_approach_only" | "beta_zero_overlap" | "beta_zero_force" | "beta_approach_only"
     | "beta_of_loss_approach_only" | "duration_zero_overlap" | "duration_zero_force" | "duration_approach_only"
     | "max_overlap" | "time_of_max_overlap";
-type DashpotName = SphereName | "beta_of_loss_zero_overlap" | "beta_of_loss_zero_force";
-/** of the damping ratio zeta */
-type RatioName = "eps_zero_overlap" | "eps_zero_force" | "eps_limited" | "eps_approach_only" | "loss_zero_overlap"
-    | "loss_zero_force" | "loss_limited" | "loss_approach_only" | "zeta_zero_overlap" | "zeta_zero_force"
-    | "zeta_limited" | "zeta_approach_only" | "zeta_of_loss_zero_overlap" | "zeta_of_loss_zero_force"
-    | "zeta_of_loss_limited" | "zeta_of_loss_approach_only" | "duration_zero_overlap" | "duration_zero_force"
-    | "duration_limited" | "duration_approach_only" | "max_overlap" | "time_of_max_overlap";
-type CrossleyName = "eps" | "eps_approach_only" | "loss" | "loss_approach_only" | "beta" | "beta_approach_only"
-    | "beta_of_loss" | "beta_of_loss_approach_only";
 type CrossleyTime = "duration" | "duration_approach_only" | "max_overlap" | "time_of_max_overlap";
+
+/** Every function of a law by names, which may have _ for each hyphen: law.value("tsuji", "zero-force", "eps", zeta).
+ * x is the damping, zeta for linear and tsuji and beta for the others; eps for damping-of-eps; 1 - eps for
+ * damping-of-loss. NaN where the law has no such function.
+ * @throws CorError for another name */
+export interface Laws {
+    laws(): string[];
+    ends(): string[];
+    quantities(): string[];
+    value(law: string, end: string, quantity: string, x: Numbers): Float64Array;
+    /** domain and bound on the error, in units of the last place; null: the law has no such function */
+    function(law: string, end: string, quantity: string): { least: number; largest: number; max_ulp: number } | null;
+}
 
 export type Law = "viscoelastic" | "linear" | "tsuji" | "hunt-crossley" | "hertz-dashpot" | "plate";
 /** surface: under a constant force, in place of zero-force */
@@ -90,10 +93,9 @@ export declare class CorError extends Error {
 export interface Cor {
     CorError: typeof CorError;
     sphere: Record<SphereName, Elementwise>;
-    hertz_dashpot: Record<DashpotName, Elementwise>;
-    linear: Record<RatioName, Elementwise>;
-    tsuji: Record<RatioName, Elementwise>;
-    hunt_crossley: Record<CrossleyName, Elementwise> & Record<CrossleyTime, OfBetaAndExponent>;
+    law: Laws;
+    /** Hunt and Crossley's law with any elastic exponent */
+    hunt_crossley: Record<CrossleyTime, OfBetaAndExponent>;
     /** @throws CorError */
     contact(options: ContactOptions): Contact;
     simulators(): { name: Simulator; title: string }[];

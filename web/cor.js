@@ -68,18 +68,52 @@ function wrap(c) {
         }
     };
 
-    // ---- functions of one number ----
+    // ---- functions of laws ----
 
-    const cor = { CorError };
-    for (let i = 0, name; c.web_function_name(i) !== 0; i++) {
-        const takesExponent = i >= c.web_functions_with_exponent();
-        name = text(c.web_function_name(i)).split(".");
-        (cor[name[0]] ??= {})[name[1]] = (array, exponent) => {
-            if (takesExponent && typeof exponent !== "number")
+    const named = (list) => {
+        const names = [];
+        for (let at; (at = c.web_name(list, names.length)) !== 0;)
+            names.push(text(at));
+        return names;
+    };
+    const [laws, ends, quantities, crossley] = [0, 1, 2, 3].map(named);
+    const indices = (...names) => names.map((name, i) => {
+        const known = [laws, ends, quantities][i], at = known.indexOf(String(name).toLowerCase().replace(/_/g, "-"));
+        if (at < 0)
+            throw new CorError(`${["law", "end", "quantity"][i]}: '${name}'; allowed: ${known.join(", ")}`, "");
+        return at;
+    });
+    const law = {
+        laws: () => [...laws],
+        ends: () => [...ends],
+        quantities: () => [...quantities],
+        value: (law, end, quantity, array) => {
+            const at = indices(law, end, quantity);
+            return withArray(array, 1, (x, y, n) => c.web_law(...at, x, y, n));
+        },
+        function: (law, end, quantity) => {
+            let found = 0;
+            const at = indices(law, end, quantity), [least, largest, max_ulp] = withArray([0, 0, 0], 1, (x, y) => {
+                found = c.web_law_function(...at, y);
+            });
+            return found ? { least, largest, max_ulp } : null;
+        },
+    };
+    const cor = { CorError, law, sphere: {}, hunt_crossley: {} };
+    // as in sphere.h: beta_... and beta_of_loss_... are the inverses, and the overlap is the same at every end
+    for (const end of ends)
+        for (const quantity of quantities.filter((quantity) => law.function("viscoelastic", end, quantity))) {
+            const name = quantity.replace("damping-of-eps", "beta").replace("damping", "beta");
+            const whole = quantity.includes("overlap") ? name : `${name}-${end}`;
+            cor.sphere[whole.replace(/-/g, "_")] = (array) => law.value("viscoelastic", end, quantity, array);
+        }
+    crossley.forEach((name, i) => {
+        cor.hunt_crossley[name] = (array, exponent) => {
+            if (typeof exponent !== "number")
                 throw new TypeError(`${name} takes an array and the elastic exponent`);
-            return withArray(array, 1, (x, y, n) => c.web_map(i, x, y, n, takesExponent ? exponent : 0));
+            return withArray(array, 1, (x, y, n) => c.web_hunt_crossley(i, x, y, n, exponent));
         };
-    }
+    });
 
     // ---- a contact ----
 

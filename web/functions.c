@@ -1,64 +1,54 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of the table of law.h, and those with an exponent, for arrays. They are loops over scalar functions, so
- * that the module need not contain libcor's own loops. */
-#include <math.h>
-#include <stdio.h>
-
+/* The functions of laws, for arrays. They are loops over scalar functions; the module does without libcor's loops. */
 #include "cor/law.h"
 #include "web/web.h"
 
-enum { MOST = 150, NAME = 64 };
-static struct {
-    char name[NAME];
-    double (*function)(double x);
-} functions[MOST];
-static int count;
-
-/* of beta and of the elastic exponent */
 static const struct {
     const char *name;
-    double (*function)(double beta, double exponent);
-} with_exponent[] = {{"hunt_crossley.duration", cor_hunt_crossley_duration},
-                     {"hunt_crossley.duration_approach_only", cor_hunt_crossley_duration_approach_only},
-                     {"hunt_crossley.max_overlap", cor_hunt_crossley_max_overlap},
-                     {"hunt_crossley.time_of_max_overlap", cor_hunt_crossley_time_of_max_overlap}};
-enum { WITH_EXPONENT = sizeof with_exponent / sizeof *with_exponent };
+    double (*function)(double beta, double elastic_exponent);
+} hunt_crossley[] = {{"duration", cor_hunt_crossley_duration},
+                     {"duration_approach_only", cor_hunt_crossley_duration_approach_only},
+                     {"max_overlap", cor_hunt_crossley_max_overlap},
+                     {"time_of_max_overlap", cor_hunt_crossley_time_of_max_overlap}};
 
-/* Adds "linear.zeta_of_loss_limited", ...; a function of several ends once. */
-static void add(int law, int end, int quantity)
+/* Returns name i of the list 0 (laws), 1 (ends), 2 (quantities) or 3 (functions of Hunt and Crossley's law with an
+ * exponent), or NULL after the last one. */
+WEB_EXPORT(web_name) const char *web_name(int list, int i)
 {
-    static const char *const groups[] = {"sphere", "linear", "tsuji", "hunt_crossley", "hertz_dashpot"},
-                             *const ends[] = {"_zero_overlap", "_zero_force", "_limited", "_approach_only"};
-    const struct cor_law_function *const f =
-        cor_law_function((enum cor_law)law, (enum cor_end)end, (enum cor_quantity)quantity);
-    const int is_ratio = law == COR_LAW_LINEAR || law == COR_LAW_TSUJI, is_crossley = law == COR_LAW_HUNT_CROSSLEY;
-    const char *const names[] = {
-        "eps",      "loss",        is_ratio ? "zeta" : "beta", is_ratio ? "zeta_of_loss" : "beta_of_loss",
-        "duration", "max_overlap", "time_of_max_overlap"};
-    const int of_all = quantity >= COR_MAX_OVERLAP || (is_crossley && end != COR_END_APPROACH_ONLY);
-    if (!f || (of_all && end != COR_END_ZERO_OVERLAP) || (is_crossley && quantity >= COR_DURATION))
-        return;
-    snprintf(functions[count].name, NAME, "%s.%s%s", groups[law], names[quantity], of_all ? "" : ends[end]);
-    functions[count++].function = f->value;
+    switch (list) {
+    case 0:
+        return cor_law_name((enum cor_law)i);
+    case 1:
+        return cor_end_name((enum cor_end)i);
+    case 2:
+        return cor_quantity_name((enum cor_quantity)i);
+    default:
+        return (size_t)i < sizeof hunt_crossley / sizeof *hunt_crossley ? hunt_crossley[i].name : NULL;
+    }
 }
 
-/* "sphere.eps_zero_force", ...; those with an exponent come last, from web_functions_with_exponent on; NULL: no more */
-WEB_EXPORT(web_function_name) const char *web_function_name(int i)
-{
-    for (int law = count ? COR_LAWS : 0; law <= COR_LAW_HERTZ_DASHPOT; law++)
-        for (int end = 0; end <= COR_END_APPROACH_ONLY; end++)
-            for (int quantity = 0; quantity < COR_QUANTITIES; quantity++)
-                add(law, end, quantity);
-    return i < count ? functions[i].name : i < count + WITH_EXPONENT ? with_exponent[i - count].name : NULL;
-}
-
-WEB_EXPORT(web_functions_with_exponent) int web_functions_with_exponent(void)
-{
-    return count;
-}
-
-WEB_EXPORT(web_map) void web_map(int i, const double *x, double *y, size_t n, double exponent)
+WEB_EXPORT(web_law) void web_law(int law, int end, int quantity, const double *x, double *y, size_t n)
 {
     for (size_t k = 0; k < n; k++)
-        y[k] = i < count ? functions[i].function(x[k]) : with_exponent[i - count].function(x[k], exponent);
+        y[k] = cor_law_value((enum cor_law)law, (enum cor_end)end, (enum cor_quantity)quantity, x[k]);
+}
+
+/* Writes the domain and the bound on the error. Returns 0 if the law has no such function. */
+WEB_EXPORT(web_law_function) int web_law_function(int law, int end, int quantity, double y[3])
+{
+    const struct cor_law_function *const f =
+        cor_law_function((enum cor_law)law, (enum cor_end)end, (enum cor_quantity)quantity);
+    if (f) {
+        y[0] = f->least;
+        y[1] = f->largest;
+        y[2] = f->max_ulp;
+    }
+    return f != NULL;
+}
+
+WEB_EXPORT(web_hunt_crossley)
+void web_hunt_crossley(int i, const double *x, double *y, size_t n, double elastic_exponent)
+{
+    for (size_t k = 0; k < n; k++)
+        y[k] = hunt_crossley[i].function(x[k], elastic_exponent);
 }

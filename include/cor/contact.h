@@ -150,16 +150,18 @@ COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere
 /* y[i] has the bits of cor_contact_...(contact, speed_m_s[i]), or of the function of speed_m_s[i] and eps[i],
  * for i < n. If n is 0, the array pointers may be NULL. y may be one of the argument arrays, but arrays must not
  * overlap otherwise. */
-#define COR_CONTACT_DECLARE_(quantity)                                                                                 \
-    COR_API void cor_contact_##quantity##_array(const struct cor_sphere_contact *contact, const double *speed_m_s,     \
+COR_API void cor_contact_beta_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *y,
+                                    size_t n);
+COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
                                                 double *y, size_t n);
-COR_CONTACT_DECLARE_(beta)
-COR_CONTACT_DECLARE_(eps_zero_overlap)
-COR_CONTACT_DECLARE_(eps_zero_force)
-COR_CONTACT_DECLARE_(duration_s_zero_overlap)
-COR_CONTACT_DECLARE_(duration_s_zero_force)
-COR_CONTACT_DECLARE_(max_overlap_m)
-#undef COR_CONTACT_DECLARE_
+COR_API void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
+                                              double *y, size_t n);
+COR_API void cor_contact_duration_s_zero_overlap_array(const struct cor_sphere_contact *contact,
+                                                       const double *speed_m_s, double *y, size_t n);
+COR_API void cor_contact_duration_s_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
+                                                     double *y, size_t n);
+COR_API void cor_contact_max_overlap_m_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
+                                             double *y, size_t n);
 COR_API void cor_contact_dissipation_time_s_zero_overlap_array(const struct cor_sphere_contact *contact,
                                                                const double *speed_m_s, const double *eps, double *y,
                                                                size_t n);

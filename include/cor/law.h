@@ -53,7 +53,7 @@ enum cor_law {
     COR_LAW_PLATE,           /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
     COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: 3/2, without damping */
     /* of simulators alone */
-    COR_LAW_LINEAR_ROOT, /* 1, 1/2 */
+    COR_LAW_LINEAR_ROOT, /* a linear spring, dashpot x^(1/2): 1, 1/2 */
     COR_LAW_IMPULSE,     /* no force: the rebound speed is e times the impact speed, and the damping is 1 - e */
     COR_LAWS
 };

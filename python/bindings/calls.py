@@ -3,10 +3,9 @@
 
 import re
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Tuple
+from typing import Dict, List, Optional
 
 from .declarations import Declarations, Function, Parameter, Struct
-
 
 # The table of law.h, which each binding has by hand, and its names in Python
 BY_HAND = {
@@ -22,12 +21,12 @@ BY_HAND = {
 
 @dataclass(frozen=True)
 class Call:
-    """A function in all of its forms, and how it is called.
+    """A function with its loop over an array, and how it is called.
 
     kind is one of
         elementwise  a number from numbers, and from structs that are the same for all elements
         record       a status and a struct of results, likewise
-        init         a status and a struct that other functions take
+        init         a status and a struct that other functions accept
         other        anything else; it needs a wrapper written by hand
     """
 
@@ -37,16 +36,11 @@ class Call:
 
     @property
     def structs(self) -> List[Parameter]:
-        return [p for p in self.function.parameters if is_input(p)]
+        return [p for p in self.function.parameters if input_struct(p)]
 
     @property
     def values(self) -> List[Parameter]:
         return [p for p in self.function.parameters if is_value(p)]
-
-    @property
-    def out(self) -> str:
-        """The name of the struct of results of a record or an init."""
-        return next(name for name in map(output_struct, self.function.parameters) if name)
 
     @property
     def loop(self) -> str:
@@ -54,16 +48,12 @@ class Call:
 
 
 def is_value(p: Parameter) -> bool:
-    return p.type in ("double", "float", "int", "size_t") or p.type.startswith("enum ") and "*" not in p.type
+    return p.type in ("double", "int", "size_t") or p.type.startswith("enum ") and "*" not in p.type
 
 
 def input_struct(p: Parameter) -> str:
     found = re.fullmatch(r"const struct (cor_\w+) \*", p.type)
     return found[1] if found else ""
-
-
-def is_input(p: Parameter) -> bool:
-    return bool(input_struct(p))
 
 
 def output_struct(p: Parameter) -> str:
@@ -73,25 +63,24 @@ def output_struct(p: Parameter) -> str:
 
 def form_of(functions: Dict[str, Function], name: str) -> str:
     """The function through which one is reached: itself, or the one whose loop over arrays it is."""
-    base = re.sub("(_fast)?(f|_arrayf?)$", "", name)
+    base = re.sub("_arrayf?$", "", name)
     return base if base in functions and is_elementwise(functions[base]) else name
 
 
 def calls(declared: Declarations) -> Dict[str, Call]:
     """Every public function but those of BY_HAND and the loops of others over arrays, by name."""
     functions = declared.functions
-    taken = {input_struct(p) for f in functions.values() for p in f.parameters if is_input(p)}
+    taken = {input_struct(p) for f in functions.values() for p in f.parameters}
     found = {}
     for name, function in functions.items():
         if name not in BY_HAND and form_of(functions, name) == name:
             kind = _kind(function, taken)
-            array = functions.get(name + "_array") if kind == "elementwise" else None
-            found[name] = Call(kind, function, array)
+            found[name] = Call(kind, function, functions.get(name + "_array") if kind == "elementwise" else None)
     return found
 
 
 def is_elementwise(function: Function) -> bool:
-    return function.result in ("double", "size_t") and all(is_value(p) or is_input(p) for p in function.parameters)
+    return function.result in ("double", "size_t") and all(is_value(p) or input_struct(p) for p in function.parameters)
 
 
 def _kind(function: Function, taken: "set[str]") -> str:
@@ -99,25 +88,11 @@ def _kind(function: Function, taken: "set[str]") -> str:
         return "elementwise"
     out = [output_struct(p) for p in function.parameters if output_struct(p)]
     others = [p for p in function.parameters if not output_struct(p)]
-    if function.result != "int" or len(out) != 1 or not all(is_value(p) or is_input(p) for p in others):
+    if function.result != "int" or len(out) != 1 or not all(is_value(p) or input_struct(p) for p in others):
         return "other"
     return "init" if out[0] in taken else "record"
 
 
 def is_plain(struct: Struct) -> bool:
-    """Whether all fields are numbers."""
+    """True if all fields are numbers."""
     return all(is_value(field) for field in struct.fields)
-
-
-def argument_names(function: Function) -> List[str]:
-    """The names of the parameters; for one that a macro calls x, the name that the comment gives to it."""
-    return [_documented_name(function) if p.name == "x" else p.name for p in function.parameters]
-
-
-def _documented_name(function: Function) -> str:
-    described = re.findall(r"(cor_[\w<>]+)\(double (\w+)\)", function.doc)
-    for pattern, name in described:
-        if re.fullmatch(pattern.replace("<end>", r"\w+?"), function.name):
-            return str(name)
-    names = {name for _, name in described}
-    return str(names.pop()) if len(names) == 1 else "x"

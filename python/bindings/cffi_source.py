@@ -36,8 +36,7 @@ def declarations(declared: Declarations) -> str:
     lines += [f"extern {o.type} {o.name};" for o in declared.objects.values()]
     for constant in declared.constants.values():
         c_type = {"str": "char *const", "int": "const int", "float": "const double"}[constant_type(constant)]
-        if not constant.parameters:
-            lines.append(f"static {c_type} {constant.name};")
+        lines.append(f"static {c_type} {constant.name};")
     lines += ["enum { COR_IMPACT_COLUMNS = 9 };"] + [f"{head};" for head, _ in HAND + _loops(declared)]
     lines += [f'extern "Python" {head};' for head in _observers(declared)]
     return "\n".join(lines)
@@ -97,7 +96,8 @@ def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit"))
 def source(declared: Declarations) -> str:
     """The text of the C module that cffi puts before its own."""
     parts = [
-        "#define COR_WITH_DISK\n#include <math.h>\n#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
+        "#define COR_WITH_DISK\n#include <math.h>",
+        "#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
         "enum { COR_IMPACT_COLUMNS = 9 };",
         "/* A loop has a step for every number, also where the form that it calls needs none. */",
     ]

@@ -12,7 +12,7 @@ from typing import Dict, List, Tuple
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from bindings.calls import argument_names, is_elementwise, is_value  # noqa: E402
+from bindings.calls import is_elementwise, is_value  # noqa: E402
 from bindings.cffi_source import constant_type  # noqa: E402
 from bindings.declarations import ROOT, Declarations, Function, Parameter, write_or_check  # noqa: E402
 
@@ -26,8 +26,8 @@ HEAD = """! SPDX-License-Identifier: MIT
 ! with _array are the loops of C; they are faster. struct cor_body is type(cor_body_t), and so on. An argument that may
 ! be NULL in C is optional. The comments of the headers in include/cor hold for all of them.
 module cor
-  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_funptr, c_int, c_null_char, &
-    c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_funptr, c_int, &
+    c_null_char, c_ptr, c_size_t
   implicit none
   private
 """
@@ -54,8 +54,7 @@ def module(declared: Declarations) -> str:
         kind = constant_type(constant)
         fortran = {"str": "character(len=*)", "int": KINDS["int"], "float": KINDS["double"]}[kind]
         value = constant.text.strip("()") + ("_c_double" if kind == "float" else "")
-        if not constant.parameters:
-            constants.setdefault(fortran, []).append(f"{constant.name} = {value}")
+        constants.setdefault(fortran, []).append(f"{constant.name} = {value}")
     for enum in declared.enums.values():
         constants[KINDS["int"]] += [f"{name} = {value}" for name, value, _ in enum.members]
     parts = [HEAD] + [
@@ -155,7 +154,7 @@ def _wrapped(text: str, indent: int) -> str:
 
 
 def _elemental(function: Function, inner: str) -> str:
-    names = argument_names(function)
+    names = [p.name for p in function.parameters]
     kinds = [
         KINDS.get(p.type, KINDS["int"]) if is_value(p) else f"type({p.type.split()[2]}_t)" for p in function.parameters
     ]

@@ -8,16 +8,14 @@ scene.h, generated/scene_functions.inc.
 import re
 import sys
 from pathlib import Path
-from typing import List, Tuple
+from typing import List
 
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from bindings.calls import BY_HAND, argument_names, calls, input_struct, is_input, is_value  # noqa: E402
+from bindings.calls import BY_HAND, calls, input_struct, is_elementwise  # noqa: E402
 from bindings.cffi_source import scene_declarations  # noqa: E402
 from bindings.declarations import ROOT, Declarations, Function, Parameter, squeeze, write_or_check  # noqa: E402
-
-REALS = ("double", "float")
 
 MACROS = {
     "NUMBER(name)": "the name of a parameter that is a double or a float",
@@ -34,37 +32,27 @@ HEAD = """/* SPDX-License-Identifier: MIT */
 """
 
 
-def _argument(p: Parameter, name: str, index: str) -> str:
+def _argument(p: Parameter, index: str) -> str:
     """The argument for a parameter: element `index` of what is drawn for all parameters of its name."""
-    if is_input(p):
-        struct = input_struct(p)
-        return f"&a->{struct[len('cor_'):] if name == 'options' else name}[{index}]"
-    return f"a->{name}{'f' if p.type == 'float' else ''}[{index}]"
+    struct = input_struct(p)
+    if struct:
+        return f"&a->{struct[len('cor_'):] if p.name == 'options' else p.name}[{index}]"
+    return f"a->{p.name}[{index}]"
 
 
 def _is_array(function: Function) -> bool:
     last = [p.type for p in function.parameters[-2:]]
-    others = function.parameters[:-2]
-    return (
-        function.result == "void"
-        and last in (["double *", "size_t"], ["float *", "size_t"])
-        and all(is_value(p) or is_input(p) or _pointer(p) for p in others)
-    )
+    return function.result == "void" and last in (["double *", "size_t"], ["float *", "size_t"])
 
 
-def _pointer(p: Parameter) -> str:
-    """The type of the elements of an array that a function reads"""
-    return {"const double *": "double", "const float *": "float"}.get(p.type, "")
-
-
-def _array(function: Function, names: List[str]) -> str:
-    real = function.parameters[-2].type.split()[0]
-    suffix = "f" if real == "float" else ""
+def _array(function: Function) -> str:
     given, element = [], []
-    for p, name in list(zip(function.parameters, names))[:-2]:
-        given.append(f"a->{name}{suffix}" if _pointer(p) else _argument(p, name, "0"))
-        element.append(given[-1] + ("[i]" if _pointer(p) else ""))
-    if real == "float":
+    for p in function.parameters[:-2]:
+        suffix = "f" if "float" in p.type else ""
+        pointer = p.type in ("const double *", "const float *")
+        given.append(f"a->{p.name}{suffix}" if pointer else _argument(p, "0"))
+        element.append(given[-1] + "[i]" * pointer)
+    if function.parameters[-2].type == "float *":
         return f"FLOATS({function.name}, ({', '.join(given)}, y, n))"
     return f"ARRAY({function.name}, ({', '.join(given)}, y, n), {function.name[:-len('_array')]}({', '.join(element)}))"
 
@@ -73,21 +61,18 @@ def lines(declared: Declarations) -> List[str]:
     found, numbers = [], set()
     kinds = {name: call.kind for name, call in calls(declared).items()}
     for name, function in declared.functions.items():
+        given = function.parameters[kinds.get(name) == "init" :]
+        arguments = ", ".join(_argument(p, "i") for p in given)
         if name in BY_HAND:
             found.append(f"OTHER({name})")
             continue
-        names = argument_names(function)
-        pairs: List[Tuple[Parameter, str]] = list(zip(function.parameters, names))
-        numbers |= {n for p, n in pairs if p.type in REALS or _pointer(p)}
+        numbers |= {p.name for p in given if p.type in ("double", "const double *", "const float *")}
         if _is_array(function):
-            found.append(_array(function, names))
-        elif function.result in REALS + ("size_t",) and all(is_value(p) or is_input(p) for p in function.parameters):
-            arguments = ", ".join(_argument(p, n, "i") for p, n in pairs)
+            found.append(_array(function))
+        elif is_elementwise(function):
             found.append(f"SCALAR({name}, {function.result}, ({arguments}))")
         elif kinds.get(name) == "init":
-            made, *others = pairs
-            arguments = ", ".join(["&out"] + [_argument(p, n, "i") for p, n in others])
-            found.append(f"INIT({name}, {made[0].type.split()[1]}, ({arguments}))")
+            found.append(f"INIT({name}, {function.parameters[0].type.split()[1]}, (&out, {arguments}))")
         else:
             found.append(f"OTHER({name})")
     return [f"NUMBER({name})" for name in sorted(numbers)] + found

@@ -6,7 +6,7 @@ import os
 import re
 from typing import Dict, List
 
-from .calls import BY_HAND, Call, argument_names, calls, input_struct, is_input, is_plain, output_struct
+from .calls import BY_HAND, Call, calls, input_struct, is_plain, output_struct
 from .cffi_source import constant_type
 from .declarations import Declarations, Enum, Parameter, Struct
 
@@ -40,7 +40,7 @@ PROTOTYPE = re.compile(r"\bdouble cor_([\w<>]+)\([^)]*\)((?:,\s+\w+(?:\([^)]*\))
 
 def modules(declared: Declarations) -> Dict[str, str]:
     """The text of each module, by name."""
-    names = dict.fromkeys(declared.module(header) for header in declared._module)
+    names = dict.fromkeys(declared.modules.values())
     return {name: _Module(declared, name).text() for name in names}
 
 
@@ -48,13 +48,13 @@ class _Module:
     def __init__(self, declared: Declarations, name: str) -> None:
         self.declared = declared
         self.name = name
-        self.headers = [h for h in declared._module if declared.module(h) == name]
+        self.headers = [h for h, module in declared.modules.items() if module == name]
         self.calls = [c for c in calls(declared).values() if c.function.header in self.headers]
         self.public: List[str] = []
 
     def text(self) -> str:
         declared, here = self.declared, self.headers
-        constants = [c for c in declared.constants.values() if c.header in here and not c.parameters]
+        constants = [c for c in declared.constants.values() if c.header in here]
         parts = ["".join(self._constant(c.name, constant_type(c)) for c in constants)]
         parts += [self._enum(e) for e in declared.enums.values() if e.header in here and e.name not in NAMED]
         parts.append(self._written_by_hand())
@@ -113,24 +113,24 @@ class _Module:
         text += "".join(f"    {f.name}: {kind}\n" for f, (kind, _) in zip(struct.fields, kinds))
         return text + f"\n    def __init__(self{signature}) -> None:\n        super().__init__({', '.join(names)})\n"
 
-    def _typed(self, p: Parameter, name: str) -> str:
-        if not is_input(p):
-            return f"{name}: ArrayLike"
-        return f"{name}: {'DiskModes' if 'cor_disk_modes' in p.type else self.class_name(input_struct(p))}"
+    def _typed(self, p: Parameter) -> str:
+        if not input_struct(p):
+            return f"{p.name}: ArrayLike"
+        return f"{p.name}: {'DiskModes' if 'cor_disk_modes' in p.type else self.class_name(input_struct(p))}"
 
     def _function(self, call: Call) -> str:
         function = call.function
         short = self.short(function.name)
-        given = [(n, p) for n, p in zip(argument_names(function), function.parameters) if not output_struct(p)]
-        names = [n for n, _ in given]
+        given = [p for p in function.parameters if not output_struct(p)]
+        names = [p.name for p in given]
         made = f'_{short} = {call.kind.capitalize()}("{function.name}", "{" ".join(names)}")\n\n\n'
-        typed = [self._typed(p, n) for n, p in given]
+        typed = [self._typed(p) for p in given]
         body, returned = f"_{short}(({', '.join(names)},)", "Any"
         if call.kind == "elementwise":
-            typed += (["/"] if any(p.name == "x" for _, p in given) else []) + ["*", "out: Optional[Array] = None"]
+            typed += ["*", "out: Optional[Array] = None"]
             body += ", out"
         elif call.kind == "init":
-            returned = self.class_name(call.out)
+            returned = self.class_name(output_struct(function.parameters[0]))
             body = f"{returned}._of({body})"
         forms = ", ".join(f.name for f in (function, call.array) if f)
         doc = f"{self._without_prototypes(function.doc)}\n\nC: {forms}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One contact in SI units by cor/scene.h: what corgen contact computes."""
+"""A contact in SI units, as corgen contact computes it, by cor/scene.h."""
 
 import math
 import re
@@ -37,7 +37,7 @@ def _number(name: str, value: Any) -> float:
 
 
 def _exponents(elastic: Any, damping: Any) -> Tuple[int, int, int]:
-    """a and b over their common denominator"""
+    """Returns a, b and their common denominator."""
     made = []
     for name, value in {"elastic": elastic, "damping": damping}.items():
         try:
@@ -52,11 +52,11 @@ def _exponents(elastic: Any, damping: Any) -> Tuple[int, int, int]:
 
 
 class Contact:
-    """A contact of two bodies in SI units: everything that corgen contact computes, by cor/scene.h.
+    """A contact of two bodies in SI units, with all numbers that corgen contact computes.
 
-    bodies: one cor.Body for two equal ones, or two, of which the second may be a wall (infinite radius and mass); or
-    none, where keywords describe them. Keywords are the options of corgen contact with _ for each hyphen, numbers in
-    SI units. A damping among them replaces the dissipation times of the bodies.
+    bodies: one cor.Body for two equal bodies; two, of which the second may be a wall (infinite radius and mass); or
+    none if keywords describe them. Keywords are the options of corgen contact with _ for each hyphen, numbers in SI
+    units. A damping among them replaces the dissipation times of the bodies.
 
         bodies      young, poisson, radius, density or mass; young_2, ...; wall=True; plate_thickness
         a spring    stiffness or duration, effective_mass
@@ -69,9 +69,9 @@ class Contact:
         end         "zero_overlap" or "zero_force"; "surface" in its place under a constant force; "tail" or
                     "largest_pull" with JKR: where restitution or duration was measured, and of eps
 
-    Accuracy: COR_SCENE_MAX_ERROR, and COR_SCENE_PRESSED_ERROR or COR_JKR_EPS2_MAX_ERROR with a constant force or JKR
-    (cor/scene.h). Other exponents than those of the laws have no functions here, unless a constant force presses the
-    bodies together: ValueError names corgen contact, which encloses them.
+    Accuracy (cor/scene.h): COR_SCENE_MAX_ERROR; with a constant force COR_SCENE_PRESSED_ERROR, with JKR
+    COR_JKR_EPS2_MAX_ERROR. Exponents of no named law need equal exponents or a constant force; otherwise a ValueError
+    names corgen contact, which encloses them.
     """
 
     def __init__(
@@ -154,7 +154,7 @@ class Contact:
                 self._scene.number[getattr(lib, f"COR_SCENE_{name}") + (lib.COR_SCENE_BODY if k else 0)] = value
 
     def _end(self, end: Optional[str] = None) -> int:
-        """The index of an end, or of the one of the contact"""
+        """Returns the index of an end; without a name, of the end that was given for the contact."""
         if end is None and (self._scene.end >= 0 or not lib.cor_scene_ends_differ(self._contacts)):
             return max(int(self._scene.end), 0)
         name = re.sub("[- ]", "_", str(end))
@@ -174,14 +174,14 @@ class Contact:
         raise_text(text)
 
     def _one(self) -> Any:
-        """The contact in C, where the options make one"""
+        """Returns the contact in C. Refuses two, one for each end at which it may have been measured."""
         if self._count > 1:
             raise ValueError(f"end: the end of the measured contact is missing; allowed: {', '.join(self.ends)}")
         return self._contacts[0]
 
     @property
     def quantities(self) -> Dict[str, float]:
-        """What follows from the options at every speed, in the SI units of corgen contact, which has the same names"""
+        """The quantities of the contact at every speed, with the names and units of corgen contact"""
         contact, found = self._one(), {}
         for known in lib.cor_scene_quantities:
             value = lib.cor_scene_quantity(ffi.addressof(contact), known.number)
@@ -190,7 +190,7 @@ class Contact:
         return found
 
     def _rows(self, speed_m_s: ArrayLike, end: int) -> Tuple[Array, Array]:
-        """The speeds, and what C computes of each: eps at one end or, with COR_BOTH_ENDS, everything"""
+        """Returns the speeds and a row of results for each: eps at one end or, with COR_BOTH_ENDS, all results."""
         contact = self._one()
         speeds = np.array(speed_m_s, np.float64, order="C")
         wrong = speeds[~((speeds > 0) & np.isfinite(speeds)) & ~np.ma.getmaskarray(speed_m_s)]
@@ -213,7 +213,7 @@ class Contact:
         return speeds, rows
 
     def eps(self, speed_m_s: ArrayLike, end: Optional[str] = None) -> Any:
-        """Restitution coefficient at impact speeds, m/s. end: unless it is given, the end of the contact."""
+        """Returns the restitution coefficient at impact speeds, m/s. end: the end of the contact if omitted."""
         result = self._rows(speed_m_s, self._end(end))[1][..., 0]
         narrow = np.asarray(speed_m_s).dtype.kind == "f" and np.asarray(speed_m_s).itemsize < 8
         return like([speed_m_s], result.astype(np.float32 if narrow else np.float64, copy=False)[()])
@@ -227,9 +227,13 @@ class Contact:
         return self.eps(speed_m_s, "zero_force")
 
     def impacts(self, speed_m_s: ArrayLike, steps: float = 50) -> Any:
-        """A record for each impact speed, m/s, with the columns of corgen contact. time_step_s is the shortest of all
-        durations over `steps`; contact_radius_m and max_pressure_pa are those of Hertz, NaN without bodies or with
-        JKR. Durations are infinite where the bodies never part, and NaN without mass and stiffness."""
+        """Returns a record for each impact speed, m/s, with the columns of corgen contact.
+
+        time_step_s is the shortest of all durations over `steps`. contact_radius_m and max_pressure_pa follow Hertz;
+        they are NaN without bodies and with JKR. Durations are infinite if the bodies never part, and NaN without mass
+        and stiffness."""
+        if not 1 <= number("steps", steps) < math.inf:
+            raise ValueError(f"steps: {steps!r} is not a finite number from 1 on")
         speeds, rows = self._rows(speed_m_s, lib.COR_BOTH_ENDS)
         low, high = self.ends
         names = ["beta", f"eps_{low}", f"eps_{high}", f"duration_s_{low}", f"duration_s_{high}", "max_overlap_m"]
@@ -239,7 +243,7 @@ class Contact:
         for k, name in enumerate(names):
             table[name] = rows[..., k]
         known = rows[..., 3:5][np.isfinite(rows[..., 3:5])]
-        table["time_step_s"] = known.min() / number("steps", steps) if known.size else math.nan
+        table["time_step_s"] = known.min() / steps if known.size else math.nan
         mask = np.ma.getmaskarray(speed_m_s)
         return np.ma.array(table, mask=mask) if mask.any() else table.view(np.recarray)[()]
 

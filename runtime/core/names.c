@@ -3,10 +3,9 @@
 
 #include "cor/law.h"
 
-static const char *const laws[COR_LAWS] = {
-    "viscoelastic",  "linear", "tsuji",           "hunt-crossley",
-    "hertz-dashpot", "plate",  "elastic-plastic", "linear spring, dashpot x^(1/2)",
-    "impulse"};
+static const char *const laws[COR_LAWS] = {"viscoelastic",    "linear",        "tsuji",
+                                           "hunt-crossley",   "hertz-dashpot", "plate",
+                                           "elastic-plastic", "linear-root",   "impulse"};
 static const char *const ends[COR_ENDS] = {"zero-overlap", "zero-force", "limited", "approach-only", "instant"};
 static const char *const quantities[COR_QUANTITIES] = {
     "eps", "loss", "damping-of-eps", "damping-of-loss", "duration", "max-overlap", "time-of-max-overlap"};

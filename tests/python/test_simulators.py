@@ -240,6 +240,7 @@ def test_a_measured_restitution():
         (lambda: cor.Contact(BODY, restitution=0.9, at=0), "^at: "),
         (lambda: cor.Contact(BODY, restitution=0.9, at=1, end="end"), "^end: "),
         (lambda: cor.Contact(BODY).impacts([1.0, 0.0]), "^speed_m_s: "),
+        (lambda: cor.Contact(BODY).impacts(1.0, steps=0), "^steps: "),
         (lambda: cor.Contact(BODY, poisson=0.6), "^poisson: "),
         (lambda: cor.Contact(BODY, mass=0), "^mass: "),
         (lambda: cor.Contact(BODY, elastic="x"), "^elastic: "),

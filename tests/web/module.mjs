@@ -24,19 +24,17 @@ function largestDistance(y, z) {
 
 // These pass a result of cbrt, pow or their like of the C library on, which may be off by a unit of the last place, and the module
 // has another C library than the native program.
-const ofLibm = ["sphere.duration_zero_force", "hertz_dashpot.eps_zero_force", "hertz_dashpot.loss_zero_force",
-    "hertz_dashpot.beta_zero_force", "hertz_dashpot.beta_of_loss_zero_force", "hertz_dashpot.duration_zero_force",
-    "hertz_dashpot.time_of_max_overlap", "sphere.beta_of_loss_approach_only"];
+const ofLibm = /^viscoelastic,(zero-force,duration|approach-only,damping-of-loss)|^hertz-dashpot,(zero-force,[eld]|.*,time)/;
 
 const names = execFileSync(native, [count, folder], { encoding: "utf8" }).trim().split("\n");
 const doubles = (name) => new Float64Array(Uint8Array.from(readFileSync(`${folder}/${name}`)).buffer);
-const x = doubles("x"), wrong = [];
+const x = doubles(names.shift()), wrong = [];
 let near = 0;
 for (const name of names) {
-    const [group, own] = name.split("."), theirs = doubles(name);
-    const exponent = /^hunt_crossley\.(duration|max_overlap|time_of_max_overlap)/.test(name) ? 1.5 : undefined;
-    const distance = largestDistance(cor[group][own](x.subarray(0, theirs.length), exponent), theirs);
-    if (!sameLibm && ofLibm.includes(name) && distance > 0 && distance <= 2)
+    const theirs = doubles(name), given = x.subarray(0, theirs.length), law = name.split(",");
+    const ours = law.length > 1 ? cor.law.value(...law, given) : cor.hunt_crossley[name](given, 1.3);
+    const distance = largestDistance(ours, theirs);
+    if (!sameLibm && ofLibm.test(name) && distance > 0 && distance <= 2)
         near++;
     else if (distance > 0)
         wrong.push(`${name}: off by ${distance} doubles at most`);
@@ -134,11 +132,18 @@ check("two contacts do not disturb each other", (() => {
     measured.impacts([1]);
     return other.eps([1], "zero-force")[0] === eps && measured.impacts([2])[1].beta.length === 1;
 })());
-check("an array of 10^6 numbers, twice, does not fill the memory", cor.linear.eps_zero_force(new Float64Array(1e6))[9] === 1
-    && cor.linear.eps_zero_force(new Float64Array(1e6)).length === 1e6);
+check("an array of 10^6 numbers, twice, does not fill the memory", cor.sphere.eps_zero_force(new Float64Array(1e6))[9] === 1
+    && cor.sphere.eps_zero_force(new Float64Array(1e6)).length === 1e6);
 check("special values", Object.is(cor.sphere.eps_zero_force([0, Infinity, -1, NaN]).join(), "1,0,NaN,NaN") &&
     cor.sphere.eps_zero_force([]).length === 0);
+const { law, sphere } = cor, eps = sphere.eps_zero_force([0.5]), inverse = law.function("Tsuji", "limited", "damping_of_eps");
+check("laws by name", law.value("tsuji", "zero_force", "eps", [0])[0] === 1 && law.laws().includes("hunt-crossley") &&
+    law.ends().length === 5 && law.quantities()[0] === "eps" && inverse.least === 0 && inverse.largest === 1 &&
+    inverse.max_ulp === 2 && law.function("plate", "limited", "eps") === null &&
+    Number.isNaN(law.value("viscoelastic", "limited", "eps", [0.5])[0]) &&
+    Math.abs(sphere.beta_zero_force(eps)[0] - 0.5) < 1e-15 && Math.abs(sphere.loss_zero_force([0.5])[0] + eps[0] - 1) < 1e-15);
 for (const [what, act, name, text] of [
+    ["an end that is none", () => law.value("linear", "surface", "eps", [1]), "", /^end: 'surface'; allowed: zero-overlap, /],
     ["a negative modulus", () => cor.contact({ ...glass, young: -1, g_star: 1 }), "young",
         "--young: '-1' is not a finite number above 0, written as 0.1, 1.5e-3"],
     ["no speed of a restitution", () => cor.contact({ ...glass, restitution: 0.9 }), "at", /^--restitution needs --at SPEED/],
@@ -175,8 +180,7 @@ check("the example of docs/languages.md runs", said.status === 0 && said.stdout.
 // ---- types ----
 
 const types = readFileSync("web/cor.d.ts", "utf8");
-const missing = names.map((name) => name.split(".")).filter(([group, name]) =>
-    !types.includes(`"${name}"`) || !types.includes(`    ${group}: `));
+const missing = [...Object.keys(sphere), ...Object.keys(cor.hunt_crossley)].filter((name) => !types.includes(`"${name}"`));
 check("cor.d.ts names every function and every simulator", missing.length === 0 &&
     cor.simulators().every(({ name }) => types.includes(`"${name}"`)), missing.join("\n"));
 

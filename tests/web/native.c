@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of the browser's module, compiled by the compiler at hand, for tests/web/module.mjs:
  *     native COUNT FOLDER
- * writes COUNT arguments into FOLDER/x and the results of each function into FOLDER/NAME, as doubles, and prints the
- * names. */
+ * writes COUNT arguments into FOLDER/x and the results of each function into FOLDER/NAME, as doubles, and prints these
+ * names: x, LAW,END,QUANTITY or the name of a function of hunt_crossley. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "tests/unit/random.h"
 #include "web/web.h"
 
-const char *web_function_name(int i);
-int web_functions_with_exponent(void);
-void web_map(int i, const double *x, double *y, size_t n, double exponent);
+const char *web_name(int list, int i);
+int web_law_function(int law, int end, int quantity, double y[3]);
+void web_law(int law, int end, int quantity, const double *x, double *y, size_t n);
+void web_hunt_crossley(int i, const double *x, double *y, size_t n, double elastic_exponent);
 
 /* In turn: from 0 to 1, from 0 to 3, from 2^-40 to 2^40, any double of either sign */
 static double argument(struct random_state *r, size_t i)
@@ -34,6 +34,7 @@ static void written(const char *folder, const char *name, const double *y, size_
     FILE *const file = fopen(path, "wb");
     if (!file || fwrite(y, sizeof *y, n, file) != n || fclose(file) != 0)
         exit(1);
+    puts(name);
 }
 
 int main(int argc, char **argv)
@@ -46,13 +47,19 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < n; i++)
         x[i] = argument(&r, i);
     written(argv[2], "x", x, n);
-    for (int i = 0; web_function_name(i); i++) {
-        /* the quadrature of Hunt and Crossley's times takes ten microseconds */
-        const int slow = i >= web_functions_with_exponent() && strstr(web_function_name(i), "overlap") == NULL;
-        const size_t some = slow ? n / 20 : n;
-        web_map(i, x, y, some, 1.5);
-        written(argv[2], web_function_name(i), y, some);
-        puts(web_function_name(i));
+    for (int i = 0; i < COR_LAWS * COR_ENDS * COR_QUANTITIES; i++) {
+        const int law = i % COR_LAWS, end = i / COR_LAWS % COR_ENDS, quantity = i / COR_LAWS / COR_ENDS;
+        char name[200];
+        if (!web_law_function(law, end, quantity, y))
+            continue;
+        snprintf(name, sizeof name, "%s,%s,%s", web_name(0, law), web_name(1, end), web_name(2, quantity));
+        const size_t some = law == COR_LAW_HUNT_CROSSLEY ? n / 20 : n; /* its times take ten microseconds */
+        web_law(law, end, quantity, x, y, some);
+        written(argv[2], name, y, some);
+    }
+    for (int i = 0; web_name(3, i); i++) {
+        web_hunt_crossley(i, x, y, n / 20, 1.3);
+        written(argv[2], web_name(3, i), y, n / 20);
     }
     free(x);
     return 0;
