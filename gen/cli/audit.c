@@ -85,7 +85,7 @@ static void print_finding(FILE *file, const struct cor_audit_finding *f)
     if (!isnan(f->asked))
         fputs(f->as_asked == 1 ? ": as asked" : ": NOT AS ASKED", file);
     if (!isnan(f->damping))
-        fprintf(file, "; %s, %s = %.6g", cor_law_name(f->law) ? cor_law_name(f->law) : "",
+        fprintf(file, "; %s, %s = %.6g", cor_law_name((enum cor_law)f->law) ? cor_law_name((enum cor_law)f->law) : "",
                 f->law == COR_LAW_LINEAR || f->law == COR_LAW_TSUJI ? "zeta" : "beta", f->damping);
     if (!isnan(f->duration_s))
         fprintf(file, "; contact %.3g s", f->duration_s);

@@ -103,7 +103,7 @@ char *embed_options(const struct embed_request *request, int width)
     if (request->damping)
         fprintf(t, " --damping %s", request->damping);
     if (!request->elastic && !request->damping && request->law != COR_LAW_VISCOELASTIC)
-        fprintf(t, " --law %s", cor_law_name(request->law));
+        fprintf(t, " --law %s", cor_law_name((enum cor_law)request->law));
     fclose(t);
     return text;
 }

@@ -475,7 +475,7 @@ static void put_embed(struct text *t, const struct task *task)
         snprintf(other, sizeof other, " --elastic %d/%d --damping %d/%d", law->elastic, law->denominator, law->damping,
                  law->denominator);
     else if (named != COR_LAW_VISCOELASTIC)
-        snprintf(other, sizeof other, " --law %s", cor_law_name(named));
+        snprintf(other, sizeof other, " --law %s", cor_law_name((enum cor_law)named));
     snprintf(damping, sizeof damping, "%s --g-star %s", other, EXACT(cor_scene_damping(contact, COR_SCENE_G_STAR)));
     if (contact->plastic) /* any eps and its speed name v_y */
         snprintf(damping, sizeof damping, " --law elastic-plastic --restitution 0.5 --at %s",
@@ -1060,7 +1060,7 @@ static int check_task(struct task *task)
         return refuse(task, "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
                             "host that calls a function of the speed");
     if (named >= 0)
-        snprintf(task->law, NUMBER, "%s", cor_law_name(named));
+        snprintf(task->law, NUMBER, "%s", cor_law_name((enum cor_law)named));
     else
         snprintf(task->law, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping,
                  law->denominator);
