@@ -58,7 +58,7 @@ TEST(known_answers)
     static const struct {
         double speed, one_minus_eps2, error;
     } known[] = {{0.03, 0.0332486, 5e-7}, {0.1, 0.1030896, 5e-7}, {0.3, 0.293641, 3e-6}};
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3 && i < points(3); i++) {
         const struct cor_disk_hard_wall out = wall_collide(0.33, 10, known[i].speed, 1e-5);
         check(fabs(out.one_minus_eps2 - known[i].one_minus_eps2) < 1e-6 + known[i].error, "v = %g: %.8f, not %.7f",
               known[i].speed, out.one_minus_eps2, known[i].one_minus_eps2);
