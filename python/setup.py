@@ -54,12 +54,12 @@ DECLARED = Declarations(INCLUDE / "cor")
 
 
 def cmake_list(name: str, file: str = "CorArraySets.cmake") -> List[str]:
-    """The words of set(<name> ...) in a file of cmake/, without generator expressions."""
+    """The words of set(<name> ...) in a file of cmake/, of which a choice between two is the second."""
     text = (ROOT / "cmake" / file).read_text(encoding="utf-8")
     found = re.search(rf"^\s*set\({name} (.*)\)$", text, re.M)
     if not found:
         sys.exit(f"cmake/{file}: no set({name} ...)")
-    return re.sub(r"\$<.*?>:(-\S+)>", r"\1", found[1]).split()
+    return re.sub(r"\$<IF:\$<[^>]*>,[^,]*,([^>]*)>", r"\1", found[1]).split()
 
 
 def library_parts() -> List[Tuple[str, str, List[str]]]:
