@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Libraries, headers, corgen with its man pages and completions, pkg-config files, CMake package, licence and examples.
+# Libraries, headers, corgen with its man pages and completions, pkg-config files, CMake package, licence, examples.
 # The installed tree can be moved: the pkg-config files find their prefix from their own place. Documents go where Debian
 # has them, share/doc/cor.
 include(CMakePackageConfigHelpers)

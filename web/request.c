@@ -105,9 +105,10 @@ static int read_law(struct web_request *r, const char *text)
     char why[300] = "";
     for (int law = 0; law <= COR_LAW_PLATE; law++) {
         r->law = (enum cor_law)law;
-        if (strcmp(text, cor_law_name(law)) == 0)
+        if (strcmp(text, cor_law_name((enum cor_law)law)) == 0)
             return 1;
-        snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "", cor_law_name(law));
+        snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "",
+                 cor_law_name((enum cor_law)law));
     }
     return refuse("law", "--law: '%s' is not a law; allowed: %s", text, why);
 }

@@ -76,7 +76,7 @@ TEST(sticking)
                 const double speed = cor_scene_sticking_speed(&c, end);
                 assert_true(speed > 0 && isfinite(speed));
                 check(scene_eps(&c, speed * (1 - 1e-9), end) == 0 && scene_eps(&c, speed * (1 + 1e-9), end) > 0,
-                      "%s, beta %g, end %d", cor_law_name(laws[l]), beta, end);
+                      "%s, beta %g, end %d", cor_law_name((enum cor_law)laws[l]), beta, end);
             }
     /* strong damping keeps the bodies together at every speed */
     const struct cor_scene_contact sphere = contact_of(&cor_law_exponents[COR_LAW_VISCOELASTIC], 5, 1);
