@@ -171,7 +171,7 @@ static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, co
     const arb_srcptr press = work->f->layout->press;
     if (!press)
         return pressing;
-    const struct law *const law = &work->f->layout->law;
+    const struct cor_exponents *const law = &work->f->layout->law;
     const struct ratio power = interpolant_press_power(law), q = law_speed_exponent(law);
     const double strip = STRIP * fabs(ratio_double(q)), p = ratio_double(power);
     const double middle = (floor(log_beta->re / strip) + 0.5) * strip;
@@ -187,7 +187,7 @@ static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, co
 
 static bool stored_by_law(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x)
 {
-    const struct law *const law = &work->f->layout->law;
+    const struct cor_exponents *const law = &work->f->layout->law;
     struct complex_ball beta, log_beta, log_eps;
     damping_of(&beta, &log_beta, work, x);
     const struct complex_law_pressing pressing = pressing_of(&log_beta, work);
@@ -214,7 +214,7 @@ int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *inter
 bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
                           enum quantity eps, double rho)
 {
-    const struct law *const law = &f->layout->law;
+    const struct cor_exponents *const law = &f->layout->law;
     struct cover work = {
         .interval = interval, .bound = bound, .set = 1u << eps, .stored = stored_by_law, .f = f, .quantity = eps};
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;

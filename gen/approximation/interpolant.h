@@ -79,7 +79,7 @@ struct interval {
 };
 
 struct interpolant_layout {
-    struct law law;
+    struct cor_exponents law;
     slong root;
     const struct interval *interval;
     int intervals;
@@ -153,7 +153,7 @@ void interpolant_through_samples(arb_poly_t p, const struct samples *s, const st
 double interpolant_beta_near(const struct interpolant *f, const struct interval *interval, double x);
 
 /* The power of beta in the force of a layout with one */
-struct ratio interpolant_press_power(const struct law *law);
+struct ratio interpolant_press_power(const struct cor_exponents *law);
 
 /* The quantity at a place of a variable with an interval that samples it. (1 - eps)/beta does not cancel where eps is
  * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
@@ -168,7 +168,7 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
  * eps^((a-1)/(a+1)), both of zero overlap, which is regular at beta_c. The second function returns the power. */
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                       const arb_t x, slong prec);
-struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity);
+struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity);
 
 /* An inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6 (zero force)
  * to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after reporting the failure. */

@@ -9,7 +9,7 @@ enum {
 };
 
 /* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
-static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law, slong prec)
+static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct cor_exponents *law, slong prec)
 {
     LOCAL(arb, mu, term);
     interpolant_power(mu, u, interpolant_tail_power(law, EPS_ZERO_FORCE), prec);
@@ -25,16 +25,18 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *l
 
 /* Whether the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i: kappa =
  * (b-a+1)/n is neither 0 nor 1. The sphere's is 0. */
-static bool falls_apart(const struct law *law)
+static bool falls_apart(const struct cor_exponents *law)
 {
-    const slong n = 2 * law->bd - law->ad + law->d, m = law->bd - law->ad + law->d; /* kappa = m/n */
+    const slong n = 2 * law->damping - law->elastic + law->denominator,
+                m = law->damping - law->elastic + law->denominator; /* kappa = m/n */
     return n > 0 && m != 0 && m != n;
 }
 
 /* The exponent of beta of the sum over mu^i u^j, or of the fall's constant, minus that of the leading power */
-static struct ratio far_excess(const struct law *law, bool fall)
+static struct ratio far_excess(const struct cor_exponents *law, bool fall)
 {
-    const struct ratio a = law->a, b = law->b, leading = interpolant_tail_power(law, DURATION_ZERO_OVERLAP);
+    const struct ratio a = law_elastic(law), b = law_damping(law),
+                       leading = interpolant_tail_power(law, DURATION_ZERO_OVERLAP);
     return fall ? RATIO("(a - 1)/(2*b - a + 1) - leading", a, b, leading) : RATIO("a/(b + 1) - leading", a, b, leading);
 }
 
@@ -51,7 +53,7 @@ static bool has_far(const struct interpolant *f, enum quantity quantity)
 /* Fits the coefficients of a quantity to its samples at as many places. */
 static bool fit_far(struct interpolant *f, enum quantity quantity, const struct samples *s)
 {
-    const struct law *const law = &f->layout->law;
+    const struct cor_exponents *const law = &f->layout->law;
     const bool falls = quantity == DURATION_ZERO_OVERLAP && falls_apart(law);
     const slong n = INTERPOLANT_FAR + falls;
     LOCAL(arb, u, excess);
@@ -98,7 +100,7 @@ int interpolant_make_far(struct interpolant *f)
 
 void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
 {
-    const struct law *law = &f->layout->law;
+    const struct cor_exponents *law = &f->layout->law;
     LOCAL(arb, power, own);
     LOCAL_MATRIX(1, INTERPOLANT_FAR, basis);
     far_basis(basis, 0, u, law, INTERPOLANT_BITS);

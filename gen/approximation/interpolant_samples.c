@@ -28,23 +28,23 @@ static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 2.875, 4.125, 40, 90, FORM_VALUE, SET_LENGTHS | SET_ZERO_FORCE},
     {INTERVAL_LOG, 2, 10, 52, 76, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE | 1 << DURATION_ZERO_OVERLAP},
 };
-const struct interpolant_layout interpolant_sphere_proof = {.law = {{3, 2}, {1, 2}, 2, 3, 1},
+const struct interpolant_layout interpolant_sphere_proof = {.law = {3, 1, 2},
                                                             .root = 2,
                                                             .interval = sphere_intervals,
                                                             .intervals =
                                                                 sizeof sphere_intervals / sizeof *sphere_intervals,
                                                             .far = true};
 
-struct ratio interpolant_press_power(const struct law *law)
+struct ratio interpolant_press_power(const struct cor_exponents *law)
 {
-    return RATIO("-2*law->a/(2*law->b - law->a + 1)", law->a, law->b);
+    return RATIO("-2*law->a/(2*law->b - law->a + 1)", law);
 }
 
 /* Powers of beta that the quantities follow for large beta. A duration at zero overlap is mainly the creep along the
  * slow manifold or, if a - b > 1, the end of the creep. */
-struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity)
+struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity)
 {
-    const struct ratio a = law->a, b = law->b;
+    const struct ratio a = law_elastic(law), b = law_damping(law);
     if (law_is_linear(law) && is_of_overlap(quantity)) /* no power */
         return (struct ratio){0, 1};
     switch (quantity) {
@@ -53,7 +53,8 @@ struct ratio interpolant_tail_power(const struct law *law, enum quantity quantit
     case EPS_ZERO_FORCE:
         return RATIO("-(a + 1)/(b + 1)", a, b);
     case DURATION_ZERO_OVERLAP:
-        return law->ad - law->bd > law->d ? RATIO("(a - 1)/(2*b - a + 1)", a, b) : RATIO("a/(b + 1)", a, b);
+        return law->elastic - law->damping > law->denominator ? RATIO("(a - 1)/(2*b - a + 1)", a, b)
+                                                              : RATIO("a/(b + 1)", a, b);
     default:
         return RATIO("-1/(b + 1)", b);
     }
@@ -101,7 +102,7 @@ bool sample_rounded(arb_t y, const arb_t x, slong bits)
 }
 
 /* The number that an interval stores for a collision */
-static void scaled(arb_t y, const struct law *law, const struct interval *interval, enum quantity quantity,
+static void scaled(arb_t y, const struct cor_exponents *law, const struct interval *interval, enum quantity quantity,
                    const struct collision *c, const arb_t beta, slong prec)
 {
     const struct ratio power = interpolant_tail_power(law, quantity);
@@ -112,7 +113,7 @@ static void scaled(arb_t y, const struct law *law, const struct interval *interv
                              : !is_eps(quantity) || interval->form == FORM_VALUE ? "number"
                              : interval->form == FORM_QUOTIENT                   ? "(1 - number)/beta"
                                                                                  : "log(number)";
-    LET(y, prec, text, number, c->eps_zero_overlap, law->a, beta, power);
+    LET(y, prec, text, number, c->eps_zero_overlap, law, beta, power);
 }
 
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
@@ -144,7 +145,7 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
                           slong bits)
 {
     LOCAL_INIT(collision, c, (&c));
-    const struct law *law = &f->layout->law;
+    const struct cor_exponents *law = &f->layout->law;
     const slong prec = bits + GUARD_BITS + SCALING_BITS;
     slong more = GUARD_BITS;
     if (interval->form == FORM_QUOTIENT)

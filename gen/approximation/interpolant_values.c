@@ -72,7 +72,8 @@ static void restore(arb_t y, const struct interpolant *f, enum quantity stored, 
  * beta eps^q, w = h^((a+1)/(a-b)) (docs/theory.md, 5 and 9). The loss quotient needs only G - 1. */
 static void backward(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
-    const struct ratio a = f->layout->law.a, b = f->layout->law.b, q = law_speed_exponent(&f->layout->law);
+    const struct ratio a = law_elastic(&f->layout->law), b = law_damping(&f->layout->law),
+                       q = law_speed_exponent(&f->layout->law);
     LOCAL(arb, beta, eps, h, w, part);
     interpolant_beta(beta, f, INTERVAL_ROOT, x, prec);
     interpolant_at(eps, f, EPS_ZERO_OVERLAP, INTERVAL_ROOT, x, prec);
@@ -110,7 +111,7 @@ enum quantity interpolant_end(const struct interpolant *f, enum quantity quantit
 static void approach_only(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                           const arb_t x, slong prec)
 {
-    const struct ratio a = f->layout->law.a;
+    const struct ratio a = law_elastic(&f->layout->law);
     LOCAL(arb, beta, eps, part, zero);
     interpolant_beta(beta, f, variable, x, prec);
     if (quantity == LOSS_QUOTIENT_APPROACH_ONLY && arf_cmpabs_2exp_si(arb_midref(beta), -90) < 0) {
@@ -224,7 +225,7 @@ arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity)
 
 static int make_constants(struct interpolant *f, double beta_max)
 {
-    const struct law *law = &f->layout->law;
+    const struct cor_exponents *law = &f->layout->law;
     arb_pos_inf(f->threshold);
     if (f->layout->press)
         return STATUS_OK;

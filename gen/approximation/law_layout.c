@@ -48,7 +48,7 @@ enum {
 #define MOST_REST 0.1
 
 /* u at which mu equals that of spheres at u = 10 */
-static double last_log(const struct law *law)
+static double last_log(const struct cor_exponents *law)
 {
     const double u = 10 * (5.0 / 3) / ratio_double(law_mu_power(law));
     const double octave = exp2(floor(log2(u)));
@@ -104,7 +104,7 @@ static void add_below(struct interval_list *list, const struct law_layout *layou
 
 static void make_intervals(struct law_layout *layout)
 {
-    const struct law *law = &layout->interpolant.law;
+    const struct cor_exponents *law = &layout->interpolant.law;
     const slong fall = law_fall_power(law).num;
     const unsigned force = law_force_ends(law) ? SET_ZERO_FORCE : 0;
     struct interval_list list = {NULL, 0};
@@ -133,7 +133,7 @@ static void make_intervals(struct law_layout *layout)
  * beta_c/2. */
 static int find_threshold(struct law_layout *layout)
 {
-    const struct law *law = &layout->interpolant.law;
+    const struct cor_exponents *law = &layout->interpolant.law;
     LOCAL(arb, beta_c, x);
     const int status = collision_threshold(beta_c, x, law, CONSTANT_BITS);
     layout->threshold = ball_middle(beta_c);
@@ -151,7 +151,7 @@ static int find_threshold(struct law_layout *layout)
 }
 
 /* Whether beta^(1/q) eps equals v_f to double precision */
-static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, double beta)
+static int is_fallen(bool *fallen, const struct cor_exponents *law, const arb_t v_f, double beta)
 {
     const struct ratio power = interpolant_tail_power(law, EPS_ZERO_OVERLAP);
     LOCAL(arb, x);
@@ -167,7 +167,7 @@ static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, doubl
  * is a power. Sets h* = v_f^q. */
 static int find_fall(double *h_star, struct law_layout *layout)
 {
-    const struct law *law = &layout->interpolant.law;
+    const struct cor_exponents *law = &layout->interpolant.law;
     bool fallen = false;
     LOCAL(arb, v_f);
     int status = collision_final_speed(v_f, law, CONSTANT_BITS);
@@ -279,7 +279,7 @@ static void make_tables(struct law_layout *layout)
                                                      {"max_overlap", "largest overlap"},
                                                      {"time_of_max_overlap", "time of the largest overlap"}};
     enum { PARTS = sizeof parts / sizeof *parts };
-    const struct law *const law = &layout->interpolant.law;
+    const struct cor_exponents *const law = &layout->interpolant.law;
     layout->table = xmalloc((size_t)QUANTITIES * PARTS * sizeof *layout->table);
     for (int i = 0; i < QUANTITIES; i++) {
         const enum quantity quantity = (enum quantity)i;
@@ -311,7 +311,7 @@ double law_layout_inverse_octave(const struct law_layout *layout, const struct i
 
 /* ---- layouts ---- */
 
-int law_layout_init(struct law_layout *layout, const struct law *law)
+int law_layout_init(struct law_layout *layout, const struct cor_exponents *law)
 {
     const struct ratio n = law_fall_power(law);
     *layout = (struct law_layout){.interpolant = {.law = *law, .root = 1, .far = true},
@@ -321,8 +321,7 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
                                   .threshold = HUGE_VAL,
                                   .check_points = CHECK_POINTS};
     if (law_force_ends(law)) {
-        const slong other =
-            RATIO("law->a - law->b", law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
+        const slong other = RATIO("law->a - law->b", law).num; /* 1/(a-b) is an integer divided by this number */
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
     }
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > (double)MOST_POWER)

@@ -47,7 +47,7 @@ struct law_layout {
 };
 
 /* Returns 0, or 1 after reporting the failure or the reason why the law has no tables. */
-int law_layout_init(struct law_layout *layout, const struct law *law);
+int law_layout_init(struct law_layout *layout, const struct cor_exponents *law);
 /* A layout whose samples and tables are data. */
 void law_layout_init_given(struct law_layout *layout, const struct interpolant_layout *interpolant,
                            const struct law_table *table, int tables);

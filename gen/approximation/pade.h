@@ -24,7 +24,7 @@ struct pade_request {
     enum pade_kind kind;
     slong numerator, denominator;
     enum cor_end end;
-    struct law law;
+    struct cor_exponents law;
 };
 
 struct pade {
@@ -131,7 +131,7 @@ struct references {
 /* `even` points near i/even, i = 1..even, `small` points near/2^(6 j), j = 1..small, and above `near` the points near
  * (5/4)^j up to beta_max, and beta_max. Returns 0, or 1 after reporting the failure. */
 enum { PADE_NEAR = 2 }; /* the usual range, within which no collision is slow */
-int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small);
+int references_init(struct references *s, const struct cor_exponents *law, slong beta_max, slong even, slong small);
 void references_clear(struct references *s);
 
 struct pade_error {

@@ -66,7 +66,7 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
 
 struct collecting {
     struct references *references;
-    const struct law *law;
+    const struct cor_exponents *law;
     atomic_bool failed;
 };
 
@@ -83,7 +83,7 @@ static void reference_collide(void *context, slong i)
     arb_set(s->eps[COR_END_ZERO_FORCE] + i, c->eps_zero_force);
 }
 
-int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
+int references_init(struct references *s, const struct cor_exponents *law, slong beta_max, slong even, slong small)
 {
     const slong near = FLINT_MIN(beta_max, PADE_NEAR);
     s->even = even;

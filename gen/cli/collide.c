@@ -86,7 +86,8 @@ static void scales(arb_t beta, arb_t time_unit, const struct collide_arguments *
 {
     const fmpq *const K = o->stiffness.value, *const C = o->damping_coefficient.value,
                       *const m = o->effective_mass.value, *const g = o->speed.value;
-    const struct ratio a = o->law.exponents.a, b = o->law.exponents.b, q = law_speed_exponent(&o->law.exponents);
+    const struct ratio a = law_elastic(&o->law.exponents), b = law_damping(&o->law.exponents),
+                       q = law_speed_exponent(&o->law.exponents);
     LET(time_unit, prec, "(m/K)^(1/(a + 1))*g^((1 - a)/(a + 1))", m, K, a, g);
     LET(beta, prec, "(C/m)*(m/K)^((b + 1)/(a + 1))*g^q", C, m, K, a, b, g, q);
 }

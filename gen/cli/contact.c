@@ -79,7 +79,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
         if (in_text)
-            fprintf(out.file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0], &contacts->law),
+            fprintf(out.file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0]),
                     contacts->scene.plate ? ", a plate" : "");
         if (in_text || !rows) {
             contact_summary(&summary, contacts, options_number(&o->friction, NAN), digits);
@@ -126,7 +126,7 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
         curve[curves] = (struct eps_curve){title[end], speed_m_s, eps[curves], CURVE_POINTS};
         curves++;
     }
-    return eps_plot(o->plot, law_equation(&contacts->law).text, "impact speed (m/s)", 0, curve, curves);
+    return eps_plot(o->plot, law_equation(&contacts->scene.law).text, "impact speed (m/s)", 0, curve, curves);
 }
 
 /* ---- the command ---- */

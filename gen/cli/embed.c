@@ -18,7 +18,7 @@ static int run_embed(const void *arguments)
     int status = embed_request_check(&o->scene);
     if (status == STATUS_OK)
         status = contacts_without_jkr(&contacts, &o->scene);
-    if (status == STATUS_OK && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.law) &&
+    if (status == STATUS_OK && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.scene.law) &&
         contacts.contact[0].damping > 0)
         status =
             usage_error("under --gravity or --adhesion headers hold for laws whose eps depends on the speed without "

@@ -105,7 +105,7 @@ extern const struct values_rule option_speeds; /* m/s */
 /* The texts of the two exponents of a law; NULL: those of the sphere; and the law that options_parse makes of them */
 struct option_law {
     const char *elastic, *damping;
-    struct law exponents;
+    struct cor_exponents exponents;
 };
 
 /* Fills *arguments from argv[1], ..., and *help. Returns STATUS_OK, or STATUS_USAGE after a message on stderr that

@@ -44,8 +44,9 @@ static int write_header(const struct problem *problem)
     const struct pade_arguments *const o = problem->given;
     const struct pade_request *const r = &problem->request;
     const struct pade *const f = problem->f;
-    const struct law *const law = &r->law;
-    const long A = (long)law->a.num, a_den = (long)law->a.den, B = (long)law->b.num, b_den = (long)law->b.den;
+    const struct cor_exponents *const law = &r->law;
+    const long A = (long)law_elastic(law).num, a_den = (long)law_elastic(law).den, B = (long)law_damping(law).num,
+               b_den = (long)law_damping(law).den;
     const bool sphere = law_is_sphere(law), two_point = r->kind == PADE_TWO_POINT,
                printed = r->kind == PADE_AS_PUBLISHED;
     const slong beta_max = two_point ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;

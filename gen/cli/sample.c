@@ -20,7 +20,6 @@ static int run_sample(const void *arguments)
     if (scene.end == OPTIONS_NOT_GIVEN)
         scene.end = COR_END_ZERO_OVERLAP;
     struct sample_request request = {.contact = &contacts.contact[0],
-                                     .law = &contacts.law,
                                      .speed_min = embed_number(&scene, EMBED_SPEED_MIN),
                                      .speed_max = embed_number(&scene, EMBED_SPEED_MAX),
                                      .tolerance = embed_number(&scene, EMBED_TOLERANCE),

@@ -14,7 +14,7 @@ enum { MAX_ORDER = 100000 };
 static int fill_series(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct series_arguments *const o = arguments;
-    const struct law *const law = &o->law.exponents;
+    const struct cor_exponents *const law = &o->law.exponents;
     const bool force = o->end == COR_END_ZERO_FORCE;
     char header[64];
     slong root = 1;

@@ -37,7 +37,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
 static void print_rows(FILE *file, const struct table *table, const void *arguments)
 {
     const struct trajectory_arguments *const o = arguments;
-    const struct law *const law = &o->law.exponents;
+    const struct cor_exponents *const law = &o->law.exponents;
     const bool latex = o->common.format == FORMAT_LATEX;
     char *const *cell = table->cell;
     fputs(latex ? "\\begin{aligned}\n" : "", file);
@@ -57,7 +57,7 @@ static void print_rows(FILE *file, const struct table *table, const void *argume
             else if (strcmp(numerator, "1") != 0)
                 fprintf(file, latex ? "%s\\," : "%s ", numerator);
             /* t to the exponent of term j of row k */
-            const struct ratio e = RATIO("1 + k*(law->b + 1) + j*(law->a + 1)", k, law->b, j, law->a);
+            const struct ratio e = RATIO("1 + k*(law->b + 1) + j*(law->a + 1)", k, law, j);
             const char *const open = latex ? "{" : e.den != 1 ? "(" : "";
             const char *const close = latex ? "}" : e.den != 1 ? ")" : "";
             fputs("t", file);

@@ -17,17 +17,17 @@ const char *const contact_law_names[] = {"viscoelastic",  "linear", "tsuji",    
 enum { CONTACT_BITS = 64 };
 #define ENCLOSED_BETA_MAX 1e12 /* beyond, the bits and the seconds of an enclosure grow without use */
 
-int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponents *exponents, double beta, int end)
+int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponents *law, double beta, int end)
 {
-    const struct law law = embed_law(exponents);
     if (!(beta <= ENCLOSED_BETA_MAX))
         return -usage_error(
             "beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to %g", beta,
-            (long)law.b.num, (long)law.b.den, (long)law.a.num, (long)law.a.den, ENCLOSED_BETA_MAX);
+            (long)law_damping(law).num, (long)law_damping(law).den, (long)law_elastic(law).num,
+            (long)law_elastic(law).den, ENCLOSED_BETA_MAX);
     LOCAL_INIT(collision, c, (&c));
     LOCAL(arb, x, force);
     arb_set_d(x, beta);
-    const int status = collision_solve_pressed(&c, x, force, &law, end, CONTACT_BITS);
+    const int status = collision_solve_pressed(&c, x, force, law, end, CONTACT_BITS);
     *impact = (struct cor_scaled_impact){{ball_middle(c.eps_zero_overlap), ball_middle(c.eps_zero_force)},
                                          {ball_middle(c.t_zero_overlap), ball_middle(c.t_zero_force)},
                                          ball_middle(c.x_max)};
@@ -50,7 +50,6 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     int status = embed_request_scene(&contacts->scene, request);
     if (status != STATUS_OK)
         return status;
-    contacts->law = embed_law(&contacts->scene.law);
     contacts->scene.solver = contact_enclosed;
     status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
     if (status <= 0)
@@ -62,7 +61,7 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
                            "1e3,2e3",
                            cor_scene_number_names[fault.number],
                            request->viscosity[fault.number == COR_SCENE_VISCOSITY_2]);
-    cor_scene_fault_text(text, sizeof text, &fault, law_equation(&contacts->law).text, NULL);
+    cor_scene_fault_text(text, sizeof text, &fault, law_equation(&contacts->scene.law).text, NULL);
     return usage_error("%s", text);
 }
 
@@ -75,12 +74,11 @@ int contacts_without_jkr(struct contacts *contacts, const struct embed_request *
                : status;
 }
 
-const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene_contact *contact,
-                             const struct law *law)
+const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene_contact *contact)
 {
     int length = contact->plastic ? snprintf(text, CONTACT_LAW_TEXT, "elastic-plastic spheres, v_y = %.6g m/s",
                                              contact->yield_speed_m_s)
-                                  : snprintf(text, CONTACT_LAW_TEXT, "%s", law_equation(law).text);
+                                  : snprintf(text, CONTACT_LAW_TEXT, "%s", law_equation(&contact->law).text);
     if (contact->liquid_speed_m_s > 0)
         snprintf(text + length, (size_t)(CONTACT_LAW_TEXT - length),
                  ", in a liquid that takes %.6g m/s on the way in and on the way out", contact->liquid_speed_m_s);

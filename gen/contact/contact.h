@@ -13,7 +13,6 @@ extern const char *const contact_law_names[];
 /* One contact, or one for each end at which a restitution may have been measured */
 struct contacts {
     struct cor_scene scene;
-    struct law law; /* of the scene */
     int count;
     struct cor_scene_contact contact[COR_SCENE_ENDS];
 };
@@ -25,8 +24,7 @@ int contacts_without_jkr(struct contacts *contacts, const struct embed_request *
 
 /* The law of a contact, its yield speed and its liquid as text: "x'' + beta x^(1/2) x' + x^(3/2) = 0" */
 enum { CONTACT_LAW_TEXT = 256 };
-const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene_contact *contact,
-                             const struct law *law);
+const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene_contact *contact);
 
 /* Warns on stderr where the spheres of a law without yield would yield at this impact speed. */
 void contact_warn_yield(const struct contacts *contacts, double speed_m_s);

@@ -22,7 +22,6 @@ enum { SAMPLE_QUANTITIES = 2 }; /* eps and duration */
 /* The request of corgen sample */
 struct sample_request {
     const struct cor_scene_contact *contact;
-    const struct law *law; /* for the title of the table */
     enum cor_end end;
     double speed_min, speed_max; /* m/s */
     double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */

@@ -95,8 +95,7 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
                 "%s%s, contact ends at %s.%s\n",
                 begin, rows, request->cubic ? "cubic Hermite" : "linear", request->log ? "ln(speed)" : "the speed",
                 request->duration ? "eps and duration" : "eps", sample->best.error, close, begin,
-                contact_law_text(law, request->contact, request->law),
-                contact_end_text(request->contact, (int)request->end), close);
+                contact_law_text(law, request->contact), contact_end_text(request->contact, (int)request->end), close);
     switch (format) {
     case SAMPLE_TEXT: /* and beside it the evenly spaced table */
         column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};

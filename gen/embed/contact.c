@@ -66,13 +66,13 @@ static void contact_of(arb_t m, arb_t K, arb_t A, arb_t R, const struct embed_re
 /* beta g^-q = g*^-q/|C_1|, from eps = 1 - (g/g*)^q + ... = 1 - |C_1| beta + ..., where |C_1| = (2/(a+1)) X_0^(b+1)
  * B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9. For spheres this is
  * sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (29) to (31) of Ramirez et al. (1999). */
-static void beta_of_g_star(arb_t beta, exact g_star, const struct law *law, slong prec)
+static void beta_of_g_star(arb_t beta, exact g_star, const struct cor_exponents *law, slong prec)
 {
     const struct ratio q = law_speed_exponent(law);
     LOCAL(arb, c);
     LOCAL(fmpq, h, s);
-    EXACT(h, "(law->a + 1)/2", law->a);
-    EXACT(s, "(law->b + 1)/(law->a + 1)", law->a, law->b);
+    EXACT(h, "(law->a + 1)/2", law);
+    EXACT(s, "(law->b + 1)/(law->a + 1)", law);
     /* Gamma(3/2) = sqrt(pi)/2 */
     LET(c, prec, "h^s/h*gamma(s)/gamma(s + 3/2)*sqrt(pi)/2", h, s);
     LET(beta, prec, "1/(g_star^q*c)", g_star, q, c);
@@ -87,7 +87,8 @@ enum {
     SOLVE_STEPS = 8
 };
 
-int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const struct law *law, int end, slong bits)
+int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const struct cor_exponents *law, int end,
+                      slong bits)
 {
     const bool force = end != COR_END_ZERO_OVERLAP && law_force_ends(law) && !arb_is_zero(beta);
     LOCAL_INIT(collision, c, (&c));
@@ -100,10 +101,10 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
 /* Encloses the beta at which eps, which falls with it, is the restitution: secants until eps is above it at one end of
  * a narrow ball, and below at the other */
 static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed_request *request,
-                               const struct cor_scene_contact *contact, const struct law *law)
+                               const struct cor_scene_contact *contact, const struct cor_exponents *law)
 {
     const exact eps = request->number[COR_SCENE_RESTITUTION].value, at = request->number[COR_SCENE_AT].value;
-    const struct ratio q = law_speed_exponent(law), power = RATIO("-2*law->a/(law->a + 1)", law->a); /* of the force */
+    const struct ratio q = law_speed_exponent(law), power = RATIO("-2*law->a/(law->a + 1)", law); /* of the force */
     if (fmpq_is_one(eps) || law_is_linear(law)) {
         arb_set_d(beta, cor_scene_beta(contact, 1));
         return STATUS_OK;
@@ -180,8 +181,8 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
                 gravity = number[COR_SCENE_GRAVITY].value, w = number[COR_SCENE_ADHESION].value,
                 p = number[COR_SCENE_YIELD_STRESS].value, outer = number[COR_SCENE_GAP_OUTER].value,
                 inner = number[COR_SCENE_GAP_INNER].value, eta = number[COR_SCENE_LIQUID_VISCOSITY].value;
-    const struct law law = embed_law(&contact->law);
-    const struct ratio q = law_speed_exponent(&law), a = law.a, b = law.b;
+    const struct cor_exponents *const law = &contact->law;
+    const struct ratio q = law_speed_exponent(law), a = law_elastic(law), b = law_damping(law);
     LOCAL(arb, m, K, A, R);
     if (embed_given(request, COR_SCENE_YOUNG) || embed_given(request, COR_SCENE_STIFFNESS))
         contact_of(m, K, A, R, request, prec);
@@ -195,15 +196,15 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
         LET(liquid_speed, prec, "6*pi*eta*R^2*log(outer/inner)/m", eta, R, outer, inner, m);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return contact->plastic ? yield_speed_of_restitution(yield_speed, request, contact->yield_speed_m_s, prec)
-                                : beta_of_restitution(beta_per_root, force, request, contact, &law);
+                                : beta_of_restitution(beta_per_root, force, request, contact, law);
     if (contact->plastic) /* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) and p_y = 1.6 p */
         LET(yield_speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/m)", p, R, K, m);
     else if (embed_given(request, COR_SCENE_G_STAR))
-        beta_of_g_star(beta_per_root, number[COR_SCENE_G_STAR].value, &law, prec);
+        beta_of_g_star(beta_per_root, number[COR_SCENE_G_STAR].value, law, prec);
     else if (embed_given(request, COR_SCENE_ZETA))
         LET(beta_per_root, prec, "zeta*sqrt(2*(a + 1))", zeta, a);
     else if (embed_given(request, COR_SCENE_BETA))
-        LET(beta_per_root, prec, law_is_linear(&law) ? "beta" : "beta/at^q", beta, at, q);
+        LET(beta_per_root, prec, law_is_linear(law) ? "beta" : "beta/at^q", beta, at, q);
     else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
         LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
         LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);

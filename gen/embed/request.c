@@ -67,12 +67,6 @@ int embed_request_check(const struct embed_request *request)
     return STATUS_OK;
 }
 
-struct law embed_law(const struct cor_exponents *exponents)
-{
-    const slong a = exponents->elastic, b = exponents->damping, d = exponents->denominator;
-    return (struct law){RATIO("a/d", a, d), RATIO("b/d", b, d), d, a, b};
-}
-
 char *embed_options(const struct embed_request *request, int width)
 {
     static const char *const range[] = {"speed-min", "speed-max", "tolerance"};
@@ -129,14 +123,14 @@ int embed_request_scene(struct cor_scene *scene, const struct embed_request *req
     int end = request->end;
     if (contact_end_given(&end, embed_is_pressed(request)) != STATUS_OK)
         return STATUS_USAGE;
-    struct law law = embed_law(&cor_law_exponents[request->law]);
-    const struct ratio_text a = ratio_text(law.a), b = ratio_text(law.b);
+    struct cor_exponents law = cor_law_exponents[request->law];
+    const struct ratio_text a = ratio_text(law_elastic(&law)), b = ratio_text(law_damping(&law));
     const char *const elastic = request->elastic ? request->elastic : a.text;
     const char *const damping = request->damping ? request->damping : b.text;
     const char *const wrong = law_parse(&law, elastic, damping);
     if (wrong)
         return usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong);
-    *scene = (struct cor_scene){.law = {(int)law.ad, (int)law.bd, (int)law.d},
+    *scene = (struct cor_scene){.law = law,
                                 .plate = request->law == COR_LAW_PLATE,
                                 .plastic = request->law == COR_LAW_ELASTIC_PLASTIC,
                                 .wall = request->wall,

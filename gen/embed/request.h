@@ -48,8 +48,6 @@ char *embed_options(const struct embed_request *request, int width);
  * on stderr. */
 int embed_request_check(const struct embed_request *request);
 
-struct law embed_law(const struct cor_exponents *exponents);
-
 /* True if a constant force acts, of gravity or of DMT adhesion */
 bool embed_is_pressed(const struct embed_request *request);
 

@@ -172,7 +172,7 @@ static double rounded_down(const struct embed_scene *s, double x)
  * of speed_max. */
 static int press(struct embed_scene *s, const arb_t force)
 {
-    const struct ratio a = s->law.a, n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
+    const struct ratio a = law_elastic(&s->law), n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
     LOCAL(arb, damping, x);
     LET(s->press, EMBED_BITS, "s->beta_enclosed^(2*a/n)*force", s->beta_enclosed, a, n, force);
     LET(damping, EMBED_BITS, "force^(n/(2*a))*s->beta_enclosed", force, n, a, s->beta_enclosed);
@@ -304,8 +304,7 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
     s->by_speed = true;
     s->constant = false;
     s->law = law_sphere;
-    s->law.b = s->law.a; /* q = 1 */
-    s->law.bd = s->law.ad;
+    s->law.damping = s->law.elastic; /* q = 1 */
     arb_one(s->beta_per_root);
     arb_one(s->beta_enclosed);
     if (status != STATUS_OK || !s->plastic)
@@ -329,15 +328,15 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact)
 {
-    const struct law law = embed_law(&contact->law);
+    const struct cor_exponents *const law = &contact->law;
     LOCAL(arb, force);
     *s = (struct embed_scene){.end = request->end == COR_END_ZERO_OVERLAP ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE,
                               .single = request->type == EMBED_FLOAT,
                               .tolerance = embed_number(request, EMBED_TOLERANCE),
-                              .law = law,
-                              .named = law,
+                              .law = *law,
+                              .named = *law,
                               .plastic = contact->plastic,
-                              .constant = (law_is_linear(&law) || contact->damping == 0) && !contact->plastic};
+                              .constant = (law_is_linear(law) || contact->damping == 0) && !contact->plastic};
     FOR_ALL(arb, init, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
             s->press, s->sticking_speed);
     arb_poly_init(s->series);

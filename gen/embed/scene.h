@@ -17,7 +17,7 @@ struct embed_scene {
     enum cor_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
-    struct law law, named; /* of beta, and of the request: see by_speed */
+    struct cor_exponents law, named; /* of beta, and of the request: see by_speed */
     bool plastic;
     bool by_speed;      /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
     arb_t yield_speed;  /* of elastic-plastic spheres */
@@ -78,7 +78,8 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
 
 /* eps of one collision, under a constant force that may be 0, enclosed to `bits` bits; `end` is the end of contact.
  * Returns STATUS_OK, or STATUS_FAILED after a message. */
-int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t force, const struct law *law, int end, slong bits);
+int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t force, const struct cor_exponents *law, int end,
+                      slong bits);
 
 /* eps of elastic-plastic spheres above the yield speed */
 void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_speed, slong prec);

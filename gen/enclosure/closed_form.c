@@ -21,34 +21,34 @@ void closed_form_angle(arb_t angle, const arb_t zeta, slong prec)
 /* Duration at zero overlap, zeta < 1: w0^(-2a/(a+1)) om^(-2/(a+1)) S(pi), w0^2 = (a+1)/2, om^2 = 1 - zeta^2,
  * S(pi) = int_0^pi e^(c y) sin(y)^-p dy = pi 2^p e^(pi c/2) Gamma(1-p)/|Gamma(1 - p/2 + i c/2)|^2, p = (a-1)/(a+1),
  * c = p zeta/om. */
-static void linear_duration(arb_t time, const arb_t zeta, const arb_t om, const struct law *law, slong prec)
+static void linear_duration(arb_t time, const arb_t zeta, const arb_t om, const struct cor_exponents *law, slong prec)
 {
     LOCAL(fmpq, p);
     LOCAL(arb, c, x);
     LOCAL(acb, gamma);
-    EXACT(p, "(law->a - 1)/(law->a + 1)", law->a);
+    EXACT(p, "(law->a - 1)/(law->a + 1)", law);
     LET(c, prec, "p*zeta/om", p, zeta, om);
     LET(acb_realref(gamma), prec, "1 - p/2", p);
     arb_mul_2exp_si(acb_imagref(gamma), c, -1);
     acb_gamma(gamma, gamma, prec);
     acb_abs(x, gamma, prec);
     LET(time, prec, "exp(pi*c/2)/x^2*pi*gamma(1 - p)*2^p/((law->a + 1)/2)^(law->a/(law->a + 1))/om^(2/(law->a + 1))", c,
-        x, p, law->a, om);
+        x, p, law, om);
 }
 
-void closed_form_linear(struct collision *c, const arb_t beta, const struct law *law, slong prec)
+void closed_form_linear(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL(fmpq, critical); /* beta^2 at zeta = 1 */
     LOCAL(arb, zeta, om, x);
-    EXACT(critical, "2*(law->a + 1)", law->a);
+    EXACT(critical, "2*(law->a + 1)", law);
     LET(zeta, prec, "beta/sqrt(critical)", beta, critical);
     closed_form_angle(x, zeta, prec);
-    if (law->ad == law->d) {
+    if (law->elastic == law->denominator) {
         arb_set(c->t_max, x);
         arb_mul_2exp_si(c->t_zero_force, x, 1);
     }
     LET(c->eps_zero_force, prec, "exp(-2*zeta*x)", zeta, x);
-    LET(c->x_max, prec, "((law->a + 1)/2*c->eps_zero_force)^(1/(law->a + 1))", law->a, c->eps_zero_force);
+    LET(c->x_max, prec, "((law->a + 1)/2*c->eps_zero_force)^(1/(law->a + 1))", law, c->eps_zero_force);
     LET(om, prec, "critical - beta^2", critical, beta); /* exact if beta is exact */
     if (arb_is_nonpositive(om)) {
         arb_zero(c->eps_zero_overlap);
@@ -62,7 +62,7 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct law 
 
 /* eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta). Near beta = 0, the branch point of W, both numbers lose
  * twice the bits of beta. */
-void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct law *law, slong prec)
+void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL(arb, w);
     prec += 2 * FLINT_MAX(0, -(slong)arf_abs_bound_lt_2exp_si(arb_midref(beta)));
@@ -70,5 +70,5 @@ void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const stru
     arb_lambertw(w, w, 0, prec);
     LET(c->eps_zero_overlap, prec, "(1 + w)/beta", w, beta);
     arb_set(c->eps_zero_force, c->eps_zero_overlap);
-    LET(c->x_max, prec, "((law->a + 1)*((beta - log1p(beta))/beta/beta))^(1/(law->a + 1))", law->a, beta);
+    LET(c->x_max, prec, "((law->a + 1)*((beta - log1p(beta))/beta/beta))^(1/(law->a + 1))", law, beta);
 }

@@ -11,10 +11,10 @@ void closed_form_angle(arb_t angle, const arb_t zeta, slong prec);
 
 /* For q = 0 and beta > 0: x_max, both eps and t_zero_overlap. From zeta = beta/sqrt(2(a+1)) = 1 on, eps at zero overlap
  * is 0 and t_zero_overlap +inf. For a = 1 also t_max and t_zero_force. */
-void closed_form_linear(struct collision *c, const arb_t beta, const struct law *law, slong prec);
+void closed_form_linear(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong prec);
 
 /* For a = b and beta > 0: x_max and eps, which is the same for both ends. */
-void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct law *law, slong prec);
+void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong prec);
 
 /* ---- wave_factor.c: J(nu), the share of a half-space's compliance that radiates waves (docs/laws.md) ---- */
 

@@ -52,7 +52,8 @@ enum {
  * zero overlap (9). The slow manifold replaces this unloading if k/mu suffices to reach its last place with the
  * requested bits. This estimate neglects a power of beta, so that a motion just above the limit may miss the manifold;
  * no precision helps then, and the unloading is integrated. */
-static struct route route_of(const arb_t beta, double below, const struct law *law, enum ends ends, slong bits)
+static struct route route_of(const arb_t beta, double below, const struct cor_exponents *law, enum ends ends,
+                             slong bits)
 {
     const double ln_beta = fmax(ball_middle(beta), 0x1p-1000);
     const struct ratio power = law_mu_power(law);
@@ -78,10 +79,11 @@ static struct route route_of(const arb_t beta, double below, const struct law *l
 
 /* Makes one attempt. Closed forms replace results that the motion encloses less narrowly, or not at all near zeta =
  * 1. */
-static enum motion_outcome attempt(struct collision *c, const arb_t beta, const struct law *law, const struct route *r)
+static enum motion_outcome attempt(struct collision *c, const arb_t beta, const struct cor_exponents *law,
+                                   const struct route *r)
 {
     if (law_is_linear(law)) {
-        const bool times_known = law->ad == law->d;
+        const bool times_known = law->elastic == law->denominator;
         const enum motion_outcome outcome =
             times_known ? MOTION_DONE : motion_solve(c, beta, law, MOTION_ZERO_FORCE, r->prec);
         closed_form_linear(c, beta, law, r->prec);
@@ -95,8 +97,8 @@ static enum motion_outcome attempt(struct collision *c, const arb_t beta, const 
 }
 
 /* `below`: how far beta is below the threshold of zero overlap, if that is known */
-static int ends_solve(struct collision *c, const arb_t beta, double below, const struct law *law, enum ends ends,
-                      slong bits)
+static int ends_solve(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
+                      enum ends ends, slong bits)
 {
     const bool force = ends == ENDS_ZERO_FORCE;
     if (!arb_is_finite(beta) || !(force ? arb_is_positive(beta) : arb_is_nonnegative(beta)))
@@ -133,31 +135,33 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
                 (long)r.prec);
 }
 
-int collision_solve(struct collision *c, const arb_t beta, const struct law *law, slong bits)
+int collision_solve(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits)
 {
     return ends_solve(c, beta, 1, law, ENDS_BOTH, bits);
 }
 
-int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct law *law, slong bits)
+int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
+                          slong bits)
 {
     return ends_solve(c, beta, below, law, ENDS_ZERO_OVERLAP, bits);
 }
 
-int collision_solve_overlap(struct collision *c, const arb_t beta, const struct law *law, slong bits)
+int collision_solve_overlap(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits)
 {
     return collision_solve_below(c, beta, 1, law, bits);
 }
 
-int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits)
+int collision_solve_force(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits)
 {
     return ends_solve(c, beta, 1, law, ENDS_ZERO_FORCE, bits);
 }
 
 /* x'' + beta x^b x' = force - 1 >= 0: the overlap grows without bound, or under the force 1 until the damping has used
  * up the speed. */
-static void never_parts(struct collision *c, const arb_t beta, const arb_t force, const struct law *law, slong prec)
+static void never_parts(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
+                        slong prec)
 {
-    const struct ratio b = law->b;
+    const struct ratio b = law_damping(law);
     for (int i = 0; i < COLLISION_FIELDS; i++)
         arb_pos_inf(c->field[i]);
     arb_zero(c->eps_zero_overlap);
@@ -166,8 +170,8 @@ static void never_parts(struct collision *c, const arb_t beta, const arb_t force
         LET(c->x_max, prec, "((b + 1)/beta)^(1/(b + 1))", b, beta);
 }
 
-int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct law *law, int end,
-                            slong bits)
+int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
+                            int end, slong bits)
 {
     enum { MOST_BITS = 1 << 11 };
     const bool elastic = arb_is_zero(beta), alone = end == COR_END_ZERO_FORCE && law_force_ends(law) && !elastic;
@@ -176,7 +180,7 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
         return ends_solve(c, beta, 1, law, end == COR_END_ZERO_FORCE && !elastic ? ENDS_ZERO_FORCE : ends, bits);
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta) || !arb_is_positive(force))
         return fail("the damping beta of a collision must be a number >= 0, its constant force one > 0");
-    const bool below = law->ad > 0 || HOLDS(bits, "force < 1", force);
+    const bool below = law->elastic > 0 || HOLDS(bits, "force < 1", force);
     if (!below && (arb_is_one(force) || HOLDS(bits, "force > 1", force))) {
         never_parts(c, beta, force, law, bits + 2 * GUARD_BITS);
         return STATUS_OK;
@@ -201,7 +205,7 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
                 (long)bits);
 }
 
-int collision_force_max(arb_t force, const arb_t beta, const struct law *law, slong bits)
+int collision_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong bits)
 {
     slong prec = bits + GUARD_BITS;
     if (!law_force_has_one_peak(law))
@@ -209,7 +213,7 @@ int collision_force_max(arb_t force, const arb_t beta, const struct law *law, sl
     if (arb_is_zero(beta)) {
         LOCAL(arb, time);
         turning_point_elastic(force, time, law, prec);
-        LET(force, prec, "force^law->a", force, law->a);
+        LET(force, prec, "force^law->a", force, law);
         return STATUS_OK;
     }
     for (int i = 0; i < ATTEMPTS; i++) {
@@ -222,7 +226,7 @@ int collision_force_max(arb_t force, const arb_t beta, const struct law *law, sl
     return fail("the largest force could not be enclosed to %ld bits", (long)bits);
 }
 
-int collision_final_speed(arb_t v_f, const struct law *law, slong bits)
+int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits)
 {
     if (law_fall_power(law).num <= 0)
         return fail("beta^(1/q) eps has a limit for q > 0 only");

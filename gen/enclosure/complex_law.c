@@ -128,15 +128,16 @@ static struct slopes creep(const struct path *p, struct complex_ball log_F, stru
 
 /* ---- a collision ---- */
 
-struct complex_law_path complex_law_path(const struct law *law, double largest_beta, bool strong)
+struct complex_law_path complex_law_path(const struct cor_exponents *law, double largest_beta, bool strong)
 {
-    const double end = pow(APPROACH_LOSS / largest_beta, 1 / (ratio_double(law->b) + 1));
+    const double end = pow(APPROACH_LOSS / largest_beta, 1 / (ratio_double(law_damping(law)) + 1));
     return (struct complex_law_path){fmin(APPROACH_MOST, end), strong, 1};
 }
 
 /* ln(x) at the turning point; p gets the law. */
-static bool turning_point(struct path *p, struct path_state *y, const struct law *law, struct complex_ball beta,
-                          const struct complex_law_pressing *pressing, const struct complex_law_path *path)
+static bool turning_point(struct path *p, struct path_state *y, const struct cor_exponents *law,
+                          struct complex_ball beta, const struct complex_law_pressing *pressing,
+                          const struct complex_law_path *path)
 {
     const double s = pow(path->approach_end, 1.0 / POWER); /* x = s^4 is the end exactly */
     const struct complex_ball end = ball_sqr(ball_sqr(ball_of(s, 0)));
@@ -144,9 +145,9 @@ static bool turning_point(struct path *p, struct path_state *y, const struct law
                        .c3 = pressing->force,
                        .pressed = ball_size(pressing->force) > 0,
                        .resolution = path->resolution,
-                       .a = ratio_double(law->a),
-                       .b = ratio_double(law->b),
-                       .difference = ratio_double(RATIO("law->a - law->b", law->a, law->b)),
+                       .a = ratio_double(law_elastic(law)),
+                       .b = ratio_double(law_damping(law)),
+                       .difference = ratio_double(RATIO("law->a - law->b", law)),
                        .n = ratio_double(law_fall_power(law))};
     *y = (struct path_state){p->pressed ? ball_exp(pressing->log_speed) : one, zero};
     if (!ball_is_finite(beta) || !path_follow(p, approach, zero, ball_of(s, 0), y))
@@ -176,7 +177,7 @@ static bool depart(struct complex_ball *log_eps, struct path *p, struct complex_
     return true;
 }
 
-bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct law *law, struct complex_ball beta,
+bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball beta,
                               const struct complex_law_pressing *pressing, const struct complex_law_path *path)
 {
     struct path p;
@@ -193,7 +194,7 @@ bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct law *la
     return true;
 }
 
-bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,
                             const struct complex_law_pressing *pressing, const struct complex_law_path *path)
 {
     const struct complex_ball beta = ball_exp(log_beta);
@@ -206,7 +207,7 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law,
     if (path->strong) {
         done = done && path_follow(&p, force, zero, one, &y);
     } else {
-        const struct ratio power = RATIO("1 - (law->a - law->b)", law->a, law->b); /* k = beta x^power */
+        const struct ratio power = RATIO("1 - (law->a - law->b)", law); /* k = beta x^power */
         const struct complex_ball q = ball_add(log_beta, ball_times(y.value, ratio_double(power)));
         done = done && path_follow(&p, force_by_log, q, zero, &y);
     }
@@ -222,7 +223,7 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law,
     return done;
 }
 
-bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+bool complex_law_creep(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,
                        const struct complex_law_path *path)
 {
     const struct complex_ball beta = ball_exp(log_beta), half = ball_of(0.5, 0);

@@ -33,7 +33,7 @@ struct complex_law_path {
 };
 
 /* A path for all |beta| up to a bound, with resolution 1 */
-struct complex_law_path complex_law_path(const struct law *law, double largest_beta, bool strong);
+struct complex_law_path complex_law_path(const struct cor_exponents *law, double largest_beta, bool strong);
 
 /* A constant force, and ln(v) of the speed at the beginning; both 0 without a force */
 struct complex_law_pressing {
@@ -42,13 +42,13 @@ struct complex_law_pressing {
 
 /* ln(eps) at zero overlap for all beta and all v in balls. Returns false if the balls are too wide, or if ln(eps) is
  * not shown to be analytic there. Continued analytically from real beta, the imaginary part may exceed pi. */
-bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct law *law, struct complex_ball beta,
+bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball beta,
                               const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 
 /* The same for all ln(beta) in a ball: zero force, a > b; zero overlap by the path that creeps, n > 0 */
-bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,
                             const struct complex_law_pressing *pressing, const struct complex_law_path *path);
-bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+bool complex_law_creep(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,
                        const struct complex_law_path *path);
 
 #endif

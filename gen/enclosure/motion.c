@@ -44,8 +44,8 @@ struct motion {
 
 /* Weak scales have length = 1, c1 = beta and c2 = 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2 = mu,
  * which is regular for any large beta. */
-static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct law *law, bool strong,
-                        slong prec)
+static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct cor_exponents *law,
+                        bool strong, slong prec)
 {
     LOCAL(arb, scale);
     *m = (struct motion){.c = c};
@@ -54,8 +54,8 @@ static void motion_init(struct motion *m, struct collision *c, const arb_t beta,
     arb_one(scale);
     if (strong)
         arb_inv(scale, beta, prec);
-    LET(m->length, prec, "scale^(1/(law->b + 1))", scale, law->b);
-    LET(m->y.c2, prec, "scale^((law->a + 1)/(law->b + 1))", scale, law->a, law->b);
+    LET(m->length, prec, "scale^(1/(law->b + 1))", scale, law);
+    LET(m->y.c2, prec, "scale^((law->a + 1)/(law->b + 1))", scale, law);
     arb_one(m->y.v);
     arb_set(m->y.c1, strong ? m->y.v : beta);
     m->force_ends = law_force_ends(law) && !arb_is_zero(beta);
@@ -88,7 +88,7 @@ static bool find_turning_point(struct motion *m)
         m->turned = true;
         arb_get_ubound_arf(arb_midref(m->begin), root, y->prec);
         taylor_value(value, y, TAYLOR_W, root);
-        const slong d = y->law.d;
+        const slong d = y->law.denominator;
         LET(m->c->x_max, y->prec, "value^d*m->length", value, d, m->length);
         taylor_value(value, y, TAYLOR_T, root);
         arb_mul(m->c->t_max, value, m->length, y->prec);
@@ -142,7 +142,7 @@ static bool record_release(struct motion *m, const arb_t root)
     motion_record(c->eps_zero_force, c->t_zero_force, m, root);
     if (!m->pressing.any)
         return true;
-    const slong d = y->law.d;
+    const slong d = y->law.denominator;
     LOCAL(arb, x, rest);
     taylor_value(x, y, TAYLOR_W, root);
     LET(x, y->prec, "x^d", x, d);
@@ -176,7 +176,7 @@ static bool find_zero_force(struct motion *m, arb_t end)
 static void release_at_end(struct motion *m)
 {
     struct collision *c = m->c;
-    const struct ratio a = m->y.law.a, b = m->y.law.b;
+    const struct ratio a = law_elastic(&m->y.law), b = law_damping(&m->y.law);
     const slong prec = m->y.prec;
     const arb_srcptr c1 = m->y.c1, length = m->length, eps = c->eps_zero_overlap, time = c->t_zero_overlap;
     LOCAL(arb, x, y);
@@ -196,8 +196,8 @@ static void release_at_end(struct motion *m)
  * is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) does not reach 0. */
 static bool creeps(const struct taylor *y)
 {
-    const struct ratio b = y->law.b;
-    const slong b1 = y->law.bd + y->law.d, excess = y->law.ad - y->law.bd - b1;
+    const struct ratio b = law_damping(&y->law);
+    const slong b1 = y->law.damping + y->law.denominator, excess = y->law.elastic - y->law.damping - b1;
     if (excess < 0)
         return false;
     /* k < K, and c1^2/(4(b+1)) >= c2 x^(a-2b-1) */
@@ -210,7 +210,7 @@ static bool creeps(const struct taylor *y)
 /* v^2/2 + c2 X^(a+1)/(a+1) - c3 X, X = w^d, which never grows */
 static void energy(arb_t e, const struct taylor *y, const arb_t w, const arb_t v)
 {
-    const slong d = y->law.d, ad = y->law.ad;
+    const slong d = y->law.denominator, ad = y->law.elastic;
     LET(e, y->prec, "(y->c2*w^ad*d/(ad + d) - y->c3)*w^d + v^2/2", y->c2, w, ad, d, y->c3, v);
 }
 
@@ -219,7 +219,7 @@ static void press(struct motion *m, const arb_t force)
 {
     struct taylor *const y = &m->y;
     struct pressing *const p = &m->pressing;
-    const slong d = y->law.d, ad = y->law.ad, power = 2 * (ad - y->law.bd) - d;
+    const slong d = y->law.denominator, ad = y->law.elastic, power = 2 * (ad - y->law.damping) - d;
     LOCAL(arb, ratio);
     p->any = true;
     arb_mul(y->c3, force, m->length, y->prec);
@@ -238,8 +238,8 @@ static void press(struct motion *m, const arb_t force)
  * coefficient at X, this stays so if k^2 is at least the largest slope of c2 X^a up to X_e. */
 static bool creeps_up(arb_t rest, const struct taylor *y)
 {
-    const struct ratio a = y->law.a;
-    const slong d = y->law.d, bd = y->law.bd;
+    const struct ratio a = law_elastic(&y->law);
+    const slong d = y->law.denominator, bd = y->law.damping;
     LOCAL(arb, x, k, slope);
     LET(rest, y->prec, "(y->c3/y->c2)^(1/a)", y->c3, y->c2, a);
     LET(x, y->prec, "y->w^d", y->w, d);
@@ -286,7 +286,7 @@ static bool stays(struct motion *m, enum motion_goal goal)
 /* The place y = mu X^-n and slope p = -X'/(mu X^(a-b)) of slow_manifold.h, of a state in strong scales, w^d = X. */
 static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
 {
-    const slong difference = y->law.ad - y->law.bd, n = y->law.bd - difference + y->law.d;
+    const slong difference = y->law.elastic - y->law.damping, n = y->law.damping - difference + y->law.denominator;
     LET(place, y->prec, "y->c2/y->w^n", y->c2, y->w, n);
     LET(slope, y->prec, "-(y->v/(y->w^difference*y->c2))", y->v, y->w, difference, y->c2);
 }
@@ -345,17 +345,17 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
     return MOTION_ENDLESS;
 }
 
-enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,
-                                 slong prec)
+enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct cor_exponents *law,
+                                 enum motion_goal goal, slong prec)
 {
     LOCAL_INIT(motion, m, (&m, c, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
     return motion_follow(&m, goal, NULL, 0);
 }
 
 enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
-                                         const struct law *law, enum motion_goal goal, slong prec)
+                                         const struct cor_exponents *law, enum motion_goal goal, slong prec)
 {
-    const struct law even = law_even(law); /* w = v = 0 is a place of rest only if d > 1 */
+    const struct cor_exponents even = law_even(law); /* w = v = 0 is a place of rest only if d > 1 */
     LOCAL_INIT(motion, m, (&m, c, beta, &even, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
     press(&m, force);
     return motion_follow(&m, goal, NULL, 0);
@@ -365,8 +365,8 @@ enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, 
 static bool add_fall(struct collision *c, const struct motion *m, const struct slow_manifold *manifold,
                      const arb_t beta, slong bits)
 {
-    const struct law *law = &m->y.law;
-    const struct ratio a = law->a, n = law_fall_power(law), q = law_speed_exponent(law);
+    const struct cor_exponents *law = &m->y.law;
+    const struct ratio a = law_elastic(law), n = law_fall_power(law), q = law_speed_exponent(law);
     LOCAL(arb, place, slope, time);
     manifold_state(place, slope, &m->y);
     const bool reached = slow_manifold_time(time, manifold, place, slope, bits);
@@ -382,8 +382,8 @@ static bool add_fall(struct collision *c, const struct motion *m, const struct s
     return reached;
 }
 
-enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,
-                                      slong prec)
+enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct cor_exponents *law,
+                                      slong bits, slong prec)
 {
     const struct slow_manifold *const manifold = slow_manifold_of(law, bits, prec);
     if (!manifold)
@@ -398,15 +398,15 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
 /* docs/theory.md, 9. The force has one largest value within the contact, where its slope falls through zero while
  * the bodies approach. Where b = 0 the first moment may have more; then a zero of the slope is a least value while the
  * damping force exceeds the elastic one a/(a - 1) times. */
-enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct law *law, slong prec)
+enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL_INIT(motion, m, (&m, NULL, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
     struct taylor *const y = &m.y;
     LOCAL(arb, root, value, zero);
     arb_zero(force);
-    if (law->bd == 0) {
+    if (law->damping == 0) {
         arb_set(force, beta);
-        if (law->ad > law->d) {
+        if (law->elastic > law->denominator) {
             if (!taylor_follow(root, y, TAYLOR_DAMPING_EXCESS, "largest force"))
                 return MOTION_IMPRECISE;
             taylor_advance(y, root);
@@ -424,7 +424,7 @@ enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct
         return MOTION_IMPRECISE;
     taylor_value(value, y, TAYLOR_FORCE, root);
     taylor_value(root, y, TAYLOR_W, root);
-    const slong power = FLINT_MIN(law->ad, law->bd);
+    const slong power = FLINT_MIN(law->elastic, law->damping);
     LET(force, prec, "max(force, value*root^power/m.length)", force, value, root, power, m.length);
     return MOTION_DONE;
 }

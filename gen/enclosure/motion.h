@@ -33,22 +33,22 @@ enum motion_outcome {
 /* Integrates the motion with prec bits, and sets the fields that the goal and earlier events determine. For an
  * overdamped collision that creeps to zero overlap for ever, eps_zero_overlap is exactly 0 and t_zero_overlap = +inf,
  * both proved. */
-enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,
-                                 slong prec);
+enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct cor_exponents *law,
+                                 enum motion_goal goal, slong prec);
 
 /* The same under a constant force > 0, with the surface in place of zero force (a > b, beta > 0), or for both ends.
  * Bodies that stay together have
  * eps exactly 0 and t = +inf; if the overlap never exceeds that of rest, x_max is that and t_max = +inf: all proved
  * (docs/theory.md, 24). */
 enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
-                                         const struct law *law, enum motion_goal goal, slong prec);
+                                         const struct cor_exponents *law, enum motion_goal goal, slong prec);
 
 /* Solves to zero overlap at strong damping, n > 0, if the motion reaches the slow manifold to 2^-bits. The function
  * integrates loading, turning point and zero force; the manifold gives the rest (slow_manifold.h). */
-enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,
-                                      slong prec);
+enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct cor_exponents *law,
+                                      slong bits, slong prec);
 
 /* Encloses the largest value of x^a + beta x^b x' during the collision, for a law of which law_force_has_one_peak. */
-enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct law *law, slong prec);
+enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong prec);
 
 #endif

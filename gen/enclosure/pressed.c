@@ -29,9 +29,9 @@ enum {
  * u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
 static void start(struct taylor *y, const arb_t damping, bool flies)
 {
-    const struct law *const law = &y->law;
-    const struct ratio law_a = law->a, law_b = law->b;
-    const slong d = law->d, n = law->ad - law->bd, prec = y->prec, power = 2 * n - d;
+    const struct cor_exponents *const law = &y->law;
+    const struct ratio law_a = law_elastic(law), law_b = law_damping(law);
+    const slong d = law->denominator, n = law->elastic - law->damping, prec = y->prec, power = 2 * n - d;
     LOCAL(arb, x, lost, gained, ball, root);
     if (flies) {
         LET(y->w, prec, "(2*damping^2)^(1/power)", damping, power);
@@ -40,7 +40,7 @@ static void start(struct taylor *y, const arb_t damping, bool flies)
     }
     /* delta^a and B delta^(b+1/2) are below 2^-k, and so are |r| and, by far, what |r| R leaves */
     const double size = fmax(arf_get_d(arb_midref(damping), ARF_RND_UP), 1);
-    const double k = (double)prec / 2 + 4, a = (double)law->ad / (double)d, b = (double)law->bd / (double)d;
+    const double k = (double)prec / 2 + 4, a = (double)law->elastic / (double)d, b = (double)law->damping / (double)d;
     const slong small = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */
     LET(y->w, prec, "2^small", small);
     LET(x, prec, "y->w^d", y->w, d);
@@ -56,12 +56,13 @@ static void start(struct taylor *y, const arb_t damping, bool flies)
 enum backward { FOUND, IMPRECISE, ESCAPED };
 
 /* V of B */
-static enum backward impact_speed(arb_t speed, const arb_t damping, const struct law *law, int end, slong prec)
+static enum backward impact_speed(arb_t speed, const arb_t damping, const struct cor_exponents *law, int end,
+                                  slong prec)
 {
-    const struct law even = law_even(law);
+    const struct cor_exponents even = law_even(law);
     LOCAL_INIT(taylor, y, (&y, &even, taylor_degree(prec), prec));
     LOCAL(arb, root, begin);
-    const slong power = 2 * (even.ad - even.bd) - even.d;
+    const slong power = 2 * (even.elastic - even.damping) - even.denominator;
     bool turned = false;
     arb_neg(y.c1, damping);
     arb_one(y.c2);
@@ -95,10 +96,10 @@ static enum backward impact_speed(arb_t speed, const arb_t damping, const struct
     return ESCAPED;
 }
 
-int collision_sticking_speed(arb_t speed, const arb_t damping, const struct law *law, int end, slong bits)
+int collision_sticking_speed(arb_t speed, const arb_t damping, const struct cor_exponents *law, int end, slong bits)
 {
     slong prec = bits + GUARD_BITS;
-    if (law->ad == 0)
+    if (law->elastic == 0)
         return fail("with the elastic exponent 0 no speed decides whether the bodies stay together");
     for (int i = 0; i < ATTEMPTS; i++, prec += prec / 2) {
         const enum backward outcome = impact_speed(speed, damping, law, end, prec);
@@ -114,8 +115,8 @@ int collision_sticking_speed(arb_t speed, const arb_t damping, const struct law 
 /* ---- the threshold at a given beta ---- */
 
 /* ln(beta) - ln(B V^q), and f; an escaping motion is one of infinite V, whose sign is that of -q */
-static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct law *law, int end,
-                  slong prec)
+static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct cor_exponents *law,
+                  int end, slong prec)
 {
     const struct ratio q = law_speed_exponent(law);
     LOCAL(arb, speed);
@@ -128,13 +129,14 @@ static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping
     if (outcome == IMPRECISE)
         return false;
     arb_log(speed, speed, prec);
-    LET(force, prec, "exp(-speed*(2*law->a/(law->a + 1)))", speed, law->a);
+    LET(force, prec, "exp(-speed*(2*law->a/(law->a + 1)))", speed, law);
     LET(rest, prec, "log(beta/damping) - speed*q", beta, damping, speed, q);
     return true;
 }
 
 /* The same with as many bits as it takes */
-static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct law *law, int end)
+static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct cor_exponents *law,
+                     int end)
 {
     slong prec = SEARCH_BITS;
     while (prec <= MOST_SEARCH_BITS && !curve(rest, force, beta, damping, law, end, prec))
@@ -145,10 +147,11 @@ static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damp
 /* Strong damping, q > 0: B is next to the one from which on the motion escapes, and f = (B/beta)^(2a/n) is known as
  * well as B. Halves a bracket, at whose ends signs prove B. An escaping motion has at least the energy of its overlap,
  * X = w^d with w = 2^FAR_BITS. */
-static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct law *law, int end, slong bits)
+static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct cor_exponents *law, int end,
+                   slong bits)
 {
     const struct ratio n = law_fall_power(law), q = law_speed_exponent(law);
-    const double far = FAR_BITS * (double)(law->ad + law->d) / 2 / (law->d == 1 ? 0.5 : 1) - 4;
+    const double far = FAR_BITS * (double)(law->elastic + law->denominator) / 2 / (law->denominator == 1 ? 0.5 : 1) - 4;
     slong prec = bits + GUARD_BITS;
     bool proved[2] = {false, false};
     LOCAL(arb, rest, middle);
@@ -159,7 +162,7 @@ static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const s
         const bool narrow = HOLDS(prec, "(high - low)*2^(bits + 8) < low", high, low, bits);
         if (narrow && proved[0] && proved[1]) {
             arb_union(middle, low, high, prec);
-            LET(force, prec, "(middle/beta)^(2*law->a/n)", middle, beta, law->a, n);
+            LET(force, prec, "(middle/beta)^(2*law->a/n)", middle, beta, law, n);
             return STATUS_OK;
         }
         LET(middle, prec, "(low + high)/2", low, high);
@@ -179,7 +182,8 @@ static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const s
 
 /* B of beta to some bits: a bracket by factors of 2, halved in ln(B), then by the Illinois method; or, where motions
  * escape above it, only the bracket, low and high */
-static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct law *law, int end)
+static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct cor_exponents *law,
+                        int end)
 {
     enum { DOUBLINGS = 60, ENOUGH = 40 };
     LOCAL(bracket, b);
@@ -218,11 +222,11 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
     return fail("the threshold of the force could not be found");
 }
 
-int collision_sticking_force(arb_t force, const arb_t beta, const struct law *law, int end, slong bits)
+int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exponents *law, int end, slong bits)
 {
     LOCAL(arb, damping, found, low, high, f_low, f_high, other, at);
     slong prec = bits + GUARD_BITS, width = 30, narrowest = bits + GUARD_BITS / 3;
-    if (law->ad == 0) { /* x'' + beta x^b x' = force - 1 */
+    if (law->elastic == 0) { /* x'' + beta x^b x' = force - 1 */
         arb_one(force);
         return STATUS_OK;
     }

@@ -14,15 +14,15 @@
  * (a-b) y is small. */
 enum { GUARD_BITS = 24, CLOSING = 4 };
 
-static slong formal_degree(const struct law *law, slong bits)
+static slong formal_degree(const struct cor_exponents *law, slong bits)
 {
-    const struct ratio n = law_fall_power(law), slope = RATIO("(law->a - law->b)/n", law->a, law->b, n);
+    const struct ratio n = law_fall_power(law), slope = RATIO("(law->a - law->b)/n", law, n);
     const double by_bits = (double)(bits + GUARD_BITS) * log(2) / (1 + log(2));
     const double by_slope = (double)CLOSING * fabs(ratio_double(slope));
     return (slong)fmax(by_bits, by_slope) + CLOSING;
 }
 
-double slow_manifold_depth(const struct law *law, slong bits)
+double slow_manifold_depth(const struct cor_exponents *law, slong bits)
 {
     return 2.0 * (double)formal_degree(law, bits);
 }
@@ -40,9 +40,9 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
 }
 
 /* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, because p p' = (p^2)'/2. */
-static void formal_sum(arb_poly_t p, const struct law *law, slong degree, slong prec)
+static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degree, slong prec)
 {
-    const struct ratio n = law_fall_power(law), a = law->a, b = law->b;
+    const struct ratio n = law_fall_power(law), a = law_elastic(law), b = law_damping(law);
     LOCAL(arb, c);
     arb_poly_one(p);
     arb_poly_fit_length(p, degree + 1);
@@ -58,7 +58,7 @@ static void formal_sum(arb_poly_t p, const struct law *law, slong degree, slong 
 /* N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)', which starts at y^(degree+1), where P has no more terms */
 static void bound_defect(struct slow_manifold *m, slong degree)
 {
-    const struct ratio a = m->law.a, b = m->law.b;
+    const struct ratio a = law_elastic(&m->law), b = law_damping(&m->law);
     LOCAL(arb_poly, square);
     arb_poly_mul(square, m->p, m->p, m->prec);
     for (slong k = degree + 1; k <= square->length; k++) {
@@ -79,7 +79,7 @@ static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
  * proves that this factor is above 1/2, with sums of absolute values for |P| and |P'|, and that P > 3/4. */
 static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
 {
-    const struct ratio a = m->law.a, b = m->law.b;
+    const struct ratio a = law_elastic(&m->law), b = law_damping(&m->law);
     LOCAL(arb_poly, slope);
     LOCAL(arb, change, x);
     abs_tail(change, m->p, 1, m->last, m->prec); /* |P - 1| */
@@ -118,7 +118,7 @@ static void bound_time_error(struct slow_manifold *m, slong degree)
 /* Integrates one trajectory from `last` with slope p down to z = 0. Sets its end speed and time. */
 static bool follow_manifold(arb_t speed, arb_t time, const struct slow_manifold *m, const arb_t p)
 {
-    const slong d = m->law.d, difference = m->law.ad - m->law.bd;
+    const slong d = m->law.denominator, difference = m->law.elastic - m->law.damping;
     LOCAL(arb, value);
     LOCAL_INIT(taylor, y, (&y, &m->law, taylor_degree(m->prec), m->prec));
     arb_one(y.c1);
@@ -149,13 +149,13 @@ static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 }
 
 /* Chooses `last` so that eta is below 2^(1-bits). Returns false if the precision does not suffice. */
-static bool manifold_make(struct slow_manifold *m, const struct law *law, slong bits, slong prec)
+static bool manifold_make(struct slow_manifold *m, const struct cor_exponents *law, slong bits, slong prec)
 {
     const slong degree = formal_degree(law, bits);
     LOCAL(arb, eta);
     m->law = *law;
     m->n = law_fall_power(law);
-    m->kappa = RATIO("(law->b - law->a + 1)/m->n", law->b, law->a, m->n);
+    m->kappa = RATIO("(law->b - law->a + 1)/m->n", law, m->n);
     m->prec = prec;
     FOR_ALL(arb_poly, init, m->p, m->inverse);
     FOR_ALL(arb, init, m->last, m->nu, m->time_error, m->final_speed, m->t_fall);
@@ -175,7 +175,7 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
 static struct slow_manifold *kept_manifolds;
 static pthread_mutex_t kept_lock = PTHREAD_MUTEX_INITIALIZER;
 
-const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, slong prec)
+const struct slow_manifold *slow_manifold_of(const struct cor_exponents *law, slong bits, slong prec)
 {
     /* collisions at different beta need different precisions; this makes many of them equal */
     enum { PREC_STEP = 32 };

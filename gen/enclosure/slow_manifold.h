@@ -16,7 +16,7 @@
 #include "series/law.h"
 
 struct slow_manifold {
-    struct law law;
+    struct cor_exponents law;
     struct ratio n, kappa;
     slong prec;
     arb_poly_t p;       /* the formal sum */
@@ -34,10 +34,10 @@ struct slow_manifold {
 /* The manifold with eta below 2^(1-bits), computed with at least `prec` bits, or NULL if this precision does not
  * suffice for the enclosure. Each manifold is computed once and kept until the process ends, because thousands of
  * collisions of a law need the same one. Any thread may call the function. */
-const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, slong prec);
+const struct slow_manifold *slow_manifold_of(const struct cor_exponents *law, slong bits, slong prec);
 
 /* The depth 1/(n last): the fall from `last` contracts by exp(-depth). */
-double slow_manifold_depth(const struct law *law, slong bits);
+double slow_manifold_depth(const struct cor_exponents *law, slong bits);
 
 /* Time t' from y to `last` for a trajectory that passes y < last with the given p; false if p is not within 2^-bits of
  * the formal sum. */

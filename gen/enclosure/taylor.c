@@ -52,9 +52,9 @@ static arb_ptr power_of_w(struct taylor *y, slong exponent)
     return product_new(y, exponent, f, g);
 }
 
-void taylor_init(struct taylor *y, const struct law *law, slong degree, slong prec)
+void taylor_init(struct taylor *y, const struct cor_exponents *law, slong degree, slong prec)
 {
-    const slong m = FLINT_MIN(law->ad, law->bd);
+    const slong m = FLINT_MIN(law->elastic, law->damping);
     y->law = *law;
     y->degree = degree;
     y->prec = prec;
@@ -66,9 +66,9 @@ void taylor_init(struct taylor *y, const struct law *law, slong degree, slong pr
     y->t = block_new(y);
     y->force = block_new(y);
     arb_one(y->one);
-    y->time_slope = power_of_w(y, law->d - 1);
-    y->elastic = power_of_w(y, law->ad - m);
-    arb_struct *const outer = power_of_w(y, law->d - 1 + m), *const damping = power_of_w(y, law->bd - m);
+    y->time_slope = power_of_w(y, law->denominator - 1);
+    y->elastic = power_of_w(y, law->elastic - m);
+    arb_struct *const outer = power_of_w(y, law->denominator - 1 + m), *const damping = power_of_w(y, law->damping - m);
     y->damped = damping == y->one ? y->v : product_new(y, 0, damping, y->v);
     y->whole_force = product_new(y, 0, outer, y->force); /* the last product */
     FOR_ALL(mag, init, y->error_w, y->error_v, y->error_t);
@@ -137,7 +137,7 @@ static void expand_block(struct taylor *y, slong first, slong end)
             }
             convolve(&y->product[i], n, first, y);
         }
-        arb_div_si(y->w + n + 1, y->v + n, y->law.d * (n + 1), prec);
+        arb_div_si(y->w + n + 1, y->v + n, y->law.denominator * (n + 1), prec);
         arb_mul(x, y->c3, y->time_slope + n, prec);
         arb_sub(x, x, y->whole_force + n, prec);
         arb_div_si(y->v + n + 1, x, n + 1, prec);
@@ -210,7 +210,7 @@ static void component_norm(arb_t norm, arb_srcptr f, slong first, const struct t
 /* By one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
 static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor *y, const mag_t h, double ratio)
 {
-    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, N = y->degree;
+    const slong d = y->law.denominator, ad = y->law.elastic, bd = y->law.damping, N = y->degree;
     const arb_srcptr c1 = y->c1, c2 = y->c2, c3 = y->c3;
     LOCAL(mag, R);
     LOCAL(arb, w, v);
@@ -245,7 +245,7 @@ static void residuals(arb_t least_v, arb_t least_t, const struct taylor *y, cons
  * polynomials (docs/theory.md, 6). Sets the remainders. Returns false if it does not succeed. */
 static bool prove_step(struct taylor *y, const arb_t step)
 {
-    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd;
+    const slong d = y->law.denominator, ad = y->law.elastic, bd = y->law.damping;
     const arb_srcptr c1 = y->c1, c2 = y->c2, c3 = y->c3;
     LOCAL(mag, h_mag);
     LOCAL(arb, h, w, v, residual_w, residual_v, residual_t); /* w and v: the largest in the tube */
@@ -335,7 +335,7 @@ bool taylor_choose_step(struct taylor *y)
 static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t w,
                           const arb_t v, slong prec)
 {
-    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, m = FLINT_MIN(ad, bd);
+    const slong d = y->law.denominator, ad = y->law.elastic, bd = y->law.damping, m = FLINT_MIN(ad, bd);
     const arb_srcptr c1 = y->c1, c2 = y->c2;
     if (component == TAYLOR_FORCE) {
         LET(value, prec, "c1*w^(bd - m)*v + c2*w^(ad - m)", c1, w, bd, m, v, c2, ad);

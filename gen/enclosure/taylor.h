@@ -12,7 +12,7 @@
 #include "series/law.h"
 
 struct taylor {
-    struct law law;
+    struct cor_exponents law;
     slong degree, prec;
     arb_t c1, c2, c3;
     arb_ptr one, w, v, t;                /* degree + 1 Taylor coefficients each */
@@ -24,7 +24,7 @@ struct taylor {
     arb_t step;                      /* longest step for which they are proved */
 };
 
-void taylor_init(struct taylor *y, const struct law *law, slong degree, slong prec);
+void taylor_init(struct taylor *y, const struct cor_exponents *law, slong degree, slong prec);
 void taylor_clear(struct taylor *y);
 
 /* Computes all Taylor coefficients of w, v, t from their coefficients 0, the values at sigma = 0. */

@@ -26,7 +26,7 @@ enum { GUARD_BITS = 60, ATTEMPTS = 8, SEARCH_STEPS = 400 };
  * The factor of R_k is below b+1, so M = |g_1| z + (b+1) M^2 is a majorant of g - g_0. M converges up to z* = 1/(4
  * (b+1) |g_1|), where it is 1/(2 (b+1)). The terms beyond z^K at z = z* 2^-s are below 2^(-s (K+1))/(2 (b+1)). The
  * function sets z. */
-static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
+static void unstable_series(arb_t g, arb_t z, const struct cor_exponents *law, slong prec)
 {
     enum { SHRINK = 3 };
     const slong terms = prec / SHRINK + 2;
@@ -34,7 +34,7 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
     LOCAL_VECTOR(c, terms + 1);
     LOCAL(fmpq, b1);
     LOCAL(arb, x);
-    EXACT(b1, "law->b + 1", law->b);
+    EXACT(b1, "law->b + 1", law);
     LET(c, prec, "1/b1", b1);
     for (slong k = 1; k <= terms; k++) {
         arb_zero(x);
@@ -53,10 +53,10 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
 }
 
 /* Computes C* by steps from the end of the series to the turning point. */
-static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
+static bool unstable_height(arb_t c_star, const struct cor_exponents *law, slong prec)
 {
     const struct ratio n = law_fall_power(law);
-    const slong d = law->d, b1 = law->bd + d;
+    const slong d = law->denominator, b1 = law->damping + d;
     LOCAL(arb, g, z);
     unstable_series(g, z, law, prec);
     LOCAL_INIT(taylor, y, (&y, law, taylor_degree(prec), prec));
@@ -73,7 +73,7 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 }
 
 /* C(beta) - C*. */
-static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const struct law *law, slong prec)
+static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const struct cor_exponents *law, slong prec)
 {
     const struct ratio n = law_fall_power(law);
     LOCAL(collision, c);
@@ -85,7 +85,7 @@ static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const st
 
 /* Brackets the root by doubling, shrinks the bracket by the Illinois method, and proves the signs at both ends of an
  * interval of relative width 2^-bits. C(beta) falls, so the interval contains the only root. */
-static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *law, slong bits, slong prec)
+static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct cor_exponents *law, slong bits, slong prec)
 {
     LOCAL(bracket, b);
     LOCAL(arb, x, f);
@@ -116,13 +116,13 @@ static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *l
     return sound && enclosed;
 }
 
-int collision_threshold(arb_t beta_c, arb_t c_star, const struct law *law, slong bits)
+int collision_threshold(arb_t beta_c, arb_t c_star, const struct cor_exponents *law, slong bits)
 {
     slong prec = bits + GUARD_BITS;
     if (law_fall_power(law).num > 0)
         return fail("a threshold of damping exists for q <= 0 only");
     if (law_is_linear(law)) {
-        LET(beta_c, prec, "sqrt(2*(law->a + 1))", law->a);
+        LET(beta_c, prec, "sqrt(2*(law->a + 1))", law);
         return STATUS_OK;
     }
     for (int i = 0; i < ATTEMPTS; i++, prec += prec / 2) {

@@ -69,8 +69,8 @@ static int other_end(const struct spheres *s)
 /* Replaces eps of a collision by eps under the constant force. */
 static int press_point(struct collision *c, const struct spheres *s, double speed_m_s)
 {
-    const struct law *const law = &s->scene.law;
-    const struct ratio a = law->a, q = law_speed_exponent(law);
+    const struct cor_exponents *const law = &s->scene.law;
+    const struct ratio a = law_elastic(law), q = law_speed_exponent(law);
     LOCAL(arb, speed, beta, force);
     arb_set_d(speed, speed_m_s);
     LET(beta, EMBED_BITS, "s->damped*speed^q", s->damped, speed, q);
@@ -82,7 +82,7 @@ static int press_point(struct collision *c, const struct spheres *s, double spee
 static void collide_point(void *context, slong i)
 {
     struct spheres *const s = context;
-    const struct law *const law = &s->scene.law;
+    const struct cor_exponents *const law = &s->scene.law;
     LOCAL(arb, beta);
     LOCAL_INIT(collision, c, (&c));
     arb_set_d(beta, s->plan->speed[i]);
@@ -391,8 +391,9 @@ static void add_library(const struct spheres *s)
 static void add_function_of_beta(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
-    const struct law *law = &s->scene.law;
-    const bool dashpot = law->a.num == 3 && law->a.den == 2 && law->b.num == 0, crossley = law_is_hunt_crossley(law);
+    const struct cor_exponents *law = &s->scene.law;
+    const bool dashpot = law_elastic(law).num == 3 && law_elastic(law).den == 2 && law_damping(law).num == 0,
+               crossley = law_is_hunt_crossley(law);
     const double q = speed_exponent(s), per_beta = s->scene.slope / (5 * fabs(q));
     const struct cor_law_function *const f =
         cor_law_function(crossley ? COR_LAW_HUNT_CROSSLEY : COR_LAW_HERTZ_DASHPOT, (enum cor_end)s->scene.end, COR_EPS);
@@ -413,7 +414,7 @@ static void add_function_of_beta(const struct spheres *s)
         source = xprintf("#include \"cor/cor.h\"");
     else
         source = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n#include \"law.h\"",
-                         ratio_text(law->a).text, ratio_text(law->b).text);
+                         ratio_text(law_elastic(law)).text, ratio_text(law_damping(law)).text);
     model_is(s, m, crossley ? cost_crossley : cost_function, "nothing; good at every speed",
              xprintf("%s\ndouble eps = %s%s * pow(speed, %.17g));\n", source, call, beta, q));
     free(source);

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct law law_sphere = {{3, 2}, {1, 2}, 2, 3, 1};
+const struct cor_exponents law_sphere = {3, 1, 2};
 
 static bool parse_exponent(struct ratio *r, const char *text)
 {
@@ -30,86 +30,97 @@ static bool parse_exponent(struct ratio *r, const char *text)
     " must be a number from 0 to " STRING(LAW_MAX_EXPONENT) " such as 3/2, 1.5 or 2, with numerator at most " STRING(  \
         LAW_MAX_NUMERATOR) " and denominator at most " STRING(LAW_MAX_DENOMINATOR)
 
-const char *law_parse(struct law *law, const char *elastic, const char *damping)
+const char *law_parse(struct cor_exponents *law, const char *elastic, const char *damping)
 {
-    if (!parse_exponent(&law->a, elastic))
+    struct ratio a, b;
+    if (!parse_exponent(&a, elastic))
         return "the elastic exponent" EXPONENT_RULE;
-    if (!parse_exponent(&law->b, damping))
+    if (!parse_exponent(&b, damping))
         return "the damping exponent" EXPONENT_RULE;
-    law->d = law->a.den / (slong)n_gcd((ulong)law->a.den, (ulong)law->b.den) * law->b.den;
-    law->ad = law->a.num * (law->d / law->a.den);
-    law->bd = law->b.num * (law->d / law->b.den);
+    const slong d = a.den / (slong)n_gcd((ulong)a.den, (ulong)b.den) * b.den;
+    *law = (struct cor_exponents){(int)(a.num * (d / a.den)), (int)(b.num * (d / b.den)), (int)d};
     return NULL;
 }
 
-struct law law_even(const struct law *law)
+struct ratio law_elastic(const struct cor_exponents *law)
 {
-    const slong times = law->d == 1 ? 2 : 1;
-    return (struct law){law->a, law->b, times * law->d, times * law->ad, times * law->bd};
+    return RATIO("law->a", law);
 }
 
-bool law_equal(const struct law *law, const struct law *other)
+struct ratio law_damping(const struct cor_exponents *law)
 {
-    return law->d == other->d && law->ad == other->ad && law->bd == other->bd;
+    return RATIO("law->b", law);
 }
 
-bool law_is_sphere(const struct law *law)
+struct cor_exponents law_even(const struct cor_exponents *law)
+{
+    const int times = law->denominator == 1 ? 2 : 1;
+    return (struct cor_exponents){times * law->elastic, times * law->damping, times * law->denominator};
+}
+
+bool law_equal(const struct cor_exponents *law, const struct cor_exponents *other)
+{
+    return law->denominator == other->denominator && law->elastic == other->elastic && law->damping == other->damping;
+}
+
+bool law_is_sphere(const struct cor_exponents *law)
 {
     return law_equal(law, &law_sphere);
 }
 
-struct ratio law_speed_exponent(const struct law *law)
+struct ratio law_speed_exponent(const struct cor_exponents *law)
 {
-    return RATIO("(2*law->b - law->a + 1)/(law->a + 1)", law->b, law->a);
+    return RATIO("(2*law->b - law->a + 1)/(law->a + 1)", law);
 }
 
-struct ratio law_fall_power(const struct law *law)
+struct ratio law_fall_power(const struct cor_exponents *law)
 {
-    return RATIO("2*law->b - law->a + 1", law->b, law->a);
+    return RATIO("2*law->b - law->a + 1", law);
 }
 
-struct ratio law_mu_power(const struct law *law)
+struct ratio law_mu_power(const struct cor_exponents *law)
 {
-    return RATIO("(law->a + 1)/(law->b + 1)", law->a, law->b);
+    return RATIO("(law->a + 1)/(law->b + 1)", law);
 }
 
-bool law_force_ends(const struct law *law)
+bool law_force_ends(const struct cor_exponents *law)
 {
-    return law->ad > law->bd;
+    return law->elastic > law->damping;
 }
 
-bool law_is_linear(const struct law *law)
+bool law_is_linear(const struct cor_exponents *law)
 {
     return law_fall_power(law).num == 0;
 }
 
-bool law_is_hunt_crossley(const struct law *law)
+bool law_is_hunt_crossley(const struct cor_exponents *law)
 {
-    return law->ad == law->bd;
+    return law->elastic == law->damping;
 }
 
-bool law_force_has_one_peak(const struct law *law)
+bool law_force_has_one_peak(const struct cor_exponents *law)
 {
-    const slong a = law->ad, b = law->bd;
-    return b == 0 || 4 * a * b + (a + b) * law->d + 2 * b * b >= a * a;
+    const slong a = law->elastic, b = law->damping;
+    return b == 0 || 4 * a * b + (a + b) * law->denominator + 2 * b * b >= a * a;
 }
 
-double law_forgetting(const struct law *law)
+double law_forgetting(const struct cor_exponents *law)
 {
     const struct ratio n = law_fall_power(law);
-    const double power = ratio_double(n), b1 = (double)(law->bd + law->d) / (double)law->d;
+    const double power = ratio_double(n), b1 = (double)(law->damping + law->denominator) / (double)law->denominator;
     return pow(b1, power / b1) / power;
 }
 
-double law_elastic_time(const struct law *law)
+double law_elastic_time(const struct cor_exponents *law)
 {
-    const double p = (double)law->d / (double)(law->ad + law->d);
+    const double p = (double)law->denominator / (double)(law->elastic + law->denominator);
     return pow(0.5 / p, p) * p * exp(lgamma(p) + lgamma(0.5) - lgamma(p + 0.5));
 }
 
-double law_elastic_radius(const struct law *law)
+double law_elastic_radius(const struct cor_exponents *law)
 {
-    const double half_turn = acos(-1.0), c = cos(half_turn * (double)law->d / (double)(law->ad + law->d));
+    const double half_turn = acos(-1.0),
+                 c = cos(half_turn * (double)law->denominator / (double)(law->elastic + law->denominator));
     return c > 0.5 ? 1.0 / c : 2.0;
 }
 
@@ -165,11 +176,11 @@ static struct ratio_text power_of_overlap(struct ratio e)
     return t;
 }
 
-struct law_text law_equation(const struct law *law)
+struct law_text law_equation(const struct cor_exponents *law)
 {
     struct law_text t;
-    const struct ratio_text damping = power_of_overlap(law->b), elastic = power_of_overlap(law->a);
-    snprintf(t.text, sizeof t.text, "x'' + beta %s%sx' + %s = 0", law->b.num == 0 ? "" : damping.text,
-             law->b.num == 0 ? "" : " ", elastic.text);
+    const struct ratio_text damping = power_of_overlap(law_damping(law)), elastic = power_of_overlap(law_elastic(law));
+    snprintf(t.text, sizeof t.text, "x'' + beta %s%sx' + %s = 0", law_damping(law).num == 0 ? "" : damping.text,
+             law_damping(law).num == 0 ? "" : " ", elastic.text);
     return t;
 }

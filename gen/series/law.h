@@ -6,17 +6,15 @@
 
 #include <stdbool.h>
 
+#include "cor/scene.h"
 #include "support/formula.h"
 #include "support/local.h"
 
-struct law {
-    struct ratio a; /* elastic exponent, 3/2 for spheres */
-    struct ratio b; /* damping exponent, 1/2 for spheres */
-    slong d;        /* common denominator of a and b; with x = w^d the law is polynomial */
-    slong ad, bd;   /* a d and b d, whole numbers */
-};
+extern const struct cor_exponents law_sphere;
 
-extern const struct law law_sphere;
+/* The exponents a and b. With x = w^denominator the law is polynomial. */
+struct ratio law_elastic(const struct cor_exponents *law);
+struct ratio law_damping(const struct cor_exponents *law);
 
 /* Largest exponent, numerator and denominator accepted by law_parse. (The larger a is, the closer the elastic blow-up
  * comes to the turning point, and the more terms the t-series needs.) */
@@ -25,45 +23,45 @@ extern const struct law law_sphere;
 #define LAW_MAX_DENOMINATOR 16
 
 /* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence that describes the error. */
-const char *law_parse(struct law *law, const char *elastic, const char *damping);
+const char *law_parse(struct cor_exponents *law, const char *elastic, const char *damping);
 
-/* The same law with d > 1 */
-struct law law_even(const struct law *law);
+/* The same law with a denominator > 1 */
+struct cor_exponents law_even(const struct cor_exponents *law);
 
-bool law_is_sphere(const struct law *law);
-bool law_equal(const struct law *law, const struct law *other);
+bool law_is_sphere(const struct cor_exponents *law);
+bool law_equal(const struct cor_exponents *law, const struct cor_exponents *other);
 
 /* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
-struct ratio law_speed_exponent(const struct law *law);
+struct ratio law_speed_exponent(const struct cor_exponents *law);
 
 /* n = q (a + 1) = 2 b - a + 1. With x = beta^(-2/n) z the law is z'' + z^b z' + z^a = 0 (docs/theory.md, 9). */
-struct ratio law_fall_power(const struct law *law);
+struct ratio law_fall_power(const struct cor_exponents *law);
 
 /* mu = beta^(-(a+1)/(b+1)): with x = beta^(-1/(b+1)) X the law is X'' + X^b X' + mu X^a = 0. This is (a+1)/(b+1). */
-struct ratio law_mu_power(const struct law *law);
+struct ratio law_mu_power(const struct cor_exponents *law);
 
 /* a > b: the force ends before the overlap does. Otherwise the two ends of contact coincide. */
-bool law_force_ends(const struct law *law);
+bool law_force_ends(const struct cor_exponents *law);
 
 /* q = 0, b = (a-1)/2: u = x^((a+1)/2) obeys a linear equation, with the linear dashpot (1, 0) and Tsuji's (3/2,
  * 1/4). */
-bool law_is_linear(const struct law *law);
+bool law_is_linear(const struct cor_exponents *law);
 
 /* a = b, Hunt and Crossley's. */
-bool law_is_hunt_crossley(const struct law *law);
+bool law_is_hunt_crossley(const struct cor_exponents *law);
 
 /* Whether docs/theory.md, 9, proves that the force has one largest value within a contact: b = 0 or
  * 4 a b + a + b + 2 b^2 >= a^2. */
-bool law_force_has_one_peak(const struct law *law);
+bool law_force_has_one_peak(const struct cor_exponents *law);
 
 /* k, n > 0: the unloading of a strongly damped collision forgets its loading by exp(-k/mu), k = (b+1)^(n/(b+1))/n. */
-double law_forgetting(const struct law *law);
+double law_forgetting(const struct cor_exponents *law);
 
 /* Scales with an accuracy of a few digits. The first is tau_0 of (51). The second is the radius of convergence of the
  * elastic trajectory in units of tau_0: its end of contact at 2, or the singularity of x'' = x^a on the circle |t| =
  * 1/cos(pi/(a+1)). */
-double law_elastic_time(const struct law *law);
-double law_elastic_radius(const struct law *law);
+double law_elastic_time(const struct cor_exponents *law);
+double law_elastic_radius(const struct cor_exponents *law);
 
 /* "3/2" or "2"; "(3/2)", "(-1)" or "2" as an exponent */
 struct ratio_text {
@@ -76,7 +74,7 @@ struct ratio_text ratio_power(struct ratio x);
 struct law_text {
     char text[160];
 };
-struct law_text law_equation(const struct law *law);
+struct law_text law_equation(const struct cor_exponents *law);
 
 double ratio_double(struct ratio x);
 void arb_set_upper(arb_t y, const mag_t m); /* the number m itself */

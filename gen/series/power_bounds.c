@@ -77,7 +77,7 @@ void power_evidence_init(struct power_evidence *e, const struct trajectory *t, s
     *e = (struct power_evidence){.t = t,
                                  .J = t->terms,
                                  .powers = t->x_to_a == t->x_to_b1 ? 1 : 2,
-                                 .exponent = {t->law.a, RATIO("t->law.b + 1", t->law.b)},
+                                 .exponent = {law_elastic(&t->law), RATIO("t->law.b + 1", &t->law)},
                                  .rows = rows,
                                  .length = length,
                                  .products = products,

@@ -18,7 +18,7 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
  *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
  *
  * so the coefficient of an even k = -2 p is its own negative and vanishes. */
-slong restitution_exact_zero(struct ratio power, const struct law *law)
+slong restitution_exact_zero(struct ratio power, const struct cor_exponents *law)
 {
     const struct ratio q = law_speed_exponent(law);
     if (q.num == 0)
@@ -27,7 +27,7 @@ slong restitution_exact_zero(struct ratio power, const struct law *law)
     return k.den == 1 && k.num > 0 && k.num % 2 == 0 ? k.num : 0;
 }
 
-void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct law *law, slong n,
+void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct cor_exponents *law, slong n,
                        slong prec)
 {
     series_pow(z, eps, power, n, prec);
@@ -36,11 +36,12 @@ void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, c
         arb_zero(z->coeffs + k);
 }
 
-void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct law *law, slong prec)
+void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct cor_exponents *law,
+                              slong prec)
 {
     /* With Z = E^(2/(1+a)) the equation is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, and
      * F' = Y(v) + p v Y'(v) at v = -beta Z^p. Newton's iteration on the series of Z. */
-    const struct ratio half_a1 = RATIO("(law->a + 1)/2", law->a), p = RATIO("law->b - (law->a - 1)/2", law->b, law->a);
+    const struct ratio half_a1 = RATIO("(law->a + 1)/2", law), p = RATIO("law->b - (law->a - 1)/2", law);
     const slong n = order + 1;
     LOCAL(arb_poly, z, v, value, slope, step, y_prime);
     LOCAL(arb, scale);
@@ -76,9 +77,9 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
  * weights e + 1, e = k (b+1) + j (a+1), it is the velocity V = X + D X. The function applies Horner's rule in B to each
  * row, and in A to the rows. A and B are O(w), so a factor that is multiplied more often needs fewer terms. */
 static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
-                         const struct law *law)
+                         const struct cor_exponents *law)
 {
-    const slong d = law->d, exponent[2] = {law->bd + d, law->ad + d};
+    const slong d = law->denominator, exponent[2] = {law->damping + d, law->elastic + d};
     LOCAL(fmpq_poly, log_t, A, B, inner, term);
     LOCAL(fmpq, c, e);
     fmpq_poly_struct *const power[2] = {A, B};
@@ -108,12 +109,12 @@ static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool veloci
     }
 }
 
-void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct law *law)
+void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct cor_exponents *law)
 {
     /* In backward time, with beta -> -h, x = t X and x' = V, the force vanishes where x^(a-b) = h x', which is T = (V /
      * X^(a-b))^(1/(a-b)). Each pass makes one more coefficient right, because T enters V and X with a factor w. */
     const slong n = order + 1;
-    const struct ratio m = RATIO("law->a - law->b", law->a, law->b);
+    const struct ratio m = RATIO("law->a - law->b", law);
     fmpq_poly_one(G);
     fmpq_poly_zero(T);
     if (m.num <= 0)
@@ -140,17 +141,18 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
 }
 
 /* The exponent (a+1)/(a-b) of h in w, a > b */
-static struct ratio force_exponent(const struct law *law)
+static struct ratio force_exponent(const struct cor_exponents *law)
 {
-    return RATIO("(law->a + 1)/(law->a - law->b)", law->a, law->b);
+    return RATIO("(law->a + 1)/(law->a - law->b)", law);
 }
 
-slong restitution_zero_force_root(const struct law *law)
+slong restitution_zero_force_root(const struct cor_exponents *law)
 {
     return law_force_ends(law) ? force_exponent(law).den : 1;
 }
 
-void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, const struct law *law, slong prec)
+void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, const struct cor_exponents *law,
+                            slong prec)
 {
     const slong root = restitution_zero_force_root(law);
     const slong n = order / root + 1;

@@ -63,16 +63,17 @@ struct start {
     slong prec, terms;
 };
 
-static struct start start_of(slong order, const struct law *law, slong bits)
+static struct start start_of(slong order, const struct cor_exponents *law, slong bits)
 {
-    const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
+    const double worth =
+        (double)(law->elastic + law->denominator) / (double)law->denominator * log2(law_elastic_radius(law)) / 2.5;
     const struct start start = {bits + 21 * order / 10 + 50,
                                 (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth)};
     return start;
 }
 
 /* Rows and integers of X and of its powers, and their transforms of 2^depth points (row_sums.c) */
-int series_compute(struct series *s, slong order, const struct law *law, slong bits)
+int series_compute(struct series *s, slong order, const struct cor_exponents *law, slong bits)
 {
     const struct start start = start_of(order, law, bits);
     slong prec = start.prec, terms = start.terms;
@@ -103,7 +104,7 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
                 (long)order, (long)bits, (long)terms, (long)prec);
 }
 
-int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct law *law, slong bits)
+int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct cor_exponents *law, slong bits)
 {
     *root = end == COR_END_ZERO_FORCE ? restitution_zero_force_root(law) : 1;
     LOCAL(series, s);

@@ -31,10 +31,10 @@ LOCAL_STRUCT(series)
 
 /* Computes all coefficients 0..order to at least `bits` relative bits each (absolute bits for those that vanish).
  * Returns 0, or 1 after reporting the failure on stderr. */
-int series_compute(struct series *s, slong order, const struct law *law, slong bits);
+int series_compute(struct series *s, slong order, const struct cor_exponents *law, slong bits);
 
 /* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force
  * for the sphere. `order` is the highest power of z. Same accuracy and result as above. */
-int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct law *law, slong bits);
+int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct cor_exponents *law, slong bits);
 
 #endif

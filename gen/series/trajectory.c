@@ -22,11 +22,11 @@
 #include "support/local.h"
 
 /* p = a and b+1. Returns how many powers there are: 1 if they are the same. */
-static int powers_of(struct ratio p[2], const struct law *law)
+static int powers_of(struct ratio p[2], const struct cor_exponents *law)
 {
-    p[0] = law->a;
-    p[1] = RATIO("law->b + 1", law->b);
-    return law->ad == law->bd + law->d ? 1 : 2;
+    p[0] = law_elastic(law);
+    p[1] = RATIO("law->b + 1", law);
+    return law->elastic == law->damping + law->denominator ? 1 : 2;
 }
 
 /* ---- exact ---- */
@@ -90,10 +90,10 @@ static void exact_rest(struct exact_power *power, const fmpq_poly_struct *x, con
     fmpq_poly_scalar_div_si(power->rest, power->rest, k * power->p.den);
 }
 
-fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct law *law)
+fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct cor_exponents *law)
 {
     /* e = e_num/d with e_num = k (b+1) d + j (a+1) d */
-    const slong length = terms + 1, d = law->d, du = law->bd + d, ds = law->ad + d;
+    const slong length = terms + 1, d = law->denominator, du = law->damping + d, ds = law->elastic + d;
     struct ratio p[2];
     const int powers = powers_of(p, law);
     struct exact_power power[2], *const elastic = power, *const damping = power + powers - 1;
@@ -218,9 +218,9 @@ static void ball_trim(arb_poly_t p)
         arb_trim(p->coeffs + i, p->coeffs + i);
 }
 
-void trajectory_init(struct trajectory *t, slong order, slong terms, const struct law *law, slong prec)
+void trajectory_init(struct trajectory *t, slong order, slong terms, const struct cor_exponents *law, slong prec)
 {
-    const slong length = terms + 1, d = law->d, du = law->bd + d, ds = law->ad + d;
+    const slong length = terms + 1, d = law->denominator, du = law->damping + d, ds = law->elastic + d;
     const double farthest = law_elastic_radius(law) * law_elastic_time(law);
     struct ratio p[2];
     const int powers = powers_of(p, law);
@@ -232,7 +232,7 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     t->order = order;
     t->terms = terms;
     t->prec = prec;
-    t->shift = (slong)floor(log2(farthest) * (double)(law->ad + law->d) / (double)law->d);
+    t->shift = (slong)floor(log2(farthest) * (double)(law->elastic + law->denominator) / (double)law->denominator);
     t->x = jet_new(order + 1);
     arb_poly_one(t->x);
     for (int i = 0; i < powers; i++) {

@@ -6,7 +6,7 @@
 #include "series/law.h"
 
 /* Rows k = 0..order, sum_j c[k][j] s^j, j = 0..terms */
-fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct law *law);
+fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct cor_exponents *law);
 void trajectory_exact_free(fmpq_poly_struct *row, slong rows);
 
 /* The same rows in interval (ball) arithmetic, with the rows of two powers of X, which the recurrence computes too.
@@ -15,14 +15,14 @@ void trajectory_exact_free(fmpq_poly_struct *row, slong rows);
  * therefore sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift. Its coefficients have similar size and multiply
  * fast. */
 struct trajectory {
-    struct law law;
+    struct cor_exponents law;
     slong order, terms, prec, shift;
     arb_poly_struct *x;       /* order + 1 rows of X */
     arb_poly_struct *x_to_a;  /* X^a */
     arb_poly_struct *x_to_b1; /* X^(b+1); the same pointer if b + 1 = a */
 };
 
-void trajectory_init(struct trajectory *t, slong order, slong terms, const struct law *law, slong prec);
+void trajectory_init(struct trajectory *t, slong order, slong terms, const struct cor_exponents *law, slong prec);
 void trajectory_clear(struct trajectory *t);
 
 /* A proved bound on the terms beyond s^terms (trajectory_tail.c):

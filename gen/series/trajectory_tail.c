@@ -107,7 +107,7 @@ enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TR
 static bool best_trial(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t,
                        const arb_t t0)
 {
-    const struct ratio a = t->law.a;
+    const struct ratio a = law_elastic(&t->law);
     const slong shift = t->shift;
     LOCAL(trajectory_tail, trial);
     double best = HUGE_VAL;
@@ -155,7 +155,7 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
 {
     /* For any r > 0 with s = (t0 + r)^(a+1)/2^shift <= rho, the sum over m of the jets times r^m is x_k's tail at
      * t0 + r: at most (t0 + r)^(k(b+1)+1) delta U^-k (s/rho)^(terms+1). */
-    const struct ratio a = t->law.a, b = t->law.b;
+    const struct ratio a = law_elastic(&t->law), b = law_damping(&t->law);
     const slong shift = t->shift, terms = t->terms;
     LOCAL(arb, r, room, reach, ratio);
     LOCAL(mag, candidate);

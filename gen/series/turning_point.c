@@ -6,11 +6,11 @@
 #include "support/console.h"
 #include "support/local.h"
 
-void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong prec)
+void turning_point_elastic(arb_t y0, arb_t tau0, const struct cor_exponents *law, slong prec)
 {
     LOCAL(fmpq, p);
-    EXACT(p, "1/(law->a + 1)", law->a);
-    LET(y0, prec, "((law->a + 1)/2)^p", law->a, p);
+    EXACT(p, "1/(law->a + 1)", law);
+    LET(y0, prec, "((law->a + 1)/2)^p", law, p);
     /* B(p, 1/2) = Gamma(p) sqrt(pi) / Gamma(p + 1/2) */
     LET(tau0, prec, "gamma(p)/gamma(p + 1/2)*sqrt(pi)*p*y0", p, y0);
 }
@@ -20,14 +20,14 @@ void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong pr
 static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *t, const struct trajectory_tail *tail,
                     const arb_t t0, slong prec)
 {
-    const slong d = t->law.d, du = t->law.bd + d, ds = t->law.ad + d;
+    const slong d = t->law.denominator, du = t->law.damping + d, ds = t->law.elastic + d;
     const slong shift = t->shift;
     LOCAL_VECTOR(term, t->terms + 1);
     LOCAL(arb, s0, u0, power, sum, scale, inverse);
     LOCAL(mag, missing);
     slong truncated = 0, rounded = 0;
-    LET(s0, prec, "t0^(t->law.a + 1)/2^shift", t0, t->law.a, shift);
-    LET(u0, prec, "t0^(t->law.b + 1)", t0, t->law.b);
+    LET(s0, prec, "t0^(t->law.a + 1)/2^shift", t0, &t->law, shift);
+    LET(u0, prec, "t0^(t->law.b + 1)", t0, &t->law);
     arb_inv(inverse, t0, prec);
 
     for (slong k = 0; k <= t->order; k++) {
@@ -64,7 +64,7 @@ static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *
 }
 
 enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, slong order, slong terms,
-                                                const struct law *law, slong bits, slong prec)
+                                                const struct cor_exponents *law, slong bits, slong prec)
 {
     enum turning_point_verdict verdict = TURNING_POINT_FEW_TERMS;
     const slong count = order + 2;

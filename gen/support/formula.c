@@ -225,10 +225,21 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
     expect(r, ")");
 }
 
+/* True of an operand's name, and of a law's with its exponent .a, .b, ->a or ->b */
+static bool is_operand(const struct operand *x, const char *name, size_t length)
+{
+    if (!x->law)
+        return is_named(x->name, name, length);
+    const bool field = x->name[0] == '&';
+    const size_t stem = strlen(x->name + field), end = stem + (field ? 1 : 2); /* of "." or "->" */
+    return length == end + 1 && strncmp(x->name + field, name, stem) == 0 &&
+           strncmp(field ? "." : "->", name + stem, end - stem) == 0 && (name[end] == 'a' || name[end] == 'b');
+}
+
 static void read_operand(struct value *y, const struct reader *r, const char *name, size_t length)
 {
     const struct operand *x = r->operands;
-    while (x->name && !is_named(x->name, name, length))
+    while (x->name && !is_operand(x, name, length))
         x++;
     if (!x->name)
         refuse(r);
@@ -246,6 +257,8 @@ static void read_operand(struct value *y, const struct reader *r, const char *na
         arb_set_d(real_of(y), x->real);
     else if (x->exact)
         fmpq_set(y->exact, x->exact);
+    else if (x->law)
+        fmpq_set_si(y->exact, name[length - 1] == 'a' ? x->law->elastic : x->law->damping, (ulong)x->law->denominator);
     else
         fmpq_set_si(y->exact, x->ratio.den ? x->ratio.num : x->whole, x->ratio.den ? (ulong)x->ratio.den : 1);
 }

@@ -7,10 +7,11 @@
  *     RATIO("a/(b + 1)", a, b)                                   the same as a struct ratio
  *
  * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong,
- * int or double; the result may be one of them. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole
- * numbers, rational operands and what is made of these alone are exact, and are rounded only where they meet a ball or
- * a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and
- * min of two numbers; the number pi. A text that is no formula ends the program.
+ * int or double; the result may be one of them. The operands law and &s->law, of the type struct cor_exponents, stand
+ * for their exponents law->a and law->b, s->law.a and s->law.b. + - * / ^ group as usual, -x^2 = -(x^2) and
+ * x^y^z = x^(y^z). Whole numbers, rational operands and what is made of these alone are exact, and are rounded only
+ * where they meet a ball or a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc,
+ * sinh, sqrt, and max and min of two numbers; the number pi. A text that is no formula ends the program.
  *
  * LET_COMPLEX computes with acb_t, too, of which it knows + - * / ^, exp, sinc, sinh and sqrt. Roots and powers that
  * are not whole are not finite on their cut if `analytic`. */
@@ -20,6 +21,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "cor/scene.h"
 #include "support/flint.h"
 
 struct ratio {
@@ -36,6 +38,7 @@ struct operand {
     struct ratio ratio; /* den = 0: none */
     slong whole;        /* if there is no other */
     double real;        /* NaN: none */
+    const struct cor_exponents *law;
 };
 
 #define LET(y, prec, ...) formula_ball(y, prec, FORMULA(__VA_ARGS__))
@@ -69,7 +72,7 @@ struct ratio formula_ratio(const char *text, const struct operand *operands);
     {                                                                                                                  \
         FORMULA_OF(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0, 0)(__VA_ARGS__)                                          \
         {                                                                                                              \
-            NULL, NULL, NULL, NULL, NULL, {0, 0}, 0, 0                                                                 \
+            NULL, NULL, NULL, NULL, NULL, {0, 0}, 0, 0, NULL                                                           \
         }                                                                                                              \
     }
 #endif
@@ -91,6 +94,7 @@ struct ratio formula_ratio(const char *text, const struct operand *operands);
      _Generic((x), arb_poly_struct *: (x), const arb_poly_struct *: (x), default: NULL), \
      _Generic((x), fmpq *: (x), const fmpq *: (x), default: NULL),                                                     \
      _Generic((x), struct ratio: (x), default: (struct ratio){0, 0}), _Generic((x), int: (x), slong: (x), default: 0), \
-     _Generic((x), double: (x), default: NAN)},
+     _Generic((x), double: (x), default: NAN),                                                                         \
+     _Generic((x), struct cor_exponents *: (x), const struct cor_exponents *: (x), default: NULL)},
 
 #endif

@@ -36,7 +36,7 @@ int disk_law_tables_write(FILE *file);
  * tables of approximation/law_layout.h by runtime/table/law.h (docs/internals.md). */
 enum { LAW_NAME_MAX = 48 };
 int hertz_dashpot_tables_write(FILE *file);
-int law_header_write(FILE *file, const struct law *law, const char *name);
+int law_header_write(FILE *file, const struct cor_exponents *law, const char *name);
 
 /* J(nu), the share of a half-space's compliance that radiates waves (docs/laws.md). |J| is below WAVE_ELLIPSE_BOUND on
  * the ellipse with foci 0 and WAVE_TAU_END whose half axes add up to WAVE_ELLIPSE times half of WAVE_TAU_END, and J is

@@ -56,17 +56,17 @@ static void emit_power_field(struct emit *e, const char *field, struct ratio pow
 
 static void emit_far_fields(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
 {
-    const struct law *law = &t->layout.interpolant.law;
+    const struct cor_exponents *law = &t->layout.interpolant.law;
     const struct ratio power = interpolant_tail_power(law, quantity);
     const bool fall = law_tables_have_fall(t, quantity);
     emit_lines(e, "    x.far = cor_rows_$s_far_$s;\n    x.far_kind = $d;\n", name, quantity_stem[quantity],
                quantity == EPS_ZERO_OVERLAP ? 2 : 1);
     emit_power_field(e, "power", power);
-    emit_power_field(e, "far_power", fall ? RATIO("law->a/(law->b + 1)", law->a, law->b) : power);
+    emit_power_field(e, "far_power", fall ? RATIO("law->a/(law->b + 1)", law) : power);
     emit_power_field(e, "mu", law_mu_power(law));
     if (fall) {
         emit_lines(e, "    x.fall = cor_rows_$s_fall_$s;\n    x.has_fall = 1;\n", name, quantity_stem[quantity]);
-        emit_power_field(e, "fall_power", RATIO("(law->a - 1)/(2*law->b - law->a + 1)", law->a, law->b));
+        emit_power_field(e, "fall_power", RATIO("(law->a - 1)/(2*law->b - law->a + 1)", law));
     }
     if (quantity == DURATION_ZERO_OVERLAP)
         emit_lines(e, "    x.infinite = cor_inline_infinity();\n");
@@ -74,16 +74,16 @@ static void emit_far_fields(struct emit *e, const struct law_tables *t, const ch
 
 static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enum quantity quantity)
 {
-    const struct law *law = &t->layout.interpolant.law;
+    const struct cor_exponents *law = &t->layout.interpolant.law;
     int status = emit_pair_field(e, "threshold", t->f->threshold);
     if (quantity == DURATION_ZERO_OVERLAP)
         emit_lines(e, "    x.beyond = cor_inline_infinity();\n");
     if (law_is_linear(law) && status == STATUS_OK) {
         LOCAL(arb, critical);
-        LET(critical, 128, "2*(law->a + 1)", law->a);
+        LET(critical, 128, "2*(law->a + 1)", law);
         status = emit_pair_field(e, "critical", critical);
         emit_lines(e, "    x.linear = 1;\n");
-        emit_power_field(e, "fading", RATIO("(law->a - 1)/(law->a + 1)", law->a));
+        emit_power_field(e, "fading", RATIO("(law->a - 1)/(law->a + 1)", law));
     }
     return status;
 }
@@ -183,7 +183,7 @@ static const char always_inline[] =
 static void write_embedded(FILE *file, struct emit *e, const struct law_tables *t, const char *name,
                            const char *accuracy)
 {
-    const struct law *const law = &t->layout.interpolant.law;
+    const struct cor_exponents *const law = &t->layout.interpolant.law;
     char guard[TEXT_MAX], threshold[TEXT_MAX] = "beta = +inf -> eps 0; eps = 0 -> beta +inf.\n";
     if (t->layout.threshold < HUGE_VAL)
         snprintf(threshold, TEXT_MAX,
@@ -216,8 +216,8 @@ static void write_embedded(FILE *file, struct emit *e, const struct law_tables *
                 "Written by:  corgen law --elastic %s --damping %s --name %s\n"
                 "Checked by:  the same command, whose output is the same to the byte\n",
                 name, law_equation(law).text, name, name, name, name, name, name, name,
-                law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy, ratio_text(law->a).text,
-                ratio_text(law->b).text, name);
+                law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy,
+                ratio_text(law_elastic(law)).text, ratio_text(law_damping(law)).text, name);
     emit_open(e, file, guard, banner);
     e->decimal = true;
     fprintf(file, "\n%s\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_pair, evaluator_elementary,
@@ -242,7 +242,7 @@ static void write_included(FILE *file, struct emit *e, const struct law_tables *
 }
 
 /* prefix: of the functions, where the library has them; NULL: an embedded header */
-static int write_law(FILE *file, const struct law *law, const char *name, const char *prefix)
+static int write_law(FILE *file, const struct cor_exponents *law, const char *name, const char *prefix)
 {
     struct law_tables t = {.f = NULL};
     struct emit e;
@@ -266,14 +266,14 @@ static int write_law(FILE *file, const struct law *law, const char *name, const 
     return status;
 }
 
-int law_header_write(FILE *file, const struct law *law, const char *name)
+int law_header_write(FILE *file, const struct cor_exponents *law, const char *name)
 {
     return write_law(file, law, name, NULL);
 }
 
 int hertz_dashpot_tables_write(FILE *file)
 {
-    struct law law;
+    struct cor_exponents law;
     law_parse(&law, "3/2", "0");
     return write_law(file, &law, "hertz_dashpot", "cor_inline_hertz_dashpot");
 }

@@ -300,7 +300,7 @@ static bool crossley_times_are_enclosed(const struct search_options *o)
         const unsigned numerator = (unsigned)(i % 2 == 0 ? 9 + random_below(&r, 16) : 1 + random_below(&r, 64));
         const double a = (double)numerator / denominator, beta = random_log(&r, 1e-3, 1e6);
         char text[32];
-        struct law law;
+        struct cor_exponents law;
         snprintf(text, sizeof text, "%u/%u", numerator, denominator);
         arb_set_d(beta_ball, beta);
         const bool solved = law_parse(&law, text, text) == NULL && collision_solve(c, beta_ball, &law, 72) == 0;

@@ -88,9 +88,10 @@ static bool short_number(const struct decimal *number)
     return !number->text || (strlen(number->text) <= 12 && !strpbrk(number->text, "eE"));
 }
 
-static bool simple_law(const struct law *law)
+static bool simple_law(const struct cor_exponents *law)
 {
-    return law->a.num <= 9 && law->a.den <= 4 && law->b.num <= 9 && law->b.den <= 4;
+    return law_elastic(law).num <= 9 && law_elastic(law).den <= 4 && law_damping(law).num <= 9 &&
+           law_damping(law).den <= 4;
 }
 
 /* Whether a list is short and its values are in a range, or the list is not given */
@@ -180,7 +181,8 @@ WRAPPED(int, collision_h_star, arb_t h, slong bits)
     return fail("the fuzzer computes no h* here");
 }
 
-WRAPPED(int, series_eps, arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct law *law, slong bits)
+WRAPPED(int, series_eps, arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct cor_exponents *law,
+        slong bits)
 {
     return order < EMBED_SERIES ? __real_series_eps(eps, root, end, order, law, bits) : fail("no long series here");
 }

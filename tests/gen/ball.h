@@ -14,9 +14,9 @@ static inline double middle(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-static inline struct law law_of(const char *a, const char *b)
+static inline struct cor_exponents law_of(const char *a, const char *b)
 {
-    struct law law;
+    struct cor_exponents law;
     assert_null(law_parse(&law, a, b));
     return law;
 }

@@ -57,10 +57,10 @@ static void against_integration(const struct cor_scene_impact *got, double force
                                 const struct cor_scene_contact *contact, double speed, double peak_error,
                                 double end_error)
 {
-    const struct law law = embed_law(&contact->law);
+    const struct cor_exponents law = contact->law;
     const struct law_of_force f =
         force_law(contact->mass_kg, contact->stiffness, cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT),
-                  ratio_double(law.a), ratio_double(law.b), speed);
+                  ratio_double(law_elastic(&law)), ratio_double(law_damping(&law)), speed);
     const struct cor_scene_impact want = integrate(&f, got->duration_s[0] > 0 && isfinite(got->duration_s[0]));
     LOCAL(arb, beta, most);
     arb_set_d(beta, cor_scene_beta(contact, speed));
@@ -160,7 +160,7 @@ struct given {
 static struct contacts contacts_of(int law, int end, const struct given *bodies, const struct given *given)
 {
     struct cor_scene_fault fault;
-    struct contacts c = {.scene = scene_without_numbers((enum cor_law)law), .law = embed_law(&cor_law_exponents[law])};
+    struct contacts c = {.scene = scene_without_numbers((enum cor_law)law)};
     c.scene.plate = law == COR_LAW_PLATE;
     c.scene.end = end;
     c.scene.solver = contact_enclosed;
@@ -249,14 +249,14 @@ static int stuck, held, parted; /* bodies that stay together at each end; that p
 
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {
-    const struct law law = embed_law(exponents);
+    const struct cor_exponents law = *exponents;
     struct cor_scene_contact contact = {
         .law = *exponents, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = force_n};
     LOCAL(arb, beta, force, newton);
     LOCAL(collision, c);
     cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, damping, 1, 0);
     const struct cor_scene_impact impact = scene_impact(&contact, speed);
-    const struct ratio a = law.a, q = law_speed_exponent(&law);
+    const struct ratio a = law_elastic(&law), q = law_speed_exponent(&law);
     arb_set_d(beta, damping);
     arb_set_d(force, speed);
     arb_set_d(newton, force_n);
@@ -284,7 +284,7 @@ static void check_pressed(const struct cor_exponents *exponents, double damping,
 /* In units in which the force is 1 */
 static void check_sticking_speed(const struct cor_exponents *exponents, double damping)
 {
-    const struct law law = embed_law(exponents);
+    const struct cor_exponents law = *exponents;
     struct cor_scene_contact contact = {.law = *exponents, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = 1};
     LOCAL(arb, speed, exact);
     cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, damping, 1, 0);
@@ -332,7 +332,7 @@ TEST(thresholds_of_a_constant_force)
     for (size_t l = 0; l < COUNT_OF(laws); l++)
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             for (double b = 0.05; b < 1; b *= 10) {
-                const struct law law = embed_law(&laws[l]);
+                const struct cor_exponents law = laws[l];
                 LOCAL(collision, c);
                 arb_set_d(beta, b);
                 assert_int_equal(collision_sticking_force(force, beta, &law, end, 70), 0);

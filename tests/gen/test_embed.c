@@ -262,11 +262,11 @@ TEST(test_ways_of_a_contact)
         assert_true(arb_is_zero(beta) || arb_rel_accuracy_bits(beta) > 50);
         if (ways[i].number == COR_SCENE_RESTITUTION && ways[i].at && !arb_is_zero(beta)) {
             const double at = strtod(ways[i].at, NULL);
-            const struct ratio power = law_speed_exponent(&contacts.law);
+            const struct ratio power = law_speed_exponent(&contacts.scene.law);
             const fmpq *const wanted = request.number[COR_SCENE_RESTITUTION].value;
             LET(beta, 192, "beta*at^power", beta, at, power);
             arb_get_mid_arb(beta, beta);
-            assert_int_equal(embed_contact_eps(eps, beta, force, &contacts.law, request.end, 128), STATUS_OK);
+            assert_int_equal(embed_contact_eps(eps, beta, force, &contacts.scene.law, request.end, 128), STATUS_OK);
             assert_true(HOLDS(192, "abs(eps/wanted - 1) < 10^-20", eps, wanted));
         }
         request_clear(&request);

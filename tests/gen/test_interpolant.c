@@ -63,8 +63,7 @@ TEST(test_small_beta)
 TEST(test_check_at_ends)
 {
     static const struct interval coarse = {INTERVAL_ROOT, 0.5, 1, 5, 100, FORM_VALUE, 1 << MAX_OVERLAP};
-    const struct interpolant_layout layout = {
-        .law = {{3, 2}, {1, 2}, 2, 3, 1}, .root = 2, .interval = &coarse, .intervals = 1};
+    const struct interpolant_layout layout = {.law = {3, 1, 2}, .root = 2, .interval = &coarse, .intervals = 1};
     struct interpolant *f = interpolant_new(&layout, 0.25, 1);
     LOCAL(collision, c);
     LOCAL(arb, one, y);

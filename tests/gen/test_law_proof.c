@@ -18,7 +18,7 @@
 enum way { WAY_OVERLAP, WAY_CREEP, WAY_FORCE, WAY_STRONG_FORCE };
 
 /* ln(eps) from an enclosed collision */
-static double exact_log_eps(const struct law *law, double beta, enum way way)
+static double exact_log_eps(const struct cor_exponents *law, double beta, enum way way)
 {
     LOCAL(collision, c);
     LOCAL(arb, x);
@@ -28,7 +28,7 @@ static double exact_log_eps(const struct law *law, double beta, enum way way)
     return middle(x);
 }
 
-static bool enclose(struct complex_ball *y, const struct law *law, struct complex_ball log_beta, enum way way)
+static bool enclose(struct complex_ball *y, const struct cor_exponents *law, struct complex_ball log_beta, enum way way)
 {
     const bool strong = way == WAY_CREEP || way == WAY_STRONG_FORCE;
     const struct complex_law_pressing pressing = {{0, 0, 0}, {0, 0, 0}};
@@ -66,7 +66,7 @@ TEST(test_real_axis)
     for (size_t i = 0; i < PLACES; i++) {
         if (!in_turn(i, 2))
             continue;
-        const struct law law = law_of(places[i].elastic, places[i].damping);
+        const struct cor_exponents law = law_of(places[i].elastic, places[i].damping);
         struct complex_ball y;
         check(enclose(&y, &law, ball_of(log(places[i].beta), 0), places[i].way), "place %zu: no enclosure", i);
         const double exact = exact_log_eps(&law, places[i].beta, places[i].way), off = fabs(y.re - exact);
@@ -84,7 +84,7 @@ TEST(test_complex_plane)
     for (size_t i = 0; i < PLACES; i++) {
         if (!in_turn(i, 4))
             continue;
-        const struct law law = law_of(places[i].elastic, places[i].damping);
+        const struct cor_exponents law = law_of(places[i].elastic, places[i].damping);
         const double beta = places[i].beta, u = log(beta);
         const enum way way = places[i].way;
         double complex mean = 0, slope = 0;
@@ -113,7 +113,7 @@ TEST(test_complex_plane)
 /* Beyond the threshold beta_c = 1.128 of the dashpot nothing leaves: no ball there, and no ellipse that reaches it. */
 TEST(test_singular)
 {
-    const struct law law = law_of("3/2", "0");
+    const struct cor_exponents law = law_of("3/2", "0");
     struct complex_ball y;
     assert_false(enclose(&y, &law, ball_of(log(1.2), 0), WAY_OVERLAP));
     assert_false(enclose(&y, &law, (struct complex_ball){log(1.05), 0, 0.1}, WAY_OVERLAP));
@@ -127,7 +127,7 @@ struct scene {
     double beta_min, beta_max, wanted;
 };
 
-static double largest_error(const struct law_proof *proof, const struct law *law, const struct scene *s)
+static double largest_error(const struct law_proof *proof, const struct cor_exponents *law, const struct scene *s)
 {
     enum { COLLISIONS = 6 };
     const enum way way = s->eps == EPS_ZERO_OVERLAP ? WAY_OVERLAP : WAY_FORCE;
@@ -165,7 +165,7 @@ TEST(test_polynomials)
         if (!in_turn(k, 3))
             continue;
         const struct scene *const s = &scenes[k];
-        const struct law law = law_of(s->elastic, s->damping);
+        const struct cor_exponents law = law_of(s->elastic, s->damping);
         struct law_layout layout;
         assert_int_equal(law_layout_init(&layout, &law), 0);
         law_layout_restrict(&layout, s->eps, s->beta_min);
@@ -189,7 +189,7 @@ TEST(test_polynomials)
 /* The tail of a law without a threshold samples every quantity. */
 TEST(tail)
 {
-    const struct law law = law_of("3/2", "1/2");
+    const struct cor_exponents law = law_of("3/2", "1/2");
     struct law_layout layout;
     assert_int_equal(law_layout_init(&layout, &law), 0);
     const struct interval *const last = &layout.interpolant.interval[layout.interpolant.intervals - 1];
@@ -203,8 +203,8 @@ TEST(pressed)
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"3/2", "3/2"},
                                           {"2", "1"},     {"1", "1/2"}, {"5/4", "1"}};
     for (size_t i = 0; i < points(6); i++) {
-        const struct law law = law_of(laws[i % 6][0], laws[i % 6][1]);
-        const double a = ratio_double(law.a), q = ratio_double(law_speed_exponent(&law));
+        const struct cor_exponents law = law_of(laws[i % 6][0], laws[i % 6][1]);
+        const double a = ratio_double(law_elastic(&law)), q = ratio_double(law_speed_exponent(&law));
         const double damping = random_uniform(&draw, 0.1, 0.3), v = random_uniform(&draw, 0.9, 1.2);
         LOCAL(arb, sticking, exact_damping);
         arb_set_d(exact_damping, damping);
@@ -235,7 +235,7 @@ TEST(pressed)
  * collisions on the real axis */
 TEST(test_pressed_ellipse)
 {
-    const struct law law = law_of("3/2", "1/2");
+    const struct cor_exponents law = law_of("3/2", "1/2");
     const double lo = log(0.3), hi = lo + 0.2, rho = 1.5, first_force = 0.3;
     const struct ratio power = interpolant_press_power(&law);
     const struct interval interval = {INTERVAL_LOG, lo, hi, 12, 60, FORM_LOG, 1u << EPS_ZERO_OVERLAP};

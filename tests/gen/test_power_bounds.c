@@ -75,7 +75,7 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
                              const char *name)
 {
     const slong columns = 4 * t->terms;
-    const struct ratio exponent[] = {{-1, 1}, t->law.a, RATIO("t->law.b + 1", t->law.b)};
+    const struct ratio exponent[] = {{-1, 1}, law_elastic(&t->law), RATIO("t->law.b + 1", &t->law)};
     const int powers = t->x_to_a == t->x_to_b1 ? 1 : 2;
     LOCAL(arb, norm);
     for (int i = -1; i < powers; i++) {
@@ -103,7 +103,7 @@ TEST(test_trajectories)
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "1/4"}, {"2", "1/2"}, {"1/2", "1"}};
     static const double weights[][2] = {{0.125, 0.25}, {0.25, 0.2}};
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
-        const struct law law = law_of(laws[i][0], laws[i][1]);
+        const struct cor_exponents law = law_of(laws[i][0], laws[i][1]);
         struct trajectory t;
         trajectory_init(&t, ORDER, TERMS, &law, PREC);
         for (int n = 0; n < 2; n++)
@@ -132,7 +132,7 @@ TEST(test_one_term)
     arb_poly_one(t.x);
     arb_set_d(c, -0.25);
     arb_poly_set_coeff_arb(t.x, POWER, c);
-    t.x_to_a = t.x_to_b1 = rows_power(t.x, law_sphere.a, 0, TERMS + 1);
+    t.x_to_a = t.x_to_b1 = rows_power(t.x, law_elastic(&law_sphere), 0, TERMS + 1);
     power_evidence_init(&e, &t, 1, BLOCK);
 
     assert_true(power_bounds_prove(b, &e, 1, 1));
@@ -156,7 +156,7 @@ TEST(test_rest_of_block)
     t.x = jet_new(ORDER + 1);
     arb_poly_one(t.x);
     arb_poly_one(t.x + 1);
-    t.x_to_a = t.x_to_b1 = rows_power(t.x, law_sphere.a, ORDER, TERMS + 1);
+    t.x_to_a = t.x_to_b1 = rows_power(t.x, law_elastic(&law_sphere), ORDER, TERMS + 1);
     power_evidence_init(&e, &t, 2, 2);
     assert_true(power_bounds_prove(b, &e, 0.5, 1));
     assert_true(HOLDS(PREC, "abs(b->inverse - 2) < 1/2^20", b->inverse));

@@ -29,7 +29,7 @@ static void assert_sum(const arb_poly_t f, const arb_t x, slong order, const arb
 
 /* No coefficient C_k can be wrong by more than 2^(-shift (order - k + 1/2)) then. Another computation finds the same
  * coefficients to `bits` bits, as promised. */
-static void compare_with_collision(const struct law *law, slong order, slong shift, slong bits)
+static void compare_with_collision(const struct cor_exponents *law, slong order, slong shift, slong bits)
 {
     LOCAL(series, s, few);
     LOCAL(collision, c);
@@ -73,7 +73,7 @@ TEST(test_collisions)
                  {"1/2", "1/2", 24, 40, 32}, {"1/2", "0", 4, 8, 48},     {"0", "0", 4, 8, 48},
                  {"1", "2", 4, 8, 48},       {"24", "1/16", 2, 2, 48}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const struct law law = law_of(cases[i].a, cases[i].b);
+        const struct cor_exponents law = law_of(cases[i].a, cases[i].b);
         if (i < 2 || in_turn(i, 4))
             compare_with_collision(&law, (slong)few_or_all((size_t)cases[i].few, (size_t)cases[i].all), cases[i].shift,
                                    100);
@@ -92,7 +92,7 @@ TEST(test_exact_zeros)
     LOCAL(series, s);
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const struct law law = law_of(cases[i].a, cases[i].b);
+        const struct cor_exponents law = law_of(cases[i].a, cases[i].b);
         const slong order = cases[i].zero ? cases[i].zero + 2 : 12;
         assert_int_equal(series_compute(s, order, &law, 80), 0);
         for (slong k = 1; k <= order; k++) {
@@ -144,7 +144,7 @@ TEST(test_zero_force)
     LOCAL(fmpq_poly, G, T);
     LOCAL(fmpq, want, got);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const struct law law = law_of("3/2", known[i].b);
+        const struct cor_exponents law = law_of("3/2", known[i].b);
         restitution_zero_force_exact(G, T, 4, &law);
         for (slong k = 0; k < 8; k++) {
             const char *const text = k < 5 ? known[i].G[k] : known[i].T[k - 5];

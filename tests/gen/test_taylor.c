@@ -6,7 +6,7 @@
 #include "support/local.h"
 
 /* A constant force takes the place of the elastic one. */
-static void taylor_start(struct taylor *y, const struct law *law, slong degree, slong prec, const char *beta,
+static void taylor_start(struct taylor *y, const struct cor_exponents *law, slong degree, slong prec, const char *beta,
                          slong force)
 {
     taylor_init(y, law, degree, prec);
@@ -29,7 +29,7 @@ TEST(test_remainder)
     LOCAL(arb, rough, truth);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
         for (size_t k = 0; k < sizeof betas / sizeof *betas; k++) {
-            const struct law given = law_of(laws[i][0], laws[i][1]), law = k < 3 ? given : law_even(&given);
+            const struct cor_exponents given = law_of(laws[i][0], laws[i][1]), law = k < 3 ? given : law_even(&given);
             const slong force = k < 3 ? 0 : 5;
             struct taylor low, high;
             /* 40 bits decide the step, 600 the arithmetic: what is missed is truncation alone. */
@@ -52,7 +52,7 @@ TEST(test_remainder)
                 /* Odd and even powers alternate, so some of the next terms vanish: 2^60 is room for that. */
                 mag_mul_2exp_si(missed, missed, 60);
                 assert_true(mag_is_zero(missed) || mag_cmp(missed, claimed) > 0 ||
-                            (component == TAYLOR_T && law.d == 1));
+                            (component == TAYLOR_T && law.denominator == 1));
             }
             taylor_clear(&low);
             taylor_clear(&high);
@@ -62,7 +62,7 @@ TEST(test_remainder)
 /* One term of the linear oscillator, w = sigma and v = 1: no bound is nearer to what is missed, here 1 - cos(h). */
 TEST(test_one_term)
 {
-    const struct law law = law_of("1", "0");
+    const struct cor_exponents law = law_of("1", "0");
     struct taylor y;
     LOCAL(arb, claimed);
     taylor_start(&y, &law, 1, 20, "0", 0);
@@ -75,7 +75,7 @@ TEST(test_one_term)
 /* Free motion, w = h/d and v = 1, where the error of the time, (h/d)^d, is the only one */
 TEST(test_time_alone)
 {
-    const struct law law = law_of("3/2", "1/3");
+    const struct cor_exponents law = law_of("3/2", "1/3");
     struct taylor y;
     LOCAL(arb, claimed);
     taylor_init(&y, &law, 2, 40);
@@ -90,7 +90,7 @@ TEST(test_time_alone)
 /* A step of the linear oscillator, entire as its solution is, never spans a zero of the overlap unseen. */
 TEST(test_step_is_short)
 {
-    const struct law law = law_of("1", "0");
+    const struct cor_exponents law = law_of("1", "0");
     struct taylor y;
     taylor_start(&y, &law, 400, 60, "0.01", 0);
     assert_true(HOLDS(60, "y.step < pi", y.step));
@@ -101,7 +101,7 @@ TEST(test_step_is_short)
  * sqrt(2) next to the rest of c2 = c3 = 1. */
 TEST(test_step_under_a_force)
 {
-    const struct law linear = law_of("1", "0"), law = law_even(&linear);
+    const struct cor_exponents linear = law_of("1", "0"), law = law_even(&linear);
     struct taylor y;
     taylor_start(&y, &law, 400, 60, "0", 1000);
     assert_true(HOLDS(60, "sqrt(2*y.c3)*y.step < 3", y.c3, y.step));
@@ -133,7 +133,7 @@ TEST(test_online_products)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "3/4"}, {"1", "0"}};
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
-        const struct law law = law_of(laws[i][0], laws[i][1]);
+        const struct cor_exponents law = law_of(laws[i][0], laws[i][1]);
         struct taylor y;
         LOCAL(arb, derivative, force);
         LOCAL(mag, step, power, round_off);
@@ -142,9 +142,9 @@ TEST(test_online_products)
         arb_ptr elastic = _arb_vec_init(ONLINE_DEGREE + 1), damping = _arb_vec_init(ONLINE_DEGREE + 1);
         arb_one(elastic);
         _arb_vec_scalar_mul(damping, y.v, ONLINE_DEGREE + 1, y.c1, ONLINE_PREC);
-        for (slong k = 0; k < law.d - 1 + law.ad; k++)
+        for (slong k = 0; k < law.denominator - 1 + law.elastic; k++)
             multiply(elastic, y.w);
-        for (slong k = 0; k < law.d - 1 + law.bd; k++)
+        for (slong k = 0; k < law.denominator - 1 + law.damping; k++)
             multiply(damping, y.w);
         for (slong n = 0; n < ONLINE_DEGREE; n++) {
             arb_add(force, elastic + n, damping + n, ONLINE_PREC);
@@ -166,7 +166,7 @@ TEST(test_online_products)
 TEST(test_zero)
 {
     static const int cubic[] = {1, -3, 3, -1};
-    const struct law law = law_of("1", "0");
+    const struct cor_exponents law = law_of("1", "0");
     LOCAL(arb, root, begin, end, x);
     for (int k = 1; k <= 40; k++)
         for (int flat = 0; flat < 2; flat++) {

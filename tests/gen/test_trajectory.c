@@ -35,10 +35,11 @@ TEST(test_equation_49)
 /* Number of coefficients of the equation of motion up to tau^(n-1), tau = t^(1/d), that do not vanish at one beta:
  * x = t X makes t times the equation D (D + 1) X + beta t^(b+1) X^b (D + 1) X + t^(a+1) X^a, D = t d/dt. Powers are
  * those of a power series in tau, by exp and ln. */
-static slong residual(const fmpq_poly_struct *row, slong order, slong terms, const struct law *law)
+static slong residual(const fmpq_poly_struct *row, slong order, slong terms, const struct cor_exponents *law)
 {
-    const slong d = law->d, du = law->bd + d, ds = law->ad + d, n = FLINT_MIN((order + 1) * du, (terms + 1) * ds);
-    const struct ratio beta = {5, 7}, a = law->a, b = law->b;
+    const slong d = law->denominator, du = law->damping + d, ds = law->elastic + d,
+                n = FLINT_MIN((order + 1) * du, (terms + 1) * ds);
+    const struct ratio beta = {5, 7}, a = law_elastic(law), b = law_damping(law);
     LOCAL(fmpq, c, other);
     LOCAL(fmpq_poly, x, velocity, sum, log, power);
     slong wrong = 0;
@@ -83,8 +84,8 @@ TEST(test_equation_of_motion)
 {
     enum { ORDER = 7 };
     for (int i = 0; i < LAWS; i++) {
-        const struct law law = law_of(laws[i][0], laws[i][1]);
-        const slong terms = (ORDER + 1) * (law.bd + law.d) / (law.ad + law.d);
+        const struct cor_exponents law = law_of(laws[i][0], laws[i][1]);
+        const slong terms = (ORDER + 1) * (law.damping + law.denominator) / (law.elastic + law.denominator);
         fmpq_poly_struct *row = trajectory_exact(ORDER, terms, &law);
         check(residual(row, ORDER, terms, &law) == 0, "law %s, %s", laws[i][0], laws[i][1]);
         /* One coefficient off by 10^-30 is seen. */
@@ -101,7 +102,7 @@ TEST(test_balls_contain_rationals)
 {
     enum { ORDER = 12, TERMS = 15, PREC = 200 };
     for (int i = 0; i < LAWS; i++) {
-        const struct law law = law_of(laws[i][0], laws[i][1]);
+        const struct cor_exponents law = law_of(laws[i][0], laws[i][1]);
         struct trajectory t;
         LOCAL(fmpq, c);
         LOCAL(arb, x);
@@ -125,7 +126,7 @@ static void assert_fixed(const struct trajectory_tail *tail, const struct trajec
 {
     enum { BITS = 1000 };
     const slong shift = t->shift, terms = t->terms;
-    const struct ratio a = t->law.a, b1 = RATIO("t->law.b + 1", t->law.b);
+    const struct ratio a = law_elastic(&t->law), b1 = RATIO("t->law.b + 1", &t->law);
     struct power_evidence e;
     LOCAL(power_bounds, b);
     LOCAL(arb, e1, by_b, by_a, image);
@@ -149,7 +150,7 @@ TEST(test_truncation_bound)
 {
     enum { ORDER = 10, TERMS = 60, MORE = 140, PREC = 500 };
     for (int i = 0; i < 4; i++) {
-        const struct law law = law_of(laws[i][0], laws[i][1]);
+        const struct cor_exponents law = law_of(laws[i][0], laws[i][1]);
         struct trajectory cut, long_one;
         LOCAL(trajectory_tail, tail);
         LOCAL(arb, y0, t0, sum, term);
@@ -164,8 +165,9 @@ TEST(test_truncation_bound)
                 trajectory_tail_jet(bound, tail, &cut, k, m, t0);
                 arb_zero(sum);
                 for (slong j = TERMS + 1; j <= MORE; j++) {
-                    const slong e = k * (law.bd + law.d) + j * (law.ad + law.d) + law.d;
-                    const struct ratio power = RATIO("e/law.d", e, law.d);
+                    const slong e =
+                        k * (law.damping + law.denominator) + j * (law.elastic + law.denominator) + law.denominator;
+                    const struct ratio power = RATIO("e/law.denominator", e, law.denominator);
                     arb_poly_get_coeff_arb(term, long_one.x + k, j);
                     LET(term, PREC, "abs(term)/2^(long_one.shift*j)*t0^(power - m)", term, long_one.shift, j, t0, power,
                         m);
@@ -187,7 +189,7 @@ TEST(test_truncation_bound)
 
 TEST(test_law_parse)
 {
-    struct law law;
+    struct cor_exponents law;
     assert_null(law_parse(&law, "1.5", "0.5"));
     assert_true(law_is_sphere(&law));
     assert_null(law_parse(&law, "6/4", "1/2"));

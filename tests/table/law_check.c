@@ -18,7 +18,7 @@ static const char *const of_end[LAW_ENDS] = {" overlap", " force", " approach on
 
 struct law_case {
     const struct law_functions *f;
-    struct law law;
+    struct cor_exponents law;
     double threshold;               /* of zero overlap, or infinity */
     double worst[LAW_ENDS][CHECKS]; /* ulp */
 };
@@ -29,7 +29,7 @@ static void case_init(struct law_case *c, const struct law_functions *f)
     assert_null(law_parse(&c->law, f->elastic, f->damping));
     LOCAL(arb, beta_c, height);
     if (law_is_linear(&c->law)) {
-        c->threshold = sqrt(2 * ((double)c->law.a.num / (double)c->law.a.den + 1));
+        c->threshold = sqrt(2 * ((double)law_elastic(&c->law).num / (double)law_elastic(&c->law).den + 1));
     } else if (law_fall_power(&c->law).num < 0) {
         assert_int_equal(collision_threshold(beta_c, height, &c->law, PREC / 2), 0);
         c->threshold = arf_get_d(arb_midref(beta_c), ARF_RND_NEAR);
@@ -48,9 +48,9 @@ static void note(struct law_case *c, int end, int what, double computed, const a
 
 /* beta < 1e-100, where 1 - eps = -C_1 beta and, at zero force, (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b)) less
  * (docs/theory.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
-static void first_order_loss(arb_t loss, const struct law *law, int end, const arb_t beta)
+static void first_order_loss(arb_t loss, const struct cor_exponents *law, int end, const arb_t beta)
 {
-    const struct ratio a = law->a, b = law->b;
+    const struct ratio a = law_elastic(law), b = law_damping(law);
     LOCAL(fmpq, p);
     EXACT(p, "(b + 1)/(a + 1)", a, b);
     LET(loss, PREC, "beta*((a + 1)/2)^(p - 1)*gamma(p)*gamma(3/2)/gamma(p + 3/2)", beta, a, p);
@@ -87,7 +87,7 @@ static int case_solve(struct collision *s, const struct law_case *c, const arb_t
 /* eps and the duration; with damping while approaching only, by the largest overlap and the rebound from there */
 static void end_values(arb_t eps, arb_t duration, const struct law_case *c, const struct collision *s, int end)
 {
-    const struct ratio a = c->law.a;
+    const struct ratio a = law_elastic(&c->law);
     if (end < 2) {
         arb_set(eps, end ? s->eps_zero_force : s->eps_zero_overlap);
         arb_set(duration, end ? s->t_zero_force : s->t_zero_overlap);
