@@ -93,7 +93,14 @@ struct cor_law_function {
 
 /* Returns the function, or NULL for a combination that does not exist or an argument that is not in its enum. Look it
  * up once and call it often. */
+#if defined(__cplusplus) && defined(__GNUC__) /* g++ -Wshadow: the function has the name of a constructor */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+#endif
 COR_API const struct cor_law_function *cor_law_function(enum cor_law law, enum cor_end end, enum cor_quantity quantity);
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 /* Returns the function's value at x; NaN if the function does not exist. */
 COR_API double cor_law_value(enum cor_law law, enum cor_end end, enum cor_quantity quantity, double x);
