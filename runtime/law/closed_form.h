@@ -116,6 +116,16 @@ COR_KERNEL double closed_value(const struct cor_closed_form *form, enum cor_quan
     return law_is_ordinary(x) ? closed_formula(form, quantity, x) : closed_anywhere(form, quantity, x);
 }
 
+/* The damping of a loss by `inverse`, the damping of an eps, where the loss is above 1/2 */
+COR_KERNEL double closed_value_of_loss(const struct cor_closed_form *form, double (*inverse)(double eps), double loss)
+{
+    if (!law_is_ordinary(loss))
+        return closed_anywhere(form, COR_DAMPING_OF_LOSS, loss);
+    if (cor_inline_below(loss, 0.5))
+        return cor_inline_row_product(cor_row_near(&form->damping_of_loss, loss), loss);
+    return loss >= 0.5 && loss <= 1 ? inverse(1 - loss) : (double)NAN;
+}
+
 /* The value of a table on a grid at y = head + tail, as a pair */
 COR_INLINE struct cor_inline_pair cor_grid_value(struct cor_inline_grid grid, const double *(*rows)(int),
                                                  struct cor_inline_pair y)

@@ -472,12 +472,12 @@ static double max_overlap_at(double beta)
 static double eps_ends(double x) { return closed_value(&crossley_ends, COR_EPS, x); }
 static double loss_ends(double x) { return closed_value(&crossley_ends, COR_LOSS, x); }
 static double beta_ends(double x) { return closed_value(&crossley_ends, COR_DAMPING_OF_EPS, x); }
-static double beta_of_loss_ends(double x) { return closed_value(&crossley_ends, COR_DAMPING_OF_LOSS, x); }
+static double beta_of_loss_ends(double x) { return closed_value_of_loss(&crossley_ends, beta_ends, x); }
 static double eps_approach_only(double x) { return closed_value(&crossley_approach_only, COR_EPS, x); }
 static double loss_approach_only(double x) { return closed_value(&crossley_approach_only, COR_LOSS, x); }
 static double beta_approach_only(double x) { return closed_value(&crossley_approach_only, COR_DAMPING_OF_EPS, x); }
 static double beta_of_loss_approach_only(double x)
-{ return closed_value(&crossley_approach_only, COR_DAMPING_OF_LOSS, x); }
+{ return closed_value_of_loss(&crossley_approach_only, beta_approach_only, x); }
 static double duration(double x) { return law_value(duration_at, x); }
 static double duration_approach_only(double x) { return law_value(duration_approach_only_at, x); }
 static double time_of_max_overlap(double x) { return law_value(time_of_max_overlap_at, x); }

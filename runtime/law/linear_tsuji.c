@@ -173,20 +173,21 @@ static void run_loop(enum cor_law_loop loop, double (*one)(double), const double
 static double eps_zero_overlap(double x) { return closed_value(&ratio_zero_overlap, COR_EPS, x); }
 static double loss_zero_overlap(double x) { return closed_value(&ratio_zero_overlap, COR_LOSS, x); }
 static double zeta_zero_overlap(double x) { return closed_value(&ratio_zero_overlap, COR_DAMPING_OF_EPS, x); }
-static double zeta_of_loss_zero_overlap(double x) { return closed_value(&ratio_zero_overlap, COR_DAMPING_OF_LOSS, x); }
+static double zeta_of_loss_zero_overlap(double x)
+{ return closed_value_of_loss(&ratio_zero_overlap, zeta_zero_overlap, x); }
 static double eps_zero_force(double x) { return closed_value(&ratio_zero_force, COR_EPS, x); }
 static double loss_zero_force(double x) { return closed_value(&ratio_zero_force, COR_LOSS, x); }
 static double zeta_zero_force(double x) { return closed_value(&ratio_zero_force, COR_DAMPING_OF_EPS, x); }
-static double zeta_of_loss_zero_force(double x) { return closed_value(&ratio_zero_force, COR_DAMPING_OF_LOSS, x); }
+static double zeta_of_loss_zero_force(double x) { return closed_value_of_loss(&ratio_zero_force, zeta_zero_force, x); }
 static double eps_limited(double x) { return closed_value(&ratio_limited, COR_EPS, x); }
 static double loss_limited(double x) { return closed_value(&ratio_limited, COR_LOSS, x); }
 static double zeta_limited(double x) { return closed_value(&ratio_limited, COR_DAMPING_OF_EPS, x); }
-static double zeta_of_loss_limited(double x) { return closed_value(&ratio_limited, COR_DAMPING_OF_LOSS, x); }
+static double zeta_of_loss_limited(double x) { return closed_value_of_loss(&ratio_limited, zeta_limited, x); }
 static double eps_approach_only(double x) { return closed_value(&ratio_approach_only, COR_EPS, x); }
 static double loss_approach_only(double x) { return closed_value(&ratio_approach_only, COR_LOSS, x); }
 static double zeta_approach_only(double x) { return closed_value(&ratio_approach_only, COR_DAMPING_OF_EPS, x); }
 static double zeta_of_loss_approach_only(double x)
-{ return closed_value(&ratio_approach_only, COR_DAMPING_OF_LOSS, x); }
+{ return closed_value_of_loss(&ratio_approach_only, zeta_approach_only, x); }
 static double linear_duration_zero_overlap(double x) { return law_value(cor_linear_inline_duration_zero_overlap, x); }
 static double linear_duration_zero_force(double x) { return law_value(cor_linear_inline_duration_zero_force, x); }
 static double linear_duration_limited(double x) { return law_value(cor_linear_inline_duration_limited, x); }

@@ -205,7 +205,7 @@ static void add_function(enum cor_law law, enum cor_end end, enum cor_quantity q
             return;
     if (f)
         functions[function_count++] = (struct search_function){
-            f->name, f->value, shape[quantity], f->max_ulp, law, end, quantity, 1.5, slow ? SLOW_SHARE : 0};
+            f->name, f->value, shape[quantity], f->max_ulp, (int)law, end, (int)quantity, 1.5, slow ? SLOW_SHARE : 0};
 }
 
 /* ---- searches ---- */

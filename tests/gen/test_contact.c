@@ -115,7 +115,7 @@ TEST(reference_collisions)
                                 &r[3]),
                          2 + NUMBERS + RESULTS);
         int i = 0;
-        while (strcmp(cor_law_name(i), law) != 0)
+        while (strcmp(cor_law_name((enum cor_law)i), law) != 0)
             assert_true(++i < COR_LAW_PLATE);
         struct cor_scene_contact contact = {
             .law = cor_law_exponents[i], .mass_kg = 1 / (1 / n[2] + 1 / n[3]), .stiffness = n[0]};
