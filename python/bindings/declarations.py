@@ -82,7 +82,7 @@ class Object:
 _COMMENT = re.compile(r"/\*.*?\*/", re.S)
 _TEXT = re.compile(
     r"""\s*(?:(?P<comment>/\*.*?\*/)
-    |\#ifdef[ ]__cplusplus\n(?:[^\#]|\#if.*?\#endif|\#(?!endif))*\#endif
+    |\#(?:ifdef[ ]__cplusplus|if[ ]defined\(__cplusplus\))[^\n]*\n(?:[^\#]|\#if.*?\#endif|\#(?!endif))*\#endif
     |\#\s*include\s*"(?P<include>[^"]+)"[^\n]*
     |\#\s*define\s+(?P<define>\w+)[ \t]+(?P<value>(?:\\\n|/\*.*?\*/|[^\n])+)
     |\#\s*define\s+\w+(?:\\\n|[^\n])*
