@@ -9,8 +9,7 @@
 #ifndef COR_RUNTIME_CORE_DISK_LIMIT_H
 #define COR_RUNTIME_CORE_DISK_LIMIT_H
 
-#include <math.h>
-#include <stdint.h>
+#include "runtime/number/inline.h"
 
 /* Sides of a root, a cell before any division, and of a square in sides of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
@@ -40,19 +39,19 @@ struct cor_disk_limit_table {
 };
 
 /* Coordinates in the plane: 0 to x_roots and 0 to nu_roots */
-static inline double cor_disk_limit_x(const struct cor_disk_limit_table *table, double speed)
+COR_INLINE double cor_disk_limit_x(const struct cor_disk_limit_table *table, double speed)
 {
     return (sqrt(sqrt(sqrt(speed))) - table->x_first) * (1 / table->x_step);
 }
 
-static inline double cor_disk_limit_nu(const struct cor_disk_limit_table *table, double nu)
+COR_INLINE double cor_disk_limit_nu(const struct cor_disk_limit_table *table, double nu)
 {
     return (nu - table->nu_first) * (1 / table->nu_step);
 }
 
 /* The piece that contains a point of the plane, or one that rounding has put beside the plane */
-static inline const struct cor_disk_limit_piece *cor_disk_limit_find(const struct cor_disk_limit_table *table, double x,
-                                                                     double nu)
+COR_INLINE const struct cor_disk_limit_piece *cor_disk_limit_find(const struct cor_disk_limit_table *table, double x,
+                                                                  double nu)
 {
     enum { BITS = COR_DISK_LIMIT_SQUARE_BITS, IN_SQUARE = COR_DISK_LIMIT_PER_SQUARE - 1 };
     const int x_last = table->x_roots * COR_DISK_LIMIT_PER_ROOT - 1,
@@ -67,7 +66,7 @@ static inline const struct cor_disk_limit_piece *cor_disk_limit_find(const struc
 }
 
 /* The polynomial of a piece */
-static inline double cor_disk_limit_value(const struct cor_disk_limit_piece *piece, double x, double nu)
+COR_INLINE double cor_disk_limit_value(const struct cor_disk_limit_piece *piece, double x, double nu)
 {
     const double s = (x - piece->x) * (double)piece->per_x, t = (nu - piece->nu) * (double)piece->per_nu;
     const double *const c = piece->coefficient;
@@ -78,13 +77,13 @@ static inline double cor_disk_limit_value(const struct cor_disk_limit_piece *pie
 }
 
 /* The weight of the first of four values at 0, 1/3, 2/3, 1 in the polynomial through them */
-static inline double cor_disk_limit_weight(double t)
+COR_INLINE double cor_disk_limit_weight(double t)
 {
     return (1 - t) * (1 - 3 * t) * (1 - 1.5 * t);
 }
 
 /* The uncertainty at a point: that of the cell, which goes over to larger ones of smaller cells beyond its sides */
-static inline double cor_disk_limit_uncertainty(const struct cor_disk_limit_table *table, double x, double nu)
+COR_INLINE double cor_disk_limit_uncertainty(const struct cor_disk_limit_table *table, double x, double nu)
 {
     const struct cor_disk_limit_piece *const own = cor_disk_limit_find(table, x, nu);
     const double side = ldexp(1, -own->depth), at[2] = {x, nu}, end[2] = {table->x_roots, table->nu_roots};

@@ -44,7 +44,7 @@ struct cor_hard_wall_angles {
     double *sums;               /* scratch, [M][2][Q] */
 };
 /* Whether `count` cosines are summed in parts, over b and then over a, which pays for many */
-static inline int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles *angles, size_t count)
+COR_INLINE int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles *angles, size_t count)
 {
     return angles->bins > 0 && count > 2 * angles->bins;
 }

@@ -18,7 +18,7 @@ static int is_inside(double speed, double nu)
            isgreaterequal(nu, COR_DISK_EPS_MIN_NU) && islessequal(nu, COR_DISK_EPS_MAX_NU);
 }
 
-static inline double loss_at(double speed, double nu)
+COR_INLINE double loss_at(double speed, double nu)
 {
     if (!is_inside(speed, nu))
         return NAN;

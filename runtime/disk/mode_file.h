@@ -5,7 +5,8 @@
 #define COR_RUNTIME_DISK_MODE_FILE_H
 
 #include <stddef.h>
-#include <stdint.h>
+
+#include "runtime/number/inline.h"
 
 #define COR_MODE_FILE_NAME "cor-disk-modes"
 #define COR_MODE_FILE_VERSION "1"
@@ -13,7 +14,7 @@
 
 /* The check at the end of each line: FNV-1a, 32 bits, of every byte of the file before the check. One wrong byte always
  * changes the check, because every step is a bijection. */
-static inline uint32_t cor_mode_file_check(uint32_t check, const char *bytes, size_t n)
+COR_INLINE uint32_t cor_mode_file_check(uint32_t check, const char *bytes, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         check = (check ^ (unsigned char)bytes[i]) * UINT32_C(16777619);

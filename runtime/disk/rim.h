@@ -23,7 +23,7 @@
 int cor_disk_table_check(const struct cor_disk_modes *modes, size_t n_modes);
 
 /* n, rounded up to a multiple */
-static inline size_t cor_whole(size_t n, size_t of)
+COR_INLINE size_t cor_whole(size_t n, size_t of)
 {
     return (n + of - 1) / of * of;
 }

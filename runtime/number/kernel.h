@@ -5,7 +5,6 @@
 
 #include "runtime/number/pair.h"
 
-#define KERNEL COR_KERNEL
 /* Called once for each block of numbers, so that a kernel has it once */
 #if defined(__GNUC__) && !defined(__clang__)
 #define SHARED static __attribute__((noinline, noclone))

@@ -6,6 +6,8 @@
 
 #include <stddef.h>
 
+#include "runtime/number/inline.h"
+
 /* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
 
@@ -14,7 +16,7 @@ enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_S
 enum { COR_LANES = 8 };
 
 /* Whether this build has the set and this processor can run it */
-static inline int cor_processor_has(int set)
+COR_INLINE int cor_processor_has(int set)
 {
 #ifdef COR_X86_SETS
     if (set == COR_AVX2)
@@ -27,7 +29,7 @@ static inline int cor_processor_has(int set)
 }
 
 /* The widest set of the processor at hand */
-static inline int cor_widest_set(void)
+COR_INLINE int cor_widest_set(void)
 {
     int set = COR_INSTRUCTION_SETS - 1;
     while (!cor_processor_has(set))
@@ -51,7 +53,7 @@ static inline int cor_widest_set(void)
 #ifdef COR_X86_SETS
 #define COR_TABLES(type, name, function)                                                                               \
     extern const type name##_portable, name##_avx2, name##_avx512;                                                     \
-    static inline const type *function(int set)                                                                        \
+    COR_INLINE const type *function(int set)                                                                           \
     {                                                                                                                  \
         static const type *const table[] = {&name##_portable, &name##_avx2, &name##_avx512};                           \
         return cor_processor_has(set) ? table[set] : NULL;                                                             \
@@ -59,7 +61,7 @@ static inline int cor_widest_set(void)
 #else
 #define COR_TABLES(type, name, function)                                                                               \
     extern const type name##_portable;                                                                                 \
-    static inline const type *function(int set)                                                                        \
+    COR_INLINE const type *function(int set)                                                                           \
     {                                                                                                                  \
         return cor_processor_has(set) ? &name##_portable : NULL;                                                       \
     }

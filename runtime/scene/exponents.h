@@ -4,47 +4,48 @@
 #define COR_RUNTIME_SCENE_EXPONENTS_H
 
 #include "cor/scene.h"
+#include "runtime/number/inline.h"
 
 #define COR_PI 3.14159265358979323846
 
-static inline double cor_elastic(const struct cor_exponents *law)
+COR_INLINE double cor_elastic(const struct cor_exponents *law)
 {
     return (double)law->elastic / (double)law->denominator;
 }
 
-static inline double cor_damping(const struct cor_exponents *law)
+COR_INLINE double cor_damping(const struct cor_exponents *law)
 {
     return (double)law->damping / (double)law->denominator;
 }
 
 /* The exponents a = a2/2 and b = b2/2 */
-static inline int cor_law_is(const struct cor_exponents *law, int a2, int b2)
+COR_INLINE int cor_law_is(const struct cor_exponents *law, int a2, int b2)
 {
     return 2 * law->elastic == a2 * law->denominator && 2 * law->damping == b2 * law->denominator;
 }
 
-static inline int cor_law_has_spring_of(const struct cor_exponents *law, const struct cor_exponents *other)
+COR_INLINE int cor_law_has_spring_of(const struct cor_exponents *law, const struct cor_exponents *other)
 {
     return law->elastic * other->denominator == other->elastic * law->denominator;
 }
 
-static inline int cor_law_is_same(const struct cor_exponents *law, const struct cor_exponents *other)
+COR_INLINE int cor_law_is_same(const struct cor_exponents *law, const struct cor_exponents *other)
 {
     return cor_law_has_spring_of(law, other) && law->damping * other->denominator == other->damping * law->denominator;
 }
 
-static inline int cor_law_is_hertz(const struct cor_exponents *law)
+COR_INLINE int cor_law_is_hertz(const struct cor_exponents *law)
 {
     return 2 * law->elastic == 3 * law->denominator;
 }
 
 /* q = 0: eps is the same at every speed */
-static inline int cor_law_is_constant(const struct cor_exponents *law)
+COR_INLINE int cor_law_is_constant(const struct cor_exponents *law)
 {
     return 2 * law->damping - law->elastic + law->denominator == 0;
 }
 
-static inline int cor_law_is_hunt_crossley(const struct cor_exponents *law)
+COR_INLINE int cor_law_is_hunt_crossley(const struct cor_exponents *law)
 {
     return law->elastic == law->damping;
 }

@@ -8,9 +8,8 @@
 #ifndef COR_RUNTIME_SCENE_MOTION_H
 #define COR_RUNTIME_SCENE_MOTION_H
 
-#include <math.h>
-
 #include "cor/scene.h"
+#include "runtime/number/inline.h"
 
 /* A collision in the units of its function. eps = 0 and an infinite duration: the bodies stay together. */
 struct cor_full_impact {
@@ -18,7 +17,7 @@ struct cor_full_impact {
 };
 static const struct cor_full_impact cor_together = {{0, 0}, {INFINITY, INFINITY}, 0, 0};
 
-static inline double whole_power(double x, int n)
+COR_INLINE double whole_power(double x, int n)
 {
     double y = 1;
     for (; n > 0; n /= 2, x *= x)
@@ -31,13 +30,13 @@ struct bracket {
     double low, high, above, below, last;
 };
 
-static inline int is_bracketed(const struct bracket *b)
+COR_INLINE int is_bracketed(const struct bracket *b)
 {
     return b->above > 0 && b->below < 0;
 }
 
 /* Takes the value at x. Returns the next place, which is `otherwise` while all values have one sign. */
-static inline double next_place(struct bracket *b, double x, double value, double otherwise)
+COR_INLINE double next_place(struct bracket *b, double x, double value, double otherwise)
 {
     if (value > 0) {
         b->below *= b->last > 0 ? 0.5 : 1;
@@ -100,7 +99,7 @@ double cor_motion_t(const struct motion *m, double s);
 double cor_motion_loss(const struct motion *m, double s);
 double cor_motion_root(const struct motion *m, motion_function *f, double low, double high, double level);
 
-static inline double cor_motion_start(const struct motion *m)
+COR_INLINE double cor_motion_start(const struct motion *m)
 {
     return m->power[1].c[0];
 }

@@ -17,8 +17,8 @@ double cor_tsuji_alpha(double e);
 double cor_flores_beta(double e);
 
 /* The contact with the law of a model (NULL: its own) and with the damping of the model at a speed */
-static inline struct cor_scene_contact cor_model_contact(struct cor_scene_contact c, const struct cor_exponents *law,
-                                                         double damping, double speed_m_s)
+COR_INLINE struct cor_scene_contact cor_model_contact(struct cor_scene_contact c, const struct cor_exponents *law,
+                                                      double damping, double speed_m_s)
 {
     if (law) {
         c.law = *law;
@@ -29,14 +29,14 @@ static inline struct cor_scene_contact cor_model_contact(struct cor_scene_contac
 }
 
 /* Density of a sphere; NaN: it has none, as a wall */
-static inline double cor_scene_body_density(const struct cor_scene *scene, int body)
+COR_INLINE double cor_scene_body_density(const struct cor_scene *scene, int body)
 {
     const struct cor_body b = cor_scene_body(scene, body);
     return isinf(b.radius_m) ? (double)NAN : b.mass_kg / (4 * COR_PI / 3 * b.radius_m * b.radius_m * b.radius_m);
 }
 
 /* True if Young's modulus, Poisson's ratio or the density of the bodies differ */
-static inline int cor_scene_materials_differ(const struct cor_scene *scene)
+COR_INLINE int cor_scene_materials_differ(const struct cor_scene *scene)
 {
     const struct cor_body one = cor_scene_body(scene, 1), two = cor_scene_body(scene, 2);
     return one.young_modulus_pa != two.young_modulus_pa || one.poisson_ratio != two.poisson_ratio ||
@@ -44,7 +44,7 @@ static inline int cor_scene_materials_differ(const struct cor_scene *scene)
 }
 
 /* True if a version, by cor_simulator_version, has the model; 0: any version */
-static inline int cor_model_has_version(const struct cor_simulator_model *model, long version)
+COR_INLINE int cor_model_has_version(const struct cor_simulator_model *model, long version)
 {
     return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
 }

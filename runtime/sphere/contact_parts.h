@@ -11,21 +11,21 @@
 #define COR_CONTACT_MOST_SPEED COR_INLINE_2_300
 
 /* beta_per_root may be 0, but not so small that half of it is subnormal. */
-static inline int cor_contact_is_ordinary(const struct cor_sphere_contact *contact, int needs_scale)
+COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact, int needs_scale)
 {
     const uint64_t factor = cor_inline_bits(contact->beta_per_root);
     return ((factor == 0) | cor_inline_between(contact->beta_per_root, COR_INLINE_2_M500, COR_INLINE_2_500)) &&
            (!needs_scale || cor_inline_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
 }
 
-static inline int cor_contact_is_ordinary_speed(double speed)
+COR_INLINE int cor_contact_is_ordinary_speed(double speed)
 {
     return cor_inline_between(speed, COR_CONTACT_LEAST_SPEED, COR_CONTACT_MOST_SPEED);
 }
 
 /* Speeds whose bits are below this limit are >= 0, and their product with `scale` is below 2^902: the bits of two
  * factors add up like their logarithms, within one part in 16. If scale is NaN, no speed is below the limit. */
-static inline uint64_t cor_contact_speed_limit(double scale)
+COR_INLINE uint64_t cor_contact_speed_limit(double scale)
 {
     const uint64_t bits = cor_inline_bits(scale), most = (uint64_t)(2 * 1023 + 900) << 52;
     const uint64_t limit = most - bits;
@@ -33,23 +33,23 @@ static inline uint64_t cor_contact_speed_limit(double scale)
 }
 
 /* factor g^(1/5). The factor is split in halves, so that the first product is exact. */
-static inline double cor_contact_beta_of_root(double factor, struct cor_inline_pair root)
+COR_INLINE double cor_contact_beta_of_root(double factor, struct cor_inline_pair root)
 {
     const double head = cor_inline_head(factor), tail = factor - head;
     return root.hi * head + (root.hi * tail + root.lo * factor);
 }
 
-static inline double cor_contact_duration_of(double scale, double root, double duration)
+COR_INLINE double cor_contact_duration_of(double scale, double root, double duration)
 {
     return scale / root * duration;
 }
 
-static inline double cor_contact_overlap_of(double scale, double root, double overlap)
+COR_INLINE double cor_contact_overlap_of(double scale, double root, double overlap)
 {
     return scale * overlap * root * root * root * root;
 }
 
-static inline double cor_contact_dissipation_of(double scale, double root, double beta)
+COR_INLINE double cor_contact_dissipation_of(double scale, double root, double beta)
 {
     return beta * scale / (1.5 * root);
 }

@@ -37,7 +37,7 @@ typedef __m256i words;
 #define WORDS_SIGNS(w) _mm256_movemask_ps(_mm256_castsi256_ps(w))
 
 /* The columns of eight rows, from their addresses in bytes behind `rows` */
-KERNEL void floats_columns(floats c[4], const float *rows, const uint32_t at[FLOATS])
+COR_KERNEL void floats_columns(floats c[4], const float *rows, const uint32_t at[FLOATS])
 {
 #define ROW_AT(i) _mm_loadu_ps((const float *)(const void *)((const char *)rows + at[i]))
 #define ROWS_AT(i, j) _mm256_insertf128_ps(_mm256_castps128_ps256(ROW_AT(i)), ROW_AT(j), 1)
@@ -72,14 +72,14 @@ typedef int32_t words;
 #define WORDS_SIGNS(w) ((w) < 0)
 #endif
 
-KERNEL int32_t word_of_float(float x)
+COR_KERNEL int32_t word_of_float(float x)
 {
     int32_t word;
     memcpy(&word, &x, sizeof word);
     return word;
 }
 
-KERNEL float float_of_word(int32_t word)
+COR_KERNEL float float_of_word(int32_t word)
 {
     float x;
     memcpy(&x, &word, sizeof x);
@@ -87,7 +87,7 @@ KERNEL float float_of_word(int32_t word)
 }
 
 #if !defined(__AVX2__)
-KERNEL void floats_columns(floats c[4], const float *rows, const uint32_t at[FLOATS])
+COR_KERNEL void floats_columns(floats c[4], const float *rows, const uint32_t at[FLOATS])
 {
     for (int k = 0; k < 4; k++)
         c[k] = rows[at[0] / sizeof *rows + (size_t)k];
@@ -113,7 +113,7 @@ struct float_table {
 enum { FLOAT_PRODUCT_LEAST = (127 - 100) << 23, FLOAT_HEAD = -(1 << 19) };
 
 /* Words whose sign tells whether a number is outside the table */
-KERNEL words float_outside(const struct float_table *table, words x)
+COR_KERNEL words float_outside(const struct float_table *table, words x)
 {
     const words last = WORDS_ALL(word_of_float(table->end) - 1), outside = WORDS_OR(x, WORDS_MINUS(last, x));
     if (!table->product)
@@ -125,7 +125,7 @@ KERNEL words float_outside(const struct float_table *table, words x)
 /* The function at numbers in the table; other numbers get some row.
  * Errors: those of the row; of the sum c_0' + t (...), whose size is at most a hundredth of c_0; of the final addition,
  * half a unit of the last place. In a product head c_0 is exact, because head has 5 bits and c_0 has 19. */
-KERNEL floats float_values(const struct float_table *table, floats x)
+COR_KERNEL floats float_values(const struct float_table *table, floats x)
 {
     const int shift = table->shift;
     const int32_t row_0 = word_of_float(table->first) - (1 << shift);
@@ -151,7 +151,7 @@ KERNEL floats float_values(const struct float_table *table, floats x)
 
 enum { FLOAT_BLOCK = 256 };
 
-KERNEL int float_is_outside(const struct float_table *table, float x)
+COR_KERNEL int float_is_outside(const struct float_table *table, float x)
 {
     const uint32_t word = (uint32_t)word_of_float(x);
     return word >= (uint32_t)word_of_float(table->end) ||
@@ -159,8 +159,8 @@ KERNEL int float_is_outside(const struct float_table *table, float x)
 }
 
 /* The function at each number, by blocks; `one` computes numbers outside the table. */
-KERNEL void floats_from_beta(const float *in, float *out, size_t n, const struct float_table *table,
-                             double (*one)(double))
+COR_KERNEL void floats_from_beta(const float *in, float *out, size_t n, const struct float_table *table,
+                                 double (*one)(double))
 {
     for (size_t i = 0, m; i < n; i += m) {
         float last[FLOATS], value[FLOAT_BLOCK];

@@ -20,7 +20,7 @@ typedef __m256d lanes;
 #define LANES_CHOOSE_LESS(x, y, if_true, if_false) _mm256_blendv_pd(if_false, if_true, _mm256_cmp_pd(x, y, _CMP_LT_OQ))
 
 /* Columns k to k + 3 of four rows, transposed */
-KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
+COR_KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
 {
 #define TWO(i, j, k)                                                                                                   \
     _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(row[i] + (k))), _mm_loadu_pd(row[j] + (k)), 1)
@@ -32,7 +32,7 @@ KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
 #undef TWO
 }
 
-KERNEL lanes lanes_head(lanes x)
+COR_KERNEL lanes lanes_head(lanes x)
 {
     return _mm256_and_pd(x, _mm256_castsi256_pd(_mm256_set1_epi64x((long long)UINT64_C(0xfffffffff8000000))));
 }
@@ -44,13 +44,13 @@ typedef double lanes;
 #define LANES_ALL(x) (x)
 #define LANES_CHOOSE_LESS(x, y, if_true, if_false) ((x) < (y) ? (if_true) : (if_false))
 
-KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
+COR_KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
 {
     for (int l = 0; l < 4; l++)
         c[l] = row[0][k + l];
 }
 
-KERNEL lanes lanes_head(lanes x)
+COR_KERNEL lanes lanes_head(lanes x)
 {
     return cor_inline_head(x);
 }
@@ -59,7 +59,7 @@ KERNEL lanes lanes_head(lanes x)
 /* The loops process this many numbers together. The last block of an array is filled up to whole vectors. */
 enum { BLOCK = COR_ROW_BLOCK };
 
-KERNEL size_t whole(size_t m)
+COR_KERNEL size_t whole(size_t m)
 {
     return (m + LANES - 1) / LANES * LANES;
 }
@@ -67,7 +67,7 @@ KERNEL size_t whole(size_t m)
 /* ---- first loop: numbers in the table ---- */
 
 /* The table has `also` too. */
-KERNEL mask has(const struct cor_row_table *table, double x)
+COR_KERNEL mask has(const struct cor_row_table *table, double x)
 {
     return holds(x, table->least, table->end) | is_same(x, table->also);
 }
@@ -97,13 +97,13 @@ struct reduced {
     uint64_t row[BLOCK]; /* its address */
 };
 
-KERNEL uint64_t address_of(const double *rows, uint64_t i)
+COR_KERNEL uint64_t address_of(const double *rows, uint64_t i)
 {
     return (uint64_t)(uintptr_t)rows + i * (COR_INLINE_COLUMNS * sizeof *rows);
 }
 
-KERNEL void reduce_grid(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count, int root,
-                        int has_s)
+COR_KERNEL void reduce_grid(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
+                            int root, int has_s)
 {
     const struct cor_inline_grid grid = {0, table->step, table->per_unit};
     const double *const rows = table->near;
@@ -120,7 +120,7 @@ KERNEL void reduce_grid(struct reduced *r, const struct cor_row_table *table, co
     }
 }
 
-KERNEL void reduce_octaves(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count)
+COR_KERNEL void reduce_octaves(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count)
 {
     const struct cor_inline_octaves octaves = table->octaves;
     const double *const rows = table->middle;
@@ -131,8 +131,8 @@ KERNEL void reduce_octaves(struct reduced *r, const struct cor_row_table *table,
     }
 }
 
-KERNEL void reduce_inverse(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
-                           int root)
+COR_KERNEL void reduce_inverse(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
+                               int root)
 {
     const struct cor_inline_grid grid = {0, table->step, table->per_unit};
     const struct cor_inline_octaves octaves = table->octaves;
@@ -150,8 +150,8 @@ KERNEL void reduce_inverse(struct reduced *r, const struct cor_row_table *table,
 }
 
 /* Returns whether some number has a near row. */
-KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
-                        int has_below)
+COR_KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
+                            int has_below)
 {
     const struct cor_inline_grid grid = {0, table->step, table->per_unit};
     const struct cor_inline_octaves octaves = table->octaves, below_octaves = table->below_octaves;
@@ -191,7 +191,7 @@ KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table, co
 
 /* The operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, with the last columns first. Fewer vectors are alive at
  * a time, and the processor computes with the last columns while it loads the first. */
-KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, enum cor_row_value kind)
+COR_KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, enum cor_row_value kind)
 {
     const double *row[LANES];
     lanes c[4], rest;
@@ -225,7 +225,7 @@ KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, enum c
     return product;
 }
 
-KERNEL void evaluate(double *out, const struct reduced *r, size_t count, int has_s, enum cor_row_value kind)
+COR_KERNEL void evaluate(double *out, const struct reduced *r, size_t count, int has_s, enum cor_row_value kind)
 {
     for (size_t j = 0; j < count; j += LANES)
         LANES_STORE(out + j, evaluate_lanes(r, j, has_s, kind));
@@ -287,7 +287,7 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
 }
 
 /* Whether the scalar function is faster: for a few numbers, and without vectors for several parts */
-KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
+COR_KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
 {
     return n < 8 || (LANES == 1 && table->kind == COR_ROW_PARTS);
 }

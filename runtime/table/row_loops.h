@@ -104,14 +104,14 @@ void cor_row_array(const struct cor_row_table *table, double (*one)(double x), c
 int cor_array_set(void);
 
 /* The place of x in the near and in the middle rows of a table, as the scalar functions need it */
-KERNEL struct cor_inline_place cor_row_near(const struct cor_row_table *table, double x)
+COR_KERNEL struct cor_inline_place cor_row_near(const struct cor_row_table *table, double x)
 {
     const struct cor_inline_grid grid = {0, table->step, table->per_unit};
     const int i = cor_inline_grid_row(grid, x);
     return cor_inline_place_of(table->near + i * COR_INLINE_COLUMNS, cor_inline_grid_t(grid, x, i));
 }
 
-KERNEL struct cor_inline_place cor_row_middle(const struct cor_row_table *table, double x)
+COR_KERNEL struct cor_inline_place cor_row_middle(const struct cor_row_table *table, double x)
 {
     return cor_inline_place_of(table->middle + cor_inline_octaves_row(table->octaves, x) * COR_INLINE_COLUMNS,
                                cor_inline_octaves_t(table->octaves, x));
