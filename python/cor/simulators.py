@@ -7,6 +7,7 @@ A contact is a cor.Contact; or one cor.Body or a pair of them, or nothing, with 
 
 import math
 import os
+import re
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
@@ -75,13 +76,16 @@ def models(simulator: str) -> Dict[str, str]:
     return {_IDS[m.id][len("COR_") :].lower(): string(m.model) for m in rows}
 
 
-def realised(model: str, e: ArrayLike) -> Any:
-    """The restitution that the model of an id realises where a user sets e, with a time step of zero
-    (cor_simulator_realised); NaN where it has no e, or refuses this one."""
-    name = f"COR_{model}".upper()
-    if name not in _IDS.values() or name == "COR_SIMULATOR_MODELS":
-        raise ValueError(f"model: {model!r} is not an id; models(simulator) lists them")
-    row, given = lib.cor_simulator_model(getattr(lib, name)), np.asarray(e, np.float64)
+def realised(simulator: str, model: str, e: ArrayLike) -> Any:
+    """The restitution that a model of a simulator realises where a user sets e, with a time step of zero
+    (cor_simulator_realised); NaN where it has no e, or refuses this one. model: an id of models(simulator), with or
+    without the name of the simulator."""
+    allowed = models(simulator)
+    asked, prefix = (re.sub("[- ]", "_", str(name).lower()) for name in (model, simulator))
+    found = asked if asked in allowed else f"{prefix}_{asked}"
+    if found not in allowed:
+        raise ValueError(f"model: {model!r} is not a model of {simulator}; allowed: {', '.join(allowed)}")
+    row, given = lib.cor_simulator_model(getattr(lib, f"COR_{found.upper()}")), np.asarray(e, np.float64)
     result = np.array([lib.cor_simulator_realised(row, x) for x in given.ravel()]).reshape(given.shape)
     return like([e], result[()])
 

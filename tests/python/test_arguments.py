@@ -121,7 +121,7 @@ def test_masks_stay():
     speeds = np.ma.array([0.1, -1.0, 0.2], mask=[0, 1, 0])  # a masked speed is no error
     for records in (disk.collision(TABLE, 10, COLLISION, speeds), disk.collision_array(TABLE, 10, COLLISION, speeds)):
         np.testing.assert_array_equal(records["eps"].mask, speeds.mask)
-    np.testing.assert_array_equal(simulators.realised("lammps_hertz_tsuji", speeds).mask, speeds.mask)
+    np.testing.assert_array_equal(simulators.realised("lammps", "hertz-tsuji", speeds).mask, speeds.mask)
 
 
 def test_a_series_stays_a_series():

@@ -80,12 +80,13 @@ def test_gravity_has_the_surface_as_its_end():
 
 
 def test_realised():
-    half = simulators.realised("lammps_hertz_tsuji", 0.5)
+    half = simulators.realised("lammps", "lammps_hertz_tsuji", 0.5)
     assert half == pytest.approx(0.616, abs=5e-4)
-    many = simulators.realised("lammps_hertz_tsuji", [[0.2, 0.5], [0.9, np.nan]])
+    many = simulators.realised("LAMMPS", "hertz-tsuji", [[0.2, 0.5], [0.9, np.nan]])
     assert many.shape == (2, 2) and many[0, 1] == half and np.isnan(many[1, 1])
-    ids = [model for name in [*simulators.names(), "kratos"] for model in simulators.models(name)]
-    assert len(set(ids)) == len(ids) > 50 and all(np.isnan(simulators.realised(model, 2)) for model in ids)
+    ids = [(name, model) for name in [*simulators.names(), "kratos"] for model in simulators.models(name)]
+    assert len({model for _, model in ids}) == len(ids) > 50
+    assert all(np.isnan(simulators.realised(name, model, 2)) for name, model in ids)
     assert simulators.models("MFiX") == {"mfix_lsd": "DEM, LSD", "mfix_hertzian": "DEM, HERTZIAN"}
 
 
@@ -267,7 +268,7 @@ def test_a_measured_restitution():
         (lambda: simulators.models("yade\0x"), "^simulator: "),
         (lambda: simulators.step_error(BODY, 1.0, 10, integrator="rk4"), "^integrator: "),
         (lambda: simulators.step_error(BODY, 0.0, 10), "^speed: "),
-        (lambda: simulators.realised("none", 0.5), "^model: "),
+        (lambda: simulators.realised("lammps", "none", 0.5), "^model: "),
         (lambda: simulators.audit("x", tolerance=-1), "^tolerance: "),
         (lambda: cor.sphere.eps_zero_force("x"), "^beta: |^x: "),
         (lambda: cor.contact.sphere_mass_kg(1, "x"), "^density_kg_m3: "),
