@@ -168,7 +168,7 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
         ordinary[i].mass_kg = i == 0 ? by_size(source, 1e-9, 10) : INFINITY;
         wild[i] = body(source);
     }
-    const size_t way = below(source, 6);
+    const size_t way = below(source, 4);
     if (by_hand && way == 0) {
         drawn.effective_mass_kg = any_number(source);
         drawn.effective_radius_m = any_number(source);
