@@ -13,9 +13,8 @@
  *                                 _shear_crossings, _sphere_crossings, _least_half_width_m
  *     elastic waves               cor_contact_wave_loss, cor_half_space_wave_factor, _wave_coefficient
  *
- * Equation numbers are those of sphere.h. cor.h says what holds of threads, memory and the floating-point environment;
- * at subnormal or extreme speeds these functions round to nearest in every mode. No function uses more bytes of stack
- * than COR_CONTACT_MAX_STACK. */
+ * Equation numbers are those of sphere.h. cor.h describes threads, memory and the floating-point environment. No
+ * function uses more bytes of stack than COR_CONTACT_MAX_STACK. */
 #ifndef COR_CONTACT_H
 #define COR_CONTACT_H
 
@@ -26,6 +25,11 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* The range of every number in SI units: a body, a plate or a speed outside of it, or a result or field that would be,
+ * gives NaN or a status. 0 and INFINITY count as in range where a function names them. */
+#define COR_SI_LEAST 1e-250
+#define COR_SI_MOST 1e250
 
 /* Bound on the rounding error of the functions below, in units of the last place, against the exact formula of the
  * given inputs. Sampled in tests/unit/test_contact.c from materials on. Proved for durations, largest overlap and A at
@@ -49,8 +53,8 @@ struct cor_body {
     double mass_kg;            /* > 0; INFINITY is held fast */
 };
 
-/* Mass of a homogeneous sphere, (4/3) pi R^3 times density, kg. Domain: radius and density > 0; all other arguments ->
- * NaN. Accuracy: 4 units of the last place. */
+/* Mass of a homogeneous sphere, (4/3) pi R^3 times density, kg. Domain: radius and density in range or infinite; all
+ * other arguments -> NaN. Accuracy: 4 units of the last place. */
 COR_API double cor_sphere_mass_kg(double radius_m, double density_kg_m3);
 
 /* A pair of bodies, filled by one of the init functions. Callers may read every field, but a changed field does not
@@ -78,8 +82,9 @@ struct cor_sphere_contact {
  * are short against the duration of the contact.
  * Accuracy of beta_per_root and scale: COR_CONTACT_MAX_ULP, sampled in tests/unit/test_contact.c.
  *
- * Returns COR_OK, or the status of the first wrong input, or COR_ERROR_RANGE where a field would overflow or lose
- * digits to underflow. After an error all fields are NaN, and so is every eps computed from them. */
+ * Returns COR_OK, or the status of the first wrong input, or COR_ERROR_RANGE where an input or a field is not in range,
+ * beta_per_root or scale not from 2^-500 to 2^500. After an error all fields are NaN, and so is every eps computed from
+ * them. */
 COR_API int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
                                     const struct cor_body *body_2);
 
@@ -88,8 +93,8 @@ COR_API int cor_sphere_contact_init(struct cor_sphere_contact *contact, const st
  * contact without dissipation.
  * Accuracy of beta_per_root: COR_CONTACT_MAX_ULP.
  *
- * Returns COR_OK, COR_ERROR_NULL, or COR_ERROR_G_STAR for a g* that is zero, negative or NaN. After an error all fields
- * are NaN. */
+ * Returns COR_OK, COR_ERROR_NULL, or COR_ERROR_G_STAR for a g* that is zero, negative, NaN or out of range. After an
+ * error all fields are NaN. */
 COR_API int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_star_m_s);
 
 /* g* of (29)-(31), m/s, so that eps = 1 - (g/g*)^(1/5) + ...:
@@ -97,15 +102,14 @@ COR_API int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, d
  *     (g*)^(-1/5) = |C_1| (3/2) A (rho/m)^(2/5)
  *
  * Accuracy relative to beta_per_root: 2 COR_CONTACT_MAX_ULP (a fifth power).
- * Special values: no dissipation, or too little for a double -> INFINITY; a contact whose init
- * failed -> NaN. */
+ * Special values: no dissipation, or g* above the range -> INFINITY; a contact whose init failed, or g* below the range
+ * -> NaN. */
 COR_API double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact);
 
 /* ---- eps at a speed ---- */
 
 /* beta = beta_per_root g^(1/5) at impact speed g >= 0, m/s.
- * Accuracy: COR_CONTACT_MAX_ULP, of which 1.5 units of the last place come from this function; subnormal speeds
- * included.
+ * Accuracy: COR_CONTACT_MAX_ULP, of which 1.5 units of the last place come from this function.
  * Special values: 0 -> 0; negative or NaN speed, or a contact whose init failed -> NaN. Without dissipation beta = 0 at
  * every speed, +inf included. */
 COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s);
@@ -210,7 +214,7 @@ COR_API double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double
  *                          1/G* = 2 (2 - nu_1)(1 + nu_1)/Y_1 + 2 (2 - nu_2)(1 + nu_2)/Y_2
  *
  * For equal Poisson's ratios this is 21 (1 - nu)/(2 (2 - nu)), from 7 at nu = -1 to 7/2 at nu = 1/2; 9/2 at nu = 1/4.
- * Domain: Y > 0, one of them may be infinite, -1 < nu <= 1/2. Accuracy: COR_CONTACT_MAX_ULP.
+ * Domain: Y in range, one of them may be infinite, -1 < nu <= 1/2. Accuracy: COR_CONTACT_MAX_ULP.
  * Special values: any argument outside its domain, NaN, or two rigid bodies -> NaN.
  * Source: Mindlin, J. Appl. Mech. 16, 259 (1949); docs/theory.md, 20. */
 COR_API double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, double young_modulus_2_pa,
@@ -246,8 +250,8 @@ struct cor_plate {
  * sphere's material, weighted by its compliance as in cor_sphere_contact_init, is added to m/Z; the sum is right to
  * first order.
  * Accuracy of beta_per_root and scale: COR_CONTACT_MAX_ULP, sampled in tests/unit/test_plate.c.
- * Returns COR_OK, the status of the first wrong input, or COR_ERROR_RANGE where a field would overflow or lose digits
- * to underflow. After an error all fields are NaN. */
+ * Returns COR_OK, the status of the first wrong input, or COR_ERROR_RANGE as cor_sphere_contact_init does. After an
+ * error all fields are NaN. */
 COR_API int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_body *sphere,
                                    const struct cor_plate *plate);
 

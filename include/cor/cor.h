@@ -22,10 +22,9 @@
  * Threads, memory: no function has state, so that several threads may call it at once. None allocates memory. Each
  * header bounds the stack.
  * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
- * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. The bounds on errors
- * hold for rounding to nearest. In the other rounding modes, and where subnormal numbers are flushed to zero, results
- * of scalar functions change by a relative 1e-9 at most (floats: 1.2e-7), and eps and loss stay in [0, 1]. Array
- * functions round to nearest in every mode.
+ * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. All functions assume
+ * rounding to nearest; in other rounding modes no result is promised. Where subnormal numbers are flushed to zero,
+ * results change by a relative 1e-9 at most (floats: 1.2e-7).
  * Arrays: a function whose name ends in _array sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the
  * pointers may be NULL. x and y may be the same array, but must not overlap otherwise.
  * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time, and

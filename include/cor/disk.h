@@ -20,12 +20,10 @@
  *                                         _max_compression, _contact_time, and the limits cor_disk_load_limit, ...
  *     modes                               cor_disk_modes_nu033, _nu090, _read, _compute, _below
  *
- * cor.h says what holds of threads, memory and the floating-point environment, with three exceptions. Every function
- * rounds to nearest and keeps subnormal numbers in every mode of the caller; results of cor_disk_eps and of the three
- * functions beside it with one speed change, by a relative 1e-9 at most. observe is called in the default environment
- * and must return. Six functions allocate memory and free it: cor_disk_modes_compute, cor_disk_rayleigh_array,
- * cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall and cor_disk_hard_wall_nu. (cor_disk_modes_read
- * opens a file, for which the C library may allocate a buffer.)
+ * cor.h describes threads, memory and the floating-point environment. A callback runs in the environment of the caller.
+ * Modes have numbers below 1e9; larger ones give COR_ERROR_MODES. Six functions allocate memory and free it:
+ * cor_disk_modes_compute, cor_disk_rayleigh_array, cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall and
+ * cor_disk_hard_wall_nu. (cor_disk_modes_read opens a file, for which the C library may allocate a buffer.)
  *
  * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/theory-disks.md, 11 to 17,
  * derives them again, and docs/errata.md lists where the print is wrong. */

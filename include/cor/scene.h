@@ -10,10 +10,11 @@
  * dashpot and Tsuji's damping, zeta = beta/sqrt(2 (a + 1)) is the parameter, and eps is the same at every speed.
  *
  * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They
- * are safe in threads, and use no memory but a stack of a few kilobytes. They compute in the default floating-point
- * environment, in which a solver of the caller runs too, and leave the environment of the caller and errno as they are,
- * whatever the arguments. Functions behind the pointers of a model run in the environment of their caller. Source:
- * docs/theory.md, 9, and docs/laws.md. */
+ * are safe in threads, and use no memory but a stack of a few kilobytes. They assume rounding to nearest. They raise no
+ * exception but underflow and inexact and set no errno, whatever the arguments; a solver of the caller runs in the
+ * caller's environment. Functions behind the pointers of a model do not check their arguments. Every number with a unit
+ * is 0, where that is meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h); others give NaN, or COR_FAULT_RANGE.
+ * Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 
@@ -50,7 +51,7 @@ double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
  * Where q = 0 and where a = b the result is a closed form. Otherwise Taylor series integrate up to the largest overlap,
  * or, where the spring is too weak to matter, the limit of strong damping is the result.
  * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
- * Special values: damping negative, infinite or NaN -> NaN. */
+ * Special values: damping negative, infinite or NaN, or above 1e100 (q = 0) or 1e280 (a = b) -> NaN. */
 #define COR_LAW_FORCE_MAX_ERROR 1e-12
 double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
@@ -75,7 +76,8 @@ double cor_elastic_plastic_speed_ratio(double eps);
 
 /* eps of a contact in a liquid that takes the speed s from the bodies on the way in, and on the way out: `eps` is that
  * of the dry contact at the speed v - s. (eps (v - s) - s)/v, and 0 where that is negative.
- * Accuracy: 4 units of the last place of 1. Special values: s = 0 -> eps; a negative number or NaN -> NaN. */
+ * Accuracy: 4 units of the last place of 1. Special values: s = 0 -> eps; eps outside [0, 1], a speed that is neither 0
+ * nor in range -> NaN. */
 double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s);
 
 /* ---- a contact ---- */
@@ -129,7 +131,7 @@ struct cor_scene_impact {
 
 /* The impact at a speed above 0, m/s; its eps at one end alone; the largest force between the bodies, N, damping
  * included, which takes an integration for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
- * COR_FAULT_SOLVER, or what the solver returned. */
+ * COR_FAULT_RANGE, COR_FAULT_SOLVER, COR_FAULT_PRESSED, or what the solver returned. */
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
@@ -325,7 +327,7 @@ enum cor_fault {
     COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT, and neither restitution nor beta */
     COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, that of body 1 */
     COR_FAULT_NO_SECOND_BODY, /* number is that of a second viscoelastic body, and there is none */
-    COR_FAULT_RANGE,          /* the damping is beyond a double */
+    COR_FAULT_RANGE,          /* number, a number of the contact, or the speed is out of range */
     COR_FAULT_STEP,           /* of the functions of the time step, which have no yield, liquid or JKR adhesion */
     COR_FAULT_NO_STIFFNESS,   /* no stiffness makes the contact last as long as the duration says */
     COR_FAULT_PRESSED,        /* a constant force, and a damping too strong to be integrated */
@@ -343,11 +345,11 @@ struct cor_scene_fault {
     int number, other; /* enum cor_scene_number */
     int status;        /* enum cor_status */
 };
-/* Writes the fault as a sentence in which numbers have the names of corgen's options, "--young". As snprintf; less than
- * COR_SCENE_FAULT_TEXT characters where law and rule are short. `law` is how the reader knows the law of the scene;
- * `rule` says which numbers bodies have, NULL: those of corgen contact. */
+/* Writes the fault as a sentence in which numbers have the names of corgen's options, "--young". As snprintf; less
+ * than COR_SCENE_FAULT_TEXT characters where law_name and rule are short. law_name is how the reader knows the law of
+ * the scene; `rule` says which numbers bodies have, NULL: those of corgen contact. */
 enum { COR_SCENE_FAULT_TEXT = 600 };
-long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law,
+long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law_name,
                           const char *rule);
 
 int cor_scene_given(const struct cor_scene *scene, int number);

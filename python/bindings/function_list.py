@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The list of all public functions, generated/public_functions.inc, by which tests call every one of them, and that of
-scene.h, generated/scene_functions.inc.
+"""The list of all public functions, generated/public_functions.inc, by which tests call every one of them.
 
-    python3 python/bindings/function_list.py [--check]        writes the files, or fails if one is another
+    python3 python/bindings/function_list.py [--check]        writes the file, or fails if it is another
 """
 
 import re
@@ -15,7 +14,7 @@ if __package__ in (None, ""):
 
 from bindings.calls import BY_HAND, calls, input_struct, is_elementwise  # noqa: E402
 from bindings.cffi_source import scene_declarations  # noqa: E402
-from bindings.declarations import ROOT, Declarations, Function, Parameter, squeeze, write_or_check  # noqa: E402
+from bindings.declarations import ROOT, Declarations, Function, Parameter, write_or_check  # noqa: E402
 
 MACROS = {
     "NUMBER(name)": "the name of a parameter that is a double or a float",
@@ -24,6 +23,8 @@ MACROS = {
     "FLOATS(function, given)": "fills y[0..n-1] in float arithmetic",
     "INIT(function, type, given)": "fills the struct at out",
     "OTHER(function)": "of another kind",
+    "SCENE_FUNCTION(type, function, given)": "of scene.h",
+    "SCENE_PROCEDURE(function, given)": "of scene.h, without a result",
 }
 HEAD = """/* SPDX-License-Identifier: MIT */
 /* Every public function, written from the headers by python/bindings/function_list.py. Whoever includes this list
@@ -81,35 +82,19 @@ def lines(declared: Declarations) -> List[str]:
 def text() -> str:
     made = HEAD + "".join(f" *     {macro:<40}{meaning}\n" for macro, meaning in MACROS.items()) + " */\n"
     made += "".join(f"#ifndef {macro.split('(')[0]}\n#define {macro}\n#endif\n" for macro in MACROS)
-    made += "\n".join(lines(Declarations(ROOT / "include" / "cor"))) + "\n"
+    made += "\n".join(lines(Declarations(ROOT / "include" / "cor")) + scene_lines()) + "\n"
     return made + "".join(f"#undef {macro.split('(')[0]}\n" for macro in MACROS)
 
 
-# These compute nothing, and corgen links them without the others.
-PLAIN = ["cor_scene_" + name for name in ("given", "of_body", "mass_is_given", "check_bodies", "fault_text")]
-SCENE_HEAD = """/* SPDX-License-Identifier: MIT */
-/* The functions of scene.h that compute, written from the header by python/bindings/function_list.py:
- * FUNCTION(type, name, parameters, arguments), and PROCEDURE without a type; or, with COR_SCENE_INSIDE, a macro for
- * each, by which runtime/scene/ gives it a name of its own. */
-#ifndef PROCEDURE
-#define PROCEDURE(name, parameters, arguments)
-#endif
-"""
-
-
-def scene_text() -> str:
-    macros, calls_ = "", ""
+def scene_lines() -> List[str]:
+    found = []
     pattern = r"^(?!typedef|static)(\w[\w ]*?[ *]+)(cor_\w+)\(([^()]*)\);"
     for kind, name, words in re.findall(pattern, scene_declarations(ROOT / "include" / "cor", ["scene"]), flags=re.M):
-        if name not in PLAIN:
-            names = ", ".join(re.findall(r"(\w+)(?:\[\w+\])?(?:,|$)", words))
-            start = "PROCEDURE(" if kind.strip() == "void" else f"FUNCTION({kind.strip()}, "
-            macros += f"#define {name}(...) cor_inside_{name[len('cor_'):]}(__VA_ARGS__)\n"
-            calls_ += f"{start}{name[len('cor_'):]}, ({squeeze(words)}), ({names}))\n"
-    return SCENE_HEAD + f"#ifdef COR_SCENE_INSIDE\n{macros}#else\n{calls_}#endif\n#undef FUNCTION\n#undef PROCEDURE\n"
+        names = ", ".join(re.findall(r"(\w+)(?:\[\w+\])?(?:,|$)", words))
+        start = "SCENE_PROCEDURE(" if kind.strip() == "void" else f"SCENE_FUNCTION({kind.strip()}, "
+        found.append(f"{start}{name}, ({names}))")
+    return found
 
 
 if __name__ == "__main__":
-    made = {"public": text(), "scene": scene_text()}
-    status = [write_or_check(ROOT / "generated" / f"{k}_functions.inc", made[k], sys.argv[1:], __doc__) for k in made]
-    sys.exit(max(status))
+    sys.exit(write_or_check(ROOT / "generated" / "public_functions.inc", text(), sys.argv[1:], __doc__))

@@ -6,7 +6,6 @@
 
 #include "cor/status.h"
 #include "runtime/disk/collision_parts.h"
-#include "runtime/number/environment.h"
 
 /* COR_OK, or the status of the first error in the table and the options */
 static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
@@ -15,17 +14,18 @@ static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
     const int status = options == NULL ? COR_ERROR_NULL : cor_disk_table_check(modes, n_modes);
     if (status != COR_OK)
         return status;
-    if (!(options->tolerance >= COR_DISK_COLLISION_MIN_TOLERANCE && options->tolerance < 1))
+    if (!(isgreaterequal(options->tolerance, COR_DISK_COLLISION_MIN_TOLERANCE) && options->tolerance < 1))
         return COR_ERROR_TOLERANCE;
-    if (!(options->alpha >= COR_DISK_COLLISION_MIN_ALPHA && options->alpha <= COR_DISK_COLLISION_MAX_ALPHA))
+    if (!(isgreaterequal(options->alpha, COR_DISK_COLLISION_MIN_ALPHA) &&
+          options->alpha <= COR_DISK_COLLISION_MAX_ALPHA))
         return COR_ERROR_ALPHA;
     if (options->phi_points > COR_DISK_COLLISION_MAX_PHI_POINTS)
         return COR_ERROR_PHI_POINTS;
     return COR_OK;
 }
 
-static size_t collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
-                                  const struct cor_disk_collision_options *options)
+size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
+                                    const struct cor_disk_collision_options *options)
 {
     if (collision_check(modes, n_modes, options) != COR_OK)
         return 0;
@@ -64,7 +64,7 @@ static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collis
                               struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
 {
     *out = collision_unknown;
-    if (!(speed <= COR_DISK_COLLISION_MAX_SPEED))
+    if (!islessequal(speed, COR_DISK_COLLISION_MAX_SPEED))
         return COR_ERROR_SPEED;
     if (speed <= 0) {
         *out = collision_without_touch;
@@ -79,16 +79,16 @@ static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collis
     return cor_collision_runs(m, out, detail);
 }
 
-static int collision_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
-                        const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out,
-                        const struct cor_disk_collision_detail *detail)
+int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                          const struct cor_disk_collision_options *options, double speed,
+                          struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
 {
     const int status = collision_check(modes, n_modes, options);
     if (status != COR_OK)
         return status;
     if (workspace == NULL || out == NULL)
         return COR_ERROR_NULL;
-    if (!(speed <= COR_DISK_COLLISION_MAX_SPEED))
+    if (!islessequal(speed, COR_DISK_COLLISION_MAX_SPEED))
         return COR_ERROR_SPEED;
     struct cor_motion m;
     const int prepared = collision_prepare(&m, workspace, bytes, modes, n_modes, options);
@@ -97,7 +97,7 @@ static int collision_in(void *workspace, size_t bytes, const struct cor_disk_mod
 
 /* ---- many speeds ---- */
 
-static int collision_of_many(const struct cor_disk_modes *modes, size_t n_modes,
+int cor_disk_collision_array(const struct cor_disk_modes *modes, size_t n_modes,
                              const struct cor_disk_collision_options *options, const double *speed, size_t n,
                              struct cor_disk_collision *out, int *status)
 {
@@ -106,7 +106,7 @@ static int collision_of_many(const struct cor_disk_modes *modes, size_t n_modes,
         return refused;
     if (n > 0 && (speed == NULL || out == NULL))
         return COR_ERROR_NULL;
-    const size_t bytes = collision_workspace(modes, n_modes, options);
+    const size_t bytes = cor_disk_collision_workspace(modes, n_modes, options);
     void *const workspace = malloc(bytes);
     if (workspace == NULL)
         return COR_ERROR_MEMORY;
@@ -123,33 +123,11 @@ static int collision_of_many(const struct cor_disk_modes *modes, size_t n_modes,
     return first;
 }
 
-static int collision_of_one(const struct cor_disk_modes *modes, size_t n_modes,
-                            const struct cor_disk_collision_options *options, double speed,
-                            struct cor_disk_collision *out)
+int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
+                       const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out)
 {
     const int status = collision_check(modes, n_modes, options);
-    if (status == COR_OK && out != NULL && !(speed <= COR_DISK_COLLISION_MAX_SPEED))
+    if (status == COR_OK && out != NULL && !islessequal(speed, COR_DISK_COLLISION_MAX_SPEED))
         return COR_ERROR_SPEED; /* *out is unchanged */
-    return collision_of_many(modes, n_modes, options, &speed, 1, out, NULL);
+    return cor_disk_collision_array(modes, n_modes, options, &speed, 1, out, NULL);
 }
-
-/* ---- in the default floating-point environment ---- */
-
-COR_IN_ENVIRONMENT(size_t, cor_disk_collision_workspace, collision_workspace,
-                   (const struct cor_disk_modes *modes, size_t n_modes,
-                    const struct cor_disk_collision_options *options),
-                   (modes, n_modes, options))
-COR_IN_ENVIRONMENT(int, cor_disk_collision_in, collision_in,
-                   (void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
-                    const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out,
-                    const struct cor_disk_collision_detail *detail),
-                   (workspace, bytes, modes, n_modes, options, speed, out, detail))
-COR_IN_ENVIRONMENT(int, cor_disk_collision, collision_of_one,
-                   (const struct cor_disk_modes *modes, size_t n_modes,
-                    const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out),
-                   (modes, n_modes, options, speed, out))
-COR_IN_ENVIRONMENT(int, cor_disk_collision_array, collision_of_many,
-                   (const struct cor_disk_modes *modes, size_t n_modes,
-                    const struct cor_disk_collision_options *options, const double *speed, size_t n,
-                    struct cor_disk_collision *out, int *status),
-                   (modes, n_modes, options, speed, n, out, status))

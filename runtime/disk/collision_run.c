@@ -338,7 +338,8 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
         return COR_RUN_TOO_LONG;
     cor_collision_approach(m, h, &now);
     /* the largest reach of a rim with a negligible load */
-    const double negligible = negligible_load(m), clear = log(negligible / COR_PI) / m->alpha;
+    const double negligible = negligible_load(m),
+                 clear = negligible > 0 ? log(negligible / COR_PI) / m->alpha : -INFINITY;
     for (;;) {
         if (!(run->steps < COR_DISK_COLLISION_MAX_STEPS && m->work_left > 0))
             return COR_RUN_TOO_LONG;
@@ -361,6 +362,6 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
     }
     run->eps = -now.v / m->speed;
     run->contact_time = run->end - run->start;
-    run->work = work_left - m->work_left;
+    run->work = work_left < INFINITY ? work_left - m->work_left : 0;
     return COR_RUN_ENDED;
 }

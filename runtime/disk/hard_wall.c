@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "cor/status.h"
-#include "runtime/number/environment.h"
 
 /* ---- constants, and the origin of their values ---- */
 
@@ -258,8 +257,9 @@ static int check_options(const struct cor_disk_hard_wall_options *options)
 {
     if (options == NULL)
         return COR_ERROR_NULL;
-    return options->tolerance >= COR_DISK_HARD_WALL_MIN_TOLERANCE && options->tolerance < 1 ? COR_OK
-                                                                                            : COR_ERROR_TOLERANCE;
+    return isgreaterequal(options->tolerance, COR_DISK_HARD_WALL_MIN_TOLERANCE) && options->tolerance < 1
+               ? COR_OK
+               : COR_ERROR_TOLERANCE;
 }
 
 /* COR_OK, or the status of the first error in the table and the options */
@@ -277,7 +277,7 @@ static int hard_wall_check(const struct cor_disk_modes *modes, size_t n_modes,
 
 static int check_speed(double speed)
 {
-    return speed <= COR_DISK_HARD_WALL_MAX_SPEED ? COR_OK : COR_ERROR_SPEED;
+    return islessequal(speed, COR_DISK_HARD_WALL_MAX_SPEED) ? COR_OK : COR_ERROR_SPEED;
 }
 
 static const struct cor_disk_hard_wall unknown = {NAN, NAN, NAN, NAN, NAN, 0};
@@ -297,17 +297,17 @@ static size_t bytes_of_levels(const struct cor_disk_modes *modes, size_t from, s
     return most + COR_ALIGNMENT;
 }
 
-static size_t hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
-                                  const struct cor_disk_hard_wall_options *options, double speed)
+size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
+                                    const struct cor_disk_hard_wall_options *options, double speed)
 {
     if (hard_wall_check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
         return 0;
     return bytes_of_levels(modes, 0, speed > 0 ? levels_of(modes, n_modes) : 0, speed, options->tolerance);
 }
 
-static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
-                        const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out,
-                        const struct cor_disk_hard_wall_detail *detail)
+int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                          const struct cor_disk_hard_wall_options *options, double speed,
+                          struct cor_disk_hard_wall *out, const struct cor_disk_hard_wall_detail *detail)
 {
     int status = hard_wall_check(modes, n_modes, options);
     if (status == COR_OK)
@@ -316,7 +316,7 @@ static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_mod
         return status;
     if (workspace == NULL || out == NULL)
         return COR_ERROR_NULL;
-    if (bytes < hard_wall_workspace(modes, n_modes, options, speed))
+    if (bytes < cor_disk_hard_wall_workspace(modes, n_modes, options, speed))
         return COR_ERROR_WORKSPACE;
     *out = unknown;
     if (speed <= 0)
@@ -335,14 +335,14 @@ static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_mod
     return status;
 }
 
-static int hard_wall_of_table(const struct cor_disk_modes *modes, size_t n_modes,
-                              const struct cor_disk_hard_wall_options *options, double speed,
-                              struct cor_disk_hard_wall *out)
+int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
+                       const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out)
 {
-    const size_t bytes = hard_wall_workspace(modes, n_modes, options, speed);
+    const size_t bytes = cor_disk_hard_wall_workspace(modes, n_modes, options, speed);
     void *const workspace = malloc(bytes > 0 ? bytes : 1); /* 0: refused, below */
-    const int status = workspace == NULL ? COR_ERROR_MEMORY
-                                         : hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
+    const int status = workspace == NULL
+                           ? COR_ERROR_MEMORY
+                           : cor_disk_hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
     free(workspace);
     return status;
 }
@@ -378,7 +378,7 @@ int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard
     *work = 0;
     if (out == NULL)
         return COR_ERROR_NULL;
-    if (!(nu > -1 && nu < 1))
+    if (!isless(fabs(nu), 1))
         return COR_ERROR_DISK_POISSON_RATIO;
     int status = check_options(options);
     if (status == COR_OK)
@@ -400,29 +400,9 @@ int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard
     return status;
 }
 
-static int hard_wall_of_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
-                           struct cor_disk_hard_wall *out)
+int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
+                          struct cor_disk_hard_wall *out)
 {
     double work;
     return cor_hard_wall_within(COR_HARD_WALL_WORK, nu, options, speed, out, &work);
 }
-
-/* ---- in the default floating-point environment ---- */
-
-COR_IN_ENVIRONMENT(size_t, cor_disk_hard_wall_workspace, hard_wall_workspace,
-                   (const struct cor_disk_modes *modes, size_t n_modes,
-                    const struct cor_disk_hard_wall_options *options, double speed),
-                   (modes, n_modes, options, speed))
-COR_IN_ENVIRONMENT(int, cor_disk_hard_wall_in, hard_wall_in,
-                   (void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
-                    const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out,
-                    const struct cor_disk_hard_wall_detail *detail),
-                   (workspace, bytes, modes, n_modes, options, speed, out, detail))
-COR_IN_ENVIRONMENT(int, cor_disk_hard_wall, hard_wall_of_table,
-                   (const struct cor_disk_modes *modes, size_t n_modes,
-                    const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out),
-                   (modes, n_modes, options, speed, out))
-COR_IN_ENVIRONMENT(int, cor_disk_hard_wall_nu, hard_wall_of_nu,
-                   (double nu, const struct cor_disk_hard_wall_options *options, double speed,
-                    struct cor_disk_hard_wall *out),
-                   (nu, options, speed, out))

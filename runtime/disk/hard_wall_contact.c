@@ -112,9 +112,8 @@ static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wa
     for (size_t k = 0; k < i; k++)
         row[k] = (row[k] - contact->loops->dot(padded(k), factor->below + row_start(k), row)) * factor->pivot[k];
     const double rest = contact->row[angle] - contact->loops->dot(padded(i), row, row);
-    if (!(rest > 0))
-        contact->indefinite = 1;
-    factor->pivot[i] = 1 / sqrt(rest);
+    contact->indefinite = contact->indefinite || !(rest > 0);
+    factor->pivot[i] = rest > 0 ? 1 / sqrt(rest) : 0;
 }
 
 /* Element i of L^-1 right; z holds the elements before it */

@@ -4,7 +4,6 @@
 
 #include "cor/disk.h"
 #include "generated/disk_limits.h"
-#include "runtime/number/environment.h"
 
 static const struct cor_disk_limit_table table = {
     COR_DISK_LIMIT_X_ROOTS, COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST,
@@ -43,14 +42,11 @@ double cor_disk_eps(double speed, double nu)
     return sqrt(1 - loss_at(speed, nu));
 }
 
-static void eps_of_speeds(const double *speed, double nu, double *eps, size_t n)
+void cor_disk_eps_array(const double *speed, double nu, double *eps, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         eps[i] = cor_disk_eps(speed[i], nu);
 }
-
-COR_RUN_IN_ENVIRONMENT(cor_disk_eps_array, eps_of_speeds, (const double *speed, double nu, double *eps, size_t n),
-                       (speed, nu, eps, n))
 
 /* d eps = d(1 - eps^2)/(2 eps); eps is above 0.7 */
 double cor_disk_eps_uncertainty(double speed, double nu)

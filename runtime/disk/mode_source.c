@@ -136,7 +136,7 @@ long cor_mode_orders(double omega)
     return (long)(omega * sqrt(10.0)) + 2;
 }
 
-double cor_mode_total(const struct cor_mode_material *material, double omega)
+static double total(const struct cor_mode_material *material, double omega)
 {
     if (omega < 1) /* below every mode; products of the equation would underflow */
         return 0;
@@ -168,6 +168,9 @@ double cor_mode_total(const struct cor_mode_material *material, double omega)
     }
     return total;
 }
+
+COR_IN_ENVIRONMENT(double, cor_mode_total, total, (const struct cor_mode_material *material, double omega),
+                   (material, omega))
 
 double cor_mode_upper_end(const struct cor_mode_material *material, size_t count)
 {
@@ -280,6 +283,12 @@ static void ladders_lower(struct ladders *a, const struct search *s, long N)
         a->ready--;
 }
 
+/* The frequency that Halley's method finds from a point; infinite where it finds none */
+static double guess_at(const struct cor_mode_point *p, int i)
+{
+    return islessequal(p->step[i], 1) ? p->omega[i] * sqrt(1 - p->step[i]) : INFINITY;
+}
+
 /* Counts the roots of n below every place from s->first on. Returns the number below the last place. */
 static long count_places(struct search *s)
 {
@@ -306,7 +315,7 @@ static long count_places(struct search *s)
         for (int i = 0; i < lanes; i++) {
             most = p->below[i] > (double)most ? (long)p->below[i] : most;
             s->below[from + i] = (double)most;
-            s->guess[from + i] = p->omega[i] * sqrt(1 - p->step[i]);
+            s->guess[from + i] = guess_at(p, i);
         }
     }
     return most;
@@ -407,7 +416,7 @@ static void refine_group(struct cor_disk_mode *mode, struct group *group, const 
                 continue;
             struct bracket *const b = &group->bracket[i];
             const long l = group->l[i];
-            const double omega = p->omega[i], guess = omega * sqrt(1 - p->step[i]), length = fabs(guess - omega);
+            const double omega = p->omega[i], guess = guess_at(p, i), length = fabs(guess - omega);
             const int near = is_alone(b) && length < INSEPARABLE * omega;
             if ((near && (last[i] || length < DONE * omega)) || b->high - b->low < INSEPARABLE * b->high) {
                 mode[l].n = (int)s->n;
@@ -420,7 +429,7 @@ static void refine_group(struct cor_disk_mode *mode, struct group *group, const 
             }
             /* steps that do not become shorter do not converge */
             tell_bracket(b, l, omega, p->below[i] > 0 ? (long)fmin(p->below[i], (double)count) : 0,
-                         length < 0.5 * before[i] ? guess : NAN);
+                         length < 0.5 * before[i] ? guess : INFINITY);
             last[i] = near;
             group->omega[i] = near ? guess : next_place(b);
             before[i] = group->omega[i] == guess ? length : INFINITY;
@@ -468,8 +477,8 @@ static int by_frequency(const void *a, const void *b)
     return x->n != y->n ? (x->n < y->n ? -1 : 1) : (x->l > y->l) - (x->l < y->l);
 }
 
-int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
-                  struct cor_disk_mode **mode, size_t *found)
+static int find_modes(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
+                      struct cor_disk_mode **mode, size_t *found)
 {
     const long orders = cor_mode_orders(omega);
     /* the counts may differ by one for each n */
@@ -500,11 +509,17 @@ int cor_mode_find(const struct cor_mode_material *material, const struct cor_mod
     return status;
 }
 
-static int modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes)
+/* The loops compute both sides of a condition. The unused side may raise exceptions, which the environment hides. */
+COR_IN_ENVIRONMENT(int, cor_mode_find, find_modes,
+                   (const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
+                    struct cor_disk_mode **mode, size_t *found),
+                   (material, loops, omega, mode, found))
+
+int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes)
 {
     if (mode == NULL || modes == NULL)
         return COR_ERROR_NULL;
-    if (!(nu > -1 && nu < 1))
+    if (!isless(fabs(nu), 1))
         return COR_ERROR_DISK_POISSON_RATIO;
     if (count < 1 || count > COR_DISK_MODES_MAX_COUNT)
         return COR_ERROR_MODES;
@@ -528,17 +543,10 @@ static int modes_compute(double nu, size_t count, struct cor_disk_mode *mode, st
     return status;
 }
 
-static size_t modes_below(double nu, double omega)
+size_t cor_disk_modes_below(double nu, double omega)
 {
     const struct cor_mode_material material = {1 + nu, 1 - nu};
-    return nu > -1 && nu < 1 && omega > 0 && omega <= COR_DISK_MODES_MAX_OMEGA
+    return isless(fabs(nu), 1) && isgreater(omega, 0) && islessequal(omega, COR_DISK_MODES_MAX_OMEGA)
                ? (size_t)cor_mode_total(&material, omega)
                : 0;
 }
-
-/* ---- in the default floating-point environment ---- */
-
-COR_IN_ENVIRONMENT(int, cor_disk_modes_compute, modes_compute,
-                   (double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes),
-                   (nu, count, mode, modes))
-COR_IN_ENVIRONMENT(size_t, cor_disk_modes_below, modes_below, (double nu, double omega), (nu, omega))

@@ -149,9 +149,10 @@ static void kernel_equation(struct cor_mode_point *restrict point, const struct 
         const double f = round > 0 ? x : r - half * t0;
         const double f1 = round > 0 ? x1 : r + r1 - half * t0_1;
         const double f2 = round > 0 ? x2 : r + 2 * r1 + r2 - half * t0_2;
-        /* between two roots, where f1 vanishes, Halley's steps would, too */
-        const double newton = f / f1, bend = newton * (f2 - f1) / (2 * f1);
-        point->step[i] = newton / (1 - (bend > -0.5 ? bend : -0.5));
+        /* between two roots, where f1 vanishes, Halley's steps would, too; a step of 2 leads nowhere */
+        const double slope = f1 == 0 ? 1 : f1, newton = f / slope, bend = newton * (f2 - f1) / (2 * slope);
+        const double rest = 1 - (bend > -0.5 ? bend : -0.5), divisor = rest == 0 ? 1 : rest;
+        point->step[i] = f1 == 0 || rest == 0 ? 2 : newton / divisor;
         const double part = 2 * za * t2;
         const double det = part + n * (t0 / 2 - 2 * t1);
         const double trace = n * ((n - 1) * t1 + t0 / 2) - g * H * d + part;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The mode tables of the library, and the reader of mode files. */
-#include <float.h>
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,6 @@
 #include "generated/disk_modes_nu033.h"
 #include "generated/disk_modes_nu090.h"
 #include "runtime/disk/mode_file.h"
-#include "runtime/number/environment.h"
 
 const struct cor_disk_modes cor_disk_modes_nu033 = COR_DISK_MODES_NU033;
 const struct cor_disk_modes cor_disk_modes_nu090 = COR_DISK_MODES_NU090;
@@ -143,9 +142,10 @@ static int read_double(struct lines *in, double *value)
 /* Whether the numbers obey (26) in closed form, as those of every mode do */
 static int is_mode(const struct cor_disk_mode *m)
 {
-    const double square = m->omega * m->omega;
-    if (!(m->omega > 0 && m->omega <= DBL_MAX))
+    const double most = 1e30; /* no mode has such numbers */
+    if (!(isgreater(m->omega, 0) && isless(m->omega, most) && isless(fabs(m->c), most) && isless(fabs(m->s), most)))
         return 0;
+    const double square = m->omega * m->omega;
     if (m->n == 0)
         return m->s == 0 &&
                fabs(m->c * m->c * (square - 1) - square) <= normalisation_error * square * (1 + m->c * m->c);
@@ -219,26 +219,22 @@ static int read_all(struct lines *in, struct cor_disk_mode *mode, size_t capacit
     return COR_OK;
 }
 
-static int modes_read(const char *path, struct cor_disk_mode *mode, size_t capacity, struct cor_disk_modes *modes,
-                      size_t *line)
+int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, size_t capacity, struct cor_disk_modes *modes,
+                        size_t *line)
 {
     if (line)
         *line = 0;
     if (!path || !modes || (!mode && capacity > 0))
         return COR_ERROR_NULL;
+    const int error = errno;
     struct lines in = {fopen(path, "rb"), 0, COR_MODE_FILE_CHECK_START, "", NULL};
+    errno = error;
     if (!in.file)
         return COR_ERROR_FILE;
     const int status = read_all(&in, mode, capacity, modes);
     if (line && (status == COR_ERROR_FILE_DAMAGED || status == COR_ERROR_FILE_VERSION))
         *line = in.number;
     fclose(in.file);
+    errno = error;
     return status;
 }
-
-/* ---- in the default floating-point environment ---- */
-
-COR_IN_ENVIRONMENT(int, cor_disk_modes_read, modes_read,
-                   (const char *path, struct cor_disk_mode *mode, size_t capacity, struct cor_disk_modes *modes,
-                    size_t *line),
-                   (path, mode, capacity, modes, line))

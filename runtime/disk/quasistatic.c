@@ -12,7 +12,6 @@
 #include "runtime/disk/quasistatic.h"
 
 #include "runtime/number/elementary.h"
-#include "runtime/number/environment.h"
 #include "runtime/number/lambert_w.h"
 
 typedef struct cor_inline_pair pair;
@@ -59,9 +58,11 @@ static pair pair_exp(double x)
     return cor_pair_plus(cor_pair(1, 0), s);
 }
 
-/* x f, rounded once, also where the product is subnormal */
+/* x f, rounded once, also where the product is subnormal; NaN if f is */
 static double times(double x, pair f)
 {
+    if (cor_inline_is_refused(f.hi))
+        return NAN;
     const double unit = x < COR_INLINE_2_M900 ? COR_INLINE_2_M200 : 1;
     if (x < COR_INLINE_2_M900)
         x *= COR_INLINE_2_200;
@@ -72,6 +73,8 @@ static double times(double x, pair f)
 /* x^2 f */
 static double square_times(double x, pair f)
 {
+    if (cor_inline_is_refused(f.hi))
+        return NAN;
     if (!(x < COR_INLINE_2_M200)) {
         const pair product = cor_inline_pair_times(cor_inline_product(x, x), f);
         return product.hi + product.lo;
@@ -104,7 +107,7 @@ static int find_limit(enum quantity quantity, double nu, enum cor_disk_datum dat
          {{0.382785986041643711, -1.51544099505634689e-17}, {-0.960279229160082015, -2.07254490235633321e-17}}},
         {{{0.0644694071616921799, 5.68575250841498294e-18}, {-2.74156447527049041, -3.61149851142181648e-17}},
          {{0.230161106314603292, 8.96601817150281698e-18}, {-1.46897575303070926, 5.66468874396338237e-17}}}};
-    if (!(nu > -1 && nu < 1))
+    if (!cor_inline_below(fabs(nu), 1))
         return 0;
     double slope;
     switch ((int)datum) {
@@ -159,12 +162,17 @@ static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_dat
 {
     const pair parts = far_parts(quantity, x, nu, datum), q = cor_inline_sum(parts.hi, parts.lo);
     struct limit limit;
-    if (!(q.hi <= COR_LOG_RATIO_NEAR && find_limit(quantity, nu, datum, &limit)))
+    if (!find_limit(quantity, nu, datum, &limit) || q.hi > COR_LOG_RATIO_NEAR)
         return q;
     return cor_log_ratio_near(limit_number(&limit), x);
 }
 
 /* ---- the law ---- */
+
+static int is_positive(double x)
+{
+    return !cor_inline_is_refused(x) && x != 0;
+}
 
 /* The result for an argument that is 0, negative or NaN; at_zero for 0 if nu and datum are valid */
 static double not_positive(double x, double at_zero, double nu, enum cor_disk_datum datum)
@@ -185,7 +193,7 @@ struct cor_inline_pair cor_disk_compression_depth(double compression, double nu,
 
 double cor_disk_load_by_pairs(double compression, double nu, enum cor_disk_datum datum)
 {
-    if (!(compression > 0))
+    if (!is_positive(compression))
         return not_positive(compression, 0, nu, datum);
     const pair t = cor_lambert_t_pair(depth(COMPRESSION, compression, nu, datum));
     return times(compression, cor_pair_over(pi, one_plus(t)));
@@ -206,6 +214,8 @@ static double law_energy(double load, double nu, enum cor_disk_datum datum)
 static double law_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
 {
     const pair t = cor_lambert_t_pair(depth(ENERGY, energy, nu, datum));
+    if (cor_inline_is_refused(t.hi))
+        return NAN;
     const int small = energy < COR_INLINE_2_M900;
     const pair scaled = cor_pair(small ? energy * COR_INLINE_2_200 : energy, 0);
     const pair root = pair_sqrt(cor_pair_over(cor_inline_pair_times(four_pi, scaled), one_plus(t)));
@@ -314,10 +324,10 @@ static double time_of_t(double t)
 
 double cor_disk_contact_time_by_quadrature(double speed, double nu, enum cor_disk_datum datum)
 {
-    if (!(speed > 0))
+    if (!is_positive(speed))
         return not_positive(speed, INFINITY, nu, datum);
     const pair t = t_of_speed(speed, nu, datum);
-    return t.hi >= 0 ? time_of_t(t.hi + t.lo) : NAN;
+    return cor_inline_is_refused(t.hi) ? NAN : time_of_t(t.hi + t.lo);
 }
 
 /* ---- to leading logarithm ---- */
@@ -328,45 +338,84 @@ static const struct cor_logarithm log_four_pi = {{12.5663706143591725, 4.8985871
 /* the largest double below 4 pi/e */
 static const double load_end = 4.62290939916368604;
 
-/* ---- the public functions: pairs need rounding to nearest ---- */
+/* ---- the public functions ---- */
 
-#define LIMIT(name, quantity)                                                                                          \
-    static double law_##name##_limit(double nu, enum cor_disk_datum datum)                                             \
-    {                                                                                                                  \
-        return law_limit(quantity, nu, datum);                                                                         \
-    }                                                                                                                  \
-    COR_IN_ENVIRONMENT(double, cor_disk_##name##_limit, law_##name##_limit, (double nu, enum cor_disk_datum datum),    \
-                       (nu, datum))
-LIMIT(load, LOAD)
-LIMIT(compression, COMPRESSION)
-LIMIT(energy, ENERGY)
-LIMIT(speed, SPEED)
+double cor_disk_load_limit(double nu, enum cor_disk_datum datum)
+{
+    return law_limit(LOAD, nu, datum);
+}
 
-#define LAW(name)                                                                                                      \
-    static double checked_##name(double x, double nu, enum cor_disk_datum datum)                                       \
-    {                                                                                                                  \
-        return x > 0 ? law_##name(x, nu, datum) : not_positive(x, 0, nu, datum);                                       \
-    }                                                                                                                  \
-    COR_IN_ENVIRONMENT(double, cor_disk_##name, checked_##name, (double x, double nu, enum cor_disk_datum datum),      \
-                       (x, nu, datum))
-LAW(compression)
-LAW(energy)
-LAW(load_of_energy)
-LAW(max_load)
-LAW(max_compression)
+double cor_disk_compression_limit(double nu, enum cor_disk_datum datum)
+{
+    return law_limit(COMPRESSION, nu, datum);
+}
 
-/* `value` where x > 0 and `inside` */
-#define LEADING_LOGARITHM(name, inside, at_zero, value)                                                                \
-    static double leading_##name(double x)                                                                             \
-    {                                                                                                                  \
-        if (!(x > 0 && (inside)))                                                                                      \
-            return x == 0 ? (at_zero) : NAN;                                                                           \
-        return value;                                                                                                  \
-    }                                                                                                                  \
-    COR_IN_ENVIRONMENT(double, cor_disk_##name##_leading_log, leading_##name, (double x), (x))
-LEADING_LOGARITHM(compression, x <= load_end, 0,
-                  times(x, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, x))))
-LEADING_LOGARITHM(load, x < 4, 0, times(x, cor_pair_over(pi, cor_log_ratio(&four, x))))
-LEADING_LOGARITHM(energy, x < 4, 0, square_times(x, cor_pair_over(half_pi, cor_log_ratio(&four, x))))
-LEADING_LOGARITHM(max_compression, x <= 4, 0, times(x, pair_sqrt(cor_log_ratio(&four, x))))
-LEADING_LOGARITHM(contact_time, x <= 4, INFINITY, cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, x))).hi)
+double cor_disk_energy_limit(double nu, enum cor_disk_datum datum)
+{
+    return law_limit(ENERGY, nu, datum);
+}
+
+double cor_disk_speed_limit(double nu, enum cor_disk_datum datum)
+{
+    return law_limit(SPEED, nu, datum);
+}
+
+double cor_disk_compression(double load, double nu, enum cor_disk_datum datum)
+{
+    return is_positive(load) ? law_compression(load, nu, datum) : not_positive(load, 0, nu, datum);
+}
+
+double cor_disk_energy(double load, double nu, enum cor_disk_datum datum)
+{
+    return is_positive(load) ? law_energy(load, nu, datum) : not_positive(load, 0, nu, datum);
+}
+
+double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
+{
+    return is_positive(energy) ? law_load_of_energy(energy, nu, datum) : not_positive(energy, 0, nu, datum);
+}
+
+double cor_disk_max_load(double speed, double nu, enum cor_disk_datum datum)
+{
+    return is_positive(speed) ? law_max_load(speed, nu, datum) : not_positive(speed, 0, nu, datum);
+}
+
+double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum datum)
+{
+    return is_positive(speed) ? law_max_compression(speed, nu, datum) : not_positive(speed, 0, nu, datum);
+}
+
+double cor_disk_compression_leading_log(double load)
+{
+    if (!is_positive(load))
+        return load == 0 ? 0 : NAN;
+    return load <= load_end ? times(load, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, load))) : NAN;
+}
+
+double cor_disk_load_leading_log(double compression)
+{
+    if (!is_positive(compression))
+        return compression == 0 ? 0 : NAN;
+    return compression < 4 ? times(compression, cor_pair_over(pi, cor_log_ratio(&four, compression))) : NAN;
+}
+
+double cor_disk_energy_leading_log(double compression)
+{
+    if (!is_positive(compression))
+        return compression == 0 ? 0 : NAN;
+    return compression < 4 ? square_times(compression, cor_pair_over(half_pi, cor_log_ratio(&four, compression))) : NAN;
+}
+
+double cor_disk_max_compression_leading_log(double speed)
+{
+    if (!is_positive(speed))
+        return speed == 0 ? 0 : NAN;
+    return speed <= 4 ? times(speed, pair_sqrt(cor_log_ratio(&four, speed))) : NAN;
+}
+
+double cor_disk_contact_time_leading_log(double speed)
+{
+    if (!is_positive(speed))
+        return speed == 0 ? INFINITY : NAN;
+    return speed <= 4 ? cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, speed))).hi : NAN;
+}

@@ -5,13 +5,12 @@
 #define COR_ROWS_DEFINE
 #include "generated/disk_law_tables.h"
 #include "runtime/disk/quasistatic.h"
-#include "runtime/number/environment.h"
 #include "runtime/table/row.h"
 
 /* Whether q has a row; both tables have the same cells. */
 static int has_row(double q)
 {
-    return q >= COR_ROWS_DISK_LOAD_FACTOR_FIRST && q < COR_ROWS_DISK_LOAD_FACTOR_END;
+    return cor_inline_between(q, COR_ROWS_DISK_LOAD_FACTOR_FIRST, COR_ROWS_DISK_LOAD_FACTOR_END);
 }
 
 /* The place of q + rest; q 2^-k is between 1 and 2. */
@@ -24,9 +23,9 @@ static struct cor_inline_place place_of(double q, double rest, struct cor_inline
     return place;
 }
 
-static double law_load(double compression, double nu, enum cor_disk_datum datum)
+double cor_disk_load(double compression, double nu, enum cor_disk_datum datum)
 {
-    if (compression > 0) {
+    if (isgreater(compression, 0)) {
         const struct cor_inline_pair log = cor_disk_compression_depth(compression, nu, datum);
         if (has_row(log.hi))
             return cor_inline_row_product(
@@ -36,9 +35,9 @@ static double law_load(double compression, double nu, enum cor_disk_datum datum)
     return cor_disk_load_by_pairs(compression, nu, datum);
 }
 
-static double law_contact_time(double speed, double nu, enum cor_disk_datum datum)
+double cor_disk_contact_time(double speed, double nu, enum cor_disk_datum datum)
 {
-    if (speed > 0) {
+    if (isgreater(speed, 0)) {
         const struct cor_inline_pair log = cor_disk_speed_depth(speed, nu, datum);
         if (has_row(2 * log.hi))
             return cor_inline_row_value(place_of(2 * log.hi, 2 * log.lo, COR_INLINE_OCTAVES(COR_ROWS_DISK_CONTACT_TIME),
@@ -47,16 +46,15 @@ static double law_contact_time(double speed, double nu, enum cor_disk_datum datu
     return cor_disk_contact_time_by_quadrature(speed, nu, datum);
 }
 
-#define LAW(name)                                                                                                      \
-    COR_IN_ENVIRONMENT(double, cor_disk_##name, law_##name, (double x, double nu, enum cor_disk_datum datum),          \
-                       (x, nu, datum))                                                                                 \
-    static void many_##name(const double *x, double nu, enum cor_disk_datum datum, double *y, size_t n)                \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = law_##name(x[i], nu, datum);                                                                        \
-    }                                                                                                                  \
-    COR_RUN_IN_ENVIRONMENT(cor_disk_##name##_array, many_##name,                                                       \
-                           (const double *x, double nu, enum cor_disk_datum datum, double *y, size_t n),               \
-                           (x, nu, datum, y, n))
-LAW(load)
-LAW(contact_time)
+void cor_disk_load_array(const double *compression, double nu, enum cor_disk_datum datum, double *load, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        load[i] = cor_disk_load(compression[i], nu, datum);
+}
+
+void cor_disk_contact_time_array(const double *speed, double nu, enum cor_disk_datum datum, double *contact_time,
+                                 size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        contact_time[i] = cor_disk_contact_time(speed[i], nu, datum);
+}

@@ -27,7 +27,7 @@ static size_t modes_taken(const struct cor_disk_modes *modes, size_t n_modes)
 static int arguments_status(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                             double *limit)
 {
-    if (!(modes->nu > -1 && modes->nu < 1))
+    if (!isless(fabs(modes->nu), 1))
         return COR_ERROR_DISK_POISSON_RATIO;
     if (n_modes == 0 || n_modes > modes->count)
         return COR_ERROR_MODES;
@@ -36,7 +36,7 @@ static int arguments_status(const struct cor_disk_modes *modes, size_t n_modes, 
     const struct cor_disk_mode *const end = modes->mode + modes_taken(modes, n_modes);
     double below = COR_RAYLEIGH_LEAST_OMEGA;
     for (const struct cor_disk_mode *mode = modes->mode; mode < end; mode++) {
-        if (!(mode->omega >= below && mode->omega < 1e9 && fabs(mode->c) < 1e9) || mode->n < 0 ||
+        if (!(isgreaterequal(mode->omega, below) && mode->omega < 1e9 && isless(fabs(mode->c), 1e9)) || mode->n < 0 ||
             mode->n > COR_DISK_MODES_MAX_N)
             return COR_ERROR_MODES;
         below = mode->omega;
@@ -47,7 +47,7 @@ static int arguments_status(const struct cor_disk_modes *modes, size_t n_modes, 
 
 static int speed_status(double speed, double limit)
 {
-    return speed >= 0 && speed <= limit ? COR_OK : COR_ERROR_SPEED;
+    return isgreaterequal(speed, 0) && speed <= limit ? COR_OK : COR_ERROR_SPEED;
 }
 
 static int result_status(const struct cor_disk_rayleigh *out, double speed)
@@ -165,7 +165,7 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
         status = speed_status(speed, limit);
     if (status)
         return status;
-    if (!(tolerance > 0 && tolerance < 1))
+    if (!(isgreater(tolerance, 0) && tolerance < 1))
         return COR_ERROR_TOLERANCE;
     if (speed == 0) {
         if (n_modes)
@@ -372,19 +372,20 @@ static int rayleigh_of_speeds(const struct cor_disk_modes *modes, size_t n_modes
     return first;
 }
 
-/* ---- in the default floating-point environment ----
+/* ---- the public functions ----
  *
- * The sums and loops need rounding to nearest. The loops compute both sides of a condition, which may raise exceptions
- * (environment.h). */
+ * The loops compute both sides of a condition. The unused side may raise exceptions, which the environment hides. */
 
 COR_IN_ENVIRONMENT(int, cor_disk_rayleigh, rayleigh_of_speed,
                    (const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
                     struct cor_disk_rayleigh *out, double *mode_fraction),
                    (modes, n_modes, datum, speed, out, mode_fraction))
+
 COR_IN_ENVIRONMENT(int, cor_disk_rayleigh_tolerance, rayleigh_to_tolerance,
                    (const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed, double tolerance,
                     struct cor_disk_rayleigh *out, size_t *n_modes),
                    (modes, datum, speed, tolerance, out, n_modes))
+
 COR_IN_ENVIRONMENT(int, cor_disk_rayleigh_array, rayleigh_of_speeds,
                    (const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, const double *speed,
                     size_t n, struct cor_disk_rayleigh *out, double *mode_fraction, int *status),

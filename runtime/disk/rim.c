@@ -10,14 +10,15 @@ int cor_disk_table_check(const struct cor_disk_modes *modes, size_t n_modes)
 {
     if (modes == NULL || modes->mode == NULL)
         return COR_ERROR_NULL;
-    if (!(modes->nu > -1 && modes->nu < 1))
+    if (!isless(fabs(modes->nu), 1))
         return COR_ERROR_DISK_POISSON_RATIO;
     if (n_modes < 1 || n_modes > modes->count)
         return COR_ERROR_MODES;
     for (size_t i = 0; i < n_modes; i++) {
         const struct cor_disk_mode *const mode = &modes->mode[i];
-        if (mode->n < 0 || mode->n > COR_DISK_MODES_MAX_N || !(mode->omega > 0 && mode->omega < INFINITY) ||
-            !isfinite(mode->c) || !isfinite(mode->s) || (i > 0 && !(mode->omega > mode[-1].omega)))
+        if (mode->n < 0 || mode->n > COR_DISK_MODES_MAX_N || !isgreater(mode->omega, 0) ||
+            !(isless(mode->omega, 1e9) && isless(fabs(mode->c), 1e9) && isless(fabs(mode->s), 1e9)) ||
+            (i > 0 && !(mode->omega > mode[-1].omega)))
             return COR_ERROR_MODES;
     }
     return COR_OK;

@@ -107,14 +107,4 @@ static inline void cor_array_in_environment(double (*formula)(double), const dou
         return value;                                                                                                  \
     }
 
-/* The same of a function that returns nothing */
-#define COR_RUN_IN_ENVIRONMENT(name, formula, parameters, arguments)                                                   \
-    void name parameters                                                                                               \
-    {                                                                                                                  \
-        void(*const volatile in_environment) parameters = formula;                                                     \
-        const struct cor_environment caller = cor_environment_enter();                                                 \
-        in_environment arguments;                                                                                      \
-        cor_environment_leave(&caller);                                                                                \
-    }
-
 #endif

@@ -49,7 +49,9 @@ static double start_of(double q, double p)
 
 struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
 {
-    struct cor_inline_pair t;
+    struct cor_inline_pair t = {NAN, 0};
+    if (cor_inline_is_refused(q.hi))
+        return t;
     const double p = sqrt(2 * q.hi);
     if (q.hi < SERIES_END) {
         t.hi = p;
@@ -116,7 +118,7 @@ struct cor_inline_pair cor_log_ratio_near(struct cor_inline_pair a, double x)
 {
     struct cor_inline_pair q;
     const double difference = (a.hi - x) + a.lo; /* one rounding: the first subtraction is exact */
-    if (!(difference >= 0)) {
+    if (difference < 0) {
         q.hi = q.lo = NAN;
         return q;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A contact in SI units: its damping, and its impacts by the functions of libcor or by the solver of the caller */
-#include "runtime/scene/inside.h"
+#include "cor/scene.h"
 
 #include <math.h>
 
@@ -8,6 +8,28 @@
 #include "cor/sphere.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
+
+/* Exponents that no sum or product of two takes out of the integers */
+int cor_law_is_sound(const struct cor_exponents *law)
+{
+    enum { MOST = 1 << 20 };
+    return law->denominator > 0 && law->denominator < MOST && law->elastic > 0 && law->elastic < MOST &&
+           law->damping >= 0 && law->damping < MOST;
+}
+
+int cor_contact_is_sound(const struct cor_scene_contact *contact)
+{
+    const double known[] = {contact->mass_kg, contact->stiffness, contact->radius_m},
+                 none[] = {contact->force_n, contact->adhesion_j_m2, contact->yield_speed_m_s,
+                           contact->liquid_speed_m_s};
+    int sound = cor_law_is_sound(&contact->law) && !isinf(contact->damping) && !isless(contact->damping, 0);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        sound = sound && (isnan(known[i]) || known[i] == 0 || cor_si_in_range(known[i]));
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+        sound = sound && (none[i] == 0 || cor_si_in_range(none[i]));
+    return sound && !(contact->force_n + contact->adhesion_j_m2 > 0 && isnan(contact->mass_kg + contact->stiffness)) &&
+           !(contact->adhesion_j_m2 > 0 && isnan(contact->radius_m));
+}
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
 {
@@ -23,14 +45,14 @@ int cor_scene_has_end(const struct cor_scene_contact *contact, int end)
 int cor_scene_ends_differ(const struct cor_scene_contact *contact)
 {
     return !contact->plate && !contact->plastic &&
-           (contact->adhesion_j_m2 > 0 || contact->law.elastic > contact->law.damping);
+           (isgreater(contact->adhesion_j_m2, 0) || contact->law.elastic > contact->law.damping);
 }
 
 const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end)
 {
     static const char *const names[][COR_SCENE_ENDS] = {
         {"zero_overlap", "zero_force"}, {"zero_overlap", "surface"}, {"tail", "largest_pull"}};
-    return names[contact->adhesion_j_m2 > 0 ? 2 : contact->force_n > 0][end == COR_END_ZERO_FORCE];
+    return names[isgreater(contact->adhesion_j_m2, 0) ? 2 : isgreater(contact->force_n, 0)][end == COR_END_ZERO_FORCE];
 }
 
 /* ---- the damping ---- */
@@ -38,7 +60,8 @@ const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end)
 /* (m/K)^(1/(a+1)), the unit of time at the speed 1 m/s */
 static double time_factor(const struct cor_scene_contact *contact)
 {
-    return pow(contact->mass_kg / contact->stiffness, 1 / (cor_elastic(&contact->law) + 1));
+    return cor_quiet_power(cor_quiet_quotient(contact->mass_kg, contact->stiffness),
+                           1 / (cor_elastic(&contact->law) + 1));
 }
 
 /* beta/zeta where q = 0; 1 elsewhere, where the damping is beta at 1 m/s */
@@ -50,41 +73,48 @@ static double beta_per_damping(const struct cor_scene_contact *contact)
 /* beta g^-q of C = 1 */
 static double beta_per_coefficient(const struct cor_scene_contact *contact)
 {
-    return pow(time_factor(contact), cor_damping(&contact->law) + 1) / contact->mass_kg;
+    return cor_quiet_quotient(cor_quiet_power(time_factor(contact), cor_damping(&contact->law) + 1), contact->mass_kg);
 }
 
 /* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9 */
 static double first_coefficient(const struct cor_exponents *law)
 {
     const double a1 = cor_elastic(law) + 1, s = (cor_damping(law) + 1) / a1;
-    return 2 / a1 * pow(a1 / 2, s) * tgamma(s) * tgamma(1.5) / tgamma(s + 1.5);
+    if (s > 168) /* tgamma would leave the doubles */
+        return NAN;
+    return 2 / a1 * cor_quiet_power(a1 / 2, s) * tgamma(s) * tgamma(1.5) / tgamma(s + 1.5);
 }
 
 double cor_scene_beta(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double beta = contact->damping * beta_per_damping(contact);
-    return cor_law_is_constant(&contact->law) ? beta : beta * pow(speed_m_s, cor_scene_speed_exponent(contact));
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
+        return NAN;
+    const double beta = cor_quiet_product(contact->damping, beta_per_damping(contact));
+    return cor_law_is_constant(&contact->law)
+               ? beta
+               : cor_quiet_product(beta, cor_quiet_power(speed_m_s, cor_scene_speed_exponent(contact)));
 }
 
 double cor_scene_damping(const struct cor_scene_contact *contact, int number)
 {
     const int constant = cor_law_is_constant(&contact->law);
-    if (contact->plastic)
+    if (contact->plastic || !cor_contact_is_sound(contact))
         return NAN;
-    const double coefficient = contact->damping * beta_per_damping(contact) / beta_per_coefficient(contact);
+    const double coefficient = cor_quiet_quotient(cor_quiet_product(contact->damping, beta_per_damping(contact)),
+                                                  beta_per_coefficient(contact));
     switch (number) {
     case COR_SCENE_DAMPING_COEFFICIENT:
         return coefficient;
     case COR_SCENE_DISSIPATION_TIME:
-        return cor_law_is(&contact->law, 3, 1) ? coefficient / (1.5 * contact->stiffness) : NAN;
+        return cor_law_is(&contact->law, 3, 1) ? cor_quiet_quotient(coefficient, 1.5 * contact->stiffness) : NAN;
     case COR_SCENE_ZETA:
         return constant ? contact->damping : NAN;
     case COR_SCENE_BETA:
         return constant ? NAN : contact->damping;
     case COR_SCENE_G_STAR:
-        return constant
-                   ? NAN
-                   : pow(contact->damping * first_coefficient(&contact->law), -1 / cor_scene_speed_exponent(contact));
+        return constant ? NAN
+                        : cor_quiet_power(cor_quiet_product(contact->damping, first_coefficient(&contact->law)),
+                                          -1 / cor_scene_speed_exponent(contact));
     default:
         return NAN;
     }
@@ -122,6 +152,8 @@ static double only_eps(const struct cor_scene_contact *contact, int end)
 double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 {
     const double force = contact->force_n, liquid = contact->liquid_speed_m_s, yield = contact->yield_speed_m_s;
+    if (!cor_contact_is_sound(contact))
+        return NAN;
     const struct {
         int number;
         double value;
@@ -188,7 +220,9 @@ static double parameter_of(const struct cor_scene_contact *contact, double speed
 
 static int solve(struct cor_scaled_impact *impact, const struct cor_scene_contact *contact, double beta, int end)
 {
-    return contact->solver ? contact->solver(impact, &contact->law, beta, end) : COR_FAULT_SOLVER;
+    if (!contact->solver)
+        return COR_FAULT_SOLVER;
+    return cor_inline_is_finite(beta) ? contact->solver(impact, &contact->law, beta, end) : COR_FAULT_RANGE;
 }
 
 static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double parameter)
@@ -197,7 +231,8 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
     const double a = cor_elastic(&contact->law);
     if (!f || f == &constant) {
         struct cor_scaled_impact solved;
-        const int status = solve(&solved, contact, parameter * beta_per_damping(contact), COR_BOTH_ENDS);
+        const double beta = cor_quiet_product(parameter, beta_per_damping(contact));
+        const int status = solve(&solved, contact, beta, COR_BOTH_ENDS);
         if (status != COR_FAULT_NONE)
             return status;
         *impact = (struct cor_full_impact){
@@ -229,7 +264,7 @@ static int eps_of(double *eps, const struct cor_scene_contact *contact, double p
     }
     const int at = cor_scene_ends_differ(contact) ? end : COR_END_ZERO_OVERLAP;
     struct cor_scaled_impact impact = {{1, 1}, {0, 0}, 0};
-    const int status = parameter > 0 ? solve(&impact, contact, parameter, at) : COR_FAULT_NONE;
+    const int status = isgreater(parameter, 0) ? solve(&impact, contact, parameter, at) : COR_FAULT_NONE;
     *eps = status == COR_FAULT_NONE ? impact.eps[at] : (double)NAN;
     return status;
 }
@@ -242,16 +277,21 @@ struct units {
 /* The units in which mass, stiffness and impact speed are 1 */
 static struct units units_of_speed(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double a = cor_elastic(&contact->law), time = time_factor(contact) * pow(speed_m_s, (1 - a) / (1 + a));
-    return (struct units){speed_m_s * time, time, contact->mass_kg * speed_m_s / time};
+    const double a = cor_elastic(&contact->law),
+                 time = cor_quiet_product(time_factor(contact), cor_quiet_power(speed_m_s, (1 - a) / (1 + a)));
+    return (struct units){cor_quiet_product(speed_m_s, time), time,
+                          cor_quiet_quotient(cor_quiet_product(contact->mass_kg, speed_m_s), time)};
 }
 
 /* The units in which mass, stiffness and constant force are 1. Also sets the damping in these units. */
 static struct units units_of_force(double *damping, const struct cor_scene_contact *contact)
 {
     const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), force = contact->force_n;
-    const double length = pow(force / contact->stiffness, 1 / a), time = sqrt(contact->mass_kg * (length / force));
-    *damping = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT) * pow(length, b + 1) / (time * force);
+    const double length = cor_quiet_power(cor_quiet_quotient(force, contact->stiffness), 1 / a),
+                 time = sqrt(cor_quiet_product(contact->mass_kg, cor_quiet_quotient(length, force))),
+                 coefficient = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT);
+    *damping = cor_quiet_quotient(cor_quiet_product(coefficient, cor_quiet_power(length, b + 1)),
+                                  cor_quiet_product(time, force));
     return (struct units){length, time, force};
 }
 
@@ -272,9 +312,11 @@ static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
 static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     static const struct cor_full_impact none = {{NAN, NAN}, {NAN, NAN}, NAN, NAN};
-    struct units unit = units_of_speed(contact, speed_m_s);
     int status = COR_FAULT_NONE;
     *impact = none;
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
+        return COR_FAULT_RANGE;
+    struct units unit = units_of_speed(contact, speed_m_s);
     if (yields(contact, speed_m_s)) {
         cor_plastic_impact(impact, contact, speed_m_s);
         return status;
@@ -284,7 +326,8 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
     else if (contact->force_n > 0) {
         double damping;
         unit = units_of_force(&damping, contact);
-        status = cor_pressed_solve(impact, &contact->law, damping, speed_m_s * (unit.time_s / unit.length_m));
+        status = cor_pressed_solve(impact, &contact->law, damping,
+                                   cor_quiet_product(speed_m_s, cor_quiet_quotient(unit.time_s, unit.length_m)));
     } else
         status = scaled_impact(impact, contact, parameter_of(contact, speed_m_s));
     if (status != COR_FAULT_NONE)
@@ -292,11 +335,11 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
     if (status != COR_FAULT_NONE || contact->adhesion_j_m2 > 0)
         return status;
     if (contact->plate) /* it takes up K x^a; the other term of the equation of motion is its own motion */
-        impact->force_max = pow(impact->max_overlap, cor_elastic(&contact->law));
-    impact->force_max *= unit.force_n;
-    impact->max_overlap *= unit.length_m;
+        impact->force_max = cor_quiet_power(impact->max_overlap, cor_elastic(&contact->law));
+    impact->force_max = cor_quiet_product(impact->force_max, unit.force_n);
+    impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length_m);
     for (int end = 0; end < COR_SCENE_ENDS; end++)
-        impact->duration[end] *= unit.time_s;
+        impact->duration[end] = cor_quiet_product(impact->duration[end], unit.time_s);
     return status;
 }
 
@@ -310,7 +353,7 @@ static int touches(double *at, const struct cor_scene_contact *contact, double s
 
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end)
 {
-    if (!cor_scene_has_end(contact, end))
+    if (!cor_scene_has_end(contact, end) || !cor_contact_is_sound(contact))
         return NAN;
     if (contact->liquid_speed_m_s > 0)
         return cor_wet_sticking_speed(contact, end);
@@ -320,7 +363,8 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
         return 0;
     double damping;
     const struct units unit = units_of_force(&damping, contact);
-    return unit.length_m / unit.time_s * cor_pressed_sticking_speed(&contact->law, damping, end);
+    return cor_quiet_product(cor_quiet_quotient(unit.length_m, unit.time_s),
+                             cor_pressed_sticking_speed(&contact->law, damping, end));
 }
 
 int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
@@ -329,6 +373,8 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
     double at;
     int status = COR_FAULT_NONE;
     *eps = NAN;
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
+        return COR_FAULT_RANGE;
     if (!cor_scene_has_end(contact, end))
         return status;
     if (!touches(&at, contact, speed_m_s)) {
@@ -336,7 +382,7 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
     } else if (!is_full(contact, at)) {
         status = eps_of(eps, contact, parameter_of(contact, at), end);
     } else if (yields(contact, at)) { /* without the duration, which takes longer */
-        *eps = cor_elastic_plastic_eps(at / contact->yield_speed_m_s);
+        *eps = cor_elastic_plastic_eps(cor_quiet_quotient(at, contact->yield_speed_m_s));
     } else {
         status = dry_impact(&impact, contact, at);
         *eps = impact.eps[end];
@@ -349,16 +395,18 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     struct cor_full_impact full = {{0, 0}, {NAN, NAN}, 0, 0}; /* nothing touches */
-    const double s = contact->liquid_speed_m_s;
     double at;
+    const int in_range = cor_contact_is_sound(contact) && cor_si_in_range(speed_m_s);
     int status = COR_FAULT_NONE;
     impact->beta = NAN;
-    if (touches(&at, contact, speed_m_s)) {
-        status = dry_impact(&full, contact, at);
-        impact->beta = yields(contact, at) ? 0 : cor_scene_beta(contact, at);
+    if (!in_range || touches(&at, contact, speed_m_s)) {
+        const double speed = in_range ? at : (double)NAN;
+        status = dry_impact(&full, contact, speed);
+        impact->beta = in_range && yields(contact, at) ? 0 : cor_scene_beta(contact, speed);
     }
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         const int has = cor_scene_has_end(contact, end);
+        const double s = in_range ? contact->liquid_speed_m_s : 0;
         impact->eps[end] = !has ? (double)NAN : s > 0 ? cor_wet_eps(full.eps[end], speed_m_s, s) : full.eps[end];
         impact->duration_s[end] = has ? full.duration[end] : (double)NAN;
     }
@@ -370,10 +418,13 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
 {
     struct cor_full_impact impact;
     double at;
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
+        return NAN;
     if (!touches(&at, contact, speed_m_s))
         return 0;
     if (!is_full(contact, at) && !contact->plate)
-        return units_of_speed(contact, at).force_n * cor_law_force_max(&contact->law, parameter_of(contact, at));
+        return cor_quiet_product(units_of_speed(contact, at).force_n,
+                                 cor_law_force_max(&contact->law, parameter_of(contact, at)));
     dry_impact(&impact, contact, at);
     return impact.force_max;
 }
@@ -387,7 +438,8 @@ static int eps_at(double *eps, const struct cor_scene_contact *contact, double b
     struct cor_full_impact impact;
     if (!(contact->adhesion_j_m2 > 0 || contact->force_n > 0))
         return eps_of(eps, contact, beta, end);
-    trial.damping = beta / beta_per_damping(contact) * pow(speed_m_s, -cor_scene_speed_exponent(contact));
+    trial.damping = cor_quiet_product(beta / beta_per_damping(contact),
+                                      cor_quiet_power(speed_m_s, -cor_scene_speed_exponent(contact)));
     trial.plastic = 0;
     const int status = dry_impact(&impact, &trial, speed_m_s);
     *eps = impact.eps[end];
@@ -398,7 +450,9 @@ static int eps_at(double *eps, const struct cor_scene_contact *contact, double b
 static int solved_beta(double *beta, const struct cor_scene_contact *contact, double eps, double speed_m_s, int end)
 {
     enum { MOST_STEPS = 400 };
-    const double wanted = log(eps);
+    if (isnan(first_coefficient(&contact->law)))
+        return COR_FAULT_NO_DAMPING;
+    const double wanted = eps > 0 ? log(eps) : 0;
     struct bracket bracket = {0, 0, 0, 0, 0};
     double x = log(fmax(1 - eps, 1e-16) / first_coefficient(&contact->law));
     for (int k = 0; k < MOST_STEPS; k++) {
@@ -407,7 +461,9 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
         const int status = eps_at(&got, contact, *beta, speed_m_s, end);
         if (status != COR_FAULT_NONE)
             return status;
-        const double rest = got > 0 ? log(got) - wanted : -1;
+        const double rest = eps == 0            ? isgreater(got, 0)
+                            : isgreater(got, 0) ? log(got) - wanted
+                                                : -1; /* eps 0: the first */
         if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) ||
             (is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
             return COR_FAULT_NONE;
@@ -419,7 +475,12 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end)
 {
     const int is_constant = cor_law_is_constant(&contact->law);
-    const int pressed = (contact->force_n > 0 || contact->adhesion_j_m2 > 0) && !isnan(speed_m_s);
+    struct cor_scene_contact undamped = *contact;
+    undamped.damping = 0;
+    contact->damping = NAN;
+    if (!cor_contact_is_sound(&undamped) || cor_inline_is_refused(value))
+        return COR_FAULT_RANGE;
+    const int pressed = contact->force_n + contact->adhesion_j_m2 > 0 && !isnan(speed_m_s);
     const double q = cor_scene_speed_exponent(contact);
     const struct functions *const f = functions_of(&contact->law);
     double parameter = 0;
@@ -428,14 +489,15 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
     case COR_SCENE_DISSIPATION_TIME:
     case COR_SCENE_DAMPING_COEFFICIENT:
         if (number == COR_SCENE_DISSIPATION_TIME)
-            value = 1.5 * value * contact->stiffness; /* C */
-        contact->damping = value * beta_per_coefficient(contact) / beta_per_damping(contact);
+            value = cor_quiet_product(cor_quiet_product(1.5, value), contact->stiffness); /* C */
+        contact->damping = cor_quiet_product(value, beta_per_coefficient(contact)) / beta_per_damping(contact);
         break;
     case COR_SCENE_G_STAR:
-        contact->damping = is_constant ? NAN : pow(value, -q) / first_coefficient(&contact->law);
+        contact->damping = is_constant ? NAN : cor_quiet_power(value, -q) / first_coefficient(&contact->law);
         break;
     case COR_SCENE_BETA:
-        contact->damping = is_constant ? value / beta_per_damping(contact) : value * pow(speed_m_s, -q);
+        contact->damping =
+            is_constant ? value / beta_per_damping(contact) : cor_quiet_product(value, cor_quiet_power(speed_m_s, -q));
         break;
     case COR_SCENE_RESTITUTION:
         if (f && !pressed)
@@ -444,7 +506,7 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
             status = solved_beta(&parameter, contact, value, speed_m_s, end);
         if (pressed && is_constant)
             parameter /= beta_per_damping(contact);
-        contact->damping = is_constant ? parameter : parameter * pow(speed_m_s, -q);
+        contact->damping = is_constant ? parameter : cor_quiet_product(parameter, cor_quiet_power(speed_m_s, -q));
         break;
     default:
         contact->damping = number == COR_SCENE_ZETA && is_constant ? value : (double)NAN;

@@ -5,6 +5,7 @@
 
 #include "cor/scene.h"
 #include "runtime/number/inline.h"
+#include "runtime/number/si_range.h"
 
 #define COR_PI 3.14159265358979323846
 
@@ -49,5 +50,9 @@ COR_INLINE int cor_law_is_hunt_crossley(const struct cor_exponents *law)
 {
     return law->elastic == law->damping;
 }
+
+/* True if every number of a contact is in range, 0 where it may be, or NaN where it may be unknown (contact.c) */
+int cor_contact_is_sound(const struct cor_scene_contact *contact);
+int cor_law_is_sound(const struct cor_exponents *law);
 
 #endif

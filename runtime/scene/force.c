@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The largest force of a collision */
-#include "runtime/scene/inside.h"
+#include "cor/scene.h"
 
 #include <math.h>
 
@@ -20,7 +20,9 @@ static double force_linear(const struct cor_exponents *law, double zeta)
 {
     const double a = cor_elastic(law), p = (a - 1) / (a + 1), root = sqrt((a + 1) / 2);
     if (p == 0 && zeta >= 0.5)
-        return 2 * zeta; /* at the first moment */
+        return cor_quiet_product(2, zeta); /* at the first moment */
+    if (zeta > 1e100)
+        return NAN;
     const double sine = sqrt(fabs((1 - zeta) * (1 + zeta)));
     if (sine == 0) {
         const double r = (3 - sqrt((p + 9) / (p + 1))) / 2; /* theta/phi, the limit of both branches */
@@ -55,7 +57,9 @@ static double log_rest(double z)
 static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 {
     const double a = cor_elastic(law), wanted = (a + 1) * log_rest(beta);
-    if (beta == 0)
+    if (beta > 1e280)
+        return NAN;
+    if (beta < 1e-150)
         return pow((a + 1) / 2, a / (a + 1));
     double z = fmin(wanted / a, beta); /* convex and increasing: Newton's steps fall to the root from above */
     for (int k = 0; k < 100; k++) {
@@ -64,7 +68,7 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
         if (fabs(step) <= 0x1p-52 * z)
             break;
     }
-    return pow(a * (z / beta) / beta, a / (a + 1)) * (1 + z);
+    return cor_quiet_power(a * (z / beta) / beta, a / (a + 1)) * (1 + z);
 }
 
 /* ---- other exponents ---- */
@@ -76,16 +80,18 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
  * itself (docs/theory.md, 9). */
 static double force_power(const struct cor_exponents *law, double beta)
 {
-    const double b1 = cor_damping(law) + 1, a1 = cor_elastic(law) + 1, b = b1 - 1, mu = pow(beta, -a1 / b1);
-    const double without_spring = (b + 1) / (2 * b + 1) * pow(b * (b + 1) / (2 * b + 1), b / (b + 1));
+    const double b1 = cor_damping(law) + 1, a1 = cor_elastic(law) + 1, b = b1 - 1,
+                 mu = cor_quiet_power(fmax(beta, 1), -a1 / b1);
+    const double without_spring = (b + 1) / (2 * b + 1) * cor_quiet_power(b * (b + 1) / (2 * b + 1), b / (b + 1));
     if (beta <= 1)
         return cor_pressed_force_max(law, 1, beta);
-    return pow(beta, 1 / b1) * (mu < FORCE_SPRING_LEAST ? without_spring : cor_pressed_force_max(law, mu, 1));
+    return cor_quiet_product(cor_quiet_power(beta, 1 / b1),
+                             mu < FORCE_SPRING_LEAST ? without_spring : cor_pressed_force_max(law, mu, 1));
 }
 
 double cor_law_force_max(const struct cor_exponents *law, double damping)
 {
-    if (!(damping >= 0 && damping < INFINITY))
+    if (!(isgreaterequal(damping, 0) && damping < INFINITY) || !cor_law_is_sound(law))
         return NAN;
     if (cor_law_is_constant(law))
         return force_linear(law, damping);

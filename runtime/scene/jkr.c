@@ -45,19 +45,25 @@ static int stays(const struct motion *m)
     return m->v[0] * m->v[0] + 2 * potential < lost[u > broken_at[COR_END_ZERO_FORCE]];
 }
 
+/* Numbers with which no product of a motion leaves the doubles */
+static int is_moderate(double kappa, double speed)
+{
+    return isless(kappa, 1e40) && isgreater(speed, 1e-40) && isless(speed, 1e40);
+}
+
 /* In the units of motion.h */
 static int solve(struct cor_full_impact *impact, double kappa, int power, double speed)
 {
     struct motion m = {
         .time = {{4, 3, 0}, {-1, 0, 0}}, .spring = {{8.0 / 3, 6, 0}, {-4, 3, 0}}, .damper = {kappa, power, 0}};
     *impact = cor_together;
-    if (!cor_motion_init(&m, 1, speed) || !cor_motion_compress(&m, &impact->force_max, creeps))
+    if (!is_moderate(kappa, speed) || !cor_motion_init(&m, 1, speed) ||
+        !cor_motion_compress(&m, &impact->force_max, creeps))
         return COR_FAULT_PRESSED;
     impact->max_overlap = overlap(m.v[0] > 0 ? REST : cor_motion_start(&m));
     for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !stays(&m) && !creeps(&m); k++) {
-        if (k == MOTION_MOST_STEPS)
+        if (k == MOTION_MOST_STEPS || !cor_motion_expand(&m))
             return COR_FAULT_PRESSED;
-        cor_motion_expand(&m);
         if (cor_motion_v(&m, m.step, 0) > 0) /* they turn again: the step ends there */
             m.step = cor_motion_root(&m, inward, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
@@ -80,16 +86,19 @@ static int solve(struct cor_full_impact *impact, double kappa, int power, double
  * unstable direction */
 static double sticking_speed(double kappa, int power, int end)
 {
-    const double start = end == COR_JKR_TAIL ? 1e-7 / (1 + kappa) : 0, u = broken_at[end];
+    const double start = end == COR_JKR_TAIL && isless(kappa, INFINITY) ? 1e-7 / (1 + kappa) : 0, u = broken_at[end];
     struct motion m = {
         .time = {{4, 3, 0}, {-1, 0, 0}}, .spring = {{8.0 / 3, 6, 0}, {-4, 3, 0}}, .damper = {-kappa, power, 0}};
     const double slope = 12 * u * u, pull = 4 * u * u * u * (1 - 2.0 / 3 * u * u * u);
+    if (!is_moderate(kappa, 1))
+        return NAN;
     if (kappa == 0)
         return sqrt(lost[end]);
     if (!cor_motion_init(&m, u + start, start * sqrt(slope * pull)))
         return NAN;
     for (int k = 0, turned = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST; k++) {
-        cor_motion_expand(&m);
+        if (!cor_motion_expand(&m)) /* far beyond */
+            break;
         const double begin =
             turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);
         turned = turned || begin > 0;
@@ -102,6 +111,12 @@ static double sticking_speed(double kappa, int power, int end)
 
 /* ---- in SI units ---- */
 
+int cor_jkr_has_law(const struct cor_exponents *law)
+{
+    const int power = 4 * law->damping / law->denominator;
+    return cor_law_is_hertz(law) && 4 * law->damping % law->denominator == 0 && (power <= 2 || power == 6);
+}
+
 struct units {
     double length, time, force, speed, kappa;
     int power;
@@ -110,12 +125,16 @@ struct units {
 static struct units units_of(const struct cor_scene_contact *contact, double coefficient)
 {
     const double w = contact->adhesion_j_m2, R = contact->radius_m, b = cor_damping(&contact->law);
-    const double modulus = 0.75 * contact->stiffness / sqrt(R);   /* E* */
-    const double radius = cbrt(2 * COR_PI * w * R * R / modulus); /* c_0 */
-    struct units unit = {.length = radius * radius / R, .force = COR_PI * w * R, .power = (int)(4 * b)};
-    unit.time = sqrt(contact->mass_kg * unit.length / unit.force);
-    unit.speed = unit.length / unit.time;
-    unit.kappa = coefficient * pow(unit.length, b) * unit.speed / unit.force;
+    const double modulus = cor_si_quotient(0.75 * contact->stiffness, sqrt(R)); /* E* */
+    const double area = cor_si_product(cor_si_product(2 * COR_PI * w, R), R);
+    const double radius = cbrt(cor_si_quotient(area, modulus)); /* c_0 */
+    struct units unit = {.length = cor_si_quotient(radius * radius, R), .force = cor_si_product(COR_PI * w, R)};
+    unit.power = cor_jkr_has_law(&contact->law) ? (int)(4 * b) : 0;
+    unit.time = sqrt(cor_si_quotient(cor_si_product(contact->mass_kg, unit.length), unit.force));
+    unit.speed = cor_si_quotient(unit.length, unit.time);
+    const double strength =
+        cor_quiet_product(cor_quiet_product(coefficient, cor_quiet_power(unit.length, b)), unit.speed);
+    unit.kappa = cor_jkr_has_law(&contact->law) ? cor_quiet_quotient(strength, unit.force) : (double)NAN;
     return unit;
 }
 
@@ -123,22 +142,16 @@ int cor_jkr_impact(struct cor_full_impact *impact, const struct cor_scene_contac
                    double speed_m_s)
 {
     const struct units unit = units_of(contact, coefficient);
-    const int status = solve(impact, unit.kappa, unit.power, speed_m_s / unit.speed);
+    const int status = solve(impact, unit.kappa, unit.power, cor_quiet_quotient(speed_m_s, unit.speed));
     for (int end = 0; end < COR_SCENE_ENDS; end++)
-        impact->duration[end] *= unit.time;
-    impact->max_overlap *= unit.length;
-    impact->force_max *= unit.force;
+        impact->duration[end] = cor_quiet_product(impact->duration[end], unit.time);
+    impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length);
+    impact->force_max = cor_quiet_product(impact->force_max, unit.force);
     return status;
 }
 
 double cor_jkr_sticking_speed(const struct cor_scene_contact *contact, double coefficient, int end)
 {
     const struct units unit = units_of(contact, coefficient);
-    return unit.speed * sticking_speed(unit.kappa, unit.power, end);
-}
-
-int cor_jkr_has_law(const struct cor_exponents *law)
-{
-    const int power = 4 * law->damping / law->denominator;
-    return cor_law_is_hertz(law) && 4 * law->damping % law->denominator == 0 && (power <= 2 || power == 6);
+    return cor_quiet_product(unit.speed, sticking_speed(unit.kappa, unit.power, end));
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The lines by which a simulator realises a contact: which of its models is active, what that model realises, and the
  * other models as comments */
-#include "runtime/scene/inside.h"
+#include "cor/scene.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -215,7 +215,8 @@ static void make_contact(struct cor_scene_contact *contact, const struct cor_sce
     struct cor_sphere_contact sphere;
     const struct cor_body one = cor_scene_body(scene, between[kind].body);
     struct cor_body two = cor_scene_body(scene, between[kind].other);
-    const double ratio = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT) / contact->stiffness;
+    const double ratio =
+        cor_quiet_quotient(cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT), contact->stiffness);
     if (between[kind].wall)
         two.radius_m = two.mass_kg = INFINITY;
     if (cor_sphere_contact_init(&sphere, &one, &two) != COR_OK)
@@ -227,7 +228,8 @@ static void make_contact(struct cor_scene_contact *contact, const struct cor_sce
     if (has_own_damping(scene))
         contact->damping = sphere.beta_per_root;
     else if (!cor_law_is_constant(&contact->law))
-        cor_scene_set_damping(contact, COR_SCENE_DAMPING_COEFFICIENT, ratio * contact->stiffness, 0, 0);
+        cor_scene_set_damping(contact, COR_SCENE_DAMPING_COEFFICIENT, cor_quiet_product(ratio, contact->stiffness), 0,
+                              0);
 }
 
 /* All contacts from that of the request, or from one that replaces it */
@@ -343,8 +345,8 @@ static double step_of(const struct cor_scene_contact *c, const struct task *task
         cor_scene_impact(&bounce, &undamped, speed);
         impact.duration_s[end] = fmin(impact.duration_s[end], bounce.duration_s[end]);
     }
-    const double step = impact.duration_s[end] / own;
-    return pair == PAIR ? step : fmin(step, fmin(impact.duration_s[!end], elastic) / *steps);
+    const double step = cor_quiet_quotient(impact.duration_s[end], own);
+    return pair == PAIR ? step : fmin(step, cor_quiet_quotient(fmin(impact.duration_s[!end], elastic), *steps));
 }
 
 /* The smallest step of all contacts of the block; NaN where that of the pair is not known */
@@ -499,9 +501,11 @@ static double word_number(const char *word, const struct block *block, const str
 {
     const struct cor_simulator_wish *const wish = &task->wish[pair];
     const struct cor_body one = cor_scene_body(wish->scene, 1), two = cor_scene_body(wish->scene, 2);
-    const double k = wish->contacts->stiffness, m = wish->contacts->mass_kg, radius = wish->contacts->radius_m;
-    const double kn = k / sqrt(radius), number = block->number[pair];
-    const double positive = number > 0 ? number : (double)NAN, l = log(positive);
+    const int known = cor_is_moderate(wish->contacts, 1);
+    const double k = known ? wish->contacts->stiffness : (double)NAN, m = known ? wish->contacts->mass_kg : (double)NAN,
+                 radius = known ? wish->contacts->radius_m : (double)NAN, kn = cor_quiet_quotient(k, sqrt(radius)),
+                 number = block->number[pair];
+    const double positive = isgreater(number, 0) ? number : (double)NAN, l = log(positive);
     const double nu = one.poisson_ratio, density = cor_scene_body_density(wish->scene, 1);
     const int alike = !cor_scene_materials_differ(wish->scene) && one.dissipation_time_s == two.dissipation_time_s;
     const struct {
@@ -520,18 +524,18 @@ static double word_number(const char *word, const struct block *block, const str
                  {"E", 0.75 * k / sqrt(radius)},
                  {"2m", 2 * m},
                  {"tc", sqrt(m / k * (COR_PI * COR_PI + l * l))},
-                 {"timeconst", sqrt(m / k) / positive},
+                 {"timeconst", cor_quiet_quotient(sqrt(m / k), positive)},
                  {"simbody", sqrt(4.5) * k / sqrt(radius)},
                  {"young", one.young_modulus_pa},
                  {"poisson", nu},
-                 {"youngpair", 2 * (1 - nu * nu) * 0.75 * k / sqrt(radius)},
+                 {"youngpair", isless(fabs(nu), 1) ? 2 * (1 - nu * nu) * 0.75 * k / sqrt(radius) : (double)NAN},
                  {"young2", two.young_modulus_pa},
                  {"poisson2", two.poisson_ratio},
                  {"density", density},
                  {"density2", cor_scene_body_density(wish->scene, 2)},
                  {"rho", alike ? density : (double)NAN},
                  {"k1", task->k1},
-                 {"kp", task->hardening * task->k1},
+                 {"kp", cor_quiet_product(task->hardening, task->k1)},
                  {"kp/k1", task->hardening},
                  {"depth", task->depth},
                  {"dt", block->time_step_s},
@@ -667,12 +671,12 @@ static double mass_factor(const struct block *block, const struct task *task, do
     const double power = (cor_damping(law) + 1) / (cor_elastic(law) + 1) - 1;
     c.mass_kg *= masses;
     const double damping = block->damping * (cor_law_is_constant(law) ? 1 : pow(masses, power));
-    return model->number_of_damping(damping, &c, block->speed_m_s) / block->number[PAIR];
+    return cor_quiet_quotient(model->number_of_damping(damping, &c, block->speed_m_s), block->number[PAIR]);
 }
 
 static int needs_mass(const struct block *block, const struct task *task)
 {
-    return fabs(mass_factor(block, task, 2) - 1) > 1e-9 || block->model->mass == COR_MASS_IN_LINES;
+    return isgreater(fabs(mass_factor(block, task, 2) - 1), 1e-9) || block->model->mass == COR_MASS_IN_LINES;
 }
 
 /* Which number depends on the mass, and what to do where masses differ */
@@ -681,7 +685,9 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
     const char *const parameter = block->model->parameter;
     const int whole = block->model->mass == COR_MASS_IN_LINES, wall = task->request->scene->wall;
     const int differ = task->types == 2 && !wall;
-    const double power = log2(mass_factor(block, task, 2));
+    const double factor = mass_factor(block, task, 2), square = mass_factor(block, task, 4);
+    const int known = isgreater(factor, 0) && isgreater(square, 0);
+    const double power = known ? log2(factor) : (double)NAN;
     char name[SENTENCE], power_text[NUMBER + 40] = "";
     snprintf(name, sizeof name, "%.*s", whole ? SENTENCE - 1 : (int)strcspn(parameter, ","),
              whole ? "the last argument, twice their effective mass" : parameter);
@@ -691,7 +697,7 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
         comment(t, "Holds for every mass.");
         return;
     }
-    if (!whole && fabs(log2(mass_factor(block, task, 4)) - 2 * power) < 1e-6)
+    if (!whole && known && fabs(log2(square) - 2 * power) < 1e-6)
         snprintf(power_text, sizeof power_text, " is proportional to m^%s", number_text(power, 3).text);
     comment(t, "For this %s only, effective mass m = %s kg: %s%s. %s", wall ? "mass at the wall" : "pair of masses",
             TEXT(task->contact[PAIR][0].mass_kg), name, power_text,
@@ -840,11 +846,11 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
     struct cor_scene_impact impact;
     if (isnan(contact->mass_kg) || isnan(contact->radius_m) ||
         (task->simulator->wall_divides > 0 && task->request->scene->wall) ||
-        cor_scene_impact(&impact, contact, speed_m_s) != COR_FAULT_NONE || !(eps < 1))
+        cor_scene_impact(&impact, contact, speed_m_s) != COR_FAULT_NONE || !isless(eps, 1))
         return;
-    const double x = impact.max_overlap_m, ratio = 2 / (eps * eps) - 1;
+    const double x = impact.max_overlap_m, ratio = cor_quiet_quotient(2, eps * eps) - 1;
     task->hardening = ratio;
-    task->k1 = contact->mass_kg * speed_m_s * speed_m_s / (x * x);
+    task->k1 = cor_quiet_quotient(contact->mass_kg * speed_m_s * speed_m_s, x * x);
     task->depth = x * (1 - 1 / ratio) / contact->radius_m;
     comment(t, "Instead, %s (run): Luding's linear hysteresis loads with k_1 and unloads with k_2,",
             task->simulator->luding);
@@ -852,7 +858,7 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
             "eps = sqrt(k_1/k_2). These numbers of the pair realise eps = %s and the largest overlap, %s m, at %s m/s.",
             TEXT(eps), TEXT(x), TEXT(speed_m_s));
     comment(t, "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster than eps of the spheres.",
-            TEXT((1 / (eps * eps) - 1) / speed_m_s));
+            TEXT(cor_quiet_quotient(cor_quiet_quotient(1, eps * eps) - 1, speed_m_s)));
     t->commented++;
     put_template(t, task->simulator->luding_lines, &block, task);
     t->commented--;
@@ -1082,7 +1088,8 @@ static void refuse_law(struct task *task)
     char instead[SENTENCE] = "";
     for (int i = 0; i < task->simulator->model_count && !*instead; i++)
         if (task->simulator->models[i].lines && task->simulator->models[i].law == COR_LAW_LINEAR &&
-            contact->mass_kg > 0 && !task->pressed && !contact->plastic && !contact->plate && wish->eps <= 1)
+            isgreater(contact->mass_kg, 0) && !task->pressed && !contact->plastic && !contact->plate &&
+            islessequal(wish->eps, 1))
             snprintf(
                 instead, sizeof instead,
                 ". A linear spring takes its place at %s m/s; the duration is that of --dissipation-time 0 at this "
@@ -1095,10 +1102,21 @@ static void refuse_law(struct task *task)
            request->version ? " in this version" : "", instead);
 }
 
+static int check_numbers(struct task *task)
+{
+    const struct cor_simulator_request *const request = task->request;
+    int moderate = !isnan(request->time_step_s + request->steps + request->step_tolerance);
+    for (int i = 0; i < request->count; i++)
+        moderate = moderate && cor_is_moderate(&request->contacts[i], 1);
+    for (size_t i = 0; i < request->speeds; i++)
+        moderate = moderate && cor_is_moderate(&request->contacts[0], request->speed_m_s[i]);
+    return moderate || refuse(task, "lines need numbers in SI units from 1e-48 to 1e48");
+}
+
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
 {
     struct task task = {.request = request};
-    if (check_task(&task) && find_speed(&task)) {
+    if (check_numbers(&task) && check_task(&task) && find_speed(&task)) {
         struct text t = {text, size, 0, task.simulator, 0, 1, 1};
         if (put_all(&t, &task)) {
             if (request->contacts[0].plastic)

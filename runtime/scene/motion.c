@@ -27,6 +27,8 @@ int cor_motion_init(struct motion *m, double u, double v)
 {
     enum { TERMS = 5 };
     struct motion_term *const terms[TERMS] = {&m->time[0], &m->time[1], &m->spring[0], &m->spring[1], &m->damper};
+    if (!(isless(fabs(u), 1e150) && isless(fabs(v), 1e150)))
+        return 0;
     m->powers = 2;
     for (int i = 0; i < 2; i++)
         m->power[i] = (struct motion_power){i, 0, 0, {i == 0}};
@@ -77,9 +79,9 @@ static double longest_step(const struct motion *m)
 {
     const double *const u = m->power[1].c, *const v = m->v;
     const double size = fmax(fabs(u[0]), fabs(v[0]));
-    double least = u[0] == 0 ? 0.1 : INFINITY, u_size = size, v_size = size;
+    double least = u[0] == 0 ? 0.1 / m->unit : INFINITY, u_size = size, v_size = size;
     if (m->follows_energy && u[0] > 0) { /* v can be far smaller than u, and u linear over many of its sizes */
-        least = v[0] > 0 ? 4 * u[0] / v[0] : least;
+        least = v[0] > 0 ? 4 * u[0] / v[0] / m->unit : least;
         u_size = u[0];
         v_size = fmax(fabs(v[0]), sqrt(m->press * whole_power(u[0], order_of(m))));
     }
@@ -88,7 +90,7 @@ static double longest_step(const struct motion *m)
         if (last > 0)
             least = fmin(least, pow(DBL_EPSILON / 8 / last, 1.0 / n));
     }
-    return isfinite(least) ? 0.9 * least : 1;
+    return isfinite(least) ? 0.9 * least : 1 / m->unit;
 }
 
 static double sum_of(const struct motion *m, const struct motion_term term[2], int n)
@@ -96,30 +98,52 @@ static double sum_of(const struct motion *m, const struct motion_term term[2], i
     return term[0].factor * m->power[term[0].power].c[n] + term[1].factor * m->power[term[1].power].c[n];
 }
 
-void cor_motion_expand(struct motion *m)
+static int expand_in_unit(struct motion *m)
 {
     double slope[ORDER + 1], rest[ORDER + 1], damping[ORDER + 1], lost[ORDER + 1]; /* T, F - press, forces, power */
     double *const u = m->power[1].c;
+    const double most = 1e150, factor = fabs(m->damper.factor), most_damping = most * most / fmax(1, factor);
+    if (!(isless(factor, most) && isless(fabs(m->spring[0].factor), most) && isless(m->press, most) &&
+          isless(fabs(m->v[0]), most) && isless(fabs(u[0]), most)))
+        return 0;
     for (int n = 0; n < ORDER; n++) {
         for (int i = 2; i < m->powers; i++) {
             struct motion_power *const p = &m->power[i];
             const double *const left = m->power[p->left].c;
             p->c[n] = p->left == p->right ? square(left, n) : product(left, m->power[p->right].c, n);
+            if (!(fabs(p->c[n]) < most))
+                return 0;
         }
         slope[n] = sum_of(m, m->time, n);
-        damping[n] = m->damper.factor * product(m->power[m->damper.power].c, m->v, n);
+        damping[n] = product(m->power[m->damper.power].c, m->v, n);
+        if (fabs(damping[n]) > most_damping)
+            return 0;
+        damping[n] *= m->damper.factor;
         m->force[n] = sum_of(m, m->spring, n) + damping[n];
         rest[n] = m->force[n] - (n == 0 ? m->press : 0);
-        u[n + 1] = m->v[n] / (n + 1);
-        m->v[n + 1] = -product(slope, rest, n) / (n + 1);
-        m->t[n + 1] = slope[n] / (n + 1);
+        if (!(fabs(slope[n]) < most && fabs(damping[n]) < most && fabs(rest[n]) < most && fabs(u[n]) < most))
+            return 0;
+        u[n + 1] = m->unit * m->v[n] / (n + 1);
+        m->v[n + 1] = -m->unit * product(slope, rest, n) / (n + 1);
+        if (!(fabs(m->v[n + 1]) < most))
+            return 0;
+        m->t[n + 1] = m->unit * slope[n] / (n + 1);
         if (m->follows_energy) {
             lost[n] = product(damping, m->v, n);
-            m->loss[n + 1] = product(slope, lost, n) / (n + 1);
+            m->loss[n + 1] = m->unit * product(slope, lost, n) / (n + 1);
         }
     }
     m->force[ORDER] = 0;
     m->step = longest_step(m);
+    return 1;
+}
+
+int cor_motion_expand(struct motion *m)
+{
+    for (m->unit = 1; m->unit > 0x1p-100; m->unit *= 0x1p-10)
+        if (expand_in_unit(m))
+            return 1;
+    return 0;
 }
 
 /* v from the energy, in the half of the way next to x = 0, where no difference of large numbers decides it */
@@ -186,8 +210,7 @@ double cor_motion_root(const struct motion *m, motion_function *f, double low, d
 int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const struct motion *m))
 {
     *force_max = -HUGE_VAL;
-    for (int k = 0; k < MOTION_MOST_STEPS; k++) {
-        cor_motion_expand(m);
+    for (int k = 0; k < MOTION_MOST_STEPS && cor_motion_expand(m); k++) {
         const int turns = cor_motion_v(m, m->step, 0) <= 0;
         const double end = turns ? cor_motion_root(m, cor_motion_v, 0, m->step, 0) : m->step;
         *force_max = fmax(*force_max, fmax(m->force[0], at(m->force, end)));

@@ -20,8 +20,10 @@ static const struct cor_full_impact cor_together = {{0, 0}, {INFINITY, INFINITY}
 COR_INLINE double whole_power(double x, int n)
 {
     double y = 1;
-    for (; n > 0; n /= 2, x *= x)
+    for (; n > 0; n /= 2) {
         y *= n % 2 ? x : 1;
+        x *= n > 1 ? x : 1;
+    }
     return y;
 }
 
@@ -73,7 +75,7 @@ struct motion {
     int powers;
     struct motion_power power[MOTION_POWERS];
     double v[MOTION_ORDER + 1], t[MOTION_ORDER + 1], force[MOTION_ORDER + 1];
-    double step;
+    double step, unit; /* the unit of s: 1, or smaller where coefficients would leave the doubles */
     /* Set where `press` outweighs the inertia of the start. v then follows from the energy v^2/2 + spring - press x =
      * energy - loss, because the difference of two large speeds would lose the small speeds at x = 0. */
     int follows_energy;
@@ -83,8 +85,9 @@ struct motion {
 /* Sets the powers of the terms, and the start u, v at t = 0. Returns 0 where the exponents need too many powers. */
 int cor_motion_init(struct motion *m, double u, double v);
 
-/* Fills the coefficients from u, v and t at s = 0, and the longest step at which the last ones do not matter. */
-void cor_motion_expand(struct motion *m);
+/* Fills the coefficients from u, v and t at s = 0, and the longest step at which the last ones do not matter. Returns 0
+ * where a coefficient is so large that a product of two would leave the doubles. */
+int cor_motion_expand(struct motion *m);
 /* The end of the step becomes the start of the next one. */
 void cor_motion_advance(struct motion *m);
 

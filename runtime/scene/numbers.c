@@ -117,8 +117,8 @@ static const char *const sentences[] = {
     [COR_FAULT_SPEED_ALONE] = "--at is the speed of --restitution, --beta or --duration, and none is given",
     [COR_FAULT_FIRST_MISSING] = "--{number} needs --{other}, that of the first body",
     [COR_FAULT_NO_SECOND_BODY] = "--{number} needs a second body that is viscoelastic",
-    [COR_FAULT_RANGE] = "the damping of this contact is beyond a double: the numbers of its bodies or of its "
-                        "dissipation are too far apart",
+    [COR_FAULT_RANGE] = "a number of this contact, or its speed, is out of range: numbers with units are from 1e-250 "
+                        "to 1e250, and those of bodies and dissipation must not be too far apart",
     [COR_FAULT_NO_STIFFNESS] = "no stiffness makes the contact last for the --duration: with this damping its bodies "
                                "never part, or the stiffness is beyond a double",
     [COR_FAULT_PRESSED] = "the damping of the law {law} is too strong to be integrated under gravity or adhesion",

@@ -7,7 +7,7 @@
  *
  * makes eps^4 = 108 t/((t + 2) (t^2 + 5)^2) rational, and 1 - eps^4 = (1 - t)^2 (t^3 + 4 t^2 + 17 t + 50)/(...) free of
  * cancellation. */
-#include "runtime/scene/inside.h"
+#include "cor/scene.h"
 
 #include "runtime/scene/motion.h"
 
@@ -49,8 +49,8 @@ static double loss_of_fourth(double t, double gap)
 
 double cor_elastic_plastic_eps(double speed_ratio)
 {
-    if (!(speed_ratio > 1))
-        return speed_ratio >= 0 ? 1 : (double)NAN;
+    if (!isgreater(speed_ratio, 1))
+        return cor_inline_is_refused(speed_ratio) ? (double)NAN : 1;
     const double t = force_ratio(speed_ratio);
     if (t < 0.75)
         return sqrt(sqrt(108 * t / denominator(t)));
@@ -59,8 +59,8 @@ double cor_elastic_plastic_eps(double speed_ratio)
 
 double cor_elastic_plastic_loss(double speed_ratio)
 {
-    if (!(speed_ratio > 1))
-        return speed_ratio >= 0 ? 0 : (double)NAN;
+    if (!isgreater(speed_ratio, 1))
+        return cor_inline_is_refused(speed_ratio) ? (double)NAN : 0;
     const double eps = cor_elastic_plastic_eps(speed_ratio);
     if (eps < 0.5)
         return 1 - eps;
@@ -75,7 +75,7 @@ static double force_ratio_of_eps(double eps)
     const double fourth = eps * eps * (eps * eps);
     if (eps < 0.9) {
         double t = fourth * (50.0 / 108), step = 1;
-        for (int i = 0; i < 60 && step > 0x1p-54; i++) {
+        for (int i = 0; i < 60 && step > 0x1p-54 && t > 0; i++) {
             const double square = t * t + 5, slope = 2 * (1 - t) * ((2 * t + 5) * t + 5) / ((t + 2) * square);
             step = (fourth / (108 * t / denominator(t)) - 1) / slope;
             t *= 1 + step;
@@ -94,10 +94,10 @@ static double force_ratio_of_eps(double eps)
 
 double cor_elastic_plastic_speed_ratio(double eps)
 {
-    if (!(eps >= 0 && eps <= 1))
+    if (!(isgreaterequal(eps, 0) && eps <= 1))
         return NAN;
     const double t = force_ratio_of_eps(eps);
-    return t > 0 ? sqrt((t * t + 5) / 6) / t : INFINITY;
+    return cor_quiet_quotient(sqrt((t * t + 5) / 6), t);
 }
 
 /* ---- v_y and the yield stress ---- */
@@ -105,28 +105,43 @@ double cor_elastic_plastic_speed_ratio(double eps)
 /* sqrt(pi^5/30) (p_y/E*)^2 sqrt(R^3 p_y/m), from K = (4/3) E* sqrt(R) */
 double cor_scene_yield_speed(const struct cor_scene_contact *contact, double yield_stress_pa)
 {
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(yield_stress_pa))
+        return NAN;
     const double pressure = COR_YIELD_PRESSURE * yield_stress_pa, radius = contact->radius_m;
-    const double ratio = pressure / (0.75 * contact->stiffness / sqrt(radius));
-    return COR_YIELD_FACTOR * ratio * ratio * sqrt(radius * radius * radius * pressure / contact->mass_kg);
+    const double ratio = cor_si_quotient(pressure, cor_si_quotient(0.75 * contact->stiffness, sqrt(radius)));
+    const double cube = cor_si_product(cor_si_product(radius, radius), radius);
+    const double square = cor_si_quotient(cor_si_product(cube, pressure), contact->mass_kg);
+    return cor_si_product(cor_si_product(COR_YIELD_FACTOR * ratio, ratio), sqrt(square));
 }
 
 /* ---- contact radius and pressure ---- */
 
 double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double a = cor_elastic(&contact->law);
-    return pow((a + 1) / 2 * contact->mass_kg / contact->stiffness * speed_m_s * speed_m_s, 1 / (a + 1));
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
+        return speed_m_s == 0 ? 0 : (double)NAN;
+    const double a = cor_elastic(&contact->law),
+                 scale = cor_si_quotient((a + 1) / 2 * contact->mass_kg, contact->stiffness);
+    return cor_quiet_power(cor_si_product(cor_si_product(scale, speed_m_s), speed_m_s), 1 / (a + 1));
+}
+
+/* True if a contact is sound, and a number in range or 0 */
+static int in_range_or_zero(const struct cor_scene_contact *contact, double x)
+{
+    return cor_contact_is_sound(contact) && (x == 0 || cor_si_in_range(x));
 }
 
 double cor_scene_contact_radius(const struct cor_scene_contact *contact, double overlap_m)
 {
-    return sqrt(contact->radius_m * overlap_m);
+    return in_range_or_zero(contact, overlap_m) ? sqrt(cor_quiet_product(contact->radius_m, overlap_m)) : (double)NAN;
 }
 
 /* (3/2) K x^(3/2)/(pi R x), by Hertz */
 static double pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
-    return 1.5 * contact->stiffness * sqrt(overlap_m) / (COR_PI * contact->radius_m);
+    if (!in_range_or_zero(contact, overlap_m))
+        return NAN;
+    return cor_quiet_quotient(cor_quiet_product(1.5 * contact->stiffness, sqrt(overlap_m)), COR_PI * contact->radius_m);
 }
 
 /* No more than the pressure at which the spheres yield */
@@ -154,7 +169,8 @@ enum { TERMS = 30 };
  * powers of theta^2; they fall like pi^(-2k). */
 static double hertz_time(double r, double gap)
 {
-    const double angle = COR_PI / 2 - 2 * asin(sqrt(gap / 2)), square = angle * angle;
+    const double computed = COR_PI / 2 - 2 * asin(sqrt(gap / 2)), angle = computed > 0 ? computed : r,
+                 square = angle * angle;
     double a[TERMS], c[TERMS], sum = 1, power = 1;
     a[0] = c[0] = 1;
     for (int n = 1; n < TERMS; n++) {
@@ -173,15 +189,19 @@ static double hertz_time(double r, double gap)
 
 void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double x = speed_m_s / contact->yield_speed_m_s, t = force_ratio(x);
+    const double x = cor_quiet_quotient(speed_m_s, contact->yield_speed_m_s), t = force_ratio(x);
     const double overlap = cor_scene_elastic_overlap(contact, contact->yield_speed_m_s);
-    const double time = overlap / contact->yield_speed_m_s, eps = cor_elastic_plastic_eps(x);
+    const double eps = cor_elastic_plastic_eps(x);
+    if (!(x < 1e300 && contact->yield_speed_m_s > 0))
+        return;
+    const double time = cor_quiet_quotient(overlap, contact->yield_speed_m_s);
     const double loading = hertz_time(1 / x, (x - 1) / x) / x + 2 * asin(sqrt(force_gap(x, t) / 2)) / sqrt(15.0 / 8);
     const double unloading = HERTZ_TIME * sqrt(3 / (t * (2 + t))) / (eps * x);
     impact->eps[0] = impact->eps[1] = eps;
-    impact->duration[0] = impact->duration[1] = time * (loading + unloading);
-    impact->max_overlap = overlap * (2 + t) / (3 * t);
-    impact->force_max = contact->stiffness * overlap * sqrt(overlap) / t;
+    impact->duration[0] = impact->duration[1] = cor_quiet_product(time, loading + unloading);
+    impact->max_overlap = cor_quiet_quotient(overlap * (2 + t), 3 * t);
+    impact->force_max =
+        cor_quiet_quotient(cor_quiet_product(cor_quiet_product(contact->stiffness, overlap), sqrt(overlap)), t);
 }
 
 /* ---- a liquid film around a dry contact ----
@@ -192,18 +212,25 @@ void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_c
 double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,
                               double gap_inner_m)
 {
+    if (!cor_contact_is_sound(contact) || !(viscosity_pa_s == 0 || cor_si_in_range(viscosity_pa_s)) ||
+        !cor_si_in_range(gap_outer_m) || !cor_si_in_range(gap_inner_m) || gap_outer_m < gap_inner_m)
+        return NAN;
     const double radius = contact->radius_m, gap = gap_outer_m - gap_inner_m;
     /* ln(1 + z) keeps its accuracy where the gaps are nearly equal */
-    const double logarithm = gap < gap_inner_m ? log1p(gap / gap_inner_m) : log(gap_outer_m / gap_inner_m);
-    return 6 * COR_PI * viscosity_pa_s * radius * radius / contact->mass_kg * logarithm;
+    const double logarithm =
+        gap < gap_inner_m ? log1p(gap / gap_inner_m) : log(cor_si_quotient(gap_outer_m, gap_inner_m));
+    const double product = cor_quiet_product(cor_quiet_product(6 * COR_PI * viscosity_pa_s, radius), radius);
+    return cor_quiet_quotient(product, contact->mass_kg) * logarithm;
 }
 
 double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s)
 {
-    if (!(eps >= 0 && speed_m_s >= 0 && liquid_speed_m_s >= 0))
+    if (!(isgreaterequal(eps, 0) && eps <= 1) || !(speed_m_s == 0 || cor_si_in_range(speed_m_s)) ||
+        !(liquid_speed_m_s == 0 || cor_si_in_range(liquid_speed_m_s)))
         return NAN;
-    const double rest = (eps * (speed_m_s - liquid_speed_m_s) - liquid_speed_m_s) / speed_m_s;
-    return liquid_speed_m_s == 0 ? eps : speed_m_s > liquid_speed_m_s ? fmax(rest, 0) : 0;
+    if (liquid_speed_m_s == 0 || speed_m_s <= liquid_speed_m_s)
+        return liquid_speed_m_s == 0 ? eps : 0;
+    return fmax((eps * (speed_m_s - liquid_speed_m_s) - liquid_speed_m_s) / speed_m_s, 0);
 }
 
 double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
@@ -217,7 +244,7 @@ double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
         low = high;
         high *= 2;
         last = rebound;
-        if (cor_scene_eps(&eps, &dry, high, end) != COR_FAULT_NONE)
+        if (cor_scene_eps(&eps, &dry, high, end) != COR_FAULT_NONE || isnan(eps))
             return NAN;
         rebound = eps * high;
     } while (rebound < s && (rebound == 0 || rebound > last * (1 + 1e-9)) && high < 1e30 * s);

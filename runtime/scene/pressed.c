@@ -69,14 +69,16 @@ static double energy(const struct motion *m)
 static double release_height(const struct motion *m)
 {
     const int d = order_of(m), difference = m->spring[0].exponent - m->damper.exponent, power = 2 * difference - d;
-    const double ratio = m->damper.factor / m->spring[0].factor;
-    return power > 0 ? pow(m->press * ratio * ratio * d / difference, 1.0 / power) : -1; /* w */
+    const double ratio = cor_quiet_quotient(m->damper.factor, m->spring[0].factor);
+    const double square = cor_quiet_product(cor_quiet_product(m->press, ratio), ratio);
+    return power > 0 ? cor_quiet_power(cor_quiet_product(square, d) / difference, 1.0 / power) : -1; /* w */
 }
 
 /* The overlap at which force and spring balance */
 static double overlap_of_rest(const struct motion *m)
 {
-    return pow(m->press / m->spring[0].factor, (double)order_of(m) / m->spring[0].exponent);
+    return cor_quiet_power(cor_quiet_quotient(m->press, m->spring[0].factor),
+                           (double)order_of(m) / m->spring[0].exponent);
 }
 
 /* Whether the overlap rises to that of rest and never beyond: while x'/(x_e - x) is below half of the damping
@@ -85,7 +87,8 @@ static int creeps_up(const struct motion *m)
 {
     const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap(m);
     const double damping = m->damper.factor * whole_power(cor_motion_start(m), m->damper.exponent);
-    const double stiffness = m->spring[0].factor * a * fmax(pow(rest, a - 1), pow(x, a - 1));
+    const double steepest = fmax(cor_quiet_power(rest, a - 1), cor_quiet_power(x, a - 1)),
+                 stiffness = cor_quiet_product(m->spring[0].factor * a, steepest);
     return x < rest && damping * damping > 4 * stiffness && m->v[0] < damping / 2 * (rest - x);
 }
 
@@ -128,9 +131,8 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
     const double release = ends_differ ? release_height(m) : -1; /* w where the force can vanish */
     int held = !ends_differ, parted = 0;                         /* held: the force has vanished, or never does */
     for (int k = 0; !parted && energy(m) >= 0; k++) {
-        if (k == MOTION_MOST_STEPS)
+        if (k == MOTION_MOST_STEPS || !cor_motion_expand(m))
             return COR_FAULT_PRESSED;
-        cor_motion_expand(m);
         double end = m->step;
         parted = cor_motion_u(m, end, 0) <= 0;
         if (parted) {
@@ -168,7 +170,10 @@ static double beta_function(double x, double y)
 static double slow_sticking_speed(const struct cor_exponents *law, double damping)
 {
     const double a = cor_elastic(law), p = (cor_damping(law) + 1.5) / a;
-    return sqrt(damping * 4 * sqrt(2) * pow(a + 1, p) / a * beta_function(p, 1.5));
+    if (!(p < EXPONENT_MOST))
+        return INFINITY; /* not slow */
+    const double factor = cor_quiet_product(cor_quiet_product(damping * 4, sqrt(2)), cor_quiet_power(a + 1, p));
+    return sqrt(cor_quiet_product(factor / a, beta_function(p, 1.5)));
 }
 
 /* True if the motion at this speed is the elastic one. The force vanishes at x^(a-b) = damping v, where v^2 is about
@@ -176,15 +181,17 @@ static double slow_sticking_speed(const struct cor_exponents *law, double dampin
 static int is_slow(const struct cor_exponents *law, double damping, double speed)
 {
     const double a = cor_elastic(law), b = cor_damping(law), c = a - b;
-    const double fast = c > 0 ? pow(2 * damping * speed, 1 / c) : 0;
-    const double late = c > 0.5 ? pow(4 * damping, 1 / (c - 0.5)) : 0;
-    return speed < SLOW && damping < WEAK && (b + 1.5) / a < EXPONENT_MOST &&
-           pow(fmax(fast, late), (a + 1) / 2) < sqrt(RELEASE_SHARE) * speed;
+    if (!(speed < SLOW && damping < WEAK && (b + 1.5) / a < EXPONENT_MOST))
+        return 0;
+    const double fast = c > 0 ? cor_quiet_power(2 * damping * speed, 1 / c) : 0;
+    const double late = c > 0.5 ? cor_quiet_power(4 * damping, 1 / (c - 0.5)) : 0;
+    return cor_quiet_power(fmax(fast, late), (a + 1) / 2) < sqrt(RELEASE_SHARE) * speed;
 }
 
 static void solve_slow(struct cor_full_impact *impact, const struct cor_exponents *law, double damping, double speed)
 {
-    const double a = cor_elastic(law), p = 0.5 / a, ratio = slow_sticking_speed(law, damping) / speed;
+    const double a = cor_elastic(law), p = 0.5 / a,
+                 ratio = cor_quiet_quotient(slow_sticking_speed(law, damping), speed);
     const double eps = ratio < 1 ? sqrt((1 - ratio) * (1 + ratio)) : 0;
     const double elastic = sqrt(2) * pow(a + 1, p) / a * beta_function(p, 0.5); /* the duration from rest */
     for (int end = 0; end < COR_SCENE_ENDS; end++)
@@ -195,18 +202,21 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 
 /* ---- a collision ---- */
 
-#define SLOWEST 1e-12 /* below it, and with damping that is not WEAK, the bodies stick as at this speed */
+#define MOST_SPEED 1e140 /* beyond it the doubles end */
+#define SLOWEST 1e-12    /* below it, and with damping that is not WEAK, the bodies stick as at this speed */
 
 /* The units of a motion: the speed, or where the constant force is the larger one that force, and strong damping, set
  * them. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
 {
-    const double a = cor_elastic(law), b = cor_damping(law), length = pow(speed, 2 / (a + 1));
-    const double beta = damping * pow(length, b + 1) / speed, unit = beta > 1 ? pow(beta, -1 / (b + 1)) : 1;
-    const double strong = damping > 1 ? pow(damping, -1 / (b + 0.5)) : 1;
-    *is_forced = pow(length, a) < unit; /* f = length^-a in units of the speed */
-    return *is_forced ? (struct scales){strong, sqrt(strong), speed / sqrt(strong)}
-                      : (struct scales){length * unit, length * unit / speed, 1};
+    const double a = cor_elastic(law), b = cor_damping(law), length = cor_quiet_power(speed, 2 / (a + 1));
+    const double beta =
+        damping > 0 ? cor_quiet_quotient(cor_quiet_product(damping, cor_quiet_power(length, b + 1)), speed) : 0;
+    const double unit = beta > 1 ? cor_quiet_power(beta, -1 / (b + 1)) : 1;
+    const double strong = damping > 1 ? cor_quiet_power(damping, -1 / (b + 0.5)) : 1;
+    *is_forced = cor_quiet_power(length, a) < unit; /* f = length^-a in units of the speed */
+    return *is_forced ? (struct scales){strong, sqrt(strong), cor_quiet_quotient(speed, sqrt(strong))}
+                      : (struct scales){length * unit, cor_quiet_quotient(length * unit, speed), 1};
 }
 
 int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double damping, double speed)
@@ -215,6 +225,8 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
     struct motion m;
     int is_forced;
     *impact = cor_together;
+    if (!(isless(damping, INFINITY) && isgreater(speed, 0) && isless(speed, MOST_SPEED)))
+        return COR_FAULT_PRESSED;
     if (is_slow(law, damping, speed)) {
         solve_slow(impact, law, damping, speed);
         return COR_FAULT_NONE;
@@ -222,15 +234,17 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
     if (speed < SLOWEST && damping < WEAK) /* a weak spring keeps energy where the force vanishes */
         return COR_FAULT_PRESSED;
     const struct scales unit = motion_scales(law, damping, fmax(speed, SLOWEST), &is_forced);
-    const double acceleration = unit.length / (unit.time * unit.time);
-    if (!motion_init(&m, law, pow(unit.length, a) / acceleration,
-                     damping * pow(unit.length, b + 1) / (unit.time * acceleration), 1 / acceleration, unit.speed))
+    const double acceleration = cor_quiet_quotient(unit.length, cor_quiet_product(unit.time, unit.time));
+    const double spring = cor_quiet_quotient(cor_quiet_power(unit.length, a), acceleration);
+    const double damper = cor_quiet_quotient(cor_quiet_product(damping, cor_quiet_power(unit.length, b + 1)),
+                                             cor_quiet_product(unit.time, acceleration));
+    if (!motion_init(&m, law, spring, damper, cor_quiet_quotient(1, acceleration), unit.speed))
         return COR_FAULT_PRESSED;
     m.follows_energy = is_forced;
     if (!cor_motion_compress(&m, &impact->force_max, creeps_up))
         return COR_FAULT_PRESSED;
-    impact->max_overlap = (m.v[0] > 0 ? overlap_of_rest(&m) : overlap(&m)) * unit.length;
-    impact->force_max *= acceleration;
+    impact->max_overlap = cor_quiet_product(m.v[0] > 0 ? overlap_of_rest(&m) : overlap(&m), unit.length);
+    impact->force_max = cor_quiet_product(impact->force_max, acceleration);
     const int status = follow_rebound(impact, &m, law->elastic > law->damping && damping > 0, &unit);
     for (int end = 0; end < COR_SCENE_ENDS && damping == 0; end++)
         impact->eps[end] = 1;
@@ -246,31 +260,35 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
 {
     const double a = cor_elastic(law), b = cor_damping(law), slow = slow_sticking_speed(law, damping);
     struct motion m;
+    if (!isless(damping, INFINITY))
+        return NAN;
     if (damping == 0 || is_slow(law, damping, slow))
         return damping == 0 ? 0 : slow;
     if (!motion_init(&m, law, 1, damping, 1, 0))
         return NAN;
     m.damper.factor = -damping; /* in backward time */
     m.follows_energy = 1;
-    double x = fmin(pow(START / fmax(damping, 1), 1 / (b + 0.5)), pow(START, 1 / a));
-    m.loss[0] = -sqrt(2) * damping * pow(x, b + 1.5) / (b + 1.5);
-    m.v[0] = sqrt(2 * (x - m.loss[0] - pow(x, a + 1) / (a + 1)));
+    double x = fmin(cor_quiet_power(START / fmax(damping, 1), 1 / (b + 0.5)), cor_quiet_power(START, 1 / a));
+    m.loss[0] = -cor_quiet_product(cor_quiet_product(sqrt(2), damping), cor_quiet_power(x, b + 1.5)) / (b + 1.5);
+    m.v[0] = sqrt(2 * (x - m.loss[0] - cor_quiet_power(x, a + 1) / (a + 1)));
     if (end == COR_END_ZERO_FORCE &&
         2 * (a - b) > 1) { /* the force vanishes with just the speed of the flight to x = 0 */
-        x = pow(2 * damping * damping, 1 / (2 * (a - b) - 1));
+        x = cor_quiet_power(cor_quiet_product(cor_quiet_product(2, damping), damping), 1 / (2 * (a - b) - 1));
         m.loss[0] = 0;
         m.v[0] = sqrt(2 * x);
-        m.energy = pow(x, a + 1) / (a + 1);
+        m.energy = cor_quiet_power(x, a + 1) / (a + 1);
     }
-    m.power[1].c[0] = pow(x, 1.0 / order_of(&m));
+    m.power[1].c[0] = cor_quiet_power(x, 1.0 / order_of(&m));
     int turned = 0;
     for (int k = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST_OVERLAP; k++) {
-        cor_motion_expand(&m);
+        if (!cor_motion_expand(&m)) /* far beyond */
+            break;
         const double begin =
             turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);
         turned = turned || begin > 0;
         if (turned && cor_motion_u(&m, m.step, 0) <= 0)
-            return sqrt(2 * (m.energy - cor_motion_loss(&m, cor_motion_root(&m, cor_motion_u, begin, m.step, 0))));
+            return sqrt(
+                fmax(2 * (m.energy - cor_motion_loss(&m, cor_motion_root(&m, cor_motion_u, begin, m.step, 0))), 0));
         cor_motion_advance(&m);
     }
     return INFINITY;

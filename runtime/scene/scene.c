@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* From what is known to a contact: bodies or a spring, then the damping */
-#include "runtime/scene/inside.h"
+#include "cor/scene.h"
 
 #include <math.h>
 
@@ -71,7 +71,8 @@ struct cor_body cor_scene_body(const struct cor_scene *scene, int body)
         b.radius_m = cor_scene_of_body(scene, COR_SCENE_RADIUS, body);
         b.mass_kg = cor_scene_mass_is_given(scene, body)
                         ? cor_scene_of_body(scene, COR_SCENE_MASS, body)
-                        : 4 * COR_PI / 3 * pow(b.radius_m, 3) * cor_scene_of_body(scene, COR_SCENE_DENSITY, body);
+                        : cor_quiet_product(4 * COR_PI / 3 * cor_quiet_power(b.radius_m, 3),
+                                            cor_scene_of_body(scene, COR_SCENE_DENSITY, body));
     }
     if (viscosity >= 0)
         b.dissipation_time_s = cor_dissipation_time_viscous_s(scene->number[viscosity], scene->number[viscosity + 1],
@@ -88,8 +89,8 @@ static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fau
         return fault->fault;
     for (int body = 1; body <= (scene->plate ? 1 : 2); body++) {
         const int eta = viscosity_of(scene, body);
-        if (eta >= 0 && !(scene->number[eta] >= 0 && scene->number[eta] < INFINITY && scene->number[eta + 1] >= 0 &&
-                          scene->number[eta + 1] < INFINITY))
+        if (eta >= 0 && !(isgreaterequal(scene->number[eta], 0) && isless(scene->number[eta], INFINITY) &&
+                          isgreaterequal(scene->number[eta + 1], 0) && isless(scene->number[eta + 1], INFINITY)))
             return refuse(fault, COR_FAULT_VISCOSITY, eta, 0);
     }
     const struct cor_body body_1 = cor_scene_body(scene, 1), body_2 = cor_scene_body(scene, 2);
@@ -149,13 +150,14 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
     if (refuse_first(fault, rules) != COR_FAULT_NONE)
         return fault->fault;
     if (heavy)
-        contact->force_n += contact->mass_kg * scene->number[COR_SCENE_GRAVITY];
+        contact->force_n += cor_quiet_product(contact->mass_kg, scene->number[COR_SCENE_GRAVITY]);
     if (jkr)
         contact->adhesion_j_m2 = scene->number[COR_SCENE_ADHESION];
     else if (sticky)
-        contact->force_n += 2 * COR_PI * scene->number[COR_SCENE_ADHESION] * contact->radius_m;
-    return contact->force_n >= 0 && contact->force_n < INFINITY ? COR_FAULT_NONE
-                                                                : refuse(fault, COR_FAULT_RANGE, cause, 0);
+        contact->force_n += cor_quiet_product(2 * COR_PI * scene->number[COR_SCENE_ADHESION], contact->radius_m);
+    return isgreaterequal(contact->force_n, 0) && contact->force_n < INFINITY
+               ? COR_FAULT_NONE
+               : refuse(fault, COR_FAULT_RANGE, cause, 0);
 }
 
 /* ---- the damping ---- */
@@ -192,7 +194,7 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
     const int constant = cor_law_is_constant(&scene->law), bodies = has_bodies(scene), material = is_material(way);
     const int needs_at = way == COR_SCENE_RESTITUTION || way == COR_SCENE_BETA;
     const int at = cor_scene_given(scene, COR_SCENE_AT), timed = cor_scene_given(scene, COR_SCENE_DURATION);
-    const int scaled = contact->mass_kg > 0 && contact->stiffness > 0;
+    const int scaled = isgreater(contact->mass_kg, 0) && isgreater(contact->stiffness, 0);
     const int second = material && cor_scene_given(scene, way + COR_SCENE_BODY);
     const struct rule rules[] = {
         {scene->plate && way >= 0 && !material, COR_FAULT_PLATE_DAMPING, way, 0},
@@ -222,11 +224,12 @@ static int set_stiffness(struct cor_scene_contact *contact, double duration_s, d
     struct cor_scene_impact impact;
     unit.mass_kg = unit.stiffness = 1;
     impact.duration_s[end] = cor_scene_elastic_duration_s(&unit, speed_m_s);
-    const int status = contact->damping > 0 ? cor_scene_impact(&impact, &unit, speed_m_s) : COR_FAULT_NONE;
+    const int status = isgreater(contact->damping, 0) ? cor_scene_impact(&impact, &unit, speed_m_s) : COR_FAULT_NONE;
     if (status != COR_FAULT_NONE)
         return status;
-    contact->stiffness = contact->mass_kg * pow(impact.duration_s[end] / duration_s, cor_elastic(&contact->law) + 1);
-    return contact->stiffness > 0 && contact->stiffness < INFINITY ? COR_FAULT_NONE : COR_FAULT_NO_STIFFNESS;
+    const double ratio = cor_quiet_quotient(impact.duration_s[end], duration_s);
+    contact->stiffness = cor_quiet_product(contact->mass_kg, cor_quiet_power(ratio, cor_elastic(&contact->law) + 1));
+    return cor_si_in_range(contact->stiffness) ? COR_FAULT_NONE : COR_FAULT_NO_STIFFNESS;
 }
 
 /* ---- yield, and a liquid ---- */
@@ -257,12 +260,12 @@ static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *
     if (refuse_first(fault, rules) != COR_FAULT_NONE)
         return fault->fault;
     if (at)
-        contact->yield_speed_m_s = number[COR_SCENE_AT] / cor_elastic_plastic_speed_ratio(number[way]);
+        contact->yield_speed_m_s =
+            cor_quiet_quotient(number[COR_SCENE_AT], cor_elastic_plastic_speed_ratio(number[way]));
     refuse(fault, COR_FAULT_NONE, 0, 0);
     contact->plastic = 1;
     contact->damping = 0;
-    return contact->yield_speed_m_s > 0 && contact->yield_speed_m_s < INFINITY ? COR_FAULT_NONE
-                                                                               : refuse(fault, COR_FAULT_RANGE, 0, 0);
+    return cor_si_in_range(contact->yield_speed_m_s) ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
 }
 
 static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
@@ -275,7 +278,7 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
         {missing, COR_FAULT_LIQUID, missing, 0},
         {isnan(contact->radius_m), COR_FAULT_NO_BODIES, COR_SCENE_LIQUID_VISCOSITY, 0},
         {contact->force_n > 0 || contact->adhesion_j_m2 > 0, COR_FAULT_PRESSED_LAW, COR_SCENE_LIQUID_VISCOSITY, 0},
-        {!(outer > inner), COR_FAULT_GAPS, COR_SCENE_GAP_OUTER, COR_SCENE_GAP_INNER},
+        {!isgreater(outer, inner), COR_FAULT_GAPS, COR_SCENE_GAP_OUTER, COR_SCENE_GAP_INNER},
         {0}};
     if (!given)
         return COR_FAULT_NONE;
@@ -283,7 +286,7 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
         return fault->fault;
     contact->liquid_speed_m_s =
         cor_scene_liquid_speed(contact, scene->number[COR_SCENE_LIQUID_VISCOSITY], outer, inner);
-    return contact->liquid_speed_m_s < INFINITY ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
+    return isless(contact->liquid_speed_m_s, INFINITY) ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
 }
 
 /* ---- a damping from what was measured ---- */
@@ -316,6 +319,15 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     return status;
 }
 
+/* True if a finite number that is not 0 is out of the range, whatever its sign */
+static int is_beyond(const struct cor_scene *scene, int number)
+{
+    const double size = fabs(scene->number[number]);
+    const int has_unit = number != COR_SCENE_POISSON && number != COR_SCENE_POISSON_2 && number != COR_SCENE_BETA &&
+                         number != COR_SCENE_RESTITUTION && number != COR_SCENE_ZETA;
+    return has_unit && cor_inline_is_finite(size) && size != 0 && !cor_si_in_range(size);
+}
+
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {
@@ -331,14 +343,19 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     int contacts_set = 1, status = COR_FAULT_NONE;
     refuse(fault, COR_FAULT_NONE, 0, 0);
     contacts[0] = contacts[1] = none;
-    if (scene->plate && scene->end == COR_END_ZERO_FORCE)
+    for (int number = 0; number < COR_SCENE_NUMBERS && status == COR_FAULT_NONE; number++)
+        if (is_beyond(scene, number))
+            status = refuse(fault, COR_FAULT_RANGE, number, 0);
+    if (!cor_law_is_sound(&scene->law))
+        status = refuse(fault, COR_FAULT_RANGE, 0, 0);
+    if (status == COR_FAULT_NONE && scene->plate && scene->end == COR_END_ZERO_FORCE)
         status = refuse(fault, COR_FAULT_PLATE_END, 0, 0);
     for (size_t i = 0; i < sizeof set / sizeof *set && status == COR_FAULT_NONE; i++)
         status = set[i](&contacts[0], fault, scene);
     if (status == COR_FAULT_NONE && !scene->plastic)
         status = set_damping(contacts, &contacts_set, fault, scene);
     for (int i = 0; i < contacts_set && status == COR_FAULT_NONE; i++)
-        if (!(contacts[i].damping >= 0 && contacts[i].damping < INFINITY))
+        if (isnan(contacts[i].damping) || !cor_contact_is_sound(&contacts[i]))
             status = refuse(fault, COR_FAULT_RANGE, 0, 0);
     *count = status == COR_FAULT_NONE ? contacts_set : 0;
     return status;

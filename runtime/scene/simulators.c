@@ -2,7 +2,7 @@
 /* One table of the contact models of simulators; docs/simulators.md explains it. For each model it holds the damping
  * law, the end of contact, the damping that the model makes of the e that a user sets, and the number to set for a
  * damping. No function with a table of its own. */
-#include "runtime/scene/inside.h"
+#include "cor/scene.h"
 
 #include "runtime/scene/simulators.h"
 
@@ -21,7 +21,10 @@ double cor_thornton_gamma(double e)
     double sum = 0;
     for (int k = 9; k >= 0; k--)
         sum = e * (h[k] + sum);
-    return sqrt(1 / (1 - (1 + e) * (1 + e) * exp(sum)) - 1);
+    const double loss = 1 - (1 + e) * (1 + e) * exp(sum);
+    if (!isgreater(loss, 0))
+        return loss == 0 ? INFINITY : NAN;
+    return loss <= 1 ? sqrt(1 / loss - 1) : NAN;
 }
 
 double cor_tsuji_alpha(double e)
@@ -120,6 +123,8 @@ static double yade_pade(double v)
     static const double above[] = {1, 1.07232, 0.574198, 0.141552};
     static const double below[] = {1, 1.07232, 1.72765, 1.37842, 1.19449, 0.467273, 0.235585};
     double p = 0, q = 0;
+    if (v > 1e50)
+        return 0;
     for (int k = 3; k >= 0; k--)
         p = p * v + above[k];
     for (int k = 6; k >= 0; k--)
@@ -139,10 +144,14 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 {
     (void)c;
     double low = 0, high = 1;
+    if (!(isgreater(en, 1e-60) && en <= 1))
+        return NAN;
     while (yade_pade(high) > en)
         high *= 2;
-    for (int k = 0; k < 200 && nextafter(low, high) < high; k++) {
+    for (int k = 0; k < 200; k++) {
         const double middle = (low + high) / 2;
+        if (!(middle > low && middle < high))
+            break;
         *(yade_pade(middle) > en ? &low : &high) = middle;
     }
     return high * high * pow(g, 0.2);
@@ -666,7 +675,7 @@ double cor_law_damping(enum cor_law law, enum cor_end end, double eps)
 
 double cor_simulator_realised(const struct cor_simulator_model *model, double e)
 {
-    if (!model->damping_of_e || !(e >= model->least && e <= model->most))
+    if (!model->damping_of_e || !(isgreaterequal(e, model->least) && e <= model->most))
         return NAN;
     return cor_law_eps(model->law, model->end, model->damping_of_e(e));
 }
@@ -712,8 +721,10 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
                                                    : COR_SIMULATOR_OK;
     if (none || *status != COR_SIMULATOR_OK)
         return none ? model->most : (double)NAN;
-    for (int k = 0; k < 1100 && nextafter(low, 2) < high; k++) {
+    for (int k = 0; k < 1100; k++) {
         const double middle = low + (high - low) / 2;
+        if (!(middle > low && middle < high))
+            break;
         *(model->damping_of_e(middle) > damping ? &low : &high) = middle;
     }
     return high;
@@ -779,8 +790,10 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
 double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
                              int same_law)
 {
+    if (!cor_is_moderate(wish->contacts, wish->speed_m_s))
+        return NAN;
     const double damping = exact_damping(model, wish, same_law);
-    return wish->steps > 0 ? cor_simulator_step_damping(model, wish, same_law, damping) : damping;
+    return isgreater(wish->steps, 0) ? cor_simulator_step_damping(model, wish, same_law, damping) : damping;
 }
 
 double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
@@ -796,7 +809,9 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
     }
     if (!model->number_of_damping)
         return cor_simulator_e(model, cor_law_eps(model->law, model->end, damping), status);
-    const double number = model->number_of_damping(damping, wish->contacts, speed_of(wish));
+    const double number = damping < 1e100 || damping == INFINITY
+                              ? model->number_of_damping(damping, wish->contacts, speed_of(wish))
+                              : (double)NAN;
     if (isnan(number))
         *status = COR_SIMULATOR_NO_SCALES;
     return number;

@@ -24,7 +24,8 @@ COR_INLINE struct cor_scene_contact cor_model_contact(struct cor_scene_contact c
         c.law = *law;
         c.plate = 0;
     }
-    c.damping = cor_law_is_constant(&c.law) ? damping : damping * pow(speed_m_s, -cor_scene_speed_exponent(&c));
+    const double q = cor_scene_speed_exponent(&c);
+    c.damping = cor_law_is_constant(&c.law) ? damping : cor_quiet_product(damping, cor_quiet_power(speed_m_s, -q));
     return c;
 }
 
@@ -32,7 +33,8 @@ COR_INLINE struct cor_scene_contact cor_model_contact(struct cor_scene_contact c
 COR_INLINE double cor_scene_body_density(const struct cor_scene *scene, int body)
 {
     const struct cor_body b = cor_scene_body(scene, body);
-    return isinf(b.radius_m) ? (double)NAN : b.mass_kg / (4 * COR_PI / 3 * b.radius_m * b.radius_m * b.radius_m);
+    const double square = cor_quiet_product(4 * COR_PI / 3 * b.radius_m, b.radius_m);
+    return isinf(b.radius_m) ? (double)NAN : cor_quiet_quotient(b.mass_kg, cor_quiet_product(square, b.radius_m));
 }
 
 /* True if Young's modulus, Poisson's ratio or the density of the bodies differ */
@@ -40,7 +42,20 @@ COR_INLINE int cor_scene_materials_differ(const struct cor_scene *scene)
 {
     const struct cor_body one = cor_scene_body(scene, 1), two = cor_scene_body(scene, 2);
     return one.young_modulus_pa != two.young_modulus_pa || one.poisson_ratio != two.poisson_ratio ||
-           fabs(cor_scene_body_density(scene, 1) / cor_scene_body_density(scene, 2) - 1) > 1e-14;
+           isgreater(fabs(cor_quiet_quotient(cor_scene_body_density(scene, 1), cor_scene_body_density(scene, 2)) - 1),
+                     1e-14);
+}
+
+/* True if a contact and a speed have numbers with which no formula of a simulator leaves the doubles: within 2^-160 to
+ * 2^160, about 1e48, or unknown */
+COR_INLINE int cor_is_moderate(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double numbers[] = {contact->mass_kg, contact->stiffness, contact->radius_m, speed_m_s};
+    int moderate = cor_contact_is_sound(contact);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        moderate =
+            moderate && (isnan(numbers[i]) || numbers[i] == 0 || cor_inline_between(numbers[i], 0x1p-160, 0x1p160));
+    return moderate;
 }
 
 /* True if a version, by cor_simulator_version, has the model; 0: any version */

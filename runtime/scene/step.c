@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the time step of a simulator does to eps: the dimensionless collision, integrated as the simulator does, from
  * all phases of the first step */
-#include "runtime/scene/inside.h"
+#include "cor/scene.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,8 +17,11 @@ const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double a = cor_elastic(&contact->law);
-    return cor_hunt_crossley_duration(0, a) * pow(contact->mass_kg / contact->stiffness, 1 / (a + 1)) *
-           pow(speed_m_s, (1 - a) / (1 + a));
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
+        return NAN;
+    const double time = cor_quiet_power(cor_quiet_quotient(contact->mass_kg, contact->stiffness), 1 / (a + 1));
+    return cor_quiet_product(cor_quiet_product(cor_hunt_crossley_duration(0, a), time),
+                             cor_quiet_power(speed_m_s, (1 - a) / (1 + a)));
 }
 
 /* ---- one collision ---- */
@@ -48,6 +51,7 @@ struct stepped {
     double exact; /* eps */
     double still; /* slower bodies without energy stay */
     double deep;  /* energy of bodies that creep to rest: half of the least */
+    double most;  /* place and velocity beyond which a force may leave the doubles */
     double ahead; /* the damping force takes the velocity so many steps after the last half step */
     int roots;    /* so many square roots give x^(1/denominator); negative: pow */
     int no_pull;  /* the contact force is never negative */
@@ -65,8 +69,8 @@ static double force(const struct stepped *m, double x, double v)
         spring = whole_power(root, m->law.elastic);
         damper = whole_power(root, m->law.damping);
     } else {
-        spring = pow(x, m->a);
-        damper = pow(x, m->b);
+        spring = cor_quiet_power(x, m->a);
+        damper = cor_quiet_power(x, m->b);
     }
     const double f = spring + m->beta * damper * v;
     return m->no_pull && f < 0 ? 0 : f;
@@ -83,7 +87,7 @@ struct bounce {
 /* Twice the energy; below 0 bodies in contact never part */
 static double energy(const struct stepped *m, double x, double v)
 {
-    return v * v + (2 / (m->a + 1) * pow(x, m->a) - 2 * m->press) * x;
+    return v * v + (2 / (m->a + 1) * cor_quiet_power(x, m->a) - 2 * m->press) * x;
 }
 
 /* True if the contact force has ended and the bodies fly freely with the velocity `full`. With b > a the force may push
@@ -106,12 +110,13 @@ static struct bounce bounce(const struct stepped *m, double phase)
         if (has_ended(m, x, v, full, f)) {
             const double eps = sqrt(fmax(full * full - 2 * press * x, 0)); /* at the surface */
             one.pattern = eps > HARDLY ? one.pattern : 0;
-            if (fabs(v) < HUGE_VAL)
-                one.off = eps - m->exact;
+            one.off = eps - m->exact;
             return one;
         }
         one.pattern = f == 0 ? one.pattern : 31 * one.pattern + (unsigned long)one.steps;
         v -= h * (f - press);
+        if (!(fabs(v) < m->most && fabs(x) < m->most))
+            return one;
         const double mean = (before + v) / 2; /* the velocity at x */
         if ((one.steps % OFTEN == 0 && energy(m, x, mean) < m->deep) ||
             (((press > 0 && before < 0 && v >= 0) || fabs(v) < m->still) && energy(m, x, mean) < STUCK * STUCK)) {
@@ -130,6 +135,12 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
 {
     static const int roots[] = {-1, 0, 1, -1, 2};
     const struct cor_exponents *const law = &contact->law;
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s) || contact->adhesion_j_m2 > 0 ||
+        contact->plastic || contact->liquid_speed_m_s > 0 ||
+        !(end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE) || !cor_scene_has_end(contact, end) ||
+        integrator < 0 || integrator >= COR_INTEGRATORS ||
+        !(isgreaterequal(steps, COR_SCENE_STEPS_MIN) && steps <= COR_SCENE_STEPS_MAX))
+        return 0;
     const int whole = law->denominator <= 4 && law->elastic <= WHOLE_POWER && law->damping <= WHOLE_POWER;
     m->law = *law;
     m->a = cor_elastic(law);
@@ -137,18 +148,20 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
     m->beta = cor_scene_beta(contact, speed_m_s);
     const double duration = cor_hunt_crossley_duration(0, m->a);
     m->step = duration / steps;
-    m->press = contact->force_n > 0 ? contact->force_n * cor_scene_elastic_duration_s(contact, speed_m_s) /
-                                          (duration * contact->mass_kg * speed_m_s)
-                                    : 0;
-    m->still = STUCK * fmax(1, sqrt(m->press * pow(m->press, 1 / m->a)));
-    m->deep = -m->a / (m->a + 1) * m->press * pow(m->press, 1 / m->a);
+    m->press = 0;
+    if (contact->force_n > 0)
+        m->press =
+            cor_quiet_quotient(cor_quiet_product(contact->force_n, cor_scene_elastic_duration_s(contact, speed_m_s)),
+                               cor_quiet_product(duration * contact->mass_kg, speed_m_s));
+    if (!(isless(m->press * m->step, 1e100) && isless(m->beta, 1e100)))
+        return 0;
+    m->still = STUCK * fmax(1, sqrt(m->press * cor_quiet_power(m->press, 1 / m->a)));
+    m->deep = -m->a / (m->a + 1) * m->press * cor_quiet_power(m->press, 1 / m->a);
+    m->most = cor_quiet_power(1e140 / fmax(m->beta, 1), 1 / (fmax(m->a, m->b) + 1));
     m->ahead = integrator == COR_VERLET_FULL_STEP ? 0.5 : 0;
     m->roots = whole ? roots[law->denominator] : -1;
     m->no_pull = end == COR_END_ZERO_FORCE;
-    return m->press * m->step <= MOST_PRESS && !(contact->adhesion_j_m2 > 0) && !contact->plastic &&
-           !(contact->liquid_speed_m_s > 0) && (end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE) &&
-           cor_scene_has_end(contact, end) && integrator >= 0 && integrator < COR_INTEGRATORS &&
-           steps >= COR_SCENE_STEPS_MIN && steps <= COR_SCENE_STEPS_MAX && m->beta >= 0 && m->beta < HUGE_VAL;
+    return m->press * m->step <= MOST_PRESS;
 }
 
 /* ---- all phases ---- */
@@ -215,6 +228,8 @@ static int phases(struct cor_step_error *error, const struct stepped *m)
         }
     }
     error->bias = fmin(fmax(error->bias, error->least), error->largest);
+    if (squares < 0) /* of steps that grow beyond all digits */
+        return COR_FAULT_STEP;
     error->scatter = sqrt(squares / weight);
     return error->scatter < HUGE_VAL ? COR_FAULT_NONE : COR_FAULT_STEP;
 }
@@ -256,8 +271,9 @@ int cor_scene_step_for(double *steps, const struct cor_scene_contact *contact, d
 {
     static const double ratio = 1.2, scanned = 4; /* the scan ends at so many times the steps of the last failure */
     struct stepped m;
-    int status = tolerance > 0 ? COR_FAULT_NONE : COR_FAULT_STEP;
+    int status = isgreater(tolerance, 0) ? COR_FAULT_NONE : COR_FAULT_STEP;
     *steps = (double)NAN;
+    m.press = m.step = 0;
     stepped_init(&m, contact, speed_m_s, end, COR_SCENE_STEPS_MIN, integrator);
     /* the smallest number that stepped_init accepts under the force */
     const double least = COR_SCENE_STEPS_MIN * fmax(1, 1.0001 * m.press * m.step / MOST_PRESS);
@@ -324,5 +340,5 @@ double cor_simulator_step_damping(const struct cor_simulator_model *model, const
     struct cor_scene_contact corrected;
     cor_scene_step_corrected(&corrected, &contact, wish->speed_m_s, (int)model->end, wish->steps,
                              cor_simulator_of(model->id)->integrator);
-    return damping * (corrected.damping / contact.damping);
+    return isgreater(contact.damping, 0) ? damping * (corrected.damping / contact.damping) : damping;
 }

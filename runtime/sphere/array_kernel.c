@@ -17,9 +17,9 @@ static void eps_before(void *context, const double *in, double *x, size_t m)
 {
     const struct call *const call = context;
     const double scale = call->contact->beta5_per_speed;
-    const int64_t limit = (int64_t)cor_contact_speed_limit(scale);
+    const double limit = cor_inline_from_bits(cor_contact_speed_limit(scale));
     for (size_t j = 0; j < m; j++)
-        x[j] = scale * choose(mask_of((int64_t)cor_inline_bits(in[j]) < limit), in[j], -1);
+        x[j] = scale * choose(holds(in[j], COR_SI_LEAST, limit), in[j], -1);
 }
 
 /* Beyond the rows in x: rows in the fifth root of x, and numbers beyond these one by one */
@@ -49,7 +49,7 @@ static void eps_after(void *context, const struct cor_row_block *block, double *
 
 static mask is_ordinary_speed(const struct call *call, double speed)
 {
-    return holds(speed, COR_CONTACT_LEAST_SPEED, COR_CONTACT_MOST_SPEED) & call->ordinary;
+    return holds(speed, COR_SI_LEAST, COR_SI_MOST) & call->ordinary;
 }
 
 /* beta, or -1 */

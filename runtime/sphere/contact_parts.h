@@ -7,10 +7,7 @@
 #include "cor/contact.h"
 #include "runtime/number/fifth_root.h"
 
-#define COR_CONTACT_LEAST_SPEED COR_INLINE_2_M300
-#define COR_CONTACT_MOST_SPEED COR_INLINE_2_300
-
-/* beta_per_root may be 0, but not so small that half of it is subnormal. */
+/* True where beta and the duration are doubles at a speed in range. beta_per_root may be 0. */
 COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact, int needs_scale)
 {
     const uint64_t factor = cor_inline_bits(contact->beta_per_root);
@@ -18,18 +15,14 @@ COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact,
            (!needs_scale || cor_inline_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
 }
 
-COR_INLINE int cor_contact_is_ordinary_speed(double speed)
-{
-    return cor_inline_between(speed, COR_CONTACT_LEAST_SPEED, COR_CONTACT_MOST_SPEED);
-}
-
-/* Speeds whose bits are below this limit are >= 0, and their product with `scale` is below 2^902: the bits of two
- * factors add up like their logarithms, within one part in 16. If scale is NaN, no speed is below the limit. */
+/* Speeds whose bits are below this limit are in range or smaller, and their product with `scale` is below 2^902: the
+ * bits of two factors add up like their logarithms, within one part in 16. If scale is NaN, no speed is below the
+ * limit. */
 COR_INLINE uint64_t cor_contact_speed_limit(double scale)
 {
     const uint64_t bits = cor_inline_bits(scale), most = (uint64_t)(2 * 1023 + 900) << 52;
-    const uint64_t limit = most - bits;
-    return bits >= COR_INLINE_INFINITY_BITS ? 0 : limit < COR_INLINE_INFINITY_BITS ? limit : COR_INLINE_INFINITY_BITS;
+    const uint64_t limit = most - bits, end = cor_inline_bits(COR_SI_MOST);
+    return bits >= COR_INLINE_INFINITY_BITS ? 0 : limit < end ? limit : end;
 }
 
 /* factor g^(1/5). The factor is split in halves, so that the first product is exact. */

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The energy that elastic waves take from a collision with a massive block, to first order. */
-#include <float.h>
 #include <math.h>
 
 #include "cor/contact.h"
 #include "generated/wave_tables.h"
-#include "runtime/number/environment.h"
-#include "runtime/number/fifth_root.h"
+#include "runtime/number/si_range.h"
+#include "runtime/sphere/contact_parts.h"
 
 /* 2 |C_1| (9/4)/(2 pi), C_1 = -(4/5) (5/4)^(4/5) B(4/5, 3/2) of x'' + beta x x' + x^(3/2) = 0 */
 #define WAVES_FIRST_ORDER 0.605718214220582471607
@@ -15,11 +14,11 @@
 
 static int is_material(double nu)
 {
-    return nu > -1 && nu <= 0.5;
+    return isgreater(nu, -1) && islessequal(nu, 0.5);
 }
 
 /* Clenshaw's recurrence */
-static double wave_factor(double poisson_ratio)
+double cor_half_space_wave_factor(double poisson_ratio)
 {
     if (!is_material(poisson_ratio))
         return NAN;
@@ -35,14 +34,14 @@ static double wave_factor(double poisson_ratio)
 }
 
 /* (1 + nu)^(3/2) (1 - nu^2)^(-6/5) as (1 + nu)^(3/10) (1 - nu)^(-6/5) */
-static double wave_coefficient(double poisson_ratio)
+double cor_half_space_wave_coefficient(double poisson_ratio)
 {
     const double nu = poisson_ratio;
     if (!is_material(nu))
         return NAN;
     const double plus = cor_inline_fifth_root(1 + nu), minus = cor_inline_fifth_root(1 - nu),
                  cube = minus * minus * minus;
-    return WAVES_ONE_MATERIAL * wave_factor(nu) * (plus * sqrt(plus)) / (cube * cube);
+    return WAVES_ONE_MATERIAL * cor_half_space_wave_factor(nu) * (plus * sqrt(plus)) / (cube * cube);
 }
 
 /* The significand of x > 0, from [1/2, 1); adds `power` times the exponent to *sum. */
@@ -54,18 +53,16 @@ static double significand_of(double x, int power, int *sum)
     return significand;
 }
 
-static double wave_loss(const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
-                        double speed_m_s)
+double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
+                             double speed_m_s)
 {
     const double nu = half_space->poisson_ratio, young = half_space->young_modulus_pa,
                  density = half_space->density_kg_m3;
-    if (!(speed_m_s >= 0) || !is_material(nu) || !(young > 0 && young <= DBL_MAX) ||
-        !(density > 0 && density <= DBL_MAX) || isnan(contact->elastic_constant_n_m15))
+    if (!is_material(nu) || !cor_si_in_range(young) || !cor_si_in_range(density) ||
+        !cor_si_in_range(contact->elastic_constant_n_m15) || !cor_si_in_range(contact->effective_mass_kg))
         return NAN;
-    if (speed_m_s == 0)
-        return 0;
-    if (isinf(speed_m_s))
-        return 1;
+    if (!cor_si_in_range(speed_m_s))
+        return speed_m_s == 0 ? 0 : speed_m_s == INFINITY ? 1 : (double)NAN;
     /* K^(6/5) m^(-1/5) (g/c_s)^(3/5)/(rho c_s^(12/5)); with c_s^2 = mu/rho this is K^(6/5) m^(-1/5) g^(3/5) rho^(1/2)
      * mu^(-3/2). Any of the factors may leave the range of doubles, so their exponents are added up, in tenths. */
     int tenths = 0;
@@ -75,15 +72,8 @@ static double wave_loss(const struct cor_sphere_contact *contact, const struct c
     const double mu = significand_of(young, -15, &tenths) / significand_of(2 * (1 + nu), 15, &tenths);
     const double root = sqrt(significand_of(density, 5, &tenths) / mu), square = stiffness * stiffness;
     const double rest = sqrt(cor_inline_fifth_root(cor_inline_power_of_two(tenths % 10)));
-    const double significands =
-        WAVES_FIRST_ORDER * wave_factor(nu) * (square * square * square / mass) * (speed * speed * speed) * (root / mu);
+    const double significands = WAVES_FIRST_ORDER * cor_half_space_wave_factor(nu) * (square * square * square / mass) *
+                                (speed * speed * speed) * (root / mu);
     const double loss = tenths > 500 ? 1 : cor_inline_scaled(significands * rest, tenths / 10);
     return loss < 1 ? loss : 1;
 }
-
-COR_IN_ENVIRONMENT(double, cor_half_space_wave_factor, wave_factor, (double poisson_ratio), (poisson_ratio))
-COR_IN_ENVIRONMENT(double, cor_half_space_wave_coefficient, wave_coefficient, (double poisson_ratio), (poisson_ratio))
-COR_IN_ENVIRONMENT(double, cor_contact_wave_loss, wave_loss,
-                   (const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
-                    double speed_m_s),
-                   (contact, half_space, speed_m_s))

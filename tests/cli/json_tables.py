@@ -41,7 +41,7 @@ def cases(draw):
     yield f"contact --law linear --zeta {draw.uniform(1, 3)} --stiffness 1e5 --effective-mass 1 --speed 1", "", False
     yield f"contact {bodies} --restitution 0.9 --at 1 --speed {speed}", "measured_end", False
     yield f"contact {bodies} --restitution 0.9 --at 1", "quantity unit", False
-    yield f"contact {bodies} --dissipation-time 1e300 --speed {speed}", "", False
+    yield f"contact {bodies} --dissipation-time 1e140 --speed {speed}", "", False
     yield f"sample --g-star {draw.uniform(0.1, 9)} --speed-min 0.01 --speed-max 1 --tolerance 1e-2", "", False
     yield ("audit tests/audit/decks/lammps-doc-hooke.lmp --radius 5e-3 --density 2500 --speed 1",
            "simulator model pair end advice", False)

@@ -408,14 +408,15 @@ static void check_law(void)
         {"law_max_load", law_max_load, SPEED, true, 2, FORMULA(x * of_pair(root_2_pi) / newton_root(1 + t, r))},
         {"law_max_compression", law_max_compression, SPEED, true, 2,
          FORMULA(x * of_pair(root_2) * (1 + t / 2) / newton_root(1 + t, r))},
-        {"leading_compression", of_x<leading_compression>, LOAD, false, 1, FORMULA(x * of_pair(one_over_pi) * t),
-         &log_four_pi},
-        {"leading_load", of_x<leading_load>, LOAD, false, 1, FORMULA(x * of_pair(pi) / t), &four},
-        {"leading_energy", of_x<leading_energy>, LOAD, false, 1, FORMULA(x * x * of_pair(half_pi) / t), &four},
-        {"leading_max_compression", of_x<leading_max_compression>, LOAD, false, 1, FORMULA(x * newton_root(t, r)),
+        {"leading_compression", of_x<cor_disk_compression_leading_log>, LOAD, false, 1,
+         FORMULA(x * of_pair(one_over_pi) * t), &log_four_pi},
+        {"leading_load", of_x<cor_disk_load_leading_log>, LOAD, false, 1, FORMULA(x * of_pair(pi) / t), &four},
+        {"leading_energy", of_x<cor_disk_energy_leading_log>, LOAD, false, 1, FORMULA(x * x * of_pair(half_pi) / t),
          &four},
-        {"leading_contact_time", of_x<leading_contact_time>, LOAD, false, 1, FORMULA(of_pair(pi) * newton_root(t, r)),
-         &four},
+        {"leading_max_compression", of_x<cor_disk_max_compression_leading_log>, LOAD, false, 1,
+         FORMULA(x * newton_root(t, r)), &four},
+        {"leading_contact_time", of_x<cor_disk_contact_time_leading_log>, LOAD, false, 1,
+         FORMULA(of_pair(pi) * newton_root(t, r)), &four},
     };
     for (const law_formula &f : laws)
         for (const enum cor_disk_datum datum :

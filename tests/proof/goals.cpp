@@ -31,13 +31,7 @@ namespace trace
 #define __builtin_assoc_barrier(x) (x)
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
-/* the contact law of the disk; the caller's floating-point environment is not part of a formula */
-#define COR_RUNTIME_ENVIRONMENT_H
-#define COR_IN_ENVIRONMENT(type, name, formula, parameters, arguments)                                                 \
-    type name parameters                                                                                               \
-    {                                                                                                                  \
-        return formula arguments;                                                                                      \
-    }
+/* the contact law of the disk */
 #include "runtime/disk/quasistatic.c"
 #include "runtime/number/lambert_w.c"
 #undef double

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A call of every function of scene.h that computes, by the list scene_functions.inc, for test_environment.c. The
+/* A call of every function of scene.h, by the list public_functions.inc, for test_environment.c. The
  * arguments have the names of the parameters, and are drawn beforehand, by scene_arguments_draw. */
 #ifndef COR_TESTS_SCENE_CALLS_H
 #define COR_TESTS_SCENE_CALLS_H
@@ -100,13 +100,13 @@ static void scene_arguments_draw(struct scene_arguments *s, struct random_state 
 
 static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, wished, value,
     liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, steps, tolerance;
-static int end, number, integrator, body, same_law;
+static int end, number, integrator, body, same_law, options;
 static enum cor_law law;
 static const struct cor_exponents *exponents;
 static const struct cor_simulator_model *model;
 static const struct cor_simulator *named;
 static const struct cor_scene *scene;
-static const char *name;
+static const char *name, *law_name, *rule;
 static enum cor_simulator_model_id id;
 static char text[20000];
 static const size_t size = sizeof text;
@@ -141,7 +141,10 @@ static void scene_arguments_load(const struct scene_arguments *s)
     model = s->model;
     named = NULL;
     scene = &s->scene;
-    name = cor_simulator_of(id = model->id)->name;
+    name = law_name = cor_simulator_of(id = model->id)->name;
+    rule = same_law ? name : NULL;
+    options = number % 4;
+    fault[0] = (struct cor_scene_fault){number % COR_FAULT_GAPS, number % COR_SCENE_NUMBERS, 0, COR_OK};
     contact[0] = corrected[0] = contacts[0] = contacts[1] = s->contact;
     exponents = &contact->law;
     end = s->end % (contact->plate ? 1 : COR_SCENE_ENDS);
@@ -158,34 +161,37 @@ static void scene_arguments_load(const struct scene_arguments *s)
 }
 
 /* The result, and all that a function may have written */
-static void scene_results_put(struct results *r, const void *result, size_t bytes)
+static void scene_results_put(struct results *r, const char *type, const void *result, size_t bytes)
 {
     const double numbers[] = {contact->damping, corrected->damping, contacts[0].damping, contacts[0].force_n};
     for (size_t k = 0; k < sizeof out / sizeof(double); k++)
         results_put(r, ((const double *)(const void *)&out)[k]);
     for (size_t k = 0; k < COUNT_OF(numbers); k++)
         results_put(r, numbers[k]);
-    for (size_t k = 0; k < bytes; k++)
-        results_put(r, ((const unsigned char *)result)[k]);
+    if (strcmp(type, "double") == 0)
+        results_put(r, *(const double *)result);
+    else
+        for (size_t k = 0; k < bytes; k++)
+            results_put(r, ((const unsigned char *)result)[k]);
 }
 
-#define SCENE_CALL(named_, ...)                                                                                        \
-    static void call_##named_(const struct arguments *a, struct results *r)                                            \
+#define SCENE_CALL(function, ...)                                                                                      \
+    static void call_##function(const struct arguments *a, struct results *r)                                          \
     {                                                                                                                  \
         for (int i = 0; i < SCENES; i++) {                                                                             \
             scene_arguments_load(&scene_sets[SCENES * (a - sets) + i]);                                                \
             __VA_ARGS__;                                                                                               \
         }                                                                                                              \
     }
-#define FUNCTION(type, name_, parameters, arguments)                                                                   \
-    SCENE_CALL(name_, type const result = cor_##name_ arguments; scene_results_put(r, &result, sizeof result))
-#define PROCEDURE(name_, parameters, arguments) SCENE_CALL(name_, cor_##name_ arguments; scene_results_put(r, NULL, 0))
-#include "scene_functions.inc"
+#define SCENE_FUNCTION(type, function, given)                                                                          \
+    SCENE_CALL(function, type const result = function given; scene_results_put(r, #type, &result, sizeof result))
+#define SCENE_PROCEDURE(function, given) SCENE_CALL(function, function given; scene_results_put(r, "void", NULL, 0))
+#include "public_functions.inc"
 
-#define FUNCTION(type, name_, parameters, arguments) {"cor_" #name_, call_##name_, NULL, PUBLIC_several},
-#define PROCEDURE(name_, parameters, arguments) {"cor_" #name_, call_##name_, NULL, PUBLIC_several},
+#define SCENE_FUNCTION(type, function, given) {#function, call_##function, NULL, PUBLIC_several},
+#define SCENE_PROCEDURE(function, given) {#function, call_##function, NULL, PUBLIC_several},
 static const struct public_function scene_functions[] = {
-#include "scene_functions.inc"
+#include "public_functions.inc"
 };
 
 #endif

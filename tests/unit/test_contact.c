@@ -52,7 +52,7 @@ TEST(against_long_double)
         const long double rho = 4 * sqrtl(r) / (3 * sum);
         const long double a = (b[0].dissipation_time_s * compliance[0] + b[1].dissipation_time_s * compliance[1]) / sum;
         const long double root = powl(rho / m, 0.4L), beta_per_root = 1.5L * a * root;
-        const double speed = random_log(&draw, 1e-320, 1e300);
+        const double speed = random_log(&draw, COR_SI_LEAST, COR_SI_MOST);
         const long double beta = beta_per_root * powl(speed, 0.2L);
         const long double g_star = powl(c1 * c.beta_per_root, -5);
         const double computed_g_star = cor_contact_g_star_m_s(&c);
@@ -65,7 +65,7 @@ TEST(against_long_double)
         check_ulp(c.scale, 1 / root, COR_CONTACT_MAX_ULP);
         check_ulp(cor_contact_beta(&c, speed), beta, COR_CONTACT_MAX_ULP);
         /* a fifth power has twice the bound, and may leave the range */
-        if (!(isinf(computed_g_star) && g_star > DBL_MAX))
+        if (g_star < 0.9 * COR_SI_MOST && g_star > 1.1 * COR_SI_LEAST)
             check_ulp(computed_g_star, g_star, 2 * COR_CONTACT_MAX_ULP);
     }
 }
@@ -98,11 +98,11 @@ static void special_speeds(const struct cor_sphere_contact *c, int elastic)
         contact_function *const f = functions[k].of;
         const int known = !isnan(c->beta_per_root) && !(functions[k].scaled && isnan(c->scale));
         const double last = elastic ? functions[k].elastic : functions[k].at_infinity;
-        EACH (bad, -1, -smallest, -INFINITY, NAN)
+        EACH (bad, -1, -smallest, -INFINITY, NAN, smallest, 0.99 * COR_SI_LEAST, COR_SI_MOST, DBL_MAX)
             check(isnan(f(c, *bad)), "%s at %g", functions[k].name, *bad);
         EACH (zero, 0.0, -0.0)
             check(known ? f(c, *zero) == functions[k].at_zero : isnan(f(c, *zero)), "%s at 0", functions[k].name);
-        EACH (speed, smallest, 1e-3, 1, 1e300, DBL_MAX)
+        EACH (speed, COR_SI_LEAST, 1e-3, 1, 0.99 * COR_SI_MOST)
             check(isnan(f(c, *speed)) == !known, "%s at %g", functions[k].name, *speed);
         if (k > 0 || !elastic)
             check(known ? f(c, INFINITY) == last : isnan(f(c, INFINITY)), "%s at infinity", functions[k].name);
@@ -114,7 +114,7 @@ static void special_speeds(const struct cor_sphere_contact *c, int elastic)
             check(known ? time_of_eps[end](c, 1, *zero) > DBL_MAX : isnan(time_of_eps[end](c, 1, *zero)), "A of 0");
         EACH (no_eps, -smallest, nextafter(1, 2), INFINITY, -INFINITY, NAN)
             check(isnan(time_of_eps[end](c, 1, *no_eps)), "A of %g", *no_eps);
-        EACH (no_speed, 0, -0.0, -1, INFINITY, -INFINITY, NAN)
+        EACH (no_speed, 0, -0.0, -1, INFINITY, -INFINITY, NAN, 0.99 * COR_SI_LEAST, COR_SI_MOST)
             check(isnan(time_of_eps[end](c, *no_speed, 0.5)), "A at %g", *no_speed);
     }
 }
@@ -131,9 +131,9 @@ TEST(speeds)
     special_speeds(&elastic, 1);
     special_speeds(&c, 0);
     for (int end = 0; end < 2; end++) {
-        EACH (speed, smallest, 1, DBL_MAX)
+        EACH (speed, COR_SI_LEAST, 1, 1e249)
             check(eps_at_speed[end](&elastic, *speed) == 1, "speed %g", *speed);
-        assert_true(eps_at_speed[end](&c, smallest) == 1 && eps_at_speed[end](&c, DBL_MAX) > 0);
+        assert_true(eps_at_speed[end](&c, COR_SI_LEAST) == 1 && eps_at_speed[end](&c, 1e249) > 0);
     }
     /* T = 2 tau_0 scale g^(-1/5) at both ends, by Hertz, and x_max = y_0 scale g^(4/5) */
     const long double root = powl(0.3, 0.2L), time = 3.21806545971904308454L * elastic.scale / root;
@@ -141,16 +141,13 @@ TEST(speeds)
     check_ulp(cor_contact_duration_s_zero_force(&elastic, 0.3), time, 6);
     const long double overlap = 1.09336207394327805637L * elastic.scale * root * root * root * root;
     check_ulp(cor_contact_max_overlap_m(&elastic, 0.3), overlap, 10);
-    /* subnormal speeds: the fifth root of the smallest one is 2^(-1074/5) */
-    EACH (tiny, smallest, 7 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 1e-310)
-        check_ulp(cor_contact_beta(&c, *tiny), c.beta_per_root * powl(*tiny, 0.2L), 2);
 }
 
 TEST(characteristic_speed)
 {
     struct cor_sphere_contact c;
     for (size_t i = 0; i < points(2000); i++) {
-        const double g_star = random_log(&draw, 1e-300, 1e300);
+        const double g_star = random_log(&draw, 1e-249, 1e249);
         c = contact_of_g_star(g_star);
         check_near(cor_contact_g_star_m_s(&c), g_star, 3 * COR_CONTACT_MAX_ULP * DBL_EPSILON);
         /* at g = g*, |C_1| beta = 1 */
@@ -166,17 +163,6 @@ TEST(characteristic_speed)
     const struct cor_body without = {1e9, 0.3, -0.0, 0.01, 0.01};
     c = contact_of(without, without);
     assert_true(cor_contact_g_star_m_s(&c) == INFINITY);
-    /* so much that beta is beyond the doubles */
-    struct cor_body viscous = {1e80, 0.3, 1e200, 1, 1};
-    for (int i = 0; i < 10; i++, viscous.young_modulus_pa *= 1e20) {
-        c = contact_of(viscous, viscous);
-        const long double beta = c.beta_per_root * powl(DBL_MAX, 0.2L);
-        if (beta < (long double)DBL_MAX)
-            assert_true(relative_error(cor_contact_beta(&c, DBL_MAX), beta) < 2 * DBL_EPSILON);
-        else
-            assert_true(cor_contact_beta(&c, DBL_MAX) == INFINITY);
-        assert_true(cor_contact_eps_zero_overlap(&c, DBL_MAX) == 0 && cor_contact_eps_zero_force(&c, DBL_MAX) >= 0);
-    }
 }
 
 static void all_nan(const struct cor_sphere_contact *c)
@@ -222,23 +208,22 @@ TEST(wrong_inputs)
     EACH (bad_poisson, -1, nextafter(0.5, 1), -2, 0.6, INFINITY, -INFINITY, NAN)
         refused(poisson, *bad_poisson, COR_ERROR_POISSON_RATIO);
     /* what would overflow or vanish */
-    refused(young, smallest, COR_ERROR_RANGE);
-    refused(radius, smallest, COR_ERROR_RANGE);
-    refused(mass, smallest, COR_ERROR_RANGE);
+    EACH (extreme, smallest, 0.99 * COR_SI_LEAST, COR_SI_MOST, DBL_MAX) {
+        refused(young, *extreme, COR_ERROR_RANGE);
+        refused(radius, *extreme, COR_ERROR_RANGE);
+        refused(mass, *extreme, COR_ERROR_RANGE);
+        refused(time, *extreme, COR_ERROR_RANGE);
+    }
 
-    /* of both bodies, and the ends of what is allowed: the smallest normal number is a mass, the one below it is not */
+    /* of both bodies, and the ends of the range */
     const struct {
         size_t member;
         double value;
         int status;
-    } both[] = {{radius, INFINITY, COR_ERROR_BOTH_FLAT},
-                {mass, INFINITY, COR_ERROR_BOTH_FIXED},
-                {young, INFINITY, COR_ERROR_BOTH_RIGID},
-                {poisson, 0.5, COR_OK},
-                {poisson, nextafter(-1, 0), COR_OK},
-                {mass, 2 * DBL_MIN, COR_OK},
-                {mass, 2 * DBL_MIN - 4 * smallest, COR_ERROR_RANGE},
-                {mass, DBL_MAX, COR_OK}};
+    } both[] = {{radius, INFINITY, COR_ERROR_BOTH_FLAT},      {mass, INFINITY, COR_ERROR_BOTH_FIXED},
+                {young, INFINITY, COR_ERROR_BOTH_RIGID},      {poisson, 0.5, COR_OK},
+                {poisson, nextafter(-1, 0), COR_OK},          {mass, 2 * COR_SI_LEAST, COR_OK},
+                {mass, 1.99 * COR_SI_LEAST, COR_ERROR_RANGE}, {mass, 0.99 * COR_SI_MOST, COR_OK}};
     struct cor_body one;
     for (size_t i = 0; i < COUNT_OF(both); i++) {
         one = glass;
@@ -289,12 +274,12 @@ TEST(status_texts)
     assert_string_equal(cor_status_text(-1), cor_status_text(count));
 }
 
-/* Within a bound, or infinite where the exact value is beyond the doubles */
-static void in_doubles(double computed, long double exact, double bound)
+/* Within a bound, or NaN where the exact value is out of range */
+static void in_range(double computed, long double exact, double bound)
 {
-    if (exact > (long double)DBL_MAX * (1 + 1e-15L))
-        assert_true(computed == INFINITY);
-    else if (exact < (long double)DBL_MAX * (1 - 1e-15L))
+    if (exact > 3 * (long double)COR_SI_MOST || exact < (long double)COR_SI_LEAST / 3)
+        assert_true(isnan(computed));
+    else if (exact < (long double)COR_SI_MOST / 3 && exact > 3 * (long double)COR_SI_LEAST)
         check_ulp(computed, exact, bound);
 }
 
@@ -316,16 +301,17 @@ TEST(dissipation_time)
                              {1, INFINITY, 1e9, 0.25}, {INFINITY, 1, 1e9, 0.25}, {1, 2, INFINITY, 0.25}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         check(isnan(cor_dissipation_time_s(bad[i][0], bad[i][1], bad[i][2], bad[i][3])), "row %zu", i);
-    /* only the result may leave the doubles */
+    /* only the result may leave the range */
     for (size_t i = 0; i < points(10000); i++) {
-        const double eta1 = i % 2 ? random_log(&draw, 1e-320, 1e308) : random_log(&draw, 1e-3, 1);
-        const double eta2 = i % 2 == 0 ? random_log(&draw, 1, 1e3) : eta1 < 1e300 ? 3 * eta1 : DBL_MAX;
-        const double young = i % 2 ? random_log(&draw, 1e-320, 1e308) : random_log(&draw, 1, 1e12);
+        const double eta1 = i % 2 ? random_log(&draw, 1e-250, 1e249) : random_log(&draw, 1e-3, 1);
+        const double eta2 = i % 2 == 0 ? random_log(&draw, 1, 1e3) : 3 * eta1;
+        const double young = i % 2 ? random_log(&draw, 1e-250, 1e250) : random_log(&draw, 1, 1e12);
         const double nu = i % 2 ? random_log(&draw, 1e-300, 0.3) : random_uniform(&draw, -1, 0.5);
         const long double e1 = eta1, e2 = eta2, n = nu;
         const long double exact =
             (3 * e2 - e1) * ((3 * e2 - e1) / (3 * (3 * e2 + 2 * e1))) * (1 - n) * (1 + n) * (1 - 2 * n) / n / n / young;
-        in_doubles(cor_dissipation_time_s(eta1, eta2, young, nu), exact, COR_CONTACT_MAX_ULP);
+        if (exact != 0)
+            in_range(cor_dissipation_time_s(eta1, eta2, young, nu), exact, COR_CONTACT_MAX_ULP);
     }
 }
 
@@ -333,25 +319,25 @@ TEST(dissipation_time)
 TEST(oblique_impacts)
 {
     for (double nu = -0.95; nu <= 0.5; nu += 0.05)
-        in_doubles(cor_tangential_kappa(7e10, nu, 7e10, nu), 10.5L * (1 - (long double)nu) / (2 - (long double)nu),
-                   COR_CONTACT_MAX_ULP);
-    assert_true(cor_tangential_kappa(1, 0.25, 1, 0.25) == 4.5 && cor_tangential_kappa(1e-300, 0.5, 1e-300, 0.5) == 3.5);
-    static const double young[][2] = {{7e10, 2.1e11}, {1e-300, 1e300}, {1e-310, 2e-310}, {INFINITY, 1e9}};
+        in_range(cor_tangential_kappa(7e10, nu, 7e10, nu), 10.5L * (1 - (long double)nu) / (2 - (long double)nu),
+                 COR_CONTACT_MAX_ULP);
+    assert_true(cor_tangential_kappa(1, 0.25, 1, 0.25) == 4.5 && cor_tangential_kappa(1e-200, 0.5, 1e-200, 0.5) == 3.5);
+    static const double young[][2] = {{7e10, 2.1e11}, {1e-250, 1e249}, {1e-240, 2e-240}, {INFINITY, 1e9}};
     for (size_t i = 0; i < sizeof young / sizeof *young; i++) {
         const long double y1 = young[i][0], y2 = young[i][1], nu_1 = 0.2, nu_2 = -0.3;
         const long double compliance = (1 - nu_1 * nu_1) / y1 + (1 - nu_2 * nu_2) / y2;
         const long double shear = 2 * (2 - nu_1) * (1 + nu_1) / y1 + 2 * (2 - nu_2) * (1 + nu_2) / y2;
-        in_doubles(cor_tangential_kappa(young[i][0], 0.2, young[i][1], -0.3), 21 * compliance / shear,
-                   COR_CONTACT_MAX_ULP);
+        in_range(cor_tangential_kappa(young[i][0], 0.2, young[i][1], -0.3), 21 * compliance / shear,
+                 COR_CONTACT_MAX_ULP);
     }
     check_nan(cor_tangential_kappa(0, 0.2, 1, 0.2), cor_tangential_kappa(1, 0.6, 1, 0.2),
               cor_tangential_kappa(1, 0.2, NAN, 0.2), cor_tangential_kappa(1, 0.2, 1, -1),
-              cor_tangential_kappa(INFINITY, 0.2, INFINITY, 0.2));
+              cor_tangential_kappa(1e251, 0.2, 1, 0), cor_tangential_kappa(INFINITY, 0.2, INFINITY, 0.2));
     for (double friction = 1e-300; friction < 1e300; friction *= 1e7)
-        in_doubles(cor_tangential_stick_angle(4.3, friction), atanl(3.5L * friction / 4.3), COR_CONTACT_MAX_ULP);
+        check_ulp(cor_tangential_stick_angle(4.3, friction), atanl(3.5L * friction / 4.3), COR_CONTACT_MAX_ULP);
     assert_true(cor_tangential_stick_angle(4.5, 0) == 0 && cor_tangential_stick_angle(INFINITY, 1) == 0);
-    in_doubles(cor_tangential_stick_angle(1e-300, 1e300), acosl(0), COR_CONTACT_MAX_ULP);
-    in_doubles(cor_tangential_stick_angle(4.5, INFINITY), acosl(0), COR_CONTACT_MAX_ULP);
+    check_ulp(cor_tangential_stick_angle(1e-300, 1e300), acosl(0), COR_CONTACT_MAX_ULP);
+    check_ulp(cor_tangential_stick_angle(4.5, INFINITY), acosl(0), COR_CONTACT_MAX_ULP);
     check_nan(cor_tangential_stick_angle(0, 1), cor_tangential_stick_angle(4.5, -1), cor_tangential_stick_angle(NAN, 1),
               cor_tangential_stick_angle(1, NAN), cor_tangential_stick_angle(INFINITY, INFINITY));
 }
@@ -361,14 +347,14 @@ TEST(mass_of_a_sphere)
 {
     check_near(cor_sphere_mass_kg(0.01, 917), 3.84112e-3L, 1e-6L);
     check_ulp(cor_sphere_mass_kg(1, 1), 4 * acosl(-1) / 3, 0.5L + 1e-3L);
-    EACH (bad, 0, -1, NAN, -INFINITY)
+    EACH (bad, 0, -1, NAN, -INFINITY, 1e-251, 1e251)
         check_nan(cor_sphere_mass_kg(*bad, 1), cor_sphere_mass_kg(1, *bad), cor_sphere_mass_kg(INFINITY, *bad));
-    assert_true(cor_sphere_mass_kg(1e-200, INFINITY) == INFINITY && cor_sphere_mass_kg(INFINITY, 1e-320) == INFINITY);
+    assert_true(cor_sphere_mass_kg(1e-200, INFINITY) == INFINITY && cor_sphere_mass_kg(INFINITY, 1e-250) == INFINITY);
     /* the cube of the radius may be out of range where the mass is not */
     for (size_t i = 0; i < points(5000); i++) {
-        const double radius = random_log(&draw, 1e-200, 1e200), density = random_log(&draw, 1e-320, 1e308);
+        const double radius = random_log(&draw, 1e-200, 1e200), density = random_log(&draw, 1e-250, 1e249);
         const long double r = radius;
-        in_doubles(cor_sphere_mass_kg(radius, density), 4 * acosl(-1) / 3 * r * r * r * density, 4);
+        in_range(cor_sphere_mass_kg(radius, density), 4 * acosl(-1) / 3 * r * r * r * density, 4);
     }
 }
 
@@ -376,11 +362,11 @@ TEST(mass_of_a_sphere)
 TEST(extreme_contacts)
 {
     struct cor_sphere_contact c = contact_of_g_star(1);
-    EACH (factor, 1e-61, 3e-61, 2e-60, 1e60, 3e61, 1e64, 1e-200, 1e200, 5e-310) {
+    EACH (factor, 1e-61, 3e-61, 2e-60, 1e60, 3e61, 1e64, 1e-150, 1e150) {
         /* all that the functions read */
         c.beta_per_root = *factor;
         c.beta5_per_speed = NAN;
-        for (double exponent = -323; exponent < 308; exponent += 0.37) {
+        for (double exponent = -250; exponent < 250; exponent += 0.37) {
             const double speed = pow(10, exponent), beta = cor_contact_beta(&c, speed);
             for (int end = 0; end < 2; end++) {
                 const double eps = eps_at_speed[end](&c, speed);
@@ -393,7 +379,7 @@ TEST(extreme_contacts)
     /* where beta_per_root^5 is a double, and its product with the speed may be none */
     c.beta_per_root = 0x1p20;
     c.beta5_per_speed = 0x1p100;
-    for (int exponent = 700; exponent < 1024; exponent++) {
+    for (int exponent = 700; exponent < 830; exponent++) {
         const double speed = ldexp(1.25, exponent), beta = cor_contact_beta(&c, speed);
         for (int end = 0; end < 2; end++) {
             const double eps = eps_at_speed[end](&c, speed), by_beta = eps_at_beta[end](beta);
@@ -402,7 +388,7 @@ TEST(extreme_contacts)
         }
     }
     /* where init itself cannot hold the power */
-    const struct cor_body soft = {1e-250, 0.3, 1e-10, 1e-3, 1e250};
+    const struct cor_body soft = {1e-150, 0.3, 1e-10, 1e-3, 1e-3};
     const struct cor_sphere_contact extreme = contact_of(soft, soft);
     assert_true(isnan(extreme.beta5_per_speed) && extreme.beta_per_root > 0);
     assert_true(cor_contact_eps_zero_force(&extreme, 1) == 1);

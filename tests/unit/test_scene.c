@@ -45,7 +45,7 @@ TEST(unlike_bodies)
         check_near(contacts[0].stiffness, 4 / (3 * compliance) * sqrtl(1 / curvature), 1e-14);
         check_near(cor_scene_damping(&contacts[0], COR_SCENE_DISSIPATION_TIME), lost / compliance, 1e-13);
         /* the largest force that is a double, and a little more */
-        scene.number[COR_SCENE_GRAVITY] = DBL_MAX / contacts[0].mass_kg * (i % 8 ? 1 - 1e-9 : 1 + 1e-9);
+        scene.number[COR_SCENE_GRAVITY] = COR_SI_MOST / contacts[0].mass_kg * (i % 8 ? 1 - 1e-9 : 1 + 1e-9);
         if (scene.wall && mass < 1)
             assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &scene), i % 8 ? 0 : COR_FAULT_RANGE);
     }

@@ -92,19 +92,20 @@ TEST(every_size)
     for (size_t i = 0; i < points(20000); i++) {
         const double nu =
             random_below(&draw, 4) == 0 ? -1 + random_log(&draw, 0x1p-53, 1e-3) : random_uniform(&draw, -0.99, 0.5);
-        const struct cor_half_space block = {random_log(&draw, 0x1p-1074, DBL_MAX), nu,
-                                             random_log(&draw, 0x1p-1074, DBL_MAX)};
+        const struct cor_half_space block = {random_log(&draw, COR_SI_LEAST, COR_SI_MOST), nu,
+                                             random_log(&draw, COR_SI_LEAST, COR_SI_MOST)};
         struct cor_sphere_contact contact;
         cor_sphere_contact_init_g_star(&contact, 1);
-        contact.elastic_constant_n_m15 = random_log(&draw, DBL_MIN, DBL_MAX);
-        contact.effective_mass_kg = random_log(&draw, DBL_MIN, DBL_MAX);
+        contact.elastic_constant_n_m15 = random_log(&draw, COR_SI_LEAST, COR_SI_MOST);
+        contact.effective_mass_kg = random_log(&draw, COR_SI_LEAST, COR_SI_MOST);
         const long double mu = (long double)block.young_modulus_pa / (2 * (1 + (long double)nu));
         const long double rest = log2l(0.605718214220582471607L) + log2l(cor_half_space_wave_factor(nu)) +
                                  1.2L * log2l(contact.elastic_constant_n_m15) - 1.5L * log2l(mu) +
                                  0.5L * log2l(block.density_kg_m3) - 0.2L * log2l(contact.effective_mass_kg);
         /* a speed of any size, or one for which the loss is moderate */
         const double at = (double)exp2l((random_uniform(&draw, -60, 0) - rest) / 0.6L);
-        const double speed = at > 0 && at <= DBL_MAX && i % 2 == 0 ? at : random_log(&draw, 0x1p-1074, DBL_MAX);
+        const double speed =
+            at >= COR_SI_LEAST && at < COR_SI_MOST && i % 2 == 0 ? at : random_log(&draw, COR_SI_LEAST, COR_SI_MOST);
         const long double exact = fminl(exp2l(rest + 0.6L * log2l(speed)), 1);
         const double loss = cor_contact_wave_loss(&contact, &block, speed);
         moderate += exact > 0x1p-60L && exact < 0.9L;
