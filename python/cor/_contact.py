@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._cor import ffi, lib
-from ._evaluate import Array, CorWarning, address, caller, in_parts, like, number, one_of, string
+from ._evaluate import Array, CorWarning, address, caller, in_parts, like, ma, number, one_of, string
 from .contact import Body
 
 _NUMBERS = [string(lib.cor_scene_number_names[i]).replace("-", "_") for i in range(lib.COR_SCENE_NUMBERS)]
@@ -193,7 +193,7 @@ class Contact:
         """Returns the speeds and a row of results for each: eps at one end or, with COR_BOTH_ENDS, all results."""
         contact = self._one()
         speeds = np.array(speed_m_s, np.float64, order="C")
-        wrong = speeds[~((speeds > 0) & np.isfinite(speeds)) & ~np.ma.getmaskarray(speed_m_s)]
+        wrong = speeds[~((speeds > 0) & np.isfinite(speeds)) & ~ma.getmaskarray(speed_m_s)]
         if wrong.size:
             raise ValueError(f"speed_m_s: {wrong[0]!r} is not above 0 and finite")
         columns = lib.COR_IMPACT_COLUMNS if end == lib.COR_BOTH_ENDS else 1
@@ -244,8 +244,8 @@ class Contact:
             table[name] = rows[..., k]
         known = rows[..., 3:5][np.isfinite(rows[..., 3:5])]
         table["time_step_s"] = known.min() / steps if known.size else math.nan
-        mask = np.ma.getmaskarray(speed_m_s)
-        return np.ma.array(table, mask=mask) if mask.any() else table.view(np.recarray)[()]
+        mask = ma.getmaskarray(speed_m_s)
+        return ma.array(table, mask=mask) if mask.any() else table.view(np.recarray)[()]
 
 
 def _made(bodies: Tuple[Body, ...], options: Dict[str, Any]) -> Contact:

@@ -15,6 +15,7 @@ from ._evaluate import (
     address,
     in_parts,
     judge,
+    ma,
     mask_of,
     number,
     plain_dtype,
@@ -204,7 +205,7 @@ def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...
         result[name] = out[name]
     result["status"] = status
     result = result.reshape(speeds.shape)
-    return result.view(np.recarray)[()] if mask is np.ma.nomask else np.ma.array(result, mask=mask)
+    return result.view(np.recarray)[()] if mask is ma.nomask else ma.array(result, mask=mask)
 
 
 @_documented("cor_disk_rayleigh")

@@ -17,6 +17,7 @@ from ._cor import ffi, lib
 Array = NDArray[Any]
 S = TypeVar("S", bound="Struct")
 
+ma: Any = np.ma  # without types in some versions of NumPy
 _POINTER = {
     np.dtype(np.float64): "double[]",
     np.dtype(np.float32): "float[]",
@@ -86,15 +87,15 @@ def one_of(argument: str, value: object, allowed: Sequence[str]) -> int:
 
 def mask_of(values: Sequence[Any], shape: Tuple[int, ...]) -> Any:
     """Where one of the numbers is masked; nomask: none of them is a masked array."""
-    masks = [np.ma.getmaskarray(v) for v in values if isinstance(v, np.ma.MaskedArray)]
-    return np.logical_or.reduce([np.broadcast_to(mask, shape) for mask in masks]) if masks else np.ma.nomask
+    masks = [ma.getmaskarray(v) for v in values if isinstance(v, ma.MaskedArray)]
+    return np.logical_or.reduce([np.broadcast_to(mask, shape) for mask in masks]) if masks else ma.nomask
 
 
 def like(values: Sequence[Any], result: Any) -> Any:
     """The result with the mask of the arguments, or with the index of a Series or DataFrame of pandas among them."""
     mask = mask_of(values, np.shape(result))
-    if mask is not np.ma.nomask:
-        return np.ma.array(result, mask=mask)
+    if mask is not ma.nomask:
+        return ma.array(result, mask=mask)
     frames = [v for v in values if type(v).__module__.startswith("pandas.") and np.shape(v) == np.shape(result) != ()]
     frames = [v for v in frames if hasattr(v, "index")]
     if not frames:
@@ -299,7 +300,7 @@ class Elementwise(_Function):
         if out is None:
             with np.errstate(over="ignore"):
                 return like(values, result.astype(final, copy=False)[() if shape == () else ...])
-        if isinstance(out, np.ma.MaskedArray):
+        if isinstance(out, ma.MaskedArray):
             out.mask = mask_of(values, shape)
         if result is not out:
             with np.errstate(over="ignore"):
@@ -374,11 +375,12 @@ class Record(_Function):
         result["status"] = status.reshape(shape)
         mask = mask_of([given[i] for i in self._numbers], shape)
         judge(np.where(mask, 0, result["status"]))
-        return result if mask is np.ma.nomask else np.ma.array(result, mask=mask)
+        whole: Array = result if mask is ma.nomask else ma.array(result, mask=mask)
+        return whole
 
     def __call__(self, given: Sequence[Any]) -> Any:
         result = self._run(given)
-        return result if isinstance(result, np.ma.MaskedArray) else result.view(np.recarray)[()]
+        return result if isinstance(result, ma.MaskedArray) else result.view(np.recarray)[()]
 
 
 class Init(Record):
