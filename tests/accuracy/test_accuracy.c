@@ -124,21 +124,25 @@ static const struct contact_function contact_functions[] = {
 static void search_contacts(struct worst *worst, const struct contact_function *f, const struct search_options *o)
 {
     enum { SPEEDS = 33 };
-    static const double fixed[] = {
-        0.0, -0.0, HUGE_VAL, -1.0, -HUGE_VAL, NAN, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023};
+    static const double fixed[] = {0.0, -0.0, HUGE_VAL, -1.0, -HUGE_VAL, NAN, COR_SI_LEAST, 0x1.fffffffffffffp+829};
     struct cor_sphere_contact contact;
     struct random_state r = random_seeded(o->seed);
     const uint64_t enough = UINT64_C(100000000), points = o->points < enough ? o->points : enough;
     while (worst->points < points) {
         const double g_star =
             random_uniform(&r, 0, 1) < 0.8 ? exp((random_uniform(&r, 0, 1) - 0.5) * 70) : random_pattern(&r, 1e308);
-        cor_sphere_contact_init_g_star(&contact, g_star);
+        if (cor_sphere_contact_init_g_star(&contact, g_star) != 0) /* out of range */
+            continue;
         for (int i = 0; i < SPEEDS; i++) {
             const double kind = random_uniform(&r, 0, 1),
                          speed = kind < 0.05  ? fixed[random_below(&r, COUNT_OF(fixed))]
                                  : kind < 0.5 ? g_star * exp((random_uniform(&r, 0, 1) - 0.5) * 40)
                                               : random_pattern(&r, HUGE_VAL);
             const double eps = f->value(&contact, speed);
+            if (speed > 0 && speed < HUGE_VAL && !(speed >= COR_SI_LEAST && speed < COR_SI_MOST)) {
+                worst->points += isnan(eps) ? 1 : 0; /* out of range */
+                continue;
+            }
             worst_take(worst, contact_error(f->quantity, eps, contact.beta_per_root, speed), speed);
         }
     }
