@@ -13,6 +13,12 @@ COR_INLINE int cor_si_in_range(double x)
     return cor_inline_between(x, COR_SI_LEAST, COR_SI_MOST);
 }
 
+/* x == INFINITY. Clang compares with >= instead, which raises FE_INVALID for a NaN. */
+COR_INLINE int cor_is_infinity(double x)
+{
+    return cor_inline_bits(x) == COR_INLINE_INFINITY_BITS;
+}
+
 /* x y, x/y and x 2^k of positive numbers, or NaN where the result is not within 2^-831 to 2^831, about the range of SI
  * numbers */
 COR_INLINE double cor_si_product(double x, double y)
@@ -42,7 +48,7 @@ COR_INLINE double cor_quiet_product(double x, double y)
 
 COR_INLINE double cor_quiet_quotient(double x, double y)
 {
-    if (y == 0 || y == cor_inline_infinity())
+    if (y == 0 || cor_is_infinity(y))
         return x == y ? cor_inline_nan() : y == 0 ? x + cor_inline_infinity() : cor_quiet_product(x, 0);
     if (cor_inline_exponent(y) == -1023) /* subnormal */
         return cor_quiet_product(cor_quiet_quotient(x, y * 0x1p100), 0x1p100);
@@ -55,7 +61,7 @@ COR_INLINE double cor_quiet_power(double x, double y)
 {
     if (cor_inline_is_refused(x) || isnan(y) || y == 0)
         return y == 0 ? 1 : cor_inline_nan();
-    if (x == 0 || x == cor_inline_infinity())
+    if (x == 0 || cor_is_infinity(x))
         return (x == 0) == (y > 0) ? 0 : cor_inline_infinity();
     if (fabs(y) * (abs(cor_inline_exponent(x)) + 1) > 1020) {
         const double power = y * log2(x);

@@ -809,7 +809,7 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
     }
     if (!model->number_of_damping)
         return cor_simulator_e(model, cor_law_eps(model->law, model->end, damping), status);
-    const double number = damping < 1e100 || damping == INFINITY
+    const double number = isless(damping, 1e100) || cor_is_infinity(damping)
                               ? model->number_of_damping(damping, wish->contacts, speed_of(wish))
                               : (double)NAN;
     if (isnan(number))

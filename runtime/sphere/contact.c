@@ -34,7 +34,7 @@ static int is_poisson_ratio(double nu)
 
 static int is_in_range_or_infinite(double x)
 {
-    return cor_si_in_range(x) || x == INFINITY;
+    return cor_si_in_range(x) || cor_is_infinity(x);
 }
 
 static int body_status(const struct cor_body *body)
@@ -43,7 +43,7 @@ static int body_status(const struct cor_body *body)
         return COR_ERROR_YOUNG_MODULUS;
     if (!is_poisson_ratio(body->poisson_ratio))
         return COR_ERROR_POISSON_RATIO;
-    if (cor_inline_is_refused(body->dissipation_time_s) || body->dissipation_time_s == INFINITY)
+    if (cor_inline_is_refused(body->dissipation_time_s) || cor_is_infinity(body->dissipation_time_s))
         return COR_ERROR_DISSIPATION_TIME;
     if (!is_positive(body->radius_m))
         return COR_ERROR_RADIUS;
@@ -145,7 +145,7 @@ double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
 /* The result at a speed that is not in range: 0, infinite, or wrong */
 static double at_end(double speed, double at_zero, double at_infinity)
 {
-    return speed == 0 ? at_zero : speed == INFINITY ? at_infinity : (double)NAN;
+    return speed == 0 ? at_zero : cor_is_infinity(speed) ? at_infinity : (double)NAN;
 }
 
 double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s)
@@ -218,8 +218,8 @@ static double dissipation_time(const struct cor_sphere_contact *contact, double 
     if (!cor_contact_is_ordinary(contact, 1) || !cor_si_in_range(speed) || cor_inline_is_refused(beta))
         return NAN;
     const double root = cor_inline_fifth_root(speed), time = cor_quiet_product(contact->scale, beta);
-    return time < COR_SI_MOST * root || beta == INFINITY ? cor_contact_dissipation_of(contact->scale, root, beta)
-                                                         : (double)NAN;
+    return time < COR_SI_MOST * root || cor_is_infinity(beta) ? cor_contact_dissipation_of(contact->scale, root, beta)
+                                                              : (double)NAN;
 }
 
 double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s,
@@ -264,7 +264,7 @@ double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, d
         return NAN;
     /* 1/Y in units of the larger one, so that nothing overflows */
     const double young = young_modulus_1_pa < young_modulus_2_pa ? young_modulus_1_pa : young_modulus_2_pa;
-    if (young == INFINITY)
+    if (cor_is_infinity(young))
         return NAN;
     const double weight_1 = young / young_modulus_1_pa * (1 + nu_1), weight_2 = young / young_modulus_2_pa * (1 + nu_2);
     const double sum = weight_1 * (1 - nu_1) + weight_2 * (1 - nu_2);
@@ -273,7 +273,7 @@ double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, d
 
 double cor_tangential_stick_angle(double kappa, double friction)
 {
-    if (!is_positive(kappa) || cor_inline_is_refused(friction) || (kappa == INFINITY && friction == INFINITY))
+    if (!is_positive(kappa) || cor_inline_is_refused(friction) || (cor_is_infinity(kappa) && cor_is_infinity(friction)))
         return NAN;
     /* where the quotient is above 2^60 the angle is pi/2 to the last bit */
     return friction * 0x1p-60 > kappa ? atan(INFINITY) : atan(3.5 * (friction / kappa));

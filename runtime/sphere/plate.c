@@ -9,7 +9,7 @@
 
 static int is_positive(double x)
 {
-    return !cor_inline_is_refused(x) && x != 0 && x != INFINITY;
+    return !cor_inline_is_refused(x) && x != 0 && !cor_is_infinity(x);
 }
 
 static int plate_status(const struct cor_plate *plate)
@@ -121,7 +121,7 @@ double cor_plate_sphere_crossings(const struct cor_sphere_contact *contact, cons
     if (!cor_si_in_range(r) || !cor_si_in_range(sphere->mass_kg))
         return NAN;
     if (!cor_si_in_range(sphere->young_modulus_pa))
-        return sphere->young_modulus_pa == INFINITY ? duration * INFINITY : NAN;
+        return cor_is_infinity(sphere->young_modulus_pa) ? duration * INFINITY : NAN;
     /* c/(2 R) = sqrt(E (4 pi/3) R/m)/2 */
     const double volume_of_unit_sphere = 4.18879020478639098462;
     const double quotient = cor_si_quotient(sphere->young_modulus_pa, sphere->mass_kg);

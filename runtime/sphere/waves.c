@@ -62,7 +62,7 @@ double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const str
         !cor_si_in_range(contact->elastic_constant_n_m15) || !cor_si_in_range(contact->effective_mass_kg))
         return NAN;
     if (!cor_si_in_range(speed_m_s))
-        return speed_m_s == 0 ? 0 : speed_m_s == INFINITY ? 1 : (double)NAN;
+        return speed_m_s == 0 ? 0 : cor_is_infinity(speed_m_s) ? 1 : (double)NAN;
     /* K^(6/5) m^(-1/5) (g/c_s)^(3/5)/(rho c_s^(12/5)); with c_s^2 = mu/rho this is K^(6/5) m^(-1/5) g^(3/5) rho^(1/2)
      * mu^(-3/2). Any of the factors may leave the range of doubles, so their exponents are added up, in tenths. */
     int tenths = 0;

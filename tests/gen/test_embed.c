@@ -176,7 +176,8 @@ TEST(test_scenes)
     static const struct {
         const char *const *law; /* the exponents; NULL: spheres */
         const char *min, *max, *tolerance, *beta;
-        int end, type;
+        int end;
+        enum embed_type type;
         bool proved;
         int least; /* families that must have a member */
     } scenes[] = {

@@ -8,12 +8,14 @@
 #include "cor_sphere.h"
 #include "embedded.h"
 
-/* eps at beta^5 = x, by the library: a contact whose beta_per_root is 1 */
+/* eps at beta^5 = x, by the library: a contact whose beta_per_root is 1; by the header where x is no speed in range */
 static double contact_eps(int end, double x)
 {
     struct cor_sphere_contact c;
     memset(&c, 0, sizeof c);
     c.beta_per_root = c.beta5_per_speed = 1;
+    if (x > 0 && !(x >= COR_SI_LEAST && x < COR_SI_MOST))
+        return end ? cor_inline_eps_zero_force_root(x) : cor_inline_eps_zero_overlap_root(x);
     return end ? cor_contact_eps_zero_force(&c, x) : cor_contact_eps_zero_overlap(&c, x);
 }
 
