@@ -155,9 +155,8 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
         contact->adhesion_j_m2 = scene->number[COR_SCENE_ADHESION];
     else if (sticky)
         contact->force_n += cor_quiet_product(2 * COR_PI * scene->number[COR_SCENE_ADHESION], contact->radius_m);
-    return isgreaterequal(contact->force_n, 0) && contact->force_n < INFINITY
-               ? COR_FAULT_NONE
-               : refuse(fault, COR_FAULT_RANGE, cause, 0);
+    return contact->force_n == 0 || cor_si_in_range(contact->force_n) ? COR_FAULT_NONE
+                                                                      : refuse(fault, COR_FAULT_RANGE, cause, 0);
 }
 
 /* ---- the damping ---- */

@@ -240,6 +240,10 @@ TEST(wrong_inputs)
     all_nan(&c);
     assert_int_equal(cor_sphere_contact_init(&c, &one, NULL), COR_ERROR_NULL);
     all_nan(&c);
+    /* beta^5 of a speed in range beyond the largest double: eps at zero overlap is subnormal */
+    c = (struct cor_sphere_contact){1, 1, 1, 1, 1e60, 1, 1e300};
+    const double beyond = cor_contact_eps_zero_overlap(&c, 1e18);
+    assert_true(beyond > 0 && beyond == cor_sphere_eps_zero_overlap(cor_contact_beta(&c, 1e18)));
     /* a dissipation time whose beta_per_root underflows is refused, not taken for zero */
     one.dissipation_time_s = smallest;
     one.young_modulus_pa = 1e-10;
