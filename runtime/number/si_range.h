@@ -36,8 +36,8 @@ COR_INLINE double cor_si_scaled(double x, int k)
     return abs(cor_inline_exponent(x) + k) < 831 ? cor_inline_scaled(x, k) : cor_inline_nan();
 }
 
-/* Arithmetic of numbers that are not negative, with the results of IEEE 754: infinite, 0 or NaN without an exception
- * but underflow and inexact, and without errno */
+/* Arithmetic of numbers that are not negative, with the results of IEEE 754, except that a result above 2^1022 may be
+ * infinite: no exception except underflow and inexact, and no errno */
 COR_INLINE double cor_quiet_product(double x, double y)
 {
     if (x == 0 || y == 0)
@@ -56,7 +56,7 @@ COR_INLINE double cor_quiet_quotient(double x, double y)
     return overflows ? x + y + cor_inline_infinity() : x / y;
 }
 
-/* pow(x, y), but 0 below 2^-1020; NaN for x < 0 */
+/* pow(x, y), but 0 below 2^-1020, and NaN where y is NaN or x < 0 */
 COR_INLINE double cor_quiet_power(double x, double y)
 {
     if (cor_inline_is_refused(x) || isnan(y) || y == 0)

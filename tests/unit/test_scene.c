@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Contacts of random scenes, each against its formula: unlike bodies, every way to give the damping of every law, and a
  * liquid around a contact that damps. */
+#include "runtime/number/si_range.h"
 #include "scene.h"
 
 #include "cor/contact.h"
@@ -109,4 +110,35 @@ TEST(every_law)
     }
 }
 
-RUN_TESTS(unlike_bodies, every_law)
+/* IEEE 754, except that results above 2^1022 may be infinite and powers below 2^-1019 may be 0; x^NaN is NaN */
+static void check_quiet(double quiet, double exact, char operation, double x, double y)
+{
+    const int is_power = operation == '^', is_edge = (isinf(quiet) && exact > 0x1p1022) ||
+                                                     (is_power && quiet == 0 && exact < 0x1p-1019) ||
+                                                     (is_power && isnan(quiet) && isnan(y));
+    check(same_number(quiet, exact) || is_edge, "%g %c %g is %g", x, operation, y, quiet);
+}
+
+TEST(quiet_arithmetic)
+{
+    static const double numbers[] = {0, DBL_MIN / 4, 1e-200, 0.5, 1, 3, 1e200, DBL_MAX, INFINITY, NAN};
+    for (size_t i = 0; i < COUNT_OF(numbers); i++)
+        for (size_t k = 0; k < COUNT_OF(numbers); k++) {
+            const double x = numbers[i], y = numbers[k];
+            check_quiet(cor_quiet_product(x, y), x * y, '*', x, y);
+            check_quiet(cor_quiet_quotient(x, y), x / y, '/', x, y);
+            check_quiet(cor_quiet_power(x, y), pow(x, y), '^', x, y);
+        }
+}
+
+/* A plate has no end at zero force. */
+TEST(plate)
+{
+    const struct cor_scene_contact c = {
+        .law = cor_law_exponents[COR_LAW_PLATE], .plate = 1, .mass_kg = 1, .stiffness = 1, .damping = 0.5};
+    double eps = 0;
+    assert_true(cor_scene_eps(&eps, &c, 1, COR_END_ZERO_FORCE) == COR_OK && isnan(eps));
+    assert_true(scene_eps(&c, 1, COR_END_ZERO_OVERLAP) > 0);
+}
+
+RUN_TESTS(unlike_bodies, every_law, quiet_arithmetic, plate)
