@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Dict, List, Tuple
 
 from cffi import FFI
-from setuptools import Extension, setup
+from setuptools import Extension, find_packages, setup
 from setuptools.command.build_ext import build_ext
 from setuptools.command.build_py import build_py
 from setuptools.command.sdist import sdist
@@ -148,7 +148,7 @@ BUILD.mkdir(parents=True, exist_ok=True)
 
 setup(
     version=DECLARED.constants["COR_VERSION_STRING"].text.strip('"'),
-    packages=["cor"],
+    packages=find_packages(include=["cor", "cor.*"]),
     package_data={"cor": ["py.typed", "*.pyi"]},
     ext_modules=[EXTENSION],
     cmdclass={"build_py": BuildModules, "build_ext": BuildLibrary, "sdist": SourceDistribution},

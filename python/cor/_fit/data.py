@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Measured bounces as the reader (records) hands them to the fit: SI units, in the order of the file."""
+
+from dataclasses import dataclass, replace
+from typing import Any, Dict, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+GRAVITY_M_S2 = 9.80665  # standard gravity
+MAX_BEYOND = 5  # a point may lie beyond 0 or 1 by this number of its sigma
+MAX_FLIGHT_RATIO = 1.2  # by noise a flight or a rebound may make eps as large as this
+
+
+class DataError(ValueError):
+    """Data that cannot be read: the text names line and column, what is allowed and an example."""
+
+
+@dataclass(frozen=True)
+class Points:
+    """Impacts with measured speed and eps. Speeds in and out are Points, too."""
+
+    speed_m_s: Floats
+    eps: Floats
+    sigma: Optional[Floats]  # standard deviation of eps
+    line: Ints
+    ball: Ints  # index in Data.balls
+    run: Tuple[str, ...]  # of each point; empty without such a column
+
+
+@dataclass(frozen=True)
+class Heights:
+    """Drops from a height, each with the height of its first rebound. Drag changes the speeds that follow from them."""
+
+    drop_m: Floats
+    rebound_m: Floats
+    drop_sigma_m: Optional[Floats]  # standard deviations
+    rebound_sigma_m: Optional[Floats]
+    line: Ints
+    ball: Ints
+    run: Tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Times:
+    """Drops whose bounces have times. Drop k has the elements start[k] to start[k + 1] - 1 of time_s and line."""
+
+    time_s: Floats  # ascending within a drop, any origin
+    line: Ints
+    start: Ints
+    height_m: Floats  # of each drop: the height above the ground from which the ball fell; nan: unknown
+    ball: Ints  # of each drop
+    run: Tuple[str, ...]  # of each drop; empty without such a column
+
+
+@dataclass(frozen=True)
+class Apexes:
+    """Drops whose apexes have heights: element start[k] of height_m is the drop height, the others are rebounds."""
+
+    height_m: Floats
+    sigma_m: Optional[Floats]
+    line: Ints
+    start: Ints
+    ball: Ints  # of each drop
+    run: Tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Data:
+    """A file or arrays. balls is empty without a column ball; then every ball index is 0."""
+
+    name: str  # for messages: a path, "standard input", "the data frame"
+    record: Union[Points, Heights, Times, Apexes]
+    balls: Tuple[str, ...] = ()
+    unused: Tuple[str, ...] = ()  # names of the columns that are not read
+    remarks: Tuple[str, ...] = ()  # sentences about the reading, as the number of bounces found in a track
+    row_word: str = "line"  # lines count from 1 with the header; "row": elements of arrays, from 0
+
+    def of_ball(self, ball: int) -> "Data":
+        """Return the data of one ball, balls[ball]."""
+        record = self.record
+        mine = record.ball == ball
+        arrays: Dict[str, Any] = {"ball": record.ball[mine], "run": tuple(r for r, m in zip(record.run, mine) if m)}
+        rows = mine
+        if isinstance(record, (Times, Apexes)):
+            counts = np.diff(record.start)
+            rows = np.repeat(mine, counts)
+            arrays["start"] = np.concatenate(([0], np.cumsum(counts[mine])))
+        of_drops = ("height_m",) if isinstance(record, Times) else ()
+        for name, value in vars(record).items():
+            if name not in arrays and value is not None:
+                arrays[name] = value[mine if name in of_drops else rows]
+        return replace(self, record=replace(record, **arrays))
+
+
+@dataclass(frozen=True)
+class Air:
+    """The air around the ball (PHYSICS: flight with drag and buoyancy). No drag without a number or fit_drag."""
+
+    drag_coefficient: Optional[float] = None
+    mass_kg: Optional[float] = None
+    diameter_m: Optional[float] = None
+    density_kg_m3: float = 1.204
+    terminal_speed_m_s: Optional[float] = None
+    fit_drag: bool = False
+
+
+@dataclass(frozen=True)
+class Form:
+    """How to read the source."""
+
+    unit: Optional[str] = None  # of speeds, heights or times whose columns name none: "cm/s", "cm", "ms"
+    separator: Optional[str] = None  # one of , ; tab; None: the one that the first row has most of
+    decimal_comma: bool = False
+    drop_height_m: Optional[float] = None  # of every drop
