@@ -680,6 +680,51 @@ double cor_simulator_realised(const struct cor_simulator_model *model, double e)
     return cor_law_eps(model->law, model->end, model->damping_of_e(e));
 }
 
+static double mujoco_impedance(const double solimp[5], double overlap)
+{
+    const double y = fmin(fabs(overlap) / solimp[2], 1), middle = solimp[3], power = solimp[4];
+    const double rise =
+        y < middle ? pow(y / middle, power) * middle : 1 - pow((1 - y) / (1 - middle), power) * (1 - middle);
+    return solimp[0] + (solimp[1] - solimp[0]) * rise;
+}
+
+double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2)
+{
+    enum { MOST = 200000 };
+    static const double weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}, part[4] = {0.5, 0.5, 1, 0};
+    const double positive[] = {frequency, speed_m_s, solimp[2]}, others[] = {zeta, gravity_m_s2};
+    int sound = cor_inline_between(solimp[0], 0, 2) && isgreaterequal(1, solimp[0]) && isgreater(solimp[1], 0) &&
+                isgreaterequal(1, solimp[1]) && isgreater(solimp[3], 0) && isless(solimp[3], 1) &&
+                isgreaterequal(solimp[4], 1) && isgreaterequal(100, solimp[4]);
+    for (int i = 0; i < 3; i++)
+        sound = sound && isgreaterequal(positive[i], 1e-48) && isgreaterequal(1e48, positive[i]);
+    for (int i = 0; i < 2; i++)
+        sound = sound && isgreaterequal(others[i], 0) && isgreaterequal(1e48, others[i]);
+    if (!sound)
+        return NAN;
+    const double h = fmin(fmin(2e-3, 0.1 / fmax(zeta, 1e-9)) / frequency, 0.02 * solimp[2] / speed_m_s);
+    double x = 0, v = speed_m_s;
+    for (int n = 0; n < MOST; n++) {
+        double at = x, rate = v, moved = 0, gained = 0;
+        for (int k = 0; k < 4; k++) {
+            const double d = mujoco_impedance(solimp, at), share = d / solimp[1];
+            const double reference = share * frequency * (2 * zeta * rate + share * frequency * at);
+            if (k == 0 && n > 0 && !(reference + d * gravity_m_s2 > 0)) {
+                const double square = v < 0 ? v * v - 2 * gravity_m_s2 * fmax(x, 0) : 0;
+                return square > 0 ? fmin(sqrt(square) / speed_m_s, 1) : 0;
+            }
+            const double change = reference - (1 - d) * gravity_m_s2;
+            moved += weight[k] * h * rate;
+            gained -= weight[k] * h * change;
+            at = x + part[k] * h * rate;
+            rate = v - part[k] * h * change;
+        }
+        x += moved;
+        v += gained;
+    }
+    return NAN;
+}
+
 /* The smallest positive damping and its e. Near e = 1 the fits are not monotonic, and some simulators have no damping
  * from some e on. */
 static double weakest(const struct cor_simulator_model *model, double *at)

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: MIT
+"""cor audit: the restitution that the input of a simulator really gives."""
+
+import argparse
+import os
+from typing import Dict, List, Optional, Tuple
+
+from .._command import STATUS_OK, STATUS_USAGE, Parser, UsageError, add_common, message, numbers, positive
+from .._command import printable, progress, read_text, table, write_output
+from .._cor import lib
+from . import physics
+from .deck import COLUMNS, MAX_BYTES, NAN, DeckError, Options, Row
+
+STATUS_NOT_AS_ASKED, STATUS_NOT_JUDGED = 3, 4
+
+EPILOG = f"""\
+Inputs: scripts of LAMMPS and LIGGGHTS, YADE's Python, materials of Kratos (json), MFiX, MuJoCo (xml).
+Without --run nothing of an input is executed.
+
+Columns: {','.join(COLUMNS)}.
+
+Exit status: 2 wrong usage, an unreadable file, or a file of which no contact can be judged; otherwise 3 if a contact
+is not as asked; otherwise 4 if one could not be judged; otherwise 0.
+
+Example: cor audit in.chute --radius 5e-3 --density 2500 --speed 0.1,1
+"""
+
+
+def _by_type(text: str) -> Tuple[str, float]:
+    name, _, value = text.rpartition("=")
+    return name, positive(value)
+
+
+def add_arguments(parser: Parser) -> None:
+    """Adds the options of cor audit."""
+    add = parser.add_argument
+    parser.epilog = EPILOG
+    add("files", nargs="+", metavar="FILE", help="inputs of simulators; - is standard input")
+    add("--speed", type=numbers, metavar="LIST", default=[], help="impact speeds, m/s, as 0.1,1 or 0.01:10:log:7")
+    for name, unit in (("radius", "m"), ("density", "kg/m^3")):
+        add(f"--{name}", type=_by_type, action="append", default=[], metavar="[TYPE=]NUMBER",
+            help=f"{name} of the spheres, {unit}, where the file does not contain it; for one type or all")  # fmt: skip
+    add("--time-step", type=positive, metavar="DT", default=NAN, help="time step, s (default: the file's)")
+    add("--tolerance", type=positive, metavar="T", default=0.01,
+        help="as asked: the mean eps differs from e by at most T e, with at most this scatter (default 0.01)")  # fmt: skip
+    add("--for", dest="simulator", metavar="SIMULATOR", default="", help="the simulator, where the file does not show it")
+    add("--simulator-version", metavar="V", default="", help="its version, as '29 Sep 2021' or 3.8.1")
+    add("-var", "--var", nargs="+", action="append", default=[], metavar=("NAME", "VALUE"),
+        help="a variable of the script with its values, as lmp accepts it; after the files")  # fmt: skip
+    add("--run", metavar="PROGRAM", help="run the file with this program of the user and measure; executes the file")
+    add("--keep", action="store_true", help="with --run: keep the temporary folder, and print its name")
+    add_common(parser)
+
+
+def _includes(first: str, name: str, of: str) -> Optional[Tuple[str, str]]:
+    """The text of an included file: in the folder of the file that includes it, otherwise of the first one."""
+    for folder in (os.path.dirname(of), os.path.dirname(first)):
+        path = os.path.join(folder, name)
+        try:
+            if name != "-":
+                return read_text(path, MAX_BYTES), path
+        except (OSError, ValueError):
+            continue
+    return None
+
+
+def _options(given: argparse.Namespace, path: str) -> Options:
+    if given.simulator and given.simulator not in physics.SIMULATORS:
+        raise UsageError(f"--for: '{given.simulator}' is not a simulator; allowed: {', '.join(physics.SIMULATORS)}")
+    version = given.simulator_version
+    if version and lib.cor_simulator_version(version.encode("utf-8", "replace")) == 0:
+        raise UsageError(f"--simulator-version: '{version}' is not a version; allowed: as '29 Sep 2021' or 3.8.1")
+    if any(len(words) < 2 for words in given.var):
+        raise UsageError("-var: a name and at least one value are needed, as -var e 0.7")
+    variables: Dict[str, Tuple[str, ...]] = {words[0]: tuple(words[1:]) for words in given.var}
+    return Options(
+        given.simulator, version, tuple(given.speed), dict(given.radius), dict(given.density), given.time_step,
+        given.tolerance, variables, lambda name, of: _includes(path, name, of), progress,
+    )  # fmt: skip
+
+
+def _text(row: Row) -> str:
+    lines = [f"{row.file}:{row.line}: "]
+    if not row.model:
+        return printable(lines[0] + row.advice) + "\n"
+    lines[0] += f"{row.simulator} {row.model}, {row.pair}"
+    lines[0] += "" if row.speed_m_s != row.speed_m_s else f", {row.speed_m_s:.6g} m/s"
+    number = "" if row.asked != row.asked else f"asked for {row.asked:.6g}, "
+    number += "eps is not known" if row.realised != row.realised else f"eps = {row.realised:.6g} at {row.end}"
+    number += {True: ": as asked", False: ": NOT AS ASKED", None: ""}[row.as_asked]
+    number += "" if row.judged else ": NOT JUDGED"
+    if row.damping == row.damping:
+        number += f"; {row.law}, {'zeta' if row.law in ('linear', 'tsuji') else 'beta'} = {row.damping:.6g}"
+    if row.duration_s == row.duration_s:
+        number += f"; contact {row.duration_s:.3g} s"
+        number += "" if row.time_step_s != row.time_step_s else f" = {row.duration_s / row.time_step_s:.4g} steps"
+    if row.step_bias == row.step_bias:
+        number += f"; the step adds {row.step_bias:.2g} in the mean, with scatter {row.step_scatter:.2g}"
+    if row.realised_surface == row.realised_surface:
+        number += f"; under gravity {row.realised_surface:.6g}"
+    if row.measured == row.measured or row.measured_small_step == row.measured_small_step:
+        number += f"; measured {row.measured:.6g}, with a hundredth of the step {row.measured_small_step:.6g}"
+    lines += [number] + ([row.advice] if row.advice else []) + ([f"write: {row.instead}"] if row.instead else [])
+    return "\n    ".join(printable(line) for line in lines) + "\n"
+
+
+def _columns(row: Row) -> List[object]:
+    values = [getattr(row, name) for name in COLUMNS]
+    if row.instead:
+        values[COLUMNS.index("advice")] = f"{row.advice} Write: {row.instead}".strip()
+    return values
+
+
+def status_of(rows: List[Row]) -> int:
+    """The exit status of one file by its rows."""
+    contacts = [row for row in rows if row.model]
+    if not any(row.judged for row in contacts):
+        return STATUS_USAGE
+    if any(row.as_asked is False for row in contacts):
+        return STATUS_NOT_AS_ASKED
+    return STATUS_OK if all(row.judged for row in rows) else STATUS_NOT_JUDGED
+
+
+def run(given: argparse.Namespace) -> int:
+    """Audits all files; prints all rows whatever happens to one of them."""
+    rows: List[Row] = []
+    statuses = []
+    for path in given.files:
+        options = _options(given, path)
+        name = "standard input" if path == "-" else path
+        try:
+            progress(f"reading: {name}")
+            text = read_text(path, MAX_BYTES)
+            found = physics.audit_text(text, name, options)
+            if given.run is not None:
+                from .measure import measure
+
+                measure(path, options, found, given.run, given.keep)
+        except OSError as error:
+            message(f"cannot read {name}: {error.strerror or error}")
+            statuses.append(STATUS_USAGE)
+        except (DeckError, ValueError) as error:
+            message(f"{name}: {error}")
+            statuses.append(STATUS_USAGE)
+        else:
+            rows += found
+            statuses.append(status_of(found))
+            if statuses[-1] == STATUS_USAGE:
+                what = options.simulator or "a simulator that cor audit --help names"
+                reasons = "; ".join(dict.fromkeys(f"line {row.line}: {row.advice}" for row in found if row.advice))
+                message(f"{name}: no contact can be judged{': ' + reasons if reasons else f'; allowed: the input of {what}'}")
+    if given.format != "text":
+        write_output(given.output, table(COLUMNS, [_columns(row) for row in rows], given.format))
+    else:
+        contacts = [row for row in rows if row.model]
+        asked = [row for row in contacts if row.judged and row.as_asked is not None]
+        good, unknown = sum(row.as_asked is True for row in asked), sum(not row.judged for row in contacts)
+        end = f"{len(contacts)} contact{'s' * (len(contacts) != 1)}: {good} as asked within {100 * given.tolerance:.3g} %, "
+        end += f"{len(asked) - good} not, {len(contacts) - len(asked) - unknown} without e"
+        end += f", {unknown} not judged" if unknown else ""
+        lines = sum(not row.model for row in rows)
+        end += f"; {lines} remark{'s' * (lines != 1)}" if lines else ""
+        write_output(given.output, "".join(map(_text, rows)) + ("\n" if rows else "") + end + "\n")
+    order = (STATUS_USAGE, STATUS_NOT_AS_ASKED, STATUS_NOT_JUDGED, STATUS_OK)
+    return min(statuses, key=order.index)

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: MIT
+"""The data between the parts of the audit: a deck as a reader returns it, and a row as it is reported.
+
+Numbers of a deck have the deck's own units, which must be consistent; Units converts them. Unknown numbers are NaN.
+"""
+
+import math
+from dataclasses import dataclass, field
+from enum import Enum, auto
+from typing import Callable, Dict, List, Optional, Tuple
+
+NAN = math.nan
+MAX_BYTES = 1 << 26  # of one file
+MAX_CONTACTS = 20000
+
+
+class DeckError(ValueError):
+    """An input that cannot be read at all. The text names the file, what is wrong and what is allowed."""
+
+
+@dataclass(frozen=True)
+class Units:
+    """The units of a deck in SI. With the name "lj" they are unknown: rows then have the deck's own units."""
+
+    name: str = "si"
+    length_m: float = 1.0
+    mass_kg: float = 1.0
+    time_s: float = 1.0
+
+
+class Spring(Enum):
+    """How the stiffness of a contact is given."""
+
+    NONE = auto()
+    HOOKE = auto()  # stiffness: K, N/m
+    HERTZ = auto()  # stiffness: K/sqrt(R), Pa
+    MATERIAL = auto()  # Hertz, by Young's modulus and Poisson's ratio of both bodies
+    CHARACTERISTIC = auto()  # linear, by the materials and spring_speed
+    CONTACT_TIME = auto()  # linear; stiffness: duration of a contact that ends at zero overlap
+    PER_MASS = auto()  # linear; stiffness: K/m
+
+
+@dataclass(frozen=True)
+class Body:
+    """A body of a contact: a sphere of a type or material, or a wall.
+
+    name: the type, label or geometry, as the column pair shows it. radius: least and largest. mass: least and largest,
+    where density and radius do not give it (set mass, rigid bodies). wall: infinite radius and mass. held: a sphere of
+    infinite mass (frozen, fixed). type: the number of the type for the simulator; 0: none."""
+
+    name: str
+    radius: Tuple[float, float] = (NAN, NAN)
+    density: float = NAN
+    mass: Optional[Tuple[float, float]] = None
+    young: float = NAN
+    poisson: float = NAN
+    wall: bool = False
+    held: bool = False
+    type: int = 0
+
+
+@dataclass(eq=False)
+class Repair:
+    """Lines `line` to `last_line` of a file, which one text replaces. Contacts whose numbers are in the same lines share
+    one object, and one new text repairs all of them."""
+
+    file: str
+    line: int
+    last_line: int
+    text: str
+
+
+@dataclass
+class Contact:
+    """One contact of two bodies as a reader found it.
+
+    model: a model of cor_simulators by its id without COR_, such as "LAMMPS_HOOKE_VELOCITY"; "": cor does not know it,
+    and `unknown` is the reason. style: the deck's own name of the model, for rows without one. number: e, or the number
+    that the user of the model sets. limited: the same model, but its contact ends at zero force. zeta_factor: damping of
+    this contact over the damping that the model computes from e. slots: the parts [start, end) of repair.text that hold
+    e. gravity: acceleration that presses the bodies together, for walls. losses: sentences about losses outside
+    contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed. alternative: number to write
+    instead is impossible for this sentence ("")."""
+
+    file: str
+    line: int
+    simulator: str
+    bodies: Tuple[Body, Body]
+    model: str = ""
+    style: str = ""
+    pair: str = ""  # "": made from the names of the bodies
+    number: float = NAN
+    spring: Spring = Spring.NONE
+    stiffness: float = NAN
+    spring_speed: float = NAN
+    limited: bool = False
+    zeta_factor: float = 1.0
+    solimp: Optional[Tuple[float, ...]] = None  # MuJoCo's five numbers where dmin and dmax differ
+    unknown: str = ""
+    notes: List[str] = field(default_factory=list)
+    losses: List[str] = field(default_factory=list)
+    repair: Optional[Repair] = None
+    slots: Tuple[Tuple[int, int], ...] = ()
+    gravity: float = NAN
+    speeds: Tuple[float, ...] = ()
+    time_step: float = NAN
+    integrator: Optional[int] = None  # enum cor_integrator; None: the simulator's own
+    units: Units = Units()
+    runs: Tuple[int, ...] = ()  # of a script, from 1: the runs that have this contact; empty: a deck without runs
+    tangential: float = NAN  # velocity of the contact point after over before an impact without slip
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A sentence about a line without a contact. matters: contacts that it hides could not be judged."""
+
+    file: str
+    line: int
+    text: str
+    matters: bool = True
+
+
+@dataclass
+class Deck:
+    """Everything that a reader found in one input. facts: for measure, what the reader keeps for itself."""
+
+    file: str
+    simulator: str
+    contacts: List[Contact] = field(default_factory=list)
+    remarks: List[Remark] = field(default_factory=list)
+    facts: Dict[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Options:
+    """The options of cor audit, SI. radii and densities: by the name of a type or material; "" is for all others.
+    include(name, of): text of a file that the file `of` includes and its name for messages; None if it does not exist.
+    variables: -var NAME VALUE..., as the simulator accepts them."""
+
+    simulator: str = ""
+    version: str = ""
+    speeds: Tuple[float, ...] = ()
+    radii: Dict[str, float] = field(default_factory=dict)
+    densities: Dict[str, float] = field(default_factory=dict)
+    time_step: float = NAN
+    tolerance: float = 0.01
+    variables: Dict[str, Tuple[str, ...]] = field(default_factory=dict)
+    include: Callable[[str, str], Optional[Tuple[str, str]]] = lambda name, of: None
+    progress: Callable[[str], None] = lambda step: None
+
+
+# Reads one input: the text, its name for messages, the options.
+Reader = Callable[[str, str, Options], Deck]
+
+COLUMNS = (
+    "file,line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,advice,realised_surface,"
+    "measured,measured_small_step,tangential_restitution,units"
+).split(",")
+
+
+@dataclass
+class Row:
+    """One contact at one speed, or, with an empty model, a remark on a line. COLUMNS are reported; the rest is for the
+    text, for cor.simulators.audit and for measure. as_asked: None where no e was requested or eps is unknown. judged:
+    False makes the exit status 4. A row keeps its contact and the bodies' size: 0 least, 1 largest."""
+
+    file: str
+    line: int
+    simulator: str
+    model: str = ""
+    pair: str = ""
+    asked: float = NAN
+    end: str = ""
+    speed_m_s: float = NAN
+    realised: float = NAN
+    step_bias: float = NAN
+    step_scatter: float = NAN
+    advice: str = ""
+    realised_surface: float = NAN
+    measured: float = NAN
+    measured_small_step: float = NAN
+    tangential_restitution: float = NAN
+    units: str = "si"
+    law: str = ""
+    damping: float = NAN  # zeta where eps does not depend on the speed, otherwise beta
+    duration_s: float = NAN
+    time_step_s: float = NAN
+    as_asked: Optional[bool] = None
+    judged: bool = True
+    instead: str = ""  # lines that realise e, to be put in place of lines instead_line to instead_last of instead_file
+    instead_file: str = ""
+    instead_line: int = 0
+    instead_last: int = 0
+    contact: Optional[Contact] = None
+    size: int = 0

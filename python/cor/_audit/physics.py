@@ -1,0 +1,390 @@
+# SPDX-License-Identifier: MIT
+"""From the contacts of a deck to the rows of the audit. Laws, ends, maps of e and errors of steps are libcor_scene's."""
+
+import math
+from importlib import import_module
+from typing import Any, Dict, List, Optional, Set, Tuple
+
+from .._cor import ffi, lib
+from .._evaluate import string
+from .deck import MAX_CONTACTS, NAN, Body, Contact, Deck, DeckError, Options, Repair, Row, Spring
+
+# The simulators that have a reader: its module and function, and the signs by which its inputs are recognised
+SIMULATORS = {
+    "liggghts": ("lammps", "read_liggghts", ("property/global", "particletemplate/", "pair_style gran model")),
+    "lammps": ("lammps", "read_lammps", ("pair_style", "wall/gran")),
+    "yade": ("yade", "read", ("O.engines", "Ip2_", "ViscElMat(", "O.materials")),
+    "mujoco": ("mujoco", "read", ("<mujoco",)),
+    "mfix": ("mfix", "read", ("DES_EN_", "des_en_", "Des_En_")),
+    "kratos": ("kratos", "read", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
+}
+# Models of other versions
+_OTHER = {
+    "LAMMPS_HERTZ_TSUJI": "LAMMPS_HERTZ_TSUJI_2026",
+    "LAMMPS_HOOKE_TSUJI": "LAMMPS_HOOKE_TSUJI_2026",
+    "YADE_EN": "YADE_EN_UNTIL_2023",
+}
+_PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # of cor_scene_step_error
+_STEPS_IN_ALL = 2e8  # some seconds
+_STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # of cor_scene_step_for
+_LINEAR = (Spring.HOOKE, Spring.CHARACTERISTIC, Spring.CONTACT_TIME, Spring.PER_MASS)
+_SIZES = (", least", ", largest")
+
+
+def model_of(name: str) -> Any:
+    """The row of cor_simulators with an id, without COR_."""
+    return lib.cor_simulator_model(getattr(lib, f"COR_{name}"))
+
+
+def integrator_of(simulator: str) -> int:
+    """enum cor_integrator of a simulator."""
+    for i in range(lib.cor_simulator_count):
+        if string(lib.cor_simulators[i].name) == simulator:
+            return int(lib.cor_simulators[i].integrator)
+    return int(lib.COR_NO_INTEGRATOR)
+
+
+def _inverse_mass(body: Body, size: int) -> float:
+    if body.wall or body.held:
+        return 0.0
+    mass = body.mass[size] if body.mass else 4 * math.pi / 3 * body.radius[size] ** 3 * body.density
+    return 1 / mass if mass > 0 else NAN
+
+
+def _over(numerator: float, denominator: float) -> float:
+    return numerator / denominator if denominator != 0 else NAN
+
+
+def scene_of(contact: Contact, size: int = 0) -> Any:
+    """The struct cor_scene_contact with mass, stiffness and radius of a contact, in the units of the deck."""
+    bodies = contact.bodies
+    scene = ffi.new("struct cor_scene_contact *")
+    mass = _over(1, sum(_inverse_mass(b, size) for b in bodies))
+    radius = _over(1, sum(0 if b.wall else _over(1, b.radius[size]) for b in bodies))
+    modulus = _over(1, sum(_over(1 - b.poisson**2, b.young) for b in bodies))
+    stiffness, root = contact.stiffness, math.sqrt(radius) if radius > 0 else NAN
+    if contact.spring is Spring.HERTZ:
+        stiffness *= root
+    elif contact.spring is Spring.MATERIAL:
+        stiffness = 4 / 3 * modulus * root
+    elif contact.spring is Spring.CHARACTERISTIC:
+        elastic = 16 / 15 * root * modulus
+        ratio = _over(mass * contact.spring_speed**2, elastic)
+        stiffness = elastic * ratio**0.2 if ratio >= 0 else NAN
+    elif contact.spring is Spring.CONTACT_TIME:
+        mass = 1.0 if math.isnan(mass) else mass
+        e = math.log(contact.number) if 0 < contact.number < math.inf else NAN
+        stiffness = mass * (math.pi**2 + e**2) / contact.stiffness**2 if contact.stiffness > 0 else NAN
+    elif contact.spring is Spring.PER_MASS:
+        mass = 1.0
+    elif contact.spring is Spring.NONE:
+        stiffness = NAN
+    scene.mass_kg, scene.radius_m, scene.stiffness, scene.damping = mass, radius, stiffness, NAN
+    return scene
+
+
+def _is_moderate(*values: float) -> bool:
+    """True if no formula leaves the doubles: unknown, 0, or from 1e-48 to 1e48."""
+    return all(math.isnan(x) or x == 0 or 1e-48 <= x <= 1e48 for x in values)
+
+
+class _Audit:
+    def __init__(self, deck: Deck, options: Options) -> None:
+        self.deck, self.options = deck, options
+        self.version = lib.cor_simulator_version(options.version.encode()) if options.version else 0
+        self.integrator = integrator_of(deck.simulator)
+        self.steps_left = _STEPS_IN_ALL
+        self.errors: Dict[Tuple[Any, ...], Tuple[float, float]] = {}
+        self.needed: Dict[Tuple[Any, ...], float] = {}
+
+    # ---- one contact at one speed ----
+
+    def solve(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float) -> int:
+        """Sets end, law, damping, eps and duration, in the units of the deck; returns the end."""
+        end = lib.COR_END_ZERO_FORCE if contact.limited else model.end
+        linear = contact.spring in _LINEAR
+        law = lib.COR_LAW_LINEAR if model.law == lib.COR_LAW_TSUJI and linear else model.law
+        scene.law = lib.cor_law_exponents[law] if law < lib.COR_LAW_IMPULSE else scene.law
+        constant = law >= lib.COR_LAW_IMPULSE or lib.cor_scene_speed_exponent(scene) == 0
+        row.end, row.law = string(lib.cor_end_names[end]), string(lib.cor_law_name(model.law))
+        if not model.damping_of_e:
+            damping = model.damping_of_number(contact.number, scene, speed)
+        elif model.least <= contact.number <= model.most:
+            damping = model.damping_of_e(contact.number) * contact.zeta_factor
+        else:
+            return int(end)
+        row.damping = damping
+        if not 0 <= damping < math.inf or (math.isnan(speed) and not constant):
+            return int(end)
+        if contact.solimp is not None:
+            row.damping = NAN  # it depends on the overlap
+            if not math.isnan(speed):
+                row.realised = lib.cor_mujoco_eps(contact.solimp, math.sqrt(scene.stiffness), damping, speed, 0.0)
+            return int(end)
+        at = 1.0 if math.isnan(speed) else speed
+        scene.damping = damping if constant else damping * at ** -lib.cor_scene_speed_exponent(scene)
+        if end >= lib.COR_SCENE_ENDS:
+            row.realised = lib.cor_law_eps(model.law, end, damping)
+            return int(end)
+        impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
+        if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
+            row.realised = impact.eps[end]
+            row.duration_s = NAN if math.isnan(speed) and not linear else impact.duration_s[end]
+        elif lib.cor_scene_eps(eps, scene, at, end) == lib.COR_OK:
+            row.realised = eps[0]
+        return int(end)
+
+    def add_surface(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
+        """Sets eps at the surface under gravity, which presses the sphere to a wall."""
+        gravity = contact.gravity
+        if not (gravity > 0 and speed > 0 and math.isfinite(row.realised)) or not any(b.wall for b in contact.bodies):
+            return
+        if contact.model.startswith("MUJOCO"):
+            solimp = contact.solimp or NAN
+            zeta = row.damping if contact.solimp is None else lib.COR_NO_INTEGRATOR
+            del solimp, zeta
+            return
+        if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg):
+            return
+        pressed, eps = ffi.new("struct cor_scene_contact *", scene[0]), ffi.new("double *")
+        pressed.force_n = scene.mass_kg * gravity
+        if lib.cor_scene_eps(eps, pressed, speed, end) == lib.COR_OK:
+            row.realised_surface = eps[0]
+            if abs(eps[0] - row.realised) > self.options.tolerance * row.realised:
+                row.advice += f" With gravity a bounce on this wall shows {eps[0]:.6g}, not {row.realised:.6g}."
+
+    # ---- the time step ----
+
+    def step_error(self, scene: Any, at: float, end: int, steps: float, integrator: int, cost: float) -> Any:
+        key = (scene.stiffness, scene.mass_kg, scene.damping, scene.law.elastic, scene.law.damping, at, end, steps)
+        if key not in self.errors:
+            error = ffi.new("struct cor_step_error *")
+            if cost > self.steps_left or lib.cor_scene_step_error(error, scene, at, end, steps, integrator) != lib.COR_OK:
+                return None
+            self.steps_left -= cost
+            self.options.progress("errors of time steps")
+            self.errors[key] = error.bias, error.scatter
+        return self.errors[key]
+
+    def add_step(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> bool:
+        """Adds the error of the time step. True if eps stays within the tolerance of e, or of eps without a step."""
+        step = self.options.time_step / contact.units.time_s
+        step = contact.time_step if math.isnan(step) else step
+        row.time_step_s = step * contact.units.time_s
+        integrator = self.integrator if contact.integrator is None else contact.integrator
+        at = 1.0 if math.isnan(speed) else speed
+        if integrator == lib.COR_NO_INTEGRATOR or not 0 < row.duration_s < math.inf or not step > 0:
+            return True
+        elastic = lib.cor_scene_elastic_duration_s(scene, at)
+        steps, collision = elastic / step, row.duration_s / step
+        wished = row.realised if math.isnan(row.asked) else row.asked
+        allowed = self.options.tolerance * wished
+        if steps < lib.COR_SCENE_STEPS_MIN:
+            row.advice += " The contact takes less than two time steps: eps is left to chance."
+            return False
+        cost = max(_PHASES_LEAST * collision, min(_PHASES * collision, _STEPS_OF_PHASES))
+        error = self.step_error(scene, at, end, steps, integrator, cost)
+        if error is None:
+            return True
+        row.step_bias, row.step_scatter = error
+        if abs(row.realised + row.step_bias - wished) <= allowed and row.step_scatter <= allowed:
+            return True
+        if abs(row.step_bias) <= allowed and row.step_scatter <= allowed:
+            return False  # the step is not the reason
+        row.advice += f" The time step makes eps {row.realised + row.step_bias:.6g} in the mean, "
+        row.advice += f"with the standard deviation {row.step_scatter:.6g}."
+        key = (scene.stiffness, scene.mass_kg, scene.damping, scene.law.elastic, scene.law.damping, at, end, allowed)
+        if key not in self.needed and allowed >= _LEAST_SEARCHED and self.steps_left >= _STEPS_OF_SEARCH:
+            self.steps_left -= _STEPS_OF_SEARCH
+            least = ffi.new("double *")
+            found = lib.cor_scene_step_for(least, scene, at, end, allowed, integrator) == lib.COR_OK
+            self.needed[key] = elastic / least[0] * contact.units.time_s if found else NAN
+        if self.needed.get(key, NAN) > 0:
+            row.advice += f" A time step of {self.needed[key]:.6g} or less keeps both errors below {allowed:.6g}."
+        return False
+
+    # ---- rows ----
+
+    def advise_missing(self, row: Row, scene: Any, speed: float) -> None:
+        scales = not (scene.mass_kg > 0 and scene.stiffness > 0)
+        if scales and math.isnan(scene.radius_m):
+            row.advice += " The radius is not in the text: give --radius."
+        elif scales and math.isnan(scene.mass_kg):
+            row.advice += " The density is not in the text: give --density."
+        elif scales:
+            row.advice += " The stiffness could not be read."
+        elif math.isnan(speed):
+            row.advice += " eps depends on the impact speed: give --speed."
+        else:
+            row.advice += " This law has no function in libcor."
+
+    def row(self, contact: Contact, size: int, label: str, speed_m_s: float) -> Row:
+        """The row of one contact at one speed."""
+        units, names = contact.units, [b.name for b in contact.bodies]
+        row = Row(contact.file, contact.line, contact.simulator, contact.style, contact=contact, size=size)
+        row.pair = (contact.pair or "-".join(names)) + label
+        row.speed_m_s, row.units = speed_m_s, "lj" if units.name == "lj" else "si"
+        row.tangential_restitution, row.judged = contact.tangential, False
+        if not contact.model:
+            row.advice = contact.unknown
+            return row
+        model, other = model_of(contact.model), _OTHER.get(contact.model)
+        if other and not self.has_version(model):
+            model, other = model_of(other), None
+        name = string(model.model)
+        row.model = name.replace("dmin = dmax", "dmin < dmax") if contact.solimp else name
+        row.model += ", limit_damping" if contact.limited else ""
+        row.asked = contact.number if model.damping_of_e else NAN
+        row.advice = " ".join(contact.notes + ([contact.unknown] if contact.unknown else []))
+        speed = speed_m_s * units.time_s / units.length_m
+        scene = scene_of(contact, size)
+        if not self.has_version(model):
+            row.advice += f" {self.deck.simulator} {self.options.version} does not have this model."
+        elif not _is_moderate(scene.mass_kg, scene.stiffness, scene.radius_m, speed, contact.number):
+            row.advice += " A number of this contact is negative, or out of the range from 1e-48 to 1e48."
+        elif not contact.unknown:
+            self.judge(row, contact, model, scene, speed)
+            if other and self.version == 0 and model.damping_of_e:
+                row.advice += f" The model {string(model_of(other).model)} realises "
+                row.advice += f"{lib.cor_simulator_realised(model_of(other), contact.number):.6g}."
+        row.advice = " ".join([row.advice] + contact.losses).strip()
+        row.duration_s *= units.time_s
+        return row
+
+    def has_version(self, model: Any) -> bool:
+        since, until = model.since, model.until
+        return self.version == 0 or (self.version >= since and (until == 0 or self.version <= until))
+
+    def judge(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float) -> None:
+        end = self.solve(row, contact, model, scene, speed)
+        if model.damping_of_e:
+            row.judged = True
+            row.as_asked = abs(row.realised - row.asked) <= self.options.tolerance * row.asked
+            if math.isnan(row.realised):
+                row.advice += f" {contact.simulator} accepts e from {model.least:.6g} to {model.most:.6g}."
+            elif not row.as_asked:
+                row.advice += f" e = {contact.number:.6g} realises {row.realised:.6g}."
+            row.as_asked = self.add_step(row, contact, scene, speed, end) and row.as_asked
+        elif math.isnan(row.realised):
+            self.advise_missing(row, scene, speed)
+        else:
+            row.judged = True
+            self.add_step(row, contact, scene, speed, end)
+            if not math.isnan(speed) and contact.solimp is None and lib.cor_scene_speed_exponent(scene) != 0:
+                row.advice += " " + string(model.advice)
+        self.add_surface(row, contact, scene, speed, end)
+
+    def rows_of(self, contact: Contact) -> List[Row]:
+        """The rows of one contact: its sizes and speeds."""
+        options, units = self.options, contact.units
+        bodies = tuple(self.completed(b, units) for b in contact.bodies)
+        contact.bodies = bodies[0], bodies[1]
+        one_size = all(_same(*b.radius) and (b.mass is None or _same(*b.mass)) for b in bodies)
+        speeds = options.speeds or tuple(dict.fromkeys(v * units.length_m / units.time_s for v in contact.speeds)) or (NAN,)
+        return [
+            self.row(contact, size, "" if one_size else _SIZES[size], speed)
+            for size in range(1 if one_size else 2)
+            for speed in speeds
+        ]
+
+    def completed(self, body: Body, units: Any) -> Body:
+        """The body with radius and density of the options where the deck does not contain them."""
+        if body.wall:
+            return body
+        made = dict(body.__dict__)
+        radius = self.options.radii.get(body.name, self.options.radii.get("", NAN)) / units.length_m
+        density = self.options.densities.get(body.name, self.options.densities.get("", NAN))
+        if math.isnan(body.radius[0]):
+            made["radius"] = radius, radius
+        if math.isnan(body.density):
+            made["density"] = density * units.length_m**3 / units.mass_kg
+        return Body(**made)
+
+    # ---- lines to write instead ----
+
+    def wanted(self, contact: Contact, row: Row) -> float:
+        """The e to write so that the contact realises the e that it asks for; NaN: none."""
+        model = model_of(contact.model)
+        if row.as_asked or abs(row.realised - row.asked) <= self.options.tolerance * row.asked:
+            return contact.number
+        changed = ffi.new("struct cor_simulator_model *", model[0])
+        if contact.limited:
+            changed.end = lib.COR_END_ZERO_FORCE
+        wished = contact.number
+        if contact.zeta_factor != 1:
+            damping = lib.cor_law_damping(changed.law, changed.end, wished) / contact.zeta_factor
+            wished = lib.cor_law_eps(changed.law, changed.end, damping)
+        return float(lib.cor_simulator_e(changed, wished, ffi.new("enum cor_simulator_status *")))
+
+    def repair(self, rows: List[Row]) -> None:
+        """Adds the lines to write instead: one text for all contacts whose numbers are in the same lines."""
+        groups: Dict[int, List[Tuple[Row, Contact, float]]] = {}
+        for row in rows:
+            contact = row.contact
+            if contact is None or not row.judged or math.isnan(row.asked):
+                continue
+            e = self.wanted(contact, row)
+            wrong = not abs(row.realised - row.asked) <= self.options.tolerance * row.asked
+            if wrong and math.isnan(e):
+                row.advice = f"{row.advice} No e realises it here.".strip()
+            elif wrong and (contact.repair is None or not contact.slots):
+                row.advice = f"{row.advice} {e:.6g} in its place does.".strip()
+            elif contact.repair is not None and contact.slots and not math.isnan(e):
+                groups.setdefault(id(contact.repair), []).append((row, contact, e))
+        for group in groups.values():
+            self.write(group)
+
+    def write(self, group: List[Tuple[Row, Contact, float]]) -> None:
+        wanted: Dict[Tuple[int, int], Set[str]] = {}
+        for _, contact, e in group:
+            for slot in contact.slots:
+                wanted.setdefault(slot, set()).add(f"{e:.6g}")
+        repair: Optional[Repair] = group[0][1].repair
+        assert repair is not None
+        text = repair.text
+        for start, end in sorted(wanted, reverse=True):
+            text = text[:start] + sorted(wanted[start, end])[0] + text[end:]
+        for row, contact, e in group:
+            if abs(row.realised - row.asked) <= self.options.tolerance * row.asked:
+                continue
+            if any(len(values) > 1 for values in wanted.values()):
+                row.advice += f" {e:.6g} in its place does here, but contacts that share the number need another one: "
+                row.advice += "give them numbers of their own."
+                continue
+            row.instead, row.instead_file, row.instead_line, row.instead_last = text, repair.file, repair.line, repair.last_line
+
+
+def _same(x: float, y: float) -> bool:
+    return x == y or (math.isnan(x) and math.isnan(y))
+
+
+def rows_of(deck: Deck, options: Options) -> List[Row]:
+    """All rows of a deck, contacts in their order and remarks by their lines."""
+    audit = _Audit(deck, options)
+    rows: List[Row] = [
+        Row(r.file, r.line, deck.simulator, advice=r.text, judged=not r.matters) for r in dict.fromkeys(deck.remarks)
+    ]
+    for contact in deck.contacts[:MAX_CONTACTS]:
+        rows += audit.rows_of(contact)
+    if len(deck.contacts) > MAX_CONTACTS:
+        text = f"the deck has {len(deck.contacts)} contacts; only {MAX_CONTACTS} are judged"
+        rows.append(Row(deck.file, 0, deck.simulator, advice=text, judged=False))
+    audit.repair(rows)
+    return rows
+
+
+def simulator_of(text: str) -> str:
+    """The simulator of a text by its signs. Raises DeckError if there is none."""
+    for name, (_, _, signs) in SIMULATORS.items():
+        if any(sign in text for sign in signs):
+            return name
+    raise DeckError(f"no simulator is recognised; name it by --for; allowed: {', '.join(sorted(SIMULATORS))}")
+
+
+def audit_text(text: str, name: str, options: Options) -> List[Row]:
+    """Reads an input and returns its rows."""
+    simulator = options.simulator or simulator_of(text)
+    module, function, _ = SIMULATORS[simulator]
+    deck = getattr(import_module(f"cor._audit.{module}"), function)(text, name, options)
+    options.progress("judging contacts")
+    return rows_of(deck, options)
