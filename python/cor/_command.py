@@ -224,7 +224,10 @@ def numbers(text: str) -> List[float]:
         first, last = positive(words[0]), positive(words[1])
         kind, count = (words + [""])[2], (words + ["", ""])[3]
         if len(words) == 3 and kind[:1] == "+":
-            made += [float(x) for x in first + positive(kind[1:]) * np.arange(min(1e4, (last - first) / float(kind) + 1e-9) + 1)]
+            made += [
+                float(x)
+                for x in first + positive(kind[1:]) * np.arange(min(1e4, (last - first) / float(kind) + 1e-9) + 1)
+            ]
         elif len(words) == 4 and kind in ("lin", "log") and count.isdigit() and 2 <= int(count) <= 10000:
             space = np.linspace(first, last, int(count)) if kind == "lin" else np.geomspace(first, last, int(count))
             made += [float(x) for x in space]
@@ -237,7 +240,9 @@ def numbers(text: str) -> List[float]:
 
 def add_common(parser: Parser, formats: Sequence[str] = ("text", "csv", "json")) -> None:
     """Adds --format, --output and --profile."""
-    parser.add_argument("--format", choices=formats, default=formats[0], help=f"{', '.join(formats)} (default {formats[0]})")
+    parser.add_argument(
+        "--format", choices=formats, default=formats[0], help=f"{', '.join(formats)} (default {formats[0]})"
+    )
     parser.add_argument("--output", metavar="FILE", help="write to FILE, which changes only if everything succeeds")
     parser.add_argument("--profile", action="store_true", help="print seconds and peak memory on standard error")
 

@@ -99,7 +99,8 @@ static void scene_arguments_draw(struct scene_arguments *s, struct random_state 
 /* ---- the calls: every argument by the name of its parameter ---- */
 
 static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, wished, value,
-    liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, steps, tolerance;
+    liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, steps, tolerance, frequency, zeta, gravity_m_s2,
+    solimp[5];
 static int end, number, integrator, body, same_law, options;
 static enum cor_law law;
 static const struct cor_exponents *exponents;
@@ -129,7 +130,10 @@ static void scene_arguments_load(const struct scene_arguments *s)
 {
     speed_m_s = eps = damping = e = speed_ratio = wished = yield_stress_pa = yield_speed_m_s = overlap_m = s->x[0];
     value = liquid_speed_m_s = viscosity_pa_s = s->x[1];
-    gap_outer_m = s->x[2];
+    gap_outer_m = gravity_m_s2 = s->x[2];
+    zeta = s->x[1];
+    frequency = s->number % 8 ? 1e3 : s->x[3];
+    memcpy(solimp, (const double[]){0.5, 0.9, s->number % 8 ? 0.01 : s->x[2], 0.5, 2}, sizeof solimp);
     gap_inner_m = s->x[3];
     steps = s->steps;
     tolerance = s->tolerance;

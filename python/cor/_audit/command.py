@@ -3,6 +3,7 @@
 
 import argparse
 import os
+from importlib import import_module
 from typing import Dict, List, Optional, Tuple
 
 from .._command import STATUS_OK, STATUS_USAGE, Parser, UsageError, add_common, message, numbers, positive
@@ -42,8 +43,14 @@ def add_arguments(parser: Parser) -> None:
             help=f"{name} of the spheres, {unit}, where the file does not contain it; for one type or all")  # fmt: skip
     add("--time-step", type=positive, metavar="DT", default=NAN, help="time step, s (default: the file's)")
     add("--tolerance", type=positive, metavar="T", default=0.01,
-        help="as asked: the mean eps differs from e by at most T e, with at most this scatter (default 0.01)")  # fmt: skip
-    add("--for", dest="simulator", metavar="SIMULATOR", default="", help="the simulator, where the file does not show it")
+        help="as asked: the mean eps differs from e by at most T e, as the scatter does (default 0.01)")  # fmt: skip
+    add(
+        "--for",
+        dest="simulator",
+        metavar="SIMULATOR",
+        default="",
+        help="the simulator, if the file does not show it",
+    )
     add("--simulator-version", metavar="V", default="", help="its version, as '29 Sep 2021' or 3.8.1")
     add("-var", "--var", nargs="+", action="append", default=[], metavar=("NAME", "VALUE"),
         help="a variable of the script with its values, as lmp accepts it; after the files")  # fmt: skip
@@ -133,9 +140,7 @@ def run(given: argparse.Namespace) -> int:
             text = read_text(path, MAX_BYTES)
             found = physics.audit_text(text, name, options)
             if given.run is not None:
-                from .measure import measure
-
-                measure(path, options, found, given.run, given.keep)
+                import_module("cor._audit.measure").measure(path, options, found, given.run, given.keep)
         except OSError as error:
             message(f"cannot read {name}: {error.strerror or error}")
             statuses.append(STATUS_USAGE)
@@ -146,17 +151,19 @@ def run(given: argparse.Namespace) -> int:
             rows += found
             statuses.append(status_of(found))
             if statuses[-1] == STATUS_USAGE:
-                what = options.simulator or "a simulator that cor audit --help names"
+                what = options.simulator or "a simulator that --help names"
                 reasons = "; ".join(dict.fromkeys(f"line {row.line}: {row.advice}" for row in found if row.advice))
-                message(f"{name}: no contact can be judged{': ' + reasons if reasons else f'; allowed: the input of {what}'}")
+                why = f": {reasons}" if reasons else f"; allowed: input of {what}"
+                message(f"{name}: no contact can be judged{why}")
     if given.format != "text":
         write_output(given.output, table(COLUMNS, [_columns(row) for row in rows], given.format))
     else:
         contacts = [row for row in rows if row.model]
         asked = [row for row in contacts if row.judged and row.as_asked is not None]
         good, unknown = sum(row.as_asked is True for row in asked), sum(not row.judged for row in contacts)
-        end = f"{len(contacts)} contact{'s' * (len(contacts) != 1)}: {good} as asked within {100 * given.tolerance:.3g} %, "
-        end += f"{len(asked) - good} not, {len(contacts) - len(asked) - unknown} without e"
+        end = f"{len(contacts)} contact{'s' * (len(contacts) != 1)}: {good} as asked "
+        end += f"within {100 * given.tolerance:.3g} %, {len(asked) - good} not, "
+        end += f"{len(contacts) - len(asked) - unknown} without e"
         end += f", {unknown} not judged" if unknown else ""
         lines = sum(not row.model for row in rows)
         end += f"; {lines} remark{'s' * (lines != 1)}" if lines else ""

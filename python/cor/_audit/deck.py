@@ -61,8 +61,8 @@ class Body:
 
 @dataclass(eq=False)
 class Repair:
-    """Lines `line` to `last_line` of a file, which one text replaces. Contacts whose numbers are in the same lines share
-    one object, and one new text repairs all of them."""
+    """Lines `line` to `last_line` of a file, which one text replaces. Contacts whose numbers are in the same lines
+    share one object, and one new text repairs all of them."""
 
     file: str
     line: int
@@ -76,11 +76,10 @@ class Contact:
 
     model: a model of cor_simulators by its id without COR_, such as "LAMMPS_HOOKE_VELOCITY"; "": cor does not know it,
     and `unknown` is the reason. style: the deck's own name of the model, for rows without one. number: e, or the number
-    that the user of the model sets. limited: the same model, but its contact ends at zero force. zeta_factor: damping of
-    this contact over the damping that the model computes from e. slots: the parts [start, end) of repair.text that hold
-    e. gravity: acceleration that presses the bodies together, for walls. losses: sentences about losses outside
-    contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed. alternative: number to write
-    instead is impossible for this sentence ("")."""
+    that the user of the model sets. limited: the same model, but its contact ends at zero force. zeta_factor: damping
+    of this contact over the damping that the model computes from e. slots: the parts [start, end) of repair.text that
+    contain e. gravity: acceleration that presses the bodies together, for walls. losses: sentences about losses outside
+    contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed."""
 
     file: str
     line: int
@@ -95,7 +94,7 @@ class Contact:
     spring_speed: float = NAN
     limited: bool = False
     zeta_factor: float = 1.0
-    solimp: Optional[Tuple[float, ...]] = None  # MuJoCo's five numbers where dmin and dmax differ
+    solimp: Optional[Tuple[float, ...]] = None  # MuJoCo's five numbers
     unknown: str = ""
     notes: List[str] = field(default_factory=list)
     losses: List[str] = field(default_factory=list)
@@ -122,7 +121,7 @@ class Remark:
 
 @dataclass
 class Deck:
-    """Everything that a reader found in one input. facts: for measure, what the reader keeps for itself."""
+    """Everything that a reader found in one input. facts: what a reader keeps for measure."""
 
     file: str
     simulator: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""From the contacts of a deck to the rows of the audit. Laws, ends, maps of e and errors of steps are libcor_scene's."""
+"""From the contacts of a deck to the rows of the audit. Laws, ends, maps and errors of steps are libcor_scene's."""
 
 import math
 from importlib import import_module
@@ -116,7 +116,7 @@ class _Audit:
         row.damping = damping
         if not 0 <= damping < math.inf or (math.isnan(speed) and not constant):
             return int(end)
-        if contact.solimp is not None:
+        if contact.solimp is not None and contact.solimp[0] != contact.solimp[1]:
             row.damping = NAN  # it depends on the overlap
             if not math.isnan(speed):
                 row.realised = lib.cor_mujoco_eps(contact.solimp, math.sqrt(scene.stiffness), damping, speed, 0.0)
@@ -139,19 +139,22 @@ class _Audit:
         gravity = contact.gravity
         if not (gravity > 0 and speed > 0 and math.isfinite(row.realised)) or not any(b.wall for b in contact.bodies):
             return
-        if contact.model.startswith("MUJOCO"):
-            solimp = contact.solimp or NAN
-            zeta = row.damping if contact.solimp is None else lib.COR_NO_INTEGRATOR
-            del solimp, zeta
+        if contact.solimp is not None:
+            zeta = model_of(contact.model).damping_of_number(contact.number, scene, speed)
+            surface = lib.cor_mujoco_eps(contact.solimp, math.sqrt(scene.stiffness), zeta, speed, gravity)
+            self.say_surface(row, surface)
             return
         if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg):
             return
         pressed, eps = ffi.new("struct cor_scene_contact *", scene[0]), ffi.new("double *")
         pressed.force_n = scene.mass_kg * gravity
         if lib.cor_scene_eps(eps, pressed, speed, end) == lib.COR_OK:
-            row.realised_surface = eps[0]
-            if abs(eps[0] - row.realised) > self.options.tolerance * row.realised:
-                row.advice += f" With gravity a bounce on this wall shows {eps[0]:.6g}, not {row.realised:.6g}."
+            self.say_surface(row, eps[0])
+
+    def say_surface(self, row: Row, surface: float) -> None:
+        row.realised_surface = surface
+        if abs(surface - row.realised) > self.options.tolerance * row.realised:
+            row.advice += f" With gravity a bounce on this wall shows {surface:.6g}, not {row.realised:.6g}."
 
     # ---- the time step ----
 
@@ -159,7 +162,10 @@ class _Audit:
         key = (scene.stiffness, scene.mass_kg, scene.damping, scene.law.elastic, scene.law.damping, at, end, steps)
         if key not in self.errors:
             error = ffi.new("struct cor_step_error *")
-            if cost > self.steps_left or lib.cor_scene_step_error(error, scene, at, end, steps, integrator) != lib.COR_OK:
+            if (
+                cost > self.steps_left
+                or lib.cor_scene_step_error(error, scene, at, end, steps, integrator) != lib.COR_OK
+            ):
                 return None
             self.steps_left -= cost
             self.options.progress("errors of time steps")
@@ -232,7 +238,8 @@ class _Audit:
         if other and not self.has_version(model):
             model, other = model_of(other), None
         name = string(model.model)
-        row.model = name.replace("dmin = dmax", "dmin < dmax") if contact.solimp else name
+        depends = contact.solimp is not None and contact.solimp[0] != contact.solimp[1]
+        row.model = name.replace("dmin = dmax", "dmin < dmax") if depends else name
         row.model += ", limit_damping" if contact.limited else ""
         row.asked = contact.number if model.damping_of_e else NAN
         row.advice = " ".join(contact.notes + ([contact.unknown] if contact.unknown else []))
@@ -253,14 +260,14 @@ class _Audit:
 
     def has_version(self, model: Any) -> bool:
         since, until = model.since, model.until
-        return self.version == 0 or (self.version >= since and (until == 0 or self.version <= until))
+        return bool(self.version == 0 or (self.version >= since and (until == 0 or self.version <= until)))
 
     def judge(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float) -> None:
         end = self.solve(row, contact, model, scene, speed)
         if model.damping_of_e:
             row.judged = True
             row.as_asked = abs(row.realised - row.asked) <= self.options.tolerance * row.asked
-            if math.isnan(row.realised):
+            if not model.least <= contact.number <= model.most:
                 row.advice += f" {contact.simulator} accepts e from {model.least:.6g} to {model.most:.6g}."
             elif not row.as_asked:
                 row.advice += f" e = {contact.number:.6g} realises {row.realised:.6g}."
@@ -270,7 +277,12 @@ class _Audit:
         else:
             row.judged = True
             self.add_step(row, contact, scene, speed, end)
-            if not math.isnan(speed) and contact.solimp is None and lib.cor_scene_speed_exponent(scene) != 0:
+            if (
+                not math.isnan(speed)
+                and scene.stiffness > 0
+                and contact.spring is not Spring.PER_MASS
+                and lib.cor_scene_speed_exponent(scene) != 0
+            ):
                 row.advice += " " + string(model.advice)
         self.add_surface(row, contact, scene, speed, end)
 
@@ -280,7 +292,9 @@ class _Audit:
         bodies = tuple(self.completed(b, units) for b in contact.bodies)
         contact.bodies = bodies[0], bodies[1]
         one_size = all(_same(*b.radius) and (b.mass is None or _same(*b.mass)) for b in bodies)
-        speeds = options.speeds or tuple(dict.fromkeys(v * units.length_m / units.time_s for v in contact.speeds)) or (NAN,)
+        speeds = (
+            options.speeds or tuple(dict.fromkeys(v * units.length_m / units.time_s for v in contact.speeds)) or (NAN,)
+        )
         return [
             self.row(contact, size, "" if one_size else _SIZES[size], speed)
             for size in range(1 if one_size else 2)
@@ -351,7 +365,12 @@ class _Audit:
                 row.advice += f" {e:.6g} in its place does here, but contacts that share the number need another one: "
                 row.advice += "give them numbers of their own."
                 continue
-            row.instead, row.instead_file, row.instead_line, row.instead_last = text, repair.file, repair.line, repair.last_line
+            row.instead, row.instead_file, row.instead_line, row.instead_last = (
+                text,
+                repair.file,
+                repair.line,
+                repair.last_line,
+            )
 
 
 def _same(x: float, y: float) -> bool:
