@@ -1,11 +1,615 @@
 # SPDX-License-Identifier: MIT
-"""Reads measured bounces from a csv file, a file object, a data frame of pandas or arrays."""
+"""Reads measured bounces from a csv file, a file object, an object of pandas or arrays."""
 
-from typing import Any
+import re
+from os import PathLike, fspath
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, NoReturn, Optional, Tuple
 
-from .data import Data, Form
+import numpy as np
+
+from .data import MAX_BEYOND, MAX_FLIGHT_RATIO, Apexes, Data, DataError, Floats, Form, Heights, Ints, Points, Times
+from .track import find_bounces
+
+MAX_ROWS, MAX_COLUMNS, MAX_LINE, BLOCK, SHOWN = 1000000, 256, 65536, 1 << 22, 40
+WAVEFORM_ROWS = 100  # this number of equal steps are samples and not bounces
+
+# ---- names of columns ----
+
+UNITS = {
+    "speed": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001},
+    "length": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
+}
+UNIT_NAMES = [unit for units in UNITS.values() for unit in units]
+ALIASES = {"µs": "us", "μs": "us", "sec": "s", "seconds": "s", "m_s": "m/s", "cm_s": "cm/s", "mm_s": "mm/s"}
 
 
-def read(source: Any, form: Form = Form()) -> Data:
-    """Return the data of a path ("-": standard input), an open file, a data frame, or a dict or list of arrays."""
-    raise NotImplementedError
+class Quantity(NamedTuple):
+    """A column: its dimension, the letters and digits of its names (the first is its own), and the allowed numbers."""
+
+    dimension: str
+    names: List[str]
+    allowed: str
+    least: float  # in SI units
+
+
+QUANTITIES: Dict[str, Quantity] = {}
+for _key, _dimension, _names, _allowed, _least in (
+    (
+        "speed",
+        "speed",
+        "v v0 vin speedin vbefore speedbefore velocity velocityin impactspeed impactvelocity",
+        "",
+        1e-30,
+    ),
+    ("speed_out", "speed", "v1 vout vafter speedafter velocityout reboundspeed reboundvelocity", "", 0.0),
+    ("eps", "", "epsilon ε e cor restitution coefficientofrestitution", "a number from 0 to 1, as 0.85", -1e31),
+    ("h0", "length", "dropheight hbefore heightbefore hdrop initialheight", "", 1e-30),
+    ("h1", "length", "reboundheight hafter heightafter hrebound bounceheight", "", 0.0),
+    ("h", "length", "height apex apexheight y z", "", 1e-30),
+    ("t", "time", "time bouncetime timeofbounce", "a time from 0 s to 1e30 s, as 0.731", 0.0),
+    ("interval", "time", "intervals dt δt deltat flight flighttime", "a time above 0, as 0.52", 1e-30),
+    ("run", "label", "", "", 0.0),
+    ("ball", "label", "", "", 0.0),
+):
+    _noun = "speed" if _dimension == "speed" else "height"
+    _what = f"a {_noun} {'above 0 and up' if _least else 'from 0'} to 1e30, as 0.25"
+    _all = [_key.replace("_", ""), *_names.split()]
+    QUANTITIES[_key] = Quantity(_dimension, _all, _allowed or _what, _least)
+    QUANTITIES[_key + "_sigma"] = Quantity(
+        _dimension, [n + "sigma" for n in _all], "a number from 1e-30 to 1e30, as 0.01", 1e-30
+    )
+SIGMA_WORDS = "sigma std stdev stddev sd sem err error errors uncertainty unc σ delta standarddeviation standarderror"
+# A kind of record, the columns that it needs, and others that it reads. A kind wins over those below it.
+KINDS: List[Tuple[str, List[str], List[str]]] = [
+    ("points", ["speed", "eps"], ["eps_sigma"]),
+    ("speeds", ["speed", "speed_out"], ["speed_sigma", "speed_out_sigma"]),
+    ("heights", ["h0", "h1"], ["h0_sigma", "h1_sigma"]),
+    ("track", ["t", "h"], []),
+    ("times", ["t"], ["h0"]),
+    ("intervals", ["interval"], ["h0"]),
+    ("apexes", ["h"], ["h_sigma", "h0"]),
+    ("heights", ["h1"], ["h1_sigma"]),  # with --drop-height
+]
+WANTED = (
+    "a first row with the names and units of the columns, as speed_m_s,eps or speed_cm_s,eps,eps_sigma, "
+    "speed_m_s,speed_out_m_s, h0_cm,h1_cm, h_cm for successive apexes, t_s for times of bounces, interval_ms, or "
+    "time_s,height_m for a track"
+)
+_UNIT_END = re.compile(
+    r"^(?P<base>.*?)(?:[\s_]*[(\[](?P<in>[^()\[\]]*)[)\]]|[\s_/]+(?P<end>(?:mm|cm|m)[/_]s|mm|cm|m|s|ms|us|µs|μs|sec))$",
+    re.I | re.S,
+)
+
+
+def _plain(name: str) -> str:
+    """Return the letters and digits of a name, small."""
+    return "".join(c for c in name.lower()[: 4 * SHOWN] if c.isalnum())
+
+
+def _split_name(name: str) -> Tuple[str, Optional[str]]:
+    """Return the plain name without its unit, and the unit, None if the name has none."""
+    found = _UNIT_END.match(name.strip())
+    if not found:
+        return _plain(name), None
+    unit = (found["in"] if found["in"] is not None else found["end"]).strip().lower()
+    return _plain(found["base"]), ALIASES.get(unit, unit)
+
+
+def _is_near(a: str, b: str) -> bool:
+    """True if one letter too many, missing or wrong, or two that are swapped, lead from one name to the other."""
+    if len(b) < 3 or a == b or abs(len(a) - len(b)) > 1:
+        return a == b
+    i = next((k for k in range(min(len(a), len(b))) if a[k] != b[k]), min(len(a), len(b)))
+    swapped = a[i : i + 2] == b[i : i + 2][::-1] and a[i + 2 :] == b[i + 2 :]
+    return swapped or a[i + 1 :] == b[i + 1 :] or a[i:] == b[i + 1 :] or a[i + 1 :] == b[i:]
+
+
+# ---- a table of cells ----
+
+
+class Table:
+    """Columns of cells, with the places that messages name."""
+
+    def __init__(self, name: str, word: str, form: Form) -> None:
+        self.name, self.word, self.form = name, word, form
+        self.header: List[str] = []
+        self.columns: List[Any] = []  # of texts, or arrays
+        self.line: Ints = np.zeros(0, dtype=np.int64)
+        self.header_line = self.last_line = 1
+        self.found: Dict[str, int] = {}  # the column of a quantity
+        self.factor: Dict[str, float] = {}  # from its unit to SI
+        self.remarks: List[str] = []
+
+    def refuse(self, line: int, key: Optional[str], why: str) -> NoReturn:
+        where = [f"{self.word} {line}"] * (self.word == "line" or line != self.header_line)
+        where += [f"column {self.header[self.found[key]][:SHOWN]}"] if key else []
+        raise DataError(": ".join(filter(None, [self.name, ", ".join(where), why])))
+
+    def refuse_row(self, row: int, key: str, why: str) -> NoReturn:
+        self.refuse(int(self.line[row]), key, why)
+
+    def has(self, key: str) -> bool:
+        return key in self.found
+
+    def cell(self, row: int, key: str) -> str:
+        return _cell(self.columns[self.found[key]][row])[:SHOWN]
+
+    def numbers(self, key: str, least: Optional[float] = None) -> Floats:
+        """Return a column in SI units; refuse the first cell that is not an allowed number."""
+        quantity, column = QUANTITIES[key], self.columns[self.found[key]]
+        array = isinstance(column, np.ndarray) and column.dtype.kind in "iuf"
+        with np.errstate(invalid="ignore", over="ignore"):
+            values = np.asarray(column if array else self._parse(column), dtype=np.float64) * self.factor[key]
+            wrong = ~((values >= (quantity.least if least is None else least)) & (values <= 1e30))
+        if wrong.any():
+            self.refuse_cell(int(np.argmax(wrong)), key)
+        return values
+
+    def optional(self, key: str) -> Optional[Floats]:
+        return self.numbers(key) if self.has(key) else None
+
+    def refuse_cell(self, row: int, key: str) -> NoReturn:
+        text, allowed = self.cell(row, key), f"; allowed: {QUANTITIES[key].allowed}"
+        if text in ("", "nan" if self.word == "row" else ""):
+            self.refuse_row(row, key, "the cell is empty" + allowed)
+        if self.form.decimal_comma and "." in text:
+            why = f"'{text}' has a decimal point, but --decimal-comma is given{allowed}, or the command without"
+            self.refuse_row(row, key, why + " --decimal-comma")
+        if not self.form.decimal_comma and "," in text:
+            self.refuse_row(row, key, f"'{text}' has a decimal comma{allowed}, or --decimal-comma")
+        self.refuse_row(row, key, f"'{text}' is not allowed{allowed}")
+
+    def _parse(self, cells: List[Any]) -> Floats:
+        """Return the numbers of texts, nan where a text is not a decimal number of ASCII."""
+        try:
+            if not self.form.decimal_comma and isinstance(cells[0], bytes) and b"_" not in b"".join(cells):
+                return np.array(list(map(float, cells)))
+        except (TypeError, ValueError):
+            pass
+        return np.array([_number(_cell(c), self.form.decimal_comma) for c in cells], dtype=np.float64)
+
+    def labels(self, key: str) -> List[str]:
+        cells = self.columns[self.found[key]] if self.has(key) else []
+        if len(cells) and isinstance(cells[0], bytes):
+            return [c.strip(" \t") for c in b"\n".join(cells).decode("utf-8", "surrogateescape").split("\n")]
+        return [_cell(c) for c in cells]
+
+
+def _number(text: str, decimal_comma: bool) -> float:
+    text = text.strip()
+    text = text.replace(".", "x").replace(",", ".") if decimal_comma else text
+    return float(text) if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?", text, re.A) else np.nan
+
+
+def _cell(cell: Any) -> str:
+    cell = cell.decode("utf-8", "surrogateescape") if isinstance(cell, bytes) else str(cell)
+    return _unquoted(cell)
+
+
+def _unquoted(cell: str) -> str:
+    cell = cell.strip(" \t")
+    return cell[1:-1] if len(cell) >= 2 and cell[0] == cell[-1] == '"' else cell
+
+
+def _split(line: str, separator: str) -> List[str]:
+    """Return the cells between separators outside quotation marks."""
+    if '"' not in line:
+        return line.split(separator)
+    cells, quoted = [""], False
+    for c in line:
+        quoted ^= c == '"'
+        if c == separator and not quoted:
+            cells.append("")
+        else:
+            cells[-1] += c
+    return [_unquoted(cell) for cell in cells]
+
+
+def _sniff(line: str) -> str:
+    """Return the separator that the line has most of outside quotation marks."""
+    outside = re.sub('"[^"]*"', "", line)
+    return max(",;\t", key=outside.count)
+
+
+def _blocks(table: Table, file: Any) -> Iterator[bytes]:
+    """Return blocks of whole lines, the first one short."""
+    rest, size = b"", MAX_LINE + 2
+    while True:
+        raw = file.read(size)
+        block = rest + (raw.encode("utf-8", "surrogateescape") if isinstance(raw, str) else raw)
+        end = len(block) if not raw else block.rfind(b"\n") + 1
+        if end:
+            yield block[:end]
+        rest = block[end:]
+        if not raw or len(rest) > MAX_LINE:
+            if rest:
+                yield rest  # too long
+            return
+        size = BLOCK
+
+
+def _check_encoding(table: Table, line: bytes) -> bytes:
+    """Return the first line without the mark of UTF-8."""
+    for form, mark, zero in (("UTF-16LE", b"\xff\xfe", 1), ("UTF-16BE", b"\xfe\xff", 0)):
+        if line[:2] == mark or (len(line) > 1 and line[zero] == 0 and line[1 - zero] != 0):
+            allowed = f"UTF-8, as from iconv -f {form} -t UTF-8 FILE"
+            table.refuse(1, None, f"the text is {form}; allowed: {allowed}")
+    return line[3:] if line.startswith(b"\xef\xbb\xbf") else line
+
+
+def _text(table: Table, number: int, line: bytes) -> str:
+    """Return a line without its end, or "" for a comment."""
+    if len(line) > MAX_LINE + 1:
+        table.refuse(number, None, f"longer than {MAX_LINE} characters; allowed: a csv file, as speed_m_s,eps")
+    line = line[:-1] if line.endswith(b"\r") else line
+    if b"\0" in line or b"\r" in line:
+        table.refuse(number, None, "has a control character; allowed: text with lines that end in LF or CR LF")
+    text = line.decode("utf-8", "surrogateescape")
+    return "" if text.lstrip(" \t")[:1] in ("", "#") else text
+
+
+def _regular_columns(lines: List[bytes], separator: bytes, count: int) -> List[List[Any]]:
+    """Return the columns of lines that are nothing but full rows, or an empty list. A tenth of the time of _rows."""
+    block = b"\n".join(lines)
+    if (
+        any(c in block for c in (b'"', b"#", b"\0", b"\r"))
+        or b"" in lines
+        or max(map(len, lines), default=0) > MAX_LINE
+    ):
+        return []
+    counts = np.array([line.count(separator) for line in lines])
+    cells = block.replace(separator, b"\n").split(b"\n")
+    return [cells[i::count] for i in range(count)] if lines and np.all(counts == count - 1) else []
+
+
+def _rows(table: Table, number: int, lines: List[bytes], separator: str) -> Tuple[List[List[str]], List[int]]:
+    """Return the cells of the rows and their lines. Reads the header if the table has none, and then only that."""
+    rows: List[List[str]] = []
+    places = []
+    for line in lines:
+        number += 1
+        text = _text(table, number, line)
+        if not text:
+            continue
+        cells = _split(text, separator or _sniff(text))
+        if table.header and len(cells) != len(table.header):
+            word = {",": "commas", ";": "semicolons", "\t": "tabs"}[separator]
+            wrong = f"{len(cells)} cells, but the first row names {len(table.header)} columns; allowed: as many, "
+            point = (
+                f"separated by {word}, and numbers with a decimal {'comma' if table.form.decimal_comma else 'point'}"
+            )
+            table.refuse(number, None, wrong + point)
+        rows.append(cells)
+        places.append(number)
+        if not table.header:
+            break
+    return rows, places
+
+
+def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
+    number, separator, count = 0, table.form.separator or "", 0
+    columns: List[List[Any]] = []
+    places = []
+    for block in _blocks(table, file):
+        block = block if number else _check_encoding(table, block)
+        lines = block.split(b"\n")
+        lines = lines if lines[-1] else lines[:-1]
+        start = 0
+        if not table.header:
+            rows, at = _rows(table, number, lines, separator)
+            if rows:
+                start = at[0] - number
+                separator = separator or _sniff(_text(table, at[0], lines[start - 1]))
+                table.header, table.header_line, count = [_unquoted(c) for c in rows[0]], at[0], len(rows[0])
+                if count > MAX_COLUMNS:
+                    table.refuse(at[0], None, f"more than {MAX_COLUMNS} cells; allowed: a csv file, as speed_m_s,eps")
+                choose_columns(table)
+                columns = [[] for _ in rows[0]]
+        regular = _regular_columns(lines[start:], separator.encode(), count) if count else []
+        if regular:
+            places.append(np.arange(number + start + 1, number + len(lines) + 1))
+        elif count:
+            rows, at = _rows(table, number + start, lines[start:], separator)
+            regular = [[c.encode("utf-8", "surrogateescape") for c in column] for column in zip(*rows)]
+            places.append(np.array(at, dtype=np.int64))
+        number += len(lines)
+        for column, cells in zip(columns, regular):
+            column += cells
+        if columns and len(columns[0]) > MAX_ROWS:
+            line = int(np.concatenate(places)[MAX_ROWS])
+            table.refuse(line, None, f"more than {MAX_ROWS} rows; allowed: at most that number, as every tenth")
+        progress(f"reading: {number} lines")
+    table.last_line = max(number, 1)
+    if not count:
+        table.refuse(table.last_line, None, "the file is empty; allowed: names of columns and rows, as speed_m_s,eps")
+    table.columns, table.line = columns, np.concatenate(places)
+
+
+# ---- columns and units ----
+
+
+def choose_columns(table: Table) -> Tuple[str, List[str]]:
+    """Find the quantities of the columns, the kind of record and the units. Return the kind and the unused columns."""
+    line, form, named = table.header_line, table.form, {}
+    table.found.clear()
+    split = [_split_name(name) for name in table.header]
+    for key, quantity in QUANTITIES.items():
+        places = [i for i, (plain, _) in enumerate(split) if plain in quantity.names]
+        if places:
+            named[key] = places
+    kinds = KINDS if form.drop_height_m is not None else KINDS[:-1]
+    unknown: Tuple[str, List[str], List[str]] = ("", ["speed"], ["eps", "eps_sigma", "t", "h0", "h1"])
+    kind, needed, more = next((k for k in kinds if all(key in named for key in k[1])), unknown)
+    keys = needed + more + ["run", "ball"]
+    used = {i for key in keys for i in named.get(key, [])}
+    for i, name in enumerate(table.header):
+        near = None if i in used else _near_name(split[i][0], [k for k in keys if k not in named], kind)
+        if near:
+            why = f"the column '{name[:SHOWN]}' is not read, but nearly has the name {near}"
+            table.refuse(line, None, f"{why}; allowed: {near}, or a name less like it, as remark")
+    if not kind:
+        missing = "eps or speed_out_m_s" if "speed" in named else "h1_cm" if "h0" in named else "speed_m_s"
+        missing = "h0_cm, or --drop-height" if "h1" in named and "h0" not in named else missing
+        table.refuse(line, None, f"no column {missing}; allowed: {WANTED}")
+    table.found = {key: named[key][-1] for key in ["eps", *keys] if key in named}
+    if "eps" in named and kind not in ("points", "speeds"):
+        other = table.header[named[needed[0]][0]]
+        why = f"not with {other}, which gives speed and eps; allowed: {other} without eps, or speed_m_s and eps"
+        table.refuse(line, "eps", why)
+    units: Dict[str, str] = {}
+    for unit in form.unit.split(",") if form.unit is not None else []:
+        known = [d for d in UNITS if ALIASES.get(unit, unit) in UNITS[d]]
+        if not known:
+            raise DataError(f"--unit: '{unit}' is not a unit; allowed: {', '.join(UNIT_NAMES)}")
+        units[known[0]] = ALIASES.get(unit, unit)
+    for key in keys:
+        places = named.get(key, [])
+        if len(places) > 1:
+            same = split[places[0]] == split[places[1]]
+            what = "columns of this name" if same else f"columns of {QUANTITIES[key].names[0]}s"
+            table.refuse(line, key, f"the file has two {what}; allowed: one")
+        if places:
+            table.factor[key] = _factor(table, key, split[places[0]][1], units)
+    for dimension, unit in units.items():
+        if dimension not in [QUANTITIES[key].dimension for key in table.found]:
+            allowed = ", ".join(UNITS.get(QUANTITIES[needed[0]].dimension, UNIT_NAMES))
+            table.refuse(line, needed[0], f"--unit {unit} is the unit of no column that is read; allowed: {allowed}")
+    return kind, [name for i, name in enumerate(table.header) if i not in used and name]
+
+
+def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str]) -> float:
+    dimension, line = QUANTITIES[key].dimension, table.header_line
+    if dimension not in UNITS:
+        return 1.0
+    allowed, option = UNITS[dimension], given.get(dimension)
+    if unit is None and option is None:
+        names = [f"{key}_{u.replace('/', '_')}" for u in allowed]
+        example = f"--unit, as --unit {list(allowed)[1]}"
+        table.refuse(line, key, f"the name has no unit; allowed: {', '.join(names[:-1])} or {names[-1]}, or {example}")
+    if unit is not None and unit not in allowed:
+        table.refuse(line, key, f"'{unit}' is not a unit of {dimension}; allowed: {', '.join(allowed)}")
+    if unit is not None and option not in (None, unit):
+        table.refuse(line, key, f"--unit {option} contradicts the name; allowed: --unit {unit}, or none")
+    return allowed[unit or option or ""]
+
+
+def _near_name(plain: str, missing: List[str], kind: str) -> Optional[str]:
+    """Return the name of the missing column that is nearly this one."""
+    for key in missing:
+        names, words = QUANTITIES[key].names, SIGMA_WORDS.split()
+        bases = [n[: -len("sigma")] for n in names] + [""] * (kind in ("points", ""))
+        if _is_near(plain, names[0]) or (
+            key.endswith("_sigma") and any(plain in (b + w, w + b, f"{w}of{b}") for b in bases for w in words)
+        ):
+            return key + {"speed": "_m_s", "length": "_cm", "time": "_s"}.get(QUANTITIES[key].dimension, "")
+    return None
+
+
+# ---- records ----
+
+
+def _starts(ball: Ints, run: List[str]) -> Ints:
+    """Return the rows at which a drop begins, and the number of rows."""
+    begins = np.arange(len(ball)) == 0
+    begins[1:] |= np.diff(ball) != 0
+    if run:
+        text = np.array(run)
+        begins[1:] |= text[1:] != text[:-1]
+    return np.append(np.flatnonzero(begins), len(ball))
+
+
+def _refuse_gain(table: Table, key: str, eps: Floats, rows: Optional[Ints] = None) -> None:
+    """Refuse the first rebound that gains more than noise may."""
+    for at in np.flatnonzero(eps > MAX_FLIGHT_RATIO):
+        why = f"the rebound makes eps = {eps[at]:.4g}; allowed: eps up to 1, and by noise up to {MAX_FLIGHT_RATIO}"
+        table.refuse_row(int(at if rows is None else rows[at]), key, why)
+
+
+def _points(table: Table, ball: Ints, run: List[str]) -> Points:
+    speed, eps, sigma = table.numbers("speed"), table.numbers("eps"), table.optional("eps_sigma")
+    beyond = np.maximum(eps - 1, -eps)
+    for row in np.flatnonzero(beyond > (0 if sigma is None else MAX_BEYOND * sigma)):
+        if sigma is None:
+            table.refuse_cell(int(row), "eps")
+        why = f"'{table.cell(row, 'eps')}' is {beyond[row] / sigma[row]:.3g} eps_sigma beyond {int(eps[row] > 1)}"
+        allowed = f"a number from 0 to 1, or beyond by {MAX_BEYOND} eps_sigma of noise"
+        table.refuse_row(int(row), "eps", f"{why}; allowed: {allowed}")
+    return Points(speed, eps, sigma, table.line, ball, tuple(run))
+
+
+def _speeds(table: Table, ball: Ints, run: List[str]) -> Points:
+    before, after = table.numbers("speed"), table.numbers("speed_out")
+    eps, errors = after / before, [table.optional("speed_sigma"), table.optional("speed_out_sigma")]
+    _refuse_gain(table, "speed_out", eps)
+    known = [0 * eps if e is None else e for e in errors]
+    sigma = np.hypot(eps * known[0], known[1]) / before if any(e is not None for e in errors) else None
+    return Points(before, eps, sigma, table.line, ball, tuple(run))
+
+
+def _drop_heights(table: Table, rows: int) -> Floats:
+    """Return the drop height of each row, nan where it is unknown. An empty cell repeats the one above."""
+    if not table.has("h0"):
+        return np.full(rows, np.nan if table.form.drop_height_m is None else float(table.form.drop_height_m))
+    cells = table.labels("h0")
+    for i in range(1, rows):
+        cells[i] = cells[i - 1] if cells[i] in ("", "nan") else cells[i]
+    table.columns[table.found["h0"]] = cells
+    return table.numbers("h0")
+
+
+def _heights(table: Table, ball: Ints, run: List[str]) -> Heights:
+    rebound = table.numbers("h1")
+    drop = _drop_heights(table, len(rebound))
+    _refuse_gain(table, "h1", np.sqrt(rebound / drop))
+    drop_sigma, rebound_sigma = table.optional("h0_sigma"), table.optional("h1_sigma")
+    return Heights(drop, rebound, drop_sigma, rebound_sigma, table.line, ball, tuple(run))
+
+
+def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
+    """Return the drops of times, or of intervals, whose sums from 0 are times."""
+    time, start = table.numbers(key), _starts(ball, run)
+    first, row = start[:-1], np.arange(len(time))
+    height = _drop_heights(table, len(time))[first]
+    if key == "interval":
+        total = np.cumsum(time)
+        time = np.insert(total - np.repeat(total[first] - time[first], np.diff(start)), first, 0.0)
+        row, start = np.insert(row, first, first), start + np.arange(len(start))
+        table.remarks.append(f"The intervals give {len(time)} times of bounces.")
+    flight, inside = np.diff(time), np.ones(len(time), dtype=bool)  # inside: of the flights that end at a bounce
+    inside[start[:-1]] = False
+    for at in np.flatnonzero(inside[1:] & (flight <= 0)) + 1:
+        text = f"{table.cell(row[at], key)} is not after the bounce before"
+        allowed = "ascending times, and another text in the column run for another drop"
+        table.refuse_row(row[at], key, f"{text}; allowed: {allowed}")
+    _refuse_waveform(table, key, flight[inside[1:]])
+    counts, needed = np.diff(start), np.where(np.isnan(height), 3, 2)
+    for k in np.flatnonzero(counts < needed):
+        last = k + 1 == len(counts)
+        why = f"the drop {'' if last else 'before this line '}has {counts[k]} bounce{'s' * (counts[k] != 1)}"
+        allowed = f"{needed[k]} or more, which give one eps"
+        allowed += "; 2 or more with the height of the drop, --drop-height or h0_cm" * (needed[k] == 3)
+        at_line = table.last_line if last else int(table.line[row[start[k + 1]]])
+        table.refuse(at_line, key, f"{why}; allowed: {allowed}")
+    later = np.flatnonzero(inside[1:] & np.append(False, inside[1:-1]))  # flights that follow another one
+    for at in later[flight[later] > MAX_FLIGHT_RATIO * flight[later - 1]]:
+        why = (
+            f"a flight of {flight[at]:g} s after one of {flight[at - 1]:g} s makes eps = {flight[at] / flight[at-1]:g}"
+        )
+        allowed = f"eps up to 1, and by noise up to {MAX_FLIGHT_RATIO}"
+        table.refuse_row(row[at + 1], key, f"{why}; allowed: {allowed}")
+    drops = row[start[:-1]]
+    return Times(time, table.line[row], start, height, ball[drops], tuple(run[i] for i in drops) if run else ())
+
+
+def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
+    """Refuse equal time steps: samples of a sound or of a force."""
+    step = float(np.median(flight)) if len(flight) >= WAVEFORM_ROWS else np.nan
+    if np.mean(np.abs(flight - step) <= 0.01 * step) > 0.9 if len(flight) else False:
+        why = (
+            f"{len(flight)} steps of {step:.4g} s are a recorded waveform, sampled at {1 / step:.5g} Hz, and not times"
+        )
+        allowed = "the times of its peaks, a row for each bounce, or a track with the columns time_s,height_m"
+        table.refuse_row(0, key, f"{why} of bounces; allowed: {allowed}")
+
+
+def _track(table: Table, ball: Ints, run: List[str]) -> Times:
+    time, height, start = table.numbers("t"), table.numbers("h", -1e30), _starts(ball, run)
+    parts, lines = [], []
+    for a, b in zip(start[:-1], start[1:]):
+        for at in a + 1 + np.flatnonzero(np.diff(time[a:b]) <= 0):
+            allowed = "ascending times, and another text in the column run for another drop"
+            table.refuse_row(at, "t", f"{table.cell(at, 't')} is not after the row before; allowed: {allowed}")
+        try:
+            parts.append(find_bounces(time[a:b], height[a:b]))
+        except ValueError as error:
+            table.refuse_row(a, "h", str(error))
+        found = parts[-1]
+        lines.append(table.line[a + found.row])
+        what = f"The track{f' of {run[a]}' if run else ''} has {len(found.time_s)} bounces that are resolved, from "
+        what += f"{found.time_s[0]:.4g} s to {found.time_s[-1]:.4g} s"
+        table.remarks.append(f"{what}; its flights give g = {found.gravity_m_s2:.3g} m/s^2.")
+    given, first = table.form.drop_height_m, start[:-1]
+    height = np.array([p.drop_height_m if given is None else given for p in parts])
+    start = np.append(0, np.cumsum([len(p.time_s) for p in parts]))
+    runs = tuple(run[a] for a in first) if run else ()
+    return Times(np.concatenate([p.time_s for p in parts]), np.concatenate(lines), start, height, ball[first], runs)
+
+
+def _apexes(table: Table, ball: Ints, run: List[str]) -> Apexes:
+    height, start, sigma, line = table.numbers("h"), _starts(ball, run), table.optional("h_sigma"), table.line
+    first, row = start[:-1], np.arange(len(height))
+    drop = _drop_heights(table, len(height))[first]
+    runs = tuple(run[i] for i in first) if run else ()
+    if not np.isnan(drop).any():
+        height, row = np.insert(height, first, drop), np.insert(row, first, first)
+        sigma = None if sigma is None else np.insert(sigma, first, sigma[first])
+        start = start + np.arange(len(start))
+    inside = np.ones(len(height), dtype=bool)
+    inside[start[:-1]] = False
+    _refuse_gain(table, "h", np.sqrt(height[1:] / height[:-1]) * inside[1:], row[1:])
+    for k in np.flatnonzero(np.diff(start) < 2):
+        why = "the drop has 1 apex; allowed: 2 or more, or the height of the drop, --drop-height or h0_cm"
+        table.refuse_row(row[start[k]], "h", why)
+    return Apexes(height, sigma, line[row], start, ball[first], runs)
+
+
+# ---- sources ----
+
+
+def _array_table(source: Any, form: Form) -> Table:
+    """Return the table of an object of pandas, a dict, a structured array, or arrays without names in SI units."""
+    table = Table("the data", "row", form)
+    if hasattr(source, "iloc"):
+        series = not hasattr(source, "columns")
+        names = [source.name or "t_s"] if series else list(source.columns)
+        columns = [source] if series else [source.iloc[:, i] for i in range(len(names))]
+    elif isinstance(source, dict):
+        names, columns = list(source), list(source.values())
+    elif getattr(getattr(source, "dtype", None), "names", None):
+        names, columns = list(source.dtype.names), [source[c] for c in source.dtype.names]
+    else:
+        array = source if isinstance(source, (tuple, list)) else np.asarray(source)
+        if not isinstance(array, tuple):
+            array = np.asarray(array, dtype=np.float64)
+            array = [array] if array.ndim == 1 else list(array.T) if array.ndim == 2 else []
+        columns, names = list(array), ["t_s"] if len(array) == 1 else ["speed_m_s", "eps", "eps_sigma"][: len(array)]
+        if not 1 <= len(columns) <= 3:
+            allowed = "(speed, eps) or (speed, eps, eps_sigma) in m/s, times of bounces in s, or names as in a dict"
+            raise DataError(f"the data: {len(columns)} columns without names; allowed: {allowed}")
+    table.header = [str(c) for c in names]
+    table.columns = [np.asarray(c.to_numpy() if hasattr(c, "to_numpy") else c) for c in columns]
+    if len({c.shape for c in table.columns}) != 1 or table.columns[0].ndim != 1:
+        raise DataError("the data: columns of different shapes; allowed: arrays of one dimension and one length")
+    table.line = np.arange(len(table.columns[0]), dtype=np.int64)
+    table.header_line, table.last_line = -1, len(table.line)
+    return table
+
+
+def read(source: Any, form: Form = Form(), progress: Callable[[str], None] = lambda step: None) -> Data:
+    """Return the data of a path ("-": standard input), an open file, an object of pandas, a dict, or arrays.
+
+    Raises DataError, whose text names place, what is allowed and an example, and OSError."""
+    if isinstance(source, (str, PathLike)):
+        path = fspath(source)
+        table = Table("standard input" if path == "-" else str(path), "line", form)
+        with open(0 if path == "-" else path, "rb", closefd=path != "-") as file:
+            _read_csv(table, file, progress)
+    elif hasattr(source, "read"):
+        name = getattr(source, "name", None)
+        table = Table(name if isinstance(name, str) else "the file", "line", form)
+        _read_csv(table, source, progress)
+    else:
+        table = _array_table(source, form)
+    kind, unused = choose_columns(table)
+    names, run = table.labels("ball"), table.labels("run")
+    number = {name: i for i, name in enumerate(dict.fromkeys(names))}
+    ball = np.array([number[n] for n in names] if names else [0] * len(table.line), dtype=np.int64)
+    if len(table.line) == 0:
+        table.refuse(table.last_line, None, "the file ends after 0 rows; allowed: 1 or more, as 0.1,0.93 and 1,0.89")
+    readers = {"points": _points, "speeds": _speeds, "heights": _heights, "track": _track, "apexes": _apexes}
+    if kind in readers:
+        record: Any = readers[kind](table, ball, run)
+    else:
+        record = _times(table, ball, run, "t" if kind == "times" else "interval")
+    return Data(table.name, record, tuple(number), tuple(unused), tuple(table.remarks), table.word)
