@@ -79,16 +79,24 @@ count_of() {
     fi
 }
 
-# check_ctest NAME DIR OPTION...: the tests that ctest knows in that directory, each counted
+# check_ctest NAME DIR OPTION...: the tests that ctest knows in that directory, each counted. A failed test shows the
+# lines of its assertion first, then the end of its output.
 check_ctest() {
-    local log line
+    local log line seen
     log=$(ctest --test-dir "$2" --parallel "$jobs" --output-on-failure "${@:3}" 2>&1) || true
     while IFS= read -r line; do
         if [[ $line =~ ^\ *[0-9]+/[0-9]+\ +Test\ +#[0-9]+:\ ([^ ]+)\ \.*\ *(Passed|\*\*\*[A-Za-z ]+) ]]; then
             if [ "${BASH_REMATCH[2]}" = Passed ]; then
                 pass "$1 ${BASH_REMATCH[1]}"
             else
-                bad "$1 ${BASH_REMATCH[1]}" "$log"
+                seen=$(awk -v "name=${BASH_REMATCH[1]}" '
+                    /^ *[0-9]+\/[0-9]+ +Test +#/ { on = $0 ~ "#[0-9]+: " name " "; next }
+                    /^ *Start +[0-9]+: |% tests passed/ { on = 0 }
+                    on { print }' <<<"$log")
+                bad "$1 ${BASH_REMATCH[1]}" "$({
+                    grep -E 'ERROR|FAIL  |property violated|runtime error| is false' <<<"$seen" | head -n 20
+                    tail -n 40 <<<"$seen"
+                })"
             fi
         fi
     done <<<"$log"

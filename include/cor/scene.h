@@ -10,7 +10,7 @@
  * dashpot and Tsuji's damping, zeta = beta/sqrt(2 (a + 1)) is the parameter, and eps is the same at every speed.
  *
  * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They
- * are safe in threads, and use no memory but a stack of a few kilobytes. They assume rounding to nearest. They raise no
+ * are safe in threads, and use no memory but COR_SCENE_MAX_STACK bytes of stack at most. They assume rounding to nearest. They raise no
  * exception but underflow and inexact and set no errno, whatever the arguments; a solver of the caller runs in the
  * caller's environment. Functions behind the pointers of a model do not check their arguments. Every number with a unit
  * is 0, where that is meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h); others give NaN, or COR_FAULT_RANGE.
@@ -26,6 +26,8 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+#define COR_SCENE_MAX_STACK 32768
 
 /* ---- laws and ends of contact ---- */
 

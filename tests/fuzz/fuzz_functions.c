@@ -3,8 +3,9 @@
 #include <errno.h>
 #include <fenv.h>
 
-#include "../unit/public_calls.h"
 #include "fuzz.h"
+
+#include "../unit/scene_calls.h"
 
 enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, FEW = 4 };
 
@@ -66,14 +67,20 @@ static void check_function(const struct public_function *f, const struct argumen
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static struct arguments a;
+    static struct scene_arguments scenes[SCENES];
     struct input_bits bits = {{next_bits}, {data, size}, {1}};
     for (size_t i = 0; i < size; i++)
         bits.after.state = (bits.after.state ^ data[i]) * UINT64_C(1099511628211) | 1;
-    const size_t chosen = take_up_to(&bits.in, public_function_count - 1), how = take_byte(&bits.in);
+    const size_t chosen = take_up_to(&bits.in, function_count() - 1), how = take_byte(&bits.in);
     const size_t n = how < 0x40 ? 1 + take_up_to(&bits.in, PUBLIC_COUNT - 1) : 1 + how % FEW;
+    sets = &a;
+    scene_sets = scenes;
     arguments_draw(&a, &bits.source, n, 1);
-    for (size_t k = 0; k < public_function_count; k++) /* of those that take long, one */
-        if (k == chosen || (n <= FEW && public_functions[k].type != PUBLIC_several))
-            check_function(&public_functions[k], &a);
+    memset(a.beta + n, 0, (PUBLIC_COUNT - n) * sizeof *a.beta); /* a scene takes numbers from all of them */
+    if (chosen >= public_function_count)
+        scene_sets_draw(0, &bits.source);
+    for (size_t k = 0; k < function_count(); k++) /* of those that take long, one */
+        if (k == chosen || (n <= FEW && function_number(k)->type != PUBLIC_several))
+            check_function(function_number(k), &a);
     return 0;
 }

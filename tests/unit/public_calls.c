@@ -23,7 +23,7 @@ static uint64_t bits(struct bit_source *source)
     return source->next(source);
 }
 
-static size_t below(struct bit_source *source, size_t n)
+size_t draw_below(struct bit_source *source, size_t n)
 {
     return (size_t)(bits(source) % n);
 }
@@ -33,13 +33,13 @@ static double uniform(struct bit_source *source, double low, double high)
     return low + (high - low) * ((double)(bits(source) >> 11) * 0x1p-53);
 }
 
-/* Every size is about as likely. No exp or log: the same bits with every C library. */
-static double by_size(struct bit_source *source, double low, double high)
+/* No exp or log: the same bits with every C library. */
+double draw_size(struct bit_source *source, double low, double high)
 {
     int first, last;
     frexp(low, &first);
     frexp(high, &last);
-    const int exponent = first + (int)below(source, (size_t)(last - first) + 1);
+    const int exponent = first + (int)draw_below(source, (size_t)(last - first) + 1);
     return fmin(fmax(ldexp(uniform(source, 0.5, 1), exponent), low), high);
 }
 
@@ -57,18 +57,18 @@ static double special(struct bit_source *source)
             -0x1p-1074, 0x1.fffffffffffffp-1, 0x1.0000000000001p+0, 0.5, 1.5, 2, 7, 8, 16, 100, FLT_MAX, FLT_MIN,
             0x1p-149, 2e-309, 1e-310, 1e-300, 1e300, 1e154, 1e155, 1e15, 1e40, 0x1p-60, 0.39, 0.67, 1.3, 2.157, 3, 10.9,
             11, COR_HERTZ_DASHPOT_BETA_C);
-    return values[below(source, sizeof values / sizeof *values)];
+    return values[draw_below(source, sizeof values / sizeof *values)];
 }
 
 static double any_number(struct bit_source *source)
 {
     double x;
-    switch (below(source, 20)) {
+    switch (draw_below(source, 20)) {
     case 0:
     case 1:
         return special(source);
     case 2: /* subnormal */
-        return of_bits(bits(source) >> (12 + below(source, 52)));
+        return of_bits(bits(source) >> (12 + draw_below(source, 52)));
     case 3:
         return of_bits(bits(source));
     case 4:
@@ -77,15 +77,15 @@ static double any_number(struct bit_source *source)
         return uniform(source, -1, 0);
     case 6: /* from below to 1 */
         x = uniform(source, 0, 1);
-        return 1 - ldexp(x, -(int)below(source, 60));
+        return 1 - ldexp(x, -(int)draw_below(source, 60));
     case 7:
     case 8:
-        return by_size(source, 1e-30, 1e30);
+        return draw_size(source, 1e-30, 1e30);
     case 9:
     case 10:
     case 11:
     case 12:
-        return by_size(source, 1e-4, 100);
+        return draw_size(source, 1e-4, 100);
     default:
         return uniform(source, 0, 1);
     }
@@ -93,21 +93,21 @@ static double any_number(struct bit_source *source)
 
 static double positive(struct bit_source *source, double low, double high)
 {
-    switch (below(source, 8)) {
+    switch (draw_below(source, 8)) {
     case 0:
         return any_number(source);
     case 1:
         return of_bits(bits(source) & UINT64_C(0x7fffffffffffffff));
     case 2:
-        return by_size(source, 1e-300, 1e300);
+        return draw_size(source, 1e-300, 1e300);
     default:
-        return by_size(source, low, high);
+        return draw_size(source, low, high);
     }
 }
 
 static double ratio(struct bit_source *source, double most)
 {
-    return below(source, 8) == 0 ? any_number(source) : uniform(source, -1, most);
+    return draw_below(source, 8) == 0 ? any_number(source) : uniform(source, -1, most);
 }
 
 static float narrow(double x)
@@ -127,7 +127,7 @@ static struct cor_body body(struct bit_source *source)
     drawn.dissipation_time_s = positive(source, 1e-9, 1e-2);
     drawn.radius_m = positive(source, 1e-6, 1);
     drawn.mass_kg = positive(source, 1e-9, 10);
-    if (below(source, 5) == 0)
+    if (draw_below(source, 5) == 0)
         drawn.radius_m = drawn.mass_kg = INFINITY;
     return drawn;
 }
@@ -161,21 +161,21 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
     /* one statement for each draw: compilers choose the order within a statement */
     struct cor_body ordinary[2] = {{0}}, wild[2];
     for (int i = 0; i < 2; i++) {
-        ordinary[i].young_modulus_pa = by_size(source, 1e6, 1e12);
+        ordinary[i].young_modulus_pa = draw_size(source, 1e6, 1e12);
         ordinary[i].poisson_ratio = uniform(source, -0.9, 0.5);
-        ordinary[i].dissipation_time_s = i == 0 ? by_size(source, 1e-9, 1e-2) : 0;
-        ordinary[i].radius_m = i == 0 ? by_size(source, 1e-6, 1) : INFINITY;
-        ordinary[i].mass_kg = i == 0 ? by_size(source, 1e-9, 10) : INFINITY;
+        ordinary[i].dissipation_time_s = i == 0 ? draw_size(source, 1e-9, 1e-2) : 0;
+        ordinary[i].radius_m = i == 0 ? draw_size(source, 1e-6, 1) : INFINITY;
+        ordinary[i].mass_kg = i == 0 ? draw_size(source, 1e-9, 10) : INFINITY;
         wild[i] = body(source);
     }
-    const size_t way = below(source, 4);
+    const size_t way = draw_below(source, 4);
     if (by_hand && way == 0) {
         drawn.effective_mass_kg = any_number(source);
         drawn.effective_radius_m = any_number(source);
         drawn.elastic_constant_n_m15 = any_number(source);
         drawn.dissipation_time_s = any_number(source);
         /* or so small that a half of it is subnormal */
-        drawn.beta_per_root = below(source, 4) ? by_size(source, 1e-307, 1e-303) : any_number(source);
+        drawn.beta_per_root = draw_below(source, 4) ? draw_size(source, 1e-307, 1e-303) : any_number(source);
         drawn.scale = any_number(source);
         drawn.beta5_per_speed = any_number(source);
         without_subnormals(&drawn, sizeof drawn);
@@ -189,47 +189,47 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
 
 static double within(struct bit_source *source, double drawn, double limit)
 {
-    return limit > 0 && below(source, 3) > 0 ? limit * uniform(source, 0, 1) : drawn;
+    return limit > 0 && draw_below(source, 3) > 0 ? limit * uniform(source, 0, 1) : drawn;
 }
 
 static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
 {
-    a->datum[i] = (enum cor_disk_datum)below(source, 3);
+    a->datum[i] = (enum cor_disk_datum)draw_below(source, 3);
     a->nu[i] = ratio(source, 1);
     a->poisson_ratio[i] = ratio(source, 0.5);
     a->speed[i] = within(source, a->speed[i], cor_disk_speed_limit(a->nu[i], a->datum[i]));
     a->load[i] = within(source, a->load[i], cor_disk_load_limit(a->nu[i], a->datum[i]));
     a->energy[i] = within(source, a->energy[i], cor_disk_energy_limit(a->nu[i], a->datum[i]));
     a->compression[i] = within(source, a->compression[i], cor_disk_compression_limit(a->nu[i], a->datum[i]));
-    a->modes[i] = below(source, 2) ? cor_disk_modes_nu033 : cor_disk_modes_nu090;
-    if (below(source, 4) == 0)
+    a->modes[i] = draw_below(source, 2) ? cor_disk_modes_nu033 : cor_disk_modes_nu090;
+    if (draw_below(source, 4) == 0)
         a->modes[i] = (struct cor_disk_modes){
-            a->nu[i], below(source, 2) ? PUBLIC_MODES : 1 + below(source, PUBLIC_MODES), a->harmed};
-    a->n_modes[i] = 1 + below(source, 12);
+            a->nu[i], draw_below(source, 2) ? PUBLIC_MODES : 1 + draw_below(source, PUBLIC_MODES), a->harmed};
+    a->n_modes[i] = 1 + draw_below(source, 12);
     a->disk_collision_options[i].alpha =
-        below(source, 4) ? by_size(source, 40, below(source, 4) ? 500 : 1e5) : any_number(source);
-    a->disk_collision_options[i].tolerance = below(source, 4) ? by_size(source, 1e-4, 1) : any_number(source);
-    a->disk_collision_options[i].phi_points = below(source, 4) ? 0 : 1 + below(source, 50);
+        draw_below(source, 4) ? draw_size(source, 40, draw_below(source, 4) ? 500 : 1e5) : any_number(source);
+    a->disk_collision_options[i].tolerance = draw_below(source, 4) ? draw_size(source, 1e-4, 1) : any_number(source);
+    a->disk_collision_options[i].phi_points = draw_below(source, 4) ? 0 : 1 + draw_below(source, 50);
     a->disk_collision_options[i].max_steps = 1500;
-    a->disk_hard_wall_options[i].tolerance = below(source, 4) ? by_size(source, 1e-2, 1) : any_number(source);
-    a->disk_hard_wall_options[i].max_steps = 100 * below(source, 100); /* 0: the default */
-    a->tolerance[i] = below(source, 4) ? by_size(source, 1e-6, 1) : any_number(source);
+    a->disk_hard_wall_options[i].tolerance = draw_below(source, 4) ? draw_size(source, 1e-2, 1) : any_number(source);
+    a->disk_hard_wall_options[i].max_steps = 100 * draw_below(source, 100); /* 0: the default */
+    a->tolerance[i] = draw_below(source, 4) ? draw_size(source, 1e-6, 1) : any_number(source);
 }
 
 /* A table of the library's with some entries out of place, or with numbers that no mode has */
 static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
 {
     memcpy(mode, cor_disk_modes_nu033.mode, PUBLIC_MODES * sizeof *mode);
-    for (size_t harms = below(source, 5); harms > 0; harms--) {
-        struct cor_disk_mode *const harmed = &mode[below(source, below(source, 2) ? 12 : PUBLIC_MODES)];
-        const size_t what = below(source, 6);
+    for (size_t harms = draw_below(source, 5); harms > 0; harms--) {
+        struct cor_disk_mode *const harmed = &mode[draw_below(source, draw_below(source, 2) ? 12 : PUBLIC_MODES)];
+        const size_t what = draw_below(source, 6);
         const double number = any_number(source);
         if (what < 2)
-            harmed->n = what == 0 ? (int)below(source, 200) : (int)(uint32_t)bits(source);
+            harmed->n = what == 0 ? (int)draw_below(source, 200) : (int)(uint32_t)bits(source);
         else if (what < 5)
             *(what == 2 ? &harmed->omega : what == 3 ? &harmed->c : &harmed->s) = number;
         else
-            mode[below(source, PUBLIC_MODES)] = *harmed;
+            mode[draw_below(source, PUBLIC_MODES)] = *harmed;
     }
 }
 
@@ -240,7 +240,8 @@ void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, in
     for (size_t i = 0; i < n; i++) {
 #define NUMBER(name) a->name[i] = any_number(source);
 #include "public_functions.inc"
-        a->elastic_exponent[i] = below(source, 2) ? 1.5 - 0.5 * (double)below(source, 2) : a->elastic_exponent[i];
+        a->elastic_exponent[i] =
+            draw_below(source, 2) ? 1.5 - 0.5 * (double)draw_below(source, 2) : a->elastic_exponent[i];
         a->contact[i] = contact(source, i > 0); /* the first is that of arrays */
         a->body_1[i] = body(source);
         a->body_2[i] = body(source);
@@ -252,8 +253,8 @@ void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, in
         a->half_space[i].young_modulus_pa = positive(source, 1e6, 1e12);
         a->half_space[i].poisson_ratio = ratio(source, 0.5);
         a->half_space[i].density_kg_m3 = positive(source, 1, 1e5);
-        a->depth[i] = (int)below(source, 50) - 1;
-        a->status[i] = (int)below(source, 60) - 10;
+        a->depth[i] = (int)draw_below(source, 50) - 1;
+        a->status[i] = (int)draw_below(source, 60) - 10;
         disk_draw(a, source, i);
 #define NUMBER(name) a->name##f[i] = narrow(a->name[i]);
 #include "public_functions.inc"

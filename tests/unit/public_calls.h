@@ -45,6 +45,8 @@ struct random_bits {
 };
 
 uint64_t random_bits_next(struct bit_source *source);
+size_t draw_below(struct bit_source *source, size_t n);               /* 0, 1, ... or n - 1 */
+double draw_size(struct bit_source *source, double low, double high); /* every size is about as likely */
 
 /* Arguments inside and outside of the domains: special and extreme ones, of any size, and ordinary ones; without
  * subnormal ones if `subnormal` is 0. */

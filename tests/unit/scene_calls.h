@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A call of every function of scene.h, by the list public_functions.inc, for test_environment.c. The
- * arguments have the names of the parameters, and are drawn beforehand, by scene_arguments_draw. */
+/* A call of every function of scene.h, by the list public_functions.inc, and with those of public_calls.h the one list
+ * of all functions. The arguments have the names of the parameters, and are drawn beforehand, by scene_arguments_draw. */
 #ifndef COR_TESTS_SCENE_CALLS_H
 #define COR_TESTS_SCENE_CALLS_H
 
@@ -18,6 +18,7 @@ struct scene_arguments {
     const struct cor_simulator_model *model;
     int end, number;
 };
+static struct arguments *sets;
 static struct scene_arguments *scene_sets; /* SCENES of each of sets[] */
 
 /* Numbers of a scene: mostly ordinary ones from `low` to `high`, or not given */
@@ -40,30 +41,29 @@ static const struct {
                                       [COR_SCENE_EFFECTIVE_MASS] = {1e-9, 1, 0, 1},
                                       [COR_SCENE_DISSIPATION_TIME] = {1e-9, 1e-2, 0, 1}};
 
-static void scene_draw(struct cor_scene *scene, struct random_state *r, const double *any)
+static void scene_draw(struct cor_scene *scene, struct bit_source *r, const double *any)
 {
     static const int ways[] = {COR_SCENE_DISSIPATION_TIME,    COR_SCENE_G_STAR, COR_SCENE_RESTITUTION,
                                COR_SCENE_DAMPING_COEFFICIENT, COR_SCENE_BETA,   COR_SCENE_ZETA};
-    const enum cor_law law = (enum cor_law)random_below(r, COR_LAW_LINEAR_ROOT);
-    const int way = ways[random_below(r, COUNT_OF(ways))], at = way == COR_SCENE_RESTITUTION || way == COR_SCENE_BETA;
+    const enum cor_law law = (enum cor_law)draw_below(r, COR_LAW_LINEAR_ROOT);
+    const int way = ways[draw_below(r, COUNT_OF(ways))], at = way == COR_SCENE_RESTITUTION || way == COR_SCENE_BETA;
     *scene = scene_without_numbers(law);
     scene->plate = law == COR_LAW_PLATE;
     scene->plastic = law == COR_LAW_ELASTIC_PLASTIC;
-    scene->wall = random_below(r, 2) && !scene->plate;
-    scene->end = (int)random_below(r, 3) - 1;
-    scene->adhesion_model = (int)random_below(r, 3);
+    scene->wall = draw_below(r, 2) && !scene->plate;
+    scene->end = (int)draw_below(r, 3) - 1;
+    scene->adhesion_model = (int)draw_below(r, 3);
     for (int k = 0; k < COR_SCENE_NUMBERS; k++) {
         const int spring = k == COR_SCENE_STIFFNESS || k == COR_SCENE_EFFECTIVE_MASS;
         const double low = scene_numbers[k].low,
-                     ordinary = low > 0 ? random_log(r, low, scene_numbers[k].high) : random_log(r, 1e-4, 1);
-        if (law == COR_LAW_LINEAR
-                ? spring
-                : scene_numbers[k].of && random_below(r, scene_numbers[k].of) < scene_numbers[k].given)
+                     ordinary = low > 0 ? draw_size(r, low, scene_numbers[k].high) : draw_size(r, 1e-4, 1);
+        if (law == COR_LAW_LINEAR ? spring
+                                  : scene_numbers[k].of && draw_below(r, scene_numbers[k].of) < scene_numbers[k].given)
             scene->number[k] = ordinary;
         if ((k == way && !scene->plate) || (k == COR_SCENE_AT && at) ||
             (k == COR_SCENE_PLATE_THICKNESS && scene->plate))
             scene->number[k] = ordinary;
-        if (cor_scene_given(scene, k) && random_below(r, 16) == 0)
+        if (cor_scene_given(scene, k) && draw_below(r, 16) == 0)
             scene->number[k] = any[k];
     }
     if (scene->plastic)
@@ -71,10 +71,10 @@ static void scene_draw(struct cor_scene *scene, struct random_state *r, const do
     if (!cor_scene_given(scene, COR_SCENE_ADHESION))
         scene->adhesion_model = COR_ADHESION_NONE;
     if (cor_scene_given(scene, COR_SCENE_LIQUID_VISCOSITY))
-        scene_give(*scene, {COR_SCENE_GAP_OUTER, 1e-4}, {COR_SCENE_GAP_INNER, random_log(r, 1e-8, 2e-4)});
+        scene_give(*scene, {COR_SCENE_GAP_OUTER, 1e-4}, {COR_SCENE_GAP_INNER, draw_size(r, 1e-8, 2e-4)});
 }
 
-static void scene_arguments_draw(struct scene_arguments *s, struct random_state *r, const double *any)
+static void scene_arguments_draw(struct scene_arguments *s, struct bit_source *r, const double *any)
 {
     struct cor_scene_contact contacts[COR_SCENE_ENDS];
     struct cor_scene_fault fault;
@@ -82,18 +82,25 @@ static void scene_arguments_draw(struct scene_arguments *s, struct random_state 
     scene_draw(&s->scene, r, any);
     cor_scene_contacts(contacts, &count, &fault, &s->scene);
     s->contact = contacts[0];
-    s->contact.plastic = s->contact.plastic || (count == 0 && random_below(r, 2)); /* by hand, not whole */
+    s->contact.plastic = s->contact.plastic || (count == 0 && draw_below(r, 2)); /* by hand, not whole */
     for (int k = 0; k < 4; k++)
-        s->x[k] = random_below(r, 4) ? random_log(r, 1e-5, 10) : any[COR_SCENE_NUMBERS + k];
-    s->model = cor_simulator_model((enum cor_simulator_model_id)random_below(r, COR_SIMULATOR_MODELS));
-    s->end = (int)random_below(r, 3);
-    s->number = (int)random_below(r, COR_SCENE_EPS_ZERO_FORCE + 1);
+        s->x[k] = draw_below(r, 4) ? draw_size(r, 1e-5, 10) : any[COR_SCENE_NUMBERS + k];
+    s->model = cor_simulator_model((enum cor_simulator_model_id)draw_below(r, COR_SIMULATOR_MODELS));
+    s->end = (int)draw_below(r, 3);
+    s->number = (int)draw_below(r, COR_SCENE_EPS_ZERO_FORCE + 1);
     s->tolerance = s->x[3] > 0 && s->x[3] <= 1e6 ? 2 : s->x[3]; /* smaller ones would take long */
-    s->steps = random_below(r, 8) ? random_log(r, 2, 60) : s->x[3] > 60 ? -1 : s->x[3];
+    s->steps = draw_below(r, 8) ? draw_size(r, 2, 60) : s->x[3] > 60 ? -1 : s->x[3];
     const clock_t start = clock();
     cor_scene_step_error(&(struct cor_step_error){0}, &s->contact, s->x[0], s->end, 4, s->number % COR_INTEGRATORS);
     if (clock() - start > CLOCKS_PER_SEC / 1000 || !(cor_scene_beta(&s->contact, s->x[0]) < 1))
         s->steps = 0; /* others take milliseconds with a thousand steps */
+}
+
+/* Draws the scenes of one of sets[], which is drawn already. */
+static void scene_sets_draw(size_t i, struct bit_source *source)
+{
+    for (size_t k = 0; k < SCENES; k++)
+        scene_arguments_draw(&scene_sets[SCENES * i + k], source, sets[i].beta + 36 * k);
 }
 
 /* ---- the calls: every argument by the name of its parameter ---- */
@@ -197,5 +204,16 @@ static void scene_results_put(struct results *r, const char *type, const void *r
 static const struct public_function scene_functions[] = {
 #include "public_functions.inc"
 };
+
+/* Every public function: number 0 to function_count() - 1; those of scene.h come last. */
+static inline size_t function_count(void)
+{
+    return public_function_count + COUNT_OF(scene_functions);
+}
+
+static inline const struct public_function *function_number(size_t k)
+{
+    return k < public_function_count ? &public_functions[k] : &scene_functions[k - public_function_count];
+}
 
 #endif

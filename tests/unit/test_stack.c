@@ -7,12 +7,11 @@
 
 #include <pthread.h>
 
-#include "public_calls.h"
+#include "scene_calls.h"
 
 enum { SIZE = 1 << 20, PAINT = 0xa5, SETS = 12, MOST_RESULTS = 100000 };
 
 static unsigned char stack[SIZE] __attribute__((aligned(4096)));
-static struct arguments sets[SETS];
 static struct results results; /* with room, so that none is made on the painted stack, nor counts as the library's */
 
 static int setup(void **state)
@@ -22,8 +21,14 @@ static int setup(void **state)
     results.capacity = MOST_RESULTS;
     results.value = malloc(MOST_RESULTS * sizeof *results.value);
     assert_non_null(results.value);
-    for (size_t i = 0; i < SETS; i++)
+    sets = calloc(SETS, sizeof *sets);
+    scene_sets = calloc(SCENES * SETS, sizeof *scene_sets);
+    assert_non_null(sets);
+    assert_non_null(scene_sets);
+    for (size_t i = 0; i < SETS; i++) {
         arguments_draw(&sets[i], &random.source, PUBLIC_COUNT, 1);
+        scene_sets_draw(i, &random.source);
+    }
     /* The first set is one that every function of disks accepts, with many speeds near one another. */
     struct arguments *const a = &sets[0];
     for (size_t i = 0; i < PUBLIC_COUNT; i++)
@@ -68,8 +73,8 @@ static size_t stack_taken(const struct public_function *function)
     return SIZE - free_bytes;
 }
 
-/* What the headers say, by the beginning of the name; the first that fits */
-static size_t stack_stated(const struct public_function *function)
+/* Bytes that the headers state, by the beginning of the name; the first that fits */
+static size_t stack_stated(const struct public_function *function, int of_scene)
 {
     static const struct {
         const char *name;
@@ -90,7 +95,9 @@ static size_t stack_stated(const struct public_function *function)
     while (i < count && strncmp(function->name, stated[i].name, strlen(stated[i].name)) != 0)
         i++;
     const int of_a_disk = strncmp(function->name, "cor_disk_", 9) == 0;
-    return i < count && (strstr(function->name, "_array") || of_a_disk) ? stated[i].most : 4096;
+    return of_scene                                                       ? COR_SCENE_MAX_STACK
+           : i < count && (strstr(function->name, "_array") || of_a_disk) ? stated[i].most
+                                                                          : 4096;
 }
 
 TEST(stack_of_functions)
@@ -99,9 +106,10 @@ TEST(stack_of_functions)
     skip(); /* instrumented or not optimized, functions take more */
 #endif
     const size_t thread = stack_taken(NULL);
-    for (size_t k = 0; k < public_function_count; k++) {
-        const struct public_function *const f = &public_functions[k];
-        const size_t whole = stack_taken(f), taken = whole > thread ? whole - thread : 0, stated = stack_stated(f);
+    for (size_t k = 0; k < function_count(); k++) {
+        const struct public_function *const f = function_number(k);
+        const size_t whole = stack_taken(f), taken = whole > thread ? whole - thread : 0;
+        const size_t stated = stack_stated(f, k >= public_function_count);
         check(taken <= stated, "%s: %zu bytes of stack, %zu stated", f->name, taken, stated);
     }
 }
@@ -132,17 +140,17 @@ TEST(only_these_allocate)
     static const char *const allocating[] = {"cor_disk_modes_compute", "cor_disk_rayleigh_array",
                                              "cor_disk_collision",     "cor_disk_collision_array",
                                              "cor_disk_hard_wall",     "cor_disk_hard_wall_nu"};
-    for (size_t k = 0; k < public_function_count; k++) {
+    for (size_t k = 0; k < function_count(); k++) {
+        const struct public_function *const f = function_number(k);
         int stated = 0;
         for (size_t i = 0; i < sizeof allocating / sizeof *allocating; i++)
-            stated |= strcmp(public_functions[k].name, allocating[i]) == 0;
+            stated |= strcmp(f->name, allocating[i]) == 0;
         const size_t before = allocations;
         for (size_t i = 0; i < SETS; i++) {
             results.count = 0;
-            public_functions[k].call(&sets[i], &results);
+            f->call(&sets[i], &results);
         }
-        check((allocations > before) == stated, "%s allocates %zu times", public_functions[k].name,
-              allocations - before);
+        check((allocations > before) == stated, "%s allocates %zu times", f->name, allocations - before);
     }
 }
 
@@ -150,6 +158,8 @@ static int free_results(void **state)
 {
     (void)state;
     results_clear(&results);
+    free(sets);
+    free(scene_sets);
     return 0;
 }
 
