@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""A collision that a simulator computes step by step. The programs that run inside of a simulator read this file, too:
+it needs Python only."""
+
+import math
+from typing import Callable, Tuple
+
+SMALL = 100  # a time step of the deck in small steps
+PHASES = 4  # starts within a time step, over which a measured eps is the mean
+FEW, MOST = 2000, 2_000_000  # steps of a collision
+
+
+class Failed(Exception):
+    """A collision, or a program, that came to no end."""
+
+
+def eps_of(advance: Callable[[int], Tuple[float, float]], speed: float, touch: float) -> Tuple[float, int]:
+    """The restitution, and the number of steps until the bodies have parted. advance: makes steps, and returns the
+    velocity at which the bodies part and the distance between their centres. touch: this distance at contact."""
+    steps, chunk, begun, turned, before = 0, 4, 0, 0, -speed
+    while steps < MOST:
+        velocity, distance = advance(chunk)
+        steps += chunk
+        if not math.isfinite(velocity):
+            raise Failed("the velocity is not finite")
+        if distance < 0 or distance < touch / 2 and not begun:
+            raise Failed("the bodies pass through each other")
+        begun = begun or (abs(velocity + speed) > 1e-7 * speed) * steps
+        turned = turned or (velocity >= 0) * steps
+        if begun and distance >= touch and abs(velocity - before) < 1e-8 * speed:
+            return max(velocity / speed, 0.0), steps
+        still = distance < touch and abs(velocity) < 1e-6 * speed and steps > 50 * begun
+        if begun and (still or steps > 100 * turned > 0):
+            return 0.0, steps  # they stick, or part more slowly than can be seen
+        chunk, before = max(4, steps // 4), velocity
+    raise Failed(f"the bodies have not parted after {steps} steps")
+
+
+def measured(collide: Callable[[float, float], Tuple[float, int]], dt: float) -> Tuple[float, float]:
+    """eps with the time step dt, as the mean over the phases of a step, and with a small step. collide: eps and number
+    of steps of one collision with a time step and a phase between 0 and 1."""
+    eps, steps = collide(dt, 0.5)
+    if steps < FEW:
+        eps = sum(collide(dt, (k + 0.5) / PHASES)[0] for k in range(PHASES)) / PHASES
+    finer = min(SMALL, MOST / 4 / steps)
+    return eps, collide(dt / finer, 0.5)[0] if finer > 1 else eps

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: MIT
+"""cor audit --run: the restitution that the user's own program gives, for each contact that the audit found."""
+
+import importlib.util
+import json
+import math
+import os
+import re
+import shlex
+import shutil
+import signal
+import sys
+import time
+from typing import Any, Callable, Dict, List, Tuple
+
+from .._command import UsageError, message, progress
+from . import measure_lammps
+from .collision import Failed
+from .deck import Contact, Options, Row
+from .process import ALL_S, Process, copy_of_folder
+
+SLOW = 0.01  # overlap over radius, if the speed is free
+TOLERANCE = 2e-3  # between measured and computed eps, besides the error of the step
+
+
+def measure(path: str, options: Options, rows: List[Row], program: str, keep: bool) -> None:
+    """Executes the deck with the program, and fills the columns measured and measured_small_step of the rows."""
+    todo = [row for row in rows if row.contact is not None]
+    simulator = rows[0].simulator if rows else ""
+    of = MEASURES.get(simulator)
+    if path == "-":
+        raise UsageError("--run needs a file, not standard input")
+    if of is None:
+        raise UsageError(f"--run: {path} is for {simulator}; allowed: {', '.join(MEASURES)}")
+    words = shlex.split(program)
+    if not words or simulator != "mujoco" and not shutil.which(words[0]):
+        raise UsageError(
+            f"--run: there is no program {program!r}; write its name or path, as --run {COMMON[simulator]}"
+        )
+    message(f"{path}: --run executes this file, in a copy of its folder, by {program}")
+    for name in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(name, lambda *_: sys.exit(130))
+    folder = copy_of_folder(path)
+    try:
+        of(words, folder, path, options, todo)
+    except Failed as error:
+        message(f"{path}: {program}: {error}")
+    finally:
+        if keep:
+            message(f"{path}: {folder} has what was run")
+        else:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def speed_of(row: Row, contact: Contact) -> float:
+    """The impact speed in the units of the deck. Where eps does not depend on it, the overlap is small."""
+    units, free = contact.units, 0.1
+    if math.isnan(row.speed_m_s) and row.duration_s > 0 and contact.bodies[0].radius[row.size] > 0:
+        free = SLOW * contact.bodies[0].radius[row.size] * units.length_m / row.duration_s
+    speed = free if math.isnan(row.speed_m_s) else row.speed_m_s
+    return speed * units.time_s / units.length_m
+
+
+def sizes_of(contact: Contact, size: int) -> Tuple[List[float], List[float]]:
+    """Radii and masses of the two bodies; NaN where they are unknown"""
+    radii = [body.radius[size] for body in contact.bodies]
+    masses = [
+        body.mass[size] if body.mass else 4 * math.pi / 3 * radius**3 * body.density
+        for body, radius in zip(contact.bodies, radii)
+    ]
+    return radii, masses
+
+
+def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
+    """Fills the row, and says so where the measured and the computed eps are not the same."""
+    row.measured, row.measured_small_step = eps, eps_small_step
+    bias = 0.0 if math.isnan(row.step_bias) else row.step_bias
+    if math.isnan(row.realised):
+        row.judged = True
+        row.as_asked = None if math.isnan(row.asked) else abs(eps_small_step - row.asked) <= 0.01 * row.asked
+        row.advice = f"{row.advice} Measured by {version}.".strip()
+    elif abs(eps_small_step - row.realised) > TOLERANCE + abs(bias) / 10:
+        row.advice += (
+            f" {version} realises {eps_small_step:.6g} with a small step, where cor computes {row.realised:.6g}."
+        )
+    elif not math.isnan(row.step_bias) and abs(eps - row.realised - bias) > TOLERANCE + 4 * row.step_scatter:
+        row.advice += (
+            f" With the deck's step {version} realises {eps:.6g}, where cor computes {row.realised + bias:.6g}."
+        )
+    row.advice = row.advice.strip()
+
+
+def refuse(row: Row, reason: str) -> None:
+    row.advice = f"{row.advice} Not measured: {reason}.".strip()
+
+
+# ---- LAMMPS and LIGGGHTS ----
+
+
+def by_script(words: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:
+    todo = []
+    for row in rows:
+        contact = row.contact
+        assert contact is not None
+        bodies, (radii, masses) = contact.bodies, sizes_of(contact, row.size)
+        wall = bodies[1].name.split() + [str(contact.line)] if bodies[1].wall else []
+        kinds = bodies[0].type or 1, bodies[1].type or 1
+        todo.append(
+            measure_lammps.Collision(
+                kinds, wall, (2 * radii[0], 2 * radii[1]), (masses[0], masses[1]), (bodies[0].held, bodies[1].held),
+                speed_of(row, contact), contact.runs,
+            )
+        )  # fmt: skip
+    name = os.path.basename(path)
+    version, left_out, reason = measure_lammps.measure(
+        words, folder, name, time.monotonic() + ALL_S, options.variables, todo
+    )
+    for command, lines in left_out.items():
+        message(f"{path}: {command} left out (line {', '.join(map(str, lines[:9]))}{', ...' if lines[9:] else ''})")
+    if reason:
+        message(f"{path}: the script ended: {reason}")
+    version = f"{'LIGGGHTS' if rows[0].simulator == 'liggghts' else 'LAMMPS'} {version}"
+    for row, c in zip(rows, todo):
+        if math.isnan(c.eps):
+            refuse(row, c.reason or reason or "the script does not come to its run")
+        else:
+            enter(row, c.eps, c.eps_small_step, version)
+
+
+# ---- YADE and MuJoCo: a file that runs inside of them ----
+
+
+def name_of(text: str) -> Tuple[str, str, int]:
+    """A body of YADE: "facet", "wall", "box" or "", the label of its material and the index in O.materials, or -1"""
+    found = re.fullmatch(r"(?:(facet|wall|box) of )?(.*?)(?:, fixed)?", text, re.S)
+    assert found is not None
+    number = re.fullmatch(r"material (\d+)", found[2])
+    return found[1] or "", found[2], int(number[1]) - 1 if number else -1
+
+
+def inside(command: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:
+    """Runs a file inside of a program; it reads the collisions as json, and prints a line of json for each."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    spec = os.path.join(folder, "cor-collisions.json")
+    todo: List[Dict[str, Any]] = [{"here": here, "script": os.path.basename(path)}]
+    for number, row in enumerate(rows):
+        contact = row.contact
+        assert contact is not None
+        radii, masses = sizes_of(contact, row.size)
+        todo.append(
+            {
+                "number": number,
+                "names": [name_of(body.name)[1:] for body in contact.bodies],
+                "radii": [0 if math.isnan(x) else x for x in radii],
+                "masses": [x if b.mass and math.isfinite(x) else 0 for x, b in zip(masses, contact.bodies)],
+                "held": [body.held for body in contact.bodies],
+                "wall": name_of(contact.bodies[1].name)[0],
+                "speed": speed_of(row, contact),
+                "runs": contact.runs,
+                "done": False,
+            }
+        )
+    with open(spec, "w", encoding="utf-8") as out:
+        json.dump(todo, out)
+    process = Process(
+        [*command, os.path.join(here, f"inside_{rows[0].simulator}.py"), spec], folder, time.monotonic() + ALL_S
+    )
+    results: List[Dict[str, Any]] = []
+    reason = ""
+    try:
+        while not results or "end" not in results[-1]:
+            results.append(json.loads(process.read_until("cor {")[-1][4:]))
+            progress(f"measured: {len(results)} of {len(rows)} contacts")
+    except Failed as error:
+        reason = str(error)
+    finally:
+        process.close()
+    reason = next((str(r["reason"]) for r in results if "end" in r), "") or reason
+    if reason:
+        message(f"{path}: the script ended: {reason}")
+    version = " ".join(str(r["version"]) for r in results if "version" in r) or command[0]
+    left_out = dict.fromkeys(str(r["left_out"]) for r in results if "left_out" in r)
+    for text in left_out:
+        message(f"{path}: left out: {text}")
+    found = {r["number"]: r for r in results if "number" in r}
+    for number, row in enumerate(rows):
+        result = found.get(number, {"reason": reason or "no run has this contact"})
+        if "eps" in result:
+            enter(row, result["eps"], result["eps_small_step"], version)
+        else:
+            refuse(row, result["reason"])
+
+
+def by_yade(words: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:
+    inside([*words, "-x", "-n", "-j1"], folder, path, options, rows)
+
+
+def by_mujoco(words: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:
+    if importlib.util.find_spec("mujoco") is None:
+        raise UsageError("--run mujoco: this Python has no module mujoco")
+    inside([sys.executable], folder, path, options, rows)
+
+
+MEASURES: Dict[str, Callable[[List[str], str, str, Options, List[Row]], None]] = {
+    "lammps": by_script,
+    "liggghts": by_script,
+    "yade": by_yade,
+    "mujoco": by_mujoco,
+}
+COMMON = {"lammps": "lmp", "liggghts": "liggghts", "yade": "yade", "mujoco": "mujoco"}

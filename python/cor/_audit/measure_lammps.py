@@ -1,0 +1,376 @@
+# SPDX-License-Identifier: MIT
+"""Collisions in the user's own LAMMPS or LIGGGHTS. The program reads its script line by line from a pipe, up to each
+run; then it gets two particles, or one and a plane wall. The program evaluates all variables and conditions. Only the
+order of lines (if, jump, label, include) is followed here, so that each command is seen before it is executed."""
+
+import itertools
+import math
+import os
+import re
+import time
+from dataclasses import dataclass
+from typing import Dict, List, Optional, Tuple
+
+from .collision import Failed, eps_of, measured
+from .process import Process
+
+# Commands that are never executed, as they execute others, write files or run the simulation
+LEFT_OUT = (
+    "shell python plugin mdi kim kim_init geturl message server partition dump undump dump_modify restart write_data "
+    "write_dump write_restart write_coeff group2ndx minimize rerun neb neb/spin temper temper/grem temper/npt tad prd "
+    "hyper dynamical_matrix third_order"
+).split()
+UNNAMED = "log echo print label thermo thermo_modify thermo_style info timer".split()  # no loss without them
+WRITING = re.compile(r"print$|ave/|python|external$|plumed|colvars|ipi$|imd$|mdi|qmmm")  # styles of fix
+PLANES = "xplane yplane zplane zcylinder region".split()
+KEPT = re.compile(r"property/|mesh/|particle|freeze$|adapt$|lb/|check/")  # fixes that move nothing
+
+
+@dataclass
+class Collision:
+    """One contact, in the units of the deck: two particles, or one and a wall. The second diameter and mass of a wall
+    are unused. Unknown sizes are NaN. runs: the runs that have it; empty: any."""
+
+    types: Tuple[int, int]
+    wall: List[str]  # words of which one is the fix of the wall; empty: none
+    diameters: Tuple[float, float]
+    masses: Tuple[float, float]
+    held: Tuple[bool, bool]
+    speed: float
+    runs: Tuple[int, ...]
+    eps: float = math.nan
+    eps_small_step: float = math.nan
+    reason: str = ""  # why there is no result
+    done: bool = False
+
+
+class Stop(Exception):
+    """The script has come to its end."""
+
+
+def words_of(line: str) -> List[str]:
+    """The words of a line without its comment; each quoted text is one word with its quotes."""
+    found = re.findall(r"\"\"\".*?\"\"\"|\"[^\"]*\"|'[^']*'|#.*|(?:\$\([^)]*\)|\$\{[^}]*\}|[^\s#\"'])+", line, re.S)
+    return [word for word in found if not word.startswith("#")]
+
+
+def unquoted(word: str) -> str:
+    return re.sub(r"^(\"\"\"|\"|')(.*)\1$", r"\2", word, flags=re.S).strip()
+
+
+def writes(words: List[str]) -> bool:
+    """True if a fix writes files or executes a program."""
+    style = words[3] if len(words) > 3 else ""
+    return bool(WRITING.match(style)) or not style.startswith(("mesh/", "particle")) and "file" in words
+
+
+def lines_of(path: str) -> Tuple[List[str], List[int]]:
+    """The commands of a file and the number of the first line of each"""
+    try:
+        with open(path, encoding="utf-8", errors="surrogateescape") as file:
+            text = file.read()
+    except OSError as error:
+        raise Failed(f"{os.path.basename(path)}: {error.strerror}") from None
+    rows = text.split("\n")
+    lines: List[str] = []
+    numbers: List[int] = []
+    i = 0
+    while i < len(rows):
+        line, numbers = rows[i], numbers + [i + 1]
+        while i + 1 < len(rows) and (re.search(r"&\s*$", line) or line.count('"""') % 2):
+            line = (line + "\n" if line.count('"""') % 2 else re.sub(r"&\s*$", " ", line)) + rows[i + 1]
+            i += 1
+        lines, i = lines + [line.strip()], i + 1
+    return lines, numbers
+
+
+class Script:
+    """The script in the program, and the collisions in place of its runs"""
+
+    def __init__(self, command: List[str], folder: str, end: float, todo: List[Collision]) -> None:
+        self.command, self.folder, self.end, self.todo = command, folder, end, todo
+        self.number, self.runs, self.marks, self.version, self.dt = 0, 0, 0, "", math.nan
+        self.log = open(os.path.join(folder, "cor-sent"), "w", encoding="utf-8", errors="surrogateescape")
+        self.sent: List[str] = ["newton off"]  # commands that restore the state
+        self.left_out: Dict[str, List[int]] = {}
+        self.fixes: Dict[str, List[str]] = {}  # the words of each fix that exists, in their order
+        self.places: Dict[str, str] = {}  # and its line
+        for file, text in ("cor-jump", "jump cor-jumped"), ("cor-jumped", 'print "cor jumped"'):
+            with open(os.path.join(folder, file), "w", encoding="ascii") as made:
+                made.write(text + "\n")
+        self.process = self.started()
+
+    # ---- the program ----
+
+    def restore(self) -> None:
+        """Starts the program anew, and brings it to the place at which the script is."""
+        self.process.close()
+        self.process = self.started()
+        for line in self.sent[1:]:
+            self.ask(line)
+
+    def started(self) -> Process:
+        self.log.write("\n# the program\n")
+        self.process = Process(self.command, self.folder, self.end)
+        said = [line for line in self.ask() if re.match("(LAMMPS|LIGGGHTS) ", line)]
+        self.version = re.sub(r".*\((?:Version )?(.*?)(, compiled.*)?\)$", r"\1", said[0]) if said else ""
+        self.new = bool(said) and said[0].startswith("LAMMPS")
+        self.ask(self.sent[0])
+        return self.process
+
+    def ask(self, *lines: str) -> List[str]:
+        """Sends commands, and returns the answer."""
+        self.marks += 1
+        for line in lines:
+            self.log.write(line + "\n")
+            self.process.send(line)
+        self.process.send(f'print "cor {self.marks}."')
+        return self.process.read_until(f"cor {self.marks}.")
+
+    def answer(self, text: str) -> str:
+        """The text, which has no line break, with its variables as the program has them"""
+        quote = next((q for q in ("'", '"', '"""') if q not in text), "'")
+        found = [line for line in self.ask(f"print {quote}cor = {text}{quote}") if line.startswith("cor = ")]
+        return found[-1][6:] if found else text
+
+    def values(self, **expressions: str) -> List[float]:
+        """The numbers of equal-style variables"""
+        self.ask(*(f"variable cor_{name} equal {value}" for name, value in expressions.items()))
+        return [float(word) for word in self.answer(" ".join("${cor_%s}" % name for name in expressions)).split()]
+
+    # ---- the script ----
+
+    def play(self, path: str) -> None:
+        """Executes a file. After a jump another file takes its place."""
+        lines, numbers = lines_of(path)
+        i = 0
+        while i < len(lines):
+            self.number = numbers[i]
+            jump = self.execute(lines[i])
+            i += 1
+            if jump:
+                if jump[0] != "SELF":
+                    lines, numbers = lines_of(self.found(jump[0]))
+                labels = [k for k, line in enumerate(lines) if words_of(line)[:2] == ["label", jump[1]]]
+                if jump[1] and not labels:
+                    raise Failed(f"label {jump[1]} does not exist")
+                i = labels[0] if jump[1] else 0
+
+    def found(self, name: str) -> str:
+        return os.path.join(self.folder, unquoted(name))
+
+    def execute(self, line: str) -> Optional[Tuple[str, str]]:
+        """Executes a command; returns file and label of a jump."""
+        if "$" in line and "\n" not in line and not re.match(r"(if|print|label|#)\b", line):
+            line = self.answer(line)
+        words = words_of(line)
+        name = words[0] if words else ""
+        if not words or name in UNNAMED:
+            return None
+        if name == "if":
+            return self.branch(words)
+        if name == "jump":
+            self.sent.append("include cor-jump")  # a jump is skipped after the last value of a variable
+            jumps = "cor jumped" in self.ask(self.sent[-1])
+            return (unquoted(words[1]), unquoted(" ".join(words[2:3]))) if jumps else None
+        if name == "include":
+            self.play(self.found(words[1]))
+        elif name == "quit":
+            raise Stop
+        elif name == "run":
+            self.runs += 1
+            self.collide()
+            if self.sent[-1] != "run 0 post no":
+                self.keep("run 0 post no")
+        elif name in LEFT_OUT or name == "variable" and words[2:3] == ["python"] or name == "fix" and writes(words):
+            self.left_out.setdefault(" ".join(words[:1] + words[3:4] * (name == "fix")), []).append(self.number)
+        elif name == "clear":
+            self.fixes, kept = {}, [line for line in self.sent if re.match("variable|next|include cor-jump", line)]
+            self.keep("clear", "newton off")
+            self.sent = ["newton off", *kept]
+        else:
+            self.keep(line)
+            if name == "fix":
+                self.fixes[words[1]], self.places[words[1]] = words, str(self.number)
+            elif name == "unfix":
+                self.fixes.pop(words[1], None)
+        return None
+
+    def keep(self, *lines: str) -> None:
+        self.sent += lines
+        self.ask(*lines)
+
+    def branch(self, words: List[str]) -> Optional[Tuple[str, str]]:
+        """Executes the commands of an if whose condition the program finds true."""
+        jump, rest = None, words[1:]
+        starts = [0] + [i + 1 for i, word in enumerate(rest) if word in ("elif", "else")]
+        for start in starts:
+            part = rest[start : next((i - 1 for i in starts if i > start), None)]
+            if start == 0 or rest[start - 1] == "elif":
+                if "cor true" not in self.ask(f"if {part[0]} then \"print 'cor true'\""):
+                    continue
+                part = part[1:]
+            for command in part[part[:1] == ["then"] :]:
+                jump = self.execute(unquoted(command)) or jump
+            break
+        return jump
+
+    # ---- the collisions ----
+
+    def collide(self) -> None:
+        """Measures the collisions of this run. Restores the program, unless nothing is left to measure."""
+        ready = False
+        for c in self.todo:
+            if c.done or c.runs and self.runs and self.runs not in c.runs:
+                continue
+            c.done = True
+            try:
+                if not ready:
+                    self.prepare()
+                ready = True
+                c.eps, c.eps_small_step = measured(lambda dt, phase: self.collision(c, dt, phase), self.dt)
+            except Failed as error:
+                if self.end < time.monotonic():
+                    raise
+                c.reason = str(error)
+                self.restore()
+                ready = False
+        if all(c.done for c in self.todo):
+            raise Stop
+        if ready:
+            self.restore()
+
+    def prepare(self) -> None:
+        """Takes the sizes of the particles by type, and removes the particles and all that moves them."""
+        if not any(re.match("(comm_modify|communicate) .*vel", line) for line in self.sent):
+            self.ask("comm_modify vel yes" if self.new else "communicate single vel yes")
+        self.sizes: Dict[int, List[float]] = {}  # least and largest diameter, least and largest mass
+        types = sorted({t for c in self.todo for t in c.types if t > 0})
+        if self.values(n="count(all)")[0] > 0:
+            names: List[str] = []
+            lines = ["compute cor_p all property/atom diameter mass"]
+            for t, column, sign in itertools.product(types, (1, 2), "-+"):
+                names.append(f"v_cor_s{len(names)}")
+                value = f"{sign}c_cor_p[{column}]*(type=={t})-1e30*(type!={t})"
+                lines.append(f'variable {names[-1][2:]} atom "0{value}"')
+            lines.append("compute cor_m all reduce max " + " ".join(names))
+            columns = {f"m{i + 1}": f"c_cor_m[{i + 1}]" for i in range(len(names))}
+            self.ask(*lines, "thermo_style custom step " + " ".join(columns.values()), "run 0 post no")
+            found = self.values(**columns)
+            self.ask("thermo_style custom step", "uncompute cor_m", "uncompute cor_p")
+            for i, t in enumerate(types):
+                least, largest, light, heavy = found[4 * i : 4 * i + 4]
+                if largest > 0:
+                    self.sizes[t] = [-least, largest, -light, heavy]
+        dead = [name for name, words in self.fixes.items() if not KEPT.match(words[3])]
+        self.ask("delete_atoms group all", *(f"unfix {name}" for name in reversed(dead)))
+        flat = any(words_of(line)[:2] == ["dimension", "2"] for line in self.sent)
+        self.ask("change_box all boundary f f " + "fp"[flat], "thermo 1000000000", "thermo_style custom step")
+        self.ask("neigh_modify delay 0 every 1 check yes", "atom_modify sort 0 0")
+        places = {"dt": "dt", "x": "0.5*(xlo+xhi)", "y": "0.5*(ylo+yhi)", "z": "0.5*(zlo+zhi)"}
+        self.dt, *self.middle = self.values(**places)
+
+    def size(self, c: Collision, i: int) -> Tuple[float, float]:
+        """Diameter and mass of a particle: as the audit read them, unless no particle of the program is like that"""
+        diameter, mass = c.diameters[i], c.masses[i]
+        least, largest, light, heavy = self.sizes.get(c.types[i], [diameter, diameter, mass, mass])
+        if not least * (1 - 1e-6) <= diameter <= largest * (1 + 1e-6):
+            diameter = math.sqrt(least * largest)
+        if not light * (1 - 1e-6) <= mass <= heavy * (1 + 1e-6):
+            mass = math.sqrt(light * heavy)
+        if not (diameter > 0 and mass > 0):
+            raise Failed(f"the deck has no particle of type {c.types[i]}; give --radius and --density")
+        return diameter, mass
+
+    def collision(self, c: Collision, dt: float, phase: float) -> Tuple[float, int]:
+        """One collision: eps, and the number of steps until the bodies have parted"""
+        sizes = [self.size(c, i) for i in range(1 if c.wall else 2)]
+        gap, (x, y, z) = c.speed * dt * (1 + phase) + 1e-9 * sizes[0][0], self.middle
+        touch = sum(diameter for diameter, _ in sizes) / 2
+        if c.wall:
+            self.ask(self.wall_at(c, x))
+            self.particle("cor_b", c.types[0], sizes[0], (x + touch + gap, y, z), -c.speed)
+        else:
+            self.particle("cor_a", c.types[0], sizes[0], (x - touch / 2, y, z), 0 if c.held[0] else c.speed)
+            self.particle("cor_b", c.types[1], sizes[1], (x + touch / 2 + gap, y, z), -c.speed if c.held[0] else 0)
+        frozen = [words[2] for words in self.fixes.values() if words[3] == "freeze"]
+        moved = "all"
+        for i, group in enumerate(("cor_a", "cor_b")):
+            if c.held[i] and not c.wall:
+                moved = "cor_b" if i == 0 else "cor_a"
+                self.ask(*(f"group {name} union {name} {group}" for name in frozen[:1]))
+        self.ask(f"neighbor {0.1 * sizes[0][0]:.17g} nsq", f"timestep {dt:.17g}", f"fix cor_nve {moved} nve/sphere")
+        try:
+            return self.until_parted(c, touch, x)
+        finally:
+            if self.process.open:
+                self.ask("unfix cor_nve", "delete_atoms group all", *(["unfix cor_wall"] if c.wall else []))
+                self.ask("group cor_b delete", *([] if c.wall else ["group cor_a delete"]))
+
+    def until_parted(self, c: Collision, touch: float, wall: float) -> Tuple[float, int]:
+        other = ("0", repr(wall)) if c.wall else ("vcm(cor_a,x)", "xcm(cor_a,x)")
+        self.ask(f"variable cor_g equal vcm(cor_b,x)-{other[0]}", f"variable cor_s equal xcm(cor_b,x)-{other[1]}")
+        first = ["post no"]
+
+        def advance(steps: int) -> Tuple[float, float]:
+            self.ask(f"run {steps} {first[0]}")
+            first[0] = "pre no post no"
+            velocity, distance = self.answer("${cor_g} ${cor_s}").split()
+            return float(velocity), float(distance)
+
+        return eps_of(advance, c.speed, touch)
+
+    def particle(self, group: str, kind: int, size: Tuple[float, float], at: Tuple[float, ...], speed: float) -> None:
+        """Creates a particle that is alone in a new group."""
+        place = " ".join(f"{x:.17g}" for x in at)
+        self.ask(f"create_atoms {kind} single {place} units box")
+        self.ask(f"group {group} " + ("subtract all cor_a" if self.values(n="count(all)")[0] > 1 else "union all"))
+        self.ask(f"set group {group} diameter {size[0]:.17g}", f"set group {group} mass {size[1]:.17g}")
+        self.ask(f"velocity {group} set {speed:.17g} 0 0")
+
+    def wall_at(self, c: Collision, x: float) -> str:
+        """The wall as a plane at x: its model and type are those of the deck."""
+        names = [name for name in self.fixes if name in c.wall] + [n for n, at in self.places.items() if at in c.wall]
+        words: List[str] = next((self.fixes[n] for n in names if n in self.fixes and "wall/" in self.fixes[n][3]), [])
+        if not words:
+            raise Failed("at this run the wall does not exist")
+        if self.new:
+            end = next((i for i, word in enumerate(words) if word in PLANES and i > 3), len(words))
+            return f"fix cor_wall all wall/gran {' '.join(words[4:end])} xplane {x:.17g} NULL"
+        end = next(i for i, word in enumerate(words) if word in ("mesh", "primitive") and i > 3)
+        kind, rest = str(c.types[1]), words[end + 1 :]
+        if words[end] == "mesh":
+            rest = rest[3 + int(rest[1]) :]
+        else:
+            kind = rest[1]
+            rest = rest[
+                next((i for i, word in enumerate(rest) if i > 2 and re.match("[a-z]", word, re.I)), len(rest)) :
+            ]
+        if "shear" in rest:
+            del rest[rest.index("shear") : rest.index("shear") + 3]
+        start = ["fix cor_wall all wall/gran", *words[4:end], "primitive type", kind, f"xplane {x:.17g}", *rest]
+        return " ".join(start)
+
+
+def measure(
+    command: List[str], folder: str, name: str, end: float, variables: Dict[str, Tuple[str, ...]], todo: List[Collision]
+) -> Tuple[str, Dict[str, List[int]], str]:
+    """Measures collisions in place of the runs of a script. Returns the program's version, the commands that were left
+    out with their lines, and the reason where the script did not come to its end."""
+    flags = [word for key, values in variables.items() for word in ("-var", key, *values)]
+    script, reason = Script(command + ["-log", "none", *flags], folder, end, todo), ""
+    try:
+        script.play(os.path.join(folder, name))
+        raise Stop
+    except Stop:
+        try:
+            if not script.runs:
+                script.collide()
+        except (Stop, Failed):
+            pass
+    except Failed as error:
+        reason = f"line {script.number}: {error}"
+    finally:
+        script.process.close()
+        script.log.close()
+    return script.version, script.left_out, reason

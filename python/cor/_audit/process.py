@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""Another program on a temporary copy of a folder, with limits of time; nothing of it stays behind."""
+
+import os
+import pty
+import re
+import select
+import shutil
+import signal
+import stat
+import subprocess
+import tempfile
+import time
+from typing import List, Sequence
+
+from .collision import Failed
+
+RUN_S, ALL_S = 60.0, 600.0  # time limits of one answer and of everything
+MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # of a copied folder
+
+
+def copy_of_folder(path: str) -> str:
+    """Copies the folder of a file, up to a size, to a new temporary folder and returns that. Devices are left out."""
+    source, target = os.path.dirname(os.path.abspath(path)), tempfile.mkdtemp(prefix="cor-audit-")
+    size, files = os.path.getsize(path), 0
+    shutil.copy(path, target)
+    for folder, folders, names in os.walk(source):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        copy = os.path.join(target, os.path.relpath(folder, source))
+        os.makedirs(copy, exist_ok=True)
+        for name in names:
+            try:
+                info = os.stat(os.path.join(folder, name))
+                if stat.S_ISREG(info.st_mode) and size + info.st_size <= MOST_BYTES:
+                    shutil.copy(os.path.join(folder, name), copy)
+                    size, files = size + info.st_size, files + 1
+            except OSError:
+                pass  # the program names what it misses
+        if files >= MOST_FILES:
+            break
+    return target
+
+
+class Process:
+    """A program that reads lines from a pipe and writes to a terminal, so that each line arrives at once."""
+
+    def __init__(self, command: Sequence[str], folder: str, end: float) -> None:
+        """end: the time.monotonic() at which all runs end"""
+        self.end, self.rest, self.open = end, b"", True
+        self.terminal, slave = pty.openpty()
+        environment = {**os.environ, "OMP_NUM_THREADS": "1", "MPLBACKEND": "agg"}
+        environment.pop("DISPLAY", None)
+        try:
+            self.process = subprocess.Popen(
+                list(command),
+                cwd=folder,
+                env=environment,
+                stdin=subprocess.PIPE,
+                stdout=slave,
+                stderr=slave,
+                start_new_session=True,
+            )
+        except OSError as error:
+            os.close(self.terminal)
+            raise Failed(f"{command[0]}: {error.strerror}") from None
+        finally:
+            os.close(slave)
+
+    def send(self, text: str) -> None:
+        """Writes one line."""
+        try:
+            assert self.process.stdin
+            self.process.stdin.write(text.encode(errors="surrogateescape") + b"\n")
+            self.process.stdin.flush()
+        except (BrokenPipeError, ValueError):
+            pass  # read_until finds the reason
+
+    def read_until(self, mark: str) -> List[str]:
+        """The lines up to the next one that begins with the mark"""
+        limit = min(time.monotonic() + RUN_S, self.end)
+        found: List[str] = []
+        while True:
+            *lines, self.rest = self.rest.split(b"\n")
+            for i, line in enumerate(lines):
+                text = line.decode(errors="replace").strip("\r")
+                found = found[-1000:] + [text]
+                if text.startswith(mark):
+                    self.rest = b"\n".join(lines[i + 1 :] + [self.rest])
+                    return found
+            try:
+                ready = select.select([self.terminal], [], [], max(limit - time.monotonic(), 0))[0]
+                block = os.read(self.terminal, 1 << 16) if ready else None
+            except OSError:  # the program has ended
+                block = b""
+            if not block:
+                late = f"no answer within {RUN_S:.0f} s" if time.monotonic() < self.end else "the 10 minutes are over"
+                text = late if block is None else _reason(found + [self.rest.decode(errors="replace")])
+                self.close()
+                raise Failed(text)
+            self.rest += block
+
+    def close(self) -> None:
+        """Ends the program and everything that it started."""
+        if not self.open:
+            return
+        self.open = False
+        try:
+            os.killpg(self.process.pid, signal.SIGKILL)
+        except (ProcessLookupError, PermissionError):
+            pass
+        self.process.wait()
+        try:
+            assert self.process.stdin
+            self.process.stdin.close()
+        except BrokenPipeError:
+            pass
+        os.close(self.terminal)
+
+
+def _reason(lines: List[str]) -> str:
+    """The program's first error message, or its last line"""
+    said = [re.sub(r"\s+", " ", line).strip() for line in lines if line.strip()]
+    errors = [line for line in said if re.search(r"\bERROR\b|Error:|Exception", line)]
+    return (errors or said[-1:] or ["it ended without a message"])[0][:300]
