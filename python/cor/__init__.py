@@ -5,6 +5,7 @@ The modules sphere, contact, law and disk have the functions of the C headers of
 cor.sphere.eps_zero_force is cor_sphere_eps_zero_force. Every argument that is a number may be an array. Arrays are
 broadcast against each other, as by a ufunc of NumPy, and evaluated in C. Results are float32 where all real arguments
 are (or are float16), and float64 otherwise. cor.simulators is what simulators make of a contact.
+cor.fit fits models to measured bounces.
 
 A status that is an error raises CorError, and one that comes with results warns by CorWarning; both have the text
 of cor_status_text.
@@ -13,6 +14,7 @@ of cor_status_text.
 from . import contact, disk, law, simulators, sphere, status, version
 from ._contact import Contact
 from ._evaluate import CorError, CorWarning
+from ._fit.result import fit
 from .contact import Body
 from .disk import DiskModes
 
@@ -26,6 +28,7 @@ __all__ = [
     "DiskModes",
     "contact",
     "disk",
+    "fit",
     "law",
     "simulators",
     "sphere",

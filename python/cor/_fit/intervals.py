@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: MIT
+"""The least Q of a curve, and profile-likelihood intervals of its coordinates.
+
+The interval of a coordinate holds the values at which the least Q over the others exceeds the minimum by at most z^2
+(errors given), or t^2 s^2 with Student's t of n - k degrees of freedom (errors unknown). In the robust fit that
+threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search of the interval of 95 % starts at
+the ends of that of 68 %, so that it contains it.
+"""
+
+import math
+from typing import Any, Callable, List, Sequence, Tuple
+
+import numpy as np
+
+from .data import Floats
+from .likelihood import HUBER, Problem, scipy
+from .models import CONSTANT
+
+LEVELS = (0.6826894921370859, 0.95)
+DRAG_STARTS = (0.0, 0.003, 0.03, 0.3)
+
+
+class _Lower(Exception):
+    """A profile found a lower minimum at theta."""
+
+    def __init__(self, theta: Floats) -> None:
+        self.theta = theta
+
+
+# ---- the minimum ----
+
+
+def least_squares(p: Problem, theta: Floats, free: Sequence[int]) -> Tuple[Floats, float]:
+    """The Levenberg-Marquardt method of MINPACK over the free coordinates, from theta. A coordinate that leaves its
+    range is held at the end of the range."""
+    theta, free = theta.copy(), list(free)
+    while free:
+
+        def residuals(part: Floats) -> Any:
+            theta[free] = part
+            made = p.residuals(theta)
+            return made if np.isfinite(made @ made) else np.full(p.size, 1e150)
+
+        theta[free] = scipy("optimize").leastsq(
+            residuals, theta[free], ftol=1e-14, xtol=1e-14, maxfev=200 * (len(free) + 1), full_output=True
+        )[0]
+        for j in free:
+            theta[j] = abs(theta[j]) if p.kinds[j] == "positive" else theta[j]
+        outside = [j for j in free if not p.low[j] <= theta[j] <= p.high[j]]
+        theta = np.clip(np.where(np.isfinite(theta), theta, p.low), p.low, p.high)
+        free = [j for j in free if j not in outside] if outside else []
+    return theta, p.objective(theta)
+
+
+class _Best:
+    def __init__(self, p: Problem) -> None:
+        self.p, self.q = p, math.inf
+        self.theta = np.clip(np.zeros(p.parameters), p.low, p.high)
+
+    def start(self, start: Any) -> None:
+        at = np.asarray(start, np.float64)
+        for theta, q in ((at, self.p.objective(at)), least_squares(self.p, at, range(self.p.parameters))):
+            if q < self.q:
+                self.q, self.theta = q, theta
+
+
+def _coarse(p: Problem, most: int, extra: Sequence[float]) -> Tuple[Floats, Callable[..., Any]]:
+    """Return a function of theta, whose elements may be columns: Q of at most `most` points, without covariance"""
+    curves = len(p.curve.kinds)
+    flights = p.at(np.array([*([0.0] * curves), *extra]))
+    order = np.argsort(flights.log_speed, kind="stable")[:: max(1, -(-p.size // most))]
+    x, eps, spread = flights.log_speed[order], flights.eps[order], p.spread(flights) * np.ones(p.size)
+    spread = spread[order] * (p.scale if p.sample.is_points else 1)
+    robust = p.robust and not p.plain and not p.sample.scatters
+
+    def q(*theta: Any) -> Any:
+        z = np.abs(eps - p.curve.eps(theta, x)) / spread
+        square = np.where(z <= HUBER, z * z, HUBER * (2 * z - HUBER)) if robust else z * z
+        return np.where(np.isfinite(square), square, math.inf).sum(axis=-1)
+
+    return x, q
+
+
+def _starts(p: Problem, extra: Sequence[float]) -> List[List[float]]:
+    curve, low, high = p.curve, p.low, p.high
+    if curve.start == "given":
+        return [list(curve.given)]
+    if curve.start == "lines":
+        return _lines(p, extra)
+    if curve.start == "scan":
+        _, q = _coarse(p, 1000, extra)
+        at = np.linspace(low[0], high[0], 401)
+        value = q(at[:, None])
+        padded = np.concatenate(([math.inf], value, [math.inf]))
+        lowest = np.flatnonzero((value <= padded[:-2]) & (value <= padded[2:]) & (value < math.inf))
+        return [[at[i]] for i in lowest[np.argsort(value[lowest], kind="stable")][:3]]
+    assert curve.dry is not None
+    dry = Problem(curve.dry, p.sample, p.field, p.free, p.robust)
+    dry.plain, dry.scale, dry.log_ratio = p.plain, p.scale, p.log_ratio
+    first = float(minimise(dry)[0][0])
+    if curve.kinds[0] == "log":
+        low0, high0 = max(low[0], first - 4), min(high[0], first + 0.5)
+    else:
+        low0, high0 = low[0], high[0]
+    _, q = _coarse(p, 250, extra)
+    rows, columns = np.linspace(low0, high0, 61), np.linspace(low[1], high[1], 76)[:75]
+    values = np.array([q(rows[:, None], column) for column in columns])
+    found = []
+    for part in range(3):
+        k, i = np.unravel_index(int(np.argmin(values[25 * part : 25 * part + 25])), (25, 61))
+        found.append([rows[i], columns[25 * part + k]])
+    return [*found, [first, low[1]]]
+
+
+def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
+    """The weighted mean, or the mean and the straight line of ln eps over ln v with weights eps^2/sigma^2"""
+    flights = p.at(np.array([*([0.0] * len(p.curve.kinds)), *extra]))
+    eps, weight = flights.eps, (p.spread(flights) * np.ones(p.size)) ** -2
+    if p.curve is CONSTANT:
+        return [[float(np.clip((weight @ eps) / weight.sum(), 0, 1))]]
+    use = eps > 0
+    if not use.any():
+        return [[-1.0, 0.0]]
+    x, y, w = flights.log_speed[use], np.log(eps[use]), weight[use] * eps[use] ** 2
+    total, sx, sy = w.sum(), w @ x, w @ y
+    spread = total * (w @ (x * x)) - sx * sx
+    slope = (total * (w @ (x * y)) - sx * sy) / spread if spread > 1e-12 * total * (w @ (x * x)) else 0.0
+    return [[(sy - slope * sx) / total, slope], [sy / total, 0.0]]
+
+
+def minimise(p: Problem) -> Tuple[Floats, float]:
+    """The minimum at the present scale and lambda"""
+    best = _Best(p)
+    for drag in DRAG_STARTS if "drag" in p.free else (0.0,):
+        extra = [drag if name == "drag" else 0.0 for name in p.free]
+        for start in _starts(p, extra):
+            best.start([*start, *extra])
+    return best.theta, best.q
+
+
+def settle(p: Problem, theta: Floats) -> Floats:
+    """theta and the noise in turn, until the scale stays"""
+    for _ in range(40):
+        before = p.scale
+        if not p.robust:
+            p.scale = 1.0
+        theta, _q = _nearest(p, theta)
+        p.set_noise(theta)
+        if abs(p.scale - before) <= (1e-9 if p.robust else 1e-13) * p.scale:
+            break
+    return theta
+
+
+def _nearest(p: Problem, theta: Floats) -> Tuple[Floats, float]:
+    best = _Best(p)
+    best.start(theta)
+    return best.theta, best.q
+
+
+def minimise_with_noise(p: Problem) -> Floats:
+    """The minimum over theta, and of unknown errors over lambda. Sets the scale (1 unless robust) and lambda."""
+    p.plain = True
+    theta, _ = minimise(p)
+    p.plain = False
+    if p.sample.has_sigma or (p.sample.is_points and not p.robust):
+        return minimise(p)[0] if p.robust or not p.sample.is_points else theta
+    p.set_noise(theta)
+    first, theta = theta, settle(p, theta)
+    best = (p.scale, p.log_ratio, theta)
+    if p.sample.scatters and not p.robust:
+        starts = [(first, -80.0), (first, math.log(1e8))]  # errors of the times alone, scatter alone, no loss
+        if p.curve.dry:
+            dry = Problem(p.curve.dry, p.sample, p.field, p.free, False)
+            without = minimise_with_noise(dry)
+            starts.append((np.array([without[0], p.low[1], *without[1:]]), dry.log_ratio))
+        for start, log_ratio in starts:
+            p.log_ratio = log_ratio
+            theta = settle(p, start)
+            if p.scale < best[0]:
+                best = (p.scale, p.log_ratio, theta)
+    p.scale, p.log_ratio, theta = best
+    if not p.robust:
+        p.scale = 1.0
+    again, q = minimise(p)
+    return again if q < p.objective(theta) else theta
+
+
+# ---- intervals ----
+
+
+def whole_q(p: Problem, theta: Floats) -> float:
+    """Q, least over lambda; sets lambda"""
+    if not p.sample.scatters or p.robust:
+        return p.objective(theta)
+    p.set_noise(theta)
+    q, p.scale = p.scale**2 * p.freedom, 1.0
+    return q
+
+
+def profile(p: Problem, theta: Floats, held: Sequence[int]) -> Tuple[float, Floats]:
+    """The least Q where the held coordinates have their values in theta, and its place"""
+    free = [j for j in range(p.parameters) if j not in held]
+    q = math.inf
+    while True:
+        before = q
+        if free:
+            theta, q = least_squares(p, theta, free)
+        q = whole_q(p, theta)
+        if not free or not p.sample.scatters or p.robust or not q < before * (1 - 1e-9):
+            return q, theta
+
+
+def sigmas(p: Problem, theta: Floats) -> Tuple[Floats, Floats]:
+    """The standard deviations of the coordinates for errors of 1, and the covariance, by linear propagation"""
+    base = p.residuals(theta)
+    step = 1e-6 * np.maximum(np.abs(theta), 1)
+    step = np.where(theta + step > p.high, -step, step)
+    jacobian = np.stack([(p.residuals(theta + h * e) - base) / h for h, e in zip(step, np.eye(theta.size))], axis=1)
+    covariance = np.linalg.pinv(jacobian.T @ jacobian) if np.all(np.isfinite(jacobian)) else np.eye(theta.size)
+    return np.sqrt(np.diag(covariance)), covariance
+
+
+def interval_ends(
+    p: Problem, theta: Floats, j: int, sign: int, minimum: float, targets: Sequence[float], width: float
+) -> List[float]:
+    """The ends of the intervals of coordinate j on one side: where the root of the excess of the profile over the
+    minimum, which is nearly linear there, reaches the targets."""
+    limit = p.high[j] if sign > 0 else p.low[j]
+    place = theta.copy()
+
+    def height(x: float) -> float:
+        nonlocal place
+        place[j] = x
+        q, place = profile(p, place, [j])
+        if q < minimum * (1 - 1e-8):
+            raise _Lower(place)
+        return min(math.sqrt(max(q - minimum, 0)), 1e150)
+
+    near, near_height = float(theta[j]), 0.0
+    ends: List[float] = []
+    step = 1.1 * targets[0] * width
+    if not 0 < step < abs(limit - near):
+        step = abs(limit - near) / 8
+    for target in targets:
+        far, far_height = near, near_height
+        while far_height < target:
+            near, near_height = far, far_height
+            if near == limit or step == 0:
+                bounded = p.kinds[j] == "unit" or (p.kinds[j] == "positive" and sign < 0)
+                return [*ends, *([limit if bounded else math.copysign(math.inf, sign)] * (2 - len(ends)))]
+            far = min(near + step, limit) if sign > 0 else max(near - step, limit)
+            far_height = height(far)
+            step *= 2
+        small = 1e-9 * abs(far - theta[j])
+        end = far
+        if far_height > target * (1 + 1e-9):
+            known = {near: near_height - target, far: far_height - target}
+            end = scipy("optimize").brentq(
+                lambda x: known[x] if x in known else height(x) - target, near, far, xtol=small, rtol=1e-14
+            )
+        ends.append(float(end))
+        near, near_height = end, target
+        step = 1.1 * (targets[1] - target) * abs(end - theta[j]) / target
+    return ends
+
+
+def huber_factor(p: Problem, theta: Floats) -> float:
+    root = np.abs(p.residuals(theta))
+    psi2 = np.minimum(root, HUBER) ** 2
+    return float(psi2.sum() / p.freedom / (max(int((root <= HUBER).sum()), 1) / p.size))
+
+
+def quantile(p: Problem, level: float) -> float:
+    upper, special = (1 + level) / 2, scipy("special")
+    return float(special.ndtri(upper) if p.sample.has_sigma else special.stdtrit(p.freedom, upper))
+
+
+def find_intervals(p: Problem, theta: Floats) -> Tuple[Floats, float, Any]:
+    """Return the minimum, its Q and an array of intervals: [coordinate, level, side]. Beyond a range: infinite"""
+    for _ in range(5):
+        minimum = whole_q(p, theta)
+        state = (p.scale, p.log_ratio)
+        unit = huber_factor(p, theta) if p.robust else 1.0 if p.sample.has_sigma else minimum / p.freedom
+        found = np.repeat(theta, 4).reshape(-1, 2, 2)
+        targets = [quantile(p, level) * math.sqrt(unit) for level in LEVELS]
+        width = sigmas(p, theta)[0]
+        try:
+            for j in range(p.parameters) if targets[0] > 0 else ():
+                for side, sign in enumerate((-1, 1)):
+                    p.scale, p.log_ratio = state
+                    found[j, :, side] = interval_ends(p, theta, j, sign, minimum, targets, float(width[j]))
+        except _Lower as lower:
+            theta = lower.theta
+            continue
+        break
+    p.scale, p.log_ratio = state
+    return theta, minimum, found

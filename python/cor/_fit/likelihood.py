@@ -1,0 +1,377 @@
+# SPDX-License-Identifier: MIT
+"""The residuals of a curve, whitened by the covariance of the measured times or heights.
+
+Bounce k lies between two flights: it has the impact speed v_k and eps_k = u_(k+1)/v_k. The fit minimises Q, the sum of
+squares of z. Points have z_k = r_k/sigma_k for the residual r_k = eps_k - eps(v_k). Of times, c_k = v_k dT/du at the
+flight k + 1 makes r_k an error of the time at its end, and to first order in the errors e of the times
+
+    c_k r_k = e_(k+2) - (1 + a_k) e_(k+1) + a_k e_k + c_k h_k,   a_k = (dT/du)_(k+1) (dv/dT)_k (eps + d eps/d ln v)(v_k)
+
+with the scatter h_k of eps. The first time and speed of a drop cancel. With the height of the drop, its first bounce
+has the error of a flight, e_2 - e_1. Of heights the errors are e_(k+1) - a_k e_k, with dh/du instead of dT/du. The
+covariance is s^2 W, W = B + lambda diag(c^2), with a band B. z = L^-1 (c r) for W = L L^T, times
+sqrt(det W/det B)^(1/n), so that the least Q is that of the restricted likelihood over lambda, too.
+"""
+
+import math
+from importlib import import_module
+from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+from .data import Air, Apexes, Data, Floats, Heights, Ints, Points, Times
+from .models import Curve
+
+HUBER = 1.345
+LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals count as this large, so that AIC is finite
+SLOPE_STEP = 1e-4  # in ln v
+LOG_RATIO = (math.log(1e-10), math.log(1e8))  # of lambda times the mean square of c
+MANY = 20000  # bounces; more are fitted in a basis of curves
+
+
+def scipy(name: str) -> Any:
+    """Return a module of SciPy, which is imported where it is used."""
+    try:
+        return import_module(f"scipy.{name}")
+    except ImportError:
+        raise ImportError("cor.fit needs SciPy; on Debian: apt install python3-scipy; pip install 'cor[fit]'") from None
+
+
+# ---- flight with drag ----
+
+
+def launch_of_duration(time: Floats, gravity: float, kappa: float) -> Floats:
+    """The launch speed u of a flight: g T sqrt(kappa) = atan(s) + asinh(s), s = u sqrt(kappa), kappa = 1/w^2"""
+    tau = math.sqrt(kappa) * gravity * time
+    if kappa == 0 or not np.any(tau > 1e-150):
+        return gravity * time / 2
+    s = np.maximum(tau / 2, np.sinh(np.maximum(tau - math.pi / 2, 0)))  # below the root of a concave function
+    for _ in range(60):
+        step = (tau - np.arctan(s) - np.arcsinh(s)) / (1 / (1 + s * s) + 1 / np.sqrt(1 + s * s))
+        s = s + step
+        if np.all(np.abs(step) <= 1e-15 * s):
+            break
+    return np.asarray(s / math.sqrt(kappa))
+
+
+def duration_slope(launch: Floats, gravity: float, kappa: float) -> Any:
+    """dT/du"""
+    square = 1 + kappa * launch * launch
+    return np.asarray((1 / square + 1 / np.sqrt(square)) / gravity)
+
+
+def impact_of_launch(launch: Floats, kappa: float) -> Floats:
+    return np.asarray(launch / np.sqrt(1 + kappa * launch * launch))
+
+
+def _speed_of_height(height: Floats, gravity: float, kappa: float, sign: int) -> Any:
+    power = 2 * gravity * kappa * height
+    if kappa == 0 or not np.any(power > 1e-290):
+        return np.sqrt(2 * gravity * height)
+    return np.asarray(np.sqrt(sign * np.expm1(sign * power) / kappa))
+
+
+def impact_of_drop(height: Floats, gravity: float, kappa: float) -> Any:
+    """The speed after a fall"""
+    return _speed_of_height(height, gravity, kappa, -1)
+
+
+def launch_of_height(height: Floats, gravity: float, kappa: float) -> Any:
+    """The speed of a ball that rises to a height"""
+    return _speed_of_height(height, gravity, kappa, 1)
+
+
+class Field(NamedTuple):
+    """Gravity less buoyancy, and kappa = 1/w^2 for the terminal speed w. to_coefficient: C_d/kappa, nan: unknown"""
+
+    gravity: float
+    kappa: float
+    to_coefficient: float
+
+    @classmethod
+    def of(cls, air: Air, gravity: float) -> "Field":
+        to_coefficient = math.nan
+        if air.mass_kg is not None and air.diameter_m is not None:
+            if air.drag_coefficient is not None or air.terminal_speed_m_s is not None or air.fit_drag:
+                gravity *= 1 - air.density_kg_m3 * math.pi / 6 * air.diameter_m**3 / air.mass_kg
+            if not gravity > 0:
+                raise ValueError("mass: the ball is lighter than the air that it displaces; allowed: a heavier ball")
+            area = math.pi / 4 * air.diameter_m**2
+            to_coefficient = 2 * air.mass_kg * gravity / (air.density_kg_m3 * area)
+        elif air.drag_coefficient is not None:
+            missing = "mass" if air.mass_kg is None else "diameter"
+            raise ValueError(f"{missing}: missing; drag_coefficient needs mass and diameter, or give terminal_speed")
+        if air.drag_coefficient is not None and air.terminal_speed_m_s is not None:
+            raise ValueError("terminal_speed: not with drag_coefficient; allowed: one of them")
+        if air.fit_drag and (air.drag_coefficient is not None or air.terminal_speed_m_s is not None):
+            raise ValueError("fit_drag: not with drag_coefficient or terminal_speed; allowed: one of them")
+        kappa = air.drag_coefficient / to_coefficient if air.drag_coefficient else 0.0
+        return cls(gravity, air.terminal_speed_m_s**-2 if air.terminal_speed_m_s else kappa, to_coefficient)
+
+
+# ---- bounces ----
+
+
+class Flights(NamedTuple):
+    """The bounces at one gravity and drag, in the order of the file"""
+
+    speed: Floats
+    log_speed: Floats
+    eps: Floats
+    weight: Floats  # c
+    gain: Floats  # a over eps + d eps/d ln v
+
+
+class Sample:
+    """The bounces of a record. `keep`, by line: False for lines that are left out with the bounces that need them."""
+
+    def __init__(self, data: Data, without: Sequence[int] = ()) -> None:
+        record = data.record
+        self.record, self.row_word = record, data.row_word
+        self.is_points, self.is_times = isinstance(record, Points), isinstance(record, Times)
+        first, middle, last, begins = self._bounces(record)
+        lines = record.line
+        self.lines = np.stack([np.where(i >= 0, lines[i], -1) for i in (first, middle, last)], axis=1)
+        kept = ~np.isin(self.lines, list(without)).any(axis=1)
+        dropped = np.cumsum(~kept)[kept]
+        begins = begins[kept]
+        if begins.size:
+            begins |= np.diff(dropped, prepend=dropped[0]) > 0
+        self.begins, self.first, self.middle, self.last = begins, first[kept], middle[kept], last[kept]
+        self.lines = self.lines[kept]
+        self.size = int(kept.sum())
+        self.variance = self._variance()
+        self.has_sigma = self.variance is not None
+        self.is_chain = self.is_times or isinstance(record, Apexes)
+        used = np.stack([self.first, self.middle, self.last])
+        self.numbers = self.size if not self.is_chain else np.unique(used[used >= 0]).size  # that may be outliers
+        self.scatters = not self.is_points and not self.has_sigma
+        self._cached: Dict[Tuple[float, float], Flights] = {}
+
+    def _bounces(self, record: Any) -> Tuple[Ints, Ints, Ints, Any]:
+        """For each bounce the indices of its measured numbers, -1 for none, and the first bounces of drops"""
+        if isinstance(record, (Points, Heights)):
+            last = np.arange(record.line.size)
+            middle = last if isinstance(record, Heights) else np.full(last.size, -1)
+            return np.full(last.size, -1), middle, last, np.ones(last.size, bool)
+        place = np.arange(record.line.size) - np.repeat(record.start[:-1], np.diff(record.start))
+        if isinstance(record, Apexes):
+            last = np.flatnonzero(place >= 1)
+            return np.full(last.size, -1), last - 1, last, place[last] == 1
+        dropped = np.repeat(np.isfinite(record.height_m), np.diff(record.start))
+        last = np.flatnonzero((place >= 2) | ((place == 1) & dropped))
+        first = np.where(place[last] >= 2, last - 2, -1)
+        return first, last - 1, last, (place[last] == 1) | ((place[last] == 2) & ~dropped[last])
+
+    def _variance(self) -> Optional[Tuple[Floats, Floats]]:
+        """The variances of the last and of the middle number of each bounce, if they are given"""
+        record = self.record
+        if isinstance(record, Points):
+            given: Tuple[Any, Any] = record.sigma, None
+        elif isinstance(record, Heights):
+            given = record.rebound_sigma_m, record.drop_sigma_m
+        else:
+            sigma = record.sigma_m if isinstance(record, Apexes) else None
+            given = sigma, sigma
+        if given[0] is None and given[1] is None:
+            return None
+        none = np.zeros(self.size)
+        return tuple(none if s is None else s[i] ** 2 for s, i in zip(given, (self.last, self.middle)))  # type: ignore
+
+    def flights(self, gravity: float, kappa: float) -> Flights:
+        key = (gravity, kappa)
+        if key not in self._cached:
+            if len(self._cached) > 8:
+                self._cached.clear()
+            self._cached[key] = self._flights(gravity, kappa)
+        return self._cached[key]
+
+    def _flights(self, gravity: float, kappa: float) -> Flights:
+        record, first, middle, last = self.record, self.first, self.middle, self.last
+        if isinstance(record, Points):
+            one = np.ones(self.size)
+            speed = record.speed_m_s[last]
+            return Flights(speed, np.log(speed), record.eps[last], one, 0 * one)
+        if isinstance(record, Times):
+            launch = launch_of_duration(record.time_s[last] - record.time_s[middle], gravity, kappa)
+            before = launch_of_duration(record.time_s[middle] - record.time_s[first], gravity, kappa)
+            speed, gain = impact_of_launch(before, kappa), duration_slope(launch, gravity, kappa)
+            weight = gain * speed
+            with np.errstate(all="ignore"):
+                gain = gain * (speed / before) ** 3 / duration_slope(before, gravity, kappa)
+            released = first < 0
+            if released.any():
+                drop = np.searchsorted(record.start, last[released], side="right") - 1
+                speed[released] = impact_of_drop(record.height_m[drop], gravity, kappa)
+                weight[released] = duration_slope(launch[released], gravity, kappa) * speed[released]
+                gain[released] = 0
+            return Flights(speed, np.log(speed), launch / speed, weight, gain)
+        heights = (record.drop_m, record.rebound_m) if isinstance(record, Heights) else (record.height_m,) * 2
+        drop, rebound = heights[0][middle], heights[1][last]
+        speed, launch = impact_of_drop(drop, gravity, kappa), launch_of_height(rebound, gravity, kappa)
+        rise = launch * np.exp(-2 * gravity * kappa * rebound) / gravity  # dh/du
+        gain = rise * gravity * np.exp(-2 * gravity * kappa * drop) / speed
+        return Flights(speed, np.log(speed), launch / speed, rise * speed, gain)
+
+
+# ---- one curve and its data ----
+
+
+class Problem:
+    """The coordinates theta of a curve, those of the drag and of gravity behind them, and the residuals z"""
+
+    def __init__(self, curve: Curve, sample: Sample, field: Field, free: Sequence[str], robust: bool) -> None:
+        self.curve, self.sample, self.field, self.free, self.robust = curve, sample, field, tuple(free), robust
+        flights = sample.flights(field.gravity, field.kappa)
+        self.fastest2 = math.exp(2 * flights.log_speed.max())
+        least, most = float(flights.log_speed.min()), float(flights.log_speed.max())
+        extra = {"drag": ("positive", (0.0, 100.0)), "gravity": ("log", (math.log(1e-3), math.log(1e3)))}
+        ranges = [*curve.ranges(least, most), *(extra[name][1] for name in self.free)]
+        self.low, self.high = (np.array(side, np.float64) for side in zip(*ranges))
+        self.kinds = (*curve.kinds, *(extra[name][0] for name in self.free))
+        self.size, self.parameters = sample.size, len(self.kinds)
+        self.freedom = self.size - self.parameters
+        self.scale, self.log_ratio = 1.0, LOG_RATIO[0]
+        self.plain = False  # True: without the covariance and Huber's function, for starts
+        self.mean_square = float(np.mean(flights.weight**2))
+        n, starts = self.size, sample.begins
+        self.second = np.append(~starts[1:], False)  # bounce k + 1 shares a number with bounce k
+        self.third = np.append(self.second[:-1] & self.second[1:], False) if n > 1 else np.zeros(n, bool)
+
+    def at(self, theta: Floats) -> Flights:
+        gravity, kappa = self.field.gravity, self.field.kappa
+        for name, value in zip(self.free, theta[len(self.curve.kinds) :]):
+            if name == "drag":
+                kappa = abs(value) / self.fastest2
+            else:
+                gravity *= math.exp(value)
+        return self.sample.flights(gravity, kappa)
+
+    def eps_residual(self, theta: Floats) -> Any:
+        flights = self.at(theta)
+        return flights.eps - self.curve.eps(theta, flights.log_speed)
+
+    def parts(self, theta: Floats) -> Tuple[Floats, Floats, Floats]:
+        """c r, c and a"""
+        flights, n = self.at(theta), self.size
+        x = flights.log_speed
+        eps = self.curve.eps(theta, np.concatenate((x, x + SLOPE_STEP, x - SLOPE_STEP)))
+        above, below = eps[n : 2 * n], eps[2 * n :]
+        slope = (above + below) / 2 + (above - below) / (2 * SLOPE_STEP)
+        return flights.weight * (flights.eps - eps[:n]), flights.weight, flights.gain * slope
+
+    def whiten(self, parts: Tuple[Floats, Floats, Floats], ratios: Sequence[float]) -> Tuple[Floats, Floats]:
+        """Return ln det W and L^-1 (c r) for each lambda. All matrices are factored at once, as blocks of one."""
+        y, weight, a = parts
+        n, times = self.size, self.sample.is_times
+        last, middle = self.sample.variance or (np.ones(n), 1.0)
+        band: Any = np.zeros((3, len(ratios), n))
+        if times:
+            own = 1 + (1 + a) ** 2 + a * a
+            band[1, :, :-1] = np.where(self.second[:-1], -a[1:] * (1 + a[:-1]) - (1 + a[1:]), 0)
+            band[2, :, :-2] = np.where(self.third[:-2], a[2:], 0)
+        else:
+            own = last + a * a * middle
+            band[1, :, :-1] = np.where(self.second[:-1], -a[1:] * last[:-1], 0)
+        band[0] = own + np.multiply.outer(ratios, weight * weight)
+        factor, wrong = scipy("linalg.lapack").dpbtrf(band.reshape(3, -1), lower=1)
+        if wrong:
+            return np.full(len(ratios), math.nan), np.full((len(ratios), n), math.nan)
+        z = scipy("linalg.blas").dtbsv(2, factor, np.tile(y, len(ratios)), lower=1)
+        return 2 * np.log(factor[0]).reshape(-1, n).sum(axis=1), z.reshape(-1, n)
+
+    def z_at(self, parts: Tuple[Floats, Floats, Floats], log_ratios: Any) -> Floats:
+        """z with the determinants, for each ln of lambda times the mean square of c"""
+        if not self.sample.scatters:
+            return self.whiten(parts, [0.0])[1]
+        determinant, z = self.whiten(parts, [0.0, *(math.exp(u) / self.mean_square for u in log_ratios)])
+        return np.asarray(z[1:] * np.exp((determinant[1:] - determinant[0]) / (2 * self.size))[:, None])
+
+    def time_sigma(self, theta: Floats, scale: float) -> Tuple[float, float]:
+        """s of a time or height, and the scatter of eps"""
+        ratio = math.exp(self.log_ratio) / self.mean_square
+        determinant, _ = self.whiten(self.parts(theta), [0.0, ratio])
+        sigma = scale / math.exp((determinant[1] - determinant[0]) / (2 * self.size))
+        return sigma, sigma * math.sqrt(ratio)
+
+    def spread(self, flights: Flights) -> Any:
+        """The standard deviations of eps, without correlations; 1 if they are not given"""
+        variance = self.sample.variance
+        return 1.0 if variance is None else np.sqrt(variance[0] + variance[1]) / flights.weight
+
+    def z(self, theta: Floats) -> Any:
+        """The residuals over their standard deviations, or over `scale`"""
+        if self.plain or self.sample.is_points:
+            return self.eps_residual(theta) / (self.spread(self.at(theta)) * self.scale)
+        z = self.z_at(self.parts(theta), [self.log_ratio])[0]
+        return z if self.sample.has_sigma else z / self.scale
+
+    def residuals(self, theta: Floats) -> Any:
+        """z or, robust, sign(z) sqrt(rho(z)) with Huber's rho, linear beyond HUBER"""
+        z = self.z(theta)
+        if not self.robust or self.plain:
+            return z
+        size = np.abs(z)
+        return np.where(size <= HUBER, z, np.copysign(np.sqrt(HUBER * np.maximum(2 * size - HUBER, 0)), z))
+
+    def objective(self, theta: Floats) -> float:
+        residuals = self.residuals(theta)
+        q = float(residuals @ residuals)
+        return q if math.isfinite(q) else math.inf
+
+    def scale_of(self, z: Floats) -> Any:
+        """sqrt(sum z^2/(n - k)) or, robust, the median of |z| over 0.6745, times sqrt(n/(n - k)); of rows of z"""
+        if self.robust:
+            found = np.median(np.abs(z), axis=-1) / 0.67448975019608171 * math.sqrt(self.size / self.freedom)
+        else:
+            found = np.sqrt(np.einsum("...i,...i", z, z) / self.freedom)
+        return np.maximum(np.where(np.isfinite(found), found, math.inf), LEAST_RESIDUAL)
+
+    def set_noise(self, theta: Floats) -> None:
+        """Set lambda to that of the least scale, and the scale. Errors of times and scatter of bounces may both be
+        likely: each local minimum of a scan is refined. A median has many by chance: there only the lowest counts."""
+        parts = self.parts(theta)
+        if not self.sample.scatters:
+            self.scale = float(self.scale_of(parts[0]))
+            return
+        low, high = LOG_RATIO
+        places = np.linspace(low, high, 15 if self.robust else 43)
+        step = places[1] - places[0]
+
+        def scales(at: Any) -> Any:
+            return self.scale_of(self.z_at(parts, at))
+
+        heights = scales(places)
+        padded = np.pad(heights, 1, constant_values=math.inf)
+        local = np.flatnonzero((padded[1:-1] < padded[:-2]) & (padded[1:-1] <= padded[2:]))
+        if self.robust:
+            local = local[heights[local] <= heights.min()]
+        best, least = low, math.inf
+        for i in local:
+            u, height = _local_minimum(scales, places[i] - step, places[i] + step, 1 if self.robust else 8)
+            if height < least:
+                best, least = u, height
+        self.log_ratio, self.scale = best, least
+
+
+def _local_minimum(f: Callable[[Sequence[float]], Floats], low: float, high: float, places: int) -> Tuple[float, float]:
+    """The place and the value of a local minimum: by golden sections, or with several places evaluated at once"""
+    golden = 0.6180339887498949
+    if places == 1:
+        at = low + (1 - golden) * (high - low)
+        height = float(f([at])[0])
+        for _ in range(24):
+            at_next = low + golden * (high - low)
+            next_height = float(f([at_next])[0])
+            if next_height < height:
+                low, at, height = at, at_next, next_height
+            else:
+                low, high = at_next, low
+        return at, height
+    while True:
+        grid = np.linspace(low, high, places + 2)[1:-1]
+        values = f(list(grid))
+        k = int(np.argmin(values))
+        if high - low < 1e-6:
+            return float(grid[k]), float(values[k])
+        low, high = grid[k] - (grid[1] - grid[0]), grid[k] + (grid[1] - grid[0])

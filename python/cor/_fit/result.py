@@ -1,0 +1,404 @@
+# SPDX-License-Identifier: MIT
+"""cor.fit and its result: parameters, verdict, predictions, commands."""
+
+import math
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+
+import numpy as np
+
+from .compare import SIGNIFICANCE, Comparison, Estimate, Outlier, Setup, compare, find_outliers, finite_theta
+from .data import GRAVITY_M_S2, Air, Data, DataError, Floats, Form, Points, Times
+from .intervals import LEVELS, profile, quantile, sigmas
+from .likelihood import HUBER, Field, Sample, scipy
+from .models import BODIES, Bodies, Model, Parameter, choose
+
+COLUMNS = ("value", "low_68", "high_68", "low_95", "high_95", "rms", "chi2", "aic")
+Progress = Callable[[str, int, int], None]
+
+
+@dataclass
+class Group:
+    """The fits of one ball, or of all data"""
+
+    name: str  # "": all
+    sample: Sample
+    comparison: Comparison
+    outliers: List[Outlier]
+    without_outliers: Optional[Comparison] = None
+
+
+def _p_text(e: Estimate) -> str:
+    if math.isnan(e.p_value):
+        return "p unknown"
+    return f"p = {e.p_value:.2g}" if e.p_value >= 1e-300 else "p < 1e-300"
+
+
+def _judgement(e: Estimate) -> str:
+    return "too few" if math.isnan(e.p_value) else "fits" if e.fits else "does not fit"
+
+
+class Result:
+    """Fits of restitution, made by cor.fit.
+
+    groups: the fits by name of the ball; "" has all data.
+    parameters: a record array with a row for each parameter of each model, the least AIC first, and the columns group,
+    model, end, parameter, value, low_68, high_68, low_95, high_95, rms, chi2, aic. value nan: not determined, because
+    the minimum is flat. pandas.DataFrame(result.parameters) is a table.
+    """
+
+    def __init__(self, data: Data, setup: Setup, bodies: Bodies, groups: Dict[str, Group]) -> None:
+        self.data, self.setup, self.groups, self._bodies = data, setup, groups, bodies
+        self._regions: Dict[Tuple[str, int], Any] = {}
+
+    def __repr__(self) -> str:
+        return f"<cor.fit of {self.data.name}: {' '.join(self.verdict(name) for name in self.groups)}>"
+
+    # ---- parameters ----
+
+    def _parameters(self, model: Model) -> List[Parameter]:
+        made, field = model.parameters(self._bodies), self.setup.field
+        for name in self.setup.free:
+            if name == "gravity":
+                made.append(Parameter("gravity_m_s2", lambda theta: field.gravity * np.exp(theta)))
+            elif math.isnan(field.to_coefficient):
+                made.append(Parameter("terminal_speed_m_s", lambda kappa: 1 / np.sqrt(kappa)))
+            else:
+                made.append(Parameter("drag_coefficient", lambda kappa: kappa * field.to_coefficient))
+        return made
+
+    def parameters_of(self, model: Model, e: Estimate) -> List[Tuple[str, List[float]]]:
+        """Return name, value and intervals (low and high of 68 %, of 95 %) of each parameter."""
+        rows = []
+        for j, parameter in enumerate(self._parameters(model)):
+            unit = e.problem.fastest2 if e.problem.kinds[j] == "positive" else 1.0
+            numbers = [parameter.value(e.theta[j] / unit)]
+            for level in (0, 1):
+                numbers += sorted(parameter.value(end / unit) for end in e.intervals[j, level])
+            rows.append((parameter.name, numbers if e.determined[j] else [math.nan] * 5))
+        return rows
+
+    @property
+    def parameters(self) -> Any:
+        rows = [
+            (group.name, model.name, model.end, name, *numbers, e.rms, e.chi2, e.aic)
+            for group in self.groups.values()
+            for model, e in group.comparison.fits
+            for name, numbers in self.parameters_of(model, e)
+        ]
+        texts = [(name, object) for name in ("group", "model", "end", "parameter")]
+        return np.array(rows, [*texts, *((name, np.float64) for name in COLUMNS)]).view(np.recarray)
+
+    def find(self, model: Optional[str] = None, end: Optional[str] = None, group: str = "") -> Tuple[Model, Estimate]:
+        """Return a model and its fit; without a name those of the verdict or, if no model fits, of the least AIC."""
+        if group not in self.groups:
+            raise ValueError(f"group: {group!r}; allowed: {', '.join(map(repr, self.groups))}")
+        fits = self.groups[group].comparison.fits
+        if model is None:
+            return self.groups[group].comparison.best() or fits[0]
+        name, _, last = model.partition(" ")
+        end = (end or last).replace("_", "-")
+        found = [fit for fit in fits if fit[0].name == name and end in ("", fit[0].end)]
+        if not found:
+            known = ", ".join(fit[0].title for fit in fits)
+            raise ValueError(f"model: {model!r} is not among the fitted models; allowed: {known}")
+        return found[0]
+
+    # ---- sentences ----
+
+    def verdict(self, group: str = "") -> str:
+        c = self.groups[group].comparison
+        judged = [(model, e) for model, e in c.fits if not math.isnan(e.p_value)]
+        best, least = c.best(), c.fits[0][0].title
+        if not judged:
+            return f"The points are too few to judge any of these models. Of them, {least} has the least AIC."
+        if not best:
+            limit = ", of those that the points are enough to judge" if len(judged) < len(c.fits) else ""
+            return f"None of these models fits the data{limit}."
+        contacts = [fit for fit in judged if fit[0].is_contact]
+        if contacts and not any(e.fits for _, e in contacts):
+            named = f"The model {best[0].title}".replace("The model power-law", "The power law")
+            return f"None of these laws of contact fits the data. {named} does; it is a formula without a contact."
+        first = next(fit for fit in judged if fit[1].fits)
+        if best[1] is not first[1]:
+            return (
+                f"The simplest model that the data do not reject is {best[0].title}: the least AIC, of "
+                f"{first[0].title}, is less than 2 below."
+            )
+        return f"Of the models that fit, {best[0].title} has the least AIC."
+
+    def _data_remark(self, group: Group) -> str:
+        flights = group.comparison.fits[0][1].problem.at(finite_theta(group.comparison.fits[0][1]))
+        source = {"Points": "", "Times": " from times of bounces"}.get(type(self.data.record).__name__, " from heights")
+        numbers = "times" if isinstance(self.data.record, Times) else "heights"
+        if group.sample.has_sigma:
+            errors = "weights 1/eps_sigma^2" if group.sample.is_points else "the given errors of the heights"
+        elif group.sample.is_points:
+            errors = "no eps_sigma: equal weights, and the scatter gives sigma"
+        else:
+            errors = f"the scatter gives the errors of the {numbers}"
+        return (
+            f"{group.sample.size} points{source}: {flights.speed.min():.4g} to {flights.speed.max():.4g} m/s, "
+            f"eps {flights.eps.min():.4g} to {flights.eps.max():.4g}; {errors}."
+        )
+
+    def _air_remark(self) -> str:
+        field = self.setup.field
+        if field.kappa == 0 or isinstance(self.data.record, Points):
+            return ""
+        known = "" if math.isnan(field.to_coefficient) else f", C_d = {field.kappa * field.to_coefficient:.3g}"
+        return f"Air: terminal speed {field.kappa**-0.5:.4g} m/s{known}; eps is without the losses in flight."
+
+    def _outlier_remarks(self, group: Group) -> List[str]:
+        word = self.data.row_word.capitalize()
+        quantity = {"Times": ("time", "late", "early"), "Apexes": ("height", "high", "low")}
+        name, above, below = quantity.get(type(self.data.record).__name__, ("eps", "high", "low"))
+        made = [
+            f"{word} {o.line} is an outlier: its {name} is {abs(o.distance):.1f} sigma too "
+            f"{above if o.distance > 0 else below}."
+            for o in group.outliers
+        ]
+        if group.without_outliers and group.without_outliers.fits:
+            model, e = group.without_outliers.fits[0]
+            values = ", ".join(
+                f"{name} = {n[0]:.6g} (95 %: {n[3]:.6g} to {n[4]:.6g})" for name, n in self.parameters_of(model, e)
+            )
+            which = "it" if len(group.outliers) == 1 else f"these {word.lower()}s"
+            end = "" if self.setup.robust else " --robust gives outliers little weight."
+            made.append(
+                f"Without {which} {model.title} has the least AIC ({_judgement(e)}, {_p_text(e)}): {values}.{end}"
+            )
+        return made
+
+    def remarks(self, group: str = "") -> List[str]:
+        """Return what the data are, which models fit and which do not, as lines for a reader."""
+        mine = self.groups[group]
+        fits, lines = mine.comparison.fits, [self._data_remark(mine)]
+        if self.data.unused:
+            lines.append(f"Columns that are not read: {', '.join(self.data.unused)}.")
+        lines += [*self.data.remarks, *filter(None, [self._air_remark()])]
+        if self.setup.robust:
+            lines.append(f"Robust: Huber's function, linear beyond {HUBER} sigma.")
+        if mine.comparison.too_many_parameters:
+            count = mine.comparison.too_many_parameters
+            verb = " is" if count == 1 else "s are"
+            lines.append(f"{count} model{verb} left out: more points than parameters are needed.")
+        model, e = fits[0]
+        if mine.sample.scatters:
+            name, unit = ("time", "s") if mine.sample.is_times else ("height", "m")
+            lines.append(
+                f"sigma of a {name} {e.sigma[0]:.2g} {unit}, of eps at a bounce {e.sigma[1]:.2g}, "
+                f"from the residuals of {model.title}."
+            )
+        flat = [m.title for m, other in fits if not all(other.determined)]
+        if flat:
+            lines.append(f"Not determined, because the minimum is flat: parameters of {', '.join(flat)}.")
+        lines += self._outlier_remarks(mine)
+        kind = "a chi2" if e.p_of_chi2 else "means of neighbouring residuals"
+        lines.append(f"p: probability of so large {kind}, if the model is right; below {SIGNIFICANCE} it does not fit.")
+        named: Dict[str, List[str]] = {}
+        for m, _ in fits:
+            named.setdefault(m.curve.name, []).append(m.title)
+        for curve, titles in named.items():
+            of = next(other for m, other in fits if m.curve.name == curve)
+            lines.append(f"  {_judgement(of):<12} {_p_text(of):<13} {', '.join(titles)}")
+        return [*lines, self.verdict(group)]
+
+    # ---- predictions ----
+
+    def _region(self, model: Model, e: Estimate, group: str) -> List[List[Floats]]:
+        """Places on the boundary of the region of theta whose projections are the intervals, for each level"""
+        key = (group, id(e))
+        if key in self._regions:
+            return list(self._regions[key])
+        p, theta, count = e.problem, finite_theta(e), len(model.curve.kinds)
+        state = p.scale, p.log_ratio
+        covariance = sigmas(p, theta)[1][:count, :count]
+        values, axes = np.linalg.eigh((covariance + covariance.T) / 2)
+        axes = axes * np.sqrt(np.maximum(values, 0))
+        if count == 2:
+            angles = np.linspace(0, 2 * math.pi, 24, endpoint=False)
+            directions = [axes @ np.array([math.cos(a), math.sin(a)]) for a in angles]
+        else:
+            ways = [
+                *np.eye(count),
+                *(
+                    (a + s * b) / math.sqrt(2)
+                    for s in (1, -1)
+                    for i, a in enumerate(np.eye(count))
+                    for b in np.eye(count)[:i]
+                ),
+            ]
+            directions = [sign * (axes @ way) for way in ways for sign in (1, -1)]
+        unit = 1.0 if p.sample.has_sigma or p.robust else e.minimum / p.freedom
+        regions: List[List[Floats]] = []
+        for level in LEVELS:
+            target, made = quantile(p, level) * math.sqrt(unit), []
+            for direction in directions if target > 0 else []:
+
+                def height(step: float) -> float:
+                    p.scale, p.log_ratio = state
+                    place = theta.copy()
+                    place[:count] = np.clip(theta[:count] + step * direction, p.low[:count], p.high[:count])
+                    q = profile(p, place, range(count))[0]
+                    return min(math.sqrt(max(q - e.minimum, 0)), 1e150) - target
+
+                step = 1.1 * target
+                while height(step) < 0 and step < 64 * target:
+                    step *= 2
+                step = scipy("optimize").brentq(height, 0, step, xtol=1e-4 * step) if height(step) > 0 else step
+                made.append(np.clip(theta[:count] + step * direction, p.low[:count], p.high[:count]))
+            regions.append(made)
+        p.scale, p.log_ratio = state
+        self._regions[key] = regions
+        return regions
+
+    def predict(
+        self, speed_m_s: Any, model: Optional[str] = None, *, end: Optional[str] = None, group: str = ""
+    ) -> Any:
+        """Return eps at impact speeds, m/s, with its intervals: a record array with the fields speed_m_s, eps, low_68,
+        high_68, low_95, high_95. The uncertainty of all parameters is carried to eps. model: as in find."""
+        chosen, e = self.find(model, end, group)
+        speed = np.asarray(speed_m_s, np.float64)
+        if not np.all((speed > 0) & np.isfinite(speed)):
+            raise ValueError("speed_m_s: a speed is not above 0 and finite")
+        names = ("speed_m_s", "eps", "low_68", "high_68", "low_95", "high_95")
+        made = np.zeros(speed.shape, [(name, np.float64) for name in names])
+        x = np.log(np.atleast_1d(speed)).ravel()
+        with np.errstate(all="ignore"):
+            eps = chosen.curve.eps(finite_theta(e), x)
+            made["speed_m_s"], made["eps"] = speed, eps.reshape(speed.shape)
+            for name, places in zip(("68", "95"), self._region(chosen, e, group)):
+                all_eps = np.array([eps, *(chosen.curve.eps(place, x) for place in places)])
+                made[f"low_{name}"] = all_eps.min(axis=0).reshape(speed.shape)
+                made[f"high_{name}"] = all_eps.max(axis=0).reshape(speed.shape)
+        return made.view(np.recarray)[()]
+
+    # ---- what uses the fit ----
+
+    def command(self, model: Optional[str] = None, *, end: Optional[str] = None, group: str = "") -> Optional[str]:
+        """Return the line of corgen embed that writes eps of the fit as a header; None for a model without one."""
+        chosen, e = self.find(model, end, group)
+        p = e.problem
+        if not all(e.determined) or not np.all(np.isfinite(e.theta)):
+            return None
+        given = self._bodies.given
+        known = self._bodies.known and all(map(math.isfinite, given.values()))
+        value = self.parameters_of(chosen, e)[0][1][0]
+        at_1 = math.exp(min(e.theta[0], 700.0))
+        words = {
+            "viscoelastic": f"--dissipation-time {value:.10g}" if known else f"--g-star {value:.10g}",
+            "linear": f"--law linear --zeta {value:.10g}",
+            "tsuji": f"--law tsuji --zeta {value:.10g}",
+            "hunt-crossley": f"--law hunt-crossley --beta {at_1:.10g} --at 1",
+            "hertz-dashpot": f"--law hertz-dashpot --beta {at_1:.10g} --at 1",
+        }
+        if chosen.name == "plate":
+            star = next(m for m in choose("viscoelastic", "zero-overlap"))
+            words["plate"] = f"--g-star {star.plain[0].value(e.theta[0]):.10g}"
+        if chosen.name == "elastic-plastic":
+            eps = float(chosen.curve.eps(e.theta, np.log([2 * at_1]))[0])
+            words["elastic-plastic"] = f"--law elastic-plastic --restitution {eps:.12g} --at {2 * at_1:.12g}"
+        if chosen.name not in words:
+            return None
+        line = ["corgen embed", words[chosen.name]]
+        if chosen.name == "viscoelastic" and known:
+            line += [f"--{name.replace('_', '-')} {number:.10g}" for name, number in given.items()]
+            line += ["--wall"] if self._bodies.wall else []
+        line += [f"--end {chosen.end}"] if chosen.end != "both" else []
+        speed = p.at(finite_theta(e)).speed
+        low, high = speed.min(), max(speed.max(), 1.001 * speed.min())
+        return " ".join([*line, f"--speed-min {low:.6g} --speed-max {high:.6g} --tolerance 1e-6"])
+
+    def plot(self, file: Union[str, Any], *, all: bool = False) -> Any:
+        """Draw the data with their errors, the best model and its band, and the residuals. all: also other models"""
+        from .plot import plot
+
+        return plot(self, file, all=all)
+
+
+# ---- the call ----
+
+
+def _silent(_what: str, _done: int, _total: int) -> None:
+    pass
+
+
+def _air(bodies: Dict[str, float], diameter: Optional[float], **numbers: Any) -> Air:
+    radius = bodies.get("radius")
+    diameter = 2 * radius if diameter is None and radius is not None else diameter
+    mass = bodies.get("mass")
+    if mass is None and "density" in bodies and diameter is not None:
+        mass = bodies["density"] * math.pi / 6 * diameter**3
+    return Air(mass_kg=mass, diameter_m=diameter, **numbers)
+
+
+def fit(
+    source: Any,
+    *,
+    law: Any = "all",
+    end: Optional[str] = None,
+    robust: bool = False,
+    gravity: float = GRAVITY_M_S2,
+    fit_gravity: bool = False,
+    drag_coefficient: Optional[float] = None,
+    terminal_speed: Optional[float] = None,
+    fit_drag: bool = False,
+    diameter: Optional[float] = None,
+    air_density: float = 1.204,
+    unit: Optional[str] = None,
+    separator: Optional[str] = None,
+    decimal_comma: bool = False,
+    drop_height: Optional[float] = None,
+    wall: bool = False,
+    viscosity_liquid: Optional[float] = None,
+    progress: Optional[Progress] = None,
+    **bodies: float,
+) -> Result:
+    """Fit models of restitution to measured bounces, rank them by AIC and judge them. Needs SciPy.
+
+    source: a path, an open file, a data frame, or a mapping of arrays with the columns of cor fit (docs/fit.md).
+    law: "all", names as "viscoelastic,power-law", or a list of names and functions eps(speed, a=0.9, b=0.1), whose
+    defaults are the start. end: "zero-overlap" or "zero-force" (both). robust: Huber's function.
+    gravity: m/s^2; fit_gravity: a parameter, for drops of known height. Air: drag_coefficient with mass and diameter,
+    or terminal_speed, or fit_drag; air_density (1.204 kg/m^3). SI units throughout.
+    unit, separator, decimal_comma, drop_height: how to read the source. wall, young, poisson, radius, density, mass and
+    the same with _2: the bodies, which give parameters of materials. viscosity_liquid: Pa s, of "stokes".
+    progress: a function of a word, the number of steps done and of all steps.
+    """
+    from .records import read
+
+    given = {name: float(value) for name, value in bodies.items()}
+    made = Bodies(given, wall, viscosity_liquid)
+    models = choose(law, end)
+    if not 0 < gravity < math.inf:
+        raise ValueError(f"gravity: {gravity!r} is not above 0 and finite")
+    numbers = {"drag_coefficient": drag_coefficient, "terminal_speed_m_s": terminal_speed, "fit_drag": fit_drag}
+    air = _air(given, diameter, density_kg_m3=air_density, **numbers)
+    form = Form(unit=unit, separator=separator, decimal_comma=decimal_comma, drop_height_m=drop_height)
+    data = source if isinstance(source, Data) else read(source, form)
+    field, tell = Field.of(air, gravity), progress or _silent
+    free = tuple(name for name, wanted in (("drag", fit_drag), ("gravity", fit_gravity)) if wanted)
+    if free and isinstance(data.record, Points):
+        raise ValueError(f"fit_{free[0]}: {data.name} has speeds; allowed: with times of bounces, or heights")
+    setup = Setup(field, free, robust)
+    groups: Dict[str, Group] = {}
+    with np.errstate(all="ignore"):
+        for name in ("", *data.balls):
+            mine = data.of_ball(data.balls.index(name)) if name else data
+            sample = Sample(mine)
+            comparison = compare(sample, models, setup, tell)
+            if not comparison.fits and not name:
+                least = min(len(model.curve.kinds) for model in models) + len(free) + 1
+                raise DataError(f"{data.name} has {sample.size} points; allowed: {least} or more for these models")
+            if not comparison.fits:
+                continue
+            group = Group(name, sample, comparison, find_outliers(mine, sample, models, setup, tell))
+            if group.outliers:
+                rest = Sample(mine, [o.line for o in group.outliers])
+                group.without_outliers = compare(rest, models, setup, tell)
+            groups[name] = group
+    return Result(data, setup, made, groups)
+
+
+__all__ = ["BODIES", "Group", "Result", "fit"]
