@@ -486,9 +486,9 @@ def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
     counts, needed = np.diff(start), np.where(np.isnan(height), 3, 2)
     for k in np.flatnonzero(counts < needed):
         last = k + 1 == len(counts)
-        why = f"the drop {'' if last else 'before this line '}has {counts[k]} bounce{'s' * (counts[k] != 1)}"
+        why = f"the drop {'' if last else 'before this line '}has {counts[k]} bounce{'' if counts[k] == 1 else 's'}"
         allowed = f"{needed[k]} or more, which give one eps"
-        allowed += "; 2 or more with the height of the drop, --drop-height or h0_cm" * (needed[k] == 3)
+        allowed += "; 2 or more with the height of the drop, --drop-height or h0_cm" if needed[k] == 3 else ""
         at_line = table.last_line if last else int(table.line[row[start[k + 1]]])
         table.refuse(at_line, key, f"{why}; allowed: {allowed}")
     later = np.flatnonzero(inside[1:] & np.append(False, inside[1:-1]))  # flights that follow another one

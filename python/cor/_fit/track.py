@@ -76,7 +76,9 @@ def find_bounces(time: Floats, height: Floats) -> Bounces:
     begin = height[: max(lowest[0], 1)]
     top = int(np.argmax(begin))
     fall = float(np.mean(begin[begin >= begin[top] - 3 * noise]) - floor(0))
-    still = top > 0 or begin[0] - begin[min(2, len(begin) - 1)] < 0.1 * fall
+    after = min(top + LEAST_SAMPLES, len(begin) - 1)
+    free_fall = -float(np.median(bends)) * (time[after] - time[top]) ** 2 / 2  # from rest
+    still = begin[top] - begin[after] < 2 * free_fall + 4 * noise
     return Bounces(
         np.array([first, *meet, last]), lowest, fall if still and fall > 0 else np.nan, -float(np.median(bends))
     )

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: MIT
+"""Measured bounces as laboratories record them: what is read, and what is refused with line, column and advice."""
+
+import io
+import random
+import re
+import time
+
+import numpy as np
+import pytest
+from cor._fit.data import Apexes, DataError, Form, Heights, Points, Times
+from cor._fit.records import read
+
+POINTS, TIMES = "speed_m_s,eps\n", "t_s\n"
+CARRIED = "run,t_s,h0_cm\na,0,\na,1,\n"
+
+
+def read_text(text, **form):
+    data = text if isinstance(text, bytes) else text.encode()
+    return read(io.BytesIO(data), Form(**form))
+
+
+# text, options, the class of the record, and some of its fields
+READ = [
+    (b"\xef\xbb\xbfspeed_m_s,eps,eps_sigma\r\n0.1,.95,1e-2", {}, Points, dict(speed_m_s=[0.1], eps=[0.95], sigma=[0.01])),
+    ('\n# note\neps,remark,speed_cm_s\n0.95,"a, b",10\n .9 ,,"100"\n', {}, Points, dict(speed_m_s=[0.1, 1], line=[4, 5])),
+    ("speed_m_s;eps\n0,1;0,95\n1;,9\n", dict(decimal_comma=True), Points, dict(speed_m_s=[0.1, 1], eps=[0.95, 0.9])),
+    ('speed_m_s\teps\n"0,1"\t0,95\n', dict(decimal_comma=True), Points, dict(speed_m_s=[0.1])),
+    ("speed_m_s,eps,a;b;c;d\n1,0.9,0\n", dict(separator=","), Points, dict(eps=[0.9])),
+    ("speed,eps\n100,0.9\n", dict(unit="mm/s"), Points, dict(speed_m_s=[0.1])),
+    ("Speed (m/s),EPS,Temperature (C)\n1,0.5,20\n", {}, Points, dict(speed_m_s=[1])),
+    ("speed_m_s,eps,eps_sigma\n1,1.002,0.01\n2,-0.04,0.01\n", {}, Points, dict(eps=[1.002, -0.04])),
+    ("v_in_cm_s,v_out_cm_s\n100,80\n", {}, Points, dict(speed_m_s=[1], eps=[0.8])),
+    # eps = 0.8; its error is sqrt((0.8 * 0.03)^2 + 0.032^2)/2 = 0.02
+    ("speed_m_s,speed_out_m_s,speed_sigma_m_s,speed_out_sigma_m_s\n2,1.6,.03,.032\n", {}, Points, dict(sigma=[0.02])),
+    ("h0_cm,h_1_mm,h1_sigma_cm\n100,640,1\n", {}, Heights, dict(drop_m=[1], rebound_m=[0.64], rebound_sigma_m=[0.01])),
+    ("h_0 (cm),h_1 (cm)\n100,64\n,63\n50,30\n", {}, Heights, dict(drop_m=[1, 1, 0.5])),
+    ("h0,h1\n100,64\n", dict(unit="cm"), Heights, dict(drop_m=[1], rebound_m=[0.64])),
+    ("rebound height [cm]\n64\n63\n", dict(drop_height_m=1), Heights, dict(drop_m=[1, 1], rebound_m=[0.64, 0.63])),
+    ("h_cm\n64\n40\n", {}, Apexes, dict(height_m=[0.64, 0.4], start=[0, 2])),
+    ("ball,apex_cm\nA,64\nB,60\nB,36\n", dict(drop_height_m=1), Apexes, dict(height_m=[1, 0.64, 1, 0.6, 0.36], ball=[0, 1])),
+    ("t_s\n0\n1\n1.8\n", {}, Times, dict(time_s=[0, 1, 1.8], height_m=[np.nan])),
+    ('"Time (ms)"\n0\n1000\n', dict(drop_height_m=1.5), Times, dict(time_s=[0, 1], height_m=[1.5])),
+    (CARRIED.replace("0,\n", "0,150\n"), {}, Times, dict(height_m=[1.5])),
+    ("run,t_s\na,0\na,1\na,1.8\nb,5\nb,6\nb,6.5\n", {}, Times, dict(start=[0, 3, 6], run=["a", "b"])),
+    ("interval_ms\n800\n640\n", {}, Times, dict(time_s=[0, 0.8, 1.44], line=[2, 2, 3])),
+    ("run,dt (s)\na,1\na,.8\nb,.9\nb,.8\n", {}, Times, dict(time_s=[0, 1, 1.8, 0, 0.9, 1.7], start=[0, 3, 6])),
+    # speed with eps wins over heights, heights over times
+    ("h0_cm,h1_cm,speed_m_s,eps\n100,64,4.4,.81\n", {}, Points, dict(eps=[0.81])),
+    ("t_s,h0_cm,h1_cm\n1,100,64\n", {}, Heights, dict(drop_m=[1])),
+    ("run,speed_m_s,eps\na,1,.5\nb,2,.4\n", {}, Points, dict(run=["a", "b"])),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text,form,kind,fields", READ, ids=range(len(READ)))
+def test_read(text, form, kind, fields):
+    record = read_text(text, **form).record
+    assert isinstance(record, kind)
+    for name, values in fields.items():
+        if name == "run":
+            assert list(record.run) == values
+        else:
+            np.testing.assert_allclose(getattr(record, name), values, rtol=1e-14)
+
+
+# the message behind the name of the file, as a regular expression; text; options
+REFUSED = [
+    ("line 1: the file is empty; allowed: .*, as speed_m_s,eps", "", {}),
+    ("line 1: no column speed_m_s; allowed: .* as speed_m_s,eps", "1,0.5\n2,0.4\n", {}),
+    ("line 1: no column eps or speed_out_m_s; allowed", "speed_m_s,b\n1,0.5\n", {}),
+    ("line 1: no column h0_cm, or --drop-height", "h1_cm\n64\n", {}),
+    ("line 1, column eps: the file has two columns of this name", "speed_m_s,eps,eps\n1,0.5,0.5\n", {}),
+    ("line 1, column speed_mm_s: the file has two columns of speeds; allowed: one", "speed_m_s,speed_mm_s,eps\n", {}),
+    ("line 1, column speed_m_s: --unit cm/s contradicts the name; allowed: --unit m/s", POINTS, dict(unit="cm/s")),
+    ("line 1, column t_s: --unit cm/s is the unit of no column", TIMES, dict(unit="cm/s")),
+    ("--unit: 'km/h' is not a unit; allowed: m/s, cm/s, mm/s, m, cm, mm, s", POINTS, dict(unit="km/h")),
+    ("line 1, column speed: the name has no unit; allowed: speed_m_s, .*--unit cm/s", "speed,eps\n1,0.5\n", {}),
+    ("line 1, column h0: the name has no unit; allowed: h0_m, .* --unit cm", "h0,h1\n1,0.5\n", {}),
+    ("line 1, column Time .h.: 'h' is not a unit of time; allowed: s, ms, us", "Time (h)\n1\n", {}),
+    ("line 1: the column 'spede_m_s' is not read, but nearly has the name speed_m_s", "spede_m_s,eps\n1,0.5\n", {}),
+    ("line 1: the column 'rum' is not read, but nearly has the name run", "rum,t_s\na,0\n", {}),
+    ("line 1: the column 'h1 error .cm.' is .* h1_sigma_cm", "h0_cm,h1_cm,h1 error (cm)\n100,64,1\n", {}),
+    ("line 3: 4 cells, but .* 2 columns; .* commas, .* decimal point", POINTS + "1,0.5\n0,5,0,85\n", {}),
+    ("line 2, column eps: '0,85' has a decimal comma; .* as 0.85, or --decimal-comma", POINTS + '1,"0,85"\n', {}),
+    ("line 2, column eps: '.5' has a decimal point, but .*without", "speed_m_s;eps\n2;.5\n", dict(decimal_comma=True)),
+    ("line 1: no column speed_m_s", "speed_m_s;eps\n1;0.5\n", dict(separator=",")),
+    ("line 3, column eps: 'half' is not .*; allowed: a number from 0 to 1, as 0.85", POINTS + "1,0.5\n2,half\n", {}),
+    ("line 2, column speed_m_s: 'NaN' is not allowed; allowed: a speed above 0 and up", POINTS + "NaN,1\n", {}),
+    ("line 3, column speed_m_s: '-2' is not allowed", POINTS + "1,0.5\n-2,0.4\n", {}),
+    ("line 2, column speed_m_s: '0' is not allowed", POINTS + "0,0.5\n", {}),
+    ("line 2, column speed_m_s: '1_0' is not allowed", POINTS + "1_0,0.5\n", {}),
+    ("line 2, column speed_m_s: '\u0661' is not allowed", POINTS + "\u0661,0.5\n", {}),
+    *[(f"line 2, column eps: '{v}' is not allowed", f"{POINTS}1,{v}\n", {}) for v in "inf 1.01 -0.1 1/2".split()],
+    ("line 2, column eps: the cell is empty; allowed", POINTS + "1,\n2,0.4\n", {}),
+    ("line 3, column eps_sigma: '0' is not .*from 1e-30 to 1e30", "speed_m_s,eps,eps_sigma\n1,0.5,0.1\n2,0.4,0\n", {}),
+    ("line 2, column eps: '1.06' is 6 eps_sigma beyond 1; .* by 5", "speed_m_s,eps,eps_sigma\n1,1.06,0.01\n", {}),
+    ("line 2, column eps: '-0.06' is 6 eps_sigma beyond 0", "speed_m_s,eps,eps_sigma\n1,-0.06,0.01\n", {}),
+    ("line 1: the file ends after 0 rows", POINTS, {}),
+    ("line 1: the text is UTF-16LE; allowed: UTF-8, as from iconv -f UTF-16LE", POINTS.encode("utf-16-le"), {}),
+    ("line 1: the text is UTF-16BE", POINTS.encode("utf-16-be"), {}),
+    ("line 1: the text is UTF-16LE", b"\xff\xfes\0p\0", {}),
+    ("line 2: has a control character", POINTS + "1,0.5\0\n", {}),
+    ("line 1: has a control character", "speed_m_s,eps\r1,0.5\r", {}),
+    ("line 1: longer than 65536 characters", "x" * 65538, {}),
+    ("line 3: longer than 65536 characters", POINTS + "1,1\n" + "x" * 200000, {}),
+    ("line 1: no column speed_m_s", "x" * 65536, {}),
+    ("line 1: more than 256 cells", POINTS.strip() + ",a" * 255, {}),
+    ("line 4, column t_s: 0.5 is not after the bounce before", TIMES + "0\n1\n0.5\n", {}),
+    ("line 3, column t_s: '-1' is not allowed; allowed: a time from 0 s", TIMES + "0\n-1\n", {}),
+    ("line 2, column h1_cm: '-64' is not allowed; allowed: a height from 0", "h0_cm,h1_cm\n100,-64\n", {}),
+    ("line 3, column h_cm: '-64' is not allowed; allowed: a height above 0", "h_cm\n100\n-64\n", {}),
+    ("line 4, column t_s: a flight of 1.5 s after one of 1 s makes eps = 1.5; allowed", TIMES + "0\n1\n2.5\n", {}),
+    ("line 3, column h1_cm: the rebound makes eps = 1.414", "h0_cm,h1_cm\n100,64\n50,100\n", {}),
+    ("line 3, column h_cm: the rebound makes eps = 1.581", "h_cm\n40\n100\n", {}),
+    ("line 4, column t_s: the drop before .* has 2 bounces; allowed: 3 or .*--drop-height", "run,t_s\na,0\na,1\nb,0\n", {}),
+    ("line 2, column t_s: the drop has 1 bounce; allowed: 2 or more", TIMES + "1\n", dict(drop_height_m=1.0)),
+    ("line 2, column h_cm: the drop has 1 apex", "h_cm\n64\n", {}),
+    ("line 1, column eps: not with t_s", "t_s,eps\n0,1\n", {}),
+    ("line 2, column Time .s.: 399 steps of 0.001 s are a recorded waveform, .* 1000 Hz", "", dict(waveform=400)),
+    ("line 2, column y .m.: the heights grow downward", "", dict(track=40)),
+    ("line 1000002: more than 1000000 rows", POINTS + "1,0.5\n" * 1000001, {}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("message,text,form", REFUSED, ids=range(len(REFUSED)))
+def test_refused(message, text, form):
+    form = dict(form)
+    if "waveform" in form:
+        rows = range(form.pop("waveform"))
+        text = "Time (s),Sound pressure (a.u.)\n" + "".join(f"{k / 1000:.4f},{k % 7}\n" for k in rows)
+    if "track" in form:
+        text = "t_s,y (m)\n" + "".join(f"{k / 60},{(k / 60) ** 2}\n" for k in range(form.pop("track")))
+    with pytest.raises(DataError) as error:
+        read_text(text, **form)
+    assert re.match("(the file: )?(" + message + ")", str(error.value))
+
+
+def test_arrays_and_data_frames():
+    t = np.array([0, 1, 1.8])
+    for source in (t, {"t_s": t}, list(t), np.array([(x,) for x in t], dtype=[("t_s", float)])):
+        assert list(read(source).record.time_s) == [0, 1, 1.8]
+    assert list(read((np.array([1, 2]), np.array([0.9, 0.8]))).record.eps) == [0.9, 0.8]
+    assert read({"speed": [100], "eps": [1], "ball": ["a"]}, Form(unit="cm/s")).balls == ("a",)
+    for source, message in (
+        ({"t_s": [0, 1, 0.5]}, "the data: row 2, column t_s: 0.5 is not after"),
+        ({"speed": [1], "eps": [1]}, "the data: column speed: the name has no unit"),
+        ({"speed_m_s": [1, 2], "eps": [1]}, "the data: columns of different shapes"),
+        ({"speed_m_s": [1, 2], "eps": [1, np.nan]}, "the data: row 1, column eps: the cell is empty"),
+        (np.zeros((2, 5)), "the data: 5 columns without names"),
+        (5, "the data: 0 columns without names"),
+    ):
+        with pytest.raises(DataError, match=re.escape(message)):
+            read(source)
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"speed_m_s": [1, 2, 3], "eps": [0.9, 0.8, 0.7], "ball": ["a", "a", "b"], "note": 1})
+    data = read(frame)
+    assert data.balls == ("a", "b") and data.unused == ("note",) and list(data.of_ball(1).record.eps) == [0.7]
+    assert list(read(pandas.Series(t)).record.time_s) == [0, 1, 1.8]
+    assert list(read(io.StringIO(POINTS + "1,0.5\n")).record.eps) == [0.5]
+
+
+def falling(height, eps, terminal_speed, samples_per_second, noise, seed):
+    """Integrate drops with drag by small steps; return times, heights with noise, and the times of seven bounces."""
+    g, step, y, v, t, bounces, track = 9.80665, 2e-4, height, 0.0, 0.0, [], []
+    while len(bounces) < 7:
+        track.append((t, y))
+        a = -g * (1 + np.sign(v) * (v / terminal_speed) ** 2)
+        y, v, t = y + v * step + a * step**2 / 2, v + a * step, t + step
+        if y < 0:
+            bounces.append(t - y / v)
+            v, y = -v * eps, -y * eps
+    times, heights = np.array(track).T
+    at = np.arange(0, t, 1 / samples_per_second)
+    random_numbers = np.random.default_rng(seed)
+    return at, np.interp(at, times, heights) + random_numbers.normal(0, noise, at.size), np.array(bounces)
+
+
+@pytest.mark.parametrize("eps,rate,noise,bound", [(0.8, 60, 1e-3, 2e-3), (0.85, 240, 0, 5e-4), (0.9, 120, 5e-4, 2e-3)])
+def test_bounces_of_a_track(eps, rate, noise, bound):
+    pytest.importorskip("scipy")
+    at, heights, bounces = falling(1.0, eps, 9.0, rate, noise, 1)
+    data = read({"time_s": at + 3, "height_m": heights + 0.2})  # any origins
+    record = data.record
+    assert 5 <= record.time_s.size <= 7 and data.remarks[0].startswith("The track has ")
+    np.testing.assert_allclose(record.time_s[:5] - 3, bounces[:5], atol=bound)
+    assert abs(record.height_m[0] - 1) < 0.005
+    thrown = read({"time_s": at[at > 0.2], "height_m": heights[at > 0.2]}).record  # begins in flight
+    assert np.isnan(thrown.height_m[0])
+
+
+def test_hostile_bytes():
+    """Changed files are read with numbers in their ranges, or refused by DataError."""
+    seeds = [text if isinstance(text, bytes) else text.encode() for text, *_ in READ]
+    pick = random.Random(3)
+    for _ in range(1500):
+        text = bytearray(pick.choice(seeds))
+        for _ in range(pick.randrange(1, 5)):
+            at = pick.randrange(len(text))
+            text[at : at + pick.randrange(3)] = pick.choice(b'|\0|"|,|;|\n|-|1e999|nan|\xff|#|_|9'.split(b"|"))
+            text = text or bytearray(b",")
+        try:
+            record = read_text(bytes(text), drop_height_m=pick.choice([None, 1.0])).record
+        except DataError as error:
+            assert str(error).startswith("the file: line ") and "; allowed: " in str(error)
+            continue
+        for name, values in vars(record).items():
+            if isinstance(values, np.ndarray) and name != "height_m":
+                assert np.all(np.isfinite(values)), name
+        if isinstance(record, Times):
+            steps = np.diff(record.time_s)
+            steps[record.start[1:-1] - 1] = 1  # to the next drop
+            assert np.all(steps > 0)
+
+
+def test_a_million_bounces():
+    """A tenth of the largest file takes a tenth of the allowed time, and the progress is shown."""
+    flights = 0.8 * 0.9 ** np.arange(10)
+    times = (np.arange(10000)[:, None] * 100 + np.cumsum(flights)).ravel()
+    text = "run,t_s\n" + "".join(f"d{k // 10},{t:.6f}\n" for k, t in enumerate(times))
+    steps = []
+    begin = time.process_time()
+    data = read(io.BytesIO(text.encode()), Form(), steps.append)
+    assert time.process_time() - begin < 0.5
+    assert data.record.start.size == 10001 and steps[-1] == "reading: 100001 lines"
