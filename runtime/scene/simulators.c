@@ -45,6 +45,7 @@ double cor_flores_beta(double e)
 
 /* Exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use it for every end of contact. */
 MAP(exact_at_zero_overlap, cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e))
+MAP(exact_at_zero_force, cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_FORCE, e))
 /* The damping is 2 gamma sqrt(m k), where k = (3/2) K sqrt(x) is the tangent stiffness; zeta = sqrt(6/5) gamma. */
 MAP(thornton, sqrt(1.2) * cor_thornton_gamma(e))
 /* YADE: no damping at e = 1 exactly */
@@ -348,6 +349,8 @@ static const struct cor_simulator_model yade[] = {
         /* at a wall YADE makes half of these kn and cn */
         YADE(PAIRS, "cor_material = ViscElMat({density}tc={tc}, en={n}, et=1, frictionAngle=0)\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
+    ROW(YADE_YOUNG_EN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, young and en", "e", LINEAR, ZERO_FORCE,
+        ASKED(exact_at_zero_force, OPEN, 1), "Exact between spheres; YADE solves for cn.", NO_LINES),
 };
 
 static const struct cor_simulator_model mercurydpm[] = {
@@ -554,6 +557,25 @@ static const struct cor_simulator_model bullet[] = {
         .has_function = 1),
 };
 
+static const struct cor_simulator_model gazebo[] = {
+    ROW(GAZEBO_BOUNCE, OF("gazebo/physics/ode/ODEPhysics.cc", "source", "gazebo 11"), "ODE, restitution_coefficient",
+        "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
+        "The smaller e of both; eps is 0 up to the smaller threshold, 100000 m/s if none is set.", NO_LINES),
+};
+
+static const struct cor_simulator_model lethe[] = {
+    ROW(LETHE_RESTITUTION, OF("particle_particle_contact_force.h", "source", "source of 2023"),
+        "hertz_mindlin_limit_overlap or linear, restitution coefficient", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact; two materials have the harmonic mean of both e.", NO_LINES,
+        .any_spring = 1),
+};
+
+static const struct cor_simulator_model pfc[] = {
+    ROW(PFC_LINEAR, OF("linear model", "documentation", "its documentation of PFC 5 and later"), "linear, dp_nratio",
+        "dp_nratio", LINEAR, ZERO_OVERLAP, NUMBER(damping_ratio), "Exact; dp_mode 1 and 3 end it at zero force.",
+        NO_LINES),
+};
+
 static const struct cor_simulator_model rebound[] = {
     ROW(REBOUND_CONSTANT, OF("src/collision.c", "source", "5.0.0"), "coefficient_of_restitution, constant", "e",
         IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1), "Exact for hard spheres.",
@@ -631,6 +653,9 @@ const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(opensees, "opensees", "opensees", NO_INTEGRATOR)},
     {SIMULATOR(bullet, "bullet", "Bullet", NO_INTEGRATOR), CPP, .setup = "SI units.", .version = "3.24",
      .packaged = 32400},
+    {SIMULATOR(gazebo, "gazebo", "gazebo", NO_INTEGRATOR)},
+    {SIMULATOR(lethe, "lethe", "lethe", SYMPLECTIC_EULER)},
+    {SIMULATOR(pfc, "pfc", "pfc", VERLET_HALF_STEP)},
     {SIMULATOR(rebound, "rebound", "REBOUND", NO_INTEGRATOR), CPP, .setup = "cor_eps takes m/s."},
     {SIMULATOR(modelica, "modelica", "Modelica", NO_INTEGRATOR), CPP,
      .setup = "SI units. The integrator chooses the time step."},
@@ -709,7 +734,7 @@ double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, dou
         for (int k = 0; k < 4; k++) {
             const double d = mujoco_impedance(solimp, at), share = d / solimp[1];
             const double reference = share * frequency * (2 * zeta * rate + share * frequency * at);
-            if (k == 0 && n > 0 && !(reference + d * gravity_m_s2 > 0)) {
+            if (k == 0 && n > 0 && !(reference + d * gravity_m_s2 > 0 && x > 0)) {
                 const double square = v < 0 ? v * v - 2 * gravity_m_s2 * fmax(x, 0) : 0;
                 return square > 0 ? fmin(sqrt(square) / speed_m_s, 1) : 0;
             }

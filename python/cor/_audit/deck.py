@@ -75,10 +75,11 @@ class Contact:
     """One contact of two bodies as a reader found it.
 
     model: a model of cor_simulators by its id without COR_, such as "LAMMPS_HOOKE_VELOCITY"; "": cor does not know it,
-    and `unknown` is the reason. style: the deck's own name of the model, for rows without one. number: e, or the number
-    that the user of the model sets. limited: the same model, but its contact ends at zero force. zeta_factor: damping
+    and `unknown` is the reason. style: the deck's own name of the model, in place of the table's. number: e, or the
+    number that the user of the model sets. limited: the same model, but it ends at zero force. zeta_factor: damping
     of this contact over the damping that the model computes from e. slots: the parts [start, end) of repair.text that
-    contain e. gravity: acceleration that presses the bodies together, for walls. losses: sentences about losses outside
+    contain e. gravity: acceleration that presses the bodies together, for walls. global_damping:
+    part of every force that YADE adds against the motion and takes along it. losses: sentences about losses outside
     contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed."""
 
     file: str
@@ -101,6 +102,8 @@ class Contact:
     repair: Optional[Repair] = None
     slots: Tuple[Tuple[int, int], ...] = ()
     gravity: float = NAN
+    global_damping: float = 0.0
+    threshold: float = 0.0  # m/s; up to this speed eps is 0
     speeds: Tuple[float, ...] = ()
     time_step: float = NAN
     integrator: Optional[int] = None  # enum cor_integrator; None: the simulator's own

@@ -14,9 +14,13 @@ SIMULATORS = {
     "liggghts": ("lammps", "read_liggghts", ("property/global", "particletemplate/", "pair_style gran model")),
     "lammps": ("lammps", "read_lammps", ("pair_style", "wall/gran")),
     "yade": ("yade", "read", ("O.engines", "Ip2_", "ViscElMat(", "O.materials")),
-    "mujoco": ("mujoco", "read", ("<mujoco",)),
-    "mfix": ("mfix", "read", ("DES_EN_", "des_en_", "Des_En_")),
-    "kratos": ("kratos", "read", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
+    "mujoco": ("xml", "read_mujoco", ("<mujoco",)),
+    "mfix": ("text", "read_mfix", ("DES_EN_", "des_en_", "Des_En_")),
+    "gazebo": ("xml", "read_gazebo", ("<sdf",)),
+    "lethe": ("text", "read_lethe", ("restitution coefficient particles", "subsection lagrangian physical")),
+    "pfc": ("text", "read_pfc", ("dp_nratio", "contact cmat", "cmat default")),
+    "mercurydpm": ("text", "read_mercurydpm", ("setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution")),
+    "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
 # Models of other versions
 _OTHER = {
@@ -60,7 +64,7 @@ def scene_of(contact: Contact, size: int = 0) -> Any:
     bodies = contact.bodies
     scene = ffi.new("struct cor_scene_contact *")
     mass = _over(1, sum(_inverse_mass(b, size) for b in bodies))
-    radius = _over(1, sum(0 if b.wall else _over(1, b.radius[size]) for b in bodies))
+    radius = _over(1, sum(0 if b.wall and math.isnan(b.radius[size]) else _over(1, b.radius[size]) for b in bodies))
     modulus = _over(1, sum(_over(1 - b.poisson**2, b.young) for b in bodies))
     stiffness, root = contact.stiffness, math.sqrt(radius) if radius > 0 else NAN
     if contact.spring is Spring.HERTZ:
@@ -75,6 +79,7 @@ def scene_of(contact: Contact, size: int = 0) -> Any:
         mass = 1.0 if math.isnan(mass) else mass
         e = math.log(contact.number) if 0 < contact.number < math.inf else NAN
         stiffness = mass * (math.pi**2 + e**2) / contact.stiffness**2 if contact.stiffness > 0 else NAN
+        stiffness *= contact.zeta_factor**2
     elif contact.spring is Spring.PER_MASS:
         mass = 1.0
     elif contact.spring is Spring.NONE:
@@ -124,7 +129,11 @@ class _Audit:
         at = 1.0 if math.isnan(speed) else speed
         scene.damping = damping if constant else damping * at ** -lib.cor_scene_speed_exponent(scene)
         if end >= lib.COR_SCENE_ENDS:
-            row.realised = lib.cor_law_eps(model.law, end, damping)
+            row.realised = lib.cor_law_eps(model.law, end, damping) if speed > contact.threshold else 0.0
+            if contact.threshold > 0:
+                known = NAN if math.isnan(speed) else row.realised
+                row.advice += f" eps is 0 up to the threshold, {contact.threshold:.6g} m/s."
+                row.realised = known
             return int(end)
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
         if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
@@ -132,7 +141,24 @@ class _Audit:
             row.duration_s = NAN if math.isnan(speed) and not linear else impact.duration_s[end]
         elif lib.cor_scene_eps(eps, scene, at, end) == lib.COR_OK:
             row.realised = eps[0]
+        if contact.global_damping != 0:
+            self.damp(row, contact, law, end, damping)
         return int(end)
+
+    def damp(self, row: Row, contact: Contact, law: int, end: int, zeta: float) -> None:
+        """eps where all forces are 1 + d times larger against the motion and 1 - d times along it: the way in belongs
+        to one collision, the way out to another one with the same largest overlap."""
+        d, q = contact.global_damping, lib.COR_MAX_OVERLAP
+        ratio = NAN
+        if 0 <= d < 1 and law in (lib.COR_LAW_LINEAR, lib.COR_LAW_TSUJI):
+            way_in, way_out = zeta * math.sqrt(1 + d), zeta * math.sqrt(1 - d)
+            overlaps = [lib.cor_law_value(law, lib.COR_END_ZERO_FORCE, q, z) for z in (way_in, way_out)]
+            power = 1 if law == lib.COR_LAW_LINEAR else 1.25
+            ratio = (overlaps[0] / overlaps[1]) ** power * math.sqrt((1 - d) / (1 + d))
+            ratio *= lib.cor_law_eps(law, end, way_out)
+        without, row.realised, row.duration_s = row.realised, ratio, NAN
+        row.advice += f" The damping of all forces, {d:.6g}, changes eps from {without:.6g}: set it to 0. The number "
+        row.advice += "holds on a fixed body, and for two bodies of opposite momenta."
 
     def add_surface(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
         """Sets eps at the surface under gravity, which presses the sphere to a wall."""
@@ -185,7 +211,7 @@ class _Audit:
         steps, collision = elastic / step, row.duration_s / step
         wished = row.realised if math.isnan(row.asked) else row.asked
         allowed = self.options.tolerance * wished
-        if steps < lib.COR_SCENE_STEPS_MIN:
+        if steps < 2:
             row.advice += " The contact takes less than two time steps: eps is left to chance."
             return False
         cost = max(_PHASES_LEAST * collision, min(_PHASES * collision, _STEPS_OF_PHASES))
@@ -241,6 +267,7 @@ class _Audit:
         depends = contact.solimp is not None and contact.solimp[0] != contact.solimp[1]
         row.model = name.replace("dmin = dmax", "dmin < dmax") if depends else name
         row.model += ", limit_damping" if contact.limited else ""
+        row.model = contact.style or row.model
         row.asked = contact.number if model.damping_of_e else NAN
         row.advice = " ".join(contact.notes + ([contact.unknown] if contact.unknown else []))
         speed = speed_m_s * units.time_s / units.length_m
@@ -264,16 +291,17 @@ class _Audit:
 
     def judge(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float) -> None:
         end = self.solve(row, contact, model, scene, speed)
-        if model.damping_of_e:
+        refused = model.damping_of_e and not model.least <= contact.number <= model.most
+        if math.isnan(row.realised) and not refused:
+            self.advise_missing(row, scene, speed)
+        elif model.damping_of_e:
             row.judged = True
             row.as_asked = abs(row.realised - row.asked) <= self.options.tolerance * row.asked
-            if not model.least <= contact.number <= model.most:
+            if refused:
                 row.advice += f" {contact.simulator} accepts e from {model.least:.6g} to {model.most:.6g}."
             elif not row.as_asked:
                 row.advice += f" e = {contact.number:.6g} realises {row.realised:.6g}."
             row.as_asked = self.add_step(row, contact, scene, speed, end) and row.as_asked
-        elif math.isnan(row.realised):
-            self.advise_missing(row, scene, speed)
         else:
             row.judged = True
             self.add_step(row, contact, scene, speed, end)
@@ -339,6 +367,8 @@ class _Audit:
                 continue
             e = self.wanted(contact, row)
             wrong = not abs(row.realised - row.asked) <= self.options.tolerance * row.asked
+            if contact.global_damping != 0:
+                continue
             if wrong and math.isnan(e):
                 row.advice = f"{row.advice} No e realises it here.".strip()
             elif wrong and (contact.repair is None or not contact.slots):

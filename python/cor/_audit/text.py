@@ -1,0 +1,404 @@
+# SPDX-License-Identifier: MIT
+"""Readers of formats of keywords: Kratos (json), MFiX, Lethe, PFC, MercuryDPM (C++)."""
+
+import ast
+import itertools
+import json
+import math
+import re
+from typing import Any, Dict, Iterator, List, Tuple
+
+from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Units
+from .yade import Script, number_of
+
+Slot = Tuple[int, int]
+
+
+def arithmetic(text: str) -> float:
+    """The value of an expression of numbers and functions; NaN if it is none. Exponents by e or d."""
+    text = re.sub(r"(?<=[\d.])[dD](?=[-+\d])", "e", text.strip())
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    try:
+        return number_of(Script().value(ast.parse(text.replace("^", "**"), mode="eval").body))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return NAN
+
+
+class Source:
+    """A text with its lines, and the repairs of its lines."""
+
+    def __init__(self, text: str, name: str) -> None:
+        self.text, self.name = text, name
+        self.starts = [0] + [m.end() for m in re.finditer("\n", text)]
+        self.repairs: Dict[int, Repair] = {}
+
+    def line(self, at: int) -> int:
+        """The number of the line of a position, from 1."""
+        low, high = 0, len(self.starts)
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if self.starts[middle] <= at else (low, middle)
+        return low + 1
+
+    def place(self, contact: Contact, start: int, end: int) -> None:
+        """Sets line, repair and slot of a contact whose number is at [start, end)."""
+        contact.line = self.line(start)
+        first = self.starts[contact.line - 1]
+        stop = self.text.find("\n", end)
+        whole = self.text[first : stop if stop >= 0 else len(self.text)]
+        last = contact.line + whole.count("\n")
+        contact.repair = self.repairs.setdefault(first, Repair(self.name, contact.line, last, whole))
+        contact.slots = ((start - first, end - first),)
+
+
+# ---- Kratos ----
+
+
+class _Number(float):
+    """A number of a text with its place."""
+
+    place: Slot
+
+
+_KRATOS: Dict[Any, Tuple[str, str, Spring]] = {
+    "DEM_D_Hertz_viscous_Coulomb": ("KRATOS_HERTZ", "KRATOS_HERTZ_GAMMA", Spring.MATERIAL),
+    "DEM_D_Linear_viscous_Coulomb": ("KRATOS_LINEAR", "KRATOS_LINEAR_GAMMA", Spring.NONE),
+}
+
+
+def read_kratos(text: str, name: str, options: Options) -> Deck:
+    """Reads the materials of Kratos; the order of keys has no meaning."""
+    tokens = re.compile(r'"(?:[^"\\\n]|\\.)*"|-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?|//[^\n]*|/\*.*?\*/', re.S)
+    plain = tokens.sub(lambda m: re.sub(r"[^\n]", " ", m[0]) if m[0][0] == "/" else m[0], text)
+    places = (m.span() for m in tokens.finditer(plain) if m[0][0] != '"')
+
+    def number(digits: str) -> _Number:
+        made = _Number(float(digits))
+        made.place = next(places)
+        return made
+
+    try:
+        root = json.loads(plain, parse_float=number, parse_int=number, parse_constant=lambda word: math.nan)
+    except (ValueError, RecursionError, StopIteration) as error:
+        raise DeckError(f"this is no JSON: {error}") from None
+    source, deck = Source(text, name), Deck(name, "kratos")
+    root = root if isinstance(root, dict) else {}
+    bodies: Dict[Any, Body] = {}
+    entries = []
+    for material in (m for m in root.get("materials", ()) if isinstance(m, dict)):
+        values = _variables(material)
+        label = str(material.get("material_name", material.get("material_id", len(bodies) + 1)))
+        numbers = [number_of(values.get(k)) for k in ("PARTICLE_DENSITY", "YOUNG_MODULUS", "POISSON_RATIO")]
+        bodies[label] = Body(label, density=numbers[0], young=numbers[1], poisson=numbers[2])
+        bodies.setdefault(material.get("material_id"), bodies[label])
+        entries.append(([label, label], values))
+    for relation in (r for r in root.get("material_relations", ()) if isinstance(r, dict)):
+        names = relation.get("material_names_list", relation.get("material_ids_list"))
+        if isinstance(names, list) and len(names) == 2:
+            entries.append((names, _variables(relation)))
+    for names, values in entries:
+        for key in ("COEFFICIENT_OF_RESTITUTION", "DAMPING_GAMMA"):
+            if key in values:
+                deck.contacts.append(_kratos_contact(source, [bodies.get(n, Body(str(n))) for n in names], values, key))
+    return deck
+
+
+def _variables(entry: Dict[str, Any]) -> Dict[str, Any]:
+    inner = entry.get("Variables", {})
+    return {**entry, **inner} if isinstance(inner, dict) else entry
+
+
+def _kratos_contact(source: Source, bodies: List[Body], values: Dict[str, Any], key: str) -> Contact:
+    c = Contact(source.name, 1, "kratos", (bodies[0], bodies[1]), number=number_of(values[key]), style=key)
+    if isinstance(values[key], _Number):
+        source.place(c, *values[key].place)
+    law = values.get("DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME")
+    if law in _KRATOS:
+        by_e, by_gamma, c.spring = _KRATOS[law]
+        c.model, c.style = by_gamma if key == "DAMPING_GAMMA" else by_e, ""
+    else:
+        c.unknown = f"cor does not know the contact law {law}." if law else "The contact law of the pair is missing."
+    if math.isnan(c.number):
+        c.unknown = c.unknown or f"{key} is no number."
+    return c
+
+
+# ---- MFiX ----
+
+
+def _namelist(text: str) -> Iterator[Tuple[str, int, List[Tuple[str, int, int]]]]:
+    """Each keyword in upper case, its first index, and its values with their places; lists go on over lines."""
+    comment = re.compile(r"""('[^'\n]*'|"[^"\n]*")|[!#][^\n]*""")
+    text = comment.sub(lambda m: m[1] or " " * len(m[0]), text)
+    keys = list(re.finditer(r"([A-Za-z_]\w*)[ \t]*(\([^)\n]*\))?[ \t]*=(?!=)", text))
+    stops = [key.start() for key in keys[1:]] + [len(text)]
+    for key, stop in zip(keys, stops):
+        index = re.match(r"\(\s*(\d+)", key[2] or "(1")
+        values = []
+        for m in re.compile(r"""(?:\d+\*)?(?:'[^'\n]*'|"[^"\n]*"|@\([^\n]*?\)(?=[\s,]|$)|[^\s,]+)""").finditer(
+            text, key.end(), stop
+        ):
+            times, star, value = m[0].partition("*") if re.match(r"\d+\*", m[0]) else ("1", "", m[0])
+            span = (m.start(), m.end()) if not star else (-1, -1)
+            values += [(value, *span)] * min(int(times), 5000)
+        yield key[1].upper(), int(index[1]) if index else 1, values
+
+
+def _mfix_number(value: str) -> float:
+    return arithmetic(value[1:] if value.startswith("@") else value)
+
+
+def read_mfix(text: str, name: str, options: Options) -> Deck:
+    """Reads an mfix.dat, a namelist."""
+    source, deck = Source(text, name), Deck(name, "mfix")
+    given: Dict[str, Dict[int, Tuple[str, int, int]]] = {}
+    for key, first, values in _namelist(text):
+        given.setdefault(key, {}).update(dict(zip(itertools.count(first), values)))
+
+    def number(key: str, index: int = 1, otherwise: float = NAN) -> float:
+        return _mfix_number(given[key][index][0]) if index in given.get(key, {}) else otherwise
+
+    def word(key: str, index: int = 1) -> str:
+        return given.get(key, {}).get(index, ("", 0, 0))[0].strip("'\"").upper()
+
+    hertz, cohesion = word("DES_COLL_MODEL").startswith("HERTZ"), word("USE_COHESION").strip(".")[:1] == "T"
+    unit = (1e-2, 1e-3) if word("UNITS") == "CGS" else (1.0, 1.0)
+    total = int(min(number("MMAX", 1, 1), 100)) if number("MMAX", 1, 1) >= 1 else 1
+    phases = [m for m in range(1, total + 1) if (word("SOLIDS_MODEL", m) or "DEM") in ("DEM", "CGP")]
+    if len(phases) < total:
+        deck.remarks.append(Remark(name, 1, "phases of the two-fluid model and of PIC have no contacts", False))
+    bodies = []
+    for m in phases:
+        size = number("D_P0", m) / 2
+        bodies.append(
+            Body(str(m), (size, size), number("RO_S0", m), None, number("E_YOUNG", m), number("V_POISSON", m))
+        )
+    wall = Body("wall", young=number("EW_YOUNG"), poisson=number("VW_POISSON"), wall=True)
+    pairs = [(a, b) for i, a in enumerate(bodies) for b in bodies[i:]]
+    pairs += [(a, wall) for a in bodies]
+    inputs = [("DES_EN_INPUT", k + 1) for k in range(len(pairs) - len(bodies))]
+    inputs += [("DES_EN_WALL_INPUT", k + 1) for k in range(len(bodies))]
+    gravity = math.sqrt(sum(number(f"GRAVITY_{x}", 1, 0) ** 2 for x in "XYZ")) or number(
+        "GRAVITY", 1, 9.80665 / unit[0]
+    )
+    adams = word("DES_INTG_METHOD").startswith("ADAMS")
+    for (a, b), (key, index) in zip(pairs, inputs):
+        if index not in given.get(key, {}):
+            if key in given:
+                deck.remarks.append(Remark(name, 1, f"{key}({index}) of phases {a.name} and {b.name} is missing"))
+            continue
+        c = Contact(name, 1, "mfix", (a, b), "MFIX_HERTZIAN" if hertz else "MFIX_LSD", number=number(key, index))
+        c.spring = Spring.MATERIAL if hertz else Spring.HOOKE
+        c.stiffness, c.gravity = number("KN_W" if b.wall else "KN"), gravity if b.wall else NAN
+        c.units = Units("si", unit[0], unit[1], 1.0)
+        c.integrator = -1 if adams else None
+        _, start, end = given[key][index]
+        if start >= 0:
+            source.place(c, start, end)
+        else:
+            c.line = next((source.line(m.start()) for m in re.finditer(key, text, re.I)), 1)
+        if cohesion:
+            c.unknown = "The cohesion changes eps."
+        elif math.isnan(c.number):
+            c.unknown = "Its number could not be read."
+        deck.contacts.append(c)
+    if not hertz:
+        _set_mfix_step(deck, number("KN"), number("DTSOLID_FACTOR", 1, 50.0))
+    for m in range(len(pairs) - len(bodies) + 1, max(given.get("DES_EN_INPUT", {0: ("", 0, 0)})) + 1):
+        deck.remarks.append(Remark(name, 1, f"DES_EN_INPUT({m}) belongs to no pair of phases", False))
+    return deck
+
+
+def _set_mfix_step(deck: Deck, stiffness: float, factor: float) -> None:
+    """MFiX's time step: a 50th, or another fraction, of the shortest contact of two particles with linear springs."""
+    shortest = math.inf
+    for c in deck.contacts:
+        if not c.bodies[1].wall and not c.unknown:
+            inverse = sum(
+                3 / (4 * math.pi * b.radius[0] ** 3 * b.density) if b.radius[0] * b.density > 0 else NAN
+                for b in c.bodies
+            )
+            e = math.log(c.number) if c.number > 0 else NAN
+            ratio = (math.pi**2 + e * e) / (inverse * stiffness) if inverse * stiffness > 0 else NAN
+            duration = math.sqrt(ratio)
+            shortest = duration if math.isnan(duration) or duration < shortest else shortest
+    for c in deck.contacts:
+        c.time_step = shortest / factor if shortest < math.inf and factor > 0 else NAN
+
+
+# ---- Lethe ----
+
+
+def read_lethe(text: str, name: str, options: Options) -> Deck:
+    """Reads a parameter file of Lethe: subsections of `set key = value`."""
+    source, deck = Source(text, name), Deck(name, "lethe")
+    values: Dict[Tuple[str, str], Tuple[str, int, int]] = {}
+    inside: List[str] = []
+    for m in re.finditer(r"^[ \t]*(subsection|end|set)\b([^#\n]*)", text, re.M | re.I):
+        if m[1].lower() == "subsection":
+            inside.append(" ".join(m[2].split()).lower())
+        elif m[1].lower() == "end":
+            del inside[-1:]
+        else:
+            key, _, value = m[2].partition("=")
+            at = m.end() - len(value.lstrip())
+            values[inside[-1] if inside else "", " ".join(key.split()).lower()] = (
+                value.strip(),
+                at,
+                at + len(value.strip()),
+            )
+
+    def found(section: str, key: str) -> Tuple[str, int, int]:
+        return values.get((section, key), ("", 0, 0))
+
+    types = sorted({s for s, _ in values if s.startswith("particle type")}, key=lambda s: (len(s), s))
+    wall = "lagrangian physical properties"
+    bodies = []
+    for k, section in enumerate(types):
+        size = arithmetic(found(section, "diameter")[0] or found(section, "average diameter")[0]) / 2
+        keys = ("density particles", "young modulus particles", "poisson ratio particles")
+        density, young, poisson = (arithmetic(found(section, key)[0]) for key in keys)
+        bodies.append(
+            (
+                section,
+                Body(str(k), (size, size), density, None, young, poisson),
+                found(section, "restitution coefficient particles"),
+            )
+        )
+    young, poisson = (arithmetic(found(wall, f"{key} wall")[0]) for key in ("young modulus", "poisson ratio"))
+    pairs = [(a, b) for i, a in enumerate(bodies) for b in bodies[i:]]
+    pairs += [
+        (a, (wall, Body("wall", young=young, poisson=poisson, wall=True), found(wall, "restitution coefficient wall")))
+        for a in bodies
+    ]
+    forces = {k: v[0] for (_, k), v in values.items() if k.endswith("contact force method")}
+    g = (
+        [arithmetic(v) for v in found(wall, "g")[0].split(",")]
+        if found(wall, "g")[0]
+        else [arithmetic(found(wall, k)[0] or "0") for k in ("gx", "gy", "gz")]
+    )
+    for a, b in pairs:
+        one, two = arithmetic(a[2][0]), arithmetic(b[2][0])
+        c = Contact(name, source.line(b[2][1]), "lethe", (a[1], b[1]), "LETHE_RESTITUTION")
+        c.number = one if a is b else 2 * one * two / (one + two) if one + two > 0 else NAN  # the harmonic mean
+        force = forces.get(
+            f"particle {'wall' if b[1].wall else 'particle'} contact force method", "hertz_mindlin_limit_overlap"
+        )
+        c.spring = Spring.NONE if force in ("linear", "nonlinear") else Spring.MATERIAL
+        c.gravity = math.sqrt(sum(x * x for x in g)) if b[1].wall else NAN
+        c.time_step = arithmetic(found("simulation control", "time step")[0])
+        c.notes += [] if a is b else ["Lethe's e is the harmonic mean of both numbers."]
+        if a is b and a[2][2]:
+            source.place(c, a[2][1], a[2][2])
+        if force not in ("linear", "nonlinear", "hertz", "hertz_mindlin_limit_force", "hertz_mindlin_limit_overlap"):
+            c.unknown = f"cor does not know the contact force {force}."
+        elif math.isnan(c.number):
+            c.unknown = "The restitution coefficient of a partner is missing, or no number."
+        deck.contacts.append(c)
+    return deck
+
+
+# ---- PFC ----
+
+
+def read_pfc(text: str, name: str, options: Options) -> Deck:
+    """Reads commands of PFC: contact models of the contact model assignment table, their dashpots, local damping."""
+    deck = Deck(name, "pfc")
+    constants = {m[1].lower(): m[2] for m in re.finditer(r"\[\s*(\w+)\s*=\s*([^\]\n]+)\]", text)}
+    lines = re.sub(r";[^\n]*", "", text).split("\n")
+    tables: Dict[str, Dict[str, str]] = {}
+    damp, gravity, whole = 0.0, NAN, ""
+    for number, line in enumerate(lines, 1):
+        whole += " " + re.sub(r"(\.\.\.|&)\s*$", "", line)
+        if re.search(r"(\.\.\.|&)\s*$", line):
+            continue
+        words = [w.strip("[]") for w in whole.lower().replace(",", " ").split()]
+        words = [constants.get(w.lstrip("@"), w) for w in words]
+        whole = ""
+        numbers = {w: arithmetic(v) for w, v in zip(words, words[1:])}
+        if words[:1] == ["ball"] and "damp" in words:
+            damp = numbers.get("damp", damp)
+        if "gravity" in words:
+            found = [arithmetic(w) for w in words[words.index("gravity") + 1 :]]
+            gravity = math.sqrt(sum(g * g for g in found if not math.isnan(g))) if found else gravity
+        if "cmat" not in words and words[:2] != ["contact", "property"]:
+            continue
+        kind = words[words.index("type") + 1] if "type" in words[:-1] else ""
+        kind = "ball-facet" if "wall" in kind or "facet" in kind else kind or "ball-ball"
+        table = tables.setdefault(kind, {})
+        if "model" in words[:-1]:
+            table["model"] = words[words.index("model") + 1]
+        table.update({k: str(v) for k, v in numbers.items() if k in ("kn", "dp_nratio", "dp_mode")})
+        table["line"] = str(number)
+    for kind, table in tables.items():
+        wall, model = kind == "ball-facet", table.get("model", "")
+        b = Body("facet" if wall else "ball", wall=wall)
+        c = Contact(name, int(table["line"]), "pfc", (Body("ball"), b), "PFC_LINEAR", pair=kind, global_damping=damp)
+        c.number, c.spring = float(table.get("dp_nratio", 0)), Spring.HOOKE
+        c.stiffness = float(table.get("kn", NAN))
+        c.gravity = gravity if wall else NAN
+        if table.get("dp_mode") in ("1.0", "3.0"):
+            c.limited, c.style = True, "linear, dp_nratio, without tension"
+        if math.isnan(c.number) or math.isnan(damp):
+            c.unknown = "dp_nratio or damp is no number."
+        elif model and not model.startswith(("linear", "rrlinear")):
+            c.style, c.unknown = model, f"cor does not know the dashpot of the model {model}."
+        if "dp_sratio" in table:
+            c.notes.append("dp_sratio acts along the tangent.")
+        deck.contacts.append(c)
+    return deck
+
+
+# ---- MercuryDPM ----
+
+_SETTERS = (
+    {  # setter: model, places of e or its number, of the stiffness, and of the mass of one of two equal particles
+        "setStiffnessAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
+        "setCollisionTimeAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
+        "setRestitutionCoefficient": ("MERCURYDPM_LINEAR", 0, None, 1),
+        "setEffectiveElasticModulusAndRestitutionCoefficient": ("MERCURYDPM_HERTZIAN", 1, None, None),
+    }
+)
+
+
+def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
+    """Reads C++ for MercuryDPM: setters of species with literal numbers."""
+    source, deck = Source(text, name), Deck(name, "mercurydpm")
+    plain = re.sub(r"//[^\n]*|/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
+    constants = {m[1]: m[2] for m in re.finditer(r"\b(?:double|Mdouble|auto|int)\s+(\w+)\s*=\s*([^;{}]+);", plain)}
+    step = re.search(r"\bsetTimeStep\(([^;]*)\);", plain)
+    walls = "InfiniteWall" in plain or "AxisymmetricIntersectionOfWalls" in plain
+    for m in re.finditer(r"(\w+)\s*(?:->|\.)\s*(set\w+)\(([^;]*)\)\s*;", plain):
+        if m[2] not in _SETTERS:
+            continue
+        model, k, stiffness, mass = _SETTERS[m[2]]
+        at, words = m.start(3), m[3].split(",")
+        values = [arithmetic(constants.get(w.strip(), w)) for w in words]
+        for wall in (False, True) if walls else (False,):
+            half = None if mass is None or mass >= len(values) else (values[mass], values[mass])
+            b = Body("wall", wall=True) if wall else Body(m[1], mass=half)
+            c = Contact(
+                name,
+                source.line(at),
+                "mercurydpm",
+                (Body(m[1], mass=half), b),
+                model,
+                number=values[k] if k < len(values) else NAN,
+            )
+            time = m[2].startswith("setCollisionTime")
+            c.spring = Spring.NONE if stiffness is None else Spring.CONTACT_TIME if time else Spring.HOOKE
+            c.stiffness = NAN if stiffness is None else values[stiffness]
+            c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
+            if mass is not None:
+                c.zeta_factor = math.sqrt(0.5) if wall else 1.0
+                c.notes.append("Holds for particles of the mass that the setter is given.")
+            start = at + sum(len(w) + 1 for w in words[:k])
+            if k < len(words):
+                source.place(c, start + len(words[k]) - len(words[k].lstrip()), start + len(words[k].rstrip()))
+            if math.isnan(c.number):
+                c.unknown = f"{m[2]} has no literal number."
+            deck.contacts.append(c)
+    return deck
