@@ -36,11 +36,20 @@ def eps_of(advance: Callable[[int], Tuple[float, float]], speed: float, touch: f
     raise Failed(f"the bodies have not parted after {steps} steps")
 
 
-def measured(collide: Callable[[float, float], Tuple[float, int]], dt: float) -> Tuple[float, float]:
+def measured(collide: Callable[[float, float], Tuple[float, int]], dt: float, least: float) -> Tuple[float, float]:
     """eps with the time step dt, as the mean over the phases of a step, and with a small step. collide: eps and number
-    of steps of one collision with a time step and a phase between 0 and 1."""
-    eps, steps = collide(dt, 0.5)
-    if steps < FEW:
-        eps = sum(collide(dt, (k + 0.5) / PHASES)[0] for k in range(PHASES)) / PHASES
-    finer = min(SMALL, MOST / 4 / steps)
-    return eps, collide(dt / finer, 0.5)[0] if finer > 1 else eps
+    of steps of one collision with a time step and a phase between 0 and 1. least: a time in which the bodies cannot
+    pass through each other; no larger time step is tried."""
+    eps, small = math.nan, least
+    if dt < least:
+        eps, steps = collide(dt, 0.5)
+        if steps < FEW:
+            eps = sum(collide(dt, (k + 0.5) / PHASES)[0] for k in range(PHASES)) / PHASES
+        if steps >= MOST // 8:
+            return eps, eps
+        small = dt / min(SMALL, MOST / 4 / steps)
+    while True:
+        eps_small, steps = collide(small, 0.5)
+        if steps >= FEW // 4:
+            return eps, eps_small
+        small /= 10

@@ -25,7 +25,7 @@ TOLERANCE = 2e-3  # between measured and computed eps, besides the error of the 
 
 def measure(path: str, options: Options, rows: List[Row], program: str, keep: bool) -> None:
     """Executes the deck with the program, and fills the columns measured and measured_small_step of the rows."""
-    todo = [row for row in rows if row.contact is not None]
+    todo = [row for row in rows if row.contact is not None and "clump" not in row.contact.unknown]
     simulator = rows[0].simulator if rows else ""
     of = MEASURES.get(simulator)
     if path == "-":
@@ -49,7 +49,7 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
         if keep:
             message(f"{path}: {folder} has what was run")
         else:
-            shutil.rmtree(folder, ignore_errors=True)
+            shutil.rmtree(os.path.dirname(os.path.dirname(os.path.dirname(folder))), ignore_errors=True)
 
 
 def speed_of(row: Row, contact: Contact) -> float:
@@ -61,19 +61,26 @@ def speed_of(row: Row, contact: Contact) -> float:
     return speed * units.time_s / units.length_m
 
 
-def sizes_of(contact: Contact, size: int) -> Tuple[List[float], List[float]]:
-    """Radii and masses of the two bodies; NaN where they are unknown"""
-    radii = [body.radius[size] for body in contact.bodies]
-    masses = [
-        body.mass[size] if body.mass else 4 * math.pi / 3 * radius**3 * body.density
-        for body, radius in zip(contact.bodies, radii)
-    ]
+def sizes_of(row: Row, contact: Contact) -> Tuple[List[float], List[float]]:
+    """Radii and masses of the two bodies; NaN where they are unknown, and 1 cm and 2500 kg/m^3 where eps is known
+    without them"""
+    lj, units, known = contact.units.name == "lj", contact.units, not math.isnan(row.realised)
+    radii, masses = [], []
+    for body in contact.bodies:
+        radius, density = body.radius[row.size], body.density
+        if known and math.isnan(radius):
+            radius = 0.5 if lj else 0.01 / units.length_m
+        if known and math.isnan(density):
+            density = 1.0 if lj else 2500 * units.length_m**3 / units.mass_kg
+        radii.append(radius)
+        masses.append(body.mass[row.size] if body.mass else 4 * math.pi / 3 * radius**3 * density)
     return radii, masses
 
 
 def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
     """Fills the row, and says so where the measured and the computed eps are not the same."""
-    row.measured, row.measured_small_step = eps, eps_small_step
+    assumed = not math.isnan(row.realised) and math.isnan(row.duration_s)  # sizes are not the deck's
+    row.measured, row.measured_small_step = math.nan if assumed else eps, eps_small_step
     bias = 0.0 if math.isnan(row.step_bias) else row.step_bias
     if math.isnan(row.realised):
         row.judged = True
@@ -102,7 +109,7 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
     for row in rows:
         contact = row.contact
         assert contact is not None
-        bodies, (radii, masses) = contact.bodies, sizes_of(contact, row.size)
+        bodies, (radii, masses) = contact.bodies, sizes_of(row, contact)
         wall = bodies[1].name.split() + [str(contact.line)] if bodies[1].wall else []
         kinds = bodies[0].type or 1, bodies[1].type or 1
         todo.append(
@@ -111,10 +118,8 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
                 speed_of(row, contact), contact.runs,
             )
         )  # fmt: skip
-    name = os.path.basename(path)
-    version, left_out, reason = measure_lammps.measure(
-        words, folder, name, time.monotonic() + ALL_S, options.variables, todo
-    )
+    end = time.monotonic() + ALL_S
+    version, left_out, reason = measure_lammps.measure(words, folder, path, end, options.variables, todo)
     for command, lines in left_out.items():
         message(f"{path}: {command} left out (line {', '.join(map(str, lines[:9]))}{', ...' if lines[9:] else ''})")
     if reason:
@@ -134,8 +139,8 @@ def name_of(text: str) -> Tuple[str, str, int]:
     """A body of YADE: "facet", "wall", "box" or "", the label of its material and the index in O.materials, or -1"""
     found = re.fullmatch(r"(?:(facet|wall|box) of )?(.*?)(?:, fixed)?", text, re.S)
     assert found is not None
-    number = re.fullmatch(r"material (\d+)", found[2])
-    return found[1] or "", found[2], int(number[1]) - 1 if number else -1
+    number = re.fullmatch(r"(material )?(\d+)", found[2])
+    return found[1] or "", found[2], int(number[2]) - bool(number[1]) if number else -1
 
 
 def inside(command: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:
@@ -146,7 +151,7 @@ def inside(command: List[str], folder: str, path: str, options: Options, rows: L
     for number, row in enumerate(rows):
         contact = row.contact
         assert contact is not None
-        radii, masses = sizes_of(contact, row.size)
+        radii, masses = sizes_of(row, contact)
         todo.append(
             {
                 "number": number,
@@ -160,35 +165,44 @@ def inside(command: List[str], folder: str, path: str, options: Options, rows: L
                 "done": False,
             }
         )
-    with open(spec, "w", encoding="utf-8") as out:
-        json.dump(todo, out)
-    process = Process(
-        [*command, os.path.join(here, f"inside_{rows[0].simulator}.py"), spec], folder, time.monotonic() + ALL_S
-    )
-    results: List[Dict[str, Any]] = []
-    reason = ""
-    try:
-        while not results or "end" not in results[-1]:
-            results.append(json.loads(process.read_until("cor {")[-1][4:]))
-            progress(f"measured: {len(results)} of {len(rows)} contacts")
-    except Failed as error:
-        reason = str(error)
-    finally:
-        process.close()
-    reason = next((str(r["reason"]) for r in results if "end" in r), "") or reason
+    end, reason, version = time.monotonic() + ALL_S, "", command[0]
+    head, pending, left_out = todo[0], todo[1:], {}
+    program = [*command, os.path.join(here, f"inside_{rows[0].simulator}.py"), spec]
+    while pending:
+        with open(spec, "w", encoding="utf-8") as out:
+            json.dump([head, *pending], out)
+        process, at = Process(program, folder, end), None
+        try:
+            while True:
+                said = json.loads(process.read_until("cor {")[-1][4:])
+                version, at = said.get("version", version), said.get("start", at)
+                left_out.update({said["left_out"]: 0} if "left_out" in said else {})
+                if "end" in said:
+                    reason, pending = said["reason"], []
+                    break
+                if "number" in said:
+                    pending = [c for c in pending if c["number"] != said["number"]]
+                    row = rows[said["number"]]
+                    progress(f"measured: {row.pair}")
+                    if "eps" in said:
+                        enter(row, said["eps"], said["eps_small_step"], version)
+                    else:
+                        refuse(row, said["reason"])
+        except Failed as error:
+            if at is None or not any(c["number"] == at for c in pending):
+                reason, pending = str(error), []
+            else:  # this collision ended the program
+                refuse(rows[at], str(error))
+                pending = [c for c in pending if c["number"] != at]
+        finally:
+            process.close()
     if reason:
         message(f"{path}: the script ended: {reason}")
-    version = " ".join(str(r["version"]) for r in results if "version" in r) or command[0]
-    left_out = dict.fromkeys(str(r["left_out"]) for r in results if "left_out" in r)
     for text in left_out:
         message(f"{path}: left out: {text}")
-    found = {r["number"]: r for r in results if "number" in r}
-    for number, row in enumerate(rows):
-        result = found.get(number, {"reason": reason or "no run has this contact"})
-        if "eps" in result:
-            enter(row, result["eps"], result["eps_small_step"], version)
-        else:
-            refuse(row, result["reason"])
+    for row in rows:
+        if math.isnan(row.measured_small_step) and "Not measured" not in row.advice:
+            refuse(row, reason or "no run has this contact")
 
 
 def by_yade(words: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:

@@ -7,7 +7,9 @@ import itertools
 import math
 import os
 import re
+import shutil
 import time
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
@@ -20,8 +22,8 @@ LEFT_OUT = (
     "write_dump write_restart write_coeff group2ndx minimize rerun neb neb/spin temper temper/grem temper/npt tad prd "
     "hyper dynamical_matrix third_order"
 ).split()
-UNNAMED = "log echo print label thermo thermo_modify thermo_style info timer".split()  # no loss without them
-WRITING = re.compile(r"print$|ave/|python|external$|plumed|colvars|ipi$|imd$|mdi|qmmm")  # styles of fix
+UNNAMED = "log echo print label thermo thermo_modify thermo_style info timer balance".split()  # no loss without them
+WRITING = re.compile(r".*\$|print$|ave/|python|external$|plumed|colvars|ipi$|imd$|mdi|qmmm|couple/")  # styles of fix
 PLANES = "xplane yplane zplane zcylinder region".split()
 KEPT = re.compile(r"property/|mesh/|particle|freeze$|adapt$|lb/|check/")  # fixes that move nothing
 
@@ -61,34 +63,28 @@ def unquoted(word: str) -> str:
 def writes(words: List[str]) -> bool:
     """True if a fix writes files or executes a program."""
     style = words[3] if len(words) > 3 else ""
-    return bool(WRITING.match(style)) or not style.startswith(("mesh/", "particle")) and "file" in words
+    named = {"file", "append", "out", "outfile"} & set(words) and not style.startswith(("mesh/", "particle"))
+    return bool(named or WRITING.match(style))
 
 
-def lines_of(path: str) -> Tuple[List[str], List[int]]:
-    """The commands of a file and the number of the first line of each"""
-    try:
-        with open(path, encoding="utf-8", errors="surrogateescape") as file:
-            text = file.read()
-    except OSError as error:
-        raise Failed(f"{os.path.basename(path)}: {error.strerror}") from None
-    rows = text.split("\n")
-    lines: List[str] = []
-    numbers: List[int] = []
-    i = 0
-    while i < len(rows):
-        line, numbers = rows[i], numbers + [i + 1]
-        while i + 1 < len(rows) and (re.search(r"&\s*$", line) or line.count('"""') % 2):
-            line = (line + "\n" if line.count('"""') % 2 else re.sub(r"&\s*$", " ", line)) + rows[i + 1]
-            i += 1
-        lines, i = lines + [line.strip()], i + 1
-    return lines, numbers
+def lines_of(path: str) -> List[Tuple[int, str]]:
+    """The commands of a file, each with the number of its first line"""
+    if not os.path.isfile(path):
+        raise Failed(f"cannot open {os.path.basename(path)}")
+    with open(path, encoding="utf-8", errors="surrogateescape") as file:
+        text = file.read()
+    found, number = [], 1
+    for line in re.findall(r"(?:[^\n\"&]|\"\"\".*?\"\"\"|\"|&[^\S\n]*\n|&)*\n?", text, re.S):
+        found.append((number, re.sub(r"&[^\S\n]*\n", " ", line).strip()))
+        number += line.count("\n")
+    return found
 
 
 class Script:
     """The script in the program, and the collisions in place of its runs"""
 
-    def __init__(self, command: List[str], folder: str, end: float, todo: List[Collision]) -> None:
-        self.command, self.folder, self.end, self.todo = command, folder, end, todo
+    def __init__(self, command: List[str], folder: str, source: str, end: float, todo: List[Collision]) -> None:
+        self.command, self.folder, self.source, self.end, self.todo = command, folder, source, end, todo
         self.number, self.runs, self.marks, self.version, self.dt = 0, 0, 0, "", math.nan
         self.log = open(os.path.join(folder, "cor-sent"), "w", encoding="utf-8", errors="surrogateescape")
         self.sent: List[str] = ["newton off"]  # commands that restore the state
@@ -123,7 +119,7 @@ class Script:
         self.marks += 1
         for line in lines:
             self.log.write(line + "\n")
-            self.process.send(line)
+            self.process.send(line.replace("\n", " "))
         self.process.send(f'print "cor {self.marks}."')
         return self.process.read_until(f"cor {self.marks}.")
 
@@ -142,22 +138,26 @@ class Script:
 
     def play(self, path: str) -> None:
         """Executes a file. After a jump another file takes its place."""
-        lines, numbers = lines_of(path)
-        i = 0
+        lines, i = lines_of(path), 0
         while i < len(lines):
-            self.number = numbers[i]
-            jump = self.execute(lines[i])
+            self.number, line = lines[i]
+            jump = self.execute(line)
             i += 1
             if jump:
-                if jump[0] != "SELF":
-                    lines, numbers = lines_of(self.found(jump[0]))
-                labels = [k for k, line in enumerate(lines) if words_of(line)[:2] == ["label", jump[1]]]
+                lines = lines if jump[0] == "SELF" else lines_of(self.found(jump[0]))
+                labels = [k for k, line in enumerate(lines) if words_of(line[1])[:2] == ["label", jump[1]]]
                 if jump[1] and not labels:
                     raise Failed(f"label {jump[1]} does not exist")
                 i = labels[0] if jump[1] else 0
 
     def found(self, name: str) -> str:
-        return os.path.join(self.folder, unquoted(name))
+        """The path of a file of the script; from outside of its folder it is copied to the same place."""
+        path = os.path.normpath(os.path.join(self.folder, unquoted(name)))
+        original = os.path.normpath(os.path.join(self.source, unquoted(name)))
+        if not os.path.exists(path) and os.path.isfile(original):
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            shutil.copy(original, path)
+        return path
 
     def execute(self, line: str) -> Optional[Tuple[str, str]]:
         """Executes a command; returns file and label of a jump."""
@@ -182,13 +182,24 @@ class Script:
             self.collide()
             if self.sent[-1] != "run 0 post no":
                 self.keep("run 0 post no")
-        elif name in LEFT_OUT or name == "variable" and words[2:3] == ["python"] or name == "fix" and writes(words):
+        elif (
+            "$" in name
+            or "\n" in line
+            or name in LEFT_OUT
+            or name == "variable"
+            and words[2:3] == ["python"]
+            or name == "fix"
+            and writes(words)
+        ):
             self.left_out.setdefault(" ".join(words[:1] + words[3:4] * (name == "fix")), []).append(self.number)
         elif name == "clear":
             self.fixes, kept = {}, [line for line in self.sent if re.match("variable|next|include cor-jump", line)]
             self.keep("clear", "newton off")
             self.sent = ["newton off", *kept]
         else:
+            for word in words[1:]:
+                if word.startswith("../"):
+                    self.found(word)
             self.keep(line)
             if name == "fix":
                 self.fixes[words[1]], self.places[words[1]] = words, str(self.number)
@@ -228,7 +239,8 @@ class Script:
                 if not ready:
                     self.prepare()
                 ready = True
-                c.eps, c.eps_small_step = measured(lambda dt, phase: self.collision(c, dt, phase), self.dt)
+                least = self.size(c, 0)[0] / c.speed / 4
+                c.eps, c.eps_small_step = measured(lambda dt, phase: self.collision(c, dt, phase), self.dt, least)
             except Failed as error:
                 if self.end < time.monotonic():
                     raise
@@ -244,6 +256,7 @@ class Script:
         """Takes the sizes of the particles by type, and removes the particles and all that moves them."""
         if not any(re.match("(comm_modify|communicate) .*vel", line) for line in self.sent):
             self.ask("comm_modify vel yes" if self.new else "communicate single vel yes")
+        self.groups: List[str] = []
         self.sizes: Dict[int, List[float]] = {}  # least and largest diameter, least and largest mass
         types = sorted({t for c in self.todo for t in c.types if t > 0})
         if self.values(n="count(all)")[0] > 0:
@@ -265,7 +278,19 @@ class Script:
         dead = [name for name, words in self.fixes.items() if not KEPT.match(words[3])]
         self.ask("delete_atoms group all", *(f"unfix {name}" for name in reversed(dead)))
         flat = any(words_of(line)[:2] == ["dimension", "2"] for line in self.sent)
-        self.ask("change_box all boundary f f " + "fp"[flat], "thermo 1000000000", "thermo_style custom step")
+        most = max(
+            [d for c in self.todo for d in c.diameters if d > 0] + [x[1] for x in self.sizes.values()], default=0
+        )
+        bounds = self.values(**{f"{x}{end}": x + end for x in "xyz"[: 3 - flat] for end in ("lo", "hi")})
+        bounds = [x + (5 if i % 2 else -5) * most for i, x in enumerate(bounds)]
+        sides = " ".join(
+            f"{x} final {bounds[2 * i]:.17g} {bounds[2 * i + 1]:.17g}" for i, x in enumerate("xyz"[: 3 - flat])
+        )
+        self.ask(
+            f"change_box all boundary f f {'fp'[flat]} {sides} units box",
+            "thermo 1000000000",
+            "thermo_style custom step",
+        )
         self.ask("neigh_modify delay 0 every 1 check yes", "atom_modify sort 0 0")
         places = {"dt": "dt", "x": "0.5*(xlo+xhi)", "y": "0.5*(ylo+yhi)", "z": "0.5*(zlo+zhi)"}
         self.dt, *self.middle = self.values(**places)
@@ -287,6 +312,8 @@ class Script:
         sizes = [self.size(c, i) for i in range(1 if c.wall else 2)]
         gap, (x, y, z) = c.speed * dt * (1 + phase) + 1e-9 * sizes[0][0], self.middle
         touch = sum(diameter for diameter, _ in sizes) / 2
+        if not self.new and 1 not in c.types[: len(sizes)]:  # LIGGGHTS needs a particle of type 1
+            self.particle("cor_s", 1, sizes[0], (x, y + 3 * touch, z), 0)
         if c.wall:
             self.ask(self.wall_at(c, x))
             self.particle("cor_b", c.types[0], sizes[0], (x + touch + gap, y, z), -c.speed)
@@ -305,7 +332,8 @@ class Script:
         finally:
             if self.process.open:
                 self.ask("unfix cor_nve", "delete_atoms group all", *(["unfix cor_wall"] if c.wall else []))
-                self.ask("group cor_b delete", *([] if c.wall else ["group cor_a delete"]))
+                self.ask(*(f"group {name} delete" for name in self.groups))
+                self.groups = []
 
     def until_parted(self, c: Collision, touch: float, wall: float) -> Tuple[float, int]:
         other = ("0", repr(wall)) if c.wall else ("vcm(cor_a,x)", "xcm(cor_a,x)")
@@ -324,50 +352,46 @@ class Script:
         """Creates a particle that is alone in a new group."""
         place = " ".join(f"{x:.17g}" for x in at)
         self.ask(f"create_atoms {kind} single {place} units box")
-        self.ask(f"group {group} " + ("subtract all cor_a" if self.values(n="count(all)")[0] > 1 else "union all"))
+        self.ask(f"group {group} " + " ".join(["subtract", "all", *self.groups] if self.groups else ["union", "all"]))
+        self.groups.append(group)
         self.ask(f"set group {group} diameter {size[0]:.17g}", f"set group {group} mass {size[1]:.17g}")
         self.ask(f"velocity {group} set {speed:.17g} 0 0")
 
     def wall_at(self, c: Collision, x: float) -> str:
         """The wall as a plane at x: its model and type are those of the deck."""
-        names = [name for name in self.fixes if name in c.wall] + [n for n, at in self.places.items() if at in c.wall]
-        words: List[str] = next((self.fixes[n] for n in names if n in self.fixes and "wall/" in self.fixes[n][3]), [])
+        walls = {name: words for name, words in self.fixes.items() if "wall/" in words[3]}
+        named = [name for name in walls if name in c.wall or self.places[name] in c.wall] or list(walls)
+        words = walls.get(named[0], []) if len(named) == 1 else []
         if not words:
             raise Failed("at this run the wall does not exist")
         if self.new:
             end = next((i for i, word in enumerate(words) if word in PLANES and i > 3), len(words))
             return f"fix cor_wall all wall/gran {' '.join(words[4:end])} xplane {x:.17g} NULL"
         end = next(i for i, word in enumerate(words) if word in ("mesh", "primitive") and i > 3)
-        kind, rest = str(c.types[1]), words[end + 1 :]
-        if words[end] == "mesh":
-            rest = rest[3 + int(rest[1]) :]
-        else:
-            kind = rest[1]
-            rest = rest[
-                next((i for i, word in enumerate(rest) if i > 2 and re.match("[a-z]", word, re.I)), len(rest)) :
-            ]
+        rest = words[end + 1 :]
+        kind = rest[1] if words[end] == "primitive" else str(c.types[1])
+        skipped = 3 + int(rest[1]) if words[end] == "mesh" else 3  # then come numbers of the plane, and keywords
+        rest = list(itertools.dropwhile(lambda word: not re.match("[a-z]", word, re.I), rest[skipped:]))
         if "shear" in rest:
             del rest[rest.index("shear") : rest.index("shear") + 3]
-        start = ["fix cor_wall all wall/gran", *words[4:end], "primitive type", kind, f"xplane {x:.17g}", *rest]
-        return " ".join(start)
+        start = f"fix cor_wall all wall/gran {' '.join(words[4:end])} primitive type {kind}"
+        return f"{start} xplane {x:.17g} {' '.join(rest)}"
 
 
 def measure(
-    command: List[str], folder: str, name: str, end: float, variables: Dict[str, Tuple[str, ...]], todo: List[Collision]
+    command: List[str], folder: str, path: str, end: float, variables: Dict[str, Tuple[str, ...]], todo: List[Collision]
 ) -> Tuple[str, Dict[str, List[int]], str]:
     """Measures collisions in place of the runs of a script. Returns the program's version, the commands that were left
     out with their lines, and the reason where the script did not come to its end."""
     flags = [word for key, values in variables.items() for word in ("-var", key, *values)]
-    script, reason = Script(command + ["-log", "none", *flags], folder, end, todo), ""
+    source, name = os.path.split(os.path.abspath(path))
+    script, reason = Script(command + ["-log", "none", *flags], folder, source, end, todo), ""
     try:
-        script.play(os.path.join(folder, name))
-        raise Stop
-    except Stop:
-        try:
-            if not script.runs:
+        with suppress(Stop):
+            script.play(os.path.join(folder, name))
+        if not script.runs:
+            with suppress(Stop):
                 script.collide()
-        except (Stop, Failed):
-            pass
     except Failed as error:
         reason = f"line {script.number}: {error}"
     finally:

@@ -11,6 +11,7 @@ import stat
 import subprocess
 import tempfile
 import time
+from contextlib import suppress
 from typing import List, Sequence
 
 from .collision import Failed
@@ -20,24 +21,22 @@ MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # of a copied folder
 
 
 def copy_of_folder(path: str) -> str:
-    """Copies the folder of a file, up to a size, to a new temporary folder and returns that. Devices are left out."""
-    source, target = os.path.dirname(os.path.abspath(path)), tempfile.mkdtemp(prefix="cor-audit-")
-    size, files = os.path.getsize(path), 0
-    shutil.copy(path, target)
+    """Copies the folder of a file, up to a size, into a new temporary folder, in which it lies so deep that paths with
+    ../ stay inside. Returns the copy. Only files are copied, no devices."""
+    source = os.path.dirname(os.path.abspath(path))
+    target = os.path.join(tempfile.mkdtemp(prefix="cor-audit-"), "1", "2", "3")
+    size = files = 0
     for folder, folders, names in os.walk(source):
-        folders[:] = [name for name in folders if not name.startswith(".")]
-        copy = os.path.join(target, os.path.relpath(folder, source))
+        folders[:] = [name for name in folders if not name.startswith(".")] if files < MOST_FILES else []
+        copy = os.path.normpath(os.path.join(target, os.path.relpath(folder, source)))
         os.makedirs(copy, exist_ok=True)
         for name in names:
-            try:
+            with suppress(OSError):  # the program names what it misses
                 info = os.stat(os.path.join(folder, name))
-                if stat.S_ISREG(info.st_mode) and size + info.st_size <= MOST_BYTES:
+                asked = folder == source and name == os.path.basename(path)
+                if stat.S_ISREG(info.st_mode) and (asked or size + info.st_size <= MOST_BYTES):
                     shutil.copy(os.path.join(folder, name), copy)
                     size, files = size + info.st_size, files + 1
-            except OSError:
-                pass  # the program names what it misses
-        if files >= MOST_FILES:
-            break
     return target
 
 
@@ -52,28 +51,22 @@ class Process:
         environment.pop("DISPLAY", None)
         try:
             self.process = subprocess.Popen(
-                list(command),
-                cwd=folder,
-                env=environment,
-                stdin=subprocess.PIPE,
-                stdout=slave,
-                stderr=slave,
+                list(command), cwd=folder, env=environment, stdin=subprocess.PIPE, stdout=slave, stderr=slave,
                 start_new_session=True,
-            )
+            )  # fmt: skip
         except OSError as error:
             os.close(self.terminal)
             raise Failed(f"{command[0]}: {error.strerror}") from None
         finally:
             os.close(slave)
+        assert self.process.stdin
+        self.pipe = self.process.stdin
 
     def send(self, text: str) -> None:
         """Writes one line."""
-        try:
-            assert self.process.stdin
-            self.process.stdin.write(text.encode(errors="surrogateescape") + b"\n")
-            self.process.stdin.flush()
-        except (BrokenPipeError, ValueError):
-            pass  # read_until finds the reason
+        with suppress(BrokenPipeError, ValueError):  # read_until finds the reason
+            self.pipe.write(text.encode(errors="surrogateescape") + b"\n")
+            self.pipe.flush()
 
     def read_until(self, mark: str) -> List[str]:
         """The lines up to the next one that begins with the mark"""
@@ -104,16 +97,11 @@ class Process:
         if not self.open:
             return
         self.open = False
-        try:
+        with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.process.pid, signal.SIGKILL)
-        except (ProcessLookupError, PermissionError):
-            pass
         self.process.wait()
-        try:
-            assert self.process.stdin
-            self.process.stdin.close()
-        except BrokenPipeError:
-            pass
+        with suppress(BrokenPipeError):
+            self.pipe.close()
         os.close(self.terminal)
 
 
