@@ -28,7 +28,8 @@ export interface Laws {
     function(law: string, end: string, quantity: string): { least: number; largest: number; max_ulp: number } | null;
 }
 
-export type Law = "viscoelastic" | "linear" | "tsuji" | "hunt-crossley" | "hertz-dashpot" | "plate";
+/** a name of Cor.contactLaws(), as "tsuji" */
+export type Law = string;
 /** surface: under a constant force, in place of zero-force */
 export type End = "zero-overlap" | "zero-force" | "surface";
 export type Simulator = "lammps" | "liggghts" | "yade" | "mercurydpm" | "chrono" | "mfix" | "openfoam"
@@ -98,6 +99,7 @@ export interface Cor {
     hunt_crossley: Record<CrossleyTime, OfBetaAndExponent>;
     /** @throws CorError */
     contact(options: ContactOptions): Contact;
+    contactLaws(): { name: Law; label: string }[];
     simulators(): { name: Simulator; title: string }[];
 }
 

@@ -185,6 +185,7 @@ function wrap(c) {
         }
     }
     cor.contact = (options) => new Contact(options);
+    cor.contactLaws = () => table(c.web_laws()).map(([name, label]) => ({ name, label }));
     cor.simulators = () => table(c.web_simulators()).map(([name, title]) => ({ name, title }));
 
     // For the page: the last request that was right, as text

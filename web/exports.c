@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "runtime/core/laws.h"
 #include "runtime/scene/simulators.h"
 #include "web/web.h"
 
@@ -282,6 +283,16 @@ double web_realised(const struct cor_simulator_model *model, const struct web_re
     if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE)
         cor_scene_eps(&eps, &c, speed_m_s, (int)model->end);
     return eps;
+}
+
+/* csv of the laws of a contact: name,label */
+WEB_EXPORT(web_laws) const char *web_laws(void)
+{
+    static const char *const labels[] = {COR_CONTACT_LAWS(COR_LAW_LABEL)};
+    web_text_clear();
+    for (int law = 0; law <= COR_LAW_PLATE; law++)
+        web_put("%s,%s\n", cor_law_name((enum cor_law)law), labels[law]);
+    return web_text();
 }
 
 /* csv of the simulators: name,title */

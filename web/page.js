@@ -304,6 +304,8 @@ function listen() {
         $("material").add(new Option(name, name));
         $("overlay").add(new Option(name, name));
     }
+    for (const { name, label } of cor.contactLaws())
+        $("law").add(new Option(label, name === "viscoelastic" ? "" : name));
     for (const { name, title } of cor.simulators())
         $("for").add(new Option(title, name));
     const material = (id) => MATERIALS.find(({ name }) => name === $(id).value);

@@ -23,34 +23,15 @@ __attribute__((format(printf, 2, 3))) static int refuse(const char *option, cons
 
 /* ---- numbers ---- */
 
-static const struct range {
-    double least, most;
-    int least_allowed;
-    const char *allowed;
-} positive = {0, INFINITY, 0, "a finite number above 0"}, not_negative = {0, INFINITY, 1, "a finite number, 0 or more"},
-  restitution = {0, 1, 0, "a number above 0 and up to 1"}, poisson = {-1, 0.5, 0, "a number above -1 and up to 0.5"},
-  steps = {1, 1e9, 1, "a number from 1 to 1e9"}, plotted = {1e-150, 1e150, 1, "a number from 1e-150 to 1e150"},
-  tolerances = {1e-15, 0.1, 1, "a number from 1e-15 to 0.1"};
+static const struct cor_scene_option steps = {"steps", "", 1, 1e9, 1, "a number from 1 to 1e9"},
+                                     speed_min = {"speed-min", "m/s", 1e-150,
+                                                  1e150,       1,     "a number from 1e-150 to 1e150"},
+                                     speed_max = {"speed-max", "m/s", 1e-150,
+                                                  1e150,       1,     "a number from 1e-150 to 1e150"},
+                                     tolerance = {"tolerance", "", 1e-15, 0.1, 1, "a number from 1e-15 to 0.1"};
 
-static const struct range *range_of(int number)
-{
-    switch (number) {
-    case COR_SCENE_POISSON:
-    case COR_SCENE_POISSON_2:
-        return &poisson;
-    case COR_SCENE_RESTITUTION:
-        return &restitution;
-    case COR_SCENE_DISSIPATION_TIME:
-    case COR_SCENE_DISSIPATION_TIME_2:
-    case COR_SCENE_ZETA:
-        return &not_negative;
-    default:
-        return &positive;
-    }
-}
-
-/* Whether the text from `from` to `to` is a decimal number in the range */
-static int is_number(double *value, const char *from, const char *to, const struct range *range)
+/* Reads the text from `from` to `to`. Returns 0 if it is not a decimal number in the range of the option. */
+static int is_number(double *value, const char *from, const char *to, const struct cor_scene_option *option)
 {
     char *end;
     while (from < to && *from == ' ')
@@ -61,25 +42,23 @@ static int is_number(double *value, const char *from, const char *to, const stru
     if (from == to || strspn(from, "0123456789.eE+-") < (size_t)(to - from))
         return 0;
     *value = strtod(from, &end);
-    return end == to && isfinite(*value) && (range->least_allowed ? *value >= range->least : *value > range->least) &&
-           *value <= range->most;
+    return end == to && cor_option_allows(option, *value);
 }
 
-static int read_number(double *value, const char *option, const char *text, const struct range *range)
+static int read_number(double *value, const char *text, const struct cor_scene_option *option)
 {
-    return is_number(value, text, text + strlen(text), range) ||
-           refuse(option, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option, text, range->allowed);
+    return is_number(value, text, text + strlen(text), option) ||
+           refuse(option->name, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option->name, text, option->allowed);
 }
 
-static int read_viscosity(double eta[2], const char *option, const char *text)
+static int read_viscosity(double eta[2], const char *text, const struct cor_scene_option *option)
 {
     const char *const comma = strchr(text, ',');
-    if (comma && is_number(&eta[0], text, comma, &not_negative) &&
-        is_number(&eta[1], comma + 1, text + strlen(text), &not_negative))
+    if (comma && is_number(&eta[0], text, comma, option) && is_number(&eta[1], comma + 1, text + strlen(text), option))
         return 1;
-    return refuse(option,
+    return refuse(option->name,
                   "--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as 1e3,2e3",
-                  option, text);
+                  option->name, text);
 }
 
 static int read_speeds(struct web_request *r, const char *option, const char *text)
@@ -87,7 +66,8 @@ static int read_speeds(struct web_request *r, const char *option, const char *te
     r->speeds = 0;
     for (const char *from = text;; from++) {
         const char *const to = from + strcspn(from, ",");
-        if (r->speeds == WEB_SPEEDS || !is_number(&r->speed_m_s[r->speeds++], from, to, &positive))
+        if (r->speeds == WEB_SPEEDS ||
+            !is_number(&r->speed_m_s[r->speeds++], from, to, &cor_scene_options[COR_SCENE_AT]))
             return refuse(option,
                           "--%s: '%.*s' is not a finite number above 0 m/s; allowed: up to %d of them, with commas, as "
                           "0.1,1,10",
@@ -147,17 +127,16 @@ static int read_simulator(struct web_request *r, const char *text)
 static int read_option(struct web_request *r, const char *name, const char *value)
 {
     const struct {
-        const char *name;
         double *value;
-        const struct range *range;
-    } own[] = {{"steps", &r->steps, &steps},
-               {"speed-min", &r->speed_min_m_s, &plotted},
-               {"speed-max", &r->speed_max_m_s, &plotted},
-               {"tolerance", &r->tolerance, &tolerances}};
+        const struct cor_scene_option *option;
+    } own[] = {{&r->steps, &steps},
+               {&r->speed_min_m_s, &speed_min},
+               {&r->speed_max_m_s, &speed_max},
+               {&r->tolerance, &tolerance}};
     r->steps_given = r->steps_given || strcmp(name, "steps") == 0;
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
-        if (strcmp(name, own[i].name) == 0)
-            return read_number(own[i].value, name, value, own[i].range);
+        if (strcmp(name, own[i].option->name) == 0)
+            return read_number(own[i].value, value, own[i].option);
     if (strcmp(name, "speed") == 0)
         return read_speeds(r, name, value);
     if (strcmp(name, "law") == 0)
@@ -173,11 +152,12 @@ static int read_option(struct web_request *r, const char *name, const char *valu
     if (strcmp(name, "wall") == 0)
         return r->scene.wall = 1;
     for (int number = 0; number < COR_SCENE_NUMBERS; number++) {
-        if (strcmp(name, cor_scene_number_names[number]) != 0 || strncmp(name, "bulk", 4) == 0)
+        const struct cor_scene_option *const option = &cor_scene_options[number];
+        if (strcmp(name, option->name) != 0 || strncmp(name, "bulk", 4) == 0)
             continue;
         if (number == COR_SCENE_VISCOSITY || number == COR_SCENE_VISCOSITY_2)
-            return read_viscosity(&r->scene.number[number], name, value);
-        return read_number(&r->scene.number[number], name, value, range_of(number));
+            return read_viscosity(&r->scene.number[number], value, option);
+        return read_number(&r->scene.number[number], value, option);
     }
     return refuse(name, "'%s' is not an option; allowed are those of corgen contact, as young", name);
 }
@@ -203,7 +183,7 @@ static const char *option_of(const struct cor_scene_fault *fault)
     case COR_FAULT_NOT_HERTZ:
         return "law";
     default:
-        return cor_scene_number_names[fault->number];
+        return cor_scene_options[fault->number].name;
     }
 }
 

@@ -205,7 +205,7 @@ static const struct option_numbers tolerance_numbers = {
 
 #define ARGUMENTS struct contact_arguments
 static const struct option_rule options[] = {
-    SCENE_OPTIONS(&option_sphere_poisson, NULL, ""),
+    SCENE_OPTIONS(NULL, NULL, ""),
     OPTION("speed", LIST, speed, .range.values = &option_speeds, .unit = "m/s"),
     OPTION("steps", REAL, steps, .range.number = &steps_numbers, .needs = "speed",
            .excludes = "time-step step-tolerance"),

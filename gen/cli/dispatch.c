@@ -25,6 +25,22 @@ static const struct subcommand *subcommand_named(const struct subcommand *const 
     return NULL;
 }
 
+/* Prints the help, with the words of an option, "a, b", for its name in braces. */
+static void print_subcommand_help(const struct subcommand *cmd)
+{
+    for (const char *at = cmd->help; *at; at++) {
+        const struct option_rule *rule = cmd->options;
+        const size_t length = *at == '{' ? strcspn(at + 1, "}") : 0;
+        while (length > 0 && !(strncmp(rule->name, at + 1, length) == 0 && rule->name[length] == '\0'))
+            rule++;
+        if (length == 0)
+            putchar(*at);
+        for (int i = 0; length > 0 && options_words(rule)[i]; i++)
+            printf("%s%s", i > 0 ? ", " : "", options_words(rule)[i]);
+        at += length > 0 ? length + 1 : 0;
+    }
+}
+
 /* corgen help [SUBCOMMAND] */
 static int print_help(const struct subcommand *const *table, int argc, char **argv)
 {
@@ -34,7 +50,7 @@ static int print_help(const struct subcommand *const *table, int argc, char **ar
     if (argc == 0)
         overview_print(table, stdout);
     else if (cmd)
-        fputs(cmd->help, stdout);
+        print_subcommand_help(cmd);
     return argc == 0 || cmd ? STATUS_OK : STATUS_USAGE;
 }
 
@@ -62,7 +78,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
     progress_start(cmd->name);
     int status = options_parse(common, cmd->options, argc - 1, argv + 1, &help);
     if (status == STATUS_OK && help) {
-        fputs(cmd->help, stdout);
+        print_subcommand_help(cmd);
     } else if (status == STATUS_OK) {
         if (common->profile)
             profile_enable();

@@ -69,7 +69,7 @@ static const char help[] =
 #define ARGUMENTS struct embed_arguments
 static const struct option_rule options[] = {
     SCENE_RANGE,
-    SCENE_OPTIONS(&option_sphere_poisson, NULL, ""),
+    SCENE_OPTIONS(NULL, NULL, ""),
     SCENE_PURPOSE(NULL),
     OPTION("type", WORD, scene.type, .range.words = embed_type_names, .why = "a type"),
     OPTION_PLAIN("name", C_NAME, scene.name),

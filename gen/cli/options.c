@@ -25,10 +25,6 @@ const struct option_numbers option_positive_or_infinite = {{"0", NULL, false, fa
                                                            DECIMAL_INFINITE};
 const struct option_numbers option_not_negative = {{"0", NULL, true, false, true, "a finite number, 0 or more"},
                                                    DECIMAL_PLAIN};
-const struct option_numbers option_restitution = {{"0", "1", false, true, true, "a number above 0 and up to 1"},
-                                                  DECIMAL_PLAIN};
-const struct option_numbers option_sphere_poisson = {
-    {"-1", "0.5", false, true, true, "a number above -1 and up to 0.5"}, DECIMAL_SIGN};
 const struct option_numbers option_disk_poisson = {{"-1", "1", false, false, false, "a number between -1 and 1"},
                                                    DECIMAL_SIGN | DECIMAL_RATIO};
 const struct values_rule option_speeds = {
@@ -88,10 +84,31 @@ static bool is_unit(int *power, const char *text, size_t length, const char *uni
            ((length == 6 && strncmp(text, "g/cm^3", 6) == 0) || (length == 5 && strncmp(text, "g/cm3", 5) == 0));
 }
 
-/* Refuses a number that its unit follows, and says the number without it. A list counts by its first number. */
+static const char *unit_of(const struct option_rule *rule)
+{
+    return !rule->scene ? rule->unit : *rule->scene->unit ? rule->scene->unit : NULL;
+}
+
+struct option_numbers options_numbers(const struct option_rule *rule)
+{
+    static char low[DECIMAL_TEXT], high[DECIMAL_TEXT];
+    const struct cor_scene_option *const scene = rule->scene;
+    if (rule->kind == OPTION_LIST)
+        return (struct option_numbers){rule->range.values->range, DECIMAL_PLAIN};
+    if (rule->range.number)
+        return *rule->range.number;
+    decimal_text(low, scene->least);
+    decimal_text(high, scene->largest);
+    return (struct option_numbers){
+        {low, isinf(scene->largest) ? NULL : high, scene->least_allowed, true, true, scene->allowed},
+        scene->least < 0 ? DECIMAL_SIGN : DECIMAL_PLAIN};
+}
+
+/* Refuses a number that its unit follows, and prints the number without it. A list counts by its first number. */
 static int check_unit(const struct option_rule *rule, const char *text)
 {
-    if (!rule->unit)
+    const char *const unit = unit_of(rule);
+    if (!unit)
         return STATUS_OK;
     const size_t length = rule->kind == OPTION_LIST ? strcspn(text, ",:") : strlen(text);
     const size_t digits = strspn(text, "0123456789.");
@@ -100,13 +117,13 @@ static int check_unit(const struct option_rule *rule, const char *text)
     if (digits > 0 && (*end == 'e' || *end == 'E') && end[1] && strchr("+-0123456789", end[1]))
         exponent = (int)strtol(end + 1, &end, 10);
     end += strspn(end, " ");
-    if (digits == 0 || end >= text + length || !is_unit(&power, end, length - (size_t)(end - text), rule->unit))
+    if (digits == 0 || end >= text + length || !is_unit(&power, end, length - (size_t)(end - text), unit))
         return STATUS_OK;
     char number[OPTIONS_MAX_NAME];
     const int size = snprintf(number, sizeof number, "%.*s", (int)digits, text);
     if (power + exponent != 0 && size < (int)sizeof number)
         snprintf(number + size, sizeof number - (size_t)size, "e%d", power + exponent);
-    return usage_error("--%s: '%.*s' has a unit: write %s, in %s", rule->name, (int)length, text, number, rule->unit);
+    return usage_error("--%s: '%.*s' has a unit: write %s, in %s", rule->name, (int)length, text, number, unit);
 }
 
 static int parse_value(void *field, const struct option_rule *rule, const char *text)
@@ -130,14 +147,15 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         *(slong *)field = parsed;
         return STATUS_OK;
     }
-    case OPTION_REAL:
-        if ((rule->range.number->forms & DECIMAL_INFINITE) && strcmp(text, "inf") == 0) {
+    case OPTION_REAL: {
+        const struct option_numbers numbers = options_numbers(rule);
+        if ((numbers.forms & DECIMAL_INFINITE) && strcmp(text, "inf") == 0) {
             decimal_set_infinite(field);
             return STATUS_OK;
         }
-        return decimal_parse(field, text, DECIMAL_EXPONENT_DIGITS)
-                   ? options_check_real(name, rule->range.number, field)
-                   : refuse_real(name, rule->range.number, rule->unit, text);
+        return decimal_parse(field, text, DECIMAL_EXPONENT_DIGITS) ? options_check_real(name, &numbers, field)
+                                                                   : refuse_real(name, &numbers, unit_of(rule), text);
+    }
     case OPTION_WORD:
         for (int i = 0; words[i]; i++)
             if (strcmp(text, words[i]) == 0) {
@@ -186,10 +204,10 @@ static const char *example(const struct option_rule *rule)
     char whole[DECIMAL_TEXT];
     if (rule->kind == OPTION_REAL || rule->kind == OPTION_LIST) {
         const bool list = rule->kind == OPTION_LIST;
-        const struct decimal_range *const range = list ? &rule->range.values->range : &rule->range.number->range;
-        value = !(list && rule->range.values->whole) && accepts_number(range, "0.1") ? "0.1"
-                : accepts_number(range, "1")                                         ? "1"
-                                                                                     : "100";
+        const struct option_numbers numbers = options_numbers(rule);
+        value = !(list && rule->range.values->whole) && accepts_number(&numbers.range, "0.1") ? "0.1"
+                : accepts_number(&numbers.range, "1")                                         ? "1"
+                                                                                              : "100";
     } else if (rule->kind == OPTION_WHOLE) {
         const slong low = rule->range.whole.low, high = rule->range.whole.high, usual = 5;
         snprintf(whole, sizeof whole, "%ld", (long)(low > usual ? low : high < usual ? high : usual));

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "cor/scene.h"
 #include "series/law.h"
 #include "support/decimal.h"
 #include "support/output.h"
@@ -54,7 +55,8 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
-    const char *unit;     /* of a number, "Pa"; NULL: none */
+    const struct cor_scene_option *scene; /* a number of a scene, which has unit and range; NULL: another number */
+    const char *unit;                     /* of a number, "Pa"; NULL: none */
     const char *why;      /* reason for the upper limit; for words: their meaning, "an end of contact" */
     const char *excludes; /* options that contradict this one, space separated, or NULL */
     const char *needs;    /* the option that this one requires, or NULL */
@@ -99,7 +101,7 @@ struct option_common {
 extern const char *const option_formats[];       /* text, csv, json */
 extern const char *const option_formats_latex[]; /* text, csv, json, latex */
 extern const struct option_numbers option_positive, option_positive_or_infinite, option_not_negative,
-    option_restitution, option_sphere_poisson, option_disk_poisson;
+    option_disk_poisson;
 extern const struct values_rule option_speeds; /* m/s */
 
 /* The texts of the two exponents of a law; NULL: those of the sphere; and the law that options_parse makes of them */
@@ -113,6 +115,9 @@ struct option_law {
  * options_clear() frees the memory that the fields own. */
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
 void options_clear(void *arguments, const struct option_rule *rules);
+
+/* The range of a number, OPTION_REAL or OPTION_LIST; its texts are valid until the next call */
+struct option_numbers options_numbers(const struct option_rule *rule);
 
 /* The words that a shell offers for the value of an option, or NULL */
 const char *const *options_words(const struct option_rule *rule);

@@ -47,6 +47,9 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     return status;
 }
 
+static const struct option_rule sphere_poisson = {
+    .name = "poisson", .kind = OPTION_REAL, .scene = &cor_scene_options[COR_SCENE_POISSON]};
+
 static int run_plan(const void *arguments)
 {
     const struct plan_arguments *const o = arguments;
@@ -56,9 +59,12 @@ static int run_plan(const void *arguments)
     int status = STATUS_OK;
     if (o->disks && !poisson->text)
         return usage_error("corgen plan --disks needs --poisson, as --poisson 0.33; see corgen plan --help");
-    if (poisson->text)
-        status =
-            o->disks ? options_disk_poisson(poisson) : options_check_real("poisson", &option_sphere_poisson, poisson);
+    if (poisson->text && !o->disks) {
+        const struct option_numbers numbers = options_numbers(&sphere_poisson);
+        status = options_check_real(sphere_poisson.name, &numbers, poisson);
+    } else if (poisson->text) {
+        status = options_disk_poisson(poisson);
+    }
     if (status == STATUS_OK)
         status = o->disks ? plan_disks(&plan, &o->scene, o->quantity, o->points) : plan_of_spheres(&plan, o);
     if (status == STATUS_OK)

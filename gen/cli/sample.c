@@ -75,7 +75,7 @@ static const struct option_rule options[] = {
     OPTION_PLAIN("log", FLAG, log),
     OPTION_PLAIN("cubic", FLAG, cubic),
     OPTION_PLAIN("durations", FLAG, duration),
-    SCENE_OPTIONS(&option_sphere_poisson, NULL, ""),
+    SCENE_OPTIONS(NULL, NULL, ""),
     OPTION_FORMAT(sample_format_names),
     OPTION_COMMON,
 };

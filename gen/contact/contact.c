@@ -6,11 +6,11 @@
 #include <string.h>
 
 #include "enclosure/collision.h"
+#include "runtime/core/laws.h"
 #include "support/console.h"
 #include "support/local.h"
 
-const char *const contact_law_names[] = {"viscoelastic",  "linear", "tsuji",           "hunt-crossley",
-                                         "hertz-dashpot", "plate",  "elastic-plastic", NULL};
+const char *const contact_law_names[] = {COR_CONTACT_LAWS(COR_LAW_NAME) NULL};
 
 /* ---- enclosed collisions ---- */
 
@@ -59,7 +59,7 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     if (fault.fault == COR_FAULT_VISCOSITY)
         return usage_error("--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as "
                            "1e3,2e3",
-                           cor_scene_number_names[fault.number],
+                           cor_scene_options[fault.number].name,
                            request->viscosity[fault.number == COR_SCENE_VISCOSITY_2]);
     cor_scene_fault_text(text, sizeof text, &fault, law_equation(&contacts->scene.law).text, NULL);
     return usage_error("%s", text);

@@ -76,7 +76,7 @@ char *embed_options(const struct embed_request *request, int width)
     FILE *const t = open_memstream(&text, &size);
     for (int i = 0; i < EMBED_NUMBERS; i++) {
         const int k = (i + EMBED_SPEED_MIN) % EMBED_NUMBERS, second = k == COR_SCENE_VISCOSITY_2;
-        const char *const name = k < COR_SCENE_NUMBERS ? cor_scene_number_names[k] : range[k - COR_SCENE_NUMBERS];
+        const char *const name = k < COR_SCENE_NUMBERS ? cor_scene_options[k].name : range[k - COR_SCENE_NUMBERS];
         const char *const value =
             second || k == COR_SCENE_VISCOSITY ? request->viscosity[second] : request->number[k].text;
         if (!value)

@@ -80,8 +80,8 @@ enum cor_quantity {
     COR_QUANTITIES
 };
 
-/* One quantity of a law at an end of contact. x is the damping (zeta for COR_LAW_LINEAR and COR_LAW_TSUJI, beta for the
- * others), eps or 1 - eps. */
+/* One quantity of a law at an end of contact. x is eps, 1 - eps or the damping: zeta for laws with 2 b - a + 1 = 0
+ * (COR_LAW_LINEAR, COR_LAW_TSUJI), beta for the others. */
 struct cor_law_function {
     const char *name; /* "linear_eps_zero_force" */
     double (*value)(double x);

@@ -272,7 +272,16 @@ enum cor_scene_number {
     COR_SCENE_NUMBERS,
     COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
 };
-extern const char *const cor_scene_number_names[COR_SCENE_NUMBERS]; /* "young", "young-2" */
+/* The numbers as corgen, the page and Python accept them: the name of the option, the unit, and the range. Each finite
+ * number from `least` (itself only if least_allowed) to `largest` is allowed. */
+struct cor_scene_option {
+    const char *name, *unit; /* "young-2", "Pa"; unit "": none */
+    double least, largest;
+    int least_allowed;
+    const char *allowed; /* "a finite number above 0" */
+};
+extern const struct cor_scene_option cor_scene_options[COR_SCENE_NUMBERS];
+int cor_option_allows(const struct cor_scene_option *option, double x); /* True if x is in the range */
 
 /* The force between spheres that adhere: DMT 2 pi w R, constant during the contact; JKR depends on the overlap. */
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };

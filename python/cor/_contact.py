@@ -14,11 +14,10 @@ from ._cor import ffi, lib
 from ._evaluate import Array, CorWarning, address, caller, in_parts, like, ma, number, one_of, string
 from .contact import Body
 
-_NUMBERS = [string(lib.cor_scene_number_names[i]).replace("-", "_") for i in range(lib.COR_SCENE_NUMBERS)]
+_NUMBERS = [string(option.name).replace("-", "_") for option in lib.cor_scene_options]
 _LAWS = [string(lib.cor_law_name(law)) for law in range(lib.COR_LAW_ELASTIC_PLASTIC + 1)]
 _ADHESION = ("none", "dmt", "jkr")
 _DAMPINGS = ("g_star", "beta", "zeta", "restitution", "damping_coefficient", "dissipation_time", "viscosity")
-_MAY_BE_ZERO = re.compile("dissipation_time|zeta|(bulk_)?viscosity(_2)?$")
 
 
 def raise_text(text: Any) -> None:
@@ -27,12 +26,10 @@ def raise_text(text: Any) -> None:
 
 
 def _number(name: str, value: Any) -> float:
+    option = ffi.addressof(lib.cor_scene_options, _NUMBERS.index(name))
     made = float(number(name, value))
-    zero, poisson = _MAY_BE_ZERO.match(name), name.startswith("poisson")
-    least, most = -1 if poisson else 0, 0.5 if poisson else 1 if name == "restitution" else math.inf
-    if not math.isfinite(made) or not (made > least or (zero and made == 0)) or made > most:
-        rule = f"{'0 or more' if zero else f'above {least}'} and {f'at most {most}' if most < math.inf else 'finite'}"
-        raise ValueError(f"{name}: {value!r} is not {rule}")
+    if not lib.cor_option_allows(option, made):
+        raise ValueError(f"{name}: {value!r} is not {string(option.allowed)}")
     return made
 
 

@@ -2,10 +2,10 @@
 #include <stddef.h>
 
 #include "cor/law.h"
+#include "runtime/core/laws.h"
 
-static const char *const laws[COR_LAWS] = {"viscoelastic",    "linear",        "tsuji",
-                                           "hunt-crossley",   "hertz-dashpot", "plate",
-                                           "elastic-plastic", "linear-root",   "impulse"};
+static const char *const laws[COR_LAWS] = {COR_CONTACT_LAWS(COR_LAW_NAME)
+                                               COR_SIMULATOR_LAWS(COR_LAW_NAME)[COR_LAW_IMPULSE] = "impulse"};
 static const char *const ends[COR_ENDS] = {"zero-overlap", "zero-force", "limited", "approach-only", "instant"};
 static const char *const quantities[COR_QUANTITIES] = {
     "eps", "loss", "damping-of-eps", "damping-of-loss", "duration", "max-overlap", "time-of-max-overlap"};

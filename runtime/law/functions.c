@@ -24,7 +24,7 @@
             [COR_DURATION] = ROW("duration_" #end, duration_##end, INFINITY, 2), OVERLAP_ROWS                          \
     }
 
-static const cor_law_functions viscoelastic = {
+const cor_law_functions cor_viscoelastic_functions = {
     [COR_END_ZERO_OVERLAP] = ROWS(zero_overlap),
     [COR_END_ZERO_FORCE] = ROWS(zero_force),
     [COR_END_APPROACH_ONLY] = {ROW("eps_approach_only", eps_approach_only, INFINITY, 2),
@@ -34,20 +34,15 @@ static const cor_law_functions viscoelastic = {
                                ROW("duration_approach_only", duration_approach_only, INFINITY, 2), OVERLAP_ROWS},
 };
 
-static const cor_law_functions *const laws[] = {
-    [COR_LAW_VISCOELASTIC] = &viscoelastic,
-    [COR_LAW_LINEAR] = &cor_linear_functions,
-    [COR_LAW_TSUJI] = &cor_tsuji_functions,
-    [COR_LAW_HUNT_CROSSLEY] = &cor_hunt_crossley_functions,
-    [COR_LAW_HERTZ_DASHPOT] = &cor_hertz_dashpot_functions,
-};
+#define OF_LAW(law, array) [COR_LAW_##law] = &(array),
+static const cor_law_functions *const laws[] = {COR_LAWS_WITH_FUNCTIONS(OF_LAW)};
 
 /* An entry of the table, whose value is NULL if the function does not exist; NULL beyond the table */
 static inline const struct cor_law_function *entry(enum cor_law law, enum cor_end end, enum cor_quantity quantity)
 {
-    const int exists = ((unsigned)law <= COR_LAW_HERTZ_DASHPOT) & ((unsigned)end <= COR_END_APPROACH_ONLY) &
+    const int exists = ((unsigned)law < sizeof laws / sizeof *laws) & ((unsigned)end <= COR_END_APPROACH_ONLY) &
                        ((unsigned)quantity < COR_QUANTITIES);
-    return exists ? &(*laws[law])[end][quantity] : NULL;
+    return exists && laws[law] ? &(*laws[law])[end][quantity] : NULL;
 }
 
 const struct cor_law_function *cor_law_function(enum cor_law law, enum cor_end end, enum cor_quantity quantity)

@@ -10,8 +10,12 @@
 
 /* The functions of a law by end of contact; `value` is NULL where a function does not exist. */
 typedef struct cor_law_function cor_law_functions[COR_END_APPROACH_ONLY + 1][COR_QUANTITIES];
-extern const cor_law_functions cor_linear_functions, cor_tsuji_functions, cor_hunt_crossley_functions,
-    cor_hertz_dashpot_functions;
+/* The laws that have functions: row(ENUMERATOR, array) */
+#define COR_LAWS_WITH_FUNCTIONS(row)                                                                                   \
+    row(VISCOELASTIC, cor_viscoelastic_functions) row(LINEAR, cor_linear_functions) row(TSUJI, cor_tsuji_functions)    \
+        row(HUNT_CROSSLEY, cor_hunt_crossley_functions) row(HERTZ_DASHPOT, cor_hertz_dashpot_functions)
+#define COR_DECLARE_FUNCTIONS(law, array) extern const cor_law_functions array;
+COR_LAWS_WITH_FUNCTIONS(COR_DECLARE_FUNCTIONS)
 
 /* A row of the table, by the function and its array function; without a float form */
 #define COR_LAW_ROW(name, function, least, largest, max_ulp)                                                           \

@@ -177,40 +177,35 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 
 /* ---- collisions ---- */
 
-/* The law in libcor's table, whose parameter is zeta where q = 0 and beta elsewhere; and if durations and overlap are
- * those of the table, too */
+/* law: the one of libcor's table that gives eps of zeta where q = 0, and of beta elsewhere (COR_LAWS: none).
+ * times: the source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
 struct functions {
     enum cor_law law;
-    int has_times;
+    enum { OF_TABLE, OF_EXPONENT, OF_SOLVER } times;
 };
-static const struct functions sphere = {COR_LAW_VISCOELASTIC, 1}, dashpot = {COR_LAW_HERTZ_DASHPOT, 1},
-                              linear = {COR_LAW_LINEAR, 1}, tsuji = {COR_LAW_TSUJI, 1};
-/* eps of q = 0 is that of zeta, whatever the exponents are */
-static const struct functions constant = {COR_LAW_LINEAR, 0};
-/* durations and overlap depend on the elastic exponent, too */
-static const struct functions hunt_crossley = {COR_LAW_HUNT_CROSSLEY, 0};
 
 static double value_of(const struct functions *f, int end, enum cor_quantity quantity, double x)
 {
     return cor_law_value(f->law, (enum cor_end)end, quantity, x);
 }
 
-/* NULL: not a law of the library */
-static const struct functions *functions_of(const struct cor_exponents *law)
+static struct functions functions_of(const struct cor_exponents *law)
 {
-    if (cor_law_is(law, 3, 1))
-        return &sphere;
-    if (cor_law_is(law, 3, 0))
-        return &dashpot;
-    if (cor_law_is_constant(law))
-        return cor_law_is(law, 2, 0) ? &linear : cor_law_is_hertz(law) ? &tsuji : &constant;
-    return cor_law_is_hunt_crossley(law) ? &hunt_crossley : NULL;
+    if (cor_law_is_hunt_crossley(law))
+        return (struct functions){COR_LAW_HUNT_CROSSLEY, OF_EXPONENT};
+    for (int i = 0; i < COR_LAW_PLATE; i++) {
+        const enum cor_law named = (enum cor_law)i;
+        if (cor_law_is_same(law, &cor_law_exponents[i]) && cor_law_function(named, COR_END_ZERO_OVERLAP, COR_EPS))
+            return (struct functions){named, cor_law_function(named, COR_END_ZERO_OVERLAP, COR_DURATION) ? OF_TABLE
+                                                                                                         : OF_SOLVER};
+    }
+    /* eps of q = 0 is the same function of zeta for all exponents */
+    return (struct functions){cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS, OF_SOLVER};
 }
 
 int cor_scene_needs_solver(const struct cor_scene_contact *contact)
 {
-    const struct functions *const f = functions_of(&contact->law);
-    return !(contact->force_n > 0) && !(contact->adhesion_j_m2 > 0) && (!f || f == &constant);
+    return !(contact->force_n > 0) && !(contact->adhesion_j_m2 > 0) && functions_of(&contact->law).times == OF_SOLVER;
 }
 
 static double parameter_of(const struct cor_scene_contact *contact, double speed_m_s)
@@ -227,9 +222,9 @@ static int solve(struct cor_scaled_impact *impact, const struct cor_scene_contac
 
 static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double parameter)
 {
-    const struct functions *const f = functions_of(&contact->law);
+    const struct functions f = functions_of(&contact->law);
     const double a = cor_elastic(&contact->law);
-    if (!f || f == &constant) {
+    if (f.times == OF_SOLVER) {
         struct cor_scaled_impact solved;
         const double beta = cor_quiet_product(parameter, beta_per_damping(contact));
         const int status = solve(&solved, contact, beta, COR_BOTH_ENDS);
@@ -237,19 +232,19 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
             return status;
         *impact = (struct cor_full_impact){
             {solved.eps[0], solved.eps[1]}, {solved.duration[0], solved.duration[1]}, solved.max_overlap, NAN};
-        if (!f)
+        if (f.law == COR_LAWS)
             return status;
     }
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
-        impact->eps[end] = value_of(f, end, COR_EPS, parameter);
-        if (f->has_times)
-            impact->duration[end] = value_of(f, end, COR_DURATION, parameter);
-        else if (f == &hunt_crossley)
+        impact->eps[end] = value_of(&f, end, COR_EPS, parameter);
+        if (f.times == OF_TABLE)
+            impact->duration[end] = value_of(&f, end, COR_DURATION, parameter);
+        else if (f.times == OF_EXPONENT)
             impact->duration[end] = cor_hunt_crossley_duration(parameter, a);
     }
-    if (f->has_times)
-        impact->max_overlap = value_of(f, COR_END_ZERO_OVERLAP, COR_MAX_OVERLAP, parameter);
-    else if (f == &hunt_crossley)
+    if (f.times == OF_TABLE)
+        impact->max_overlap = value_of(&f, COR_END_ZERO_OVERLAP, COR_MAX_OVERLAP, parameter);
+    else if (f.times == OF_EXPONENT)
         impact->max_overlap = cor_hunt_crossley_max_overlap(parameter, a);
     return COR_FAULT_NONE;
 }
@@ -257,9 +252,9 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
 /* eps of the damping parameter, whether the contact has this end or not */
 static int eps_of(double *eps, const struct cor_scene_contact *contact, double parameter, int end)
 {
-    const struct functions *const f = functions_of(&contact->law);
-    if (f) {
-        *eps = value_of(f, end, COR_EPS, parameter);
+    const struct functions f = functions_of(&contact->law);
+    if (f.law != COR_LAWS) {
+        *eps = value_of(&f, end, COR_EPS, parameter);
         return COR_FAULT_NONE;
     }
     const int at = cor_scene_ends_differ(contact) ? end : COR_END_ZERO_OVERLAP;
@@ -482,7 +477,7 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
         return COR_FAULT_RANGE;
     const int pressed = contact->force_n + contact->adhesion_j_m2 > 0 && !isnan(speed_m_s);
     const double q = cor_scene_speed_exponent(contact);
-    const struct functions *const f = functions_of(&contact->law);
+    const struct functions f = functions_of(&contact->law);
     double parameter = 0;
     int status = COR_FAULT_NONE;
     switch (number) {
@@ -500,8 +495,8 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
             is_constant ? value / beta_per_damping(contact) : cor_quiet_product(value, cor_quiet_power(speed_m_s, -q));
         break;
     case COR_SCENE_RESTITUTION:
-        if (f && !pressed)
-            parameter = value_of(f, end, COR_DAMPING_OF_EPS, value);
+        if (f.law != COR_LAWS && !pressed)
+            parameter = value_of(&f, end, COR_DAMPING_OF_EPS, value);
         else if (value < 1)
             status = solved_beta(&parameter, contact, value, speed_m_s, end);
         if (pressed && is_constant)

@@ -1,29 +1,57 @@
 /* SPDX-License-Identifier: MIT */
-/* The laws and numbers of a scene, whether those of its bodies are complete, and what is wrong with a scene, in words:
- * numbers have the names of corgen's options. No function of libcor but cor_status_text. */
+/* The exponents of the laws; the numbers of a scene, their names, units and ranges; the check of its bodies; the
+ * faults of a scene in words, with the names of corgen's options. Calls no function of libcor except
+ * cor_status_text. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "cor/scene.h"
 #include "cor/status.h"
+#include "runtime/core/laws.h"
+#include "runtime/number/si_range.h"
 
-const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE] = {
-    [COR_LAW_VISCOELASTIC] = {3, 1, 2},    [COR_LAW_LINEAR] = {1, 0, 1},        [COR_LAW_TSUJI] = {6, 1, 4},
-    [COR_LAW_HUNT_CROSSLEY] = {3, 3, 2},   [COR_LAW_HERTZ_DASHPOT] = {3, 0, 2}, [COR_LAW_PLATE] = {3, 1, 2},
-    [COR_LAW_ELASTIC_PLASTIC] = {3, 1, 2}, [COR_LAW_LINEAR_ROOT] = {2, 1, 2}};
+const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE] = {COR_CONTACT_LAWS(COR_LAW_EXPONENTS)
+                                                                     COR_SIMULATOR_LAWS(COR_LAW_EXPONENTS)};
 
 const char *const cor_end_names[COR_ENDS] = {"zero overlap", "zero force", "limited", "approach only", "an instant"};
 
-/* In the order of enum cor_scene_number */
-#define OF_BODY(which)                                                                                                 \
-    "young" which, "poisson" which, "radius" which, "density" which, "mass" which, "dissipation-time" which,           \
-        "viscosity" which, "bulk-viscosity" which
-const char *const cor_scene_number_names[] = {"g-star",      OF_BODY(""),    OF_BODY("-2"),         "beta",
-                                              "at",          "stiffness",    "damping-coefficient", "effective-mass",
-                                              "restitution", "zeta",         "plate-thickness",     "gravity",
-                                              "adhesion",    "yield-stress", "viscosity-liquid",    "gap-outer",
-                                              "gap-inner",   "duration"};
+#define POSITIVE 0, INFINITY, 0, "a finite number above 0"
+#define NOT_NEGATIVE 0, INFINITY, 1, "a finite number, 0 or more"
+#define BODY(SUFFIX, suffix)                                                                                           \
+    [COR_SCENE_YOUNG##SUFFIX] = {"young" suffix, "Pa", POSITIVE},                                                      \
+    [COR_SCENE_POISSON##SUFFIX] = {"poisson" suffix, "", -1, 0.5, 0, "a number above -1 and up to 0.5"},               \
+    [COR_SCENE_RADIUS##SUFFIX] = {"radius" suffix, "m", POSITIVE},                                                     \
+    [COR_SCENE_DENSITY##SUFFIX] = {"density" suffix, "kg/m^3", POSITIVE},                                              \
+    [COR_SCENE_MASS##SUFFIX] = {"mass" suffix, "kg", POSITIVE},                                                        \
+    [COR_SCENE_DISSIPATION_TIME##SUFFIX] = {"dissipation-time" suffix, "s", NOT_NEGATIVE},                             \
+    [COR_SCENE_VISCOSITY##SUFFIX] = {"viscosity" suffix, "Pa s", NOT_NEGATIVE},                                        \
+    [COR_SCENE_BULK_VISCOSITY##SUFFIX] = {"bulk-viscosity" suffix, "Pa s", NOT_NEGATIVE}
+const struct cor_scene_option cor_scene_options[COR_SCENE_NUMBERS] = {
+    [COR_SCENE_G_STAR] = {"g-star", "m/s", POSITIVE},
+    BODY(, ""),
+    BODY(_2, "-2"),
+    [COR_SCENE_BETA] = {"beta", "", POSITIVE},
+    [COR_SCENE_AT] = {"at", "m/s", POSITIVE},
+    [COR_SCENE_STIFFNESS] = {"stiffness", "N/m^a", POSITIVE},
+    [COR_SCENE_DAMPING_COEFFICIENT] = {"damping-coefficient", "N s/m^(b+1)", POSITIVE},
+    [COR_SCENE_EFFECTIVE_MASS] = {"effective-mass", "kg", POSITIVE},
+    [COR_SCENE_RESTITUTION] = {"restitution", "", 0, 1, 0, "a number above 0 and up to 1"},
+    [COR_SCENE_ZETA] = {"zeta", "", NOT_NEGATIVE},
+    [COR_SCENE_PLATE_THICKNESS] = {"plate-thickness", "m", POSITIVE},
+    [COR_SCENE_GRAVITY] = {"gravity", "m/s^2", POSITIVE},
+    [COR_SCENE_ADHESION] = {"adhesion", "J/m^2", POSITIVE},
+    [COR_SCENE_YIELD_STRESS] = {"yield-stress", "Pa", POSITIVE},
+    [COR_SCENE_LIQUID_VISCOSITY] = {"viscosity-liquid", "Pa s", POSITIVE},
+    [COR_SCENE_GAP_OUTER] = {"gap-outer", "m", POSITIVE},
+    [COR_SCENE_GAP_INNER] = {"gap-inner", "m", POSITIVE},
+    [COR_SCENE_DURATION] = {"duration", "s", POSITIVE}};
+
+int cor_option_allows(const struct cor_scene_option *option, double x)
+{
+    return cor_inline_is_finite(x) && x <= option->largest &&
+           (option->least_allowed ? x >= option->least : x > option->least);
+}
 
 int cor_scene_given(const struct cor_scene *scene, int number)
 {
@@ -165,8 +193,8 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
 {
     const struct {
         const char *word, *text;
-    } words[] = {{"{number}", cor_scene_number_names[fault->number]},
-                 {"{other}", cor_scene_number_names[fault->other]},
+    } words[] = {{"{number}", cor_scene_options[fault->number].name},
+                 {"{other}", cor_scene_options[fault->other].name},
                  {"{law}", law},
                  {"{bodies}", rule ? rule : BODY_RULE},
                  {"{status}", cor_status_text(fault->status)}};

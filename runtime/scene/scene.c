@@ -322,9 +322,7 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 static int is_beyond(const struct cor_scene *scene, int number)
 {
     const double size = fabs(scene->number[number]);
-    const int has_unit = number != COR_SCENE_POISSON && number != COR_SCENE_POISSON_2 && number != COR_SCENE_BETA &&
-                         number != COR_SCENE_RESTITUTION && number != COR_SCENE_ZETA;
-    return has_unit && cor_inline_is_finite(size) && size != 0 && !cor_si_in_range(size);
+    return *cor_scene_options[number].unit && cor_inline_is_finite(size) && size != 0 && !cor_si_in_range(size);
 }
 
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,

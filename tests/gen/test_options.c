@@ -56,15 +56,14 @@ static double number_behind(const char *text, const char *words)
 /* As the words of the refusal say: "above 0 and up to 1", "from 1e-5 to below 1", "between -1 and 1", "0 or more" */
 static void assert_words(const struct subcommand *command, const struct option_rule *rule)
 {
-    const struct decimal_range *const range =
-        rule->kind == OPTION_REAL ? &rule->range.number->range : &rule->range.values->range;
-    const char *const words = range->allowed, *const end = strstr(words, "between ") ? " and " : "to ";
+    const struct decimal_range range = options_numbers(rule).range;
+    const char *const words = range.allowed, *const end = strstr(words, "between ") ? " and " : "to ";
     const double between = number_behind(words, "between "), above = number_behind(words, "above ");
     const double from = strstr(words, "0 or more") ? 0 : number_behind(words, "from ");
     const double below = number_behind(words, "below ");
     const bool open_low = isnan(from), open_high = !isnan(between) || !isnan(below);
     assert_end(command, rule, !open_low ? from : isnan(between) ? above : between, 1, !open_low);
-    if (range->high)
+    if (range.high)
         assert_end(command, rule, isnan(below) ? number_behind(words, end) : below, -1, !open_high);
     else
         assert_true(accepts(command, rule, "1e300") && !accepts(command, rule, "1e309"));

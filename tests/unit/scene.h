@@ -17,6 +17,13 @@ static inline struct cor_scene scene_without_numbers(enum cor_law law)
     return scene;
 }
 
+/* True if the library computes every number of an impact of the law without a solver */
+static inline int law_is_complete(int law)
+{
+    const struct cor_scene_contact contact = {.law = cor_law_exponents[law]};
+    return !cor_scene_needs_solver(&contact);
+}
+
 /* scene_give(scene, {COR_SCENE_MASS, 1}, ...) */
 #define scene_give(scene, ...)                                                                                         \
     do {                                                                                                               \

@@ -532,7 +532,7 @@ TEST(table)
                 float xf[3] = {NAN, 0.25F, 0.5F}, yf[3] = {1, 2, 3};
                 cor_law_array(law, end, quantity, x, y, 3);
                 cor_law_arrayf(law, end, quantity, xf, yf, 3);
-                count += f != NULL;
+                count += f != NULL && l <= COR_LAW_HERTZ_DASHPOT;
                 for (size_t i = 0; i < 3; i++) {
                     const double value = f ? f->value(x[i]) : NAN;
                     check(same_number(y[i], value), "%d %d %d", l, e, q);

@@ -63,6 +63,8 @@ TEST(every_law)
         struct cor_scene_contact c = {.law = cor_law_exponents[i % COR_LAW_PLATE],
                                       .mass_kg = random_log(&draw, 1e-9, 1),
                                       .stiffness = random_log(&draw, 1e2, 1e12)};
+        if (!law_is_complete(i % COR_LAW_PLATE))
+            continue;
         const double n = c.law.denominator, a1 = c.law.elastic / n + 1, b1 = c.law.damping / n + 1, q = 2 * b1 / a1 - 1;
         const double speed = random_log(&draw, 1e-3, 10), beta = random_log(&draw, 0.1, 1);
         const double C = beta * c.mass_kg * pow(c.stiffness / c.mass_kg, b1 / a1) * pow(speed, -q);
