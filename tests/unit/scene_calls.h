@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A call of every function of scene.h, by the list public_functions.inc, and with those of public_calls.h the one list
- * of all functions. The arguments have the names of the parameters, and are drawn beforehand, by scene_arguments_draw. */
+/* A call of every function of scene.h, by the list public_functions.inc; public_calls.h has the calls of the other
+ * functions. The arguments have the names of the parameters, and are drawn beforehand, by scene_arguments_draw. */
 #ifndef COR_TESTS_SCENE_CALLS_H
 #define COR_TESTS_SCENE_CALLS_H
 
