@@ -9,12 +9,12 @@
  * is the one parameter of the dimensionless law x'' + beta x^b x' + x^a = 0. Where q = 0, that is for the linear
  * dashpot and Tsuji's damping, zeta = beta/sqrt(2 (a + 1)) is the parameter, and eps is the same at every speed.
  *
- * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They
- * are safe in threads, and use no memory but COR_SCENE_MAX_STACK bytes of stack at most. They assume rounding to
- * nearest. They raise no exception but underflow and inexact and set no errno, whatever the arguments; a solver of the
- * caller runs in the caller's environment. Functions behind the pointers of a model do not check their arguments. Every number with a unit
- * is 0, where that is meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h); others give NaN, or COR_FAULT_RANGE.
- * Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
+ * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They are
+ * safe in threads, and use no memory but COR_SCENE_MAX_STACK bytes of stack at most. They assume rounding to nearest.
+ * They raise no exception but underflow and inexact and set no errno, whatever the arguments; a solver of the caller
+ * runs in the caller's environment. Functions behind the pointers of a model do not check their arguments. Every number
+ * with a unit is 0, where that is meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h); others give NaN, or
+ * COR_FAULT_RANGE. Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 
@@ -534,8 +534,8 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
 
 /* eps of MuJoCo's contact where its impedance d depends on the overlap x: d goes from solimp[0] at x = 0 to solimp[1]
- * at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in 1/s and the
- * damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact vanishes, and
+ * at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in 1/s and
+ * the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact vanishes, and
  * gravity alone acts on the way back to x = 0. 0: the ball does not leave. By the method of Runge and Kutta.
  * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. NaN: gravity and zeta are not in [0, 1e48], frequency, speed
  * and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1, 100], or the
