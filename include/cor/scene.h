@@ -535,11 +535,11 @@ void cor_simulator_reach(const struct cor_simulator_model *model, double *least,
 
 /* eps of MuJoCo's contact where its impedance d depends on the overlap x: d goes from solimp[0] at x = 0 to solimp[1]
  * at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in 1/s and
- * the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact vanishes, and
- * gravity alone acts on the way back to x = 0. 0: the ball does not leave. By the method of Runge and Kutta.
- * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. NaN: gravity and zeta are not in [0, 1e48], frequency, speed
- * and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1, 100], or the
- * integration takes more than 200000 steps. */
+ * the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact vanishes,
+ * and gravity alone acts on the way back to x = 0. 0: the ball does not leave. By the method of Runge and Kutta.
+ * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. NaN: gravity and zeta are not in [0, 1e48], frequency,
+ * speed and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1,
+ * 100], or the integration takes more than 200000 steps. */
 double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2);
 
 /* A version as a number that grows from release to release: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: the text is
