@@ -25,8 +25,10 @@ TOLERANCE = 2e-3  # between measured and computed eps, besides the error of the 
 
 def measure(path: str, options: Options, rows: List[Row], program: str, keep: bool) -> None:
     """Executes the deck with the program, and fills the columns measured and measured_small_step of the rows."""
+    if not rows:
+        return
     todo = [row for row in rows if row.contact is not None and "clump" not in row.contact.unknown]
-    simulator = rows[0].simulator if rows else ""
+    simulator = rows[0].simulator
     of = MEASURES.get(simulator)
     if path == "-":
         raise UsageError("--run needs a file, not standard input")
@@ -79,7 +81,8 @@ def sizes_of(row: Row, contact: Contact) -> Tuple[List[float], List[float]]:
 
 def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
     """Fills the row, and says so where the measured and the computed eps are not the same."""
-    assumed = not math.isnan(row.realised) and math.isnan(row.duration_s)  # sizes are not the deck's
+    bodies = row.contact.bodies if row.contact else ()
+    assumed = any(math.isnan(b.radius[0]) and not b.wall for b in bodies) and not math.isnan(row.realised)
     row.measured, row.measured_small_step = math.nan if assumed else eps, eps_small_step
     bias = 0.0 if math.isnan(row.step_bias) else row.step_bias
     if math.isnan(row.realised):
