@@ -188,6 +188,6 @@ except SystemExit:
     pass
 except Exception as error:
     reason = f"{type(error).__name__}: {error}"
-if not Stand.runs:
+if not Stand.runs and not reason:
     collide_all()
 say(end=True, reason=reason)

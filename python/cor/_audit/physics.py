@@ -19,7 +19,11 @@ SIMULATORS = {
     "gazebo": ("xml", "read_gazebo", ("<sdf",)),
     "lethe": ("text", "read_lethe", ("restitution coefficient particles", "subsection lagrangian physical")),
     "pfc": ("text", "read_pfc", ("dp_nratio", "contact cmat", "cmat default")),
-    "mercurydpm": ("text", "read_mercurydpm", ("setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution")),
+    "mercurydpm": (
+        "text",
+        "read_mercurydpm",
+        ("setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution", "Mercury3D"),
+    ),
     "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
 # Models of other versions
@@ -170,7 +174,7 @@ class _Audit:
             surface = lib.cor_mujoco_eps(contact.solimp, math.sqrt(scene.stiffness), zeta, speed, gravity)
             self.say_surface(row, surface)
             return
-        if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg):
+        if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg) or contact.global_damping != 0:
             return
         pressed, eps = ffi.new("struct cor_scene_contact *", scene[0]), ffi.new("double *")
         pressed.force_n = scene.mass_kg * gravity

@@ -401,4 +401,6 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
             if math.isnan(c.number):
                 c.unknown = f"{m[2]} has no literal number."
             deck.contacts.append(c)
+    if not deck.contacts:
+        deck.remarks.append(Remark(name, 1, "no species gets a restitution coefficient by a setter that cor knows"))
     return deck

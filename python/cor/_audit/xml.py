@@ -159,8 +159,6 @@ class _Model:
                 self.excluded.add(tuple(sorted((child.get("body1", ""), child.get("body2", "")))))
         if self.flag.get("contact") == "disable" or self.flag.get("constraint") == "disable":
             raise DeckError("contacts are disabled in this model")
-        if self.flag.get("override") == "enable":
-            self.deck.remarks.append(Remark(self.deck.file, 1, "the override of contacts by o_solref is not read"))
         self.add_pairs()
         return self.deck
 
@@ -223,6 +221,9 @@ class _Model:
         condim = max(condims) if priority == 0 else condims[priority < 0]
         if pair is not None:
             ref, imp, condim = pair.vector("solref", ref), pair.vector("solimp", imp), pair.number("condim", condim)
+        if self.flag.get("override") == "enable":
+            whole = _Geom(ET.Element(""), {key[2:]: value for key, value in self.option.items() if key[:2] == "o_"}, 0)
+            ref, imp = whole.vector("solref", self.SOLREF), whole.vector("solimp", self.SOLIMP)
         bodies = [Body(g.name, wall=self.weld[g.body] == 0) for g in (one, two)]
         bodies.sort(key=lambda b: b.wall)
         c = Contact(at.file, at.line, "mujoco", (bodies[0], bodies[1]), pair=f"{one.name}-{two.name}")
@@ -278,6 +279,7 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
     root = parse(text, name)
     found: List[Tuple[str, bool, int, float, float]] = []
     step = next(iter(_numbers(root.findtext(".//physics/max_step_size"))), NAN)
+    engines = {physics.get("type", "ode") for physics in root.iter("physics")} - {"ode"}
     for model in root.iter("model"):
         static = (model.findtext("static") or "").strip().lower() in ("true", "1")
         for collision in model.iter("collision"):
@@ -293,5 +295,7 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             a, b = sorted((Body(x[0], wall=x[1]) for x in (one, two)), key=lambda body: body.wall)
             c = Contact(name, max(one[2], two[2]), "gazebo", (a, b), "GAZEBO_BOUNCE", pair=f"{one[0]}-{two[0]}")
             c.number, c.threshold, c.time_step = min(one[3], two[3]), min(one[4], two[4]), step
+            if engines:
+                c.unknown = f"cor knows contacts of ODE only, not of the physics {', '.join(sorted(engines))}."
             deck.contacts.append(c)
     return deck

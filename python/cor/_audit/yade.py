@@ -226,6 +226,8 @@ class Script:
             return None
         if name in _MATH and (of is None or isinstance(of, Thing)):
             return UNKNOWN if UNKNOWN in thing.arguments else _MATH[name](*thing.arguments)
+        if name in ("enumerate", "zip") and all(isinstance(x, (list, tuple, range)) for x in thing.arguments):
+            return list({"enumerate": enumerate, "zip": zip}[name](*thing.arguments))
         if name in ("range", "xrange"):
             items = range(*map(int, thing.arguments))
             return items if len(items) <= MAX_ITEMS else UNKNOWN
@@ -678,6 +680,8 @@ class _Reader:
                 return value, node
         if maker.arguments and isinstance(maker.arguments[0], (int, float)):
             return maker.arguments[0], None
+        if maker.values.get("algo") != "val":  # YADE stops at the first such contact
+            return UNKNOWN, None
         return maker.values.get("val", UNKNOWN), maker.nodes.get("val")
 
     def matches(self, maker: Thing) -> List[Tuple[Tuple[Any, Any, Any], Optional[ast.AST]]]:
