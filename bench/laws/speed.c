@@ -10,7 +10,7 @@
 
 #include <cor/cor.h>
 
-#include "reference_law.h"
+#include "laws.h"
 #include "runtime/number/sets.h"
 #include "runtime/scene/simulators.h"
 #include "support/timing.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "reference_ode.h"
+#include "ode.h"
 
 void scenes_init(struct scene scenes[SCENES])
 {
@@ -42,11 +42,17 @@ void scene_even_speeds(const struct scene *scene, double *speed, size_t n)
     speed[n - 1] = scene->speed_max;
 }
 
+/* x = w^2: Hertz's spring, and its damper */
+static long double force(long double w, long double v, const void *beta)
+{
+    return w * w * w + *(const long double *)beta * w * v;
+}
+
 static void reference(struct truth *truth, enum input input, int i, long double beta)
 {
-    const struct reference r = reference_collision(beta);
-    truth->eps[input][ZERO_OVERLAP][i] = r.eps_zero_overlap;
-    truth->eps[input][ZERO_FORCE][i] = r.eps_zero_force;
+    const struct motion_course r = motion_course(&(struct motion){2, 0, force, &beta, 0, 0});
+    truth->eps[input][ZERO_OVERLAP][i] = r.eps[0];
+    truth->eps[input][ZERO_FORCE][i] = r.eps[1];
 }
 
 void truth_compute(struct truth *truth, const struct scene *scene)

@@ -9,9 +9,9 @@
 
 #include <stdio.h>
 
+#include "../reference/laws.h"
 #include "ball_value.h"
 #include "enclosure/collision.h"
-#include "reference_law.h"
 #include "search.h"
 #include "support/formula.h"
 #include "support/local.h"

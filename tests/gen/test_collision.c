@@ -5,11 +5,11 @@
 
 #include <unistd.h>
 
+#include "../reference/ode.h"
 #include "enclosure/closed_form.h"
 #include "enclosure/collision.h"
 #include "enclosure/motion.h"
 #include "enclosure/slow_manifold.h"
-#include "motion.h"
 #include "series/restitution.h"
 
 static const slong PREC = 600;
@@ -466,20 +466,26 @@ static long double pressed_contact(const long double *y, const void *of)
     return power > 0 ? fminl(y[0], p->beta * y[1] + motion_power(y[0], power)) : y[0];
 }
 
+static long double pressed_turn(const long double *y, const void *of)
+{
+    (void)of;
+    return -y[1];
+}
+
 /* eps^2 at the surface, not positive: the bodies stay together; y becomes the state where the contact ends. A flight
  * loses the elastic energy of its beginning. At a second turning point the damping has taken all of the energy, or,
  * under a large force, rounding hides the end of the contact, where the damping takes next to nothing. */
 static long double surface_by_loss(long double y[4], const struct pressed_law *p)
 {
     const long double a = ratio_double(law_elastic(&p->law)), size = powl(fmaxl(1, p->force), 1 / a);
-    const long double h = 4e-3L * powl(size, 1 / (long double)p->law.denominator) / fmaxl(1, sqrtl(p->force * size));
-    bool turned = false, ends = false;
+    const long double h = 0.1L * powl(size, 1 / (long double)p->law.denominator) / fmaxl(1, sqrtl(p->force * size));
+    static ode_value *const values[] = {pressed_contact, pressed_turn};
+    struct ode o = {.slopes = pressed_slopes, .of = p, .n = 4, .longest = h};
+    int ends = -1;
     memcpy(y, (const long double[4]){0, 1, 0, 0}, 4 * sizeof *y);
-    while (!ends && !(turned && y[1] >= 0)) {
-        turned = turned || y[1] < 0;
-        ends = runge_kutta_until(pressed_contact, pressed_slopes, p, y, 4, h);
-    }
-    const long double x = ends ? motion_power(fmaxl(y[0], 0), (int)p->law.denominator) : 0;
+    while (ends < 0)
+        ends = ode_until(&o, y, values, 2);
+    const long double x = ends == 0 ? motion_power(fmaxl(y[0], 0), (int)p->law.denominator) : 0;
     const long double rest = 1 - 2 * y[3] - 2 * powl(x, a + 1) / (a + 1);
     y[2] += 2 * x / (sqrtl(fmaxl(rest, 0)) - y[1]);
     return rest;

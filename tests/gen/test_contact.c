@@ -2,8 +2,8 @@
 /* cor/scene.h and gen/contact against an integration of the force in SI units, against textbook formulas, every way to
  * give the dissipation there and back, and every number of corgen contact --for put through the conversion
  * of its simulator. */
+#include "../reference/ode.h"
 #include "ball.h"
-#include "motion.h"
 #include "scene.h"
 
 #include "contact/contact.h"
@@ -43,7 +43,7 @@ static long double force_of(long double w, long double v, const void *of)
 static struct cor_scene_impact integrate(const struct law_of_force *f, bool zero_overlap)
 {
     const struct motion m = {.d = ROOT, .force = force_of, .of = f, .at_zero_force = !zero_overlap};
-    const struct motion_course r = motion_course(&m, 3e-4L);
+    const struct motion_course r = motion_course(&m);
     return (struct cor_scene_impact){
         .eps = {(double)r.eps[0], (double)r.eps[1]},
         .duration_s = {(double)r.duration[0] * f->unit, (double)r.duration[1] * f->unit},

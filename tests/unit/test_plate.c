@@ -5,7 +5,7 @@
 
 #include <cor/cor.h>
 
-#include "motion.h"
+#include "../reference/ode.h"
 
 struct scene {
     struct cor_body sphere;
@@ -89,30 +89,24 @@ TEST(refused)
 /* ---- two bodies ---- */
 
 /* Speed of the sphere after contact in units of the impact speed: m u' = -F, w' = F/Z, F = K (s - w)^(3/2), in scaled
- * units with Z = 1/lambda; Runge and Kutta's method in sigma, dt = sqrt(x) d sigma near the ends where x^(3/2) is not
- * smooth. */
+ * units with Z = 1/lambda; y = {sqrt(s - w), u, t} by dt = 2 sqrt(s - w) d sigma, in which all is smooth. */
 static void two_bodies_slopes(long double *dy, const long double *y, const void *lambda)
 {
-    const long double x = y[0] - y[2], force = x > 0 ? x * sqrtl(x) : 0;
-    dy[0] = y[1];
-    dy[1] = -force;
-    dy[2] = *(const double *)lambda * force;
+    const long double force = motion_power(y[0], 3);
+    dy[0] = y[1] - *(const double *)lambda * force;
+    dy[1] = -2 * y[0] * force;
+    dy[2] = 2 * y[0];
 }
 
-static double two_bodies_eps(double lambda, double step, double *duration)
+static double two_bodies_eps(double lambda, double *duration)
 {
-    long double y[3] = {0, 1, 0}, next[3], t = 0; /* s, u, w */
-    for (;;) {
-        const long double x = y[0] - y[2], h = step * fminl(1, sqrtl(fmaxl(x, 1e-9L)) + 1e-5L);
-        memcpy(next, y, sizeof y);
-        runge_kutta(two_bodies_slopes, &lambda, next, 3, h);
-        if (next[0] - next[2] <= 0 && t > 0) {
-            *duration = (double)(t + h * x / (x - (next[0] - next[2])));
-            return (double)-y[1];
-        }
-        memcpy(y, next, sizeof y);
-        t += h;
+    static ode_value *const overlap = motion_overlap;
+    struct ode o = {.slopes = two_bodies_slopes, .of = &lambda, .n = 3, .longest = 0.1L};
+    long double y[3] = {0, 1, 0};
+    while (ode_until(&o, y, &overlap, 1) < 0) {
     }
+    *duration = (double)y[2];
+    return (double)-y[1];
 }
 
 TEST(against_two_bodies)
@@ -125,9 +119,9 @@ TEST(against_two_bodies)
         if (lambda > 3)
             continue;
         double duration;
-        const double eps = two_bodies_eps(lambda, 2e-3, &duration), wanted = cor_contact_eps_zero_overlap(&c, s.speed);
-        check(fabs(eps - wanted) < 1e-7, "lambda = %g: %.12g, not %.12g", lambda, wanted, eps);
-        check_near(cor_contact_duration_s_zero_overlap(&c, s.speed), duration * unit, 2e-4);
+        const double eps = two_bodies_eps(lambda, &duration), wanted = cor_contact_eps_zero_overlap(&c, s.speed);
+        check(fabs(eps - wanted) < 1e-14, "lambda = %g: %.12g, not %.12g", lambda, wanted, eps);
+        check_near(cor_contact_duration_s_zero_overlap(&c, s.speed), duration * unit, 1e-13);
     }
 }
 

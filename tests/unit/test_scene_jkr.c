@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Spheres that adhere as in JKR, by other routes: the energy of the tail by quadrature of the force over the overlap, a
- * motion in time and contact radius by Runge and Kutta in long double, and the spheres without adhesion. */
-#include "motion.h"
+ * motion in time and contact radius in long double, and the spheres without adhesion. */
+#include "../reference/ode.h"
 #include "scene.h"
 
 static const long double pi = 3.141592653589793238463L;
@@ -78,7 +78,7 @@ static double kappa_of(const struct cor_scene_contact *s)
     return cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) * pow(l, b) * sqrt(l / (force * s->mass_kg));
 }
 
-/* m x'' = -F - d c x' by steps in t that shrink with the slope of the overlap over c, 0 at the end of the tail; c is in
+/* m x'' = -F - d c x' in a variable whose rate is the slope of the overlap over c, 0 at the end of the tail; c is in
  * units of the first radius */
 struct moved {
     const struct cor_scene_contact *contact;
@@ -100,19 +100,24 @@ static long double above_last(const long double *y, const void *of)
     return y[0] - ((const struct moved *)of)->last;
 }
 
-static long double moved_eps(const struct cor_scene_contact *s, double speed, int end, long double h,
-                             long double *duration)
+static long double falling(const long double *y, const void *of)
 {
+    (void)of;
+    return -y[1];
+}
+
+static long double moved_eps(const struct cor_scene_contact *s, double speed, int end, long double *duration)
+{
+    static ode_value *const values[] = {above_last, falling};
     const struct moved m = {s, (long double)cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) / sqrtl(s->radius_m),
                             first_radius(s), last_radius(s, end) / first_radius(s)};
-    long double y[3] = {1, speed, 0}, before = speed;
-    while (!runge_kutta_until(above_last, moved_slopes, &m, y, 3, h * m.unit / (long double)speed)) {
-        if (before < 0 && y[1] > 0)
-            return 0;
-        before = y[1];
-    }
+    struct ode o = {.slopes = moved_slopes, .of = &m, .n = 3, .longest = 0.05L * m.unit / (long double)speed};
+    long double y[3] = {1, speed, 0};
+    int ends = -1;
+    while (ends < 0)
+        ends = ode_until(&o, y, values, 2);
     *duration = y[2];
-    return -y[1] / (long double)speed;
+    return ends > 0 ? 0 : -y[1] / (long double)speed;
 }
 
 TEST(damped)
@@ -126,7 +131,7 @@ TEST(damped)
             for (int k = 0; k < 3; k++) {
                 const double eps = scene_eps(&s, over[k] * stick, end);
                 long double duration;
-                const double moved = (double)moved_eps(&s, over[k] * stick, end, 1e-3L, &duration);
+                const double moved = (double)moved_eps(&s, over[k] * stick, end, &duration);
                 check(fabs(eps * eps - moved * moved) < 2e-7, "A = %g, %g v_s, end %d: %.12g, moved %.12g", times[i],
                       over[k], end, eps, moved);
             }
@@ -145,7 +150,7 @@ TEST(durations)
         const double speed = cor_scene_sticking_speed(&s, end) * (1 + random_log(&draw, 1e-6, 1e-3));
         const struct cor_scene_impact impact = scene_impact(&s, speed);
         long double duration;
-        const double eps = (double)moved_eps(&s, speed, end, 2e-4L, &duration);
+        const double eps = (double)moved_eps(&s, speed, end, &duration);
         check(fabs(impact.eps[end] * impact.eps[end] - eps * eps) < COR_JKR_EPS2_MAX_ERROR, "eps = %g", eps);
         check_near(impact.duration_s[end], duration, COR_JKR_EPS2_MAX_ERROR * fmax(1, 0.01 / eps));
     }

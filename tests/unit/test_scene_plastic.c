@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Spheres that yield and spheres in a liquid, each by another route: Thornton's printed formula in long double, the
  * piecewise contact integrated in time, and the motion of the spheres in the liquid. */
-#include "motion.h"
+#include "../reference/ode.h"
 #include "scene.h"
 
 static const long double pi_long = 3.14159265358979323846264338L;
@@ -103,9 +103,10 @@ static long double above_rest(const long double *y, const void *of)
     return y[0] - ((const struct spheres *)of)->rest;
 }
 
-static void run(motion_value *value, const struct spheres *s, long double y[3], long double h)
+static void run(ode_value *value, const struct spheres *s, long double y[3], long double longest)
 {
-    while (!runge_kutta_until(value, spheres_slopes, s, y, 3, h)) {
+    struct ode o = {.slopes = spheres_slopes, .of = s, .n = 3, .longest = longest, .error = 1e-14L};
+    while (ode_until(&o, y, &value, 1) < 0) {
     }
 }
 
@@ -149,7 +150,7 @@ TEST(piecewise_contact)
         const double speed = contact.yield_speed_m_s * *ratios;
         const struct cor_scene_impact impact = scene_impact(&contact, speed);
         struct spheres t = s;
-        const long double h = s.yield_overlap / speed / 4000, later = s.yield_overlap / onset / 4000;
+        const long double h = s.yield_overlap / speed / 8, later = s.yield_overlap / onset / 8;
         long double y[3] = {0, speed, 0};
         if (*ratios > 1)
             run(short_of_yield, &t, y, h);

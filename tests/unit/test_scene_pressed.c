@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions under a constant force: integrated, limits and thresholds */
-#include "motion.h"
+#include "../reference/ode.h"
 #include "scene.h"
 
 /* x'' + beta x^b x' + x^a = f */
@@ -18,7 +18,7 @@ static long double pressed_force(long double w, long double v, const void *of)
 static struct motion_course reference(const struct cor_exponents *law, double beta, double f)
 {
     const struct pressed p = {law, beta};
-    return motion_course(&(struct motion){law->denominator, f, pressed_force, &p, 0, NULL}, 1.0L / 4000);
+    return motion_course(&(struct motion){law->denominator, f, pressed_force, &p, 0, 0});
 }
 
 /* A contact whose impacts at 1 m/s are those of beta and f */

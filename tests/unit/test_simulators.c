@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* cor/scene.h, the table of simulators: what each model makes of a restitution that a user asks for, the number
  * that cures it, and every conversion to a simulator's own number against its force law, integrated in SI units. */
-#include "motion.h"
+#include "../reference/ode.h"
 #include "scene.h"
 
 static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
@@ -206,11 +206,12 @@ static long double scaled_force(long double w, long double v, const void *of)
 {
     const struct scaled_pair *const p = of;
     const struct pair *const s = p->s;
-    const double unit = s->speed / p->time, x = (double)motion_power(w, 4) * s->speed * p->time;
-    const double elastic = s->stiffness * pow(x, s->a);
-    const double whole = elastic + p->damping * pow(x, p->b) * (double)v * s->speed;
+    const double unit = s->speed / p->time, length = s->speed * p->time; /* x = w^4 length */
+    const long double elastic = s->stiffness * pow(length, s->a) * motion_power(w, (int)(4 * s->a));
+    const long double whole =
+        elastic + p->damping * pow(length, p->b) * motion_power(w, (int)(4 * p->b)) * v * s->speed;
     return (p->end == COR_END_APPROACH_ONLY && v < 0 ? elastic
-            : p->end == COR_END_LIMITED              ? fmin(whole, 2 * elastic)
+            : p->end == COR_END_LIMITED              ? fminl(whole, 2 * elastic)
                                                      : whole) /
            (s->mass * unit);
 }
@@ -220,7 +221,7 @@ static double integrated_eps(const struct pair *s, enum cor_end end, double damp
     const double time = pow(s->mass / s->stiffness, 1 / (s->a + 1)) * pow(s->speed, (1 - s->a) / (s->a + 1));
     const struct scaled_pair p = {s, end, damping, b, time};
     const int free = end == COR_END_ZERO_FORCE || end == COR_END_LIMITED;
-    return (double)motion_course(&(struct motion){4, 0, scaled_force, &p, free, NULL}, 5e-4L).eps[free];
+    return (double)motion_course(&(struct motion){4, 0, scaled_force, &p, free, 0}).eps[free];
 }
 
 /* A constant impedance d is a linear dashpot: against the closed form; and, for small d, under gravity, against the

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "reference_law.h"
+#include "laws.h"
 
 #include <math.h>
 

@@ -2,8 +2,8 @@
 /* Restitution of the laws of law.h in long double, by other formulas than the library's: what their doubles are judged
  * by. Each function gives L = -ln(eps), relative error some 2^-62. eps and 1 - eps follow by expl and expm1l, which
  * keep 2^-60 while L is below 16; beyond, tests/accuracy asks MPFR. */
-#ifndef COR_TESTS_REFERENCE_LAW_H
-#define COR_TESTS_REFERENCE_LAW_H
+#ifndef COR_TESTS_REFERENCE_LAWS_H
+#define COR_TESTS_REFERENCE_LAWS_H
 
 #include "cor/law.h"
 
