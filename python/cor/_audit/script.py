@@ -528,11 +528,8 @@ class World:
                 self.label = ""
         elif name in _FLOW:
             _FLOW[name](self, words)
-        else:
-            try:
-                getattr(self.system, f"on_{name}", lambda words: None)(words)
-            except Unknown as reason:
-                self.script.remark(line, f"{name}: {_shown(str(reason))}")
+        elif hasattr(self.system, f"on_{name}"):
+            self.script.attempt(line, name, lambda: getattr(self.system, f"on_{name}")(words))
 
     def quit(self, words: Words) -> None:
         self.stack.clear()
@@ -554,11 +551,7 @@ class World:
             raw, at, after = _logical_line(source.text, at, line)
             self.stack[-1] = (source, at, after)
             self.execute(Line(source.name, line, after - 1, raw))
-        self.system.finish()
-
-
-def _shown(reason: str) -> str:
-    return f"no value is known here of {reason}".replace(_BLANK, " ").replace(_MARK, "")
+        self.script.attempt(self.place, "the script", self.system.finish)
 
 
 def _formatted(form: str, value: float) -> str:
@@ -614,6 +607,15 @@ class Script:
         if len(self.remarks) < 200:
             self.remarks.setdefault((line.file, line.line, text), Remark(line.file, line.line, text, matters))
 
+    def attempt(self, line: Line, name: str, command: Callable[[], None]) -> None:
+        try:
+            command()
+        except Unknown as reason:
+            text = f"{name}: no value is known here of {reason}".replace(_BLANK, " ").replace(_MARK, "")
+            self.remark(line, text)
+        except (ArithmeticError, IndexError, ValueError):
+            self.remark(line, f"{name}: its numbers are missing or out of range.")
+
     def tick(self) -> None:
         self.count += 1
         if self.count % 1024 == 0:
@@ -639,5 +641,6 @@ class Script:
                 world.run()
             except OutOfBounds as reason:
                 self.remark(world.place, str(reason))
-                world.system.finish()
+                self.end = math.inf
+                self.attempt(world.place, "the script", world.system.finish)
                 self.worlds.clear()
