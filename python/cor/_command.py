@@ -17,7 +17,7 @@ import sys
 import tempfile
 import time
 from importlib import import_module
-from typing import Any, Dict, List, NoReturn, Optional, Sequence
+from typing import Any, Dict, List, NoReturn, Optional, Sequence, Union
 
 import numpy as np
 
@@ -98,10 +98,10 @@ def read_text(path: str, most: int) -> str:
     return data.decode("utf-8-sig", "surrogateescape")
 
 
-def write_output(path: Optional[str], text: str) -> None:
+def write_output(path: Optional[str], content: Union[str, bytes]) -> None:
     """Writes a result to standard output, or to a file that changes only if everything succeeds: a temporary file in
     its folder, renamed over it. Links are followed; devices and pipes are written directly. Raises Failure."""
-    data = text.encode("utf-8", "backslashreplace")
+    data = content if isinstance(content, bytes) else content.encode("utf-8", "backslashreplace")
     try:
         if path is None:
             sys.stdout.flush()

@@ -2,12 +2,17 @@
 """Measured bounces as laboratories record them: what is read, and what is refused with line, column and advice."""
 
 import io
+import json
 import random
 import re
+import subprocess
+import sys
 import time
 
+import cor
 import numpy as np
 import pytest
+from cor._command import main
 from cor._fit.data import Apexes, DataError, Form, Heights, Points, Times
 from cor._fit.records import read
 
@@ -22,8 +27,8 @@ def read_text(text, **form):
 
 # text, options, the class of the record, and some of its fields
 READ = [
-    (b"\xef\xbb\xbfspeed_m_s,eps,eps_sigma\r\n0.1,.95,1e-2", {}, Points, dict(speed_m_s=[0.1], eps=[0.95], sigma=[0.01])),
-    ('\n# note\neps,remark,speed_cm_s\n0.95,"a, b",10\n .9 ,,"100"\n', {}, Points, dict(speed_m_s=[0.1, 1], line=[4, 5])),
+    (b"\xef\xbb\xbfspeed_m_s,eps,eps_sigma\r\n0.1,.95,1e-2", {}, Points, dict(eps=[0.95], sigma=[0.01])),
+    ('\n# note\neps,remark,speed_cm_s\n0.95,"a, b",10\n .9 ,,"100"\n', {}, Points, dict(eps=[0.95, 0.9], line=[4, 5])),
     ("speed_m_s;eps\n0,1;0,95\n1;,9\n", dict(decimal_comma=True), Points, dict(speed_m_s=[0.1, 1], eps=[0.95, 0.9])),
     ('speed_m_s\teps\n"0,1"\t0,95\n', dict(decimal_comma=True), Points, dict(speed_m_s=[0.1])),
     ("speed_m_s,eps,a;b;c;d\n1,0.9,0\n", dict(separator=","), Points, dict(eps=[0.9])),
@@ -38,7 +43,7 @@ READ = [
     ("h0,h1\n100,64\n", dict(unit="cm"), Heights, dict(drop_m=[1], rebound_m=[0.64])),
     ("rebound height [cm]\n64\n63\n", dict(drop_height_m=1), Heights, dict(drop_m=[1, 1], rebound_m=[0.64, 0.63])),
     ("h_cm\n64\n40\n", {}, Apexes, dict(height_m=[0.64, 0.4], start=[0, 2])),
-    ("ball,apex_cm\nA,64\nB,60\nB,36\n", dict(drop_height_m=1), Apexes, dict(height_m=[1, 0.64, 1, 0.6, 0.36], ball=[0, 1])),
+    ("ball,apex_cm\nA,64\nB,60\nB,36\n", dict(drop_height_m=1), Apexes, dict(height_m=[1, 0.64, 1, 0.6, 0.36])),
     ("t_s\n0\n1\n1.8\n", {}, Times, dict(time_s=[0, 1, 1.8], height_m=[np.nan])),
     ('"Time (ms)"\n0\n1000\n', dict(drop_height_m=1.5), Times, dict(time_s=[0, 1], height_m=[1.5])),
     (CARRIED.replace("0,\n", "0,150\n"), {}, Times, dict(height_m=[1.5])),
@@ -112,7 +117,7 @@ REFUSED = [
     ("line 4, column t_s: a flight of 1.5 s after one of 1 s makes eps = 1.5; allowed", TIMES + "0\n1\n2.5\n", {}),
     ("line 3, column h1_cm: the rebound makes eps = 1.414", "h0_cm,h1_cm\n100,64\n50,100\n", {}),
     ("line 3, column h_cm: the rebound makes eps = 1.581", "h_cm\n40\n100\n", {}),
-    ("line 4, column t_s: the drop before .* has 2 bounces; allowed: 3 or .*--drop-height", "run,t_s\na,0\na,1\nb,0\n", {}),
+    ("line 4, column t_s: the drop before .* has 2 bounces; .* 3 or .*--drop-height", "run,t_s\na,0\na,1\nb,0\n", {}),
     ("line 2, column t_s: the drop has 1 bounce; allowed: 2 or more", TIMES + "1\n", dict(drop_height_m=1.0)),
     ("line 2, column h_cm: the drop has 1 apex", "h_cm\n64\n", {}),
     ("line 1, column eps: not with t_s", "t_s,eps\n0,1\n", {}),
@@ -222,3 +227,88 @@ def test_a_million_bounces():
     data = read(io.BytesIO(text.encode()), Form(), steps.append)
     assert time.process_time() - begin < 0.5
     assert data.record.start.size == 10001 and steps[-1] == "reading: 100001 lines"
+
+
+# ---- the command ----
+
+
+def cor_fit(capfd, *words):
+    """Run cor fit; return status, standard output and standard error."""
+    status = main(["fit", *map(str, words)])
+    return (status, *capfd.readouterr())
+
+
+def test_command(tmp_path, capfd):
+    pytest.importorskip("scipy")
+    file = tmp_path / "a.csv"
+    file.write_text("speed_m_s,eps,eps_sigma\n1,0.9,0.01\n2,0.8,0.02\n4,0.85,0.01\n")
+    status, out, err = cor_fit(capfd, file, "--law", "constant", "--format", "csv")
+    assert status == 0 and "None of these models fits the data." in err
+    head, row = out.splitlines()
+    assert head == "model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic"
+    # the weighted mean (4 * 0.9 + 0.8 + 4 * 0.85)/9, its sigma 0.01/1.5
+    np.testing.assert_allclose(
+        [float(x) for x in row.split(",")[3:6]], [7.8 / 9, 7.8 / 9 - 0.02 / 3, 7.8 / 9 + 0.02 / 3]
+    )
+    words = [sys.executable, "-m", "cor", "fit", "-", "--law", "constant", "--output", str(tmp_path / "t")]
+    run = subprocess.run(words, input=file.read_bytes(), capture_output=True)
+    assert (run.returncode, run.stdout, run.stderr) == (0, b"", b"")
+    assert re.match(r"model +end +.*\nconstant +both +eps +0.866667 .*\n\n3 points: ", (tmp_path / "t").read_text())
+    file.write_text("ball,h0,h1\nA,100,81\nA,50,40.5\nB,100,64\nB,50,32\n")
+    status, out, _ = cor_fit(capfd, file, "--unit", "cm", "--law", "constant", "--format", "json")
+    values = {row["ball"]: row["value"] for row in json.loads(out)}
+    assert status == 0 and abs(values["A"] - 0.9) < 1e-9 and abs(values["B"] - 0.8) < 1e-9
+    assert 0.8 < values[None] < 0.9
+
+
+def test_command_refuses(tmp_path, capfd):
+    pytest.importorskip("scipy")
+    file, none = tmp_path / "a.csv", tmp_path / "none"
+    file.write_text(POINTS + "1,0.9\n2,0.8\n3,0.8\n4,0.7\n")
+    for status, message, *words in (
+        (2, "cor fit needs one DATA, as cor fit DATA.csv"),
+        (2, "unrecognized arguments: b.csv", file, "b.csv"),
+        (1, f"cannot read {none}: No such file", none),
+        (1, f"cannot read {tmp_path}: Is a directory", tmp_path),
+        (2, "--law: 'hertz' is not a model; allowed: all, viscoelastic, plate,", file, "--law", "constant,hertz"),
+        (2, "--law: '' is not a model", file, "--law", "constant,"),
+        (2, "--end: no model of law plate ends at zero-force", file, "--law", "plate", "--end", "zero-force"),
+        (2, "'space' is not a separator; allowed: comma, semicolon, tab", file, "--separator", "space"),
+        (2, "--young: 'inf' is not", file, "--young", "inf"),
+        (2, "--young-2: '-inf' is not", file, "--young-2=-inf"),
+        (2, "--radius: missing; bodies have young, poisson,", file, "--young", "1e9"),
+        (2, "--unit: 'km/h' is not a unit; allowed: m/s", file, "--unit", "km/h"),
+        (2, "--mass: missing; drag_coefficient needs mass", file, "--drag-coefficient", "0.4"),
+        (2, "--fit-drag: .* has speeds; allowed: with times", file, "--fit-drag"),
+        (2, "name the same file", file, "--output", file),
+        (2, "--plot: 'a.jpg' is not the name of a picture; allowed: FILE.pdf", file, "--plot", "a.jpg"),
+    ):
+        found, out, err = cor_fit(capfd, *words)
+        assert (found, out) == (status, "") and re.search(message, err), err
+
+
+def test_pictures(tmp_path, capfd):
+    pytest.importorskip("scipy")
+    pytest.importorskip("matplotlib")
+    file = tmp_path / "a $x$.csv"
+    file.write_text(POINTS + "".join(f"{v},{0.9 * v**-0.1 + v % 3 / 1e3}\n" for v in range(1, 13)))
+    result = cor.fit(file, law="constant,power-law")
+    upper, lower = result.plot(all=True).axes
+    assert (
+        lower.get_xlabel() == "impact speed (m/s)"
+        and upper.get_xlim() == (1, 12)
+        and upper.get_title() == r"a \$x\$.csv"
+    )
+    assert [t.get_text() for t in upper.get_legend().get_texts()] == [
+        "measured",
+        "95 % of the curve",
+        "power-law",
+        "constant",
+    ]
+    for form, begin in (("svg", b"<?xml"), ("pdf", b"%PDF"), ("png", b"\x89PNG")):
+        paths = [tmp_path / f"{k}.{form}" for k in range(2)]
+        for path in paths:
+            result.plot(path)
+        assert paths[0].read_bytes().startswith(begin) and paths[0].read_bytes() == paths[1].read_bytes()
+    assert cor_fit(capfd, file, "--law", "constant", "--plot", tmp_path / "c.svg")[0] == 0
+    assert b">constant<" in (tmp_path / "c.svg").read_bytes()

@@ -3,7 +3,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -310,11 +310,16 @@ class Result:
         low, high = speed.min(), max(speed.max(), 1.001 * speed.min())
         return " ".join([*line, f"--speed-min {low:.6g} --speed-max {high:.6g} --tolerance 1e-6"])
 
-    def plot(self, file: Union[str, Any], *, all: bool = False) -> Any:
-        """Draw the data with their errors, the best model and its band, and the residuals. all: also other models"""
-        from .plot import plot
+    def plot(self, file: Optional[str] = None, *, group: str = "", all: bool = False) -> Any:
+        """Return a figure of Matplotlib: data with errors, the best model and its band, and residuals. all: also the
+        other models. file: also written, as .pdf, .png or .svg."""
+        from .plot import draw, format_of, save
 
-        return plot(self, file, all=all)
+        form = format_of(str(file)) if file is not None else ""
+        figure = draw(self, group, all)
+        if file is not None:
+            save(figure, file, form)
+        return figure
 
 
 # ---- the call ----
@@ -376,8 +381,8 @@ def fit(
     numbers = {"drag_coefficient": drag_coefficient, "terminal_speed_m_s": terminal_speed, "fit_drag": fit_drag}
     air = _air(given, diameter, density_kg_m3=air_density, **numbers)
     form = Form(unit=unit, separator=separator, decimal_comma=decimal_comma, drop_height_m=drop_height)
-    data = source if isinstance(source, Data) else read(source, form)
     field, tell = Field.of(air, gravity), progress or _silent
+    data = source if isinstance(source, Data) else read(source, form, lambda step: tell(step, 0, 0))
     free = tuple(name for name, wanted in (("drag", fit_drag), ("gravity", fit_gravity)) if wanted)
     if free and isinstance(data.record, Points):
         raise ValueError(f"fit_{free[0]}: {data.name} has speeds; allowed: with times of bounces, or heights")

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: MIT
+"""cor fit: models of restitution fitted to measured bounces."""
+
+import argparse
+import io
+import math
+import os
+import re
+from typing import Any, Dict, List, Sequence
+
+from .._command import STATUS_OK, Failure, Parser, UsageError, add_common, message, positive, progress
+from .._command import table, write_output
+from .models import BODIES, MODELS
+from .records import UNIT_NAMES
+from .result import COLUMNS, Result, fit
+
+HELP = """\
+Fits models of restitution to measured bounces and ranks them by Akaike's information criterion (AIC; the least is
+best). Prints which models fit. The first row of DATA names the columns, with their units; other columns are not read,
+and lines that begin with # are comments. DATA is a csv file, - is standard input.
+
+  speed_m_s,eps[,eps_sigma]       impact speed, restitution and its standard deviation
+  speed_m_s,speed_out_m_s         speeds before and after
+  h0_cm,h1_cm[,h1_sigma_cm]       heights before and after; h1_cm with --drop-height
+  h_cm                            heights of successive apexes, the drop height first, or with --drop-height
+  t_s[,h0_cm]                     times of bounces; the drop height gives the first impact speed
+  interval_ms                     times between bounces
+  time_s,height_m                 a track, whose bounces are found
+  run                             another text begins another drop; all drops are fitted together
+  ball                            each ball is fitted by itself, and all together
+"""
+MORE = """\
+Columns of csv and json: model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic, behind ball if the data
+have one. An empty value is not determined. The intervals are profile likelihoods, 68 means 68.27 %. rms: of the
+residuals; chi2: with given errors. p below 0.01: the model does not fit. With csv and json the remarks go to standard
+error.
+
+Example: cor fit measured.csv --law viscoelastic,constant --plot measured.svg
+"""
+SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", ",": ",", ";": ";", "\t": "\t"}
+
+
+def _positive_or_infinite(text: str) -> float:
+    return math.inf if text == "inf" else positive(text)
+
+
+def _separator(text: str) -> str:
+    if text not in SEPARATORS:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a separator; allowed: comma, semicolon, tab")
+    return SEPARATORS[text]
+
+
+def _poisson(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not -1 < value <= 0.5:
+        raise argparse.ArgumentTypeError(f"'{text}' is not above -1 and at most 0.5")
+    return value
+
+
+def add_arguments(parser: Parser) -> None:
+    parser.description, parser.epilog, parser.usage = HELP, MORE, "cor fit DATA [OPTION]..."
+    parser.add_argument("data", metavar="DATA", nargs="?", help=argparse.SUPPRESS)
+    parser.add_argument("--data", metavar="DATA", dest="data_option", help="the same as DATA")
+
+    def add(group: Any, name: str, metavar: str, help: str, kind: Any = positive) -> None:
+        group.add_argument(name, metavar=metavar, type=kind, help=help)
+
+    group = parser.add_argument_group("reading")
+    add(group, "--unit", "U", f"of columns without one, as cm,ms: {', '.join(UNIT_NAMES)}", str)
+    add(group, "--drop-height", "H", "m, from which every drop begins")
+    add(
+        group,
+        "--separator",
+        "S",
+        "comma, semicolon or tab (default: the one that the first row has most of)",
+        _separator,
+    )
+    group.add_argument("--decimal-comma", action="store_true", help="numbers have a decimal comma")
+    group = parser.add_argument_group("models")
+    names = ", ".join(dict.fromkeys(model.name for model in MODELS))
+    group.add_argument("--law", metavar="NAMES", default="all", help=f"all (default), or several of {names}")
+    group.add_argument("--end", metavar="E", help="zero-overlap or zero-force: this end of contact (default: both)")
+    group.add_argument("--robust", action="store_true", help="Huber's function: outliers have little weight")
+    group = parser.add_argument_group("gravity and air, for times and heights")
+    add(group, "--gravity", "G", "m/s^2 (default 9.80665)")
+    group.add_argument(
+        "--fit-gravity", action="store_true", help="gravity is a parameter: needs times and drop heights"
+    )
+    add(group, "--drag-coefficient", "CD", "of the ball in air, about 0.4 to 0.5; needs --mass and --diameter")
+    add(group, "--diameter", "D", "m, of the ball (default: twice --radius)")
+    add(group, "--air-density", "RHO", "kg/m^3 (default 1.204)")
+    add(group, "--terminal-speed", "W", "m/s, instead of --drag-coefficient")
+    group.add_argument("--fit-drag", action="store_true", help="the drag is a parameter")
+    group = parser.add_argument_group("bodies, SI units: parameters of materials instead of g* and others")
+    for name in BODIES:
+        kind = _poisson if "poisson" in name else _positive_or_infinite if name.endswith("_2") else positive
+        text = "where the second body differs" + ("; inf: it is rigid" if name == "young_2" else "")
+        add(group, f"--{name.replace('_', '-')}", "X", text if name.endswith("_2") else "of the ball", kind)
+    group.add_argument("--wall", action="store_true", help="the second body is flat and held fast")
+    add(group, "--viscosity-liquid", "ETA", "Pa s, of the liquid: stokes then gives a Stokes number")
+    group = parser.add_argument_group("output")
+    group.add_argument("--plot", metavar="FILE", help="a picture of data, fit and residuals: .pdf, .png or .svg")
+    group.add_argument("--all", action="store_true", help="the picture shows all models, not only the best")
+    add_common(parser)
+
+
+def _text_table(rows: Sequence[Sequence[str]]) -> str:
+    """Return columns side by side; where one has negative numbers, the others leave room for the sign."""
+    columns = []
+    for column in zip(*rows):
+        signed = any(text.startswith("-") for text in column)
+        texts = [" " * (signed and not text.startswith("-")) + text for text in column]
+        columns.append([text.ljust(max(map(len, texts)) + 2) for text in texts])
+    return "".join("".join(row).rstrip() + "\n" for row in zip(*columns))
+
+
+def _number(value: float) -> str:
+    return "" if math.isnan(value) else f"{value:.6g}"
+
+
+def report(result: Result) -> str:
+    """Return the tables and remarks of all groups as text."""
+    parts: List[str] = []
+    for name in result.groups:
+        rows = [["model", "end", "parameter", *COLUMNS]]
+        for r in result.parameters[result.parameters.group == name]:
+            value = "not determined" if math.isnan(r.value) else _number(r.value)
+            rows.append([r.model, r.end, r.parameter, value, *(_number(r[c]) for c in COLUMNS[1:])])
+        title = f"Ball {name}:\n" if name else "All balls together:\n" if len(result.groups) > 1 else ""
+        remarks = [*result.remarks(name)]
+        command = result.command(group=name) if result.groups[name].comparison.best() else None
+        remarks += [f"To use it: {command}"] if command else []
+        parts.append(title + _text_table(rows) + "\n" + "".join(line + "\n" for line in remarks))
+    return "\n".join(parts)
+
+
+def _option_of(text: str, options: argparse.Namespace) -> str:
+    """Return a message about an argument of cor.fit as one about the option."""
+    name = re.match(r"\w+(?=:)", text)
+    return f"--{name[0].replace('_', '-')}{text[name.end():]}" if name and hasattr(options, name[0]) else text
+
+
+def run(options: argparse.Namespace) -> int:
+    given = {k: v for k, v in vars(options).items() if v is not None}
+    data = [given[k] for k in ("data", "data_option") if k in given]
+    if len(data) != 1:
+        raise UsageError("cor fit needs one DATA, as cor fit DATA.csv; see cor fit --help")
+    files = [os.path.realpath(path) for path in (*data, options.output, options.plot) if path and path != "-"]
+    if len(set(files)) < len(files):
+        raise UsageError("DATA, --output and --plot name the same file; allowed: different files")
+    ours = ("subcommand", "data", "data_option", "plot", "all", "format", "output", "profile")
+    arguments: Dict[str, Any] = {k: v for k, v in given.items() if k not in ours}
+
+    def tell(step: str, done: int, total: int) -> None:
+        progress(f"{step}: {done} of {total}" if total else step)
+
+    try:
+        form = ""
+        if options.plot:
+            from .plot import draw, format_of, save
+
+            form = format_of(options.plot)
+        result = fit(data[0], progress=tell, **arguments)
+        picture = io.BytesIO()
+        if options.plot:
+            progress("drawing")
+            save(draw(result, every=options.all), picture, form)
+    except ImportError as error:
+        raise Failure(str(error)) from None
+    except OSError as error:
+        raise Failure(f"cannot read {data[0]}: {error.strerror or error}") from None
+    except (TypeError, ValueError) as error:
+        raise UsageError(_option_of(str(error), options)) from None
+    if options.format == "text":
+        output = report(result)
+    else:
+        rows = [list(r)[not result.data.balls :] for r in result.parameters]
+        columns = ["ball", "model", "end", "parameter", *COLUMNS][not result.data.balls :]
+        output = table(columns, rows, options.format)
+    if options.plot:
+        write_output(options.plot, picture.getvalue())
+    write_output(options.output, output)
+    if options.format != "text":
+        for name in result.groups:
+            for line in result.remarks(name):
+                message(f"{name}: {line}" if name else line)
+    return STATUS_OK
