@@ -402,16 +402,14 @@ class Granular(System):
 
     def on_pair_style(self, words: Words) -> None:
         name = _ACCELERATED.sub("", words[1])
-        self.coefficients, self.style, self.other_style = [], [], None
+        self.coefficients, self.style = [], []
         self.hybrid = name if name.startswith("hybrid") else ""
         for i in range(2, len(words)) if self.hybrid else [1]:
             style = _ACCELERATED.sub("", words[i])
             if re.match(r"gran(ular|/|$)", style):
                 at = i + 1 + (self.is_liggghts and words[i + 1] == "model")
                 self.style.append(Coefficient(words, at, style.replace("gran/", "", 1), part=len(self.style)))
-        others = [w for w in words[2:] if re.match(r"[a-z]+(/[a-z]+)*$", w) and not w.startswith(("gran", "limit_"))]
-        if (not self.style and name not in ("none", "zero")) or (self.hybrid == "hybrid/overlay" and others):
-            self.other_style = words
+        self.other_style = words if not self.style and name not in ("none", "zero") else None
 
     def on_pair_coeff(self, words: Words) -> None:
         if self.is_liggghts or len(words) < 3:
@@ -517,10 +515,9 @@ class Granular(System):
         moving = self.moving()
         losses = [f for f in self.fixes.values() if _LOSSES.match(_ACCELERATED.sub("", f[3]))]
         sentences = [f"fix {f[1]} ({f[3]}) changes energy outside contacts." for f in losses]
-        if self.other_style is not None:
+        if self.other_style is not None and not self.style:
             text = f"pair_style {self.other_style[1]}: cor knows granular, gran/hooke(/history), gran/hertz/history"
-            text += ", LIGGGHTS' gran model, and hybrid with these." if not self.style else ", and no force with them."
-            self.script.remark(self.other_style.line, text)
+            self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
         for contact in [*(self.pair_contacts(moving) if self.style else ()), *self.wall_contacts(moving)]:
             contact.losses, contact.style = sentences, "" if contact.model else contact.style
             contact.speeds, contact.time_step, contact.units = tuple(self.speeds), self.time_step, self.units
@@ -558,7 +555,9 @@ class Granular(System):
         first = pairs[0][2]
         if first and self.are_alike(everyone) and all(own is first and not other for _, _, own, other in pairs):
             any_body = replace(everyone[0].body, name="*")
-            yield self.between(first, None, any_body, any_body)
+            contact = self.between(first, None, any_body, any_body)
+            contact.unknown = contact.unknown or self.added(pairs[0][0], pairs[0][1])
+            yield contact
             return
         for i, j, own, other in pairs:
             for m, one in enumerate(moving[i] if own else ()):
@@ -566,17 +565,23 @@ class Granular(System):
                     is_same_body = one.rigid and one.rigid == two.rigid and not one.reason()
                     if own and not (one.held and two.held) and not is_same_body and not self.is_excluded(one, two):
                         contact = self.between(own, other, one.body, two.body)
-                        contact.unknown = contact.unknown or one.reason() or two.reason()
+                        contact.unknown = contact.unknown or one.reason() or two.reason() or self.added(i, j)
                         if "fixed" in (one.held, two.held) and contact.model and not contact.unknown:
                             self.fix_one(contact)
                         yield contact
+
+    def added(self, i: int, j: int) -> str:
+        """Returns a sentence if hybrid/overlay adds another force to a pair."""
+        parts = {c.part for c in self.coefficients if c.covers(i, j)}
+        several = self.hybrid == "hybrid/overlay" and len(parts) > 1
+        return "hybrid/overlay adds up several forces, which cor does not judge." if several else ""
 
     def resolve(self, i: int, j: int) -> Tuple[Optional[Coefficient], Optional[Coefficient]]:
         """The coefficients of a pair; or, where no line has this pair, the two that LAMMPS mixes."""
         if self.is_liggghts or (not self.coefficients and self.style[0].style != "granular"):
             return (self.style[0] if not self.hybrid else None), None
-        lines = [next((c for c in reversed(self.coefficients) if c.covers(*p)), None) for p in ((i, j), (i, i), (j, j))]
-        own, one, two = lines
+        used = [c for c in self.coefficients if c.part >= 0 or self.hybrid != "hybrid/overlay"]
+        own, one, two = (next((c for c in reversed(used) if c.covers(*p)), None) for p in ((i, j), (i, i), (j, j)))
         if own is None and one and two and (one.style, one.part) == (two.style, two.part):
             if one is two or one.model() == two.model():
                 return one, (two if one is not two else None)
@@ -584,6 +589,8 @@ class Granular(System):
             self.script.remark(two.words.line, text, False)
         elif own is None:
             self.script.remark(self.style[0].words.line, f"The types {i} and {j} have no line pair_coeff.")
+        elif own.part < 0:
+            self.script.remark(own.words.line, f"The types {i} and {j} have no granular contact.", False)
         return (own if own and own.part >= 0 else None), None
 
     def between(self, own: Coefficient, other: Optional[Coefficient], one: Body, two: Body) -> Contact:

@@ -607,7 +607,7 @@ class Script:
         if len(self.remarks) < 200:
             self.remarks.setdefault((line.file, line.line, text), Remark(line.file, line.line, text, matters))
 
-    def attempt(self, line: Line, name: str, command: Callable[[], None]) -> None:
+    def attempt(self, line: Line, name: str, command: Callable[[], Any]) -> None:
         try:
             command()
         except Unknown as reason:
