@@ -192,8 +192,9 @@ TEST(near_critical_damping)
                            of(COR_LAW_LINEAR, end, of_loss ? COR_LOSS : COR_EPS)(1 + i * 0x1p-21), 8);
 }
 
-/* Both laws with a damping ratio have the same functions of eps, and eps is larger from one end to the next. */
-TEST(damping_ratios)
+/* Both laws with a damping ratio have the same functions of eps. Of every law eps is larger, and the contact shorter, at
+ * zero force than at zero overlap, and limited damping and damped approach follow. */
+TEST(order_of_the_ends)
 {
     for (int end = 0; end < ENDS; end++)
         for (int q = 0; q <= COR_DAMPING_OF_LOSS; q++)
@@ -201,10 +202,18 @@ TEST(damping_ratios)
                              of(COR_LAW_TSUJI, end, (enum cor_quantity)q));
     assert_ptr_equal(of(COR_LAW_LINEAR, COR_END_ZERO_FORCE, COR_MAX_OVERLAP),
                      of(COR_LAW_LINEAR, COR_END_APPROACH_ONLY, COR_EPS));
-    for (size_t i = 0; i < points(2000); i++) {
-        const double zeta = random_log(&draw, 1e-6, 1e6);
-        for (int end = 1; end < ENDS; end++)
-            assert_true(of(COR_LAW_LINEAR, end - 1, COR_EPS)(zeta) <= of(COR_LAW_LINEAR, end, COR_EPS)(zeta));
+    for (size_t i = 0; i < points(20000); i++) {
+        const enum cor_law law = (enum cor_law)(i % (COR_LAW_HERTZ_DASHPOT + 1));
+        const double damping = random_log(&draw, 1e-9, 1e9);
+        for (int end = 1, last = 0; end < ENDS; end++) {
+            if (!of(law, end, COR_EPS))
+                continue;
+            check(of(law, last, COR_EPS)(damping) <= of(law, end, COR_EPS)(damping), "%s, end %d: eps at %.17g",
+                  cor_law_name(law), end, damping);
+            check(end > COR_END_ZERO_FORCE || of(law, 1, COR_DURATION)(damping) <= of(law, 0, COR_DURATION)(damping),
+                  "%s: the durations at %.17g", cor_law_name(law), damping);
+            last = end;
+        }
     }
 }
 
@@ -355,54 +364,79 @@ TEST(crossley_times)
     check_near(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-crossley_eps(1)), COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
 }
 
-static void check_tsuji(enum cor_end end, enum cor_quantity quantity, double zeta)
+/* ---- Hertz's dashpot ---- */
+
+static double dashpot(enum cor_end end, enum cor_quantity quantity, double x)
 {
-    check_ulp(of(COR_LAW_TSUJI, end, quantity)(zeta), reference_tsuji_time(end, zeta), 2);
+    return cor_law_value(COR_LAW_HERTZ_DASHPOT, end, quantity, x);
 }
 
-static void check_tsujis(double zeta)
+/* Integrations of another program, 18 digits */
+TEST(hertz_dashpot_known)
 {
-    check_tsuji(COR_END_ZERO_FORCE, COR_DURATION, zeta);
-    check_tsuji(COR_END_LIMITED, COR_DURATION, zeta);
-    check_tsuji(COR_END_APPROACH_ONLY, COR_TIME_OF_MAX_OVERLAP, zeta);
+    const struct {
+        enum cor_end end;
+        enum cor_quantity quantity;
+        double beta;
+        long double value;
+    } known[] = {
+        {COR_END_ZERO_OVERLAP, COR_EPS, 0.5, 0.356912974176213893L},
+        {COR_END_ZERO_FORCE, COR_EPS, 0.5, 0.468038544824803370L},
+        {COR_END_ZERO_OVERLAP, COR_DURATION, 0.5, 3.674312264397680617L},
+        {COR_END_ZERO_FORCE, COR_DURATION, 0.5, 2.782528143330340519L},
+        {COR_END_ZERO_FORCE, COR_MAX_OVERLAP, 0.5, 0.791261564952323956L},
+        {COR_END_APPROACH_ONLY, COR_EPS, 0.5, 0.667490488913183823L},
+        {COR_END_APPROACH_ONLY, COR_DAMPING_OF_EPS, 0.667490488913183823, 0.5},
+        {COR_END_ZERO_FORCE, COR_DAMPING_OF_LOSS, 0.463, 0.400583306380001424L}, /* of a rounded cube root */
+        {COR_END_ZERO_OVERLAP, COR_EPS, 1, 0.041320343494337112L},
+        {COR_END_ZERO_FORCE, COR_EPS, 1, 0.251843353467950750L},
+        {COR_END_ZERO_FORCE, COR_EPS, 5, 0.015357698164110697L},
+        {COR_END_ZERO_FORCE, COR_EPS, COR_HERTZ_DASHPOT_BETA_C, 0.218449655319366605L},
+        {COR_END_ZERO_FORCE, COR_MAX_OVERLAP, COR_HERTZ_DASHPOT_BETA_C, 0.570733527712282338L},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        check(relative_error(dashpot(known[i].end, known[i].quantity, known[i].beta), known[i].value) < 3e-16,
+              "known value %zu", i);
 }
 
-/* Tsuji's times beyond the tables too; tests/accuracy has more of them. */
-TEST(tsuji_times)
+/* Just below beta_c: eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), s = 0.206987698804278902 */
+TEST(hertz_dashpot_threshold)
 {
-    /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10
-     */
-    EACH (y, 0.01, 0.3, 1, 3, 5.9, 6.4, 6.6, 7, 8, 9, 9.9, 9.99, 10.0001, 10.1, 10.5, 11, 12, 14, 17) {
-        check_tsuji(COR_END_ZERO_OVERLAP, COR_DURATION, 10 * *y / sqrt(1 + 100 * *y * *y));
+    const double s = 0.206987698804278902, beta_c = COR_HERTZ_DASHPOT_BETA_C, pi = 3.141592653589793;
+    for (int k = 16; k <= 30; k++) {
+        const double d = ldexp(1, -k), first = s * d * (1 + pi * sqrt(s * d / pow(beta_c, 5)));
+        const double eps = dashpot(COR_END_ZERO_OVERLAP, COR_EPS, beta_c - d);
+        check(fabs(eps / first - 1) < 20 * d * k + 1e-6, "d = 2^-%d: %.17g and %.17g", k, eps, first);
+        /* beta t + ln(eps) -> 3.06410 */
+        check(fabs(beta_c * dashpot(COR_END_ZERO_OVERLAP, COR_DURATION, beta_c - d) + log(eps) - 3.06410) <
+                  2 * sqrt(d) + 1e-5,
+              "d = 2^-%d: duration %.17g", k, dashpot(COR_END_ZERO_OVERLAP, COR_DURATION, beta_c - d));
     }
-    EACH (zeta, 0.4, 2.5, 40, 2.0899e5, 1e6, 1e17) /* a series from 2.0898e5 on */
-        check_tsujis(*zeta);
-    /* every row, next to one of its ends: rows in zeta^(1/5), then in ln(1 + zeta) */
-    for (int i = 0; i < 42 + 43; i++) {
-        const double part = i % 2 == 0 ? 0.96 : 0.04;
-        check_tsujis(i < 42 ? pow((i + part) / 32, 5) : expm1(1.5 + (i - 42 + part) / 4));
-    }
 }
 
-/* Every row of Hunt and Crossley's times, next to one of its ends: rows in ln(1 + beta), 36 of 1/8 for the duration, 70
- * of 3/8 for the time of the largest overlap. Then the series, where their last terms count most. */
-TEST(crossley_rows)
+/* Impacts at and around the slowest speed that parts, g_c = C^5/(beta_c^5 m^3 K^2), in SI units */
+TEST(hertz_dashpot_slowest_speed)
 {
-    static const double series[] = {89.02, 90, 95, 110, 150, 300, 2.516e11, 1e12, 1e14, 1e16};
-    enum { SERIES = sizeof series / sizeof *series, SHORT = 36, LONG = 70 };
-    for (int i = 0; i < SHORT + LONG + SERIES; i++) {
-        const double part = i % 2 == 0 ? 0.96 : 0.04;
-        const double beta = i < SHORT          ? expm1((i + part) / 8)
-                            : i < SHORT + LONG ? expm1((i - SHORT + part) * 3 / 8)
-                                               : series[i - SHORT - LONG];
-        for (int k = 0; k < 2; k++) {
-            const double a = k == 0 ? 1 : 1.5;
-            check_ulp(cor_hunt_crossley_duration(beta, a), reference_crossley_duration(a, beta),
-                      COR_HUNT_CROSSLEY_MAX_ULP);
-            check_ulp(cor_hunt_crossley_time_of_max_overlap(beta, a), reference_crossley_time_of_max_overlap(a, beta),
-                      COR_HUNT_CROSSLEY_MAX_ULP);
+    static const double scene[][3] = {{0.01, 3e6, 2.5}, {1e-9, 40, 1e-7}, {7, 1e9, 4e4}}; /* m, K, C */
+    for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
+        const double m = scene[i][0], K = scene[i][1], C = scene[i][2];
+        const double slowest = pow(C / COR_HERTZ_DASHPOT_BETA_C, 5) / (m * m * m * K * K);
+        for (int k = -3; k <= 3; k++) {
+            const double g = slowest * (1 + k * 1e-12);
+            const double beta = C * pow(m, -0.6) * pow(K, -0.4) * pow(g, -0.2);
+            const double eps = dashpot(COR_END_ZERO_OVERLAP, COR_EPS, beta);
+            if (k != 0)
+                check((eps > 0) == (k > 0) &&
+                          (dashpot(COR_END_ZERO_OVERLAP, COR_DURATION, beta) == INFINITY) == (k < 0),
+                      "at g_c (1 + %d 1e-12): eps %g", k, eps);
+            check(dashpot(COR_END_ZERO_FORCE, COR_EPS, beta) > 0.2, "zero force parts at every speed");
         }
     }
+    /* eps = 1e-6: beta_c - beta = d with s d (1 + pi sqrt(s d/beta_c^5)) = 1e-6 to a relative d ln(d) */
+    const double d = COR_HERTZ_DASHPOT_BETA_C - dashpot(COR_END_ZERO_OVERLAP, COR_DAMPING_OF_EPS, 1e-6),
+                 x = 0.206987698804278902 * d;
+    const double eps = x * (1 + 3.141592653589793 * sqrt(x / pow(COR_HERTZ_DASHPOT_BETA_C, 5)));
+    check(fabs(eps / 1e-6 - 1) < 5e-5, "beta of 1e-6: %.9g", eps);
 }
 
 /* ---- oblique impacts ---- */
@@ -572,5 +606,5 @@ TEST(table)
 }
 
 RUN_TESTS(table, special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
-          near_critical_damping, damping_ratios, against_the_equation_of_motion, crossley_times, tsuji_times,
-          crossley_rows, oblique_impacts, slip_in_oblique_impacts)
+          near_critical_damping, order_of_the_ends, against_the_equation_of_motion, crossley_times, hertz_dashpot_known,
+          hertz_dashpot_threshold, hertz_dashpot_slowest_speed, oblique_impacts, slip_in_oblique_impacts)
