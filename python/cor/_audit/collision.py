@@ -48,8 +48,9 @@ def measured(collide: Callable[[float, float], Tuple[float, int]], dt: float, le
         if steps >= MOST // 8:
             return eps, eps
         small = dt / min(SMALL, MOST / 4 / steps)
-    while True:
+    for _ in range(6):
         eps_small, steps = collide(small, 0.5)
         if steps >= FEW // 4:
             return eps, eps_small
         small /= 10
+    raise Failed("no time step resolves the contact")

@@ -5,12 +5,10 @@ materials, Ip2, Law2, time step and damping for a scene of two bodies without gr
     yade -x -n -j1 inside_yade.py FILE    FILE has the collisions as json
 """
 
-import atexit
 import builtins
 import importlib
 import json
 import os
-import shutil
 import subprocess
 import sys
 from typing import Any, Dict, List, Tuple
@@ -162,7 +160,6 @@ def collide_two(
     return float(eps), int(steps)
 
 
-atexit.register(shutil.rmtree, os.path.dirname(omega.tmpFilename()), ignore_errors=True)
 script, opened = head["script"], builtins.open
 with open(script, encoding="utf-8") as given:
     text = given.read()

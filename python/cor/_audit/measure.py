@@ -10,6 +10,7 @@ import shlex
 import shutil
 import signal
 import sys
+import tempfile
 import time
 from typing import Any, Callable, Dict, List, Tuple
 
@@ -17,7 +18,7 @@ from .._command import UsageError, message, progress
 from . import measure_lammps
 from .collision import Failed
 from .deck import Contact, Options, Row
-from .process import ALL_S, Process, copy_of_folder
+from .process import ALL_S, Process, copy_folder_of
 
 SLOW = 0.01  # overlap over radius, if the speed is free
 TOLERANCE = 2e-3  # between measured and computed eps, besides the error of the step
@@ -42,16 +43,16 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
     message(f"{path}: --run executes this file, in a copy of its folder, by {program}")
     for name in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(name, lambda *_: sys.exit(130))
-    folder = copy_of_folder(path)
+    whole = os.path.realpath(tempfile.mkdtemp(prefix="cor-audit-"))
     try:
-        of(words, folder, path, options, todo)
+        of(words, copy_folder_of(path, whole), path, options, todo)
     except Failed as error:
         message(f"{path}: {program}: {error}")
     finally:
         if keep:
-            message(f"{path}: {folder} has what was run")
+            message(f"{path}: {whole} has what was run")
         else:
-            shutil.rmtree(os.path.dirname(os.path.dirname(os.path.dirname(folder))), ignore_errors=True)
+            shutil.rmtree(whole, ignore_errors=True)
 
 
 def speed_of(row: Row, contact: Contact) -> float:
@@ -123,7 +124,8 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
         )  # fmt: skip
     end = time.monotonic() + ALL_S
     version, left_out, reason = measure_lammps.measure(words, folder, path, end, options.variables, todo)
-    for command, lines in left_out.items():
+    for command, found in left_out.items():
+        lines = list(dict.fromkeys(found))
         message(f"{path}: {command} left out (line {', '.join(map(str, lines[:9]))}{', ...' if lines[9:] else ''})")
     if reason:
         message(f"{path}: the script ended: {reason}")

@@ -355,7 +355,7 @@ class Script:
         self.ask(f"group {group} " + " ".join(["subtract", "all", *self.groups] if self.groups else ["union", "all"]))
         self.groups.append(group)
         self.ask(f"set group {group} diameter {size[0]:.17g}", f"set group {group} mass {size[1]:.17g}")
-        self.ask(f"velocity {group} set {speed:.17g} 0 0")
+        self.ask(f"velocity {group} set {speed:.17g} 0 0 units box")
 
     def wall_at(self, c: Collision, x: float) -> str:
         """The wall as a plane at x: its model and type are those of the deck."""

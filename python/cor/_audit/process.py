@@ -9,7 +9,6 @@ import shutil
 import signal
 import stat
 import subprocess
-import tempfile
 import time
 from contextlib import suppress
 from typing import List, Sequence
@@ -20,14 +19,14 @@ RUN_S, ALL_S = 60.0, 600.0  # time limits of one answer and of everything
 MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # of a copied folder
 
 
-def copy_of_folder(path: str) -> str:
-    """Copies the folder of a file, up to a size, into a new temporary folder, in which it lies so deep that paths with
-    ../ stay inside. Returns the copy. Only files are copied, no devices."""
-    source = os.path.dirname(os.path.abspath(path))
-    target = os.path.join(tempfile.mkdtemp(prefix="cor-audit-"), "1", "2", "3")
+def copy_folder_of(path: str, whole: str) -> str:
+    """Copies the folder of a file, up to a size, into the folder `whole`, in which it lies so deep that paths with ../
+    stay inside. Returns the copy. Only files are copied, no devices."""
+    source, target = os.path.dirname(os.path.realpath(path)), os.path.join(whole, "1", "2", "3")
     size = files = 0
     for folder, folders, names in os.walk(source):
-        folders[:] = [name for name in folders if not name.startswith(".")] if files < MOST_FILES else []
+        inner = [name for name in folders if not name.startswith(".") and os.path.join(folder, name) != whole]
+        folders[:] = inner if files < MOST_FILES else []
         copy = os.path.normpath(os.path.join(target, os.path.relpath(folder, source)))
         os.makedirs(copy, exist_ok=True)
         for name in names:
@@ -47,7 +46,7 @@ class Process:
         """end: the time.monotonic() at which all runs end"""
         self.end, self.rest, self.open = end, b"", True
         self.terminal, slave = pty.openpty()
-        environment = {**os.environ, "OMP_NUM_THREADS": "1", "MPLBACKEND": "agg"}
+        environment = {**os.environ, "OMP_NUM_THREADS": "1", "MPLBACKEND": "agg", "TMPDIR": os.path.dirname(folder)}
         environment.pop("DISPLAY", None)
         try:
             self.process = subprocess.Popen(
