@@ -108,6 +108,9 @@ module cor
     type(c_funptr) :: observe
     type(c_ptr) :: context, q, q_dot
   end type
+  type, public, bind(c) :: cor_exponents_t
+    integer(c_int) :: elastic, damping, denominator
+  end type
   type, public, bind(c) :: cor_law_function_t
     type(c_ptr) :: name
     type(c_funptr) :: value, array, arrayf

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "cor/scene.h"
+#include "cor/law.h"
 #include "support/formula.h"
 #include "support/local.h"
 

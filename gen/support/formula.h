@@ -21,7 +21,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "cor/scene.h"
+#include "cor/law.h"
 #include "support/flint.h"
 
 struct ratio {

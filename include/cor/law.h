@@ -58,6 +58,12 @@ enum cor_law {
     COR_LAWS
 };
 
+/* The exponents a = elastic/denominator and b = damping/denominator, which are not negative. In lowest terms: the
+ * largest force of a law without a closed form has powers of these three numbers. */
+struct cor_exponents {
+    int elastic, damping, denominator;
+};
+
 enum cor_end {
     COR_END_ZERO_OVERLAP,
     COR_END_ZERO_FORCE,

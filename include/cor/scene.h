@@ -31,12 +31,6 @@ extern "C" {
 
 /* ---- laws and ends of contact ---- */
 
-/* The exponents a = elastic/denominator and b = damping/denominator, which are not negative. In lowest terms: the
- * largest force of a law without a closed form has powers of these three numbers. */
-struct cor_exponents {
-    int elastic, damping, denominator;
-};
-
 extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* of the laws before COR_LAW_IMPULSE */
 
 enum { COR_SCENE_ENDS = 2 };                      /* zero overlap, and zero force or the surface */

@@ -1,11 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "cor/status.h"
 
-#include "cor/disk.h"
-
-#define TEXT_OF_(x) #x
-#define TEXT_OF(x) TEXT_OF_(x)
-
 const char *cor_status_text(int status)
 {
     switch (status) {
@@ -61,8 +56,7 @@ const char *cor_status_text(int status)
     case COR_CONTACT_NOT_ENDED:
         return "The contact lasts longer than the number of steps allowed.";
     case COR_ERROR_ALPHA:
-        return "The hardness alpha of the wall must be from " TEXT_OF(COR_DISK_COLLISION_MIN_ALPHA) " to " TEXT_OF(
-            COR_DISK_COLLISION_MAX_ALPHA) ".";
+        return "The hardness alpha of the wall must be from 40 to 1e5.";
     case COR_ERROR_PHI_POINTS:
         return "There are more angles than COR_DISK_COLLISION_MAX_PHI_POINTS.";
     case COR_ERROR_WORKSPACE:

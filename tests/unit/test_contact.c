@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include <cor/cor.h>
+#include <cor/disk.h>
 
 static const double smallest = 4.9406564584124654e-324;
 
@@ -251,20 +252,44 @@ TEST(wrong_inputs)
     all_nan(&c);
 }
 
+#define TEXT_OF_(x) #x
+#define TEXT_OF(x) TEXT_OF_(x)
+
 TEST(status_texts)
 {
     /* a word that belongs to each sentence, by number */
-    static const char *const word[] = {"No error",        "NULL",           "Young's modulus of",
-                                       "Poisson's",       "dissipation",    "radius of",
-                                       "mass of",         "radii",          "masses",
-                                       "Young's moduli",  "characteristic", "double",
-                                       "of a disk",       "datum",          "cor_disk_speed_limit",
-                                       "by increasing",   "tolerance must", "opened",
-                                       "version",         "ends early",     "too small",
-                                       "too violent",     "cannot be met",  "towards",
-                                       "number of steps", "hardness",       "more angles",
-                                       "smaller than",    "no memory",      "density",
-                                       "thickness"};
+    static const char *const word[] = {
+        "No error",
+        "NULL",
+        "Young's modulus of",
+        "Poisson's",
+        "dissipation",
+        "radius of",
+        "mass of",
+        "radii",
+        "masses",
+        "Young's moduli",
+        "characteristic",
+        "double",
+        "of a disk",
+        "datum",
+        "cor_disk_speed_limit",
+        "by increasing",
+        "tolerance must",
+        "opened",
+        "version",
+        "ends early",
+        "too small",
+        "too violent",
+        "cannot be met",
+        "towards",
+        "number of steps",
+        "from " TEXT_OF(COR_DISK_COLLISION_MIN_ALPHA) " to " TEXT_OF(COR_DISK_COLLISION_MAX_ALPHA),
+        "more angles",
+        "smaller than",
+        "no memory",
+        "density",
+        "thickness"};
     const int count = sizeof word / sizeof *word;
     assert_int_equal(COR_OK, 0);
     assert_int_equal(COR_ERROR_THICKNESS, count - 1);
