@@ -275,7 +275,7 @@ struct cor_scene_option {
     const char *allowed; /* "a finite number above 0" */
 };
 extern const struct cor_scene_option cor_scene_options[COR_SCENE_NUMBERS];
-int cor_option_allows(const struct cor_scene_option *option, double x); /* True if x is in the range */
+int cor_option_allows(const struct cor_scene_option *option, double value); /* True if the value is in the range */
 
 /* The force between spheres that adhere: DMT 2 pi w R, constant during the contact; JKR depends on the overlap. */
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };

@@ -47,10 +47,10 @@ const struct cor_scene_option cor_scene_options[COR_SCENE_NUMBERS] = {
     [COR_SCENE_GAP_INNER] = {"gap-inner", "m", POSITIVE},
     [COR_SCENE_DURATION] = {"duration", "s", POSITIVE}};
 
-int cor_option_allows(const struct cor_scene_option *option, double x)
+int cor_option_allows(const struct cor_scene_option *option, double value)
 {
-    return cor_inline_is_finite(x) && x <= option->largest &&
-           (option->least_allowed ? x >= option->least : x > option->least);
+    return cor_inline_is_finite(value) && value <= option->largest &&
+           (option->least_allowed ? value >= option->least : value > option->least);
 }
 
 int cor_scene_given(const struct cor_scene *scene, int number)

@@ -111,6 +111,7 @@ static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_sp
 static int end, number, integrator, body, same_law, options;
 static enum cor_law law;
 static const struct cor_exponents *exponents;
+static const struct cor_scene_option *option;
 static const struct cor_simulator_model *model;
 static const struct cor_simulator *named;
 static const struct cor_scene *scene;
@@ -149,6 +150,7 @@ static void scene_arguments_load(const struct scene_arguments *s)
     same_law = number % 2;
     body = 1 + same_law;
     law = (enum cor_law)(number % COR_LAWS);
+    option = &cor_scene_options[number % COR_SCENE_NUMBERS];
     model = s->model;
     named = NULL;
     scene = &s->scene;
