@@ -8,13 +8,14 @@ import copy
 import math
 import re
 from dataclasses import dataclass, replace
+from itertools import chain
 from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Sequence, Tuple
 
 from .._cor import lib
 from .deck import MAX_CONTACTS, NAN, Body, Contact, Deck, Options, Repair, Spring, Units
-from .script import SIGNS, Script, System, Unknown, Words, is_known, number
+from .script import SIGNS, OutOfBounds, Script, System, Unknown, Words, is_known, number
 
-MAX_COHORTS, MAX_TYPES, MANY = 256, 1000, 1 << 30
+MAX_COHORTS, MAX_TYPES, MAX_LINES, MANY = 1000, 200, 20000, 1 << 30
 # Units of length, mass and time in SI, and the time step that a script does not set, in these units
 UNITS = {
     "si": (1.0, 1.0, 1.0, 1e-8),
@@ -134,18 +135,19 @@ class Granular(System):
         self.units, self.time_step = Units("lj"), UNITS["lj"][3]
         self.dimension, self.types, self.step, self.atom_style = 3, 0, 0, ""
         self.cohorts: List[Cohort] = []
-        self.group_names = ["all"]
+        self.group_names: Dict[str, bool] = {"all": True}
         self.regions: Dict[str, Words] = {}
         self.box: Optional[Words] = None
         self.fixes: Dict[str, Words] = {}
         self.style: List[Coefficient] = []
         self.hybrid = ""
         self.other_style: Optional[Words] = None
-        self.coefficients: List[Coefficient] = []
+        self.coefficients: Dict[Any, Coefficient] = {}
         self.excluded: List[List[str]] = []
         self.speeds: List[float] = []
         self.created = 0  # atoms; -1: unknown
-        self.is_run = False
+        self.is_run, self.is_changed = False, True
+        self.last: List[Contact] = []  # of the last snapshot
 
     def copy(self) -> "Granular":
         other = copy.copy(self)
@@ -183,7 +185,10 @@ class Granular(System):
 
     def on_timestep(self, words: Words) -> None:
         self.time_step = NAN
-        self.time_step = words.number(1)
+        step = words.number(1)
+        if step <= 0:
+            raise Unknown(f"timestep {words[1]}, which is not above 0")
+        self.time_step = step
 
     def on_dimension(self, words: Words) -> None:
         self.dimension = int(words.number(1))
@@ -194,7 +199,7 @@ class Granular(System):
     def on_region(self, words: Words) -> None:
         self.regions.pop(words[1], None)
         if words[2] != "delete":
-            self.regions[words[1]] = words
+            self.hold_line(self.regions, words[1], words)
 
     def on_lattice(self, words: Words) -> None:
         if words[1] != "none":
@@ -208,7 +213,9 @@ class Granular(System):
         self.box = self.regions.get(words[2])
 
     def set_types(self, count: int, kind: str) -> None:
-        self.types = max(self.types, min(count, MAX_TYPES))
+        if count > MAX_TYPES:
+            raise OutOfBounds(f"The script has {count} types; cor reads {MAX_TYPES} at most.")
+        self.types = max(self.types, count)
         self.cohorts += [Cohort(i + 1, kind=kind) for i in range(self.types)]
 
     def on_read_data(self, words: Words) -> None:
@@ -228,7 +235,8 @@ class Granular(System):
                 s = sizes.setdefault(int(row[1]), [radius, radius, density, density])
                 s[:] = min(s[0], radius), max(s[1], radius), min(s[2], density), max(s[3], density)
         if sizes:
-            self.types = max(self.types, min(int(types[1]) if types else 0, MAX_TYPES))
+            self.set_types(int(types[1]) if types else 0, "file")
+            self.cohorts = [c for c in self.cohorts if c.kind != "file"]
             self.cohorts += [Cohort.of(type, s[:2], s[2:], kind="file") for type, s in sizes.items()]
         else:
             self.set_types(int(types[1]) if types else 0, "file")
@@ -244,7 +252,13 @@ class Granular(System):
         made = Cohort.of(words.number(1), [0.5], [1.0], count=int(is_single), id=max(self.created, 0))
         made.at = tuple(words.value(i) for i in (3, 4, 5)) if is_single else ()
         self.set_density(made, 1.0)
-        self.cohorts.append(made)
+        last = self.cohorts[-1] if self.cohorts else made
+        if len(self.cohorts) < MAX_COHORTS:
+            self.cohorts.append(made)
+        elif _same(replace(last, count=0, id=0, at=()), replace(made, count=0, id=0, at=())):
+            last.count, last.id, last.at = last.count + 1, 0, ()
+        else:
+            raise OutOfBounds(f"The script makes more than {MAX_COHORTS} kinds of atoms; the rest is not read.")
 
     def divide(self, inside: Any) -> List[Cohort]:
         """Divides the cohorts of which only a part is inside; returns those inside. inside: a function of a cohort that
@@ -286,9 +300,9 @@ class Granular(System):
     def on_group(self, words: Words) -> None:
         name, how, what = words[1], words[2], words[3:]
         if how == "dynamic":
-            self.group_names = [g for g in self.group_names if g != name]  # its atoms are not known
-        elif name not in self.group_names:
-            self.group_names.append(name)
+            self.group_names.pop(name, None)  # its atoms are not known
+        else:
+            self.hold_line(self.group_names, name, True)
         if how in ("delete", "clear"):
             for cohort in self.cohorts:
                 cohort.groups -= {name}
@@ -350,7 +364,7 @@ class Granular(System):
     def on_fix(self, words: Words) -> None:
         style = _ACCELERATED.sub("", words[3])
         self.fixes.pop(words[1], None)
-        self.fixes[words[1]] = words
+        self.hold_line(self.fixes, words[1], words)
         groups = frozenset(("all", words[2]))
         if style in ("pour", "deposit"):
             self.pour(words, style == "pour", groups)
@@ -398,11 +412,11 @@ class Granular(System):
 
     def on_neigh_modify(self, words: Words) -> None:
         for i in (i for i, word in enumerate(words) if word == "exclude"):
-            self.excluded = [] if words[i + 1] == "none" else self.excluded + [words[i + 1 : i + 4]]
+            self.excluded = [] if words[i + 1] == "none" else self.excluded[-99:] + [words[i + 1 : i + 4]]
 
     def on_pair_style(self, words: Words) -> None:
         name = _ACCELERATED.sub("", words[1])
-        self.coefficients, self.style = [], []
+        self.coefficients, self.style = {}, []
         self.hybrid = name if name.startswith("hybrid") else ""
         for i in range(2, len(words)) if self.hybrid else [1]:
             style = _ACCELERATED.sub("", words[i])
@@ -426,7 +440,14 @@ class Granular(System):
             of = same[k] if k < len(same) else Coefficient(words, at, "", part=-1)
         if of.style == "granular":
             of = replace(of, words=words, at=at)
-        self.coefficients.append(replace(of, first=(a, c), last=(b, d)))
+        key = a, b, c, d, of.part
+        self.coefficients.pop(key, None)
+        self.hold_line(self.coefficients, key, replace(of, first=(a, c), last=(b, d)))
+
+    def hold_line(self, lines: Dict[Any, Any], key: Any, line: Any) -> None:
+        if len(lines) >= MAX_LINES:
+            raise OutOfBounds(f"The script has more than {MAX_LINES} lines of one kind; the rest is not read.")
+        lines[key] = line
 
     def on_clear(self, words: Words) -> None:
         self.finish()
@@ -434,7 +455,11 @@ class Granular(System):
 
     def on_run(self, words: Words) -> None:
         self.runs[0] += 1
-        self.snapshot(self.runs[0])
+        if self.is_changed:
+            self.last = self.snapshot(self.runs[0])
+        for contact in () if self.is_changed else self.last:
+            contact.runs = (*contact.runs[:999], self.runs[0])
+        self.is_changed = False
         self.is_run = True
         steps = words.value(1) if words[0] == "run" else NAN
         is_known_step = self.step >= 0 and 0 <= steps < math.inf
@@ -470,8 +495,8 @@ class Granular(System):
         for f in self.has("rigid.*|multisphere.*"):
             if f[2] in c.groups:
                 members = [x for x in self.cohorts if f[2] in x.groups and x.kind != "assumed"]
-                is_single = f[4] == "single" and members and all(x.count == 1 for x in members)
-                return f"fix {f[1]}", sum(x.mass[0] for x in members) if is_single else NAN
+                is_single = f[4] == "single" and members and all(x.count > 0 for x in members)
+                return f"fix {f[1]}", sum(x.mass[0] * x.count for x in members) if is_single else NAN
         return "", NAN
 
     def moving(self) -> Dict[int, List[Moving]]:
@@ -509,8 +534,8 @@ class Granular(System):
 
     # ---- contacts ----
 
-    def snapshot(self, run: int) -> None:
-        """Adds the contacts of this moment to the deck."""
+    def snapshot(self, run: int) -> List[Contact]:
+        """Adds the contacts of this moment to the deck, and returns them."""
         self.script.tick()
         moving = self.moving()
         losses = [f for f in self.fixes.values() if _LOSSES.match(_ACCELERATED.sub("", f[3]))]
@@ -518,17 +543,20 @@ class Granular(System):
         if self.other_style is not None and not self.style:
             text = f"pair_style {self.other_style[1]}: cor knows granular, gran/hooke(/history), gran/hertz/history"
             self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
-        for contact in [*(self.pair_contacts(moving) if self.style else ()), *self.wall_contacts(moving)]:
+        found = []
+        for contact in chain(self.pair_contacts(moving) if self.style else (), self.wall_contacts(moving)):
+            self.script.tick()
             contact.losses, contact.style = sentences, "" if contact.model else contact.style
             contact.speeds, contact.time_step, contact.units = tuple(self.speeds), self.time_step, self.units
             key = repr(sorted((k, v) for k, v in contact.__dict__.items() if k not in ("runs", "repair")))
-            if key in self.seen:
-                if run and len(self.seen[key].runs) < 1000:
-                    self.seen[key].runs += (run,)
-            elif len(self.deck.contacts) <= MAX_CONTACTS:
-                contact.runs = (run,) if run else ()
-                self.seen[key] = contact
+            if key not in self.seen and len(self.deck.contacts) > MAX_CONTACTS:
+                break
+            if key not in self.seen:
                 self.deck.contacts.append(contact)
+            held = self.seen.setdefault(key, contact)
+            held.runs = (*held.runs[:999], run) if run else held.runs
+            found.append(held)
+        return found
 
     def is_excluded(self, one: Moving, two: Moving) -> bool:
         def apart(a: Cohort, b: Cohort) -> bool:
@@ -572,7 +600,7 @@ class Granular(System):
 
     def added(self, i: int, j: int) -> str:
         """Returns a sentence if hybrid/overlay adds another force to a pair."""
-        parts = {c.part for c in self.coefficients if c.covers(i, j)}
+        parts = {c.part for c in self.coefficients.values() if c.covers(i, j)}
         several = self.hybrid == "hybrid/overlay" and len(parts) > 1
         return "hybrid/overlay adds up several forces, which cor does not judge." if several else ""
 
@@ -580,7 +608,7 @@ class Granular(System):
         """The coefficients of a pair; or, where no line has this pair, the two that LAMMPS mixes."""
         if self.is_liggghts or (not self.coefficients and self.style[0].style != "granular"):
             return (self.style[0] if not self.hybrid else None), None
-        used = [c for c in self.coefficients if c.part >= 0 or self.hybrid != "hybrid/overlay"]
+        used = [c for c in self.coefficients.values() if c.part >= 0 or self.hybrid != "hybrid/overlay"]
         own, one, two = (next((c for c in reversed(used) if c.covers(*p)), None) for p in ((i, j), (i, i), (j, j)))
         if own is None and one and two and (one.style, one.part) == (two.style, two.part):
             if one is two or one.model() == two.model():

@@ -14,10 +14,11 @@ from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Se
 from .deck import Options, Remark
 
 MAX_COMMANDS = 400000  # of all worlds together
-MAX_SECONDS = 10.0
+MAX_SECONDS = 6.0
 MAX_NESTED = 16  # files, as in LAMMPS
 MAX_WORLDS = 64
-MAX_WORDS = 100000  # of one line, and continued lines
+MAX_WORDS = 100000  # of one line
+MAX_CONTINUED = 2000  # lines that one command continues on
 MAX_LINE = 1 << 26
 _MARK = "\0"  # encloses the name of an unknown value within a word, whose blanks are \\1
 _BLANK = "\1"
@@ -256,6 +257,8 @@ class Words(List[str]):
 
 class System:
     """The state of the simulator. A command that matters is a method on_NAME."""
+
+    is_changed = True  # since the last run
 
     def copy(self) -> "System":
         raise NotImplementedError
@@ -529,6 +532,7 @@ class World:
         elif name in _FLOW:
             _FLOW[name](self, words)
         elif hasattr(self.system, f"on_{name}"):
+            self.system.is_changed |= name not in ("run", "minimize")
             self.script.attempt(line, name, lambda: getattr(self.system, f"on_{name}")(words))
 
     def quit(self, words: Words) -> None:
@@ -550,7 +554,10 @@ class World:
                 continue
             raw, at, after = _logical_line(source.text, at, line)
             self.stack[-1] = (source, at, after)
-            self.execute(Line(source.name, line, after - 1, raw))
+            self.script.tick()
+            words = raw.split(None, 1)
+            if words and self.matters(words[0]):
+                self.execute(Line(source.name, line, after - 1, raw))
         self.script.attempt(self.place, "the script", self.system.finish)
 
 
@@ -569,7 +576,7 @@ def _logical_line(text: str, at: int, line: int) -> Tuple[str, int, int]:
         end = len(text) if end < 0 else end
         part, at, line = text[at:end].rstrip(), end + 1, line + 1
         quoted ^= bool(part.count('"""') & 1)
-        follows = at < len(text) and len(parts) < MAX_WORDS
+        follows = at < len(text) and len(parts) < MAX_CONTINUED
         if follows and part.endswith("&"):
             parts.append(part[:-1])
         elif follows and quoted:
@@ -601,7 +608,11 @@ class Script:
         self.worlds: List[World] = []
         self.split: Dict[Tuple[str, int], str] = {}
         self.partitioned = False
-        self.count, self.end, self.next_progress = 0, time.monotonic() + MAX_SECONDS, time.monotonic() + 1
+        self.count, self.next_progress = 0, time.monotonic() + 1
+        self.set_end(MAX_SECONDS)
+
+    def set_end(self, seconds: float) -> None:
+        self.end, self.processor_end = time.monotonic() + 1.4 * seconds, time.process_time() + seconds
 
     def remark(self, line: Line, text: str, matters: bool = True) -> None:
         if len(self.remarks) < 200:
@@ -618,10 +629,10 @@ class Script:
 
     def tick(self) -> None:
         self.count += 1
-        if self.count % 1024 == 0:
+        if self.count % 64 == 0:
             now = time.monotonic()
-            if now > self.end:
-                raise OutOfBounds(f"The script was read for {MAX_SECONDS:g} s; the rest is not read.")
+            if now > self.end or time.process_time() > self.processor_end:
+                raise OutOfBounds(f"The script takes more than {MAX_SECONDS:g} s to read; the rest is not read.")
             if now > self.next_progress:
                 self.next_progress = now + 1
                 self.options.progress("reading the script")
@@ -641,6 +652,10 @@ class Script:
                 world.run()
             except OutOfBounds as reason:
                 self.remark(world.place, str(reason))
-                self.end = math.inf
-                self.attempt(world.place, "the script", world.system.finish)
+                self.count = 0
+                self.set_end(MAX_SECONDS / 6)
+                try:
+                    self.attempt(world.place, "the script", world.system.finish)
+                except OutOfBounds:
+                    pass
                 self.worlds.clear()
