@@ -15,9 +15,9 @@ from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tu
 import numpy as np
 
 from .data import Data, Floats, Ints
-from .intervals import find_intervals, minimise_with_noise
-from .likelihood import HUBER, LEAST_RESIDUAL, Field, Problem, Sample, scipy
-from .models import Curve, Model
+from .intervals import covariance_of, find_intervals, minimise_with_noise
+from .likelihood import HUBER, LEAST_RESIDUAL, MANY, Field, Problem, Reduced, Sample, scipy
+from .models import POWER_LAW, Curve, Model
 
 SIGNIFICANCE = 0.01  # a curve with a smaller p value does not fit
 REACH = 67  # bounces after a time that still determine its error
@@ -59,13 +59,21 @@ class Setup(NamedTuple):
     robust: bool
 
 
-def estimate(curve: Curve, sample: Sample, setup: Setup, whole: bool = True) -> Optional[Estimate]:
-    """Fit a curve; None with too few points. whole: also intervals and p value"""
+def estimate(
+    curve: Curve, sample: Sample, setup: Setup, whole: bool = True, near: Optional[Estimate] = None
+) -> Optional[Estimate]:
+    """Fit a curve; None with too few points. whole: also intervals and p value. near: a fit of nearly the same data"""
     parameters = len(curve.kinds) + len(setup.free)
     if sample.size <= parameters:
         return None
     p = Problem(curve, sample, setup.field, setup.free, setup.robust)
-    theta = minimise_with_noise(p)
+    if sample.size > MANY and not setup.free and not setup.robust:
+        p = Reduced(curve, sample, setup.field, None if sample.is_points else _pilot(sample, setup))
+    if near and p.scatters and near.problem.robust == p.robust:
+        p.scale, p.log_ratio = near.problem.scale, near.problem.log_ratio
+        theta = minimise_with_noise(p, finite_theta(near))
+    else:
+        theta = minimise_with_noise(p)
     scale = p.scale if setup.robust and not sample.has_sigma else math.nan
     if whole:
         theta, minimum, intervals = find_intervals(p, theta)
@@ -78,6 +86,17 @@ def estimate(curve: Curve, sample: Sample, setup: Setup, whole: bool = True) -> 
         _set_limits(e)
     _judge(e)
     return e
+
+
+def _pilot(sample: Sample, setup: Setup) -> Tuple[Problem, Floats]:
+    """The power law, which is near any curve, fitted to some of very many drops"""
+    if sample.pilot is None:
+        drop = np.cumsum(sample.begins) - 1
+        chosen = drop % max(1, sample.size // 1000) == 0
+        p = Problem(POWER_LAW, sample.part(chosen & (np.cumsum(chosen) <= 2000)), setup.field, (), False)
+        sample.pilot = p, minimise_with_noise(p)
+    made: Tuple[Problem, Floats] = sample.pilot
+    return made
 
 
 def _set_limits(e: Estimate) -> None:
@@ -96,6 +115,11 @@ def _set_limits(e: Estimate) -> None:
                     near = np.abs(e.intervals[j] - end) < 1e-6
                     e.intervals[j] = np.where(near, infinity, e.intervals[j])
                     e.intervals[j, :, 0 if infinity < 0 else 1] = infinity
+    if not all(determined) and len(determined) > 1:  # a coordinate that moves with one that is not
+        covariance = covariance_of(p, finite_theta(e))
+        size = np.sqrt(np.diag(covariance))
+        tied = np.abs(covariance / np.outer(size, size)) > 1 - 1e-6
+        determined = [bool(own and not np.any(tied[j] & ~np.array(determined))) for j, own in enumerate(determined)]
     e.determined = tuple(determined)
 
 
@@ -133,7 +157,7 @@ def _judge(e: Estimate) -> None:
         return
     z = p.z(theta)
     z = np.clip(z, -HUBER, HUBER) if p.robust else z
-    e.p_value = groups_p_value(z[np.argsort(p.at(theta).speed, kind="stable")], p.parameters)
+    e.p_value = groups_p_value(z[p.at(theta).order], p.parameters)
 
 
 # ---- ranks ----
@@ -221,7 +245,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
 def _distance_of(e: Estimate, line: int) -> float:
     lines, found = distances(e)
     mine = found[lines == line]
-    return float(mine[np.argmax(np.abs(mine))])
+    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # its bounces need another line
 
 
 def _squares(e: Estimate) -> float:
@@ -234,6 +258,8 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
     and a fourth of the points. Then the nearest is put back while the probability of one, Student's t times the number
     of lines, is SIGNIFICANCE or more. Given errors have the normal tail; if they are too small for the other points,
     too, they are scaled to chi^2 = n - k first."""
+    if sample.size > MANY:
+        return []
     special = scipy("special")
     robust, plain = setup._replace(robust=True), setup._replace(robust=False)
     ranked = compare(sample, models, robust, progress, False).fits
@@ -245,9 +271,10 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
     def rest(*, put_back: int = -1) -> Sample:
         return Sample(data, [o.line for o in left_out if o.line != put_back])
 
+    e: Optional[Estimate] = None
     while len(left_out) < MAX_OUTLIERS:
         here = rest()
-        e = estimate(curve, here, robust, False)
+        e = estimate(curve, here, robust, False, e)
         if e is None:
             break
         lines, found = distances(e)
@@ -261,13 +288,13 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
     count = sample.numbers
     while left_out:
         progress("outliers", 0, 0)
-        e = estimate(curve, rest(), plain, False)
+        e = estimate(curve, rest(), plain, False, e)
         if e is None:
             return []
         spread = max(math.sqrt(e.chi2 / e.problem.freedom), 1.0) if sample.has_sigma else 1.0
         insignificant = []
         for i, outlier in enumerate(left_out):
-            f = estimate(curve, rest(put_back=outlier.line), plain, False)
+            f = estimate(curve, rest(put_back=outlier.line), plain, False, e)
             assert f is not None
             distance = _distance_of(replace(e, problem=_on(e.problem, f.problem.sample)), outlier.line)
             if sample.is_chain:  # without the bounces of this time another lambda may look right by chance

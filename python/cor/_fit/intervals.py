@@ -8,7 +8,7 @@ the ends of that of 68 %, so that it contains it.
 """
 
 import math
-from typing import Any, Callable, List, Sequence, Tuple
+from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -47,7 +47,7 @@ def least_squares(p: Problem, theta: Floats, free: Sequence[int]) -> Tuple[Float
         for j in free:
             theta[j] = abs(theta[j]) if p.kinds[j] == "positive" else theta[j]
         outside = [j for j in free if not p.low[j] <= theta[j] <= p.high[j]]
-        theta = np.clip(np.where(np.isfinite(theta), theta, p.low), p.low, p.high)
+        theta = np.minimum(np.maximum(np.where(np.isfinite(theta), theta, p.low), p.low), p.high)
         free = [j for j in free if j not in outside] if outside else []
     return theta, p.objective(theta)
 
@@ -68,10 +68,10 @@ def _coarse(p: Problem, most: int, extra: Sequence[float]) -> Tuple[Floats, Call
     """Return a function of theta, whose elements may be columns: Q of at most `most` points, without covariance"""
     curves = len(p.curve.kinds)
     flights = p.at(np.array([*([0.0] * curves), *extra]))
-    order = np.argsort(flights.log_speed, kind="stable")[:: max(1, -(-p.size // most))]
+    order = flights.order[:: max(1, -(-p.size // most))]
     x, eps, spread = flights.log_speed[order], flights.eps[order], p.spread(flights) * np.ones(p.size)
     spread = spread[order] * (p.scale if p.sample.is_points else 1)
-    robust = p.robust and not p.plain and not p.sample.scatters
+    robust = p.robust and not p.plain and not p.scatters
 
     def q(*theta: Any) -> Any:
         z = np.abs(eps - p.curve.eps(theta, x)) / spread
@@ -95,9 +95,7 @@ def _starts(p: Problem, extra: Sequence[float]) -> List[List[float]]:
         lowest = np.flatnonzero((value <= padded[:-2]) & (value <= padded[2:]) & (value < math.inf))
         return [[at[i]] for i in lowest[np.argsort(value[lowest], kind="stable")][:3]]
     assert curve.dry is not None
-    dry = Problem(curve.dry, p.sample, p.field, p.free, p.robust)
-    dry.plain, dry.scale, dry.log_ratio = p.plain, p.scale, p.log_ratio
-    first = float(minimise(dry)[0][0])
+    first = float(minimise(p.like(curve.dry))[0][0])
     if curve.kinds[0] == "log":
         low0, high0 = max(low[0], first - 4), min(high[0], first + 0.5)
     else:
@@ -157,20 +155,27 @@ def _nearest(p: Problem, theta: Floats) -> Tuple[Floats, float]:
     return best.theta, best.q
 
 
-def minimise_with_noise(p: Problem) -> Floats:
-    """The minimum over theta, and of unknown errors over lambda. Sets the scale (1 unless robust) and lambda."""
+def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
+    """The minimum over theta, and of unknown errors over lambda. Sets the scale (1 unless robust) and lambda. near: the
+    theta of data that differ by a few bounces, with their scale and lambda in p"""
+    if near is not None:
+        theta = settle(p, near)
+        p.scale = p.scale if p.robust else 1.0
+        return theta
     p.plain = True
     theta, _ = minimise(p)
     p.plain = False
-    if p.sample.has_sigma or (p.sample.is_points and not p.robust):
-        return minimise(p)[0] if p.robust or not p.sample.is_points else theta
+    if not p.robust and (p.sample.is_points or not (p.scatters or p.sample.has_sigma)):
+        return theta  # z is the same
+    if p.sample.has_sigma:
+        return minimise(p)[0]
     p.set_noise(theta)
     first, theta = theta, settle(p, theta)
     best = (p.scale, p.log_ratio, theta)
-    if p.sample.scatters and not p.robust:
+    if p.scatters and not p.robust:
         starts = [(first, -80.0), (first, math.log(1e8))]  # errors of the times alone, scatter alone, no loss
         if p.curve.dry:
-            dry = Problem(p.curve.dry, p.sample, p.field, p.free, False)
+            dry = p.like(p.curve.dry)
             without = minimise_with_noise(dry)
             starts.append((np.array([without[0], p.low[1], *without[1:]]), dry.log_ratio))
         for start, log_ratio in starts:
@@ -190,7 +195,7 @@ def minimise_with_noise(p: Problem) -> Floats:
 
 def whole_q(p: Problem, theta: Floats) -> float:
     """Q, least over lambda; sets lambda"""
-    if not p.sample.scatters or p.robust:
+    if not p.scatters or p.robust:
         return p.objective(theta)
     p.set_noise(theta)
     q, p.scale = p.scale**2 * p.freedom, 1.0
@@ -206,35 +211,44 @@ def profile(p: Problem, theta: Floats, held: Sequence[int]) -> Tuple[float, Floa
         if free:
             theta, q = least_squares(p, theta, free)
         q = whole_q(p, theta)
-        if not free or not p.sample.scatters or p.robust or not q < before * (1 - 1e-9):
+        if not free or not p.scatters or p.robust or not q < before * (1 - 1e-9):
             return q, theta
 
 
-def sigmas(p: Problem, theta: Floats) -> Tuple[Floats, Floats]:
-    """The standard deviations of the coordinates for errors of 1, and the covariance, by linear propagation"""
+def covariance_of(p: Problem, theta: Floats) -> Any:
+    """The covariance of the coordinates for errors of 1, by linear propagation; large along a level valley"""
     base = p.residuals(theta)
     step = 1e-6 * np.maximum(np.abs(theta), 1)
     step = np.where(theta + step > p.high, -step, step)
     jacobian = np.stack([(p.residuals(theta + h * e) - base) / h for h, e in zip(step, np.eye(theta.size))], axis=1)
-    covariance = np.linalg.pinv(jacobian.T @ jacobian) if np.all(np.isfinite(jacobian)) else np.eye(theta.size)
-    return np.sqrt(np.diag(covariance)), covariance
+    size = np.sqrt((jacobian**2).sum(axis=0))
+    if not np.all(np.isfinite(size) & (size > 0)):
+        return np.eye(theta.size)
+    return np.linalg.inv((jacobian / size).T @ (jacobian / size) + 1e-13 * np.eye(theta.size)) / np.outer(size, size)
 
 
 def interval_ends(
-    p: Problem, theta: Floats, j: int, sign: int, minimum: float, targets: Sequence[float], width: float
+    p: Problem, theta: Floats, j: int, sign: int, minimum: float, targets: Sequence[float], covariance: Any
 ) -> List[float]:
     """The ends of the intervals of coordinate j on one side: where the root of the excess of the profile over the
     minimum, which is nearly linear there, reaches the targets."""
+    ways, width = covariance[j] / covariance[j, j], math.sqrt(covariance[j, j])
     limit = p.high[j] if sign > 0 else p.low[j]
-    place = theta.copy()
+    inside, others = theta.copy(), _other_starts(p, theta, j)
 
     def height(x: float) -> float:
-        nonlocal place
-        place[j] = x
-        q, place = profile(p, place, [j])
+        nonlocal inside
+        starts = [inside.copy(), inside + ways * (x - inside[j]), *others(x)]
+        for start in starts:
+            start[j] = x
+            np.clip(start, p.low, p.high, out=start)
+        starts[:2] = [min(starts[:2], key=p.objective)] if theta.size > 1 else starts[:1]
+        q, place = min((profile(p, start, [j]) for start in starts), key=lambda found: found[0])
         if q < minimum * (1 - 1e-8):
             raise _Lower(place)
-        return min(math.sqrt(max(q - minimum, 0)), 1e150)
+        high = min(math.sqrt(max(q - minimum, 0)), 1e150)
+        inside = place if high <= targets[-1] else inside
+        return high
 
     near, near_height = float(theta[j]), 0.0
     ends: List[float] = []
@@ -264,6 +278,23 @@ def interval_ends(
     return ends
 
 
+def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[Floats]]:
+    """Return a function that finds the other of two coordinates of points on a grid: its minimum may jump."""
+    if p.curve.start != "grid" or p.parameters != 2 or p.scatters:
+        return lambda x: []
+    _, q = _coarse(p, 250, [])
+    other = 1 - j
+    log = p.kinds[other] == "log"
+    low, high = (max(p.low[other], theta[other] - 4), min(p.high[other], theta[other] + 4)) if log else (0.0, 1.0)
+    grid = np.linspace(low, high, 81)
+
+    def starts(x: float) -> List[Floats]:
+        values = q(*((x, grid[:, None]) if j == 0 else (grid[:, None], x)))
+        return [np.full(2, grid[int(np.argmin(values))])]
+
+    return starts
+
+
 def huber_factor(p: Problem, theta: Floats) -> float:
     root = np.abs(p.residuals(theta))
     psi2 = np.minimum(root, HUBER) ** 2
@@ -283,15 +314,27 @@ def find_intervals(p: Problem, theta: Floats) -> Tuple[Floats, float, Any]:
         unit = huber_factor(p, theta) if p.robust else 1.0 if p.sample.has_sigma else minimum / p.freedom
         found = np.repeat(theta, 4).reshape(-1, 2, 2)
         targets = [quantile(p, level) * math.sqrt(unit) for level in LEVELS]
-        width = sigmas(p, theta)[0]
+        covariance = covariance_of(p, theta)
         try:
             for j in range(p.parameters) if targets[0] > 0 else ():
                 for side, sign in enumerate((-1, 1)):
                     p.scale, p.log_ratio = state
-                    found[j, :, side] = interval_ends(p, theta, j, sign, minimum, targets, float(width[j]))
+                    found[j, :, side] = interval_ends(p, theta, j, sign, minimum, targets, covariance)
+            theta = _level_ends(p, theta, minimum, unit, found)
         except _Lower as lower:
             theta = lower.theta
             continue
         break
     p.scale, p.log_ratio = state
     return theta, minimum, found
+
+
+def _level_ends(p: Problem, theta: Floats, minimum: float, unit: float, found: Any) -> Floats:
+    """Where Q is level from the minimum to one end of a range, which means 0 or infinity, the minimum is that end."""
+    for j, side in zip(*np.nonzero(np.isinf(found[:, 0]))):
+        if p.kinds[j] == "log" and np.isfinite(found[j, 0, 1 - side]):
+            place = theta.copy()
+            place[j] = (p.low, p.high)[side][j]
+            q, place = profile(p, place, [j])
+            theta = place if q - minimum <= 1e-6 * unit else theta
+    return theta

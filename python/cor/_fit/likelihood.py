@@ -14,6 +14,8 @@ sqrt(det W/det B)^(1/n), so that the least Q is that of the restricted likelihoo
 """
 
 import math
+from copy import copy
+from functools import lru_cache
 from importlib import import_module
 from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
@@ -25,10 +27,12 @@ from .models import Curve
 HUBER = 1.345
 LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals count as this large, so that AIC is finite
 SLOPE_STEP = 1e-4  # in ln v
+STEEPEST = 5.0  # eps + d eps/d ln v; beyond, where eps falls to 0, errors are not of first order
 LOG_RATIO = (math.log(1e-10), math.log(1e8))  # of lambda times the mean square of c
-MANY = 20000  # bounces; more are fitted in a basis of curves
+MANY = 20000  # bounces; more are reduced to a basis of curves
 
 
+@lru_cache(maxsize=None)
 def scipy(name: str) -> Any:
     """Return a module of SciPy, which is imported where it is used."""
     try:
@@ -49,7 +53,7 @@ def launch_of_duration(time: Floats, gravity: float, kappa: float) -> Floats:
     for _ in range(60):
         step = (tau - np.arctan(s) - np.arcsinh(s)) / (1 / (1 + s * s) + 1 / np.sqrt(1 + s * s))
         s = s + step
-        if np.all(np.abs(step) <= 1e-15 * s):
+        if np.all(np.abs(step) <= 4e-15 * np.abs(s)):
             break
     return np.asarray(s / math.sqrt(kappa))
 
@@ -120,10 +124,11 @@ class Flights(NamedTuple):
     eps: Floats
     weight: Floats  # c
     gain: Floats  # a over eps + d eps/d ln v
+    order: Ints  # of the speeds; equal speeds in the order of the file
 
 
 class Sample:
-    """The bounces of a record. `keep`, by line: False for lines that are left out with the bounces that need them."""
+    """The bounces of a record. without: lines that are left out with the bounces that need them"""
 
     def __init__(self, data: Data, without: Sequence[int] = ()) -> None:
         record = data.record
@@ -132,21 +137,35 @@ class Sample:
         first, middle, last, begins = self._bounces(record)
         lines = record.line
         self.lines = np.stack([np.where(i >= 0, lines[i], -1) for i in (first, middle, last)], axis=1)
-        kept = ~np.isin(self.lines, list(without)).any(axis=1)
-        dropped = np.cumsum(~kept)[kept]
-        begins = begins[kept]
+        self.begins, self.first, self.middle, self.last = begins, first, middle, last
+        self._keep(~np.isin(self.lines, list(without)).any(axis=1))
+
+    def part(self, kept: Any) -> "Sample":
+        """Return a copy with the bounces of a mask."""
+        made = copy(self)
+        made._keep(kept)
+        return made
+
+    def _keep(self, kept: Any) -> None:
+        """Where bounces are left out, another drop begins."""
+        left_out = np.cumsum(~kept)[kept]
+        begins = self.begins[kept]
         if begins.size:
-            begins |= np.diff(dropped, prepend=dropped[0]) > 0
-        self.begins, self.first, self.middle, self.last = begins, first[kept], middle[kept], last[kept]
-        self.lines = self.lines[kept]
+            begins |= np.diff(left_out, prepend=0) > 0
+        self.begins, self.lines = begins, self.lines[kept]
+        self.first, self.middle, self.last = self.first[kept], self.middle[kept], self.last[kept]
         self.size = int(kept.sum())
+        self.second = np.append(~begins[1:], False)  # bounce k + 1 shares a number with bounce k
+        self.third = np.append(self.second[:-1] & self.second[1:], False)
         self.variance = self._variance()
         self.has_sigma = self.variance is not None
-        self.is_chain = self.is_times or isinstance(record, Apexes)
+        self.is_chain = self.is_times or isinstance(self.record, Apexes)
         used = np.stack([self.first, self.middle, self.last])
         self.numbers = self.size if not self.is_chain else np.unique(used[used >= 0]).size  # that may be outliers
         self.scatters = not self.is_points and not self.has_sigma
         self._cached: Dict[Tuple[float, float], Flights] = {}
+        self.reduced: Any = None
+        self.pilot: Any = None
 
     def _bounces(self, record: Any) -> Tuple[Ints, Ints, Ints, Any]:
         """For each bounce the indices of its measured numbers, -1 for none, and the first bounces of drops"""
@@ -183,15 +202,17 @@ class Sample:
         if key not in self._cached:
             if len(self._cached) > 8:
                 self._cached.clear()
-            self._cached[key] = self._flights(gravity, kappa)
+            speed, eps, weight, gain = self._flights(gravity, kappa)
+            order = np.argsort(speed, kind="stable")
+            self._cached[key] = Flights(speed, np.log(speed), eps, weight, gain, order)
         return self._cached[key]
 
-    def _flights(self, gravity: float, kappa: float) -> Flights:
+    def _flights(self, gravity: float, kappa: float) -> Tuple[Any, Any, Any, Any]:
+        """Speeds, eps, c and gains"""
         record, first, middle, last = self.record, self.first, self.middle, self.last
         if isinstance(record, Points):
             one = np.ones(self.size)
-            speed = record.speed_m_s[last]
-            return Flights(speed, np.log(speed), record.eps[last], one, 0 * one)
+            return record.speed_m_s[last], record.eps[last], one, 0 * one
         if isinstance(record, Times):
             launch = launch_of_duration(record.time_s[last] - record.time_s[middle], gravity, kappa)
             before = launch_of_duration(record.time_s[middle] - record.time_s[first], gravity, kappa)
@@ -201,17 +222,17 @@ class Sample:
                 gain = gain * (speed / before) ** 3 / duration_slope(before, gravity, kappa)
             released = first < 0
             if released.any():
-                drop = np.searchsorted(record.start, last[released], side="right") - 1
-                speed[released] = impact_of_drop(record.height_m[drop], gravity, kappa)
+                height = record.height_m[np.searchsorted(record.start, last[released], side="right") - 1]
+                speed[released] = impact_of_drop(height, gravity, kappa)
                 weight[released] = duration_slope(launch[released], gravity, kappa) * speed[released]
                 gain[released] = 0
-            return Flights(speed, np.log(speed), launch / speed, weight, gain)
+            return speed, launch / speed, weight, gain
         heights = (record.drop_m, record.rebound_m) if isinstance(record, Heights) else (record.height_m,) * 2
         drop, rebound = heights[0][middle], heights[1][last]
         speed, launch = impact_of_drop(drop, gravity, kappa), launch_of_height(rebound, gravity, kappa)
         rise = launch * np.exp(-2 * gravity * kappa * rebound) / gravity  # dh/du
         gain = rise * gravity * np.exp(-2 * gravity * kappa * drop) / speed
-        return Flights(speed, np.log(speed), launch / speed, rise * speed, gain)
+        return speed, launch / speed, rise * speed, gain
 
 
 # ---- one curve and its data ----
@@ -231,12 +252,16 @@ class Problem:
         self.kinds = (*curve.kinds, *(extra[name][0] for name in self.free))
         self.size, self.parameters = sample.size, len(self.kinds)
         self.freedom = self.size - self.parameters
+        self.scatters = sample.scatters  # lambda is free
         self.scale, self.log_ratio = 1.0, LOG_RATIO[0]
         self.plain = False  # True: without the covariance and Huber's function, for starts
         self.mean_square = float(np.mean(flights.weight**2))
-        n, starts = self.size, sample.begins
-        self.second = np.append(~starts[1:], False)  # bounce k + 1 shares a number with bounce k
-        self.third = np.append(self.second[:-1] & self.second[1:], False) if n > 1 else np.zeros(n, bool)
+
+    def like(self, curve: Curve) -> "Problem":
+        """Return the problem of another curve with the same noise."""
+        made = Problem(curve, self.sample, self.field, self.free, self.robust)
+        made.plain, made.scale, made.log_ratio = self.plain, self.scale, self.log_ratio
+        return made
 
     def at(self, theta: Floats) -> Flights:
         gravity, kappa = self.field.gravity, self.field.kappa
@@ -244,7 +269,7 @@ class Problem:
             if name == "drag":
                 kappa = abs(value) / self.fastest2
             else:
-                gravity *= math.exp(value)
+                gravity *= math.exp(min(max(value, -20.0), 20.0))
         return self.sample.flights(gravity, kappa)
 
     def eps_residual(self, theta: Floats) -> Any:
@@ -257,28 +282,33 @@ class Problem:
         x = flights.log_speed
         eps = self.curve.eps(theta, np.concatenate((x, x + SLOPE_STEP, x - SLOPE_STEP)))
         above, below = eps[n : 2 * n], eps[2 * n :]
-        slope = (above + below) / 2 + (above - below) / (2 * SLOPE_STEP)
+        slope = np.minimum(np.maximum((above + below) / 2 + (above - below) / (2 * SLOPE_STEP), -STEEPEST), STEEPEST)
         return flights.weight * (flights.eps - eps[:n]), flights.weight, flights.gain * slope
 
-    def whiten(self, parts: Tuple[Floats, Floats, Floats], ratios: Sequence[float]) -> Tuple[Floats, Floats]:
-        """Return ln det W and L^-1 (c r) for each lambda. All matrices are factored at once, as blocks of one."""
-        y, weight, a = parts
-        n, times = self.size, self.sample.is_times
-        last, middle = self.sample.variance or (np.ones(n), 1.0)
-        band: Any = np.zeros((3, len(ratios), n))
-        if times:
+    def factor(self, weight: Floats, a: Floats, ratios: Sequence[float]) -> Tuple[Any, Any]:
+        """Return L, as blocks of one matrix, and ln det W for each lambda; nan if a W is not positive."""
+        n, sample = self.size, self.sample
+        band: Any = np.zeros((len(ratios), n, 3))
+        if sample.is_times:
             own = 1 + (1 + a) ** 2 + a * a
-            band[1, :, :-1] = np.where(self.second[:-1], -a[1:] * (1 + a[:-1]) - (1 + a[1:]), 0)
-            band[2, :, :-2] = np.where(self.third[:-2], a[2:], 0)
+            band[:, :-1, 1] = sample.second[:-1] * (-a[1:] * (1 + a[:-1]) - (1 + a[1:]))
+            band[:, :-2, 2] = sample.third[:-2] * a[2:]
         else:
+            last, middle = sample.variance or (np.ones(n), 1.0)
             own = last + a * a * middle
-            band[1, :, :-1] = np.where(self.second[:-1], -a[1:] * last[:-1], 0)
-        band[0] = own + np.multiply.outer(ratios, weight * weight)
-        factor, wrong = scipy("linalg.lapack").dpbtrf(band.reshape(3, -1), lower=1)
+            band[:, :-1, 1] = sample.second[:-1] * (-a[1:] * last[:-1])
+        band[:, :, 0] = own + np.multiply.outer(ratios, weight * weight)
+        factor, wrong = scipy("linalg.lapack").dpbtrf(band.reshape(-1, 3).T, lower=1, overwrite_ab=1)
         if wrong:
-            return np.full(len(ratios), math.nan), np.full((len(ratios), n), math.nan)
-        z = scipy("linalg.blas").dtbsv(2, factor, np.tile(y, len(ratios)), lower=1)
-        return 2 * np.log(factor[0]).reshape(-1, n).sum(axis=1), z.reshape(-1, n)
+            factor[:] = math.nan
+        return factor, 2 * np.log(factor[0]).reshape(-1, n).sum(axis=1)
+
+    def whiten(self, parts: Tuple[Floats, Floats, Floats], ratios: Sequence[float]) -> Tuple[Floats, Floats]:
+        """Return ln det W and L^-1 (c r) for each lambda."""
+        y, weight, a = parts
+        factor, determinant = self.factor(weight, a, ratios)
+        z = scipy("linalg.blas").dtbsv(2, factor, np.concatenate([y] * len(ratios)), lower=1)
+        return determinant, z.reshape(-1, self.size)
 
     def z_at(self, parts: Tuple[Floats, Floats, Floats], log_ratios: Any) -> Floats:
         """z with the determinants, for each ln of lambda times the mean square of c"""
@@ -325,13 +355,14 @@ class Problem:
             found = np.median(np.abs(z), axis=-1) / 0.67448975019608171 * math.sqrt(self.size / self.freedom)
         else:
             found = np.sqrt(np.einsum("...i,...i", z, z) / self.freedom)
-        return np.maximum(np.where(np.isfinite(found), found, math.inf), LEAST_RESIDUAL)
+        found = np.maximum(found, LEAST_RESIDUAL)
+        return np.where(np.isnan(found), math.inf, found)
 
     def set_noise(self, theta: Floats) -> None:
         """Set lambda to that of the least scale, and the scale. Errors of times and scatter of bounces may both be
         likely: each local minimum of a scan is refined. A median has many by chance: there only the lowest counts."""
         parts = self.parts(theta)
-        if not self.sample.scatters:
+        if not self.scatters:
             self.scale = float(self.scale_of(parts[0]))
             return
         low, high = LOG_RATIO
@@ -352,6 +383,76 @@ class Problem:
             if height < least:
                 best, least = u, height
         self.log_ratio, self.scale = best, least
+
+
+KNOTS = 32
+
+
+class Reduced(Problem):
+    """Very many bounces with one scale and lambda: z is linear in eps, which cubic polynomials between KNOTS speeds
+    interpolate. So Q is that of KNOTS residuals and a constant. lambda and the slopes of the covariance are those of a
+    `pilot`, a fit of a part of the bounces."""
+
+    def __init__(self, curve: Curve, sample: Sample, field: Field, pilot: Optional[Tuple["Problem", Floats]]) -> None:
+        super().__init__(curve, sample, field, (), False)
+        self.scatters, self.pilot = False, pilot
+        if pilot:
+            self.log_ratio = pilot[0].log_ratio + math.log(self.mean_square / pilot[0].mean_square)
+        if sample.reduced is None:
+            sample.reduced = self._reduce(pilot)
+        self.whitened, self.knots, self.rows, self.right, self.constant, self.determinant = sample.reduced
+
+    def _reduce(self, pilot: Optional[Tuple["Problem", Floats]]) -> Any:
+        flights = self.sample.flights(self.field.gravity, self.field.kappa)
+        determinant, factor = 1.0, None
+        if pilot:
+            full = Problem(pilot[0].curve, self.sample, self.field, (), False)
+            _, weight, a = full.parts(pilot[1])
+            ratio = math.exp(self.log_ratio) / self.mean_square if self.sample.scatters else 0.0
+            logs = [full.factor(weight, a, [lam])[1] for lam in (0.0, ratio)]
+            factor = full.factor(weight, a, [ratio])[0]
+            determinant = math.exp(float(logs[1] - logs[0]) / (2 * self.size)) if self.sample.scatters else 1.0
+        spread = self.spread(flights)
+
+        def whitened(eps: Floats) -> Any:
+            if factor is None:
+                return eps / spread
+            return determinant * scipy("linalg.blas").dtbsv(2, factor, flights.weight * eps, lower=1)
+
+        x = flights.log_speed
+        low, high = float(x.min()), float(x.max())
+        step = (high - low) / (KNOTS - 1) or 1.0
+        knots = low + step * np.arange(KNOTS)
+        cell = np.clip(((x - low) / step).astype(int), 1, KNOTS - 3) - 1  # the first of four knots
+        t, rows = (x - knots[cell]) / step, np.zeros((KNOTS, self.size))
+        shapes = [(1 - t) * (2 - t) * (3 - t) / 6, t * (2 - t) * (3 - t) / 2, t * (t - 1) * (3 - t) / 2]
+        shapes.append(t * (t - 1) * (t - 2) / 6)
+        for i, shape in enumerate(shapes):
+            rows[cell + i, np.arange(self.size)] = shape
+        for knot in range(KNOTS):
+            rows[knot] = whitened(rows[knot])
+        z = whitened(flights.eps)
+        values, vectors = np.linalg.eigh(rows @ rows.T)
+        use = values > 1e-13 * values.max()
+        root = np.sqrt(values[use])
+        right = vectors[:, use].T @ (rows @ z) / root
+        return whitened, knots, root[:, None] * vectors[:, use].T, right, float(z @ z - right @ right), determinant
+
+    def like(self, curve: Curve) -> Problem:
+        return Reduced(curve, self.sample, self.field, self.pilot)
+
+    def residuals(self, theta: Floats) -> Any:
+        return self.right - self.rows @ self.curve.eps(theta, self.knots)
+
+    def objective(self, theta: Floats) -> float:
+        return float(super().objective(theta) + self.constant)
+
+    def z(self, theta: Floats) -> Any:
+        return self.whitened(self.eps_residual(theta))
+
+    def time_sigma(self, theta: Floats, scale: float) -> Tuple[float, float]:
+        sigma = scale / self.determinant
+        return sigma, sigma * math.sqrt(math.exp(self.log_ratio) / self.mean_square)
 
 
 def _local_minimum(f: Callable[[Sequence[float]], Floats], low: float, high: float, places: int) -> Tuple[float, float]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from .compare import SIGNIFICANCE, Comparison, Estimate, Outlier, Setup, compare, find_outliers, finite_theta
 from .data import GRAVITY_M_S2, Air, Data, DataError, Floats, Form, Points, Times
-from .intervals import LEVELS, profile, quantile, sigmas
+from .intervals import LEVELS, covariance_of, profile, quantile
 from .likelihood import HUBER, Field, Sample, scipy
 from .models import BODIES, Bodies, Model, Parameter, choose
 
@@ -213,7 +213,7 @@ class Result:
             return list(self._regions[key])
         p, theta, count = e.problem, finite_theta(e), len(model.curve.kinds)
         state = p.scale, p.log_ratio
-        covariance = sigmas(p, theta)[1][:count, :count]
+        covariance = covariance_of(p, theta)[:count, :count]
         values, axes = np.linalg.eigh((covariance + covariance.T) / 2)
         axes = axes * np.sqrt(np.maximum(values, 0))
         if count == 2:
@@ -303,7 +303,8 @@ class Result:
             return None
         line = ["corgen embed", words[chosen.name]]
         if chosen.name == "viscoelastic" and known:
-            line += [f"--{name.replace('_', '-')} {number:.10g}" for name, number in given.items()]
+            used = [name for name in given if not (self._bodies.wall and name in ("radius_2", "density_2", "mass_2"))]
+            line += [f"--{name.replace('_', '-')} {given[name]:.10g}" for name in used]
             line += ["--wall"] if self._bodies.wall else []
         line += [f"--end {chosen.end}"] if chosen.end != "both" else []
         speed = p.at(finite_theta(e)).speed
