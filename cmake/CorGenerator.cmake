@@ -4,21 +4,19 @@
 set(COR_HAVE_GENERATOR FALSE)
 if(NOT COR_BUILD_GENERATOR MATCHES "^(AUTO|auto|OFF|off|FALSE|0|NO)$")
   find_package(FLINT)
-  find_package(Cminpack)
-  if(NOT FLINT_FOUND OR NOT Cminpack_FOUND)
-    message(FATAL_ERROR "COR_BUILD_GENERATOR=${COR_BUILD_GENERATOR}, but corgen needs GMP, MPFR, FLINT (2.9 or later), "
-      "with FLINT 2 Arb, and cminpack. Not found: ${FLINT_MISSING} ${Cminpack_MISSING}. "
-      "On Debian: apt-get install libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev libcminpack-dev")
+  if(NOT FLINT_FOUND)
+    message(FATAL_ERROR "COR_BUILD_GENERATOR=${COR_BUILD_GENERATOR}, but corgen needs GMP, MPFR and FLINT (2.9 or later), "
+      "with FLINT 2 Arb, too. Not found: ${FLINT_MISSING}. "
+      "On Debian: apt-get install libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev")
   endif()
 elseif(COR_BUILD_GENERATOR MATCHES "^(AUTO|auto)$")
   find_package(FLINT QUIET)
-  find_package(Cminpack QUIET)
-  if(NOT FLINT_FOUND OR NOT Cminpack_FOUND)
-    message(STATUS "corgen is left out: ${FLINT_MISSING} ${Cminpack_MISSING} not found")
+  if(NOT FLINT_FOUND)
+    message(STATUS "corgen is left out: ${FLINT_MISSING} not found")
   endif()
 endif()
 
-if(FLINT_FOUND AND Cminpack_FOUND)
+if(FLINT_FOUND)
   set(COR_HAVE_GENERATOR TRUE)
   file(STRINGS "${FLINT_INCLUDE_DIR}/flint/flint.h" flint_version REGEX "define FLINT_VERSION ")
   string(REGEX MATCH "[0-9.]+" flint_version "${flint_version}")
@@ -28,7 +26,7 @@ if(FLINT_FOUND AND Cminpack_FOUND)
   list(REMOVE_ITEM COR_GENERATOR_SOURCES gen/cli/main.c)
   if(COR_BOOTSTRAP) # without what calls the library with its tables
     set(tables)
-    list(FILTER COR_GENERATOR_SOURCES EXCLUDE REGEX "^gen/(contact|embed|fit|plan|cli/(audit|contact|embed|fit|plan|sample)\\.c)")
+    list(FILTER COR_GENERATOR_SOURCES EXCLUDE REGEX "^gen/(contact|embed|plan|cli/(audit|contact|embed|plan|sample)\\.c)")
   endif()
   list(TRANSFORM COR_GENERATOR_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/")
   # the generated headers embed the runtime's evaluator
@@ -47,7 +45,7 @@ if(FLINT_FOUND AND Cminpack_FOUND)
     ${tables} $<TARGET_OBJECTS:cor_scene_without_tables> ${cor_without_tables_objects} ${cor_disk_without_tables_objects})
   target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L $<$<BOOL:${COR_BOOTSTRAP}>:COR_BOOTSTRAP>)
-  target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE Cminpack::Cminpack cor_defaults)
+  target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE cor_defaults)
   # corgen's time is FLINT's: with -O2 its own code takes longer to compile and gains little
   target_compile_options(corgen_core PRIVATE $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
   # but for paths, which are computed in doubles, and formulas, which are read at each node of an integral

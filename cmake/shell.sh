@@ -35,7 +35,6 @@ want_generator() {
     want libgmp-dev has_header gmp.h
     want libmpfr-dev has_header mpfr.h
     want libflint-dev has_header flint/fmpq_poly.h
-    want libcminpack-dev eval 'has_header cminpack-1/cminpack.h || has_header cminpack.h'
 }
 
 # FLINT 3 has Arb inside, and its distributions have no package for it: to be asked only when FLINT is there.

@@ -6,7 +6,6 @@
 #include "approximation/pade.h"
 #include "cli/options.h"
 #include "embed/request.h"
-#include "fit/data.h"
 #include "plan/plan.h"
 #include "sweep/sweep.h"
 #include "tables/files.h"
@@ -68,19 +67,6 @@ struct embed_arguments {
     struct embed_request scene;
 };
 
-struct fit_arguments {
-    struct option_common common;
-    const char *data; /* file */
-    const char *law;  /* names of models */
-    const char *plot; /* file, or NULL */
-    int unit;         /* enum fit_unit */
-    int end;          /* enum cor_end, or OPTIONS_NOT_GIVEN: both */
-    struct decimal gravity;
-    struct embed_request scene; /* of its numbers only those of the bodies */
-    const char *separator;      /* its name or itself, or NULL */
-    bool robust, decimal_comma;
-};
-
 struct plan_arguments {
     struct option_common common;
     struct embed_request scene; /* for disks only both speeds, tolerance and Poisson's ratio */
@@ -121,7 +107,7 @@ struct tables_arguments {
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,
-    command_disk_collide, command_embed, command_fit, command_law, command_plan, command_tables, command_contact,
-    command_sample, command_audit;
+    command_disk_collide, command_embed, command_law, command_plan, command_tables, command_contact, command_sample,
+    command_audit;
 
 #endif

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include <string.h>
+
 #include "cli/commands.h"
 #include "support/console.h"
 
@@ -8,8 +10,7 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
                                                        &command_disk_modes, &command_disk_collide,
 #ifndef COR_BOOTSTRAP
                                                        &command_contact,    &command_sample,
-                                                       &command_fit,        &command_audit,
-                                                       &command_embed,
+                                                       &command_audit,      &command_embed,
 #endif
                                                        &command_law,
 #ifndef COR_BOOTSTRAP
@@ -17,8 +18,19 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
 #endif
                                                        &command_tables,     NULL};
 
+/* Subcommands of another program, the command cor of the Python package */
+static int refuse_moved(const char *name)
+{
+    if (strcmp(name, "fit") != 0)
+        return STATUS_OK;
+    return usage_error("fit is a subcommand of cor, with the same options; type: cor fit DATA.csv. To install cor: "
+                       "apt-get install python3-cor python3-scipy on Debian, or pip install 'cor[fit]'");
+}
+
 int main(int argc, char **argv)
 {
     console_start();
+    if (argc > 1 && refuse_moved(argc > 2 && strcmp(argv[1], "help") == 0 ? argv[2] : argv[1]) != STATUS_OK)
+        return STATUS_USAGE;
     return subcommand_run(subcommands, COR_VERSION, argc, argv);
 }

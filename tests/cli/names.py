@@ -6,13 +6,11 @@ import csv
 import json
 import os
 import random
-import shutil
 import subprocess
 import sys
 import tempfile
 import time
 import unicodedata
-import xml.etree.ElementTree
 
 INVALID = [b"\xc0\xaf", b"\xc1\xbf", b"\xe0\x9f\xbf", b"\xed\xa0\x80", b"\xf0\x8f\xbf\xbd", b"\xf4\x90\x80\x80",
            b"\xf8\x90\x80\x80"]
@@ -59,14 +57,6 @@ with tempfile.TemporaryDirectory() as folder:
     for each, row, item in zip(names, rows[1:], objects):
         place = escaped(each) + ":3"
         if f"\n{place}: lammps" not in printed or not place == row[0] == item["line"]:
-            wrong.append(each)
-    for each in names[:5]:
-        write(each, "speed_m_s,eps\n0.1,0.95\n1,0.9\n10,0.8\n")
-        if shutil.which("gnuplot"):
-            run("fit", each, "--law", "constant", "--plot", "x.svg")
-            if escaped(each) not in (text.text for text in xml.etree.ElementTree.parse("x.svg").iter()):
-                wrong.append(each)
-        if run("fit", b"x" + each)[1] != f"corgen: cannot read x{escaped(each)}: No such file or directory\n":
             wrong.append(each)
 print(f"seed {seed}; wrong: {wrong}")
 sys.exit(bool(wrong))

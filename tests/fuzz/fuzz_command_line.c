@@ -129,7 +129,6 @@ FUZZED(disk_collide, few(&o->request.sweep.speed, 4, 0.01, 0.5) && few(&o->reque
                          (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) &&
                          o->request.sweep.phi_points <= 100 && o->request.threads <= 3)
 FUZZED(embed, solves_nothing(&o->scene))
-FUZZED(fit, strcmp(o->data, "-") != 0 && !o->plot) /* neither standard input nor gnuplot */
 FUZZED(plan, solves_nothing(&o->scene))
 
 /* corgen's subcommands with the functions above in the place of theirs. */
@@ -141,7 +140,7 @@ static int corgen_main(int argc, char **argv)
     } row[] = {
 #define ROW(name) {&command_##name, fuzz_##name}
         ROW(trajectory),   ROW(series), ROW(pade), ROW(collide), ROW(disk_modes),
-        ROW(disk_collide), ROW(embed),  ROW(fit),  ROW(plan),    ROW(tables)};
+        ROW(disk_collide), ROW(embed),  ROW(plan), ROW(tables)};
     enum { ROWS = sizeof row / sizeof *row };
     struct subcommand copy[ROWS];
     const struct subcommand *table[ROWS + 1] = {NULL};
