@@ -252,8 +252,8 @@ static NUMBERS(eps_boundaries, 0.5, 0.25, 0.125, 0x1p-5, 0x1p-6, 0.1353352832366
                2.7813423231340017e-309, 1.9667060174891983e-309, 5.562684646268003e-309, 0x1p-60, 0x1p-30);
 
 /* Next to one of the ends of every row of times, and where their series begin and count most: Tsuji's rows in
- * zeta^(1/5), ln(1 + zeta) and, at zero overlap, y = zeta/(10 sqrt(1 - zeta^2)), whose series begins between 5.9 and 6.4
- * and again at 10; those of Hunt and Crossley in ln(1 + beta) */
+ * zeta^(1/5), ln(1 + zeta) and, at zero overlap, y = zeta/(10 sqrt(1 - zeta^2)), whose series begin at 6 or so and at
+ * 10; those of Hunt and Crossley in ln(1 + beta) */
 static void search_rows(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
     enum { WEAK = 42, STRONG = 43, SHORT = 36, LONG = 70 };

@@ -192,8 +192,8 @@ TEST(near_critical_damping)
                            of(COR_LAW_LINEAR, end, of_loss ? COR_LOSS : COR_EPS)(1 + i * 0x1p-21), 8);
 }
 
-/* Both laws with a damping ratio have the same functions of eps. Of every law eps is larger, and the contact shorter, at
- * zero force than at zero overlap, and limited damping and damped approach follow. */
+/* Both laws with a damping ratio have the same functions of eps. Of every law eps is larger, and the contact shorter,
+ * at zero force than at zero overlap; limited damping and damped approach follow. */
 TEST(order_of_the_ends)
 {
     for (int end = 0; end < ENDS; end++)

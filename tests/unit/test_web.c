@@ -67,24 +67,59 @@ TEST(test_gravity)
     assert_true(!web_read(GLASS "g-star=400\nend=surface") && strcmp(web_wrong_option(), "end") == 0);
 }
 
-TEST(test_impacts_are_those_of_a_contact)
+/* The next cell of a row of csv, which has no quotes within cells; *row moves behind it. */
+static char *cell_of(char **row)
 {
-    const struct cor_sphere_contact contact = glass(4e-7);
-    const double speed[] = {3, 0.1};
-    double y[8 * 2];
-    assert_true(web_read(GLASS "dissipation-time=4e-7\nspeed=3,0.1\nsteps=20"));
-    web_impacts(speed, y, 2);
-    for (int i = 0; i < 2; i++) {
-        assert_near(y[2 + i], cor_contact_eps_zero_overlap(&contact, speed[i]), 1e-14);
-        assert_near(y[4 + i], cor_contact_eps_zero_force(&contact, speed[i]), 1e-14);
-        assert_near(y[8 + i] / cor_contact_duration_s_zero_force(&contact, speed[i]), 1, 1e-13);
-        assert_near(y[10 + i] / cor_contact_max_overlap_m(&contact, speed[i]), 1, 1e-13);
-        assert_near(y[14 + i] / (cor_contact_duration_s_zero_force(&contact, 3) / 20), 1, 1e-13);
+    const int quoted = **row == '"';
+    char *const cell = *row + quoted, *const end = cell + strcspn(cell, quoted ? "\"" : ",\n");
+    *row = end + quoted + 1;
+    *end = '\0';
+    return cell;
+}
+
+/* Arguments of corgen as the module's options */
+static void options_of(char *options, char *arguments)
+{
+    *options = '\0';
+    for (char *word = strtok(arguments, " "); word; word = strtok(NULL, " "))
+        if (strncmp(word, "--", 2) == 0)
+            sprintf(options + strlen(options), "%s%s=%s", *options ? "\n" : "", word + 2,
+                    strcmp(word, "--wall") == 0 ? "yes" : "");
+        else
+            strcat(options, word);
+}
+
+/* Every contact of tests/reference/contacts.csv that the page has fields for: numbers of the first speed, and the first
+ * line for a simulator, or why it has none */
+TEST(test_contacts_of_the_list)
+{
+    enum { NUMBERS = 7, COLUMNS = 8 };
+    char row[4000], options[2000];
+    int rows = 0;
+    FILE *const file = fopen("tests/reference/contacts.csv", "r");
+    assert_true(file && fgets(row, sizeof row, file));
+    for (; fgets(row, sizeof row, file); rows++) {
+        char *at = row, *const arguments = cell_of(&at);
+        double y[2 * COLUMNS];
+        options_of(options, arguments);
+        if (strcmp(cell_of(&at), "no") == 0)
+            continue;
+        check(web_read(options), "%s: %s", options, web_wrong_text());
+        const int contacts = atoi(cell_of(&at));
+        const char *const speed = strstr(options, "\nspeed=");
+        web_impacts(&(double){speed ? atof(speed + strlen("\nspeed=")) : 1}, y, 1);
+        check(!contacts || contacts == web_now.count, "%s: %d contacts", options, web_now.count);
+        for (int i = 0; i < NUMBERS; i++) {
+            const char *const cell = cell_of(&at);
+            check(!*cell || same_number(y[i], atof(cell)) || fabs(y[i] / atof(cell) - 1) < 1e-11,
+                  "%s: number %d: %.13g", options, i, y[i]);
+        }
+        const char *const line = cell_of(&at), *const lines = *line ? web_lines() : "";
+        check(!*line || (lines ? strstr(lines, line) : strstr(web_wrong_text(), line)), "%s: no line %s", options,
+              line);
     }
-    assert_non_null(strstr(web_table(6, 1), "time_step_s,step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_"
-                                            "zero_force,step_scatter_zero_force,contact_radius_m,max_pressure_pa\n3,"));
-    assert_string_equal(web_command(), "corgen contact --young 7e10 --poisson 0.25 --radius 5e-3 --density 2500 "
-                                       "--dissipation-time 4e-7 --speed 3,0.1 --steps 20");
+    fclose(file);
+    assert_true(rows > 70);
 }
 
 TEST(test_a_wrong_request_leaves_the_last_one)
@@ -172,5 +207,5 @@ TEST(test_the_header)
                         "zero-force --output cor_scene_eps.h\n");
 }
 
-RUN_TESTS(test_gravity, test_impacts_are_those_of_a_contact, test_a_wrong_request_leaves_the_last_one,
+RUN_TESTS(test_gravity, test_contacts_of_the_list, test_a_wrong_request_leaves_the_last_one,
           test_the_picture_has_its_points_where_the_axes_say, test_lines_and_own_maps_of_a_simulator, test_the_header)

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The scenes of tests/web/scenes.txt, and what corgen prints of them; how checks are printed.
+// The contacts of tests/reference/contacts.csv, and the answers of corgen; how checks are printed.
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 
 const corgen = process.env.CORGEN ?? "build/gcc/corgen";
 
-// Options as the module takes them, and as arguments
+// The contacts of the list that the page has fields for: options as the module takes them, and as arguments
 export function scenes() {
-    return readFileSync("tests/web/scenes.txt", "utf8").split("\n").filter((line) => line && !line.startsWith("#"))
-        .map((line) => ({ line, options: optionsOf(line.split(" ")) }));
+    return readFileSync("tests/reference/contacts.csv", "utf8").split("\n").slice(1)
+        .map((row) => row.match(/^(?:"([^"]*)"|([^,"]*)),yes,/)).filter((cells) => cells)
+        .map(([, quoted, plain]) => quoted ?? plain).map((line) => ({ line, options: optionsOf(line.split(" ")) }));
 }
 
 function optionsOf(words) {
