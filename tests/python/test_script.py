@@ -208,6 +208,11 @@ def test_runs_loops_and_versions():
     text += "pair_coeff * * hertz 1e7 $e damping coeff_restitution\nrun 10\nrun 10\nclear\nnext e\njump SELF top\n"
     found = rows(text, radii={"": 0.01}, densities={"": 1000.0})
     assert [(pair, row.asked, row.contact.runs) for pair, row in found] == [("*-*", 0.9, (1, 2)), ("*-*", 0.5, (3, 4))]
+    split = "if '$(temp) > 1' then 'pair_style gran/hooke 9 NULL 9 NULL 0 0'\n"
+    given = Options()
+    remarks = lammps.read_lammps(ATOMS + HOOKE + split, "deck", given).remarks
+    assert "both branches" in remarks[0].text and not remarks[0].matters
+    assert not lammps.read_lammps(ATOMS + HOOKE + split.replace("pair_style", "print"), "deck", given).remarks
     assert [pair for pair, _ in rows(text, radii={"": 0.01, "2": 0.02})] == ["1-1", "1-2", "2-2"] * 2
     old = (
         BOX

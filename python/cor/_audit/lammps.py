@@ -12,7 +12,7 @@ from itertools import chain
 from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Sequence, Tuple
 
 from .._cor import lib
-from .deck import MAX_CONTACTS, NAN, Body, Contact, Deck, Options, Repair, Spring, Units
+from .deck import MAX_CONTACTS, NAN, Body, Contact, Deck, Options, Remark, Repair, Spring, Units
 from .script import SIGNS, OutOfBounds, Script, System, Unknown, Words, is_known, number
 
 MAX_COHORTS, MAX_TYPES, MAX_LINES, MANY = 1000, 200, 20000, 1 << 30
@@ -128,6 +128,8 @@ class Granular(System):
         self.seen: Dict[str, Contact] = {}
         self.repairs: Dict[Tuple[str, int, str], Repair] = {}
         self.runs = [0]  # of all worlds
+        self.courses: List[FrozenSet[str]] = []  # the contacts of each world
+        self.found: List[str] = []  # of this world
         self.restart()
 
     def restart(self) -> None:
@@ -152,7 +154,7 @@ class Granular(System):
     def copy(self) -> "Granular":
         other = copy.copy(self)
         for name, value in self.__dict__.items():
-            if isinstance(value, (list, dict)) and name not in ("seen", "repairs", "runs"):
+            if isinstance(value, (list, dict)) and name not in ("seen", "repairs", "runs", "courses"):
                 setattr(other, name, copy.copy(value))
         other.cohorts = [replace(c) for c in self.cohorts]
         return other
@@ -421,7 +423,7 @@ class Granular(System):
         for i in range(2, len(words)) if self.hybrid else [1]:
             style = _ACCELERATED.sub("", words[i])
             if re.match(r"gran(ular|/|$)", style):
-                at = i + 1 + (self.is_liggghts and words[i + 1] == "model")
+                at = i + 1 if not self.is_liggghts else i + 2 if words[i + 1] == "model" else i
                 self.style.append(Coefficient(words, at, style.replace("gran/", "", 1), part=len(self.style)))
         self.other_style = words if not self.style and name not in ("none", "zero") else None
 
@@ -450,8 +452,12 @@ class Granular(System):
         lines[key] = line
 
     def on_clear(self, words: Words) -> None:
-        self.finish()
+        self.end_system()
         self.restart()
+
+    def end_system(self) -> None:
+        if not self.is_run:
+            self.snapshot(0)
 
     def on_run(self, words: Words) -> None:
         self.runs[0] += 1
@@ -472,8 +478,8 @@ class Granular(System):
         self.step = int(words.number(1))
 
     def finish(self) -> None:
-        if not self.is_run:
-            self.snapshot(0)
+        self.end_system()
+        self.courses.append(frozenset(self.found))
 
     # ---- bodies ----
 
@@ -553,6 +559,7 @@ class Granular(System):
                 break
             if key not in self.seen:
                 self.deck.contacts.append(contact)
+            self.found.append(key)
             held = self.seen.setdefault(key, contact)
             held.runs = (*held.runs[:999], run) if run else held.runs
             found.append(held)
@@ -826,6 +833,9 @@ def _read(simulator: str, text: str, name: str, options: Options) -> Deck:
     script = Script(options)
     system = Granular(deck, script, options)
     script.run(text, name, system)
+    for (file, line), reason in script.split.items() if len(set(system.courses)) > 1 else ():
+        text = f"if: no value is known here of {reason}; the contacts of both branches are listed."
+        deck.remarks.append(Remark(file, line, text, False))
     deck.remarks += script.remarks.values()
     return deck
 

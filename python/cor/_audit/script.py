@@ -20,7 +20,7 @@ MAX_WORLDS = 64
 MAX_WORDS = 100000  # of one line
 MAX_CONTINUED = 2000  # lines that one command continues on
 MAX_LINE = 1 << 26
-_MARK = "\0"  # encloses the name of an unknown value within a word, whose blanks are \\1
+_MARK = "\0"  # encloses the name of an unknown value within a word, whose blanks are \1
 _BLANK = "\1"
 
 
@@ -192,8 +192,8 @@ def _without_comment(text: str) -> str:
 
 
 class Words(List[str]):
-    """The words of a command. origin: for each the part of the raw text that it came from; expanded: the text with its
-    variables replaced, and where the words are in it."""
+    """The words of a command; "" beyond them. expanded: the text with its variables replaced; inside: where the words
+    are in it; pieces: its parts, each with the part of the raw text that it came from."""
 
     def __init__(self, line: Line, pieces: Sequence[Tuple[str, int, int]]):
         super().__init__()
@@ -437,9 +437,7 @@ class World:
 
     def include(self, words: Words) -> None:
         if len(self.stack) >= MAX_NESTED:
-            self.script.remark(
-                words.line, f"{words[1]}: more than {MAX_NESTED} files within each other; does it include itself?"
-            )
+            self.script.remark(words.line, f"{words[1]}: more than {MAX_NESTED} files within each other.")
             return
         source = self.open(words[1], words)
         if source:
@@ -467,27 +465,26 @@ class World:
         """Executes `if`: the first branch that is true; each branch up to it in a world of its own while unknown."""
         marks = [1] + [i for i in range(2, len(words)) if words[i] in ("elif", "else")] + [len(words)]
         branches: List[List[str]] = []
-        unknown = ""
+        unknown, is_true = "", False
         for start, end in zip(marks, marks[1:]):
-            is_else = words[start] == "else" and start > 1
-            first = start + (0 if start == 1 else 1)
-            commands = words[first:end] if is_else else words[first + 1 + (words[first + 1] == "then") : end]
-            try:
-                if is_else:
-                    true = True
-                else:
-                    expanded = self.expand(words.line._replace(raw=words[first]), True).expanded
-                    if _MARK in expanded:
-                        raise Unknown(expanded.split(_MARK)[1])
-                    true = _Formula(expanded, self, True).value() != 0
-            except Unknown as reason:
-                unknown = unknown or str(reason)
-                branches.append(commands)
-                continue
-            if true:
-                branches.append(commands)
+            first = start + (start > 1)
+            commands = words[first:end]
+            is_true = start > 1 and words[start] == "else"
+            if not is_true:
+                commands = commands[1 + (words[first + 1] == "then") :]
+                try:
+                    test = self.expand(words.line._replace(raw=words[first]), True).expanded
+                    is_true = is_known(test) and _Formula(test, self, True).value() != 0
+                    reason = "" if is_known(test) else test.split(_MARK)[1]
+                except Unknown as failure:
+                    reason = str(failure)
+                if not reason and not is_true:
+                    continue
+                unknown = unknown or reason
+            branches.append(commands)
+            if is_true:
                 break
-        else:
+        if not is_true:
             branches.append([])
         if not unknown:
             self.execute_all(branches[-1], words.line)
@@ -496,7 +493,7 @@ class World:
             return
         place = (words.line.file, words.line.line)
         if place not in self.script.split and len(self.script.split) < MAX_WORLDS:
-            self.script.split.setdefault(place, unknown)
+            self.script.split[place] = unknown.replace(_BLANK, " ")
             for commands in branches[:-1]:
                 other = self.copy()
                 other.pending = commands
