@@ -214,10 +214,11 @@ def test_runs_loops_and_versions():
     assert "both branches" in remarks[0].text and not remarks[0].matters
     assert not lammps.read_lammps(ATOMS + HOOKE + split.replace("pair_style", "print"), "deck", given).remarks
     assert [pair for pair, _ in rows(text, radii={"": 0.01, "2": 0.02})] == ["1-1", "1-2", "2-2"] * 2
-    old = (
-        BOX
-        + "pair_style granular\npair_coeff 1 1 hertz 1 0.9 damping tsuji\npair_coeff 2 2 hertz 1 0.4 damping tsuji\n"
-    )
+    granular = "pair_style granular\npair_coeff 1 1 hertz 1 0.9 damping {0}\npair_coeff 2 2 hertz 1 0.4 damping {0}\n"
+    assert [pair for pair, _ in rows("read_data x\n" + granular.format("coeff_restitution"))] == ["1-1", "1-2", "2-2"]
+    assert math.isnan(rows("units real\n" + HOOKE)[0][1].realised)
+    assert [pair for pair, _ in rows("read_restart x\n" + HOOKE)] == ["*-*"]
+    old = BOX + granular.format("tsuji")
     assert math.isnan(dict(rows(old))["1-2"].realised)  # LAMMPS of 2021 uses damping velocity there
     assert dict(rows(old, version="20260901"))["1-2"].asked == pytest.approx(0.6)
     wall = (
@@ -255,9 +256,10 @@ def test_liggghts():
     assert found["1-1"].instead == found["1-2, largest"].instead
     assert "0.05 and less" in found["2-2, least"].advice and found["1-wall w m"].asked == 0.7
     assert "not known" in found["1-wall w m2"].advice
-    used = (
-        text + "fix d all particledistribution/discrete 1 1 a 1\nfix i all insert/pack seed 1 distributiontemplate d\n"
-    )
+    matrix = LIGGGHTS.format(e=0.7) + "pair_style gran model hooke\n"
+    assert [pair for pair, _ in rows("read_restart x\n" + matrix, "liggghts")] == ["1-1", "1-2", "2-2"]
+    used = text + "fix d all particledistribution/discrete 1 1 a 1\n"
+    used += "fix i all insert/pack seed 1 distributiontemplate d\n"
     assert [p for p, _ in rows(used, "liggghts") if "wall" not in p] == ["1-1"]
     for body in ("fix f all multisphere\n", "fix g all rigid/small molecule\n"):
         assert "rigid bodies" in dict(rows(used + body, "liggghts"))["1-1"].advice

@@ -134,7 +134,7 @@ class Granular(System):
 
     def restart(self) -> None:
         """Begins an empty system, as `clear` does."""
-        self.units, self.time_step = Units("lj"), UNITS["lj"][3]
+        self.units, self.time_step, self.fault = Units("lj"), UNITS["lj"][3], ""
         self.dimension, self.types, self.step, self.atom_style = 3, 0, 0, ""
         self.cohorts: List[Cohort] = []
         self.group_names: Dict[str, bool] = {"all": True}
@@ -148,7 +148,7 @@ class Granular(System):
         self.excluded: List[List[str]] = []
         self.speeds: List[float] = []
         self.created = 0  # atoms; -1: unknown
-        self.is_run, self.is_changed = False, True
+        self.is_run, self.is_changed, self.has_unread_atoms = False, True, False
         self.last: List[Contact] = []  # of the last snapshot
 
     def copy(self) -> "Granular":
@@ -181,7 +181,8 @@ class Granular(System):
 
     def on_units(self, words: Words) -> None:
         if words[1] not in UNITS:
-            raise Unknown(f"units {words[1]}; granular contacts have consistent numbers in {', '.join(UNITS)}")
+            self.fault = f"Numbers in units {words[1]} are not consistent; cor reads units {', '.join(UNITS)}."
+            return
         length, mass, time, self.time_step = UNITS[words[1]]
         self.units = Units(words[1], length, mass, time)
 
@@ -242,6 +243,7 @@ class Granular(System):
             self.cohorts += [Cohort.of(type, s[:2], s[2:], kind="file") for type, s in sizes.items()]
         else:
             self.set_types(int(types[1]) if types else 0, "file")
+            self.has_unread_atoms |= self.types == 0
 
     on_read_restart = on_read_dump = on_read_data
 
@@ -505,13 +507,24 @@ class Granular(System):
                 return f"fix {f[1]}", sum(x.mass[0] * x.count for x in members) if is_single else NAN
         return "", NAN
 
+    def count_types(self) -> int:
+        """The number of types; as many as the contacts have if no command gives it."""
+        properties = [
+            f for f in self.fixes.values() if f[3].startswith("property/global") and f[5] == "peratomtypepair"
+        ]
+        sizes = [f.value(6) for f in properties]
+        ends = [x for c in self.coefficients.values() for x in (*c.first, *c.last) if x <= MAX_TYPES]
+        return self.types or max([1, *ends, *(int(x) for x in sizes if 1 <= x <= MAX_TYPES)])
+
     def moving(self) -> Dict[int, List[Moving]]:
         """The bodies of each type, which differ in how they move."""
         made = [c for c in self.cohorts if c.kind != "assumed"]
         if self.is_liggghts and not any(c.kind == "made" for c in made):
             made += [c for t in self.templates() for c in self.of_template(t, frozenset(("all",)))]
         classes: Dict[int, Dict[Tuple[str, str, float], List[Cohort]]] = {}
-        for c in made or self.cohorts or [Cohort(1)]:
+        if self.has_unread_atoms or not (made or self.cohorts):
+            made += [Cohort(i + 1, kind="file") for i in range(self.count_types())]
+        for c in made or self.cohorts:
             classes.setdefault(c.type, {}).setdefault((self.hold(c), *self.rigid(c)), []).append(c)
         found: Dict[int, List[Moving]] = {}
         for type in sorted(classes):
@@ -552,6 +565,7 @@ class Granular(System):
         found = []
         for contact in chain(self.pair_contacts(moving) if self.style else (), self.wall_contacts(moving)):
             self.script.tick()
+            contact.unknown = contact.unknown or self.fault
             contact.losses, contact.style = sentences, "" if contact.model else contact.style
             contact.speeds, contact.time_step, contact.units = tuple(self.speeds), self.time_step, self.units
             key = repr(sorted((k, v) for k, v in contact.__dict__.items() if k not in ("runs", "repair")))
@@ -578,7 +592,8 @@ class Granular(System):
     def are_alike(self, bodies: Sequence[Moving]) -> bool:
         """True if one row serves all types: bodies that differ in their names only, and no option for one type."""
         plain = [replace(m.body, name="", type=0) for m in bodies]
-        is_whole = self.types == 0 or self.types == len(bodies) > 1
+        types = self.count_types()
+        is_whole = types == len(bodies) and (types > 1 or self.types == 0)
         by_type = (set(self.options.radii) | set(self.options.densities)) - {""}
         is_plain = not (self.is_liggghts or by_type or self.excluded or any(m.held or m.rigid for m in bodies))
         return is_whole and is_plain and all(_same(plain[0], b) for b in plain)
