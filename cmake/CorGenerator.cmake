@@ -26,7 +26,7 @@ if(FLINT_FOUND)
   list(REMOVE_ITEM COR_GENERATOR_SOURCES gen/cli/main.c)
   if(COR_BOOTSTRAP) # without what calls the library with its tables
     set(tables)
-    list(FILTER COR_GENERATOR_SOURCES EXCLUDE REGEX "^gen/(contact|embed|plan|cli/(audit|contact|embed|plan|sample)\\.c)")
+    list(FILTER COR_GENERATOR_SOURCES EXCLUDE REGEX "^gen/(contact|embed|plan|cli/(contact|embed|plan|sample)\\.c)")
   endif()
   list(TRANSFORM COR_GENERATOR_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/")
   # the generated headers embed the runtime's evaluator

@@ -92,22 +92,12 @@ struct sample_arguments {
     bool log, cubic, duration;
 };
 
-struct audit_arguments {
-    struct option_common common;
-    struct option_files files;
-    struct values speed;
-    struct decimal radius, density, time_step, tolerance;
-    int simulator;       /* of cor_audit_simulators; OPTIONS_NOT_GIVEN: found in the text */
-    const char *version; /* of it; NULL: not given */
-};
-
 struct tables_arguments {
     struct option_common common;
     struct tables_request request; /* without its directory */
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,
-    command_disk_collide, command_embed, command_law, command_plan, command_tables, command_contact, command_sample,
-    command_audit;
+    command_disk_collide, command_embed, command_law, command_plan, command_tables, command_contact, command_sample;
 
 #endif

@@ -26,7 +26,7 @@ static void print_subcommands(const struct subcommand *const *table, FILE *file)
 static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
 {
     for (const struct option_rule *rule = cmd->options; rule->name; rule++) {
-        if (rule->kind == OPTION_FLAG || rule->kind == OPTION_FILES)
+        if (rule->kind == OPTION_FLAG)
             continue;
         fprintf(file, "        %s:--%s) ", cmd->name, rule->name);
         if (rule->kind == OPTION_FILE || rule->kind == OPTION_FOLDER) {
@@ -38,14 +38,10 @@ static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
         }
         fputs(";;\n", file);
     }
-    bool files = false;
     fprintf(file, "        %s:*) words='", cmd->name);
-    for (const struct option_rule *rule = cmd->options; rule->name; rule++) {
-        files = files || (rule->operand && (rule->kind == OPTION_FILE || rule->kind == OPTION_FILES));
-        if (rule->kind != OPTION_FILES)
-            fprintf(file, "--%s ", rule->name);
-    }
-    fprintf(file, "--help'%s ;;\n", files ? " files=1" : "");
+    for (const struct option_rule *rule = cmd->options; rule->name; rule++)
+        fprintf(file, "--%s ", rule->name);
+    fputs("--help' ;;\n", file);
 }
 
 static void print_bash(const struct subcommand *const *table, FILE *file)
@@ -91,10 +87,6 @@ static void print_bash(const struct subcommand *const *table, FILE *file)
 
 static void print_zsh_option(const struct option_rule *rule, FILE *file)
 {
-    if (rule->operand)
-        fprintf(file, " '%s:%s:_files'", rule->kind == OPTION_FILES ? "*" : "1", rule->operand);
-    if (rule->kind == OPTION_FILES)
-        return;
     fprintf(file, " '--%s", rule->name);
     if (rule->kind == OPTION_FILE || rule->kind == OPTION_FOLDER) {
         fputs("=:file:_files", file);

@@ -10,7 +10,7 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
                                                        &command_disk_modes, &command_disk_collide,
 #ifndef COR_BOOTSTRAP
                                                        &command_contact,    &command_sample,
-                                                       &command_audit,      &command_embed,
+                                                       &command_embed,
 #endif
                                                        &command_law,
 #ifndef COR_BOOTSTRAP
@@ -21,6 +21,9 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
 /* Subcommands of another program, the command cor of the Python package */
 static int refuse_moved(const char *name)
 {
+    if (strcmp(name, "audit") == 0)
+        return usage_error("audit is a subcommand of cor, with the same options; type: cor audit FILE. To install cor: "
+                           "apt-get install python3-cor on Debian, or pip install cor");
     if (strcmp(name, "fit") != 0)
         return STATUS_OK;
     return usage_error("fit is a subcommand of cor, with the same options; type: cor fit DATA.csv. To install cor: "

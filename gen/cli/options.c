@@ -172,8 +172,6 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         if (c_name_is_reserved(text))
             return usage_error("--%s: C or C++ reserves '%s'; allowed: another name, as my_eps", name, text);
         break;
-    case OPTION_FILES:
-        return usage_error("--%s: write the files alone, without it", name);
     case OPTION_TEXT:
     case OPTION_FILE:
     case OPTION_FOLDER:
@@ -241,8 +239,7 @@ static int refuse_option(const struct option_rule *rules, int key, char **argv)
     const char **name = xmalloc((count + 2) * sizeof *name);
     size_t n = 0;
     for (size_t i = 0; i < count; i++)
-        if (rules[i].kind != OPTION_FILES)
-            name[n++] = rules[i].name;
+        name[n++] = rules[i].name;
     name[n++] = help_name;
     name[n] = NULL;
     char word[OPTIONS_MAX_NAME + 1]; /* --NAME=VALUE without dashes and value */
@@ -258,10 +255,8 @@ static int check_given(const struct option_rule *rules, const bool *given, const
 {
     for (size_t i = 0; rules[i].name; i++)
         if (rules[i].required && !given[i])
-            return rules[i].operand ? usage_error("corgen %s needs %s, as corgen %s %s; see corgen %s --help", command,
-                                                  rules[i].operand, command, rules[i].operand, command)
-                                    : usage_error("corgen %s needs --%s%s; see corgen %s --help", command,
-                                                  rules[i].name, example(&rules[i]), command);
+            return usage_error("corgen %s needs --%s%s; see corgen %s --help", command, rules[i].name,
+                               example(&rules[i]), command);
     for (size_t i = 0; rules[i].name; i++) {
         if (!given[i])
             continue;
@@ -299,36 +294,9 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
         }
     int status = STATUS_OK; /* before anything is computed */
     for (size_t i = 0; rules[i].name && status == STATUS_OK; i++)
-        if (rules[i].kind == OPTION_FILE && given[i] && !rules[i].operand)
+        if (rules[i].kind == OPTION_FILE && given[i])
             status = output_check(*(const char *const *)((const char *)arguments + rules[i].offset));
     return status;
-}
-
-/* Reads the arguments that are no options. A subcommand accepts at most one, or a list of files. */
-static int parse_operands(void *arguments, const struct option_rule *rules, bool *given, int argc, char **argv)
-{
-    size_t i = 0;
-    while (rules[i].name && !rules[i].operand)
-        i++;
-    if (optind < argc && !rules[i].name)
-        return usage_error("corgen %s takes options only, not '%s'; see corgen %s --help", argv[0], argv[optind],
-                           argv[0]);
-    if (optind < argc && rules[i].kind == OPTION_FILES) {
-        given[i] = true;
-        *(struct option_files *)((char *)arguments + rules[i].offset) =
-            (struct option_files){argv + optind, argc - optind};
-        return STATUS_OK;
-    }
-    for (; optind < argc; optind++) {
-        if (given[i])
-            return usage_error("corgen %s takes one %s, not '%s' too; see corgen %s --help", argv[0], rules[i].operand,
-                               argv[optind], argv[0]);
-        given[i] = true;
-        const int status = parse_value((char *)arguments + rules[i].offset, &rules[i], argv[optind]);
-        if (status != STATUS_OK)
-            return status;
-    }
-    return STATUS_OK;
 }
 
 static int parse_all(void *arguments, const struct option_rule *rules, const struct option *accepted, bool *given,
@@ -351,9 +319,10 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
         if (status != STATUS_OK)
             return status;
     }
-    int status = parse_operands(arguments, rules, given, argc, argv);
-    if (status == STATUS_OK)
-        status = check_given(rules, given, argv[0]);
+    if (optind < argc)
+        return usage_error("corgen %s takes options only, not '%s'; see corgen %s --help", argv[0], argv[optind],
+                           argv[0]);
+    const int status = check_given(rules, given, argv[0]);
     const struct option_common *const common = arguments;
     if (status == STATUS_OK && common->json_strings && common->format != FORMAT_JSON)
         return usage_error("--json-strings needs --format json; see corgen %s --help", argv[0]);

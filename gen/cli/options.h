@@ -25,16 +25,10 @@ enum option_kind {
     OPTION_WORD,   /* one of `words`; the field is the index as an int, or an enum of that size */
     OPTION_LIST,   /* a list according to `values`; struct values */
     OPTION_TEXT,   /* any nonempty text; const char *. range.words: texts that a shell offers, or NULL */
-    OPTION_FILE,   /* the name of a file, an output unless `operand` is set; const char * */
+    OPTION_FILE,   /* the name of an output; const char * */
     OPTION_FOLDER, /* the name of a folder; const char * */
-    OPTION_FILES,  /* an operand: names of files; struct option_files */
     OPTION_C_NAME, /* an identifier of C; const char * */
     OPTION_ELASTIC /* an exponent; struct option_law, whose `damping` another option fills */
-};
-
-struct option_files {
-    char *const *name;
-    int count;
 };
 
 struct option_numbers {
@@ -60,7 +54,6 @@ struct option_rule {
     const char *why;      /* reason for the upper limit; for words: their meaning, "an end of contact" */
     const char *excludes; /* options that contradict this one, space separated, or NULL */
     const char *needs;    /* the option that this one requires, or NULL */
-    const char *operand;  /* the value may stand alone, without the option's name: its name in messages, "DATA.csv" */
 };
 
 /* Arguments of every subcommand; the first member of its struct of arguments */

@@ -26,7 +26,6 @@ static const struct overview_task tasks[] = {
      "contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 --at 1"},
     {"I have a simulator",
      {{"contact", "with --for HOST, lines for its input; --for list names the simulators"},
-      {"audit", "the restitution that an input file really gives"},
       {"sample", "eps over speeds as a table; C, Python, Modelica, OpenFOAM"}},
      "contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --law tsuji --restitution 0.7 --for yade"},
     {"I need a header",

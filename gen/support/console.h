@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 /* Exit statuses of every subcommand. */
-enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2, STATUS_NOT_AS_ASKED = 3 };
+enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
 /* main calls this first, once. Afterwards a failed allocation ends the program with a message and STATUS_FAILED. */
 void console_start(void);

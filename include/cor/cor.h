@@ -9,8 +9,7 @@
  *     an elastic disk                                     modes, contact law, energy, collisions     disk.h
  *     a status                                            its sentence                               status.h
  *
- * and beside it, in the library libcor_scene: scene.h, one contact as a simulator has it, and audit.h, the input of a
- * simulator.
+ * and, in the library libcor_scene, scene.h: one contact as a simulator has it.
  *
  *     struct cor_body glass = {70e9, 0.22, 0.4e-6, 5e-3, cor_sphere_mass_kg(5e-3, 2500)};
  *     struct cor_sphere_contact contact;

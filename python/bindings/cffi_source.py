@@ -8,7 +8,7 @@ give the same bits.
 
 import re
 from pathlib import Path
-from typing import List, Sequence
+from typing import List
 
 from .calls import BY_HAND, Call, calls, is_value
 from .declarations import Constant, Declarations, Parameter
@@ -79,25 +79,20 @@ HAND = [
 ]
 
 
-def scene_declarations(include: Path, names: Sequence[str] = ("scene", "audit")) -> str:
-    """The text of scene.h and audit.h, which cffi reads as it is, and what audit.h calls back."""
-    text = "".join((include / f"{name}.h").read_text(encoding="utf-8") for name in names)
+def scene_declarations(include: Path) -> str:
+    """The text of scene.h, which cffi reads as it is."""
+    text = (include / "scene.h").read_text(encoding="utf-8")
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.S)
     text = "".join(line for line in text.splitlines(True) if not line.startswith("#"))
-    return (
-        text
-        + """
-        extern "Python" int cor_python_audit_open(void *, struct cor_audit_text *, const char *, const char *);
-        extern "Python" void cor_python_audit_report(void *, const struct cor_audit_finding *);"""
-    )
+    return text
 
 
 def source(declared: Declarations) -> str:
     """The text of the C module that cffi puts before its own."""
     parts = [
         "#define COR_WITH_DISK\n#include <math.h>",
-        "#include <cor/cor.h>\n#include <cor/audit.h>\n#include <cor/scene.h>",
+        "#include <cor/cor.h>\n#include <cor/scene.h>",
         "enum { COR_IMPACT_COLUMNS = 9 };",
         "/* A loop has a step for every number, also where the form that it calls needs none. */",
     ]

@@ -89,7 +89,7 @@ def text() -> str:
 def scene_lines() -> List[str]:
     found = []
     pattern = r"^(?!typedef|static)(\w[\w ]*?[ *]+)(cor_\w+)\(([^()]*)\);"
-    for kind, name, words in re.findall(pattern, scene_declarations(ROOT / "include" / "cor", ["scene"]), flags=re.M):
+    for kind, name, words in re.findall(pattern, scene_declarations(ROOT / "include" / "cor"), flags=re.M):
         names = ", ".join(re.findall(r"(\w+)(?:\[\w+\])?(?:,|$)", words))
         start = "SCENE_PROCEDURE(" if kind.strip() == "void" else f"SCENE_FUNCTION({kind.strip()}, "
         found.append(f"{start}{name}, ({names}))")

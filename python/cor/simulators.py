@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What simulators make of a contact: lines for their inputs, the restitution that these realise, the audit of an input
-and the error of a time step. The functions are those of cor/scene.h and cor/audit.h, and of corgen contact and audit.
+and the error of a time step. The functions are those of cor/scene.h, of corgen contact and of cor audit.
 
 A contact is a cor.Contact; or one cor.Body or a pair of them, or nothing, with the keywords of cor.Contact.
 """
@@ -156,7 +156,7 @@ def step_error(
 
 
 class Finding(NamedTuple):
-    """What an audit says of one contact at one speed; or, where model is "", of a line that could not be read."""
+    """One contact at one speed as an audit finds it; or, where model is "", a remark on a line."""
 
     file: str
     line: int
@@ -171,43 +171,9 @@ class Finding(NamedTuple):
     time_step_s: float
     step_bias: float
     step_scatter: float
-    as_asked: Optional[bool]  # None: no e was asked for
+    as_asked: Optional[bool]  # None: no e was requested, or eps is not known
     advice: str
     instead: str
-
-
-class _Audit:
-    def __init__(self, include: Optional[Callable[[str, str], Optional[str]]]) -> None:
-        self.include = include
-        self.found: List[Finding] = []
-        self.texts: List[Any] = []
-        self.error: Optional[BaseException] = None
-
-
-@ffi.def_extern(error=1)  # type: ignore[misc]
-def cor_python_audit_open(context: Any, included: Any, name: Any, of: Any) -> int:
-    audit_of = ffi.from_handle(context)
-    try:
-        text = audit_of.include(string(name), string(of))
-        coded = None if text is None else text.encode()
-    except BaseException as error:  # C cannot be left by an exception
-        audit_of.error = audit_of.error or error
-        return 1
-    if coded is None:
-        return 1
-    audit_of.texts += [ffi.new("char[]", coded), ffi.new("char[]", string(name).encode())]
-    included.text, included.name = audit_of.texts[-2:]
-    included.size = len(coded)
-    return 0
-
-
-@ffi.def_extern()  # type: ignore[misc]
-def cor_python_audit_report(context: Any, f: Any) -> None:
-    fields = {name: getattr(f, name) for name in Finding._fields}
-    fields = {name: value if isinstance(value, (int, float)) else string(value) for name, value in fields.items()}
-    fields["end"] = "" if f.end < 0 else string(lib.cor_end_names[f.end])
-    fields["as_asked"] = None if f.as_asked < 0 else bool(f.as_asked)
-    ffi.from_handle(context).found.append(Finding(**fields))
 
 
 def audit(
@@ -222,46 +188,42 @@ def audit(
     tolerance: float = 0.01,
     include: Optional[Callable[[str, str], Optional[str]]] = None,
 ) -> List[Finding]:
-    """What every contact in the input of a simulator really gives (cor_audit, corgen audit). text is the input itself,
-    or a path; include(name, of) returns the text of a file that the input includes, or None. An input in which no
-    contact could be made out raises ValueError."""
+    """The restitution that each contact in the input of a simulator really gives: the command cor audit. text is the
+    input itself, or a path; include(name, of) returns the text of a file that the input includes, or None. An input in
+    which no contact is found raises ValueError."""
+    from ._audit import physics
+    from ._audit.deck import MAX_BYTES, Options
+    from ._command import read_text
+
     _positive(radius=radius, density=density, time_step=time_step, tolerance=tolerance)
     name = os.fspath(text) if isinstance(text, os.PathLike) else "text"
     if isinstance(text, os.PathLike):
-        with open(text, encoding="utf-8", errors="surrogateescape") as file:
-            text = file.read()
+        text = read_text(name, MAX_BYTES)
     if not isinstance(text, str):
         raise TypeError(f"text: a str or a path is needed, not {type(text).__name__}")
-    coded = text.encode(errors="surrogateescape")
-    state = _Audit(include)
-    handle = ffi.new_handle(state)
-    known: List[str] = []
-    while lib.cor_audit_simulators[len(known)] != ffi.NULL:
-        known.append(string(lib.cor_audit_simulators[len(known)]))
+    if "\0" in text:
+        raise ValueError("text: it contains a zero byte")
     if simulator is not None:
-        one_of("simulator", simulator, known)
-    kept = [ffi.new("char[]", part) for part in (coded, os.fsencode(name), (simulator or "").lower().encode())]
-    array, number = _speeds(speeds)
-    options = ffi.new("struct cor_audit_options *", {"speed_m_s": number, "speeds": array.size, "tolerance": tolerance})
-    options.simulator = kept[2] if simulator else ffi.NULL
+        simulator = sorted(physics.SIMULATORS)[one_of("simulator", simulator, sorted(physics.SIMULATORS))]
     _version(version)
-    options.version = 0 if version is None else lib.cor_simulator_version(version.encode())
-    for name, value in {"radius_m": radius, "density_kg_m3": density, "time_step_s": time_step}.items():
-        setattr(options, name, math.nan if value is None else value)
-    options.open = lib.cor_python_audit_open if include is not None else ffi.NULL
-    options.report, options.context = lib.cor_python_audit_report, handle
-    whole = ffi.new("struct cor_audit_text *", {"name": kept[1], "text": kept[0], "size": len(coded)})
-    status = lib.cor_audit(ffi.new("struct cor_audit_memory *"), whole, options)
-    if state.error is not None:
-        raise state.error
-    if status == lib.COR_AUDIT_UNKNOWN:
-        raise ValueError(f"simulator: it cannot be told from the text; allowed: {', '.join(known)}")
-    if status == lib.COR_AUDIT_NOT_TEXT:
-        raise ValueError("text: it holds a zero byte")
-    if status == lib.COR_AUDIT_NO_CONTACT:
-        why = "; ".join(f"line {f.line}: {f.advice}" for f in state.found)
-        raise ValueError(f"text: no contact could be made out{'; ' if why else ''}{why}")
-    return state.found
+
+    def included(name: str, of: str) -> Optional[Tuple[str, str]]:
+        found = None if include is None else include(name, of)
+        if found is not None and not isinstance(found, str):
+            raise TypeError(f"include: a str is needed, not {type(found).__name__}")
+        return None if found is None else (found, name)
+
+    numbers = {"radii": {"": radius}, "densities": {"": density}}
+    given: Dict[str, Any] = {key: {k: v for k, v in value.items() if v} for key, value in numbers.items()}
+    options = Options(
+        simulator or "", version or "", tuple(map(float, _speeds(speeds)[0])), given["radii"], given["densities"],
+        time_step or math.nan, tolerance, include=included,
+    )  # fmt: skip
+    rows = physics.audit_text(text, name, options)
+    if not any(row.model for row in rows):
+        why = "; ".join(f"line {row.line}: {row.advice}" for row in rows)
+        raise ValueError(f"text: no contact is found{'; ' if why else ''}{why}")
+    return [Finding(*(getattr(row, name) for name in Finding._fields)) for row in rows]
 
 
 __all__ = ["Finding", "audit", "lines", "models", "names", "realised", "step_error"]

@@ -43,8 +43,6 @@ def cases(draw):
     yield f"contact {bodies} --restitution 0.9 --at 1", "quantity unit", False
     yield f"contact {bodies} --dissipation-time 1e140 --speed {speed}", "", False
     yield f"sample --g-star {draw.uniform(0.1, 9)} --speed-min 0.01 --speed-max 1 --tolerance 1e-2", "", False
-    yield ("audit tests/audit/decks/lammps-doc-hooke.lmp --radius 5e-3 --density 2500 --speed 1",
-           "simulator model pair end advice", False)
     yield "plan --g-star 20 --speed-min 0.5 --speed-max 1 --tolerance 1e-2 --points 2", "model verdict", False
     disks = "--disks --poisson 0.2 --speed-min 0.01 --speed-max 0.02 --tolerance 0.01 --points 2"
     yield f"plan {disks}", "model verdict", False

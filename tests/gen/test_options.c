@@ -7,10 +7,10 @@
 
 #include "cli/commands.h"
 
-static const struct subcommand *const commands[] = {
-    &command_trajectory, &command_series, &command_pade,  &command_collide,      &command_disk_modes,
-    &command_contact,    &command_sample, &command_embed, &command_disk_collide, &command_plan,
-    &command_tables,     &command_law,    &command_audit};
+static const struct subcommand *const commands[] = {&command_trajectory, &command_series,     &command_pade,
+                                                    &command_collide,    &command_disk_modes, &command_contact,
+                                                    &command_sample,     &command_embed,      &command_disk_collide,
+                                                    &command_plan,       &command_tables,     &command_law};
 
 /* True if the option accepts the text, whatever other options it needs. Whole numbers are stored as they are. */
 static bool accepts(const struct subcommand *command, const struct option_rule *rule, const char *text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor.simulators against corgen contact and corgen audit, and the contact of a measured restitution."""
+"""cor.simulators against corgen contact, and the contact of a measured restitution."""
 
 import csv
 import io
@@ -23,7 +23,6 @@ CORGEN = os.environ.get("CORGEN", "build/corgen")
 GLASS = {"young": 7e10, "poisson": 0.22, "radius": 1e-3, "density": 2500}
 BODY = cor.Body(7e10, 0.22, 1e-6, 1e-3, float(cor.contact.sphere_mass_kg(1e-3, 2500)))
 WALL = cor.Body(2e11, 0.3, 1e-6, np.inf, np.inf)
-DECKS = Path(__file__).parents[1] / "audit" / "decks"
 
 
 def corgen(*words, **options):
@@ -94,30 +93,6 @@ def test_realised():
     assert simulators.models("MFiX") == {"mfix_lsd": "DEM, LSD", "mfix_hertzian": "DEM, HERTZIAN"}
 
 
-@pytest.mark.parametrize(
-    "deck", sorted(p for p in DECKS.iterdir() if p.is_file() and p.suffix != ".csv")[::4], ids=lambda p: p.name
-)
-def test_audit_is_that_of_corgen(deck):
-    def included(name, of):
-        path = Path(of).parent / name
-        return path.read_text() if path.exists() else None
-
-    done = corgen("audit", str(deck), format="csv", speed=1, radius=1e-3, density=2500)
-    found = None
-    try:
-        found = simulators.audit(deck, speeds=1.0, radius=1e-3, density=2500.0, include=included)
-    except ValueError:
-        assert done.returncode == 2
-    if found is not None:
-        rows = list(csv.DictReader(io.StringIO(done.stdout)))
-        assert [f.model for f in found] == [row["model"] for row in rows]
-        for name in ("realised", "step_bias", "step_scatter"):
-            printed = [float(row[name] or "nan") for row in rows]
-            np.testing.assert_allclose([getattr(f, name) for f in found], printed, rtol=1e-3, atol=1e-9)
-        assert all(f.advice in row["advice"] for f, row in zip(found, rows))
-        assert done.returncode == (0 if all(f.as_asked is not False and f.model for f in found) else 3)
-
-
 def test_audit_reads_what_is_included():
     text = "units si\ninclude settings\n"
     asked = []
@@ -135,7 +110,7 @@ def test_audit_reads_what_is_included():
 
     with pytest.raises(KeyError):
         simulators.audit(text, simulator="lammps", include=broken, speeds=1.0)
-    with pytest.raises(ValueError, match="^simulator: "):
+    with pytest.raises(ValueError, match="no simulator"):
         simulators.audit("nothing of that kind")
     with pytest.raises(ValueError, match="zero byte"):
         simulators.audit("pair_style granular\n\0", simulator="lammps")
@@ -238,7 +213,7 @@ def test_a_measured_restitution():
         (lambda: simulators.lines("lammps", BODY, g_star="0.2"), "^g_star: "),
         (lambda: simulators.lines("lammps", (BODY, BODY, BODY)), "^contact: 3"),
         (lambda: simulators.audit(None), "^text: "),
-        (lambda: simulators.audit("include a", simulator="lammps", include=lambda name, of: b""), "encode"),
+        (lambda: simulators.audit("include a", simulator="lammps", include=lambda name, of: b""), "^include: "),
         (lambda: simulators.lines("lammps", "glass"), "^contact: "),
         (lambda: simulators.lines("lammps", (WALL, BODY)), "^contact: "),
         (lambda: simulators.lines("lammps", young=1e9, poisson=0.3), "radius"),

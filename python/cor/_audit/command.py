@@ -121,7 +121,7 @@ def _columns(row: Row) -> List[object]:
 def status_of(rows: List[Row]) -> int:
     """The exit status of one file by its rows."""
     contacts = [row for row in rows if row.model]
-    if not any(row.judged for row in contacts):
+    if not any(row.judged or row.end for row in contacts):  # with an end, the version lacks the model
         return STATUS_USAGE
     if any(row.as_asked is False for row in contacts):
         return STATUS_NOT_AS_ASKED

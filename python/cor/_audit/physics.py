@@ -22,7 +22,7 @@ SIMULATORS = {
     "mercurydpm": (
         "text",
         "read_mercurydpm",
-        ("setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution", "Mercury3D"),
+        ("speciesHandler", "setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution", "Mercury3D"),
     ),
     "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
@@ -117,7 +117,8 @@ class _Audit:
         constant = law >= lib.COR_LAW_IMPULSE or lib.cor_scene_speed_exponent(scene) == 0
         row.end, row.law = string(lib.cor_end_names[end]), string(lib.cor_law_name(model.law))
         if not model.damping_of_e:
-            damping = model.damping_of_number(contact.number, scene, speed)
+            number = contact.number  # 0 is no damping, whatever the scales
+            damping = model.damping_of_number(number, scene, speed) if number != 0 else 0.0
         elif model.least <= contact.number <= model.most:
             damping = model.damping_of_e(contact.number) * contact.zeta_factor
         else:
@@ -128,7 +129,7 @@ class _Audit:
         if contact.solimp is not None and contact.solimp[0] != contact.solimp[1]:
             row.damping = NAN  # it depends on the overlap
             if not math.isnan(speed):
-                row.realised = lib.cor_mujoco_eps(contact.solimp, math.sqrt(scene.stiffness), damping, speed, 0.0)
+                row.realised = self.mujoco(contact, scene, damping, speed, 0.0)
             return int(end)
         at = 1.0 if math.isnan(speed) else speed
         scene.damping = damping if constant else damping * at ** -lib.cor_scene_speed_exponent(scene)
@@ -140,6 +141,8 @@ class _Audit:
                 row.realised = known
             return int(end)
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
+        if lib.cor_scene_needs_solver(scene):  # libcor integrates it under a force, here a vanishing one
+            scene.force_n = 1e-13 * scene.mass_kg * at / lib.cor_scene_elastic_duration_s(scene, at)
         if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
             row.realised = impact.eps[end]
             row.duration_s = NAN if math.isnan(speed) and not linear else impact.duration_s[end]
@@ -167,12 +170,15 @@ class _Audit:
     def add_surface(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
         """Sets eps at the surface under gravity, which presses the sphere to a wall."""
         gravity = contact.gravity
-        if not (gravity > 0 and speed > 0 and math.isfinite(row.realised)) or not any(b.wall for b in contact.bodies):
+        if (
+            contact.global_damping != 0
+            or not (gravity > 0 and speed > 0 and math.isfinite(row.realised))
+            or not any(b.wall for b in contact.bodies)
+        ):
             return
         if contact.solimp is not None:
             zeta = model_of(contact.model).damping_of_number(contact.number, scene, speed)
-            surface = lib.cor_mujoco_eps(contact.solimp, math.sqrt(scene.stiffness), zeta, speed, gravity)
-            self.say_surface(row, surface)
+            self.say_surface(row, self.mujoco(contact, scene, zeta, speed, gravity))
             return
         if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg) or contact.global_damping != 0:
             return
@@ -180,6 +186,12 @@ class _Audit:
         pressed.force_n = scene.mass_kg * gravity
         if lib.cor_scene_eps(eps, pressed, speed, end) == lib.COR_OK:
             self.say_surface(row, eps[0])
+
+    def mujoco(self, contact: Contact, scene: Any, zeta: float, speed: float, gravity: float) -> float:
+        key = (contact.solimp, math.sqrt(scene.stiffness), zeta, speed, gravity)
+        if key not in self.needed:
+            self.needed[key] = float(lib.cor_mujoco_eps(*key))
+        return self.needed[key]
 
     def say_surface(self, row: Row, surface: float) -> None:
         row.realised_surface = surface
@@ -278,6 +290,7 @@ class _Audit:
         scene = scene_of(contact, size)
         if not self.has_version(model):
             row.advice += f" {self.deck.simulator} {self.options.version} does not have this model."
+            row.end = string(lib.cor_end_names[model.end])
         elif not _is_moderate(scene.mass_kg, scene.stiffness, scene.radius_m, speed, contact.number):
             row.advice += " A number of this contact is negative, or out of the range from 1e-48 to 1e48."
         elif not contact.unknown:
@@ -371,12 +384,12 @@ class _Audit:
                 continue
             e = self.wanted(contact, row)
             wrong = not abs(row.realised - row.asked) <= self.options.tolerance * row.asked
-            if contact.global_damping != 0:
+            if contact.global_damping != 0 or row.realised == 0 < contact.threshold:
                 continue
             if wrong and math.isnan(e):
                 row.advice = f"{row.advice} No e realises it here.".strip()
             elif wrong and (contact.repair is None or not contact.slots):
-                row.advice = f"{row.advice} {e:.6g} in its place does.".strip()
+                row.advice = f"{row.advice} It needs e = {e:.6g}.".strip()
             elif contact.repair is not None and contact.slots and not math.isnan(e):
                 groups.setdefault(id(contact.repair), []).append((row, contact, e))
         for group in groups.values():
@@ -396,8 +409,7 @@ class _Audit:
             if abs(row.realised - row.asked) <= self.options.tolerance * row.asked:
                 continue
             if any(len(values) > 1 for values in wanted.values()):
-                row.advice += f" {e:.6g} in its place does here, but contacts that share the number need another one: "
-                row.advice += "give them numbers of their own."
+                row.advice += f" It needs e = {e:.6g}, but contacts that share the number need another one."
                 continue
             row.instead, row.instead_file, row.instead_line, row.instead_last = (
                 text,

@@ -12,6 +12,7 @@ from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Repair, 
 from .yade import Script, number_of
 
 Slot = Tuple[int, int]
+MAX_TEXT = 1 << 20
 
 
 def arithmetic(text: str) -> float:
@@ -31,6 +32,8 @@ class Source:
     """A text with its lines, and the repairs of its lines."""
 
     def __init__(self, text: str, name: str) -> None:
+        if len(text) > MAX_TEXT:
+            raise DeckError(f"cor reads texts of this kind up to {MAX_TEXT} characters; this one has {len(text)}")
         self.text, self.name = text, name
         self.starts = [0] + [m.end() for m in re.finditer("\n", text)]
         self.repairs: Dict[int, Repair] = {}
@@ -71,6 +74,7 @@ _KRATOS: Dict[Any, Tuple[str, str, Spring]] = {
 
 def read_kratos(text: str, name: str, options: Options) -> Deck:
     """Reads the materials of Kratos; the order of keys has no meaning."""
+    source, deck = Source(text, name), Deck(name, "kratos")
     tokens = re.compile(r'"(?:[^"\\\n]|\\.)*"|-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?|//[^\n]*|/\*.*?\*/', re.S)
     plain = tokens.sub(lambda m: re.sub(r"[^\n]", " ", m[0]) if m[0][0] == "/" else m[0], text)
     places = (m.span() for m in tokens.finditer(plain) if m[0][0] != '"')
@@ -84,7 +88,6 @@ def read_kratos(text: str, name: str, options: Options) -> Deck:
         root = json.loads(plain, parse_float=number, parse_int=number, parse_constant=lambda word: math.nan)
     except (ValueError, RecursionError, StopIteration) as error:
         raise DeckError(f"this is no JSON: {error}") from None
-    source, deck = Source(text, name), Deck(name, "kratos")
     root = root if isinstance(root, dict) else {}
     bodies: Dict[Any, Body] = {}
     entries = []
@@ -306,9 +309,9 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
 
 def read_pfc(text: str, name: str, options: Options) -> Deck:
     """Reads commands of PFC: contact models of the contact model assignment table, their dashpots, local damping."""
-    deck = Deck(name, "pfc")
+    source, deck = Source(text, name), Deck(name, "pfc")
     constants = {m[1].lower(): m[2] for m in re.finditer(r"\[\s*(\w+)\s*=\s*([^\]\n]+)\]", text)}
-    lines = re.sub(r";[^\n]*", "", text).split("\n")
+    lines = re.sub(r";[^\n]*", "", source.text).split("\n")
     tables: Dict[str, Dict[str, str]] = {}
     damp, gravity, whole = 0.0, NAN, ""
     for number, line in enumerate(lines, 1):
@@ -372,6 +375,8 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     step = re.search(r"\bsetTimeStep\(([^;]*)\);", plain)
     walls = "InfiniteWall" in plain or "AxisymmetricIntersectionOfWalls" in plain
     for m in re.finditer(r"(\w+)\s*(?:->|\.)\s*(set\w+)\(([^;]*)\)\s*;", plain):
+        if m[2] == "setDissipation":
+            deck.contacts.append(_mercury_dashpot(source, m, plain, constants, step))
         if m[2] not in _SETTERS:
             continue
         model, k, stiffness, mass = _SETTERS[m[2]]
@@ -404,3 +409,24 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     if not deck.contacts:
         deck.remarks.append(Remark(name, 1, "no species gets a restitution coefficient by a setter that cor knows"))
     return deck
+
+
+def _mercury_dashpot(source: Source, m: "re.Match[str]", plain: str, constants: Dict[str, str], step: Any) -> Contact:
+    """A linear spring and dashpot of a species, with the first radius of the text."""
+
+    def given(setter: str, of: str = r"\w+") -> float:
+        found = re.search(rf"\b{of}\s*(?:->|\.)\s*{setter}\(([^;]*)\)\s*;", plain)
+        return arithmetic(constants.get(found[1].strip(), found[1])) if found else NAN
+
+    radius = given("setRadius")
+    b = Body(m[1], (radius, radius), given("setDensity", m[1]))
+    c = Contact(source.name, source.line(m.start()), "mercurydpm", (b, b), "LAMMPS_HOOKE_VELOCITY", spring=Spring.HOOKE)
+    c.style, c.number, c.stiffness = (
+        "LinearViscoelastic, setDissipation",
+        given(m[2], m[1]),
+        given("setStiffness", m[1]),
+    )
+    c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
+    if "Hertzian" in plain or math.isnan(c.stiffness) or math.isnan(c.number):
+        c.unknown = "Its stiffness or dissipation is no literal number, or no linear one."
+    return c

@@ -8,22 +8,23 @@ from xml.parsers import expat
 
 from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Spring
 
-MAX_DEPTH, MAX_INCLUDES, MAX_PAIRS = 100, 100, 20000
+MAX_DEPTH, MAX_ELEMENTS, MAX_INCLUDES, MAX_GEOMS, MAX_PAIRS = 100, 100000, 100, 2000, 5000
 
 
 def parse(text: str, name: str) -> ET.Element:
     """The tree of a text; each element has the attributes .line and .file. Entities are refused."""
     parser = expat.ParserCreate()
     root = ET.Element("")
-    stack = [root]
+    stack, count = [root], [0]
 
     def start(tag: str, attributes: Dict[str, str]) -> None:
         made = ET.SubElement(stack[-1], tag.rpartition(":")[2], attributes)
         made.set(" line", str(parser.CurrentLineNumber))
         made.set(" file", name)
         stack.append(made)
-        if len(stack) > MAX_DEPTH:
-            raise DeckError(f"{name}: line {parser.CurrentLineNumber}: more than {MAX_DEPTH} nested elements")
+        count[0] += 1
+        if len(stack) > MAX_DEPTH or count[0] > MAX_ELEMENTS:
+            raise DeckError(f"{name}: more than {MAX_DEPTH} nested elements, or {MAX_ELEMENTS} in all")
 
     def refuse(*words: Any) -> None:
         raise DeckError(f"{name}: line {parser.CurrentLineNumber}: entities of XML are not read")
@@ -160,6 +161,8 @@ class _Model:
         if self.flag.get("contact") == "disable" or self.flag.get("constraint") == "disable":
             raise DeckError("contacts are disabled in this model")
         self.add_pairs()
+        if not self.deck.contacts:
+            raise DeckError("no two geoms of this model can meet")
         return self.deck
 
     def add_pairs(self) -> None:
@@ -175,12 +178,13 @@ class _Model:
             values.update(pair.attrib)
             explicit.add(frozenset((first.name, second.name)))
             self.contact(first, second, _Geom(pair, values, 0))
+        if len(self.geoms) > MAX_GEOMS:
+            raise DeckError(f"the model has {len(self.geoms)} geoms; cor reads up to {MAX_GEOMS}")
         for i, one in enumerate(self.geoms):
             for two in self.geoms[i + 1 :]:
                 if len(self.deck.contacts) >= MAX_PAIRS:
-                    self.deck.remarks.append(
-                        Remark(self.deck.file, 1, f"more than {MAX_PAIRS} contacts; not judged from here on")
-                    )
+                    text = f"more than {MAX_PAIRS} contacts; not judged from here on"
+                    self.deck.remarks.append(Remark(self.deck.file, 1, text))
                     return
                 if self.can_meet(one, two) and frozenset((one.name, two.name)) not in explicit:
                     self.contact(one, two, None)
@@ -298,4 +302,9 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             if engines:
                 c.unknown = f"cor knows contacts of ODE only, not of the physics {', '.join(sorted(engines))}."
             deck.contacts.append(c)
+    for one in found if not deck.contacts else []:  # a model without its world
+        a, b = Body(one[0]), Body("any")
+        c = Contact(name, one[2], "gazebo", (a, b), "GAZEBO_BOUNCE", number=one[3], threshold=one[4], time_step=step)
+        c.notes.append("A smaller e or threshold of the other body counts.")
+        deck.contacts.append(c)
     return deck

@@ -338,7 +338,10 @@ class Script:
         defaults = function.args.defaults
         self.names.update({n: self.value(d) for n, d in zip(names[len(names) - len(defaults) :], defaults)})
         self.names.update(zip(names, given.arguments))
+        rest = {k: v for k, v in given.values.items() if k not in names}
         self.names.update({k: v for k, v in given.values.items() if k in names})
+        if function.args.kwarg:
+            self.names[function.args.kwarg.arg] = {k: Placed(v, given.nodes[k]) for k, v in rest.items()}
         self.depth += 1
         result: Any = None
         try:
@@ -503,6 +506,8 @@ class _Reader:
         self.deck = Deck(name, "yade")
         self.lines = text.expandtabs(8).split("\n")
         self.repairs: Dict[Tuple[int, int], Repair] = {}
+        self.mixed: set[int] = set()  # materials whose numbers count in contacts with other materials
+        self.owners: List[Tuple[Contact, set[int]]] = []
 
     def read(self) -> Deck:
         if len(self.text) > MAX_TEXT:
@@ -583,12 +588,16 @@ class _Reader:
             for two in found:
                 if two.kind != "sphere" and not one.fixed:
                     self.contact(one, two)
+        for c, materials in self.owners:
+            if self.mixed & materials:
+                c.slots = ()  # another number changes the contacts of two materials
         for functor in self.functors:
             self.strange_matches(functor)
 
     def body(self, b: Spheres, partner: Spheres) -> Body:
         material = b.material
         label = str(material.values["label"]) if material else "default material"
+        label += ", clump" if b.clump else ""
         name = label if b.kind == "sphere" else f"{b.kind} of {label}"
         get = self.options.radii.get
         radii = [
@@ -613,6 +622,7 @@ class _Reader:
             pull = [abs(g) for g in self.gravity]
             c.gravity = pull[two.axis] if two.axis is not None else math.sqrt(sum(g * g for g in pull))
         self.set_model(c, one, two)
+        self.owners.append((c, {id(one.material), id(two.material)}))
         if one.clump or two.clump:
             c.unknown = c.unknown or "A clump rebounds with its own mass and shape, not with the sphere's."
         if math.isnan(self.damping):
@@ -666,7 +676,9 @@ class _Reader:
             value, node = self.match(value, a, b)
         c.number = number_of(value)
         if math.isnan(c.number):
-            c.unknown = f"{key} of {thing.name} is not a number that can be read for this pair."
+            known = isinstance(thing.values[key], Thing)
+            c.unknown = "MatchMaker has no value for this pair; val counts with algo='val' only." if known else ""
+            c.unknown = c.unknown or f"{key} of {thing.name} is not a number that can be read."
         elif node is not None and hasattr(node, "lineno"):
             self.place(c, node)
 
@@ -742,8 +754,10 @@ class _Reader:
         c.stiffness = in_series([2 * x.young * r for x, r in zip(c.bodies, self.radii(c))]) if by_young else numbers[1]
         if any(math.isnan(n) for n in numbers):
             c.unknown = "The number of its damping or stiffness is missing, or could not be read."
-        elif keys[0] not in own and a is b and hasattr(a.nodes.get(keys[0]), "lineno"):
+        elif keys[0] not in own and a.nodes.get(keys[0]) is b.nodes.get(keys[0]) is not None:
             self.place(c, a.nodes[keys[0]])
+        elif keys[0] not in own and a is not b:
+            self.mixed |= {id(a), id(b)}
         if by_time or by_young:
             self.set_mass(c, one, two)
 

@@ -1,0 +1,366 @@
+# SPDX-License-Identifier: MIT
+"""cor audit: all decks of tests/audit, against what simulators gave, closed forms and the rows that are recorded.
+
+The first line of a deck names the public input that it is written after, its licence, and options of cor audit.
+    python3 tests/python/test_audit.py     writes tests/audit/expected.csv and the table of docs/simulators.md
+"""
+
+import csv
+import io
+import json
+import math
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import cor
+from cor._command import main
+
+ROOT = Path(__file__).resolve().parents[2]
+DECKS = sorted(path for path in (ROOT / "tests" / "audit" / "decks").iterdir() if path.is_file())
+EXPECTED, JUDGED = (ROOT / "tests" / "audit" / name for name in ("expected.csv", "judged.csv"))
+PAGE = ROOT / "docs" / "simulators.md"
+
+
+def run(*arguments):
+    """Exit status, output and messages of cor."""
+    out, messages = io.TextIOWrapper(io.BytesIO(), encoding="utf-8"), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(messages):
+        status = main([str(a) for a in arguments])
+        out.flush()
+    return status, out.buffer.getvalue().decode(), messages.getvalue()
+
+
+def options_of(deck):
+    """The options in the first line of a deck."""
+    head = deck.read_text(encoding="utf-8").split("\n", 1)[0]
+    assert re.search(r"SPDX-License-Identifier: MIT \| after .* \| .* \| ", head), deck
+    words = []
+    for word in shlex.split(re.sub(r"( -->)?$", "", head.rpartition(" | ")[2])):
+        name, equal, value = word.partition("=")
+        words += ["-var", *value.split(":")] if name == "var" else [f"--{name}", value] if equal else []
+    return words
+
+
+def audit(deck):
+    """The exit status and the rows of a deck."""
+    status, out, _ = run("audit", deck, *options_of(deck), "--format", "csv")
+    return status, list(csv.DictReader(io.StringIO(out)))
+
+
+@pytest.fixture(scope="session")
+def audited():
+    return {deck.name: audit(deck) for deck in DECKS}
+
+
+def number(text):
+    return float(text) if text else math.nan
+
+
+COLUMNS = "line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,realised_surface,units,advice"
+
+
+def expected_text(audited):
+    """What expected.csv records."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["deck", "status", *COLUMNS.split(",")])
+    for deck, (status, rows) in audited.items():
+        for row in rows:
+            name = os.path.basename(row["file"])
+            line = row["line"] if name == deck else f"{name}:{row['line']}"
+            writer.writerow([deck, status, line, *(row[key] for key in COLUMNS.split(",")[1:])])
+    return out.getvalue()
+
+
+def page_text(audited):
+    """docs/simulators.md with its examples, and with the table of the decks, each counted by its worst contact."""
+    kinds = ("as asked", "something else", "not known", "no e asked for")
+    counts = {}
+    for deck, (status, rows) in audited.items():
+        kind = {3: 1, 2: 2, 4: 2}.get(status, 0 if any(row["asked"] for row in rows) else 3)
+        for name in (deck.partition("-")[0], "all"):
+            counts.setdefault(name, [0] * 4)[kind] += 1
+    lines = [f"| simulator | decks | {' | '.join(kinds)} |", "|---|---|---|---|---|---|"]
+    for name in sorted(counts, key=lambda name: (name == "all", name)):
+        lines.append(f"| {name} | {sum(counts[name])} | {' | '.join(map(str, counts[name]))} |")
+    table = "<!-- decks: python3 tests/python/test_audit.py -->\n" + "\n".join(lines) + "\n<!-- end of decks -->"
+    page = re.sub(r"<!-- decks: .*?<!-- end of decks -->", table, PAGE.read_text(encoding="utf-8"), flags=re.S)
+    return re.sub(r"(?m)^    \$ cor (audit .*)\n(    .*\n|\n(?=    ))*", example, page)
+
+
+def example(command):
+    """A command of the page with its output."""
+    before = os.getcwd()
+    os.chdir(DECKS[0].parent)
+    status, out, _ = run(*command[1].split())
+    os.chdir(before)
+    shown = "".join(f"    {line}\n" if line else "\n" for line in out.splitlines())
+    return f"    $ cor {command[1]}\n{shown}    (exit status {status})\n"
+
+
+def test_recorded_rows(audited):
+    assert expected_text(audited) == EXPECTED.read_text(encoding="utf-8")
+    assert page_text(audited) == PAGE.read_text(encoding="utf-8")
+
+
+def test_judges(audited):
+    for judged in csv.DictReader(open(JUDGED, encoding="utf-8")):
+        found = [
+            row
+            for row in audited[judged["deck"]][1]
+            if row["pair"] == judged["pair"] and number(row["speed_m_s"] or "0") == number(judged["speed_m_s"] or "0")
+        ]
+        assert found, judged
+        assert abs(number(found[0]["realised"]) - float(judged["realised"])) <= float(judged["tolerance"]), judged
+
+
+def zeta(e):
+    return -math.log(e) / math.hypot(math.pi, math.log(e))
+
+
+def eps(z, end):
+    power = math.pi if end == "zero overlap" else 2 * math.acos(z)
+    return math.exp(-power * z / math.sqrt(1 - z * z))
+
+
+def test_closed_forms(audited):
+    """eps of each requested e, by the formula that a paper or a page of the simulator has; Thornton's is within 3e-4 up
+    to 0.9 and 0.008 beyond."""
+    count = 0
+    for deck, (_, rows) in audited.items():
+        for row in rows:
+            e, model, end = number(row["asked"]), row["model"], row["end"]
+            if (
+                math.isnan(e)
+                or not row["realised"]
+                or re.search("wall|facet|fixed|box", row["pair"])
+                or "damping of all" in row["advice"]
+            ):
+                continue
+            fit = np.polyval([4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728], e)
+            tolerance, wanted = 1e-9, eps(0 if e == 1 else zeta(e), end or "") if end.startswith("zero") else e
+            if "Mindlin" in model or "DEM Hertz" in model or "DEM linear" in model or "young" in model:
+                tolerance, wanted = (3e-4 if e < 0.9 else 8e-3), e
+            elif "hertz, damping tsuji" in model:
+                wanted = eps(fit / math.sqrt(5), end)
+            elif "HERTZIAN" in model:
+                wanted = eps(2 / math.sqrt(5) * zeta(e), end)
+            assert abs(number(row["realised"]) - wanted) <= tolerance, (deck, row)
+            count += 1
+    assert count > 60
+
+
+def test_dashpots(audited):
+    """Where the deck gives a dashpot, by mass, stiffness and the closed form."""
+    pi = math.pi
+    wanted = {
+        ("lammps-pour.lmp", "1-1"): 25 * math.sqrt(pi / 12 / 2000),
+        ("lammps-pour.lmp", "1-wall"): 25 * math.sqrt(pi / 6 / 2000),
+        ("lammps-doc-hooke.lmp", "*-*"): 25 * math.sqrt(pi / 12 / 1000),
+        ("mujoco-ratio.xml", "floor-ball"): 0.3,
+        ("mujoco-ball.xml", "floor-ball"): 10 / math.sqrt(1000),
+        ("yade-springs.py", "material 1-material 1"): 1.21e4 / 2 / math.sqrt(6.2e7 * 2400 * pi / 6 * 0.008 / 2),
+    }
+    for (deck, pair), z in wanted.items():
+        (row,) = [row for row in audited[deck][1] if row["pair"] == pair]
+        assert abs(number(row["realised"]) - eps(z, row["end"])) < 1e-9, row
+
+
+def write(folder, name, text):
+    path = folder / name
+    path.write_text(text, encoding="utf-8", errors="surrogateescape")
+    return path
+
+
+VISCOUS = (
+    "m=O.materials.append(ViscElMat(tc=1e-3,en=0.5,et=1,density=2500))\n{}O.engines=[NewtonIntegrator(damping=0)]\n"
+)
+
+
+def test_walls_and_lines(tmp_path):
+    """A facet has its own number, and the line to write suits the contacts that exist."""
+    cases = {
+        "O.bodies.append([sphere((0,0,0),.01),facet(((0,0,0),(1,0,0),(0,1,0)))])\n": {"facet": (0.5, 0.645895)},
+        "O.bodies.append([sphere((0,0,0),.01),sphere((0,0,1),.01),wall(0,2)])\n": {
+            "wall": (0.5, 0.645895),
+            "1-": (0.5, 0.550283),
+        },
+    }
+    for bodies, found in cases.items():
+        deck = write(tmp_path, "deck.py", VISCOUS.format(bodies))
+        status, out, _ = run("audit", deck, "--format", "json")
+        rows = json.loads(out)
+        assert status == 3 and len(rows) == len(found)
+        for name, (asked, realised) in found.items():
+            (row,) = [row for row in rows if name in row["pair"] and (name != "1-" or "wall" not in row["pair"])]
+            assert row["asked"] == asked and abs(row["realised"] - realised) < 1e-6
+        line = re.search("Write: (.*)", rows[0]["advice"])
+        assert bool(line) == (len(rows) == 1), rows
+        if line:
+            pasted = write(tmp_path, "pasted.py", VISCOUS.format(bodies).replace(VISCOUS.split("\n")[0], line[1]))
+            (row,) = json.loads(run("audit", pasted, "--format", "json")[1])
+            assert abs(row["realised"] - 0.5) < 1e-5
+
+
+def test_statuses(tmp_path):
+    good = write(tmp_path, "good.py", VISCOUS.format("").replace("en=0.5", "en=1"))
+    wrong = write(tmp_path, "wrong.py", VISCOUS.format(""))
+    half = write(tmp_path, "half.py", VISCOUS.format("O.materials.append(CohFrictMat())\n").replace("en=0.5", "en=1"))
+    none = write(tmp_path, "none.txt", "no deck\n")
+    for files, status in (
+        ([good], 0), ([wrong], 3), ([half], 4), ([none], 2), ([good, wrong], 3), ([good, half], 4), ([half, wrong], 3),
+        ([none, wrong, half, good], 2), ([tmp_path / "absent"], 2),
+    ):  # fmt: skip
+        found, out, messages = run("audit", *files, "--format", "csv")
+        assert found == status, files
+        assert all((str(f) in out) == (f not in (none, tmp_path / "absent")) for f in files)
+    assert "no simulator is recognised" in run("audit", none)[2] and "lammps" in run("audit", none)[2]
+    for words in (
+        ["--for", "x"],
+        ["--speed", "-1"],
+        ["--simulator-version", "new"],
+        ["-var", "x"],
+        ["--radius", "a=0"],
+    ):
+        assert run("audit", good, *words)[0] == 2, words
+    status, out, _ = run("audit", wrong, "--radius", "material 1=0.01", "--time-step", "1e-6", "--format", "json")
+    assert json.loads(out)[0]["step_bias"] is not None
+    assert run("audit", wrong, "--output", tmp_path / "out.csv", "--format", "csv")[:2] == (3, "")
+    assert (tmp_path / "out.csv").read_text() == run("audit", wrong, "--format", "csv")[1]
+
+
+def test_hostile(tmp_path):
+    os.mkfifo(tmp_path / "fifo")
+    bomb = '<!DOCTYPE m [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;&a;">]><mujoco>&b;</mujoco>'
+    geoms = '<geom name="floor" type="plane" solref="{0}"/><body><freejoint/><geom name="b" solref="{0}"/></body>'
+    geoms = f"<mujoco><worldbody>{geoms}</worldbody></mujoco>"
+    cases = {
+        "bomb.xml": bomb,
+        "cycle.xml": '<mujoco><include file="cycle.xml"/></mujoco>',
+        "solref.xml": geoms.format("1e200 1"),
+        "huge.py": VISCOUS.format("x=9**9**9**9\ny='a'*10**10\nfor i in range(10**12): pass\nwhile True: pass\n" * 2),
+        "deep.py": "O.engines=" + "(" * 5000 + ")" * 5000,
+        "deep.json": '{"material_relations":' + "[" * 100000 + "]" * 100000 + "}",
+        "zero.py": "O.engines=[]\0",
+        "name.py": VISCOUS.format("").replace("density=2500", "density=2500,label='a\\n\\x1b\"\\u202e'"),
+    }
+    start = time.monotonic()
+    for name, text in cases.items():
+        status, out, messages = run("audit", write(tmp_path, name, text), "--format", "json", "--speed", "1")
+        assert (status == 3) == (name in ("huge.py", "name.py")), (name, status, messages)
+        assert all(row["realised"] is None or 0 <= row["realised"] <= 1 for row in json.loads(out)), name
+        assert not re.search("[\x00-\x09\x0b-\x1f\x7f\u202e]", out + messages), name
+    for path in (tmp_path / "fifo", "/dev/zero", tmp_path):
+        assert run("audit", path)[0] == 2
+    assert time.monotonic() - start < 10
+
+
+@pytest.mark.parametrize("kind", ["yade", "lammps", "mfix", "mujoco"])
+def test_million_lines(tmp_path, kind):
+    """Within ten seconds and 500 MB, in a process of its own."""
+    line = {"yade": "x = 1\n", "lammps": "thermo 1\n", "mfix": "KN = 1\n", "mujoco": "<geom/>\n"}[kind]
+    ends = {"mujoco": ("<mujoco><worldbody>\n", "</worldbody></mujoco>")}.get(kind, ("", ""))
+    path = write(tmp_path, "long", ends[0] + line * 10**6 + ends[1])
+    command = (
+        "import resource,sys; resource.setrlimit(resource.RLIMIT_AS, (1 << 31, 1 << 31)); import cor._command as c; "
+    )
+    command += "s = c.main(sys.argv[1:]); print(s, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
+    start = time.monotonic()
+    done = subprocess.run([sys.executable, "-c", command, "audit", path, "--for", kind], capture_output=True, text=True)
+    assert time.monotonic() - start < 10 and not done.returncode, done.stderr
+    assert int(done.stdout.split()[-1]) < 500 * 1024, done
+
+
+def test_audit_of_the_package():
+    deck = ROOT / "tests" / "audit" / "decks" / "yade-pid.py"
+    (found,) = cor.simulators.audit(deck)
+    assert (found.line, found.asked, found.end, found.as_asked) == (7, 0.3, "zero force", False)
+    assert "en=0.165219" in found.instead and cor.simulators.audit(deck.read_text(), speeds=[1, 2])[1].speed_m_s == 2
+    with pytest.raises(ValueError, match="no simulator"):
+        cor.simulators.audit("text")
+
+
+SETTINGS = {
+    "lammps": """model=hertz/material 1e7 0.5 0.3 damping tsuji,wall=0
+model=hertz/material 1e7 0.5 0.3 damping tsuji,wall=1
+model=hertz 1e7 0.8 damping tsuji limit_damping,wall=0
+model=hertz 1e7 5e6 limit_damping,wall=0
+model=hertz 1e7 5e6,wall=1
+model=hertz 1e7 0.2 damping velocity,wall=0
+model=hooke 2e3 300 damping mass_velocity,wall=1
+model=hooke 2e3 0.1 damping velocity limit_damping,wall=0
+model=hooke 2e3 5e4,wall=0
+model=hooke 2e3 0.7 damping tsuji,wall=1
+dt=1e-5,model=hertz 1e7 5e5,wall=0
+dt=2e-5,model=hooke 2e3 0.1 damping velocity,wall=1""",
+    "liggghts": """e=0.5
+e=0.5,limit=on
+dt=2e-6,e=0.5
+e=0.3,limit=on,wall=1
+e=0.7,model=hooke tangential off
+e=0.3,model=hooke tangential off,limit=on
+model=hertz/stiffness tangential off
+model=hertz/stiffness tangential off,limit=on,wall=1
+dt=1e-8,gamman=1e4,model=hooke/stiffness tangential off""",
+}
+PROGRAMS = {"lammps": os.environ.get("LMP", "lmp"), "liggghts": os.environ.get("LIGGGHTS", "liggghts")}
+
+
+@pytest.mark.parametrize("name,settings", [(n, line) for n, text in SETTINGS.items() for line in text.split("\n")])
+def test_simulators_agree(tmp_path, name, settings):
+    """The collision of the script has one phase of the time step: within four standard deviations."""
+    if not shutil.which(PROGRAMS[name]):
+        pytest.skip(f"no program {PROGRAMS[name]}; Debian calls its package {name}")
+    text = (ROOT / "tests" / "audit" / f"{name}.in").read_text(encoding="utf-8")
+    for key, value in (word.split("=", 1) for word in settings.split(",")):
+        text = re.sub(rf"^(variable  *{key} index) .*", rf'\1 "{value}"', text, flags=re.M)
+    deck = write(tmp_path, "in", text)
+    command = [PROGRAMS[name], "-log", "none", "-in", str(deck)]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, cwd=tmp_path)
+    realised = float(re.search("^eps (.*)", done.stdout, re.M)[1])
+    pair = re.search("^# pair (.*)", text, re.M)[1]
+    rows = json.loads(run("audit", deck, "--format", "json")[1])
+    (row,) = [r for r in rows if (r["pair"] or "").startswith("1-wall" if "wall=1" in settings else pair)]
+    assert 0 < row["step_scatter"] < 0.1
+    assert abs(realised - row["realised"] - row["step_bias"]) < 4 * row["step_scatter"] + 1e-7, row
+
+
+MUJOCO = """0.0068 solref="0.01 0.25" solimp="0.99 0.99 0.001"
+0.0068 solref="0.01 0.25" solimp="0.9 0.95 0.001"
+0.011 solref="0.01 0.25" solimp="0.5 0.95 0.01"
+0.0125 solref="0.01 0.5" condim="6"
+0.0068 solref="-160000 -200" solimp="0.7 0.9 0.002"
+"""
+
+
+def test_mujoco_agrees(tmp_path):
+    """With 2000 steps in the contact, which change eps by 2e-4 and less."""
+    source, program = ROOT / "tests" / "simulators" / "restitution" / "mujoco.c", tmp_path / "mujoco"
+    built = subprocess.run(["cc", "-O1", "-o", program, source, "-lmujoco", "-lm"], capture_output=True)
+    if built.returncode:
+        pytest.skip("no libmujoco-dev")
+    for duration, geom in (line.split(" ", 1) for line in MUJOCO.splitlines()):
+        settings = f'<option cone="elliptic"/><default><geom {geom}/></default>'
+        paste = write(tmp_path, "paste", settings)
+        done = subprocess.run([program, paste, "0.01", duration, "2000"], capture_output=True, text=True)
+        realised = [float(line.split()[2]) for line in done.stdout.splitlines() if line.split()[3:4] == ["0"]]
+        bodies = '<worldbody><geom name="a" type="plane"/><body><freejoint/><geom name="b"/></body></worldbody>'
+        deck = write(tmp_path, "deck.xml", f"<mujoco>{settings}{bodies}</mujoco>")
+        (row,) = json.loads(run("audit", deck, "--speed", "1", "--format", "json")[1])
+        assert abs(realised[0] - row["realised"]) < 2e-4, geom
+
+
+if __name__ == "__main__":
+    results = {deck.name: audit(deck) for deck in DECKS}
+    EXPECTED.write_text(expected_text(results), encoding="utf-8")
+    PAGE.write_text(page_text(results), encoding="utf-8")
