@@ -243,7 +243,7 @@ class Granular(System):
             self.cohorts += [Cohort.of(type, s[:2], s[2:], kind="file") for type, s in sizes.items()]
         else:
             self.set_types(int(types[1]) if types else 0, "file")
-            self.has_unread_atoms |= self.types == 0
+            self.has_unread_atoms |= not types
 
     on_read_restart = on_read_dump = on_read_data
 
@@ -322,11 +322,11 @@ class Granular(System):
         for cohort in chosen:
             cohort.groups |= {name}
 
-    def on_set(self, words: Words) -> None:
+    def on_set(self, words: Words) -> bool:
         wanted = ("diameter", "density", "density/disc", "mass", "type", "type/fraction", "type/ratio", "type/subset")
         keys = [i for i in range(3, len(words) - 1) if words[i] in wanted]
         chosen = self.divide(self.selected(words[1], [words[2]])) if keys else []
-        for i in keys:
+        for i in keys if chosen else []:
             value, key = words.value(i + 1), words[i]
             if key.startswith("type/"):
                 ids = [id(c) for c in chosen]
@@ -344,6 +344,7 @@ class Granular(System):
                         cohort.density = NAN  # LAMMPS keeps the mass
                 else:
                     self.set_density(cohort, value, key == "density/disc")
+        return bool(keys)
 
     def set_density(self, cohort: Cohort, density: float, is_disc: bool = False) -> None:
         is_disc = is_disc or (self.is_liggghts and self.dimension == 2)
@@ -461,7 +462,7 @@ class Granular(System):
         if not self.is_run:
             self.snapshot(0)
 
-    def on_run(self, words: Words) -> None:
+    def on_run(self, words: Words) -> bool:
         self.runs[0] += 1
         if self.is_changed:
             self.last = self.snapshot(self.runs[0])
@@ -472,6 +473,7 @@ class Granular(System):
         steps = words.value(1) if words[0] == "run" else NAN
         is_known_step = self.step >= 0 and 0 <= steps < math.inf
         self.step = -1 if not is_known_step else int(steps) + (0 if "upto" in words else self.step)
+        return False
 
     on_minimize = on_run
 
@@ -493,7 +495,8 @@ class Granular(System):
         if any(f[2] in c.groups for f in self.has("freeze")):
             return "freeze"
         moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
-        is_moved = not moved or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
+        is_from_restart = c.kind == "file" and self.has_unread_atoms  # whose groups are not known
+        is_moved = not moved or is_from_restart or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
         return "" if is_moved and not any(f[2] in c.groups for f in self.has("nve/noforce|move")) else "fixed"
 
     def rigid(self, c: Cohort) -> Tuple[str, float]:
@@ -755,6 +758,7 @@ class Granular(System):
             contact.stiffness = kn.value(places[0]) if kn and kn.value(6) == types else NAN
             contact.spring = Spring.HERTZ if is_hertz else Spring.HOOKE
         reasons = {
+            "superquadric": "The particles are superquadrics, which cor does not know.",
             "cohesion": "The cohesion changes eps.",
             "viscous": "With viscous on the Stokes number of each impact sets the damping.",
             "absolute_damping": "With absolute_damping on gamman is replaced by gamman_abs, which is not read.",

@@ -256,7 +256,7 @@ class Words(List[str]):
 
 
 class System:
-    """The state of the simulator. A command that matters is a method on_NAME."""
+    """The state of the simulator. A command that matters is a method on_NAME; it returns False if nothing changes."""
 
     is_changed = True  # since the last run
 
@@ -453,13 +453,18 @@ class World:
             return
         self.stack[-1] = (source, 0, 1)
         if len(words) > 2:
-            found = re.search(rf"^[ \t]*label[ \t]+{re.escape(words[2])}[ \t\r]*(#.*)?$", source.text, re.M)
-            if found is None:
+            key = source.name, words[2]
+            if key not in self.script.labels:
+                found = re.search(rf"^[ \t]*label[ \t]+{re.escape(words[2])}[ \t\r]*(#.*)?$", source.text, re.M)
+                at = found.start() if found else -1
+                self.script.labels[key] = at, 1 + source.text.count("\n", 0, max(at, 0))
+            at, line = self.script.labels[key]
+            if at < 0:
                 self.script.remark(words.line, f"jump: {source.name} has no label {words[2]}.")
                 self.stack.clear()
                 return
             self.label = words[2]
-            self.stack[-1] = (source, found.start(), 1 + source.text.count("\n", 0, found.start()))
+            self.stack[-1] = (source, at, line)
 
     def branch(self, words: Words) -> None:
         """Executes `if`: the first branch that is true; each branch up to it in a world of its own while unknown."""
@@ -529,8 +534,8 @@ class World:
         elif name in _FLOW:
             _FLOW[name](self, words)
         elif hasattr(self.system, f"on_{name}"):
-            self.system.is_changed |= name not in ("run", "minimize")
-            self.script.attempt(line, name, lambda: getattr(self.system, f"on_{name}")(words))
+            changes = self.script.attempt(line, name, lambda: getattr(self.system, f"on_{name}")(words))
+            self.system.is_changed |= changes is not False
 
     def quit(self, words: Words) -> None:
         self.stack.clear()
@@ -604,6 +609,7 @@ class Script:
         self.remarks: Dict[Tuple[str, int, str], Remark] = {}
         self.worlds: List[World] = []
         self.split: Dict[Tuple[str, int], str] = {}
+        self.labels: Dict[Tuple[str, str], Tuple[int, int]] = {}  # offset and line, by file and label
         self.partitioned = False
         self.count, self.next_progress = 0, time.monotonic() + 1
         self.set_end(MAX_SECONDS)
@@ -615,14 +621,15 @@ class Script:
         if len(self.remarks) < 200:
             self.remarks.setdefault((line.file, line.line, text), Remark(line.file, line.line, text, matters))
 
-    def attempt(self, line: Line, name: str, command: Callable[[], Any]) -> None:
+    def attempt(self, line: Line, name: str, command: Callable[[], Any]) -> Any:
         try:
-            command()
+            return command()
         except Unknown as reason:
             text = f"{name}: no value is known here of {reason}".replace(_BLANK, " ").replace(_MARK, "")
             self.remark(line, text)
         except (ArithmeticError, IndexError, ValueError):
             self.remark(line, f"{name}: its numbers are missing or out of range.")
+        return None
 
     def tick(self) -> None:
         self.count += 1
