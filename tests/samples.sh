@@ -2,7 +2,7 @@
 # The examples of a page, run and compared with what the page shows. tests/count.sh has been sourced; corgen, work (a
 # directory) and, for C, library (libcor.a) are set.
 #
-#         $ corgen ...         a command of corgen or cc, its output indented below it; a line may end in \
+#         $ corgen ...         a command of corgen, cor or cc, its output indented below it; a line may end in \
 #     ```c                     a program, after a line <!-- NAME.c -->, or lines that take the place of the loop in
 #     ```                      the page's first program; its output, if it is shown, is the next indented block
 #
@@ -45,9 +45,12 @@ sample_program() {
 sample_verdict() {
     local seen shown=$expected
     while [[ $shown == *$'\n' ]]; do shown=${shown%$'\n'}; done
-    if [[ $command == *' --plot '* ]] && ! command -v gnuplot >/dev/null; then
+    if [[ $command == 'corgen '*' --plot '* ]] && ! command -v gnuplot >/dev/null; then
         seen=$shown
         skip "$page: ${title:0:50}" "no gnuplot (gnuplot-nox)"
+    elif [[ $command == 'cor '* ]] && [ ! -e "$work/bin/cor" ]; then
+        seen=$shown
+        skip "$page: ${title:0:50}" "no Python with SciPy and Matplotlib"
     else
         seen=$(sample_output "$command") || seen+=$'\n'"(exit status $?)"
         if [ "$seen" = "$shown" ]; then
@@ -93,7 +96,7 @@ samples_of() {
             in_code=1 code=''
             [[ $last =~ ^'<!-- '(.*/)?([a-z_]+)\.c' -->'$ ]] && name=${BASH_REMATCH[2]} || name=''
             ;;
-        '    $ corgen '* | '    $ cc '*)
+        '    $ corgen '* | '    $ cor '* | '    $ cc '*)
             new+=$line$'\n'
             command=${line#*\$ } code=''
             while [[ $command == *\\ ]] && IFS= read -r line; do
