@@ -16,7 +16,7 @@ import cor
 
 stats = pytest.importorskip("scipy.stats")
 integrate = pytest.importorskip("scipy.integrate")
-from cor._fit import compare, intervals, likelihood, models  # noqa: E402
+from cor._fit import compare, intervals, likelihood, models, result as results  # noqa: E402
 from cor._fit.data import Air, Apexes, Data, DataError, Heights, Points, Times  # noqa: E402
 
 DATA = Path(__file__).parents[2] / "docs" / "data"
@@ -48,8 +48,11 @@ TRUTH = {
 CURVES = {model.curve.name: model.curve for model in models.MODELS}
 
 
-def ints(*values):
-    return np.array(values, np.int64)
+@pytest.fixture(autouse=True)
+def quick(request, monkeypatch):
+    """The search for outliers costs most of a fit."""
+    if not LONG and "outliers" not in request.node.name:
+        monkeypatch.setattr(results, "find_outliers", lambda *_: [])
 
 
 def points(speed, eps, sigma=None):
@@ -140,7 +143,7 @@ def table_tennis():
     volume, area = math.pi / 6 * 0.04**3, math.pi / 4 * 0.04**2
     gravity = G * (1 - 1.204 * volume / 0.0027)
     kappa = 1.204 * 0.47 * area / (2 * 0.0027 * gravity)
-    return [bouncing(height, kappa, gravity) for height in (0.1, 0.3, 0.6)]
+    return [bouncing(height, kappa, gravity) for height in (0.1, 0.6)]
 
 
 def test_drag_is_no_property_of_the_ball(table_tennis):
@@ -149,7 +152,7 @@ def test_drag_is_no_property_of_the_ball(table_tennis):
     without = cor.fit(times(drops), law="constant,power-law")
     assert without.find()[0].name == "power-law"
     assert by_name(without, "power-law")["exponent"].value == pytest.approx(-0.039, abs=0.012)
-    for data in (times(drops), times(drops, [0.1, 0.3, 0.6])):
+    for data in (times(drops), times(drops, [0.1, 0.6])):
         with_drag = cor.fit(data, law="constant,power-law", **BALL)
         row = by_name(with_drag, "constant")["eps"]
         assert with_drag.find()[0].name == "constant" and row.low_95 < 0.955 < row.high_95
@@ -169,7 +172,7 @@ def test_drag_is_no_property_of_the_ball(table_tennis):
 def test_heights_in_air(table_tennis):
     random = np.random.default_rng(2)
     heights = [apexes + 2e-4 * random.standard_normal(apexes.size) for _, apexes in table_tennis]
-    counts, none = [h.size for h in heights], np.zeros(3, np.int64)
+    counts, none = [h.size for h in heights], np.zeros(2, np.int64)
     line = np.arange(sum(counts)) + 2
     chain = Apexes(np.concatenate(heights), None, line, np.cumsum([0, *counts]), none, ())
     known = Apexes(chain.height_m, np.full(line.size, 2e-4), line, chain.start, none, ())
@@ -253,7 +256,7 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
     theta, minimum, ends = intervals.find_intervals(p, intervals.minimise_with_noise(p))
     k, sigma = theta.size, 1 if record.sigma is None else record.sigma
     width = ends[:, 1, 1] - ends[:, 1, 0]
-    grid = [np.linspace(t - w, t + w, 401) for t, w in zip(theta, width)]
+    grid = [np.linspace(t - w, t + w, 201) for t, w in zip(theta, width)]
     if k == 1:
         grid[0] = np.concatenate((grid[0], ends[0].ravel()))
     mesh = np.meshgrid(*grid, indexing="ij")
@@ -267,7 +270,7 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
         for j in range(k):
             profile = np.nanmin(squares, axis=1 - j) if k == 2 else squares
             for end in ends[j, level]:
-                excess = (np.interp(end, grid[j][:401], profile[:401]) - minimum) / (quantile**2 * unit)
+                excess = (np.interp(end, grid[j][:201], profile[:201]) - minimum) / (quantile**2 * unit)
                 assert excess == pytest.approx(1, abs=0.01), (j, level, end)
 
 
@@ -323,7 +326,7 @@ def is_likely(n, k, low, high):
 
 @pytest.mark.parametrize("kind", ["points", "sigma", "times", "robust"])
 def test_intervals_hold_the_truth(kind):
-    draws = {"points": 200, "sigma": 200, "times": 40, "robust": 60}[kind] if LONG else 3
+    draws = {"points": 200, "sigma": 200, "times": 40, "robust": 60}[kind] if LONG else 2
     names = [*TRUTH] if kind != "times" else [name for name in TRUTH if len(TRUTH[name]) == 1]
     held, rejected, total = np.zeros(2), 0, 0
     random = np.random.default_rng(7)
@@ -471,7 +474,7 @@ def test_balls_are_fitted_together_and_alone():
 def test_outliers_are_named(kind):
     random = np.random.default_rng(14)
     clean, found = 0, 0
-    for draw in range(12 if kind == "points" else 2):
+    for draw in range(8 if kind == "points" else 1):
         data = draw_points("constant", random, n=25) if kind == "points" else draw_times("constant", random, drops=8)
         values = data.record.eps if kind == "points" else data.record.time_s
         clean += bool(cor.fit(data, law="constant").groups[""].outliers)
@@ -479,6 +482,13 @@ def test_outliers_are_named(kind):
         named = [o for o in cor.fit(data, law="constant").groups[""].outliers if o.line == 11]
         found += len(named) == 1 and named[0].distance > 4
     assert clean <= 1 and found >= draw
+
+
+def test_a_function_without_numbers_is_not_determined():
+    def broken(speed, a=1.0):
+        return speed * math.nan
+
+    assert math.isnan(cor.fit(points([1.0, 2.0, 3.0], [0.8, 0.8, 0.7]), law=broken).parameters.value[0])
 
 
 def test_wrong_options():

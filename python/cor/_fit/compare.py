@@ -52,7 +52,7 @@ class Estimate:
 
 
 class Setup(NamedTuple):
-    """What all fits of a call share"""
+    """The settings of all fits of a call"""
 
     field: Field
     free: Tuple[str, ...]

@@ -3,8 +3,8 @@
 
 The interval of a coordinate holds the values at which the least Q over the others exceeds the minimum by at most z^2
 (errors given), or t^2 s^2 with Student's t of n - k degrees of freedom (errors unknown). In the robust fit that
-threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search of the interval of 95 % starts at
-the ends of that of 68 %, so that it contains it.
+threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 % interval
+starts at the end of the 68 % interval, so that one contains the other.
 """
 
 import math
@@ -17,7 +17,7 @@ from .likelihood import HUBER, Problem, scipy
 from .models import CONSTANT
 
 LEVELS = (0.6826894921370859, 0.95)
-DRAG_STARTS = (0.0, 0.003, 0.03, 0.3)
+DRAG_STARTS = (0.0, 0.01, 0.1)
 
 
 class _Lower(Exception):
@@ -173,7 +173,7 @@ def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
     first, theta = theta, settle(p, theta)
     best = (p.scale, p.log_ratio, theta)
     if p.scatters and not p.robust:
-        starts = [(first, -80.0), (first, math.log(1e8))]  # errors of the times alone, scatter alone, no loss
+        starts = [(first, -80.0), (first, math.log(1e8))]  # only errors of times, only scatter, no loss
         if p.curve.dry:
             dry = p.like(p.curve.dry)
             without = minimise_with_noise(dry)
@@ -314,6 +314,9 @@ def find_intervals(p: Problem, theta: Floats) -> Tuple[Floats, float, Any]:
         unit = huber_factor(p, theta) if p.robust else 1.0 if p.sample.has_sigma else minimum / p.freedom
         found = np.repeat(theta, 4).reshape(-1, 2, 2)
         targets = [quantile(p, level) * math.sqrt(unit) for level in LEVELS]
+        if not math.isfinite(minimum):
+            found[..., 0], found[..., 1] = -math.inf, math.inf
+            break
         covariance = covariance_of(p, theta)
         try:
             for j in range(p.parameters) if targets[0] > 0 else ():

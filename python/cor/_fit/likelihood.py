@@ -10,7 +10,7 @@ flight k + 1 makes r_k an error of the time at its end, and to first order in th
 with the scatter h_k of eps. The first time and speed of a drop cancel. With the height of the drop, its first bounce
 has the error of a flight, e_2 - e_1. Of heights the errors are e_(k+1) - a_k e_k, with dh/du instead of dT/du. The
 covariance is s^2 W, W = B + lambda diag(c^2), with a band B. z = L^-1 (c r) for W = L L^T, times
-sqrt(det W/det B)^(1/n), so that the least Q is that of the restricted likelihood over lambda, too.
+sqrt(det W/det B)^(1/n), so that the least Q belongs to the restricted likelihood over lambda, too.
 """
 
 import math
@@ -239,7 +239,7 @@ class Sample:
 
 
 class Problem:
-    """The coordinates theta of a curve, those of the drag and of gravity behind them, and the residuals z"""
+    """The residuals z of a curve. Behind its coordinates theta are one for the drag and one for gravity, if free."""
 
     def __init__(self, curve: Curve, sample: Sample, field: Field, free: Sequence[str], robust: bool) -> None:
         self.curve, self.sample, self.field, self.free, self.robust = curve, sample, field, tuple(free), robust
@@ -359,7 +359,7 @@ class Problem:
         return np.where(np.isnan(found), math.inf, found)
 
     def set_noise(self, theta: Floats) -> None:
-        """Set lambda to that of the least scale, and the scale. Errors of times and scatter of bounces may both be
+        """Set lambda to the value of the least scale, and the scale. Errors of times and scatter of bounces may both be
         likely: each local minimum of a scan is refined. A median has many by chance: there only the lowest counts."""
         parts = self.parts(theta)
         if not self.scatters:
@@ -390,7 +390,7 @@ KNOTS = 32
 
 class Reduced(Problem):
     """Very many bounces with one scale and lambda: z is linear in eps, which cubic polynomials between KNOTS speeds
-    interpolate. So Q is that of KNOTS residuals and a constant. lambda and the slopes of the covariance are those of a
+    interpolate. So Q is the sum of KNOTS squares and a constant. lambda and the slopes of the covariance come from a
     `pilot`, a fit of a part of the bounces."""
 
     def __init__(self, curve: Curve, sample: Sample, field: Field, pilot: Optional[Tuple["Problem", Floats]]) -> None:

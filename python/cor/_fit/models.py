@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The models of restitution that a fit compares.
 
-Several models are one curve eps(speed) with different parameters: eps of a thin plate is that of the viscoelastic
-sphere at zero overlap, and eps of the linear and of Tsuji's law is constant. A curve is fitted once, in internal
+Several models are one curve eps(speed) with different parameters: a thin plate has eps of the viscoelastic sphere at
+zero overlap, and eps of the linear and of Tsuji's law is constant. A curve is fitted once, in internal
 coordinates theta; a model converts them to its parameters.
 """
 
@@ -95,7 +95,7 @@ def _unit(_least: float, _most: float) -> Tuple[float, float]:
 
 
 def _adhesive(dry: Curve) -> Curve:
-    """The work of parting is taken from the rebound: (eps^2 - (v_s/v)^2)^(1/2), v_s = exp(theta_1)."""
+    """The rebound loses the work of parting: (eps^2 - (v_s/v)^2)^(1/2), v_s = exp(theta_1)."""
 
     def eps(theta: Any, x: Floats) -> Any:
         inside, ratio = dry.eps(theta, x), np.exp(theta[1] - x)
@@ -160,7 +160,9 @@ def function_curve(function: Callable[..., Any]) -> Curve:
         return np.where(np.isfinite(result), result, math.nan)
 
     everywhere = [(-1e30, 1e30)] * len(start)
-    return Curve(function.__name__, eps, ("free",) * len(start), lambda _l, _m: everywhere, "given", given=start)
+    return Curve(
+        f"function {function.__name__}", eps, ("free",) * len(start), lambda _l, _m: everywhere, "given", given=start
+    )
 
 
 # ---- bodies ----
@@ -296,36 +298,34 @@ def _models() -> List[Model]:
     ends = {"zero-overlap": SPHERE_ZERO_OVERLAP, "zero-force": SPHERE_ZERO_FORCE}
     g_star, adhesion, liquid = _g_star(), _power("adhesion_speed_m_s"), _power("liquid_speed_m_s")
     dry, zener = _plain("eps_dry"), _power("zener_lambda_at_1_m_s", 1.5)
-    time: WithBodies = lambda b: _power("dissipation_time_s", b.damping_at_1_m_s())  # noqa: E731
-    plate: WithBodies = lambda b: (  # noqa: E731
-        _power("plate_thickness_m", b.plate_unit(), -0.5) if b.has_plate() else None
-    )
-    dashpot: WithBodies = lambda b: _power(  # noqa: E731
-        "damping_coefficient_n_s_m", b.damping_at_1_m_s(law="hertz-dashpot", damping_coefficient=1.0)
-    )
-    stress: WithBodies = lambda b: _power("yield_stress_pa", b.yield_unit(), 0.4)  # noqa: E731
-    stokes: WithBodies = lambda b: (  # noqa: E731
-        _power("critical_stokes_number", 1 / b.stokes_at_1_m_s()) if b.viscosity else None
-    )
+    dashpot_of_1 = {"law": "hertz-dashpot", "damping_coefficient": 1.0}
+    of_bodies: Dict[str, WithBodies] = {
+        "time": lambda b: _power("dissipation_time_s", b.damping_at_1_m_s()),
+        "plate": lambda b: _power("plate_thickness_m", b.plate_unit(), -0.5) if b.has_plate() else None,
+        "dashpot": lambda b: _power("damping_coefficient_n_s_m", b.damping_at_1_m_s(**dashpot_of_1)),
+        "stress": lambda b: _power("yield_stress_pa", b.yield_unit(), 0.4),
+        "stokes": lambda b: _power("critical_stokes_number", 1 / b.stokes_at_1_m_s()) if b.viscosity else None,
+    }
+    time = of_bodies["time"]
     ratio = Parameter("stiffness_ratio", lambda theta: theta * theta)
     made = [Model("viscoelastic", end, curve, (g_star,), time) for end, curve in ends.items()]
-    made.append(Model("plate", "zero-overlap", SPHERE_ZERO_OVERLAP, (zener,), plate))
+    made.append(Model("plate", "zero-overlap", SPHERE_ZERO_OVERLAP, (zener,), of_bodies["plate"]))
     made.append(Model("constant", "both", CONSTANT, (_plain("eps"),)))
     made += [Model(name, end, CONSTANT, (_zeta(end),)) for name in ("linear", "tsuji") for end in ends]
     crossley = _law("hunt-crossley", "zero-overlap", 1)
     made.append(Model("hunt-crossley", "both", crossley, (_power("dissipation_s_m"),)))
     for end in ends:
         curve = _law("hertz-dashpot", end, -0.2)
-        made.append(Model("hertz-dashpot", end, curve, (_power("beta_at_1_m_s"),), dashpot))
+        made.append(Model("hertz-dashpot", end, curve, (_power("beta_at_1_m_s"),), of_bodies["dashpot"]))
     at_1 = _power("eps_at_1_m_s")
     made.append(Model("power-law", "both", POWER_LAW, (at_1, _plain("exponent")), is_contact=False))
-    made.append(Model("elastic-plastic", "both", PLASTIC, (_power("yield_speed_m_s"),), stress))
+    made.append(Model("elastic-plastic", "both", PLASTIC, (_power("yield_speed_m_s"),), of_bodies["stress"]))
     for name, loss, speed in (("adhesive", _adhesive, adhesion), ("wet", _wet, liquid)):
         made.append(Model(name, "both", loss(CONSTANT), (dry, speed)))
         made += [Model(f"{name}-viscoelastic", end, loss(of), (g_star, speed), time) for end, of in ends.items()]
     decay = (_plain("eps_inf"), _power("decay_speed_m_s"))
     made.append(Model("exponential", "both", EXPONENTIAL, decay, is_contact=False))
-    made.append(Model("stokes", "both", STOKES, (dry, _power("critical_speed_m_s")), stokes, 1))
+    made.append(Model("stokes", "both", STOKES, (dry, _power("critical_speed_m_s")), of_bodies["stokes"], 1))
     made.append(Model("walton-braun", "both", CONSTANT, (ratio,)))
     made.append(Model("walton-braun-variable", "both", WALTON_BRAUN, (_power("hardening_speed_m_s"),)))
     return made
@@ -342,8 +342,8 @@ def function_model(function: Callable[..., Any]) -> Model:
 def choose(names: Any, end: Optional[str]) -> List[Model]:
     """Return the models of "viscoelastic,power-law", of a list, or "all", that have the end; functions are models."""
     allowed = list(dict.fromkeys(model.name for model in MODELS))
-    wanted = names.split(",") if isinstance(names, str) else [names] if callable(names) else list(names)
-    for name in wanted:
+    chosen = names.split(",") if isinstance(names, str) else [names] if callable(names) else list(names)
+    for name in chosen:
         if not callable(name) and name not in ("all", *allowed):
             raise ValueError(
                 f"law: {name!r} is not a model; allowed: all, {', '.join(allowed)}, or several, as "
@@ -351,8 +351,8 @@ def choose(names: Any, end: Optional[str]) -> List[Model]:
             )
     if end not in (None, "zero-overlap", "zero-force"):
         raise ValueError(f"end: {end!r} is not an end of contact; allowed: zero-overlap, zero-force")
-    made = [m for m in MODELS if ("all" in wanted or m.name in wanted) and (end is None or m.end in (end, "both"))]
-    made += [function_model(name) for name in wanted if callable(name)]
+    made = [m for m in MODELS if ("all" in chosen or m.name in chosen) and (end is None or m.end in (end, "both"))]
+    made += [function_model(name) for name in chosen if callable(name)]
     if not made:
         raise ValueError(f"end: no model of law {names} ends at {end}; allowed: another end or model")
     return made

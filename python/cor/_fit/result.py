@@ -90,7 +90,7 @@ class Result:
         return np.array(rows, [*texts, *((name, np.float64) for name in COLUMNS)]).view(np.recarray)
 
     def find(self, model: Optional[str] = None, end: Optional[str] = None, group: str = "") -> Tuple[Model, Estimate]:
-        """Return a model and its fit; without a name those of the verdict or, if no model fits, of the least AIC."""
+        """Return a model and its fit; without a name the model of the verdict or, if none fits, of the least AIC."""
         if group not in self.groups:
             raise ValueError(f"group: {group!r}; allowed: {', '.join(map(repr, self.groups))}")
         fits = self.groups[group].comparison.fits
@@ -171,7 +171,7 @@ class Result:
         return made
 
     def remarks(self, group: str = "") -> List[str]:
-        """Return what the data are, which models fit and which do not, as lines for a reader."""
+        """Return a description of the data and a verdict on each model, as lines for a reader."""
         mine = self.groups[group]
         fits, lines = mine.comparison.fits, [self._data_remark(mine)]
         if self.data.unused:
@@ -274,7 +274,7 @@ class Result:
                 made[f"high_{name}"] = all_eps.max(axis=0).reshape(speed.shape)
         return made.view(np.recarray)[()]
 
-    # ---- what uses the fit ----
+    # ---- commands and pictures ----
 
     def command(self, model: Optional[str] = None, *, end: Optional[str] = None, group: str = "") -> Optional[str]:
         """Return the line of corgen embed that writes eps of the fit as a header; None for a model without one."""
@@ -384,7 +384,7 @@ def fit(
     form = Form(unit=unit, separator=separator, decimal_comma=decimal_comma, drop_height_m=drop_height)
     field, tell = Field.of(air, gravity), progress or _silent
     data = source if isinstance(source, Data) else read(source, form, lambda step: tell(step, 0, 0))
-    free = tuple(name for name, wanted in (("drag", fit_drag), ("gravity", fit_gravity)) if wanted)
+    free = tuple(name for name, chosen in (("drag", fit_drag), ("gravity", fit_gravity)) if chosen)
     if free and isinstance(data.record, Points):
         raise ValueError(f"fit_{free[0]}: {data.name} has speeds; allowed: with times of bounces, or heights")
     setup = Setup(field, free, robust)
