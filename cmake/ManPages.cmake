@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: MIT
 # cmake -DCORGEN=<program> -DHELP2MAN=<program> -DVERSION=<version> -DOUTPUT=<dir> -P ManPages.cmake
 # Writes corgen.1 and corgen-SUBCOMMAND.1 from the help texts of corgen. The pages have no date.
-get_filename_component(folder "${CORGEN}" DIRECTORY)
-get_filename_component(program "${CORGEN}" NAME)
-execute_process(COMMAND "${CORGEN}" --completion zsh OUTPUT_VARIABLE completion RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "${CORGEN} --completion zsh failed: ${status}")
+# With -DCOR=<program> -DCORGEN= it writes cor.1, cor-audit.1 and cor-fit.1 of the Python package instead.
+get_filename_component(folder "${CORGEN}${COR}" DIRECTORY)
+get_filename_component(program "${CORGEN}${COR}" NAME)
+set(subcommands)
+if(CORGEN)
+  execute_process(COMMAND "${CORGEN}" --completion zsh OUTPUT_VARIABLE completion RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${CORGEN} --completion zsh failed: ${status}")
+  endif()
+  string(REPLACE ";" "," completion "${completion}") # a list's separator
+  string(REGEX MATCHALL "\n    '[a-z-]+:[^\n]*'" subcommands "${completion}")
 endif()
-string(REPLACE ";" "," completion "${completion}") # a list's separator
-string(REGEX MATCHALL "\n    '[a-z-]+:[^\n]*'" subcommands "${completion}")
 
 # man_page(NAME WORDS SUMMARY SEE): the page NAME.1 of the command WORDS
 function(man_page name words summary see)
@@ -37,4 +41,15 @@ foreach(line IN LISTS subcommands)
   list(APPEND see ".BR corgen-${name} (1)")
 endforeach()
 list(JOIN see ",\n" see)
+if(COR)
+  execute_process(COMMAND "${COR}" audit --help RESULT_VARIABLE status OUTPUT_QUIET)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${COR} audit --help failed: ${status}")
+  endif()
+  man_page(cor-audit "./${program} audit" "the restitution that the input of a simulator realises" ".BR cor (1)")
+  man_page(cor-fit "./${program} fit" "models of measured bounces" ".BR cor (1)")
+  man_page(cor "./${program}" "restitution in decks of simulators and in measurements"
+    ".BR cor-audit (1),\n.BR cor-fit (1),\n.BR corgen (1)")
+  return()
+endif()
 man_page(corgen "./${program}" "restitution of colliding bodies for simulations" "${see}")

@@ -35,7 +35,7 @@ def _by_type(text: str) -> Tuple[str, float]:
 def add_arguments(parser: Parser) -> None:
     """Adds the options of cor audit."""
     add = parser.add_argument
-    parser.epilog = EPILOG
+    parser.usage, parser.epilog = "cor audit FILE... [OPTION]...", EPILOG
     add("files", nargs="+", metavar="FILE", help="inputs of simulators; - is standard input")
     add("--speed", type=numbers, metavar="LIST", default=[], help="impact speeds, m/s, as 0.1,1 or 0.01:10:log:7")
     for name, unit in (("radius", "m"), ("density", "kg/m^3")):
