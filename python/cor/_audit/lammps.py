@@ -539,7 +539,8 @@ class Granular(System):
                 mass: Optional[Tuple[float, float]] = (whole, whole) if rigid else (min(masses), max(masses))
                 if not rigid and (not math.isnan(density) or any(map(math.isnan, masses))):
                     mass = None
-                name = f"{type}{' ' + (held or rigid or 'free') if len(classes[type]) > 1 else ''}"
+                is_named = len(classes[type]) > 1 or held == "fixed"
+                name = f"{type}{' ' + (held or rigid or 'free') if is_named else ''}"
                 body = Body(name, (min(radius), max(radius)), density, mass, held=bool(held), type=type)
                 found.setdefault(type, []).append(Moving(self.with_material(body), members, held, rigid))
         return found

@@ -346,13 +346,17 @@ class _Audit:
             for speed in speeds
         ]
 
+    def given(self, values: Dict[str, float], body: Body) -> float:
+        """The option for a body, by its name or the number of its type, or the one for all."""
+        return values.get(body.name, values.get(str(body.type), values.get("", NAN)))
+
     def completed(self, body: Body, units: Any) -> Body:
         """The body with radius and density of the options where the deck does not contain them."""
         if body.wall:
             return body
         made = dict(body.__dict__)
-        radius = self.options.radii.get(body.name, self.options.radii.get("", NAN)) / units.length_m
-        density = self.options.densities.get(body.name, self.options.densities.get("", NAN))
+        radius = self.given(self.options.radii, body) / units.length_m
+        density = self.given(self.options.densities, body)
         if math.isnan(body.radius[0]):
             made["radius"] = radius, radius
         if math.isnan(body.density):
