@@ -48,7 +48,7 @@ for _key, _dimension, _names, _allowed, _least in (
     ("h1", "length", "reboundheight hafter heightafter hrebound bounceheight", "", 0.0),
     ("h", "length", "height apex apexheight y z", "", 1e-30),
     ("t", "time", "time bouncetime timeofbounce", "a time from 0 s to 1e30 s, as 0.731", 0.0),
-    ("interval", "time", "intervals dt δt deltat flight flighttime", "a time above 0, as 0.52", 1e-30),
+    ("interval", "time", "intervals timeinterval timebetweenbounces dt δt deltat flight flighttime", "a time above 0, as 0.52", 1e-30),
     ("run", "label", "", "", 0.0),
     ("ball", "label", "", "", 0.0),
 ):
@@ -398,7 +398,7 @@ def _near_name(plain: str, missing: List[str], kind: str) -> Optional[str]:
     """Return the name of the missing column that is nearly this one."""
     for key in missing:
         names, words = QUANTITIES[key].names, SIGMA_WORDS.split()
-        bases = [n[: -len("sigma")] for n in names] + [""] * (kind in ("points", ""))
+        bases = [n[: -len("sigma")] for n in names] + [""] * (key in ("eps_sigma", "h1_sigma", "h_sigma"))
         if _is_near(plain, names[0]) or (
             key.endswith("_sigma") and any(plain in (b + w, w + b, f"{w}of{b}") for b in bases for w in words)
         ):
