@@ -111,7 +111,7 @@ REFUSED = [
     ("line 1: no column speed_m_s", "x" * 65536, {}),
     ("line 1: more than 256 cells", POINTS.strip() + ",a" * 255, {}),
     ("line 4, column t_s: 0.5 is not after the bounce before", TIMES + "0\n1\n0.5\n", {}),
-    ("line 3, column t_s: '-1' is not allowed; allowed: a time from 0 s", TIMES + "0\n-1\n", {}),
+    ("line 3, column t_s: '-1' is not allowed; allowed: a time from 0 to", TIMES + "0\n-1\n", {}),
     ("line 2, column h1_cm: '-64' is not allowed; allowed: a height from 0", "h0_cm,h1_cm\n100,-64\n", {}),
     ("line 3, column h_cm: '-64' is not allowed; allowed: a height above 0", "h_cm\n100\n-64\n", {}),
     ("line 4, column t_s: a flight of 1.5 s after one of 1 s makes eps = 1.5; allowed", TIMES + "0\n1\n2.5\n", {}),

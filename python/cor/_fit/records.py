@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Reads measured bounces from a csv file, a file object, an object of pandas or arrays."""
 
+import csv
 import re
 from os import PathLike, fspath
-from typing import Any, Callable, Dict, Iterator, List, NamedTuple, NoReturn, Optional, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Tuple
 
 import numpy as np
 
@@ -17,48 +18,39 @@ WAVEFORM_ROWS = 100  # this number of equal steps are samples and not bounces
 
 UNITS = {
     "speed": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001},
-    "length": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+    "height": {"m": 1.0, "cm": 0.01, "mm": 0.001},
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
 }
 UNIT_NAMES = [unit for units in UNITS.values() for unit in units]
 ALIASES = {"µs": "us", "μs": "us", "sec": "s", "seconds": "s", "m_s": "m/s", "cm_s": "cm/s", "mm_s": "mm/s"}
 
 
-class Quantity(NamedTuple):
-    """A column: its dimension, the letters and digits of its names (the first is its own), and the allowed numbers."""
+# Key, dimension, least number in SI units, and other names of the column, their letters and digits
+ROWS = """\
+speed speed 1e-30 v v0 vin speedin vbefore speedbefore velocity velocityin impactspeed impactvelocity
+speed_out speed 0 v1 vout vafter speedafter velocityout reboundspeed reboundvelocity
+eps - -1e31 epsilon ε e cor restitution coefficientofrestitution
+h0 height 1e-30 dropheight hbefore heightbefore hdrop initialheight
+h1 height 0 reboundheight hafter heightafter hrebound bounceheight
+h height 1e-30 apex apexheight y z
+t time 0 bouncetime timeofbounce
+interval time 1e-30 intervals timeinterval timebetweenbounces dt δt deltat flight flighttime
+run label 0
+ball label 0
+"""
 
+
+class Quantity(NamedTuple):
     dimension: str
     names: List[str]
-    allowed: str
-    least: float  # in SI units
+    least: float
 
 
 QUANTITIES: Dict[str, Quantity] = {}
-for _key, _dimension, _names, _allowed, _least in (
-    (
-        "speed",
-        "speed",
-        "v v0 vin speedin vbefore speedbefore velocity velocityin impactspeed impactvelocity",
-        "",
-        1e-30,
-    ),
-    ("speed_out", "speed", "v1 vout vafter speedafter velocityout reboundspeed reboundvelocity", "", 0.0),
-    ("eps", "", "epsilon ε e cor restitution coefficientofrestitution", "a number from 0 to 1, as 0.85", -1e31),
-    ("h0", "length", "dropheight hbefore heightbefore hdrop initialheight", "", 1e-30),
-    ("h1", "length", "reboundheight hafter heightafter hrebound bounceheight", "", 0.0),
-    ("h", "length", "height apex apexheight y z", "", 1e-30),
-    ("t", "time", "time bouncetime timeofbounce", "a time from 0 s to 1e30 s, as 0.731", 0.0),
-    ("interval", "time", "intervals timeinterval timebetweenbounces dt δt deltat flight flighttime", "a time above 0, as 0.52", 1e-30),
-    ("run", "label", "", "", 0.0),
-    ("ball", "label", "", "", 0.0),
-):
-    _noun = "speed" if _dimension == "speed" else "height"
-    _what = f"a {_noun} {'above 0 and up' if _least else 'from 0'} to 1e30, as 0.25"
-    _all = [_key.replace("_", ""), *_names.split()]
-    QUANTITIES[_key] = Quantity(_dimension, _all, _allowed or _what, _least)
-    QUANTITIES[_key + "_sigma"] = Quantity(
-        _dimension, [n + "sigma" for n in _all], "a number from 1e-30 to 1e30, as 0.01", 1e-30
-    )
+for _key, _dimension, _least, *_names in map(str.split, ROWS.splitlines()):
+    _names = [_key.replace("_", ""), *_names] + [_dimension] * (_key in ("t", "h"))
+    QUANTITIES[_key] = Quantity(_dimension, _names, float(_least))
+    QUANTITIES[_key + "_sigma"] = Quantity(_dimension, [n + "sigma" for n in _names], 1e-30)
 SIGMA_WORDS = "sigma std stdev stddev sd sem err error errors uncertainty unc σ delta standarddeviation standarderror"
 # A kind of record, the columns that it needs, and others that it reads. A kind wins over those below it.
 KINDS: List[Tuple[str, List[str], List[str]]] = [
@@ -114,6 +106,7 @@ class Table:
     def __init__(self, name: str, word: str, form: Form) -> None:
         self.name, self.word, self.form = name, word, form
         self.header: List[str] = []
+        self.separator = form.separator or ""
         self.columns: List[Any] = []  # of texts, or arrays
         self.line: Ints = np.zeros(0, dtype=np.int64)
         self.header_line = self.last_line = 1
@@ -133,15 +126,16 @@ class Table:
         return key in self.found
 
     def cell(self, row: int, key: str) -> str:
-        return _cell(self.columns[self.found[key]][row])[:SHOWN]
+        return str(self.columns[self.found[key]][row]).strip(" \t")[:SHOWN]
 
     def numbers(self, key: str, least: Optional[float] = None) -> Floats:
         """Return a column in SI units; refuse the first cell that is not an allowed number."""
-        quantity, column = QUANTITIES[key], self.columns[self.found[key]]
-        array = isinstance(column, np.ndarray) and column.dtype.kind in "iuf"
+        column = self.columns[self.found[key]]
+        if not (isinstance(column, np.ndarray) and column.dtype.kind in "iuf"):
+            column = [_number(str(cell), self.form.decimal_comma) for cell in column]
         with np.errstate(invalid="ignore", over="ignore"):
-            values = np.asarray(column if array else self._parse(column), dtype=np.float64) * self.factor[key]
-            wrong = ~((values >= (quantity.least if least is None else least)) & (values <= 1e30))
+            values = np.asarray(column, dtype=np.float64) * self.factor[key]
+            wrong = ~((values >= (QUANTITIES[key].least if least is None else least)) & (values <= 1e30))
         if wrong.any():
             self.refuse_cell(int(np.argmax(wrong)), key)
         return values
@@ -150,180 +144,111 @@ class Table:
         return self.numbers(key) if self.has(key) else None
 
     def refuse_cell(self, row: int, key: str) -> NoReturn:
-        text, allowed = self.cell(row, key), f"; allowed: {QUANTITIES[key].allowed}"
-        if text in ("", "nan" if self.word == "row" else ""):
-            self.refuse_row(row, key, "the cell is empty" + allowed)
+        text, quantity = self.cell(row, key), QUANTITIES[key]
+        allowed = f"a {quantity.dimension} {'above 0 and up' if quantity.least else 'from 0'} to 1e30, as 0.25"
+        allowed = "a number from 1e-30 to 1e30, as 0.01" if key.endswith("_sigma") else allowed
+        allowed = "a number from 0 to 1, as 0.85" if key == "eps" else allowed
+        why = "the cell is empty" if text in ("", "nan" if self.word == "row" else "") else f"'{text}' is not allowed"
         if self.form.decimal_comma and "." in text:
-            why = f"'{text}' has a decimal point, but --decimal-comma is given{allowed}, or the command without"
-            self.refuse_row(row, key, why + " --decimal-comma")
-        if not self.form.decimal_comma and "," in text:
-            self.refuse_row(row, key, f"'{text}' has a decimal comma{allowed}, or --decimal-comma")
-        self.refuse_row(row, key, f"'{text}' is not allowed{allowed}")
-
-    def _parse(self, cells: List[Any]) -> Floats:
-        """Return the numbers of texts, nan where a text is not a decimal number of ASCII."""
-        try:
-            if not self.form.decimal_comma and isinstance(cells[0], bytes) and b"_" not in b"".join(cells):
-                return np.array(list(map(float, cells)))
-        except (TypeError, ValueError):
-            pass
-        return np.array([_number(_cell(c), self.form.decimal_comma) for c in cells], dtype=np.float64)
+            why = f"'{text}' has a decimal point, but --decimal-comma is given"
+            allowed += ", or the command without --decimal-comma"
+        elif not self.form.decimal_comma and "," in text:
+            why, allowed = f"'{text}' has a decimal comma", allowed + ", or --decimal-comma"
+        self.refuse_row(row, key, f"{why}; allowed: {allowed}")
 
     def labels(self, key: str) -> List[str]:
-        cells = self.columns[self.found[key]] if self.has(key) else []
-        if len(cells) and isinstance(cells[0], bytes):
-            return [c.strip(" \t") for c in b"\n".join(cells).decode("utf-8", "surrogateescape").split("\n")]
-        return [_cell(c) for c in cells]
+        return [str(c).strip(" \t") for c in self.columns[self.found[key]]] if self.has(key) else []
 
 
 def _number(text: str, decimal_comma: bool) -> float:
-    text = text.strip()
-    text = text.replace(".", "x").replace(",", ".") if decimal_comma else text
-    return float(text) if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?", text, re.A) else np.nan
+    """Return a decimal number of ASCII, nan for another text."""
+    if decimal_comma:
+        text = text.replace(".", "x").replace(",", ".")
+    try:
+        return float(text) if text.isascii() and "_" not in text else np.nan
+    except ValueError:
+        return np.nan
 
 
-def _cell(cell: Any) -> str:
-    cell = cell.decode("utf-8", "surrogateescape") if isinstance(cell, bytes) else str(cell)
-    return _unquoted(cell)
-
-
-def _unquoted(cell: str) -> str:
-    cell = cell.strip(" \t")
-    return cell[1:-1] if len(cell) >= 2 and cell[0] == cell[-1] == '"' else cell
-
-
-def _split(line: str, separator: str) -> List[str]:
-    """Return the cells between separators outside quotation marks."""
-    if '"' not in line:
-        return line.split(separator)
-    cells, quoted = [""], False
-    for c in line:
-        quoted ^= c == '"'
-        if c == separator and not quoted:
-            cells.append("")
-        else:
-            cells[-1] += c
-    return [_unquoted(cell) for cell in cells]
-
-
-def _sniff(line: str) -> str:
-    """Return the separator that the line has most of outside quotation marks."""
-    outside = re.sub('"[^"]*"', "", line)
-    return max(",;\t", key=outside.count)
-
-
-def _blocks(table: Table, file: Any) -> Iterator[bytes]:
-    """Return blocks of whole lines, the first one short."""
-    rest, size = b"", MAX_LINE + 2
-    while True:
-        raw = file.read(size)
-        block = rest + (raw.encode("utf-8", "surrogateescape") if isinstance(raw, str) else raw)
-        end = len(block) if not raw else block.rfind(b"\n") + 1
-        if end:
-            yield block[:end]
-        rest = block[end:]
-        if not raw or len(rest) > MAX_LINE:
-            if rest:
-                yield rest  # too long
-            return
-        size = BLOCK
-
-
-def _check_encoding(table: Table, line: bytes) -> bytes:
-    """Return the first line without the mark of UTF-8."""
+def _check_encoding(table: Table, block: bytes) -> bytes:
+    """Return the first block without the mark of UTF-8."""
     for form, mark, zero in (("UTF-16LE", b"\xff\xfe", 1), ("UTF-16BE", b"\xfe\xff", 0)):
-        if line[:2] == mark or (len(line) > 1 and line[zero] == 0 and line[1 - zero] != 0):
+        if block[:2] == mark or (len(block) > 1 and block[zero] == 0 and block[1 - zero] != 0):
             allowed = f"UTF-8, as from iconv -f {form} -t UTF-8 FILE"
             table.refuse(1, None, f"the text is {form}; allowed: {allowed}")
-    return line[3:] if line.startswith(b"\xef\xbb\xbf") else line
+    return block[3:] if block.startswith(b"\xef\xbb\xbf") else block
 
 
-def _text(table: Table, number: int, line: bytes) -> str:
-    """Return a line without its end, or "" for a comment."""
-    if len(line) > MAX_LINE + 1:
+def _cells(table: Table, number: int, line: str) -> List[str]:
+    """Return the cells of a line, none of an empty line or a comment. The first row chooses the separator."""
+    if len(line) > MAX_LINE:
         table.refuse(number, None, f"longer than {MAX_LINE} characters; allowed: a csv file, as speed_m_s,eps")
-    line = line[:-1] if line.endswith(b"\r") else line
-    if b"\0" in line or b"\r" in line:
+    if "\0" in line or "\r" in line:
         table.refuse(number, None, "has a control character; allowed: text with lines that end in LF or CR LF")
-    text = line.decode("utf-8", "surrogateescape")
-    return "" if text.lstrip(" \t")[:1] in ("", "#") else text
-
-
-def _regular_columns(lines: List[bytes], separator: bytes, count: int) -> List[List[Any]]:
-    """Return the columns of lines that are nothing but full rows, or an empty list. A tenth of the time of _rows."""
-    block = b"\n".join(lines)
-    if (
-        any(c in block for c in (b'"', b"#", b"\0", b"\r"))
-        or b"" in lines
-        or max(map(len, lines), default=0) > MAX_LINE
-    ):
+    if line.lstrip(" \t")[:1] in ("", "#"):
         return []
-    counts = np.array([line.count(separator) for line in lines])
-    cells = block.replace(separator, b"\n").split(b"\n")
-    return [cells[i::count] for i in range(count)] if lines and np.all(counts == count - 1) else []
-
-
-def _rows(table: Table, number: int, lines: List[bytes], separator: str) -> Tuple[List[List[str]], List[int]]:
-    """Return the cells of the rows and their lines. Reads the header if the table has none, and then only that."""
-    rows: List[List[str]] = []
-    places = []
-    for line in lines:
-        number += 1
-        text = _text(table, number, line)
-        if not text:
-            continue
-        cells = _split(text, separator or _sniff(text))
-        if table.header and len(cells) != len(table.header):
-            word = {",": "commas", ";": "semicolons", "\t": "tabs"}[separator]
-            wrong = f"{len(cells)} cells, but the first row names {len(table.header)} columns; allowed: as many, "
-            point = (
-                f"separated by {word}, and numbers with a decimal {'comma' if table.form.decimal_comma else 'point'}"
-            )
-            table.refuse(number, None, wrong + point)
-        rows.append(cells)
-        places.append(number)
-        if not table.header:
-            break
-    return rows, places
+    table.separator = table.separator or max(",;\t", key=re.sub('"[^"]*"', "", line).count)
+    cells = next(csv.reader([line], delimiter=table.separator, skipinitialspace=True)) if '"' in line else None
+    cells = line.split(table.separator) if cells is None else cells
+    if table.header and len(cells) != len(table.header):
+        word = {",": "commas", ";": "semicolons", "\t": "tabs"}[table.separator]
+        why = (
+            f"{len(cells)} cells, but the first row names {len(table.header)} columns; allowed: as many, separated by "
+        )
+        point = "comma" if table.form.decimal_comma else "point"
+        table.refuse(number, None, f"{why}{word}, and numbers with a decimal {point}")
+    return cells
 
 
 def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
-    number, separator, count = 0, table.form.separator or "", 0
-    columns: List[List[Any]] = []
-    places = []
-    for block in _blocks(table, file):
+    number, rest, size = 0, b"", MAX_LINE + 2
+    columns: List[List[str]] = []
+    places: List[int] = []
+    while True:
+        raw = file.read(size)
+        block = rest + (raw.encode("utf-8", "surrogateescape") if isinstance(raw, str) else raw)
         block = block if number else _check_encoding(table, block)
-        lines = block.split(b"\n")
+        end = block.rfind(b"\n") + 1
+        end = end if raw and len(block) - end <= MAX_LINE + 1 else len(block)  # behind whole lines, or a long one
+        rest = block[end:]
+        lines = block[:end].replace(b"\r\n", b"\n").decode("utf-8", "surrogateescape").split("\n")
         lines = lines if lines[-1] else lines[:-1]
-        start = 0
-        if not table.header:
-            rows, at = _rows(table, number, lines, separator)
-            if rows:
-                start = at[0] - number
-                separator = separator or _sniff(_text(table, at[0], lines[start - 1]))
-                table.header, table.header_line, count = [_unquoted(c) for c in rows[0]], at[0], len(rows[0])
-                if count > MAX_COLUMNS:
-                    table.refuse(at[0], None, f"more than {MAX_COLUMNS} cells; allowed: a csv file, as speed_m_s,eps")
-                choose_columns(table)
-                columns = [[] for _ in rows[0]]
-        regular = _regular_columns(lines[start:], separator.encode(), count) if count else []
-        if regular:
-            places.append(np.arange(number + start + 1, number + len(lines) + 1))
-        elif count:
-            rows, at = _rows(table, number + start, lines[start:], separator)
-            regular = [[c.encode("utf-8", "surrogateescape") for c in column] for column in zip(*rows)]
-            places.append(np.array(at, dtype=np.int64))
+        text, others = "\n".join(lines), len(columns) - 1
+        if (  # rows without surprises, in a tenth of the time
+            columns
+            and not any(c in text for c in '"#\0\r')
+            and "" not in lines
+            and all(line.count(table.separator) == others for line in lines)
+        ):
+            cells = text.replace(table.separator, "\n").split("\n") if lines else []
+            for i, column in enumerate(columns):
+                column += cells[i :: len(columns)]
+            places += range(number + 1, number + len(lines) + 1)
+        else:
+            for at, line in enumerate(lines, number + 1):
+                cells = _cells(table, at, line)
+                if cells and not columns:
+                    table.header, table.header_line = [c.strip() for c in cells], at
+                    if len(cells) > MAX_COLUMNS:
+                        table.refuse(at, None, f"more than {MAX_COLUMNS} cells; allowed: a csv file, as speed_m_s,eps")
+                    choose_columns(table)
+                    columns = [[] for _ in cells]
+                elif cells:
+                    places.append(at)
+                    for column, cell in zip(columns, cells):
+                        column.append(cell)
         number += len(lines)
-        for column, cells in zip(columns, regular):
-            column += cells
-        if columns and len(columns[0]) > MAX_ROWS:
-            line = int(np.concatenate(places)[MAX_ROWS])
-            table.refuse(line, None, f"more than {MAX_ROWS} rows; allowed: at most that number, as every tenth")
+        if len(places) > MAX_ROWS:
+            why = f"more than {MAX_ROWS} rows; allowed: at most that number, as every tenth"
+            table.refuse(places[MAX_ROWS], None, why)
         progress(f"reading: {number} lines")
+        if not raw:
+            break
+        size = BLOCK
     table.last_line = max(number, 1)
-    if not count:
+    if not columns:
         table.refuse(table.last_line, None, "the file is empty; allowed: names of columns and rows, as speed_m_s,eps")
-    table.columns, table.line = columns, np.concatenate(places)
+    table.columns, table.line = columns, np.array(places, dtype=np.int64)
 
 
 # ---- columns and units ----
@@ -402,7 +327,7 @@ def _near_name(plain: str, missing: List[str], kind: str) -> Optional[str]:
         if _is_near(plain, names[0]) or (
             key.endswith("_sigma") and any(plain in (b + w, w + b, f"{w}of{b}") for b in bases for w in words)
         ):
-            return key + {"speed": "_m_s", "length": "_cm", "time": "_s"}.get(QUANTITIES[key].dimension, "")
+            return key + {"speed": "_m_s", "height": "_cm", "time": "_s"}.get(QUANTITIES[key].dimension, "")
     return None
 
 
