@@ -212,6 +212,10 @@ def test_runs_loops_and_versions():
     given = Options()
     remarks = lammps.read_lammps(ATOMS + HOOKE + split, "deck", given).remarks
     assert "both branches" in remarks[0].text and not remarks[0].matters
+    early = "if '$(temp) > 1' then 'quit'\n"
+    assert len(lammps.read_lammps(BOX + HOOKE + early + ATOMS + HOOKE, "deck", given).contacts) == 3
+    changed = ATOMS + HOOKE + "fix a all adapt 1 pair gran/hooke kn * * v_k\nfix d all dt/reset 1 1 1 1\n"
+    assert "adapt" in rows(changed)[0][1].advice and "dt/reset" in rows(changed)[0][1].advice
     assert not lammps.read_lammps(ATOMS + HOOKE + split.replace("pair_style", "print"), "deck", given).remarks
     assert [pair for pair, _ in rows(text, radii={"": 0.01, "2": 0.02})] == ["1-1", "1-2", "2-2"] * 2
     granular = "pair_style granular\npair_coeff 1 1 hertz 1 0.9 damping {0}\npair_coeff 2 2 hertz 1 0.4 damping {0}\n"

@@ -563,13 +563,16 @@ class Granular(System):
         moving = self.moving()
         losses = [f for f in self.fixes.values() if _LOSSES.match(_ACCELERATED.sub("", f[3]))]
         sentences = [f"fix {f[1]} ({f[3]}) changes energy outside contacts." for f in losses]
+        adapted = self.has(r"adapt(/fep)?|dt/reset")
+        sentences += [f"fix {f[1]} ({f[3]}) changes numbers of the contact during a run." for f in adapted]
+        fault = self.fault or ("A fix adapt changes the pair style." if any("pair" in f for f in adapted) else "")
         if self.other_style is not None and not self.style:
             text = f"pair_style {self.other_style[1]}: cor knows granular, gran/hooke(/history), gran/hertz/history"
             self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
         found = []
         for contact in chain(self.pair_contacts(moving) if self.style else (), self.wall_contacts(moving)):
             self.script.tick()
-            contact.unknown = contact.unknown or self.fault
+            contact.unknown = contact.unknown or fault
             contact.losses, contact.style = sentences, "" if contact.model else contact.style
             contact.speeds, contact.time_step, contact.units = tuple(self.speeds), self.time_step, self.units
             key = repr(sorted((k, v) for k, v in contact.__dict__.items() if k not in ("runs", "repair")))

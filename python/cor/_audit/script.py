@@ -281,7 +281,7 @@ class World:
         self.script, self.system = script, system
         self.variables: Dict[str, Variable] = {}
         self.stack: List[Tuple[Source, int, int]] = []  # file, offset, number of the next line
-        self.label, self.skip_jump, self.partition, self.depth = "", False, 0, 0
+        self.label, self.skip_jump, self.partition, self.depth, self.is_left = "", False, 0, 0, False
         self.evaluated: Set[str] = set()
         self.pending: List[str] = []
         self.place = Line("", 0, 0, "")
@@ -539,6 +539,7 @@ class World:
 
     def quit(self, words: Words) -> None:
         self.stack.clear()
+        self.is_left = bool(self.script.split)  # only one branch of an unknown condition ends here
 
     def name_only(self, words: Words) -> None:
         self.script.remark(words.line, f"{words[0]} is not executed; contacts that depend on it are not right.", False)
@@ -560,7 +561,8 @@ class World:
             words = raw.split(None, 1)
             if words and self.matters(words[0]):
                 self.execute(Line(source.name, line, after - 1, raw))
-        self.script.attempt(self.place, "the script", self.system.finish)
+        if not self.is_left:
+            self.script.attempt(self.place, "the script", self.system.finish)
 
 
 def _formatted(form: str, value: float) -> str:
