@@ -54,8 +54,9 @@ enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum tay
  * decide. `what` names the progress. */
 bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component, const char *what);
 
-/* The place where a function falls through zero, by the Illinois method: f_low > 0 at `low`, f_high < 0 at `high`. Only
- * midpoints count, so another step must prove the place. */
+/* The root finder for balls: the place where a function falls through zero, by the Illinois method, with f_low > 0 at
+ * `low` and f_high < 0 at `high`. Only midpoints count, so another step must prove the place. Convergence: as struct
+ * cor_bracket (runtime/number/root.h), until the rounding of f hides its sign. */
 struct bracket {
     arb_t low, high, f_low, f_high;
     int side; /* of the last guess */

@@ -208,7 +208,7 @@ struct ladders {
 };
 
 /* A bracket of root l */
-struct bracket {
+struct root_search {
     double low, high;
     long below_low, below_high; /* numbers of roots below either end */
     double guess;               /* result of Halley's method inside the bracket, or NaN */
@@ -218,7 +218,7 @@ struct bracket {
 struct group {
     int lanes;
     long l[LANES], place[LANES]; /* place: for the series, or -1 for none */
-    struct bracket bracket[LANES];
+    struct root_search bracket[LANES];
     double omega[LANES], highest;
     int moves[2]; /* series serve the wave */
     struct cor_mode_series series[2];
@@ -328,7 +328,7 @@ static long count_places(struct search *s)
 /* After a longer relative step, Halley's method makes one more step. */
 #define DONE 0x1p-50
 
-static void tell_bracket(struct bracket *b, long l, double x, long below, double guess)
+static void tell_bracket(struct root_search *b, long l, double x, long below, double guess)
 {
     if (l < below && x < b->high) {
         b->high = x;
@@ -341,13 +341,13 @@ static void tell_bracket(struct bracket *b, long l, double x, long below, double
     }
 }
 
-static int is_alone(const struct bracket *b)
+static int is_alone(const struct root_search *b)
 {
     return b->below_high - b->below_low == 1;
 }
 
 /* Bisects the bracket, or follows Halley's method if the bracket contains one root only. */
-static double next_place(const struct bracket *b)
+static double next_place(const struct root_search *b)
 {
     return is_alone(b) && b->guess > b->low && b->guess < b->high ? b->guess : b->low + (b->high - b->low) / 2;
 }
@@ -414,7 +414,7 @@ static void refine_group(struct cor_disk_mode *mode, struct group *group, const 
         for (int i = 0; i < group->lanes; i++) {
             if (done[i])
                 continue;
-            struct bracket *const b = &group->bracket[i];
+            struct root_search *const b = &group->bracket[i];
             const long l = group->l[i];
             const double omega = p->omega[i], guess = guess_at(p, i), length = fabs(guess - omega);
             const int near = is_alone(b) && length < INSEPARABLE * omega;
@@ -449,7 +449,7 @@ static void find_order(struct cor_disk_mode *mode, const struct search *s, long 
             k++;
         /* the bracket below the first place is wide */
         const int i = group->lanes++, wide = k == s->first;
-        struct bracket *const b = &group->bracket[i];
+        struct root_search *const b = &group->bracket[i];
         b->low = wide ? least : s->place[k - 1];
         b->high = s->place[k];
         b->below_low = wide ? 0 : (long)s->below[k - 1];

@@ -16,6 +16,7 @@
  *   (kernel_echo_weight), predicts part of the oscillation beyond the table. The rest is estimated from the echo
  *   strength at T = tau, measured on the modes of the table. */
 #include "runtime/disk/rayleigh_parts.h"
+#include "runtime/number/root.h"
 
 #include <math.h>
 #include <string.h>
@@ -109,13 +110,8 @@ static double surface_speed(double nu)
 {
     const double k = 0.5 * (1 - nu);
     double low = 0, high = 1;
-    for (int i = 0; i < 60; i++) {
-        const double xi = 0.5 * (low + high);
-        if (((xi - 8) * xi + 24 - 16 * k) * xi - 16 * (1 - k) < 0)
-            low = xi;
-        else
-            high = xi;
-    }
+    for (double xi; cor_halve(&xi, low, high);)
+        *(((xi - 8) * xi + 24 - 16 * k) * xi - 16 * (1 - k) < 0 ? &low : &high) = xi;
     return sqrt(0.5 * (low + high) / (2 * (1 + nu)));
 }
 

@@ -448,7 +448,7 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
     if (isnan(first_coefficient(&contact->law)))
         return COR_FAULT_NO_DAMPING;
     const double wanted = eps > 0 ? log(eps) : 0;
-    struct bracket bracket = {0, 0, 0, 0, 0};
+    struct cor_bracket bracket = {0, 0, 0, 0, 0};
     double x = log(fmax(1 - eps, 1e-16) / first_coefficient(&contact->law));
     for (int k = 0; k < MOST_STEPS; k++) {
         double got;
@@ -460,9 +460,9 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
                             : isgreater(got, 0) ? log(got) - wanted
                                                 : -1; /* eps 0: the first */
         if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) ||
-            (is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
+            (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
             return COR_FAULT_NONE;
-        x = next_place(&bracket, x, rest, rest > 0 ? x + 1 : x - 1);
+        x = cor_next_place(&bracket, x, rest, rest > 0 ? x + 1 : x - 1);
     }
     return COR_FAULT_NO_DAMPING;
 }

@@ -198,12 +198,9 @@ static double force_slope(const struct motion *m, double s, double level)
 
 double cor_motion_root(const struct motion *m, motion_function *f, double low, double high, double level)
 {
-    for (int k = 0; k < BISECTIONS; k++) {
-        const double middle = low + (high - low) / 2;
-        if (middle <= low || middle >= high)
-            break;
+    double middle;
+    for (int k = 0; k < BISECTIONS && cor_halve(&middle, low, high); k++)
         *(f(m, middle, level) > 0 ? &low : &high) = middle;
-    }
     return high;
 }
 

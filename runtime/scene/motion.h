@@ -4,12 +4,13 @@
  *     du/ds = v,     dv/ds = -T(u) (F - press),     F = E(u) + damper u^b v,     dt/ds = T(u)
  *
  * u is a function of the overlap, and v the velocity; T and E are sums of two terms. Beside it parts that files of this
- * folder share: whole powers, roots of falling functions, and collisions that are more than a law */
+ * folder share: whole powers, and collisions that are more than a law */
 #ifndef COR_RUNTIME_SCENE_MOTION_H
 #define COR_RUNTIME_SCENE_MOTION_H
 
 #include "cor/scene.h"
 #include "runtime/number/inline.h"
+#include "runtime/number/root.h"
 
 /* A collision in the units of its function. eps = 0 and an infinite duration: the bodies stay together. */
 struct cor_full_impact {
@@ -25,32 +26,6 @@ COR_INLINE double whole_power(double x, int n)
         x *= n > 1 ? x : 1;
     }
     return y;
-}
-
-/* Where a falling function vanishes, by the Illinois method; all 0 at first */
-struct bracket {
-    double low, high, above, below, last;
-};
-
-COR_INLINE int is_bracketed(const struct bracket *b)
-{
-    return b->above > 0 && b->below < 0;
-}
-
-/* Takes the value at x. Returns the next place, which is `otherwise` while all values have one sign. */
-COR_INLINE double next_place(struct bracket *b, double x, double value, double otherwise)
-{
-    if (value > 0) {
-        b->below *= b->last > 0 ? 0.5 : 1;
-        b->low = x;
-        b->above = value;
-    } else {
-        b->above *= b->last < 0 ? 0.5 : 1;
-        b->high = x;
-        b->below = value;
-    }
-    b->last = value;
-    return is_bracketed(b) ? (b->low * b->below - b->high * b->above) / (b->below - b->above) : otherwise;
 }
 
 /* ---- motions ---- */

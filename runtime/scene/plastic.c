@@ -250,8 +250,7 @@ double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
     } while (rebound < s && (rebound == 0 || rebound > last * (1 + 1e-9)) && high < 1e30 * s);
     if (!(rebound >= s))
         return INFINITY;
-    for (int i = 0; i < 60 && high - low > 0x1p-52 * high; i++) {
-        const double middle = low + (high - low) / 2;
+    for (double middle; high - low > 0x1p-52 * high && cor_halve(&middle, low, high);) {
         if (cor_scene_eps(&eps, &dry, middle, end) != COR_FAULT_NONE)
             return NAN;
         *(eps * middle < s ? &low : &high) = middle;

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cor/law.h"
+#include "runtime/number/root.h"
 #include "runtime/scene/exponents.h"
 
 /* ---- the damping that simulators compute from e ---- */
@@ -144,17 +145,13 @@ static double yade_en_of_damping(double damping, const struct cor_scene_contact 
 static double damping_of_yade_en(double en, const struct cor_scene_contact *c, double g)
 {
     (void)c;
-    double low = 0, high = 1;
+    double low = 0, high = 1, middle;
     if (!(isgreater(en, 1e-60) && en <= 1))
         return NAN;
     while (yade_pade(high) > en)
         high *= 2;
-    for (int k = 0; k < 200; k++) {
-        const double middle = (low + high) / 2;
-        if (!(middle > low && middle < high))
-            break;
+    for (int k = 0; k < 200 && cor_halve(&middle, low, high); k++)
         *(yade_pade(middle) > en ? &low : &high) = middle;
-    }
     return high * high * pow(g, 0.2);
 }
 
@@ -791,12 +788,8 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
                                                    : COR_SIMULATOR_OK;
     if (none || *status != COR_SIMULATOR_OK)
         return none ? model->most : (double)NAN;
-    for (int k = 0; k < 1100; k++) {
-        const double middle = low + (high - low) / 2;
-        if (!(middle > low && middle < high))
-            break;
+    for (double middle; cor_halve(&middle, low, high);)
         *(model->damping_of_e(middle) > damping ? &low : &high) = middle;
-    }
     return high;
 }
 

@@ -302,7 +302,7 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
     static const double stride = 1.1, converged = 1e-12, promised = 1e-9;
     struct stepped m;
     struct cor_step_error error = {0, 0, 0, 0};
-    struct bracket bracket = {0, 0, 0, 0, 0};
+    struct cor_bracket bracket = {0, 0, 0, 0, 0};
     double factor = 1;
     *corrected = *contact;
     corrected->damping = (double)NAN;
@@ -316,13 +316,13 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
         status = phases(&error, &m);
         if (status == COR_FAULT_NONE &&
             (beta == 0 || fabs(error.bias) < converged ||
-             (is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * bracket.high))) {
+             (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * bracket.high))) {
             if (beta > 0 && fabs(error.bias) > promised) /* the mean jumps */
                 return COR_FAULT_NO_DAMPING;
             corrected->damping = contact->damping * factor;
             return COR_FAULT_NONE;
         }
-        factor = next_place(&bracket, factor, error.bias, factor * (error.bias > 0 ? stride : 1 / stride));
+        factor = cor_next_place(&bracket, factor, error.bias, factor * (error.bias > 0 ? stride : 1 / stride));
     }
     return status == COR_FAULT_NONE ? COR_FAULT_NO_DAMPING : status;
 }
