@@ -274,6 +274,40 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
                 assert excess == pytest.approx(1, abs=0.01), (j, level, end)
 
 
+@pytest.mark.parametrize("kind", ["times", "drop height", "apexes"])
+def test_an_error_of_a_number_moves_its_bounces(kind):
+    """Of exact data with drag, an error of one time or height changes c r by its coefficients."""
+    kappa, theta = 0.03, np.array([-0.1, -0.05])
+    speed, time, at, apexes = likelihood.impact_of_drop(np.array([1.0]), G, kappa), 0.0, [], [1.0]
+    for _ in range(5):
+        at.append(time)
+        launch = np.exp(theta[0] + theta[1] * np.log(speed)) * speed
+        speed = likelihood.impact_of_launch(launch, kappa)
+        time += float((np.arctan(launch * kappa**0.5) + np.arcsinh(launch * kappa**0.5))[0]) / (G * kappa**0.5)
+        apexes.append(float(np.log1p(kappa * launch**2)[0]) / (2 * G * kappa))
+    if kind == "apexes":
+        none = np.zeros(1, np.int64)
+        data = Data("heights", Apexes(np.array(apexes), None, np.arange(6), np.array([0, 6]), none, ()))
+    else:
+        data = times([np.array(at)], [1.0] if kind == "drop height" else None)
+    numbers = data.record.height_m if kind == "apexes" else data.record.time_s
+
+    def parts():
+        sample = likelihood.Sample(data)
+        p = likelihood.Problem(CURVES["power-law"], sample, likelihood.Field(G, kappa, math.nan), (), False)
+        return sample, p.parts(theta)
+
+    sample, (residual, _, a) = parts()
+    assert np.abs(residual).max() < 1e-12
+    for k in range(numbers.size):
+        numbers[k] += 1e-6
+        moved = parts()[1][0] / 1e-6
+        numbers[k] -= 1e-6
+        middle = -a if kind == "apexes" else -(1 + a)
+        expected = (sample.first == k) * a + (sample.middle == k) * middle + (sample.last == k)
+        assert moved == pytest.approx(expected, abs=1e-4), k
+
+
 # value, low and high of 95 %, AIC and p of corgen fit, the program before cor.fit
 STORED = [
     ("golf_ball_marble_heights", "viscoelastic zero-overlap", "g_star_m_s", 205461, 195593, 215918, 14.7784, 0.0051),
