@@ -10,6 +10,7 @@ import io
 import json
 import math
 import os
+import random
 import re
 import shlex
 import shutil
@@ -23,11 +24,14 @@ import numpy as np
 import pytest
 
 import cor
+from cor._audit import physics
+from cor._audit.deck import DeckError, Options
 from cor._command import main
 
 ROOT = Path(__file__).resolve().parents[2]
 DECKS = sorted(path for path in (ROOT / "tests" / "audit" / "decks").iterdir() if path.is_file())
 EXPECTED, JUDGED = (ROOT / "tests" / "audit" / name for name in ("expected.csv", "judged.csv"))
+draw = random.Random(time.time_ns())
 PAGE = ROOT / "docs" / "simulators.md"
 
 
@@ -279,6 +283,49 @@ def test_million_lines(tmp_path, kind):
     done = subprocess.run([sys.executable, "-c", command, "audit", path, "--for", kind], capture_output=True, text=True)
     assert time.monotonic() - start < 10 and not done.returncode, done.stderr
     assert int(done.stdout.split()[-1]) < 500 * 1024, done
+
+
+def test_any_text(audited):
+    """Decks with parts that are deleted, repeated and replaced: a DeckError with a reason, or eps from 0 to 1."""
+    words = [
+        "0",
+        "-1",
+        "1e400",
+        "nan",
+        "(",
+        ")",
+        '"',
+        "[",
+        "=",
+        "$",
+        "${",
+        "*",
+        "&",
+        "#",
+        "\n",
+        "1e-300",
+        "if",
+        "@(",
+        "end",
+    ]
+    names, end, count = list(audited), time.monotonic() + 2, 0
+    while time.monotonic() < end:
+        deck = DECKS[draw.randrange(len(names))]
+        text = deck.read_text(encoding="utf-8")
+        for _ in range(draw.randint(1, 6)):
+            i, j = draw.randrange(len(text) + 1), draw.randrange(len(text) + 1)
+            text = (
+                text[:i] + draw.choice([draw.choice(words), text[j : j + 99], ""]) + text[i + draw.choice([0, 0, 9]) :]
+            )
+        try:
+            simulator = audited[deck.name][1][0]["simulator"]
+            rows = physics.audit_text(text, "text", Options(simulator, speeds=(1.0,)))
+        except DeckError as error:
+            assert error.__cause__ is None, (deck.name, error, text)
+        else:
+            assert not any(row.realised < 0 or row.realised > 1 for row in rows), text
+            count += 1
+    assert count > 10
 
 
 def test_audit_of_the_package():

@@ -82,7 +82,7 @@ def scene_of(contact: Contact, size: int = 0) -> Any:
     elif contact.spring is Spring.CONTACT_TIME:
         mass = 1.0 if math.isnan(mass) else mass
         e = math.log(contact.number) if 0 < contact.number < math.inf else NAN
-        stiffness = mass * (math.pi**2 + e**2) / contact.stiffness**2 if contact.stiffness > 0 else NAN
+        stiffness = mass * (math.pi**2 + e**2) / contact.stiffness**2 if contact.stiffness > 1e-48 else NAN
         stiffness *= contact.zeta_factor**2
     elif contact.spring is Spring.PER_MASS:
         mass = 1.0
@@ -287,7 +287,11 @@ class _Audit:
         row.asked = contact.number if model.damping_of_e else NAN
         row.advice = " ".join(contact.notes + ([contact.unknown] if contact.unknown else []))
         speed = speed_m_s * units.time_s / units.length_m
-        scene = scene_of(contact, size)
+        try:
+            scene = scene_of(contact, size)
+        except ArithmeticError:
+            row.advice += " A number of this contact is out of range."
+            return row
         if not self.has_version(model):
             row.advice += f" {self.deck.simulator} {self.options.version} does not have this model."
             row.end = string(lib.cor_end_names[model.end])
@@ -454,6 +458,9 @@ def audit_text(text: str, name: str, options: Options) -> List[Row]:
     """Reads an input and returns its rows."""
     simulator = options.simulator or simulator_of(text)
     module, function, _ = SIMULATORS[simulator]
-    deck = getattr(import_module(f"cor._audit.{module}"), function)(text, name, options)
+    try:
+        deck = getattr(import_module(f"cor._audit.{module}"), function)(text, name, options)
+    except (ArithmeticError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as error:
+        raise DeckError(f"this input cannot be read: {type(error).__name__}: {error}") from error
     options.progress("judging contacts")
     return rows_of(deck, options)

@@ -2,10 +2,12 @@
 """Readers of formats of keywords: Kratos (json), MFiX, Lethe, PFC, MercuryDPM (C++)."""
 
 import ast
+import contextlib
 import itertools
 import json
 import math
 import re
+import warnings
 from typing import Any, Dict, Iterator, List, Tuple
 
 from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Units
@@ -23,7 +25,9 @@ def arithmetic(text: str) -> float:
     except ValueError:
         pass
     try:
-        return number_of(Script().value(ast.parse(text.replace("^", "**"), mode="eval").body))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return number_of(Script().value(ast.parse(text.replace("^", "**"), mode="eval").body))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return NAN
 
@@ -209,8 +213,9 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
             c.unknown = "Its number could not be read."
         deck.contacts.append(c)
     if not hertz:
-        _set_mfix_step(deck, number("KN"), number("DTSOLID_FACTOR", 1, 50.0))
-    for m in range(len(pairs) - len(bodies) + 1, max(given.get("DES_EN_INPUT", {0: ("", 0, 0)})) + 1):
+        with contextlib.suppress(ArithmeticError):
+            _set_mfix_step(deck, number("KN"), number("DTSOLID_FACTOR", 1, 50.0))
+    for m in sorted(given.get("DES_EN_INPUT", ()))[len(pairs) - len(bodies) :]:
         deck.remarks.append(Remark(name, 1, f"DES_EN_INPUT({m}) belongs to no pair of phases", False))
     return deck
 

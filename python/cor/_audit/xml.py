@@ -190,7 +190,10 @@ class _Model:
                     self.contact(one, two, None)
 
     def can_meet(self, one: _Geom, two: _Geom) -> bool:
-        types = [[int(g.number(key, 1)) for key in ("contype", "conaffinity")] for g in (one, two)]
+        types = [
+            [int(g.number(key, 1) if 0 <= g.number(key, 1) < 2**31 else 1) for key in ("contype", "conaffinity")]
+            for g in (one, two)
+        ]
         if not (types[0][0] & types[1][1] or types[1][0] & types[0][1]):
             return False
         if {one.type, two.type} <= {"plane", "hfield"}:

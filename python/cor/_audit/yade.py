@@ -5,6 +5,7 @@ import ast
 import math
 import operator
 import re
+import warnings
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
@@ -13,14 +14,7 @@ from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Repair, 
 MAX_TEXT, MAX_STEPS, MAX_ITEMS, MAX_CALLS = 1 << 22, 300000, 20000, 30
 
 
-class _Unknown:
-    """A value that is not a constant."""
-
-    def __repr__(self) -> str:
-        return "unknown"
-
-
-UNKNOWN = _Unknown()
+UNKNOWN: Any = object()  # a value that is not a constant
 _OPERATORS: Dict[Any, Callable[..., Any]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
     ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod, ast.Pow: operator.pow,
@@ -28,13 +22,8 @@ _OPERATORS: Dict[Any, Callable[..., Any]] = {
     ast.NotEq: operator.ne, ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_,
 }  # fmt: skip
 _MATH = {n: getattr(math, n) for n in "sqrt exp log log10 sin cos tan asin acos atan atan2 ceil floor radians".split()}
-_MATH.update(
-    {"pow": pow, "float": float, "int": int, "abs": abs, "min": min, "max": max, "len": len, "degrees": math.degrees}
-)
-_MATERIALS = {  # numbers of YADE's classes where a material does not set them
-    "FrictMat": {"young": 1e9, "poisson": 0.25, "density": 1000.0},
-    "ViscElMat": {"young": 1e9, "poisson": 0.25, "density": 1000.0},
-}
+_MATH.update(pow=math.pow, float=float, int=int, abs=abs, min=min, max=max, len=len, degrees=math.degrees)
+_MATERIAL = {"young": 1e9, "poisson": 0.25, "density": 1000.0}  # of YADE's classes where a material does not set them
 _LOSSES: Tuple[str, ...] = ("DragEngine", "LinearDragEngine", "HydroForceEngine", "FlowEngine", "TwoPhaseFlowEngine")
 _LOSSES += ("ViscousForceEngine", "SPHEngine", "FluidDomain", "OpenFoamCoupling")
 _FACETS = re.compile("facet[A-Z]\\w*|stl|gmsh|unv|ele|iges")
@@ -199,7 +188,7 @@ class Script:
             return of.values.get(node.attr, self.time_step if node.attr == "dt" else Thing(f"O.{node.attr}", 0))
         if of.name == "table":
             return self.params.get(node.attr, UNKNOWN)
-        return of.values.get(node.attr, _MATERIALS.get(of.name, {}).get(node.attr, UNKNOWN))
+        return of.values.get(node.attr, _MATERIAL.get(node.attr, UNKNOWN) if of.name.endswith("Mat") else UNKNOWN)
 
     # ---- calls ----
 
@@ -246,11 +235,8 @@ class Script:
         if name == "Omega":
             return self.names["O"]
         if name == "PWaveTimeStep":
-            steps = [
-                b.radius[0] * math.sqrt(density_of(b.material) / young_of(b.material))
-                for b in self.bodies
-                if b.kind == "sphere"
-            ]
+            spheres = [b for b in self.bodies if b.kind == "sphere"]
+            steps = [b.radius[0] * math.sqrt(density_of(b.material) / young_of(b.material)) for b in spheres]
             return min(steps) if steps and not any(map(math.isnan, steps)) else UNKNOWN
         if name == "SpherePWaveTimeStep" and len(a) == 3:
             return a[0] * math.sqrt(a[1] / a[2])
@@ -448,9 +434,8 @@ class Script:
                 if node is not None:
                     of.nodes[target.attr] = node
             elif target.attr in _NUMBERS:
-                self.note(
-                    target.lineno, f"a number that is set outside of its constructor is not read: {target.attr}", True
-                )
+                text = f"a number that is set outside of its constructor is not read: {target.attr}"
+                self.note(target.lineno, text, True)
 
 
 @dataclass(frozen=True)
@@ -484,6 +469,7 @@ def density_of(material: Optional[Thing]) -> float:
 def parse(text: str, script: Script) -> ast.Module:
     """The syntax tree; lines that are no Python 3, such as print of Python 2, are left out."""
     lines = text.expandtabs(8).split("\n")
+    warnings.simplefilter("ignore", SyntaxWarning)
     for _ in range(40):
         try:
             return ast.parse("\n".join(lines))
@@ -528,10 +514,9 @@ class _Reader:
         return self.deck
 
     def look_into_functions(self, tree: ast.Module) -> None:
-        for function in (
-            f for f in ast.walk(tree) if isinstance(f, ast.FunctionDef) and f.name not in self.script.called
-        ):
-            for node in ast.walk(function):
+        functions = [f for f in ast.walk(tree) if isinstance(f, ast.FunctionDef)]
+        for function in functions:
+            for node in ast.walk(function) if function.name not in self.script.called else []:
                 if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and node.attr in _NUMBERS:
                     text = f"the function {function.name} sets {node.attr}; what it does when YADE calls it is not read"
                     self.script.note(node.lineno, text, True)
@@ -560,14 +545,8 @@ class _Reader:
             material.values.setdefault("label", f"material {k + 1}")
         merged: Dict[Tuple[Any, ...], Spheres] = {}
         for body in script.bodies:
-            key = (
-                body.kind,
-                id(body.material),
-                body.fixed and body.kind == "sphere",
-                body.clump,
-                body.axis,
-                str(body.mass),
-            )
+            held = body.fixed and body.kind == "sphere"
+            key = body.kind, id(body.material), held, body.clump, body.axis, str(body.mass)
             old = merged.setdefault(key, body)
             if old is not body:
                 low, high = zip(old.radius, body.radius)
@@ -596,13 +575,12 @@ class _Reader:
 
     def body(self, b: Spheres, partner: Spheres) -> Body:
         material = b.material
-        label = str(material.values["label"]) if material else "default material"
+        label = str(material.values.get("label", material.name)) if material else "default material"
         label += ", clump" if b.clump else ""
         name = label if b.kind == "sphere" else f"{b.kind} of {label}"
         get = self.options.radii.get
-        radii = [
-            get(label, get("", NAN)) if math.isnan(r) else r for r in (b if b.kind == "sphere" else partner).radius
-        ]
+        of = b if b.kind == "sphere" else partner
+        radii = [get(label, get("", NAN)) if math.isnan(r) else r for r in of.radius]
         times = 2 if b.kind == "facet" else 1
         return Body(
             name + (", fixed" if b.fixed and b.kind == "sphere" else ""), (times * radii[0], times * radii[1]),
@@ -613,10 +591,8 @@ class _Reader:
     def contact(self, one: Spheres, two: Spheres) -> None:
         wall = two.kind != "sphere"
         line = one.material.line if one.material else 0
-        held = two if one.fixed else one
-        bodies = (
-            (self.body(two, one), self.body(one, two)) if held is two else (self.body(one, two), self.body(two, one))
-        )
+        bodies = self.body(one, two), self.body(two, one)
+        bodies = bodies[::-1] if one.fixed else bodies
         c = Contact(self.name, line, "yade", bodies, losses=list(self.losses), time_step=self.step)
         if wall:
             pull = [abs(g) for g in self.gravity]
@@ -683,10 +659,8 @@ class _Reader:
             self.place(c, node)
 
     def match(self, maker: Thing, a: Optional[Thing], b: Optional[Thing]) -> Tuple[Any, Optional[ast.AST]]:
-        ids = [
-            [self.script.materials.index(m), m.values.get("label")] if m in self.script.materials else []
-            for m in (a, b)
-        ]
+        known = self.script.materials
+        ids = [[known.index(m), m.values.get("label")] if m in known else [] for m in (a, b)]
         for (i, j, value), node in self.matches(maker):
             if (i in ids[0] and j in ids[1]) or (i in ids[1] and j in ids[0]):
                 return value, node
@@ -718,10 +692,8 @@ class _Reader:
         for (i, j, value), node in self.matches(maker):
             if not all(isinstance(n, int) for n in (i, j)) or (i < count and j < count):
                 continue
-            c = Contact(
-                self.name, functor.line, "yade", (Body(str(i)), Body(str(j))), "YADE_EN", number=number_of(value)
-            )
-            c.global_damping = self.damping
+            c = Contact(self.name, functor.line, "yade", (Body(str(i)), Body(str(j))), "YADE_EN")
+            c.number, c.global_damping = number_of(value), self.damping
             if node is not None:
                 self.place(c, node)
             self.deck.contacts.append(c)
@@ -792,9 +764,8 @@ class _Reader:
 
         def at(line: int, column: int) -> int:
             before = sum(len(s) + 1 for s in lines[: line - key[0]])
-            return before + len(
-                lines[line - key[0]].encode("utf-8", "surrogateescape")[:column].decode("utf-8", "ignore")
-            )
+            coded = lines[line - key[0]].encode("utf-8", "surrogateescape")[:column]
+            return before + len(coded.decode("utf-8", "ignore"))
 
         c.repair = repair
         c.slots = ((at(node.lineno, node.col_offset), at(node.end_lineno, node.end_col_offset)),)
