@@ -494,6 +494,16 @@ def test_a_function_of_the_user():
     slope, _ = np.polyfit(speed, 0.9 - 0.05 * speed + 1e-3 * np.sin(9 * speed), 1)
     assert row.value == pytest.approx(-slope, rel=1e-6) and result.command("line") is None
 
+    def parabola(speed, a=0.9, b=0.05, c=0.0):
+        return a - b * speed + c * speed**2
+
+    eps = 0.9 - 0.08 * speed + 0.006 * speed**2 + 4e-3 * np.random.default_rng(15).standard_normal(12)
+    columns, at = np.stack([np.ones(12), speed, speed**2], axis=1), np.array([1.0, 4.0, 16.0])
+    squares = np.linalg.lstsq(columns, eps, rcond=None)[1][0]
+    half = stats.t.ppf(0.975, 9) * math.sqrt(squares / 9 * (at @ np.linalg.inv(columns.T @ columns) @ at))
+    made = cor.fit(points(speed, eps), law=parabola).predict(4.0)
+    assert (made.high_95 - made.low_95) / 2 == pytest.approx(half, rel=0.02)
+
 
 def test_balls_are_fitted_together_and_alone():
     random = np.random.default_rng(13)

@@ -295,7 +295,10 @@ def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[F
     return starts
 
 
-def huber_factor(p: Problem, theta: Floats) -> float:
+def unit_of(p: Problem, theta: Floats, minimum: float) -> float:
+    """The excess of Q at an end of an interval, over the square of the quantile: 1, s^2, or Huber's factor"""
+    if not p.robust:
+        return 1.0 if p.sample.has_sigma else minimum / p.freedom
     root = np.abs(p.residuals(theta))
     psi2 = np.minimum(root, HUBER) ** 2
     return float(psi2.sum() / p.freedom / (max(int((root <= HUBER).sum()), 1) / p.size))
@@ -311,7 +314,7 @@ def find_intervals(p: Problem, theta: Floats) -> Tuple[Floats, float, Any]:
     for _ in range(5):
         minimum = whole_q(p, theta)
         state = (p.scale, p.log_ratio)
-        unit = huber_factor(p, theta) if p.robust else 1.0 if p.sample.has_sigma else minimum / p.freedom
+        unit = unit_of(p, theta, minimum)
         found = np.repeat(theta, 4).reshape(-1, 2, 2)
         targets = [quantile(p, level) * math.sqrt(unit) for level in LEVELS]
         if not math.isfinite(minimum):

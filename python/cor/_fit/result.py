@@ -9,8 +9,8 @@ import numpy as np
 
 from .compare import SIGNIFICANCE, Comparison, Estimate, Outlier, Setup, compare, find_outliers, finite_theta
 from .data import GRAVITY_M_S2, Air, Data, DataError, Floats, Form, Points, Times
-from .intervals import LEVELS, covariance_of, profile, quantile
-from .likelihood import HUBER, Field, Sample, scipy
+from .intervals import LEVELS, covariance_of, profile, quantile, unit_of
+from .likelihood import HUBER, MANY, Field, Sample, scipy
 from .models import BODIES, Bodies, Model, Parameter, choose
 
 COLUMNS = ("value", "low_68", "high_68", "low_95", "high_95", "rms", "chi2", "aic")
@@ -177,6 +177,8 @@ class Result:
         if self.data.unused:
             lines.append(f"Columns that are not read: {', '.join(self.data.unused)}.")
         lines += [*self.data.remarks, *filter(None, [self._air_remark()])]
+        if mine.sample.size > MANY:
+            lines.append(f"More than {MANY} bounces: lines are not searched for outliers.")
         if self.setup.robust:
             lines.append(f"Robust: Huber's function, linear beyond {HUBER} sigma.")
         if mine.comparison.too_many_parameters:
@@ -215,22 +217,17 @@ class Result:
         state = p.scale, p.log_ratio
         covariance = covariance_of(p, theta)[:count, :count]
         values, axes = np.linalg.eigh((covariance + covariance.T) / 2)
-        axes = axes * np.sqrt(np.maximum(values, 0))
-        if count == 2:
-            angles = np.linspace(0, 2 * math.pi, 24, endpoint=False)
-            directions = [axes @ np.array([math.cos(a), math.sin(a)]) for a in angles]
-        else:
-            ways = [
-                *np.eye(count),
-                *(
-                    (a + s * b) / math.sqrt(2)
-                    for s in (1, -1)
-                    for i, a in enumerate(np.eye(count))
-                    for b in np.eye(count)[:i]
-                ),
-            ]
-            directions = [sign * (axes @ way) for way in ways for sign in (1, -1)]
-        unit = 1.0 if p.sample.has_sigma or p.robust else e.minimum / p.freedom
+        directions = [*(axes * np.sqrt(np.maximum(values, 0))).T]
+        if count > 1:  # where eps at one of these speeds changes most
+            least, most = (math.log(end) for end in (p.at(theta).speed.min(), p.at(theta).speed.max()))
+            speeds, steps = np.linspace(least - 1, most + 1, 12), 1e-3 * np.sqrt(np.diag(covariance))
+            shifts = [h * way for h, way in zip(steps, np.eye(count))]
+            curve = model.curve.eps(theta[:count], speeds)
+            slopes = np.array([(model.curve.eps(theta[:count] + d, speeds) - curve) / d.max() for d in shifts])
+            most_changing = covariance @ slopes / np.sqrt(np.einsum("ji,jk,ki->i", slopes, covariance, slopes))
+            directions += [way for way in most_changing.T if np.all(np.isfinite(way))]
+        directions += [-way for way in directions]
+        unit = unit_of(p, theta, e.minimum)
         regions: List[List[Floats]] = []
         for level in LEVELS:
             target, made = quantile(p, level) * math.sqrt(unit), []
