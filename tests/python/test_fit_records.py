@@ -121,7 +121,8 @@ REFUSED = [
     ("line 2, column t_s: the drop has 1 bounce; allowed: 2 or more", TIMES + "1\n", dict(drop_height_m=1.0)),
     ("line 2, column h_cm: the drop has 1 apex", "h_cm\n64\n", {}),
     ("line 1, column eps: not with t_s", "t_s,eps\n0,1\n", {}),
-    ("line 2, column Time .s.: 399 steps of 0.001 s are a recorded waveform, .* 1000 Hz", "", dict(waveform=400)),
+    ("line 2, column Time .s.: 399 steps of 0.001 s are a recorded waveform, .* 1000 Hz", "", dict(waveform=1e3)),
+    ("line 2, column Time .s.: 399 steps of 2.3e-05 s are a recorded waveform", "", dict(waveform=44100.0)),
     ("line 2, column y .m.: the heights grow downward", "", dict(track=40)),
     ("line 1000002: more than 1000000 rows", POINTS + "1,0.5\n" * 1000001, {}),
 ]  # fmt: skip
@@ -131,8 +132,8 @@ REFUSED = [
 def test_refused(message, text, form):
     form = dict(form)
     if "waveform" in form:
-        rows = range(form.pop("waveform"))
-        text = "Time (s),Sound pressure (a.u.)\n" + "".join(f"{k / 1000:.4f},{k % 7}\n" for k in rows)
+        rate = form.pop("waveform")
+        text = "Time (s),Sound pressure (a.u.)\n" + "".join(f"{k / rate:.6f},{k % 7}\n" for k in range(400))
     if "track" in form:
         text = "t_s,y (m)\n" + "".join(f"{k / 60},{(k / 60) ** 2}\n" for k in range(form.pop("track")))
     with pytest.raises(DataError) as error:

@@ -428,9 +428,9 @@ def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
 
 
 def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
-    """Refuse equal time steps: samples of a sound or of a force."""
+    """Refuse time steps that are equal up to rounding: samples of a sound or of a force."""
     step = float(np.median(flight)) if len(flight) >= WAVEFORM_ROWS else np.nan
-    if np.mean(np.abs(flight - step) <= 0.01 * step) > 0.9 if len(flight) else False:
+    if np.mean(np.abs(flight - step) <= 0.1 * step) > 0.9 if len(flight) else False:
         why = (
             f"{len(flight)} steps of {step:.4g} s are a recorded waveform, sampled at {1 / step:.5g} Hz, and not times"
         )
