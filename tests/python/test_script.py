@@ -100,6 +100,9 @@ def test_an_unknown_condition_has_both_branches(monkeypatch):
     text = 'if "$(temp) > 1" then "print hot" elif "1 > 2" "print no" else "print cold"\nprint both'
     out, interpreter = printed(text, monkeypatch)
     assert sorted(out) == ["both", "both", "cold", "hot"] and len(interpreter.split) == 1
+    loop = "label l\nif '$(ke) < 1' then 'jump SELF e'\nrun 9\njump SELF l\nlabel e\nprint end\n"
+    out, interpreter = printed(loop, monkeypatch)
+    assert out == ["end"] and not interpreter.remarks
 
 
 def test_bounds(monkeypatch):

@@ -289,9 +289,10 @@ class Granular(System):
 
     def selected(self, how: str, what: Sequence[str]) -> Any:
         """A function of a cohort: True, False or None (a part) if it is in the types, ids, group or region."""
-        if how == "type" and len(what) > 1 and re.match("[<>=!]", what[0]):
-            x, y, sign = number(what[1]), number(what[-1]), SIGNS.get(what[0])
-            return lambda c: bool(sign(c.type, x)) if sign else x <= c.type <= y
+        if how in ("type", "id") and len(what) > 1 and re.match("[<>=!]", what[0]):
+            x, y = number(what[1]), number(what[-1])
+            sign: Any = SIGNS.get(what[0], lambda of, low: bool(low <= of <= y))
+            return lambda c: bool(sign(c.type if how == "type" else c.id, x)) if how == "type" or c.id else None
         if how in ("type", "id", "atom"):
             spans = [_span(word) for word in what]
             if how == "type":
@@ -375,9 +376,9 @@ class Granular(System):
             self.pour(words, style == "pour", groups)
             self.created = -1
         elif style.startswith("insert/"):
-            if words.after("vel") == "constant":
-                self.add_speed(words, words.find("vel") + 2)
-            distribution = self.fixes.get(words.after("distributiontemplate"))
+            if words.after("vel", 4) == "constant":
+                self.add_speed(words, words.find("vel", 4) + 2)
+            distribution = self.fixes.get(words.after("distributiontemplate", 4))
             named = [self.fixes[n] for n in (distribution or [])[6::2] if n in self.fixes]
             self.cohorts += [c for f in named or self.templates() for c in self.of_template(f, groups)]
             self.created = -1
@@ -387,28 +388,28 @@ class Granular(System):
 
     def pour(self, words: Words, is_pour: bool, groups: FrozenSet[str]) -> None:
         type = int(words.number(5))
-        if "mol" in words or "rigid" in words:
+        if "mol" in words[6:] or "rigid" in words[6:]:
             self.cohorts.append(Cohort(type or 1, groups=groups | {_RIGID}))
             return
-        at, sizes = words.find("diam"), [1.0]
+        at, sizes = words.find("diam", 6), [1.0]
         if is_pour and at > 0:
             count = words.value(at + 2) if words[at + 1] == "poly" else NAN
             sizes = [words.value(at + 3 + 2 * i) for i in range(int(count) if 1 <= count <= MAX_TYPES else 0)]
             sizes = sizes or [words.value(at + 2), words.value(at + 2 + (words[at + 1] == "range"))]
-        at = words.find("dens") if is_pour else -1
+        at = words.find("dens", 6) if is_pour else -1
         density = [words.value(at + 1), words.value(at + 2)] if at > 0 else [1.0]
         self.cohorts.append(Cohort.of(type, [min(sizes) / 2, max(sizes) / 2], density, groups=groups))
-        if is_pour and "vel" in words:
-            self.add_speed(words, words.find("vel") + (5 if self.dimension == 3 else 4), 1)
+        if is_pour and words.find("vel", 6) > 0:
+            self.add_speed(words, words.find("vel", 6) + (5 if self.dimension == 3 else 4), 1)
 
     def templates(self) -> List[Words]:
         return [f for f in self.fixes.values() if f[3].startswith("particletemplate/")]
 
     def of_template(self, words: Words, groups: FrozenSet[str]) -> List[Cohort]:
         """The cohort of a particletemplate/sphere SEED atom_type 1 density constant 2500 radius constant 0.005."""
-        type = words.value(words.find("atom_type") + 1) if "atom_type" in words else 1.0
+        type = words.value(words.find("atom_type", 4) + 1) if words.find("atom_type", 4) > 0 else 1.0
         limits = []
-        for i in (words.find("radius"), words.find("density")):
+        for i in (words.find("radius", 4), words.find("density", 4)):
             count = {"constant": 1, "uniform": 2}.get(words[i + 1], 0) if i > 0 else 0
             limits.append([words.value(i + 2 + k) for k in range(count)] or [NAN])
         if words[3] != "particletemplate/sphere":
@@ -811,18 +812,19 @@ class Granular(System):
         return [(Coefficient(words, at, style), 0, words[1], unknown)]
 
     def walls_of_liggghts(self, words: Words) -> List[Tuple[Coefficient, int, str, str]]:
-        of, meshes = Coefficient(words, 5, "model"), words.find("meshes")
-        if words[4] != "model" or ("primitive" not in words and meshes < 0):
+        of, meshes = Coefficient(words, 5, "model"), words.find("meshes", 4)
+        is_primitive = words.find("primitive", 4) > 0
+        if words[4] != "model" or (not is_primitive and meshes < 0):
             return [(of, 0, words[1], f"cor does not know the wall {words[4]}.")]
-        if "primitive" in words:
+        if is_primitive:
             sources = [(words[1], self.fixes.get(words[1]))]
         else:
-            count = words.value(words.find("n_meshes") + 1)
+            count = words.value(words.find("n_meshes", 4) + 1)
             names = words[meshes + 1 : meshes + 1 + (int(count) if 1 <= count < MAX_TYPES else 1)]
             sources = [(f"{words[1]} {name}", self.fixes.get(name)) for name in names]
         walls = []
         for name, source in sources:
-            type = source.value(source.find("type") + 1) if source and "type" in source else NAN
+            type = source.value(source.find("type", 4) + 1) if source and source.find("type", 4) > 0 else NAN
             unknown = "" if 1 <= type <= MAX_TYPES else f"The type of the wall {name} is not known."
             walls.append((of, int(type) if not unknown else 0, name, unknown))
         return walls

@@ -283,6 +283,8 @@ class World:
         self.stack: List[Tuple[Source, int, int]] = []  # file, offset, number of the next line
         self.label, self.skip_jump, self.partition, self.depth, self.is_left = "", False, 0, 0, False
         self.evaluated: Set[str] = set()
+        self.changes = 0  # of the system, and with the variables at each unknown condition
+        self.visited: Dict[Tuple[str, int], Any] = {}
         self.pending: List[str] = []
         self.place = Line("", 0, 0, "")
 
@@ -290,6 +292,7 @@ class World:
         other = World(self.script, self.system.copy())
         other.variables, other.stack = dict(self.variables), list(self.stack)
         other.skip_jump, other.partition, other.place = self.skip_jump, self.partition, self.place
+        other.changes, other.visited = self.changes, dict(self.visited)
         return other
 
     # -- variables --
@@ -497,6 +500,12 @@ class World:
         if not any(self.matters(command) for commands in branches for command in commands):
             return
         place = (words.line.file, words.line.line)
+        state = self.changes, dict(self.variables)
+        if self.visited.get(place) == state:  # a loop that only a run can end
+            self.stack.clear()
+            self.is_left = True
+            return
+        self.visited[place] = state
         if place not in self.script.split and len(self.script.split) < MAX_WORLDS:
             self.script.split[place] = unknown.replace(_BLANK, " ")
             for commands in branches[:-1]:
@@ -536,6 +545,7 @@ class World:
         elif hasattr(self.system, f"on_{name}"):
             changes = self.script.attempt(line, name, lambda: getattr(self.system, f"on_{name}")(words))
             self.system.is_changed |= changes is not False
+            self.changes += changes is not False
 
     def quit(self, words: Words) -> None:
         self.stack.clear()
