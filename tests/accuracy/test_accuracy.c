@@ -65,7 +65,7 @@ static const double region_boundaries[] = {
 
 static void search_boundaries(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
-    const uint64_t all = o->points < 1000000 ? 64 : 256, radius = f->share > 0 ? all / f->share : all;
+    const uint64_t all = o->points < 1000000 ? 20 : 256, radius = f->share > 0 ? all / f->share : all;
     if (search_is_inverse(f)) {
         for (int i = 0; i <= 256; i++)
             worst_walk(worst, f, o, i / 256.0, radius);

@@ -261,9 +261,9 @@ static int search_contact_time(uint64_t points)
 int main(int argc, char **argv)
 {
     static const char help[] = "test_disk_law [--points N] [--times N] [--seed N]\n"
-                               "    --points N  random arguments for each algebraic function, 50000 if not said\n"
-                               "    --times N   random arguments for the contact time, 200 if not said\n";
-    struct search_options o = {.points = 50000, .times = 200, .seed = 19990101, .threads = 1};
+                               "    --points N  random arguments for each algebraic function, 25000 if not said\n"
+                               "    --times N   random arguments for the contact time, 100 if not said\n";
+    struct search_options o = {.points = 25000, .times = 100, .seed = 19990101, .threads = 1};
     const int status = search_options_read(&o, argc, argv, help);
     if (status != 0)
         return status;

@@ -307,7 +307,7 @@ TEST(collisions_under_a_constant_force)
         const double a1 = (double)laws[l].elastic / laws[l].denominator + 1;
         EACH (damping, 0, 0.05, 0.5, 2.6) {
             EACH (force, 1e-4, 0.1, 0.5, 2) {
-                if (in_turn(cases++, 3))
+                if (in_turn(cases++, 9))
                     check_pressed(&laws[l], *damping, *force, 1);
             }
         }

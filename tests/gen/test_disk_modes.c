@@ -401,7 +401,7 @@ TEST(every_mode)
         set_nu(nu, table[i].nu);
         modes_solve(modes, table[i].nu, (slong)table[i].modes.count, ROOT_DIGITS);
         for (size_t k = 0; k < table[i].modes.count; k++)
-            if (in_turn(k, 3))
+            if (in_turn(k, 6))
                 check_mode(nu, &table[i].modes.mode[k], &modes->mode[k]);
     }
 }

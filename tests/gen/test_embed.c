@@ -194,7 +194,7 @@ TEST(test_scenes)
         {root, "1e2", "1e4", "1e-10", "1", OVERLAP, EMBED_DOUBLE, false, 4}, /* beta from 10: a power of the speed */
     };
     for (size_t i = 0; i < COUNT_OF(scenes); i++) {
-        if (!in_turn(i, 6))
+        if (!in_turn(i, 11))
             continue;
         struct embed_request request =
             request_of(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end,

@@ -197,7 +197,7 @@ TEST(test_gravity)
                   {COR_LAW_TSUJI, END_SURFACE, "0.1", "library: cor_scene_eps"},
                   {COR_LAW_VISCOELASTIC, END_SURFACE, "0", "constant eps"}};
     for (size_t k = 0; k < COUNT_OF(scenes); k++) {
-        if (!in_turn(k, 2))
+        if (!in_turn(k, 4))
             continue;
         const int number[] = {[COR_LAW_VISCOELASTIC] = COR_SCENE_DISSIPATION_TIME,
                               [COR_LAW_HERTZ_DASHPOT] = COR_SCENE_DAMPING_COEFFICIENT,

@@ -514,6 +514,7 @@ TEST(parts_of_the_estimate)
  * level with finer steps and angles. */
 TEST(usual_errors)
 {
+    leave_to_turn(1, 3);
     if (points(10) < 10) /* for the use of memory the scenes of the test `errors` are enough */
         skip();
     const size_t scenes = points(1), most = scenes < 20 ? 10 : COR_DISK_HARD_WALL_MAX_LEVELS;

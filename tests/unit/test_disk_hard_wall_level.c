@@ -94,7 +94,7 @@ TEST(written_out)
 /* nu -> 1 and speeds at which the contact splits: pivoting, and not one piece only */
 TEST(in_pieces)
 {
-    leave_to_turn(3, 3);
+    leave_to_turn(1, 3);
     const double nu = 0.9, speed = 0.25, omega = 60;
     const struct cor_disk_modes modes = modes_of(nu, omega);
     struct cor_hard_wall_settings settings = fine_settings(omega, speed);

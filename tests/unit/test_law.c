@@ -165,6 +165,17 @@ static double cost_of(enum cor_law law, int end, double e)
                                                                        : 8;
 }
 
+/* At random, where rows and series meet */
+TEST(back_at_random)
+{
+    for (size_t i = 0; i < points(20000); i++) {
+        const enum cor_law law = (enum cor_law)random_below(&draw, COR_LAW_HERTZ_DASHPOT + 1);
+        const int end = (int)random_below(&draw, ENDS);
+        const double e = random_log(&draw, i % 4 ? 1e-12 : 1e-200, 1);
+        check_back(law, end, 0, e, cost_of(law, end, e));
+    }
+}
+
 /* Every size of e and of 1 - e, subnormal numbers included */
 TEST(every_size)
 {
@@ -605,6 +616,7 @@ TEST(table)
     assert_true(!cor_law_name(COR_LAWS) && !cor_end_name(COR_BOTH_ENDS) && !cor_quantity_name(COR_QUANTITIES));
 }
 
-RUN_TESTS(table, special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, every_size,
-          near_critical_damping, order_of_the_ends, against_the_equation_of_motion, crossley_times, hertz_dashpot_known,
-          hertz_dashpot_threshold, hertz_dashpot_slowest_speed, oblique_impacts, slip_in_oblique_impacts)
+RUN_TESTS(table, special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, back_at_random,
+          every_size, near_critical_damping, order_of_the_ends, against_the_equation_of_motion, crossley_times,
+          hertz_dashpot_known, hertz_dashpot_threshold, hertz_dashpot_slowest_speed, oblique_impacts,
+          slip_in_oblique_impacts)

@@ -100,19 +100,21 @@ TEST(test_contacts_of_the_list)
     assert_true(file && fgets(row, sizeof row, file));
     for (; fgets(row, sizeof row, file); rows++) {
         char *at = row, *const arguments = cell_of(&at);
-        double y[2 * COLUMNS];
+        double y[4 * COLUMNS]; /* of two contacts at two speeds */
         options_of(options, arguments);
         if (strcmp(cell_of(&at), "no") == 0)
             continue;
         check(web_read(options), "%s: %s", options, web_wrong_text());
         const int contacts = atoi(cell_of(&at));
         const char *const speed = strstr(options, "\nspeed=");
-        web_impacts(&(double){speed ? atof(speed + strlen("\nspeed=")) : 1}, y, 1);
+        const double first = speed ? atof(speed + strlen("\nspeed=")) : 1;
+        web_impacts((const double[]){first, 10 * first}, y, 2);
+        check(same_number(y[2 * NUMBERS], y[2 * NUMBERS + 1]), "%s: the time step is for all speeds", options);
         check(!contacts || contacts == web_now.count, "%s: %d contacts", options, web_now.count);
         for (int i = 0; i < NUMBERS; i++) {
             const char *const cell = cell_of(&at);
-            check(!*cell || same_number(y[i], atof(cell)) || fabs(y[i] / atof(cell) - 1) < 1e-11,
-                  "%s: number %d: %.13g", options, i, y[i]);
+            check(!*cell || same_number(y[2 * i], atof(cell)) || fabs(y[2 * i] / atof(cell) - 1) < 1e-11,
+                  "%s: number %d: %.13g", options, i, y[2 * i]);
         }
         const char *const line = cell_of(&at), *const lines = *line ? web_lines() : "";
         check(!*line || (lines ? strstr(lines, line) : strstr(web_wrong_text(), line)), "%s: no line %s", options,
