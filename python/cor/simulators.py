@@ -192,7 +192,7 @@ def audit(
     input itself, or a path; include(name, of) returns the text of a file that the input includes, or None. An input in
     which no contact is found raises ValueError."""
     from ._audit import physics
-    from ._audit.deck import MAX_BYTES, Options
+    from ._audit.deck import MAX_BYTES, DeckError, Options
     from ._command import read_text
 
     _positive(radius=radius, density=density, time_step=time_step, tolerance=tolerance)
@@ -207,10 +207,16 @@ def audit(
         simulator = sorted(physics.SIMULATORS)[one_of("simulator", simulator, sorted(physics.SIMULATORS))]
     _version(version)
 
+    failed: List[Exception] = []
+
     def included(name: str, of: str) -> Optional[Tuple[str, str]]:
-        found = None if include is None else include(name, of)
-        if found is not None and not isinstance(found, str):
-            raise TypeError(f"include: a str is needed, not {type(found).__name__}")
+        try:
+            found = None if include is None else include(name, of)
+            if found is not None and not isinstance(found, str):
+                raise TypeError(f"include: a str is needed, not {type(found).__name__}")
+        except Exception as error:
+            failed.append(error)
+            raise
         return None if found is None else (found, name)
 
     numbers = {"radii": {"": radius}, "densities": {"": density}}
@@ -219,7 +225,12 @@ def audit(
         simulator or "", version or "", tuple(map(float, _speeds(speeds)[0])), given["radii"], given["densities"],
         time_step or math.nan, tolerance, include=included,
     )  # fmt: skip
-    rows = physics.audit_text(text, name, options)
+    try:
+        rows = physics.audit_text(text, name, options)
+    except DeckError:
+        if failed:
+            raise failed[0] from None
+        raise
     if not any(row.model for row in rows):
         why = "; ".join(f"line {row.line}: {row.advice}" for row in rows)
         raise ValueError(f"text: no contact is found{'; ' if why else ''}{why}")
