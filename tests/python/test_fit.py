@@ -535,6 +535,73 @@ def test_a_function_without_numbers_is_not_determined():
     assert math.isnan(cor.fit(points([1.0, 2.0, 3.0], [0.8, 0.8, 0.7]), law=broken).parameters.value[0])
 
 
+def mean_of(eps, sigma, bend):
+    """Huber's mean of points or, with the bend at infinity, their weighted mean, and the sum of all weights"""
+    mean, weight = np.median(eps), 1 / sigma**2
+    for _ in range(200):
+        part = weight * np.minimum(1, bend * sigma / np.maximum(np.abs(eps - mean), 1e-300))
+        mean = (part @ eps) / part.sum()
+    return mean, part.sum()
+
+
+def outliers_of_constant(eps, sigma):
+    """The rule of find_outliers for a constant with given errors, in closed forms"""
+    n, out = eps.size, np.zeros(eps.size, bool)
+    while out.sum() < 8 and (~out).sum() - 1 >= 3 * n // 4:
+        z = np.where(out, 0, np.abs(eps - mean_of(eps[~out], sigma[~out], 1.345)[0]) / sigma)
+        if (~out).sum() * 2 * stats.norm.sf(z.max()) > 0.05:
+            break
+        out[np.argmax(z)] = True
+    while out.any():
+        mean, weight = mean_of(eps[~out], sigma[~out], math.inf)
+        spread = max((((eps - mean) / sigma)[~out] ** 2).sum() / ((~out).sum() - 1), 1)
+        distance = (eps - mean) / np.sqrt(sigma**2 + 1 / weight)
+        tail = (
+            stats.f.sf(distance**2 / spread, 1, (~out).sum() - 1) if spread > 1 else 2 * stats.norm.sf(abs(distance))
+        )
+        back = out & (n * tail >= 0.01)
+        if not back.any():
+            break
+        out[np.argmin(np.where(back, np.abs(distance), math.inf))] = False
+    return [(k + 2, pytest.approx(distance[k], abs=1e-5)) for k in np.flatnonzero(out)]
+
+
+def test_outliers_follow_closed_forms():
+    random, lengths = np.random.default_rng(16), set()
+    for draw in range(40):
+        data = draw_points("constant", random, n=random.integers(8, 28), sigma=0.01, given=True)
+        record, bad = data.record, random.uniform(size=data.record.eps.size) < 0.2
+        record.eps[bad] += (random.uniform(-6, 6, bad.size) * record.sigma)[bad]
+        record.sigma[:] *= 0.7 if draw % 2 else 1
+        named = cor.fit(data, law="constant").groups[""].outliers
+        assert [(o.line, o.distance) for o in named] == outliers_of_constant(record.eps, record.sigma)
+        lengths.add(len(named))
+    assert {0, 1, 2} <= lengths
+
+
+def test_robust_intervals_of_a_constant():
+    data = draw_points("constant", np.random.default_rng(17), n=30, given=True)
+    eps, sigma = data.record.eps, data.record.sigma
+    eps[[3, 9]] += 12 * sigma[[3, 9]]
+    e = cor.fit(data, law="constant", robust=True).find()[1]
+    assert e.theta[0] == pytest.approx(mean_of(eps, sigma, 1.345)[0], rel=1e-9)
+
+    def q(theta):
+        z = np.abs(eps - theta) / sigma
+        return np.where(z < 1.345, z**2, 1.345 * (2 * z - 1.345)).sum()
+
+    z = np.abs(eps - e.theta[0]) / sigma
+    factor = (np.minimum(z, 1.345) ** 2).sum() / 29 / (np.mean(z <= 1.345))
+    for end in e.intervals[0, 1]:
+        assert q(end) - q(e.theta[0]) == pytest.approx(stats.norm.ppf(0.975) ** 2 * factor, rel=1e-6)
+
+
+def test_a_loss_that_explains_nothing_is_zero():
+    p = problem("wet constant", points([1.0, 2.0, 3.0, 4.0], [0.72, 0.71, 0.71, 0.7]))
+    theta, minimum, found = intervals.find_intervals(p, np.array([0.71, p.low[1] + 0.5]))
+    assert theta[1] == p.low[1] and found[1, 0, 0] == -math.inf and math.isfinite(found[1, 0, 1])
+
+
 def test_wrong_options():
     data = points([1.0, 2.0, 3.0], [0.8, 0.8, 0.7])
     with pytest.raises(ValueError, match="law: 'viscous' is not a model; allowed: all, viscoelastic"):
