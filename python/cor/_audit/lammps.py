@@ -135,7 +135,7 @@ class Granular(System):
     def restart(self) -> None:
         """Begins an empty system, as `clear` does."""
         self.units, self.time_step, self.fault = Units("lj"), UNITS["lj"][3], ""
-        self.dimension, self.types, self.step, self.atom_style = 3, 0, 0, ""
+        self.dimension, self.types, self.step, self.atom_style, self.is_scaled = 3, 0, 0, "", False
         self.cohorts: List[Cohort] = []
         self.group_names: Dict[str, bool] = {"all": True}
         self.regions: Dict[str, Words] = {}
@@ -202,11 +202,11 @@ class Granular(System):
     def on_region(self, words: Words) -> None:
         self.regions.pop(words[1], None)
         if words[2] != "delete":
-            self.hold_line(self.regions, words[1], words)
+            is_known_size = not self.is_scaled or words.after("units", 4) == "box"
+            self.hold_line(self.regions, words[1], words if is_known_size else Words(words.line, []))
 
     def on_lattice(self, words: Words) -> None:
-        if words[1] != "none":
-            self.box, self.regions = None, {}
+        self.is_scaled = words[1] != "none"
 
     def on_change_box(self, words: Words) -> None:
         self.box = None
@@ -254,7 +254,7 @@ class Granular(System):
             self.set_types(0, "file")
             return
         made = Cohort.of(words.number(1), [0.5], [1.0], count=int(is_single), id=max(self.created, 0))
-        made.at = tuple(words.value(i) for i in (3, 4, 5)) if is_single else ()
+        made.at = tuple(words.value(i) for i in (3, 4, 5)) if is_single and not self.is_scaled else ()
         self.set_density(made, 1.0)
         last = self.cohorts[-1] if self.cohorts else made
         if len(self.cohorts) < MAX_COHORTS:
@@ -541,7 +541,7 @@ class Granular(System):
                 if not rigid and (not math.isnan(density) or any(map(math.isnan, masses))):
                     mass = None
                 is_named = len(classes[type]) > 1 or held == "fixed"
-                name = f"{type}{' ' + (held or rigid or 'free') if is_named else ''}"
+                name = f"{type} {held or rigid if is_named else ''}".strip()
                 body = Body(name, (min(radius), max(radius)), density, mass, held=bool(held), type=type)
                 found.setdefault(type, []).append(Moving(self.with_material(body), members, held, rigid))
         return found
