@@ -225,7 +225,7 @@ static double integrated_eps(const struct pair *s, enum cor_end end, double damp
 }
 
 /* A constant impedance d is a linear dashpot: against the closed form; and, for small d, under gravity, against the
- * surface of a pressed contact. d from 0.9 to 0.95: eps as MuJoCo's own step gives it to 1e-4. */
+ * surface of a pressed contact. d from 0.9 to 0.95: eps as MuJoCo's own step gives it. */
 TEST(mujoco)
 {
     const double solimp[5] = {0.9, 0.9, 0.001, 0.5, 2}, grown[5] = {0.9, 0.95, 0.001, 0.5, 2};
@@ -238,6 +238,9 @@ TEST(mujoco)
     double eps;
     assert_int_equal(cor_scene_eps(&eps, &pressed, 0.5, COR_END_ZERO_FORCE), COR_OK);
     check_near(cor_mujoco_eps((const double[]){1e-4, 1e-4, 0.001, 0.5, 2}, 100, 0.2, 0.5, 9.8), eps, 1e-3);
+    /* two balls that libmujoco 2.2.2 dropped on a plane at 0.5 m/s, with a step of 2e-6 s */
+    check_near(cor_mujoco_eps((const double[]){0.95, 0.95, 0.001, 0.5, 2}, 100, 0.5, 0.5, 9.81), 0.151317, 4e-4);
+    check_near(cor_mujoco_eps((const double[]){0.5, 0.9, 0.01, 0.5, 2}, 1 / 0.006, 0.3, 0.5, 9.81), 0.307851, 1e-4);
     assert_true(isnan(cor_mujoco_eps(solimp, 0, 1, 1, 0)) && isnan(cor_mujoco_eps(solimp, 1e200, 1, 1, 0)));
     assert_true(isnan(cor_mujoco_eps((const double[]){0.9, 0.9, 0, 0.5, 2}, 1, 1, 1, 0)));
 }
