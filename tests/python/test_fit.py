@@ -48,6 +48,10 @@ TRUTH = {
 CURVES = {model.curve.name: model.curve for model in models.MODELS}
 
 
+def ints(*values):
+    return np.array(values, np.int64)
+
+
 @pytest.fixture(autouse=True)
 def quick(request, monkeypatch):
     """The search for outliers costs most of a fit."""
@@ -308,6 +312,60 @@ def test_an_error_of_a_number_moves_its_bounces(kind):
         assert moved == pytest.approx(expected, abs=1e-4), k
 
 
+def test_given_errors_of_heights_by_dense_matrices():
+    random, none = np.random.default_rng(18), np.zeros(1, np.int64)
+    heights = 0.81 ** np.arange(6) + 1e-3 * random.standard_normal(6)
+    sigma = random.uniform(1e-3, 2e-3, 6)
+    chain = Apexes(heights, sigma, np.arange(6), np.array([0, 6]), none, ())
+    pairs = Heights(heights[:3], heights[3:], sigma[:3], sigma[3:], np.arange(3), np.zeros(3, np.int64), ())
+    for record, middle, last in (
+        (chain, ints(0, 1, 2, 3, 4), ints(1, 2, 3, 4, 5)),
+        (pairs, ints(0, 1, 2), ints(3, 4, 5)),
+    ):
+        p, eps = problem("constant", Data("heights", record)), 0.88
+        errors = np.zeros((middle.size, 6))  # of sqrt(2 g h_1) - eps sqrt(2 g h_0)
+        errors[range(middle.size), last] = np.sqrt(G / 2 / heights[last])
+        errors[range(middle.size), middle] = -eps * np.sqrt(G / 2 / heights[middle])
+        residual = np.sqrt(2 * G * heights[last]) - eps * np.sqrt(2 * G * heights[middle])
+        expected = residual @ np.linalg.solve(errors @ np.diag(sigma**2) @ errors.T, residual)
+        assert p.objective(np.array([eps])) == pytest.approx(expected, rel=1e-9)
+
+
+def test_curves_by_other_routes():
+    v, s, e = np.array([0.3, 1.0, 4.0]), 0.1, 0.8
+    x, log_s, theta = np.log(v), math.log(0.1), -1.1
+    sphere = {end: cor.Contact(beta=math.exp(theta), at=1.0, end=end).eps for end in ("zero_overlap", "zero_force")}
+    expected = {
+        "adhesive constant": (e, np.sqrt(e**2 - (s / v) ** 2)),
+        "wet constant": (e, (e * (v - s) - s) / v),
+        "exponential": (e, e + (1 - e) * np.exp(-v / s)),
+        "stokes": (e, e - e * s / v),
+        "walton-braun": (log_s, (1 + v / s) ** -0.5),
+        "power-law": (log_s, np.minimum(1, s * v**log_s)),
+        "elastic-plastic": (log_s, cor.Contact(law="elastic-plastic", young=1e9, poisson=0.3, radius=1.0, density=1e3,
+                                               restitution=0.5, at=1.0).eps(v * _yield(0.5) / s)),
+    }  # fmt: skip
+    for end, eps in sphere.items():
+        name = f"viscoelastic {end.replace('_', '-')}"
+        expected[name] = (theta, eps(v))
+        expected[f"adhesive {name}"] = (theta, np.sqrt(eps(v) ** 2 - (s / v) ** 2))
+        expected[f"wet {name}"] = (theta, (eps(v - s) * (v - s) - s) / v)
+    for name, (first, eps) in expected.items():
+        assert CURVES[name].eps((first, log_s), x) == pytest.approx(eps, rel=1e-9), name
+        assert np.all(np.asarray(CURVES[name].eps((first, log_s), x - 9)) >= 0), name
+
+
+def _yield(eps):
+    """The yield speed of elastic-plastic spheres with eps at 1 m/s, by the formula of Thornton"""
+    brentq = pytest.importorskip("scipy.optimize").brentq
+
+    def eps4(r):
+        t = r * math.sqrt(5 / (6 - r * r))
+        return 108 * t / ((t + 2) * (t * t + 5) ** 2)
+
+    return brentq(lambda r: eps4(r) - eps**4, 1e-6, 1)
+
+
 # value, low and high of 95 %, AIC and p of corgen fit, the program before cor.fit
 STORED = [
     ("golf_ball_marble_heights", "viscoelastic zero-overlap", "g_star_m_s", 205461, 195593, 215918, 14.7784, 0.0051),
@@ -478,6 +536,8 @@ def test_parameters_of_materials():
     for title, contact in contacts.items():
         end = None if title == "elastic-plastic" else "zero_overlap"
         assert contact.eps(1.5, end) == pytest.approx(result.predict(1.5, title).eps, rel=1e-9), title
+    bodies.update(wall=True, viscosity_liquid=1e-3)
+    result = cor.fit(draw_points("stokes", np.random.default_rng(12)), law="stokes,constant,walton-braun", **bodies)
     row, theta = by_name(result, "stokes")["critical_stokes_number"], result.find("stokes")[1].theta
     assert row.value == pytest.approx(1.3e-3 * math.exp(theta[1]) / (6 * math.pi * 1e-3 * 0.005**2))
     assert by_name(result, "walton-braun both")["stiffness_ratio"].value == result.find("constant")[1].theta[0] ** 2
