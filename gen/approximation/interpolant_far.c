@@ -45,7 +45,7 @@ static bool has_far(const struct interpolant *f, enum quantity quantity)
     const struct interpolant_layout *layout = f->layout;
     for (int i = 0; i < layout->intervals; i++)
         if (layout->interval[i].variable == INTERVAL_LOG && layout->interval[i].form == FORM_POWER &&
-            holds(&layout->interval[i], quantity))
+            has_quantity(&layout->interval[i], quantity))
             return quantity != EPS_ZERO_OVERLAP;
     return false;
 }
@@ -92,7 +92,7 @@ int interpolant_make_far(struct interpolant *f)
         interpolant_place(s.beta + k, s.node + k, f, &interval, (9.5 + 0.5 * (double)k) * slower);
     int status = samples_collide(&s, 1, f, &interval, "collisions at large beta");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
-        if (holds(&interval, (enum quantity)q) && !fit_far(f, (enum quantity)q, &s))
+        if (has_quantity(&interval, (enum quantity)q) && !fit_far(f, (enum quantity)q, &s))
             status = fail("the far coefficients could not be solved for");
     samples_clear(&s, interval.count);
     return status;

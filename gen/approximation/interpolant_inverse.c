@@ -20,7 +20,7 @@ enum { SEARCH_BITS = 128 };
 
 /* The function of w whose zero is the inverse, minus its value for the given number: the root of the loss, which has a
  * slope also at beta = 0; or ln(eps), because eps may fall by many powers of ten within an interval */
-static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
+static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = s->prec, root = s->f->layout->root;
     interpolant_at(y, s->f, s->function, s->variable, w, prec);
@@ -37,11 +37,11 @@ static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t w
 }
 
 /* Whether w is beyond the zero. The loss rises with beta, eps falls, and v falls with beta. */
-static bool beyond(const struct search *s, double w, const arb_t wanted)
+static bool is_beyond_root(const struct search *s, double w, const arb_t wanted)
 {
     LOCAL(arb, x, y);
     arb_set_d(x, w);
-    excess(y, s, x, wanted);
+    set_excess(y, s, x, wanted);
     const int sign = arf_sgn(arb_midref(y));
     return (s->of_loss ? sign > 0 : sign < 0) != (s->variable == INTERVAL_BELOW);
 }
@@ -53,7 +53,7 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
     enum { HALVINGS = 5, STEPS = 18, NEAR_BITS = 20, ENOUGH_BITS = 110 };
     for (int k = 0; k < HALVINGS; k++) {
         const double middle = (s->lo + s->hi) / 2;
-        if (beyond(s, middle, wanted))
+        if (is_beyond_root(s, middle, wanted))
             s->hi = middle;
         else
             s->lo = middle;
@@ -61,10 +61,10 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
     LOCAL(arb, before, f0, f1, step);
     arb_set_d(before, s->lo);
     arb_set_d(w, s->hi);
-    excess(f0, s, before, wanted);
+    set_excess(f0, s, before, wanted);
     bool found = false;
     for (int k = 0; k < STEPS && !found; k++) {
-        excess(f1, s, w, wanted);
+        set_excess(f1, s, w, wanted);
         found = arb_is_zero(f1);
         if (!found) {
             LET(step, INTERPOLANT_BITS, "(w - before)*f1/(f1 - f0)", w, before, f1, f0);
@@ -90,18 +90,19 @@ static void choose_stretch(struct search *s, const arb_t wanted)
     s->lo = 0;
     s->hi = layout->interval[0].hi; /* the end of the last interval in the root of beta that holds samples of eps */
     for (int i = 0; i < layout->intervals; i++)
-        if (layout->interval[i].variable == INTERVAL_ROOT && holds(&layout->interval[i], eps) && f->samples[i].known)
+        if (layout->interval[i].variable == INTERVAL_ROOT && has_quantity(&layout->interval[i], eps) &&
+            f->samples[i].known)
             s->hi = fmax(s->hi, layout->interval[i].hi);
-    if (interpolant_last(f, eps, INTERVAL_LOG) > -HUGE_VAL && !beyond(s, s->hi, wanted)) {
+    if (interpolant_last(f, eps, INTERVAL_LOG) > -HUGE_VAL && !is_beyond_root(s, s->hi, wanted)) {
         s->variable = INTERVAL_LOG;
         s->lo = (double)layout->root * log(s->hi);
         s->hi = interpolant_last(f, eps, INTERVAL_LOG);
-        if (interpolant_last(f, eps, INTERVAL_BELOW) > -HUGE_VAL && !beyond(s, s->hi, wanted)) {
+        if (interpolant_last(f, eps, INTERVAL_BELOW) > -HUGE_VAL && !is_beyond_root(s, s->hi, wanted)) {
             s->variable = INTERVAL_BELOW;
             s->hi = log(ball_middle(f->threshold) - exp(s->hi));
             s->lo = HUGE_VAL;
             for (int i = 0; i < layout->intervals; i++)
-                if (layout->interval[i].variable == INTERVAL_BELOW && holds(&layout->interval[i], eps))
+                if (layout->interval[i].variable == INTERVAL_BELOW && has_quantity(&layout->interval[i], eps))
                     s->lo = fmin(s->lo, layout->interval[i].lo);
         }
     }

@@ -13,7 +13,7 @@ enum {
     INTERPOLANT_NODE_BITS = 640 /* of nodes; divided differences lose many */
 };
 
-static inline bool holds(const struct interval *interval, enum quantity quantity)
+static inline bool has_quantity(const struct interval *interval, enum quantity quantity)
 {
     return interval->set & 1u << quantity;
 }

@@ -102,8 +102,8 @@ bool sample_rounded(arb_t y, const arb_t x, slong bits)
 }
 
 /* The number that an interval stores for a collision */
-static void scaled(arb_t y, const struct cor_exponents *law, const struct interval *interval, enum quantity quantity,
-                   const struct collision *c, const arb_t beta, slong prec)
+static void set_scaled_quantity(arb_t y, const struct cor_exponents *law, const struct interval *interval,
+                                enum quantity quantity, const struct collision *c, const arb_t beta, slong prec)
 {
     const struct ratio power = interpolant_tail_power(law, quantity);
     const arb_srcptr number = c->field[quantity];
@@ -163,8 +163,8 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
                        : overlap          ? collision_solve_below(&c, beta, below, law, bits + more)
                                           : collision_solve_force(&c, beta, law, bits + more);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
-        if (holds(interval, (enum quantity)q))
-            scaled(value + q, law, interval, (enum quantity)q, &c, beta, prec + more);
+        if (has_quantity(interval, (enum quantity)q))
+            set_scaled_quantity(value + q, law, interval, (enum quantity)q, &c, beta, prec + more);
     return status;
 }
 
@@ -177,7 +177,7 @@ static int interval_sample(arb_ptr value, const struct interpolant *f, const str
         if (interval_solve(value, f, interval, beta, bits + extra))
             return STATUS_FAILED;
         for (int q = 0; q < QUANTITIES; q++)
-            if (holds(interval, (enum quantity)q))
+            if (has_quantity(interval, (enum quantity)q))
                 decided = sample_rounded(value + q, value + q, bits) && decided;
         if (decided)
             return STATUS_OK;
@@ -235,7 +235,7 @@ struct sampling {
 };
 
 /* The longest collisions are the last ones, and the first tasks. */
-static void sample(void *context, slong task)
+static void sample_node(void *context, slong task)
 {
     struct sampling *const work = context;
     int i = work->intervals - 1;
@@ -260,6 +260,6 @@ int samples_collide(struct samples *s, int intervals, const struct interpolant *
     slong tasks = 0;
     for (int i = 0; i < intervals; i++)
         tasks += interval[i].count;
-    parallel_for(sample, &work, tasks, step);
+    parallel_for(sample_node, &work, tasks, step);
     return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }

@@ -41,7 +41,7 @@ static int interval_at(const struct interpolant *f, enum quantity quantity, enum
     int found = -1;
     for (int i = 0; i < f->layout->intervals; i++) {
         const struct interval *interval = &f->layout->interval[i];
-        if (interval->variable != variable || !holds(interval, quantity) ||
+        if (interval->variable != variable || !has_quantity(interval, quantity) ||
             (scaled_only && interval->form != FORM_POWER))
             continue;
         found = i;
@@ -52,8 +52,8 @@ static int interval_at(const struct interpolant *f, enum quantity quantity, enum
 }
 
 /* The quantity, or (1 - eps)/beta, from the number that an interval stores */
-static void restore(arb_t y, const struct interpolant *f, enum quantity stored, bool loss, enum interval_form form,
-                    enum interval_variable variable, const arb_t x, slong prec)
+static void restore_quantity(arb_t y, const struct interpolant *f, enum quantity stored, bool loss,
+                             enum interval_form form, enum interval_variable variable, const arb_t x, slong prec)
 {
     static const char *const eps_or_loss[][2] = {[FORM_VALUE] = {"y", "(1 - y)/beta"},
                                                  [FORM_QUOTIENT] = {"1 - y*beta", "y"},
@@ -70,7 +70,7 @@ static void restore(arb_t y, const struct interpolant *f, enum quantity stored, 
 
 /* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
  * beta eps^q, w = h^((a+1)/(a-b)) (docs/theory.md, 5 and 9). The loss quotient needs only G - 1. */
-static void backward(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
+static void set_way_back(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
     const struct ratio a = law_elastic(&f->layout->law), b = law_damping(&f->layout->law),
                        q = law_speed_exponent(&f->layout->law);
@@ -152,10 +152,10 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
         interpolant_beta(beta, f, variable, x, prec);
         LET(y, prec, "-(pi*beta/sqrt(f->threshold^2 - beta^2))", beta, f->threshold);
     } else {
-        backward(y, f, quantity, x, prec);
+        set_way_back(y, f, quantity, x, prec);
         return;
     }
-    restore(y, f, stored, quantity != stored, form, variable, x, prec);
+    restore_quantity(y, f, stored, quantity != stored, form, variable, x, prec);
 }
 
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
@@ -166,7 +166,7 @@ void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quanti
     const enum interval_form form = f->layout->interval[i].form;
     polynomial_at(y, f, i, quantity, x, prec);
     if (form != FORM_POWER)
-        restore(y, f, quantity, false, form, variable, x, prec);
+        restore_quantity(y, f, quantity, false, form, variable, x, prec);
 }
 
 /* ---- the quantity at any beta ---- */
@@ -175,7 +175,7 @@ double interpolant_last(const struct interpolant *f, enum quantity quantity, enu
 {
     double last = -HUGE_VAL;
     for (int i = 0; i < f->layout->intervals; i++)
-        if (f->layout->interval[i].variable == variable && holds(&f->layout->interval[i], quantity))
+        if (f->layout->interval[i].variable == variable && has_quantity(&f->layout->interval[i], quantity))
             last = fmax(last, f->layout->interval[i].hi);
     return last;
 }
@@ -189,7 +189,7 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
     const double root_end = pow(fmax(interpolant_last(f, stored, INTERVAL_ROOT), 0), (double)layout->root);
     LOCAL(arb, x);
     if (b <= root_end ||
-        (!holds(&layout->interval[0], stored) && b <= pow(layout->interval[0].hi, (double)layout->root))) {
+        (!has_quantity(&layout->interval[0], stored) && b <= pow(layout->interval[0].hi, (double)layout->root))) {
         arb_root_ui(x, beta, (ulong)layout->root, prec);
         interpolant_at(y, f, quantity, INTERVAL_ROOT, x, prec);
     } else if (is_of_overlap(quantity) && arb_is_finite(f->threshold) &&
@@ -258,7 +258,7 @@ static int make_samples(struct interpolant *f, double beta_min, double beta_max)
     const int status = samples_collide(f->samples, layout->intervals, f, layout->interval, "collisions");
     for (int i = 0; i < layout->intervals; i++)
         for (int q = 0; q < QUANTITIES && f->samples[i].known; q++)
-            if (holds(&layout->interval[i], (enum quantity)q))
+            if (has_quantity(&layout->interval[i], (enum quantity)q))
                 interpolant_through_samples(&f->samples[i].polynomial[q], &f->samples[i], &layout->interval[i],
                                             (enum quantity)q);
     return status;
@@ -277,7 +277,7 @@ struct interpolant *interpolant_new(const struct interpolant_layout *layout, dou
     FOR_ALL(arb_poly, init, f->backward, f->backward_time);
 
     int status = make_constants(f, beta_max);
-    if (!layout->press && !holds(&layout->interval[0], EPS_ZERO_FORCE) && law_force_ends(&layout->law)) {
+    if (!layout->press && !has_quantity(&layout->interval[0], EPS_ZERO_FORCE) && law_force_ends(&layout->law)) {
         LOCAL(fmpq_poly, G, T); /* near beta = 0 nothing samples zero force */
         restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
         arb_poly_set_fmpq_poly(f->backward, G, INTERPOLANT_BITS);
@@ -345,7 +345,7 @@ int interpolant_check(double *error, const struct interpolant *f, int points)
     *error = 0;
     for (int i = 0; i < intervals; i++) {
         for (int q = 0; q < QUANTITIES && s[i].known; q++)
-            for (slong k = 0; k < points && holds(&checked[i], (enum quantity)q); k++)
+            for (slong k = 0; k < points && has_quantity(&checked[i], (enum quantity)q); k++)
                 *error = fmax(*error, error_at(f, i, (enum quantity)q, &s[i], k));
         samples_clear(&s[i], points);
     }

@@ -131,7 +131,7 @@ static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *int
 }
 
 /* p(w), with the error of p */
-static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, double error)
+static void compose_rows(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, double error)
 {
     LOCAL(arb, c);
     arb_poly_zero(y);
@@ -160,7 +160,7 @@ bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *
     const bool done =
         isfinite(proof->error[i]) && variable_of(w, proof, interval, log_beta, beta) && to_unit(w, w, interval);
     if (done) {
-        compose(eps, &proof->f->samples[i].polynomial[proof->eps], w, proof->error[i]);
+        compose_rows(eps, &proof->f->samples[i].polynomial[proof->eps], w, proof->error[i]);
         LET_FUNCTION(eps, stored[interval->form], eps, beta, power, log_beta);
     }
     return done;

@@ -135,7 +135,7 @@ bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity)
 }
 
 /* Splits a value into its nearest double and the remainder. */
-static void split(arb_t value, arb_t rest)
+static void split_double(arb_t value, arb_t rest)
 {
     arb_set_d(rest, ball_middle(value));
     arb_sub(rest, value, rest, SPLIT_BITS);
@@ -156,9 +156,9 @@ slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity 
         _arb_vec_set(row + 2, far, INTERPOLANT_FAR);
         arb_set(row, far);
         arb_set(row + 2, far + 1);
-        split(row + 2, row + 3);
+        split_double(row + 2, row + 3);
     }
-    split(row, row + 1);
+    split_double(row, row + 1);
     return speed ? 2 : inverse ? INVERSE_COLUMNS : FAR_COLUMNS;
 }
 
@@ -172,6 +172,6 @@ int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char 
 {
     LOCAL_VECTOR(row, 2);
     arb_set(row, t->f->fall);
-    split(row, row + 1);
+    split_double(row, row + 1);
     return emit_one_row(e, name, row, 2);
 }

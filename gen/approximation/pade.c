@@ -40,7 +40,7 @@ void pade_clear(struct pade *f)
 }
 
 /* The coefficient c_k, or 0 for k < 0, which the system's matrix contains if n > m */
-static void coefficient(arb_t x, const arb_poly_t c, slong k)
+static void get_coefficient(arb_t x, const arb_poly_t c, slong k)
 {
     if (k < 0)
         arb_zero(x);
@@ -56,10 +56,10 @@ static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, sl
     LOCAL_MATRIX(n, 1, b, q);
     for (slong i = 0; i < n; i++) {
         for (slong j = 1; j <= n; j++)
-            coefficient(arb_mat_entry(a, i, j - 1), c, first + i - j);
+            get_coefficient(arb_mat_entry(a, i, j - 1), c, first + i - j);
         if (limit && i <= m)
             arb_sub(arb_mat_entry(a, i, i + TAIL_POWER - 1), arb_mat_entry(a, i, i + TAIL_POWER - 1), limit, prec);
-        coefficient(arb_mat_entry(b, i, 0), c, first + i);
+        get_coefficient(arb_mat_entry(b, i, 0), c, first + i);
         arb_neg(arb_mat_entry(b, i, 0), arb_mat_entry(b, i, 0));
     }
     const bool regular = n == 0 || arb_mat_solve(q, a, b, prec);
@@ -107,7 +107,7 @@ static bool known_block(struct pade_block *b, const struct pade_request *r)
 }
 
 /* Whether the interval of det (c_{m+i-j}), i, j < n, contains 0, as for an inner entry of a block */
-static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
+static bool coefficient_vanishes(const arb_poly_t c, slong m, slong n, slong prec)
 {
     if (n <= 0)
         return false;
@@ -115,7 +115,7 @@ static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
     LOCAL_MATRIX(n, n, a);
     for (slong i = 0; i < n; i++)
         for (slong j = 0; j < n; j++)
-            coefficient(arb_mat_entry(a, i, j), c, m + i - j);
+            get_coefficient(arb_mat_entry(a, i, j), c, m + i - j);
     arb_mat_det(det, a, prec);
     return arb_contains_zero(det);
 }
@@ -124,15 +124,15 @@ static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
  * 1972), so one search along the row and one along the column find the square. */
 bool pade_block_of(struct pade_block *b, const arb_poly_t c, slong m, slong n, slong prec)
 {
-    if (!vanishes(c, m, n, prec))
+    if (!coefficient_vanishes(c, m, n, prec))
         return false;
     const slong known = arb_poly_length(c) - 1;
     slong left = m, up = n, right = m;
-    while (left > 0 && vanishes(c, left - 1, n, prec))
+    while (left > 0 && coefficient_vanishes(c, left - 1, n, prec))
         left--;
-    while (up > 1 && vanishes(c, m, up - 1, prec))
+    while (up > 1 && coefficient_vanishes(c, m, up - 1, prec))
         up--;
-    while (right + n <= known && vanishes(c, right + 1, n, prec))
+    while (right + n <= known && coefficient_vanishes(c, right + 1, n, prec))
         right++;
     b->m = left - 1;
     b->n = up - 1;
@@ -165,7 +165,7 @@ static bool on_positive_axis(const acb_t z)
 
 /* All roots of a real polynomial with a leading coefficient that is not 0. Returns false, without roots, if they are
  * not isolated. */
-static bool isolate(struct pade_roots *roots, const arb_poly_t real, slong prec)
+static bool isolate_roots(struct pade_roots *roots, const arb_poly_t real, slong prec)
 {
     const slong degree = arb_poly_degree(real);
     if (degree < 0 || arb_contains_zero(arb_poly_get_coeff_ptr(real, degree)))
@@ -226,7 +226,7 @@ static void find_pairs(struct pade_analysis *a)
 bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec)
 {
     pade_analysis_clear(a);
-    const bool poles = isolate(&a->poles, f->q, prec), zeros = isolate(&a->zeros, f->p, prec);
+    const bool poles = isolate_roots(&a->poles, f->q, prec), zeros = isolate_roots(&a->zeros, f->p, prec);
     a->root = f->root;
     a->variable = f->variable;
     if (poles && zeros)
@@ -359,7 +359,7 @@ const char *pade_refusal(const struct pade_request *r)
 }
 
 /* One attempt. Returns 0 with *regular set, or 1 after a message. */
-static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pade_request *r, slong prec)
+static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const struct pade_request *r, slong prec)
 {
     int status = 0;
     const slong m = r->numerator, n = r->denominator;
@@ -401,7 +401,7 @@ static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pad
 }
 
 /* Whether every coefficient has `bits` relative bits. If not, sets *power to one that has not. */
-static bool accurate(const arb_poly_t p, slong bits, slong *power)
+static bool is_accurate(const arb_poly_t p, slong bits, slong *power)
 {
     for (slong i = 0; i < arb_poly_length(p); i++) {
         arb_srcptr x = arb_poly_get_coeff_ptr(p, i);
@@ -437,9 +437,9 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
 /* The part that `bits` bits do not decide, or NULL; sets *power to that of the inaccurate coefficient. */
 static const char *pade_open(const struct pade *f, struct pade_analysis *a, slong bits, slong *power, slong prec)
 {
-    if (!accurate(f->p, bits, power))
+    if (!is_accurate(f->p, bits, power))
         return "numerator";
-    if (!accurate(f->q, bits, power))
+    if (!is_accurate(f->q, bits, power))
         return "denominator";
     return a && !pade_analyse(a, f, prec) ? "roots" : NULL;
 }
@@ -474,7 +474,7 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
     bool regular = false;
     LOCAL(arb_poly, c);
     do {
-        status = attempt(f, c, &regular, r, p.bits);
+        status = try_precision(f, c, &regular, r, p.bits);
         if (status == 0 && regular)
             open = pade_open(f, a, bits, &power, p.bits);
     } while (status == 0 && (!regular || open) && precision_raise(&p));

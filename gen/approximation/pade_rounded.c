@@ -137,7 +137,7 @@ static double upper_bound(const arb_t x)
 }
 
 /* |approximate/exact - 1|, rounded up */
-static double relative(const arb_t approximate, const arb_t exact)
+static double relative_difference(const arb_t approximate, const arb_t exact)
 {
     LOCAL(arb, x);
     LET(x, BITS, "abs(approximate/exact - 1)", approximate, exact);
@@ -159,7 +159,7 @@ void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r
         LET(p, BITS, "p/q", p, q);
         LET(l, BITS, "l*beta/q", l, beta, q);
         LET(lost, BITS, "1 - exact", exact);
-        const double eps = relative(p, exact), loss = relative(l, lost);
+        const double eps = relative_difference(p, exact), loss = relative_difference(l, lost);
         if (!(eps <= e->eps)) {
             e->eps = eps;
             fmpq_set(e->eps_at_beta, s->beta + i);

@@ -119,13 +119,13 @@ struct pieces_function pieces_of_collision(const struct interpolant *f)
 }
 
 /* s of the header at y */
-static void factor(arb_t s, const struct cell *cell, const arb_t y)
+static void set_factor(arb_t s, const struct cell *cell, const arb_t y)
 {
     LET(s, WORKING_BITS, cell->plain ? "y - cell->node" : "y^2 - cell->node^2", y, cell->node);
 }
 
 /* A sample point of the cell: a double of few bits between its ends */
-static double between(const struct pieces *p, const struct cell *cell, double fraction)
+static double place_between(const struct pieces *p, const struct cell *cell, double fraction)
 {
     if (p->floats) {
         const double unit = ldexp(cell->hi, -FLOAT_PLACE_BITS);
@@ -145,10 +145,10 @@ static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f
     int status = f.at(c, f.context, p, cell, node);
     for (slong j = 0; j < n && status == STATUS_OK; j++) {
         /* never the node itself, where the quotient is 0/0 */
-        arb_set_d(y, between(p, cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
+        arb_set_d(y, place_between(p, cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
         const arb_srcptr f_y = quotient + j;
         status = f.at(quotient + j, f.context, p, cell, y);
-        factor(s, cell, y);
+        set_factor(s, cell, y);
         LET(quotient + j, WORKING_BITS, "(f_y - c)/s", f_y, c, s);
         arb_sub(t + j, y, node, WORKING_BITS);
     }
@@ -178,7 +178,7 @@ static int cut_row_of_doubles(double *c, struct pieces *p, struct pieces_functio
 }
 
 /* y = y x + c */
-static void horner(arb_t y, const arb_t x, double c)
+static void horner_step(arb_t y, const arb_t x, double c)
 {
     LET(y, WORKING_BITS, "y*x + c", y, x, c);
 }
@@ -256,7 +256,7 @@ static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_fu
     arf_set_round(arb_midref(head), arb_midref(rest), p->head_bits > 0 ? p->head_bits : FLT_MANT_DIG, ARF_RND_NEAR);
     arb_sub(rest, rest, head, WORKING_BITS);
     for (slong j = 0; j <= CUBIC && status == STATUS_OK; j++) {
-        const double place = between(p, cell, (1 + chebyshev_point(j, CUBIC + 1)) / 2);
+        const double place = place_between(p, cell, (1 + chebyshev_point(j, CUBIC + 1)) / 2);
         arb_set_d(y, place);
         status = f.at(value + j, f.context, p, cell, y);
         arb_sub(value + j, value + j, head, WORKING_BITS);
@@ -279,13 +279,13 @@ static void row_value(arb_t value, const struct pieces *p, const struct cell *ce
 {
     LOCAL(arb, t, s);
     LET(t, WORKING_BITS, "y - cell->node", y, cell->node);
-    factor(s, cell, y);
+    set_factor(s, cell, y);
     arb_zero(value);
     for (slong k = pieces_columns(p) - 1; k >= (p->floats ? 1 : 2); k--)
-        horner(value, t, c[k]);
-    horner(value, s, p->floats ? remainder_in(c[CUBIC]) : c[1]);
+        horner_step(value, t, c[k]);
+    horner_step(value, s, p->floats ? remainder_in(c[CUBIC]) : c[1]);
     arb_one(t);
-    horner(value, t, c[0]);
+    horner_step(value, t, c[0]);
 }
 
 /* Sets the row's bits: -log2 of the largest relative error that is found, NaN after a reported failure. Returns the
@@ -298,7 +298,7 @@ static double sample_row(double *bits, const struct pieces *p, struct pieces_fun
     double worst = 0, rest = 0;
     for (int k = 0; k <= places; k++) {
         const double fraction = k / (double)places;
-        arb_set_d(y, between(p, cell, p->floats ? (1 - cos(fraction * acos(-1.0))) / 2 : fraction));
+        arb_set_d(y, place_between(p, cell, p->floats ? (1 - cos(fraction * acos(-1.0))) / 2 : fraction));
         if (f.at(exact, f.context, p, cell, y))
             worst = NAN;
         row_value(value, p, cell, c, y);

@@ -34,7 +34,7 @@ static void exact_point(arb_t x, slong j, slong n)
 /* Bound of the Lebesgue constant for the nodes of an interval. For the n Chebyshev points it is L < 1 + (2/pi) ln(n);
  * for nodes that differ by d at most it is L/(1 - L d (n-1)^2) at most, by Markov's inequality. Not finite if d is too
  * large. */
-static void lebesgue(arb_t bound, arb_srcptr node, const struct interval *interval)
+static void bound_lebesgue(arb_t bound, arb_srcptr node, const struct interval *interval)
 {
     const slong n = interval->count;
     LOCAL(arb, d, w, x);
@@ -100,7 +100,7 @@ int interpolant_error(double *error, const struct interpolant *f, int i, enum qu
     const struct interval *const interval = &f->layout->interval[i];
     const struct samples *const s = &f->samples[i];
     LOCAL(arb, constant, distance);
-    lebesgue(constant, s->node, interval);
+    bound_lebesgue(constant, s->node, interval);
     polynomial_error(distance, bound, quantity, constant, s->value[quantity], interval);
     *error = ball_magnitude(distance);
     return coefficients_agree(&s->polynomial[quantity], bound, quantity, distance, interval->count)

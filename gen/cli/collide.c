@@ -82,7 +82,7 @@ static char *beta_text(const struct collide_arguments *o, const arb_t beta)
 }
 
 /* In SI units: beta, and what times of the scaled collision are multiplied by */
-static void scales(arb_t beta, arb_t time_unit, const struct collide_arguments *o, slong prec)
+static void set_scales(arb_t beta, arb_t time_unit, const struct collide_arguments *o, slong prec)
 {
     const fmpq *const K = o->stiffness.value, *const C = o->damping_coefficient.value,
                       *const m = o->effective_mass.value, *const g = o->speed.value;
@@ -111,7 +111,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     LOCAL_INIT(collision, collision, (&collision));
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
     if (in_si(o))
-        scales(beta, time_unit, o, 3 * bits + 256);
+        set_scales(beta, time_unit, o, 3 * bits + 256);
     else
         arb_set_fmpq(beta, o->beta.value, 3 * bits + 256);
     if (o->force.text) /* F T/(m g) in SI units */
@@ -174,7 +174,7 @@ static int run_collide(const void *arguments)
                            "--effective-mass 1e-3 --damping-coefficient 5 --speed 1");
     if (in_si(o)) {
         LOCAL(arb, beta, time_unit);
-        scales(beta, time_unit, o, 64);
+        set_scales(beta, time_unit, o, 64);
         if (arf_cmp_d(arb_midref(beta), BETA_MAX) > 0)
             return usage_error("beta of this collision is %.3g; allowed: up to %g", ball_middle(beta), BETA_MAX);
     }

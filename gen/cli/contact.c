@@ -101,7 +101,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
 enum { CURVE_POINTS = 201 };
 
 /* eps at speeds whose logarithms are equally far apart; a single speed lies in the middle of two decades */
-static int draw(const struct contact_arguments *o, const struct contacts *contacts)
+static int draw_eps(const struct contact_arguments *o, const struct contacts *contacts)
 {
     char title[COR_SCENE_ENDS][64];
     static double speed_m_s[CURVE_POINTS], eps[COR_SCENE_ENDS][CURVE_POINTS];
@@ -164,7 +164,7 @@ static int run_contact(const void *arguments)
     if (o->simulator)
         return print_for_simulator(o, &contacts);
     if (o->plot)
-        status = draw(o, &contacts);
+        status = draw_eps(o, &contacts);
     return status == STATUS_OK ? print_tables(o, &contacts) : status;
 }
 

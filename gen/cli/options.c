@@ -195,7 +195,7 @@ static bool accepts_number(const struct decimal_range *range, const char *text)
 }
 
 /* ", as --NAME VALUE" with a value that the option accepts; empty where only the user can know one. Not to be freed. */
-static const char *example(const struct option_rule *rule)
+static const char *example_of(const struct option_rule *rule)
 {
     static char text[3 * OPTIONS_MAX_NAME];
     const char *value = "";
@@ -231,7 +231,7 @@ static int refuse_option(const struct option_rule *rules, int key, char **argv)
     const size_t count = count_rules(rules);
     if (key == ':')
         return usage_error("%s needs a value%s; see corgen %s --help", argv[optind - 1],
-                           example(&rules[optopt - LONG_OPTION]), argv[0]);
+                           example_of(&rules[optopt - LONG_OPTION]), argv[0]);
     if (optopt >= LONG_OPTION)
         return usage_error("--%s takes no value",
                            optopt == LONG_OPTION + (int)count ? help_name : rules[optopt - LONG_OPTION].name);
@@ -256,7 +256,7 @@ static int check_given(const struct option_rule *rules, const bool *given, const
     for (size_t i = 0; rules[i].name; i++)
         if (rules[i].required && !given[i])
             return usage_error("corgen %s needs --%s%s; see corgen %s --help", command, rules[i].name,
-                               example(&rules[i]), command);
+                               example_of(&rules[i]), command);
     for (size_t i = 0; rules[i].name; i++) {
         if (!given[i])
             continue;
@@ -272,7 +272,7 @@ static int check_given(const struct option_rule *rules, const bool *given, const
         }
         if (!met)
             return usage_error("--%s needs --%s%s; see corgen %s --help", rules[i].name, rules[i].needs,
-                               needed ? example(needed) : "", command);
+                               needed ? example_of(needed) : "", command);
     }
     return STATUS_OK;
 }

@@ -220,7 +220,7 @@ static double segment_error(const struct sampler *c, double left, double right, 
 /* ---- the farthest next point ---- */
 
 /* The farthest place to which a segment from `left` has at most this error. `length` is a first guess of its length. */
-static double reach(const struct sampler *c, double left, double error, double length)
+static double reach_right(const struct sampler *c, double left, double error, double length)
 {
     if (segment_error(c, left, c->high, SEARCH_PLACES) <= error)
         return c->high;
@@ -271,7 +271,7 @@ static size_t place_points(const struct sampler *c, double *x, size_t most, doub
     size_t n = 0;
     x[0] = c->low;
     while (x[n] < c->high && n + 1 < most) {
-        x[n + 1] = reach(c, x[n], error, 2 * length);
+        x[n + 1] = reach_right(c, x[n], error, 2 * length);
         length = x[n + 1] - x[n];
         n++;
         if (n % 256 == 0)
@@ -289,7 +289,7 @@ static size_t place_points(const struct sampler *c, double *x, size_t most, doub
 
 /* Moves the points of `segments` segments until all have the same error; returns it. The error of the last segment
  * falls while that of the others rises, so that both meet once. */
-static double equalise(const struct sampler *c, double *x, size_t segments, double upper)
+static double equalise_errors(const struct sampler *c, double *x, size_t segments, double upper)
 {
     double low = 0, high = upper, last;
     if (segments == 1)
@@ -368,8 +368,8 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
                              request->tolerance, SAMPLE_MOST_POINTS);
     if (status == STATUS_OK) {
         if (segments > 1 && segments <= MANY_SEGMENTS)
-            sample->error_of_fewer = equalise(&c, x, segments - 1, 16 * allowed);
-        equalise(&c, x, segments, allowed);
+            sample->error_of_fewer = equalise_errors(&c, x, segments - 1, 16 * allowed);
+        equalise_errors(&c, x, segments, allowed);
         points_fill(&sample->best, &c, x, segments + 1);
         for (size_t i = 0; i <= segments; i++)
             x[i] = c.low + (c.high - c.low) * (double)i / (double)segments;

@@ -116,7 +116,7 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
 }
 
 /* T0, T1, T2 are bilinear. With the derivatives of one wave they are one half of the product rule. */
-static void products(arb_ptr t, const struct disk *disk, const struct wave *a, const struct wave *b)
+static void set_products(arb_ptr t, const struct disk *disk, const struct wave *a, const struct wave *b)
 {
     LET(t + 0, disk->prec, "(disk->e*a->d - disk->s*a->k)*b->d - 2*b->k*a->d", disk->e, a->d, disk->s, a->k, b->d,
         b->k);
@@ -125,7 +125,7 @@ static void products(arb_ptr t, const struct disk *disk, const struct wave *a, c
 }
 
 /* f = rest - n(n-1)/2 T0 is the left side of the equation; rest contains the terms with the factor g */
-static void combine(arb_t f, arb_t rest, arb_srcptr t0, const struct disk *disk, const arb_t g, slong n)
+static void combine_products(arb_t f, arb_t rest, arb_srcptr t0, const struct disk *disk, const arb_t g, slong n)
 {
     const arb_srcptr t1 = t0 + 1, t2 = t0 + 2;
     LET(rest, disk->prec, "((n - 1)*(t1 - disk->s*t2/2) + t0/2)*g/(n + 1)", n, t1, disk->s, t2, t0, g);
@@ -137,14 +137,14 @@ enum { UNDECIDED_SIGN = 3 };
 /* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive factors, the 2 x 2
  * matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of the equation, and diagonals
  * -y/D and -P/D, where P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
-static int eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
+static int count_eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
     const arb_srcptr t1 = t0 + 1, t2 = t0 + 2;
     LOCAL(arb, f, part, det, p, y);
 
     /* F, D and P times d D of the waves */
-    combine(f, p, t0, disk, v->g, n);
+    combine_products(f, p, t0, disk, v->g, n);
     LET(part, prec, "v->a.z*t2/(2*(n + 1))", v->a.z, t2, n);
     LET(det, prec, "n*(t0/2 - 2*t1) + part", n, t0, t1, part);
     LET(p, prec, "n*((n - 1)*t1 + t0/2) - v->b.h*v->a.d*v->g + part", n, t1, t0, v->b.h, v->a.d, v->g, part);
@@ -172,8 +172,8 @@ slong disk_count(const struct disk *disk, slong n, const arb_t w)
         const int positive = arb_sgn_nonzero(v.a.h) * arb_sgn_nonzero(v.a.d) > 0; /* A */
         return positive && sign == 0 ? DISK_UNDECIDED : v.a.zeros + (positive && sign < 0);
     }
-    products(t, disk, &v.a, &v.b);
-    const int rim = eigenvalues(t, disk, &v, n);
+    set_products(t, disk, &v.a, &v.b);
+    const int rim = count_eigenvalues(t, disk, &v, n);
     return rim == UNDECIDED_SIGN ? DISK_UNDECIDED : v.a.zeros + v.b.zeros + rim + (n > 1);
 }
 
@@ -192,20 +192,21 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
         LET(step, prec, "(disk->e*v.a.d - disk->s*v.a.k)/(disk->e*x->d - disk->s*x->k)", disk->e, v.a.d, disk->s, v.a.k,
             x->d, x->k);
     } else {
-        products(t, disk, &v.a, &v.b);
-        combine(f, df, t, disk, v.g, n); /* rest is proportional to g, so it equals g times its derivative by g */
-        products(t, disk, x, &v.b);
-        combine(part, rest, t, disk, v.g, n);
+        set_products(t, disk, &v.a, &v.b);
+        combine_products(f, df, t, disk, v.g,
+                         n); /* rest is proportional to g, so it equals g times its derivative by g */
+        set_products(t, disk, x, &v.b);
+        combine_products(part, rest, t, disk, v.g, n);
         arb_add(df, df, part, prec);
         wave_derivative(x, &v.b, n, prec);
-        products(t, disk, &v.a, x);
-        combine(part, rest, t, disk, v.g, n);
+        set_products(t, disk, &v.a, x);
+        combine_products(part, rest, t, disk, v.g, n);
         LET(step, prec, "f/(df + part)", f, df, part);
     }
     return arb_is_finite(step);
 }
 
-static slong accuracy(const arb_t x, const arb_t y)
+static slong accuracy_bits(const arb_t x, const arb_t y)
 {
     const slong a = arb_rel_accuracy_bits(x), b = arb_rel_accuracy_bits(y);
     return a < b ? a : b;
@@ -230,7 +231,7 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
     LET(c, prec, "n*((n - 1)*v.a.d - v.a.z*v.a.h/(2*(n + 1)))", n, v.a.d, v.a.z, v.a.h);
     LET(x, prec, "n*((n - 1)*v.b.d - v.g*v.b.h/(n + 1))", n, v.b.d, v.g, v.b.h);
     LET(y, prec, "(v.g - n*(n - 1))*v.b.d - v.g*v.b.h/(n + 1)", v.g, n, v.b.d, v.b.h);
-    if (accuracy(x, y) > accuracy(c, s)) {
+    if (accuracy_bits(x, y) > accuracy_bits(c, s)) {
         arb_swap(c, y);
         arb_swap(s, x);
     }

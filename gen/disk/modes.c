@@ -54,7 +54,7 @@ void disk_modes_clear(struct disk_modes *modes)
 
 /* Applies Newton's method from the middle of w, then proves the result. Returns false if the method does not lead to
  * root (n, l). */
-static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
+static bool polish_root(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
 {
     struct disk disk = *wide;
     LOCAL(arb, step, low, high);
@@ -97,7 +97,7 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
 
 /* Bisects by the count alone, which always converges, until Newton's method converges. Undecided counts raise the
  * number of bits. Returns false if `limit` bits do not separate root (n, l) from its neighbour. */
-static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
+static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
 {
     struct disk disk = *wide;
     LOCAL(arf, low, high, middle);
@@ -135,22 +135,22 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
         /* A failure of Newton's method is expensive, so it is tried rarely. */
         if (enclosed && ++steps % 8 == 0) {
             arb_set_interval_arf(w, low, high, p.bits);
-            found = newton(w, wide, n, l, bits);
+            found = polish_root(w, wide, n, l, bits);
         }
     }
     return found;
 }
 
 /* Encloses the mode from an approximation to its omega; an approximation that is not positive is ignored. */
-static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
+static bool enclose_mode(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
 {
     LOCAL(arb, w);
     bool done = false;
     if (arb_is_positive(omega)) {
         arb_mul(w, omega, omega, bits + GUARD_BITS);
-        done = newton(w, wide, mode->n, mode->l, bits);
+        done = polish_root(w, wide, mode->n, mode->l, bits);
     }
-    done = done || bisection(w, wide, mode->n, mode->l, bits, limit);
+    done = done || bisect_by_count(w, wide, mode->n, mode->l, bits, limit);
     if (done) {
         struct disk disk = *wide;
         disk.prec = bits + GUARD_BITS;
@@ -167,7 +167,7 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, d
     LOCAL(arb, start);
     arb_set_d(start, omega);
     LOCAL_INIT(disk, wide, (&wide, nu, WIDE * (4 * bits + 1024)));
-    const bool done = enclose(mode, &wide, start, bits, 4 * bits + 1024);
+    const bool done = enclose_mode(mode, &wide, start, bits, 4 * bits + 1024);
     return done ? STATUS_OK
                 : fail("mode n = %ld, l = %ld: %ld bits do not separate it from its neighbour", (long)n, (long)l,
                        (long)(4 * bits + 1024));
@@ -188,7 +188,7 @@ struct work {
 
 /* The lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it. If they
  * cannot be computed, there are none, and the proof will miss them. */
-static struct cor_disk_mode *candidates(slong *found, const struct disk *disk, slong count)
+static struct cor_disk_mode *find_candidates(slong *found, const struct disk *disk, slong count)
 {
     const struct cor_mode_material material = {disk->e_double, disk->s_double};
     struct cor_disk_mode *list;
@@ -224,8 +224,9 @@ static void enclose_one(void *pointer, slong i)
     arb_set(start, mode->omega);
     bool decided = false;
     do {
-        decided = enclose(mode, work->disk, start, p.bits, p.limit) && number_is_decided(mode->omega, work->digits) &&
-                  number_is_decided(mode->c, work->digits) && number_is_decided(mode->s, work->digits);
+        decided = enclose_mode(mode, work->disk, start, p.bits, p.limit) &&
+                  number_is_decided(mode->omega, work->digits) && number_is_decided(mode->c, work->digits) &&
+                  number_is_decided(mode->s, work->digits);
     } while (!decided && precision_raise(&p));
     if (!decided && !atomic_exchange(&work->failed, true)) {
         char what[96];
@@ -317,7 +318,7 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
     LOCAL_INIT(disk, wide, (&wide, nu, WIDE * precision_start(digits).limit));
     profile_step("finding modes");
     slong found;
-    struct cor_disk_mode *list = candidates(&found, &wide, count);
+    struct cor_disk_mode *list = find_candidates(&found, &wide, count);
 
     modes->mode = xmalloc((size_t)found * sizeof *modes->mode);
     modes->count = found;

@@ -158,7 +158,7 @@ struct arithmetic {
 };
 
 /* For +, -, *, / and sqrt of floats, an intermediate rounding to double does not change the result. */
-static double rounded(struct arithmetic *a, enum embed_operation operation, double x)
+static double round_result(struct arithmetic *a, enum embed_operation operation, double x)
 {
     a->count[operation]++;
     return a->single ? (double)(float)x : x;
@@ -168,12 +168,12 @@ static double rounded(struct arithmetic *a, enum embed_operation operation, doub
 static double mul_add(struct arithmetic *a, double x, double y, double z)
 {
     if (!a->fused)
-        return rounded(a, OP_MUL_ADD, (a->single ? (double)(float)(x * y) : x * y) + z);
+        return round_result(a, OP_MUL_ADD, (a->single ? (double)(float)(x * y) : x * y) + z);
     a->count[OP_MUL_ADD]++;
     return a->single ? (double)fmaf((float)x, (float)y, (float)z) : fma(x, y, z);
 }
 
-static double horner(struct arithmetic *a, const struct embed_step *s, const double *c, double x)
+static double evaluate_horner(struct arithmetic *a, const struct embed_step *s, const double *c, double x)
 {
     double y = c[s->degree];
     for (slong k = s->degree - s->stride; k >= 0; k -= s->stride)
@@ -217,21 +217,21 @@ static double step_value(struct arithmetic *a, const struct embed_form *f, const
     case STEP_ROW_OF_BITS:
         a->count[OP_BITS] += 3; /* shift, subtraction of the first row, and shift back */
         *row = (slong)(upper - f->first);
-        return rounded(a, OP_ADD, x - embed_from_bits(f, upper << f->low_bits));
+        return round_result(a, OP_ADD, x - embed_from_bits(f, upper << f->low_bits));
     case STEP_ROW_OF_PLACE:
         a->count[OP_CONVERT] += 2;
         place = mul_add(a, x, f->slope, f->shift);
         *row = (int)place;
-        return rounded(a, OP_ADD, place - (double)*row);
+        return round_result(a, OP_ADD, place - (double)*row);
     case STEP_SQRT:
-        return rounded(a, OP_SQRT, sqrt(x));
+        return round_result(a, OP_SQRT, sqrt(x));
     case STEP_HORNER:
         a->count[OP_LOAD] += s->c ? 0 : (int)s->degree + 1;
-        return horner(a, s, s->c ? s->c : f->number + *row * (s->degree + 1), x);
+        return evaluate_horner(a, s, s->c ? s->c : f->number + *row * (s->degree + 1), x);
     case STEP_DIV:
-        return rounded(a, OP_DIV, x / y);
+        return round_result(a, OP_DIV, x / y);
     case STEP_MUL:
-        return rounded(a, OP_MUL, x * y);
+        return round_result(a, OP_MUL, x * y);
     case STEP_MUL_ADD:
         return mul_add(a, x, y, value[s->z]);
     default: /* STEP_OFF */

@@ -42,7 +42,7 @@ struct rounded {
 };
 
 /* (1 + x)(1 + y) - 1 and (1 + x)^n - 1 */
-static double both(double x, double y)
+static double add_relative(double x, double y)
 {
     return x + y + x * y;
 }
@@ -133,7 +133,7 @@ static double root_step(const struct embed_program *p, int first, double e, cons
     arb_one(values + p->step[first].x);
     rounded_steps(&v, p, first, first + 5, NULL);
     const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
-    return both(exact, v.error[first + 5] / least) * RAISE;
+    return add_relative(exact, v.error[first + 5] / least) * RAISE;
 }
 
 /* Bound of |1 - g r^5| for the start r. The upper bits of r fall as those of g rise, so the ends of an interval of
@@ -167,7 +167,7 @@ static double variable_bound(const struct embed_form *f, const struct embed_prog
         } else if (s->code == STEP_SQRT) {
             error[i] = 0.5 * error[s->x] + a->unit;
         } else {
-            error[i] = both(both(error[s->x], error[s->y]), a->unit) * RAISE;
+            error[i] = add_relative(add_relative(error[s->x], error[s->y]), a->unit) * RAISE;
         }
     }
     return error[p->x] * (1 + more[f->variable]);
@@ -226,7 +226,7 @@ static double cell_bound(const struct embed_form *f, const struct embed_program 
         LET(slope, BITS, "slope - q_slope/q_value", slope, q_slope, q_value);
     }
     const double of_x = expm1(ball_magnitude(slope) * x_error);
-    const double bound = both(relative, of_x) * RAISE + 1e-18;
+    const double bound = add_relative(relative, of_x) * RAISE + 1e-18;
     return least > 0 ? bound : HUGE_VAL; /* a NaN becomes a failure below */
 }
 

@@ -154,7 +154,7 @@ static int scene_collide(struct embed_scene *s)
 enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS = 100, MOST_PRESSED = 200 };
 
 /* The neighbour of a number of the scene's type, 0 or more, towards zero or away from it */
-static double neighbour(const struct embed_scene *s, double x, double towards)
+static double neighbour_of(const struct embed_scene *s, double x, double towards)
 {
     return s->single ? (double)nextafterf((float)x, (float)towards) : nextafter(x, towards);
 }
@@ -163,14 +163,14 @@ static double neighbour(const struct embed_scene *s, double x, double towards)
 static double rounded_down(const struct embed_scene *s, double x)
 {
     const double y = embed_rounded(s, x);
-    return y > x ? neighbour(s, y, 0) : y;
+    return y > x ? neighbour_of(s, y, 0) : y;
 }
 
 /* c of f = c beta^(-2a/n), and the sticking speed, from f_1: in units in which the force is 1 the law has the damping
  * B = beta_1 f_1^(n/(2a)), the same at every speed, and the unit of speed is f_1^((a+1)/(2a)). Then origin, onset and
  * the first speed: v - origin is exact for every v up to speed_max, because the origin is a multiple of the last place
  * of speed_max. */
-static int press(struct embed_scene *s, const arb_t force)
+static int set_pressing(struct embed_scene *s, const arb_t force)
 {
     const struct ratio a = law_elastic(&s->law), n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
     LOCAL(arb, damping, x);
@@ -182,14 +182,14 @@ static int press(struct embed_scene *s, const arb_t force)
     LET(x, EMBED_BITS, "log(s->sticking_speed^q*s->beta_enclosed)", s->sticking_speed, q, s->beta_enclosed);
     s->sticking_log = ball_middle(x);
     const double sticking = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_FLOOR);
-    const double below = rounded_down(s, sticking), unit = s->speed_max - neighbour(s, s->speed_max, 0);
+    const double below = rounded_down(s, sticking), unit = s->speed_max - neighbour_of(s, s->speed_max, 0);
     double first = embed_rounded(s, sticking * (1 + STICKING_MARGIN));
     while (first < sticking * (1 + STICKING_MARGIN))
-        first = neighbour(s, first, HUGE_VAL);
+        first = neighbour_of(s, first, HUGE_VAL);
     if (!(s->speed_max > first))
         return usage_error("up to %.6g m/s the bodies stay together, and eps is 0; --speed-max is not above it",
                            sticking);
-    s->onset = s->speed_min > first ? below : neighbour(s, first, 0);
+    s->onset = s->speed_min > first ? below : neighbour_of(s, first, 0);
     s->origin = floor(below / unit) * unit;
     s->speed_min = fmax(s->speed_min, first) - s->origin;
     s->speed_max -= s->origin;
@@ -320,7 +320,7 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
     if (s->speed_min > below || s->constant)
         return STATUS_OK;
     s->onset = rounded_down(s, below);
-    s->speed_min = neighbour(s, s->onset, HUGE_VAL);
+    s->speed_min = neighbour_of(s, s->onset, HUGE_VAL);
     return s->speed_min < s->speed_max ? STATUS_OK
                                        : usage_error("--speed-max is next to the yield speed, %.17g m/s", below);
 }
@@ -353,7 +353,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);
     if (status == STATUS_OK && s->pressed)
-        status = press(s, force);
+        status = set_pressing(s, force);
     if (status == STATUS_OK && (s->plastic || (s->constant && is_wet(s))))
         status = scene_by_speed(s, request);
     return status == STATUS_OK ? scene_prepare(s, request) : status;

@@ -14,7 +14,7 @@
 /* The requested fields besides x_max and t_max */
 enum ends { ENDS_BOTH, ENDS_ZERO_OVERLAP, ENDS_ZERO_FORCE };
 
-static slong accuracy(const struct collision *c, enum ends ends)
+static slong accuracy_bits(const struct collision *c, enum ends ends)
 {
     slong bits = WORD_MAX;
     for (int i = 0; i < COLLISION_FIELDS; i++) {
@@ -79,8 +79,8 @@ static struct route route_of(const arb_t beta, double below, const struct cor_ex
 
 /* Makes one attempt. Closed forms replace results that the motion encloses less narrowly, or not at all near zeta =
  * 1. */
-static enum motion_outcome attempt(struct collision *c, const arb_t beta, const struct cor_exponents *law,
-                                   const struct route *r)
+static enum motion_outcome try_precision(struct collision *c, const arb_t beta, const struct cor_exponents *law,
+                                         const struct route *r)
 {
     if (law_is_linear(law)) {
         const bool times_known = law->elastic == law->denominator;
@@ -116,7 +116,7 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
     for (int i = 0; i < ATTEMPTS; i++) {
         arb_indeterminate(c->eps_zero_overlap);
         arb_indeterminate(c->t_zero_overlap);
-        const enum motion_outcome outcome = attempt(c, beta, law, &r);
+        const enum motion_outcome outcome = try_precision(c, beta, law, &r);
         progress_end();
         if (outcome == MOTION_ENDLESS)
             return fail("no end of contact within %d steps: this law at this beta is too stiff to be integrated",
@@ -126,7 +126,7 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
             r.prec = r.direct_prec;
             continue;
         }
-        const slong reached = outcome == MOTION_DONE ? accuracy(c, ends) : -1;
+        const slong reached = outcome == MOTION_DONE ? accuracy_bits(c, ends) : -1;
         if (reached >= bits)
             return STATUS_OK;
         r.prec += reached > 0 ? bits - reached + ROUTE_GUARD_BITS : r.prec / 2;
@@ -197,7 +197,7 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
             arb_one(c->eps_zero_overlap);
             arb_one(c->eps_zero_force);
         }
-        if (outcome == MOTION_DONE && accuracy(c, ends) >= bits)
+        if (outcome == MOTION_DONE && accuracy_bits(c, ends) >= bits)
             return STATUS_OK;
     }
     return fail("the collision under a constant force could not be enclosed to %ld bits: the force is too near to the "

@@ -19,7 +19,7 @@ struct complex_ball {
 #define COMPLEX_BALL_ROUNDING 0x1p-48
 
 /* An upper bound of a positive number that was computed with a few roundings */
-static inline double raised(double x)
+static inline double raise_bound(double x)
 {
     return x * (1 + 0x1p-45) + 0x1p-900;
 }
@@ -38,12 +38,12 @@ static inline double ball_size(struct complex_ball x)
 /* Upper and lower bound of the modulus */
 static inline double ball_above(struct complex_ball x)
 {
-    return raised(ball_size(x) + x.radius);
+    return raise_bound(ball_size(x) + x.radius);
 }
 
 static inline double ball_below(struct complex_ball x)
 {
-    return ball_size(x) * (1 - 0x1p-45) - raised(x.radius);
+    return ball_size(x) * (1 - 0x1p-45) - raise_bound(x.radius);
 }
 
 static inline bool ball_is_finite(struct complex_ball x)
@@ -53,7 +53,7 @@ static inline bool ball_is_finite(struct complex_ball x)
 
 static inline struct complex_ball ball_widened(struct complex_ball x, double radius)
 {
-    x.radius = raised(x.radius + radius);
+    x.radius = raise_bound(x.radius + radius);
     return x;
 }
 
@@ -66,7 +66,7 @@ static inline struct complex_ball ball_centre(struct complex_ball x)
 static inline struct complex_ball ball_add(struct complex_ball x, struct complex_ball y)
 {
     struct complex_ball z = {x.re + y.re, x.im + y.im, 0};
-    z.radius = raised(x.radius + y.radius + COMPLEX_BALL_ROUNDING * ball_size(z));
+    z.radius = raise_bound(x.radius + y.radius + COMPLEX_BALL_ROUNDING * ball_size(z));
     return z;
 }
 
@@ -85,14 +85,14 @@ static inline struct complex_ball ball_mul(struct complex_ball x, struct complex
     const double a = ball_size(x), b = ball_size(y);
     return (struct complex_ball){
         x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re,
-        raised(a * y.radius + b * x.radius + x.radius * y.radius + COMPLEX_BALL_ROUNDING * a * b)};
+        raise_bound(a * y.radius + b * x.radius + x.radius * y.radius + COMPLEX_BALL_ROUNDING * a * b)};
 }
 
 static inline struct complex_ball ball_times(struct complex_ball x, double factor)
 {
     const double a = fabs(factor);
     return (struct complex_ball){x.re * factor, x.im * factor,
-                                 raised(a * x.radius + COMPLEX_BALL_ROUNDING * ball_size(x) * a)};
+                                 raise_bound(a * x.radius + COMPLEX_BALL_ROUNDING * ball_size(x) * a)};
 }
 
 /* |1/(c + d) - 1/c| = |d|/|c (c + d)|. The result is not finite if the ball may contain 0. */
@@ -102,7 +102,7 @@ static inline struct complex_ball ball_inv(struct complex_ball x)
     if (!(least > 0) || !(square > 0x1p-900) || !isfinite(square))
         return (struct complex_ball){0, 0, HUGE_VAL};
     return (struct complex_ball){x.re / square, -x.im / square,
-                                 raised(x.radius / (size * least) + COMPLEX_BALL_ROUNDING / size)};
+                                 raise_bound(x.radius / (size * least) + COMPLEX_BALL_ROUNDING / size)};
 }
 
 static inline struct complex_ball ball_sqr(struct complex_ball x)
@@ -115,7 +115,7 @@ static inline struct complex_ball ball_exp(struct complex_ball x)
 {
     const double size = exp(x.re);
     return (struct complex_ball){size * cos(x.im), size * sin(x.im),
-                                 raised(size * (raised(expm1(x.radius)) + 4 * COMPLEX_BALL_ROUNDING))};
+                                 raise_bound(size * (raise_bound(expm1(x.radius)) + 4 * COMPLEX_BALL_ROUNDING))};
 }
 
 #endif

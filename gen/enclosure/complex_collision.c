@@ -17,7 +17,7 @@
  * Loading and unloading are in zeta, with g as the dependent variable; the others have y, the fall k. From `before`
  * on, c1 = 1 and c2 = mu. */
 
-static struct complex_ball plus(struct complex_ball x, double number)
+static struct complex_ball add_number(struct complex_ball x, double number)
 {
     return ball_add(x, ball_of(number, 0));
 }
@@ -29,23 +29,23 @@ static struct slopes zeta_slopes(const struct path *p, struct complex_ball zeta,
     const struct complex_ball square = ball_sqr(zeta);
     const struct complex_ball c = ball_add(ball_mul(p->c2, square), ball_times(p->c1, sign));
     const struct complex_ball force = ball_mul(ball_mul(square, c), g), q = ball_mul(force, zeta);
-    const struct complex_ball inverse = ball_inv(plus(q, 1)), part = ball_neg(ball_mul(force, inverse));
-    return (struct slopes){ball_mul(part, g), ball_mul(part, ball_mul(plus(q, 2), inverse)),
+    const struct complex_ball inverse = ball_inv(add_number(q, 1)), part = ball_neg(ball_mul(force, inverse));
+    return (struct slopes){ball_mul(part, g), ball_mul(part, ball_mul(add_number(q, 2), inverse)),
                            ball_times(ball_mul(zeta, inverse), 2 * sign)};
 }
 
-static struct slopes loading(const struct path *p, struct complex_ball zeta, struct complex_ball g)
+static struct slopes loading_slopes(const struct path *p, struct complex_ball zeta, struct complex_ball g)
 {
     return zeta_slopes(p, zeta, g, 1);
 }
 
-static struct slopes unloading(const struct path *p, struct complex_ball zeta, struct complex_ball g)
+static struct slopes unloading_slopes(const struct path *p, struct complex_ball zeta, struct complex_ball g)
 {
     return zeta_slopes(p, zeta, g, -1);
 }
 
 /* dy/dkappa = -kappa y/(2 N), its derivative by y = -kappa^3/(2 N^2), dt/dkappa = 1/N */
-static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball y)
+static struct slopes turning_slopes(const struct path *p, struct complex_ball kappa, struct complex_ball y)
 {
     const struct complex_ball square = ball_sqr(kappa);
     const struct complex_ball force = ball_sub(p->c2, ball_mul(p->c1, kappa));
@@ -56,47 +56,47 @@ static struct slopes turning(const struct path *p, struct complex_ball kappa, st
 
 /* The same with k = c1 kappa, c2 = 1, M = c1^2 y (1 - k) + k^2: dy/dk = -k y/(2 M), its derivative by y = -k^3/(2 M^2),
  * dt/dk = c1/M */
-static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball y)
+static struct slopes force_slopes(const struct path *p, struct complex_ball k, struct complex_ball y)
 {
     const struct complex_ball square = ball_sqr(k);
-    const struct complex_ball product = ball_mul(ball_sqr(p->c1), ball_mul(y, plus(ball_neg(k), 1)));
+    const struct complex_ball product = ball_mul(ball_sqr(p->c1), ball_mul(y, add_number(ball_neg(k), 1)));
     const struct complex_ball inverse = ball_inv(ball_add(product, square));
     const struct complex_ball part = ball_times(ball_mul(k, inverse), -0.5);
     return (struct slopes){ball_mul(part, y), ball_mul(part, ball_mul(square, inverse)), ball_mul(p->c1, inverse)};
 }
 
 /* r = 1/Y: dk/dr = 2 (1/k - 1 + k r)/r^2, its derivative by k = 2 (r - 1/k^2)/r^2, dt/dr = 2/(k r) */
-static struct slopes fall(const struct path *p, struct complex_ball r, struct complex_ball k)
+static struct slopes falling_force_slopes(const struct path *p, struct complex_ball r, struct complex_ball k)
 {
     (void)p;
     const struct complex_ball a = ball_inv(k), b = ball_inv(r), square = ball_times(ball_sqr(b), 2);
-    return (struct slopes){ball_mul(plus(ball_add(a, ball_mul(k, r)), -1), square),
+    return (struct slopes){ball_mul(add_number(ball_add(a, ball_mul(k, r)), -1), square),
                            ball_mul(ball_sub(r, ball_sqr(a)), square), ball_times(ball_mul(a, b), 2)};
 }
 
 /* What is left of the path, its end minus the place */
 static struct complex_ball rest_of(const struct path *p)
 {
-    return ball_neg(ball_mul(p->length, plus(p->s, -1)));
+    return ball_neg(ball_mul(p->length, add_number(p->s, -1)));
 }
 
 /* kappa = -q, q = exp(L), r = mu/q = exp(rest), M = y (1 + r) + q: dy/dL = -q y/(2 M), its derivative by y =
  * -q^2/(2 M^2), dt/dL = -1/M */
-static struct slopes before(const struct path *p, struct complex_ball L, struct complex_ball y)
+static struct slopes before_turn_slopes(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
     (void)p;
     const struct complex_ball q = ball_exp(L), r = ball_exp(rest_of(p));
-    const struct complex_ball inverse = ball_inv(ball_add(ball_mul(plus(r, 1), y), q));
+    const struct complex_ball inverse = ball_inv(ball_add(ball_mul(add_number(r, 1), y), q));
     const struct complex_ball part = ball_mul(q, inverse);
     return (struct slopes){ball_times(ball_mul(part, y), -0.5), ball_times(ball_sqr(part), -0.5), ball_neg(inverse)};
 }
 
 /* kappa = -mu delta, M = y (1 + delta) + mu delta^2: dy/ddelta = -mu delta y/(2 M), its derivative by y =
  * -mu^2 delta^3/(2 M^2), dt/ddelta = -1/M */
-static struct slopes last(const struct path *p, struct complex_ball delta, struct complex_ball y)
+static struct slopes last_force_slopes(const struct path *p, struct complex_ball delta, struct complex_ball y)
 {
     const struct complex_ball size = ball_mul(p->c2, delta);
-    const struct complex_ball inverse = ball_inv(ball_add(ball_mul(plus(delta, 1), y), ball_mul(size, delta)));
+    const struct complex_ball inverse = ball_inv(ball_add(ball_mul(add_number(delta, 1), y), ball_mul(size, delta)));
     const struct complex_ball part = ball_mul(size, inverse);
     return (struct slopes){ball_times(ball_mul(part, y), -0.5), ball_times(ball_mul(ball_sqr(part), delta), -0.5),
                            ball_neg(inverse)};
@@ -104,7 +104,7 @@ static struct slopes last(const struct path *p, struct complex_ball delta, struc
 
 /* kappa = mu - q, q = exp(L), r = mu^2/q = exp(rest), M = y - 2 mu + q + r: dy/dL = kappa y/(2 M), its derivative by y
  * = kappa (M - y)/(2 M^2), dt/dL = -1/M */
-static struct slopes after(const struct path *p, struct complex_ball L, struct complex_ball y)
+static struct slopes after_turn_slopes(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
     const struct complex_ball q = ball_exp(L), r = ball_exp(rest_of(p)), kappa = ball_sub(p->c2, q);
     const struct complex_ball others = ball_sub(ball_add(q, r), ball_times(p->c2, 2));
@@ -117,7 +117,7 @@ static struct slopes after(const struct path *p, struct complex_ball L, struct c
  * dt/ddelta = -1/M */
 static struct slopes last_of_fall(const struct path *p, struct complex_ball delta, struct complex_ball y)
 {
-    const struct complex_ball e = plus(ball_neg(ball_mul(p->c2, delta)), 1), square = ball_sqr(e);
+    const struct complex_ball e = add_number(ball_neg(ball_mul(p->c2, delta)), 1), square = ball_sqr(e);
     const struct complex_ball inverse = ball_inv(ball_add(ball_mul(y, delta), square));
     const struct complex_ball part = ball_times(ball_mul(p->c2, ball_mul(e, inverse)), 0.5);
     return (struct slopes){ball_mul(part, y), ball_mul(part, ball_mul(square, inverse)), ball_neg(inverse)};
@@ -143,14 +143,14 @@ static bool fall_from_force(struct complex_collision *c, struct complex_ball bet
     struct path p = {.c1 = one, .c2 = one, .resolution = 1};
     struct path_state k = {one, zero}, y = {Y, zero};
     if (creeps) {
-        if (!path_follow(&p, fall, ball_inv(Y), ball_of(1 / LAST_Y, 0), &k))
+        if (!path_follow(&p, falling_force_slopes, ball_inv(Y), ball_of(1 / LAST_Y, 0), &k))
             return false;
         y = (struct path_state){ball_of(LAST_Y, 0), k.time};
     }
-    if (!path_follow(&p, force, k.value, kappa_at(LAST_ZETA), &y))
+    if (!path_follow(&p, force_slopes, k.value, kappa_at(LAST_ZETA), &y))
         return false;
     y.value = ball_mul(y.value, ball_inv(ball_of(LAST_ZETA, 0)));
-    if (!path_follow(&p, unloading, ball_of(LAST_ZETA, 0), zero, &y))
+    if (!path_follow(&p, unloading_slopes, ball_of(LAST_ZETA, 0), zero, &y))
         return false;
     c->eps_zero_overlap = ball_mul(ball_sqr(y.value), ball_inv(ball_mul(ball_sqr(square), beta)));
     c->t_zero_overlap = ball_add(c->t_zero_force, ball_mul(y.time, beta));
@@ -161,16 +161,16 @@ static bool fall_from_force(struct complex_collision *c, struct complex_ball bet
 static bool unload_near(struct complex_collision *c, struct path *p, struct path_state y, struct complex_ball z,
                         bool overlap)
 {
-    if (!path_follow(p, turning, zero, one, &y))
+    if (!path_follow(p, turning_slopes, zero, one, &y))
         return false;
     struct path_state end = y;
-    if (!path_follow(p, unloading, one, z, &end))
+    if (!path_follow(p, unloading_slopes, one, z, &end))
         return false;
     c->eps_zero_force = ball_sqr(end.value);
     c->t_zero_force = end.time;
     if (!overlap)
         return true;
-    if (!path_follow(p, unloading, one, zero, &y))
+    if (!path_follow(p, unloading_slopes, one, zero, &y))
         return false;
     c->eps_zero_overlap = ball_sqr(y.value);
     c->t_zero_overlap = y.time;
@@ -182,7 +182,7 @@ static bool unload_near(struct complex_collision *c, struct path *p, struct path
 static bool unload_far(struct complex_collision *c, struct path *p, struct path_state y, const double modulus[2],
                        bool overlap)
 {
-    if (!path_follow(p, force, zero, one, &y))
+    if (!path_follow(p, force_slopes, zero, one, &y))
         return false;
     c->eps_zero_force = ball_mul(ball_sqr(y.value), ball_inv(p->c1));
     c->t_zero_force = y.time;
@@ -201,10 +201,10 @@ bool complex_collision_root(struct complex_collision *c, struct complex_ball z, 
     struct path_state y = {one, zero};
     /* a place on the real axis, where a path in zeta becomes one in kappa; any place gives the same collision */
     const double first = size > 1 ? 1 / cbrt(size * size) : 1;
-    if (!path_follow(&p, loading, zero, ball_of(first, 0), &y))
+    if (!path_follow(&p, loading_slopes, zero, ball_of(first, 0), &y))
         return false;
     y.value = ball_times(y.value, first);
-    if (!path_follow(&p, turning, ball_neg(kappa_at(first)), zero, &y))
+    if (!path_follow(&p, turning_slopes, ball_neg(kappa_at(first)), zero, &y))
         return false;
     c->x_max = ball_sqr(y.value);
     c->t_max = y.time;
@@ -217,13 +217,14 @@ bool complex_collision_log(struct complex_collision *c, struct complex_ball u)
     const struct complex_ball third = ball_inv(ball_of(-3, 0)), log_mu = ball_times(ball_mul(u, third), 5);
     struct path p = {.c1 = one, .c2 = ball_exp(log_mu), .resolution = 1};
     struct path_state y = {one, zero};
-    if (!ball_is_finite(p.c2) || !path_follow(&p, loading, zero, one, &y))
+    if (!ball_is_finite(p.c2) || !path_follow(&p, loading_slopes, zero, one, &y))
         return false;
-    if (!path_follow(&p, before, zero, log_mu, &y) || !path_follow(&p, last, one, zero, &y))
+    if (!path_follow(&p, before_turn_slopes, zero, log_mu, &y) || !path_follow(&p, last_force_slopes, one, zero, &y))
         return false;
     c->x_max = ball_sqr(y.value);
     c->t_max = y.time;
-    if (!path_follow(&p, after, log_mu, ball_times(log_mu, 2), &y) || !path_follow(&p, last_of_fall, one, zero, &y))
+    if (!path_follow(&p, after_turn_slopes, log_mu, ball_times(log_mu, 2), &y) ||
+        !path_follow(&p, last_of_fall, one, zero, &y))
         return false;
     c->eps_zero_force = ball_sqr(y.value);
     c->t_zero_force = y.time;

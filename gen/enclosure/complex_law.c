@@ -17,9 +17,9 @@ static const struct complex_law_pressing free_contact = {{0, 0, 0}, {0, 0, 0}};
 /* s^power for all real s >= 0 of a ball; 2^-40 is more than the rounding of s, of the power and of pow */
 static struct complex_ball real_power(struct complex_ball s, double power)
 {
-    const double radius = raised(s.radius);
+    const double radius = raise_bound(s.radius);
     const double low = pow(fmax(s.re - radius, 0), power), high = pow(s.re + radius, power);
-    return (struct complex_ball){(low + high) / 2, 0, raised((high - low) / 2 + 0x1p-40 * high)};
+    return (struct complex_ball){(low + high) / 2, 0, raise_bound((high - low) / 2 + 0x1p-40 * high)};
 }
 
 static struct complex_ball power_or_one(struct complex_ball s, double power)
@@ -28,25 +28,26 @@ static struct complex_ball power_or_one(struct complex_ball s, double power)
 }
 
 /* exp(power x), with more than the rounding of the power */
-static struct complex_ball exponential(struct complex_ball x, double power)
+static struct complex_ball exp_of_power(struct complex_ball x, double power)
 {
     return ball_exp(ball_widened(ball_times(x, power), 0x1p-48 * ball_size(x)));
 }
 
 /* The logarithm that is real for positive numbers, of a ball in the right half plane. Returns false for other balls. */
-static bool logarithm(struct complex_ball *log_x, struct complex_ball x)
+static bool set_log(struct complex_ball *log_x, struct complex_ball x)
 {
     const double size = ball_size(x);
-    if (!(x.re > raised(x.radius)))
+    if (!(x.re > raise_bound(x.radius)))
         return false;
-    *log_x = (struct complex_ball){log(size), atan2(x.im, x.re), raised(-log1p(-raised(x.radius / size)) + 0x1p-46)};
+    *log_x = (struct complex_ball){log(size), atan2(x.im, x.re),
+                                   raise_bound(-log1p(-raise_bound(x.radius / size)) + 0x1p-46)};
     return true;
 }
 
 /* ---- the equation along a path, c1, c2 and c3 as the path's user sets them ---- */
 
 /* dv/ds, c1 = beta, c3 = f */
-static struct slopes approach(const struct path *p, struct complex_ball s, struct complex_ball v)
+static struct slopes approach_slopes(const struct path *p, struct complex_ball s, struct complex_ball v)
 {
     const struct complex_ball damping = ball_mul(p->c1, real_power(s, POWER * p->b + POWER - 1));
     const struct complex_ball inverse = ball_inv(v);
@@ -59,10 +60,10 @@ static struct slopes approach(const struct path *p, struct complex_ball s, struc
 }
 
 /* dL/dkappa = -kappa/D, its derivative by L is kappa D_L/D^2; c1 = beta, c3 = f */
-static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball L)
+static struct slopes turning_slopes(const struct path *p, struct complex_ball kappa, struct complex_ball L)
 {
-    const struct complex_ball elastic = exponential(L, p->a - 1);
-    const struct complex_ball damping = ball_mul(ball_mul(p->c1, kappa), exponential(L, p->b));
+    const struct complex_ball elastic = exp_of_power(L, p->a - 1);
+    const struct complex_ball damping = ball_mul(ball_mul(p->c1, kappa), exp_of_power(L, p->b));
     struct complex_ball rest = ball_sub(elastic, damping);
     struct complex_ball derivative = ball_sub(ball_times(damping, p->b), ball_times(elastic, p->a - 1));
     if (p->pressed) {
@@ -76,7 +77,7 @@ static struct slopes turning(const struct path *p, struct complex_ball kappa, st
 }
 
 /* dl/ds; the difference is often small. c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
-static struct slopes departure(const struct path *p, struct complex_ball s, struct complex_ball l)
+static struct slopes departure_slopes(const struct path *p, struct complex_ball s, struct complex_ball l)
 {
     const double common = fmin(p->a, p->b);
     const struct complex_ball inverse = ball_exp(ball_neg(l));
@@ -94,12 +95,12 @@ static struct slopes departure(const struct path *p, struct complex_ball s, stru
 }
 
 /* dL/dk = -k/N, F = c1 x^n, c1 = beta^2, c3 = f beta^2; its derivative by L is k N_L/N^2 */
-static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball L)
+static struct slopes force_slopes(const struct path *p, struct complex_ball k, struct complex_ball L)
 {
-    const struct complex_ball damping = ball_mul(ball_mul(p->c1, exponential(L, p->n)), ball_add(one, ball_neg(k)));
+    const struct complex_ball damping = ball_mul(ball_mul(p->c1, exp_of_power(L, p->n)), ball_add(one, ball_neg(k)));
     struct complex_ball N = damping, N_L = ball_times(damping, p->n);
     if (p->pressed) {
-        const struct complex_ball pressing = ball_mul(p->c3, exponential(L, p->n - p->a));
+        const struct complex_ball pressing = ball_mul(p->c3, exp_of_power(L, p->n - p->a));
         N = ball_sub(N, pressing);
         N_L = ball_sub(N_L, ball_times(pressing, p->n - p->a));
     }
@@ -112,12 +113,12 @@ static struct slopes force(const struct path *p, struct complex_ball k, struct c
 static struct slopes force_by_log(const struct path *p, struct complex_ball q, struct complex_ball L)
 {
     const struct complex_ball k = ball_exp(q);
-    const struct slopes f = force(p, k, L);
+    const struct slopes f = force_slopes(p, k, L);
     return (struct slopes){ball_mul(k, f.slope), ball_mul(k, f.derivative), zero};
 }
 
 /* n dk/dln(F) = -N/k = -(F (1/k - 1) + (a-b) k); its derivative by k is F/k^2 - (a-b) */
-static struct slopes creep(const struct path *p, struct complex_ball log_F, struct complex_ball k)
+static struct slopes slow_slopes(const struct path *p, struct complex_ball log_F, struct complex_ball k)
 {
     const struct complex_ball inverse = ball_inv(k), F = ball_exp(log_F);
     const struct complex_ball N_by_k =
@@ -150,7 +151,7 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
                        .difference = ratio_double(RATIO("law->a - law->b", law)),
                        .n = ratio_double(law_fall_power(law))};
     *y = (struct path_state){p->pressed ? ball_exp(pressing->log_speed) : one, zero};
-    if (!ball_is_finite(beta) || !path_follow(p, approach, zero, ball_of(s, 0), y))
+    if (!ball_is_finite(beta) || !path_follow(p, approach_slopes, zero, ball_of(s, 0), y))
         return false;
     struct complex_ball kappa = ball_neg(ball_mul(y->value, ball_inv(end)));
     const double logarithm = POWER * log(s);
@@ -159,19 +160,19 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     /* From an exact beginning on, only y is uncertain: bounds would add up what an uncertain place does on all of the
      * path, where it changes sign. */
     if (p->pressed) {
-        if (!path_follow(p, turning, kappa, ball_centre(kappa), y))
+        if (!path_follow(p, turning_slopes, kappa, ball_centre(kappa), y))
             return false;
         kappa = ball_centre(kappa);
     }
-    return path_follow(p, turning, kappa, zero, y);
+    return path_follow(p, turning_slopes, kappa, zero, y);
 }
 
 /* ln(eps) of the departure with the speed exp(M) at its beginning; p has its coefficients */
-static bool depart(struct complex_ball *log_eps, struct path *p, struct complex_ball M)
+static bool follow_departure(struct complex_ball *log_eps, struct path *p, struct complex_ball M)
 {
     struct path_state y = {zero, zero};
     p->logarithm = true;
-    if (!path_follow(p, departure, one, zero, &y))
+    if (!path_follow(p, departure_slopes, one, zero, &y))
         return false;
     *log_eps = ball_add(M, y.value);
     return true;
@@ -182,12 +183,12 @@ bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct cor_exp
 {
     struct path p;
     struct path_state y;
-    if (!turning_point(&p, &y, law, beta, pressing, path) || !path_follow(&p, turning, zero, one, &y))
+    if (!turning_point(&p, &y, law, beta, pressing, path) || !path_follow(&p, turning_slopes, zero, one, &y))
         return false;
-    p.c1 = ball_mul(beta, exponential(y.value, p.b)); /* W = X at kappa = 1 */
-    p.c2 = exponential(y.value, p.a - 1);
+    p.c1 = ball_mul(beta, exp_of_power(y.value, p.b)); /* W = X at kappa = 1 */
+    p.c2 = exp_of_power(y.value, p.a - 1);
     p.c3 = ball_mul(pressing->force, ball_exp(ball_neg(y.value)));
-    if (!depart(log_eps, &p, y.value))
+    if (!follow_departure(log_eps, &p, y.value))
         return false;
     if (p.pressed)
         *log_eps = ball_sub(*log_eps, pressing->log_speed);
@@ -200,12 +201,12 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_expon
     const struct complex_ball beta = ball_exp(log_beta);
     struct path p;
     struct path_state y;
-    bool done =
-        turning_point(&p, &y, law, beta, pressing, path) && (path->strong || path_follow(&p, turning, zero, one, &y));
+    bool done = turning_point(&p, &y, law, beta, pressing, path) &&
+                (path->strong || path_follow(&p, turning_slopes, zero, one, &y));
     p.c1 = ball_sqr(beta);
     p.c3 = ball_mul(pressing->force, p.c1);
     if (path->strong) {
-        done = done && path_follow(&p, force, zero, one, &y);
+        done = done && path_follow(&p, force_slopes, zero, one, &y);
     } else {
         const struct ratio power = RATIO("1 - (law->a - law->b)", law); /* k = beta x^power */
         const struct complex_ball q = ball_add(log_beta, ball_times(y.value, ratio_double(power)));
@@ -215,10 +216,10 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_expon
     if (!p.pressed || !done)
         return done;
     /* (eps/v_f)^2 = 1 - 2 f x_f/v_f^2 of the flight to the surface */
-    const struct complex_ball lost = ball_times(ball_mul(p.c3, exponential(y.value, 1 - 2 * p.difference)), 2);
+    const struct complex_ball lost = ball_times(ball_mul(p.c3, exp_of_power(y.value, 1 - 2 * p.difference)), 2);
     struct complex_ball flight;
     *log_eps = ball_sub(*log_eps, pressing->log_speed);
-    done = logarithm(&flight, ball_sub(one, lost));
+    done = set_log(&flight, ball_sub(one, lost));
     *log_eps = ball_add(*log_eps, ball_times(flight, 0.5));
     return done;
 }
@@ -232,20 +233,20 @@ bool complex_law_creep(struct complex_ball *log_eps, const struct cor_exponents 
     if (!turning_point(&p, &y, law, beta, &free_contact, path))
         return false;
     p.c1 = ball_sqr(beta);
-    if (!path_follow(&p, force, zero, half, &y))
+    if (!path_follow(&p, force_slopes, zero, half, &y))
         return false;
     const struct complex_ball log_end = ball_widened(ball_of(log(CREEP_END), 0), 0x1p-48);
     p.logarithm = false;
-    if (!path_follow(&p, creep, ball_add(ball_times(log_beta, 2), ball_times(y.value, p.n)), log_end, &k))
+    if (!path_follow(&p, slow_slopes, ball_add(ball_times(log_beta, 2), ball_times(y.value, p.n)), log_end, &k))
         return false;
     /* W = k X^(a-b)/beta, so that the coefficients are F/k and F/k^2. ln(k) is the one that is continued from real beta
      * if k is in the right half plane. */
     struct complex_ball log_k;
-    if (!logarithm(&log_k, k.value))
+    if (!set_log(&log_k, k.value))
         return false;
     const struct complex_ball inverse = ball_inv(k.value);
     p.c1 = ball_times(inverse, CREEP_END);
     p.c2 = ball_mul(p.c1, inverse);
     const struct complex_ball log_X = ball_times(ball_sub(log_end, ball_times(log_beta, 2)), 1 / p.n);
-    return depart(log_eps, &p, ball_add(log_k, ball_sub(ball_times(log_X, p.difference), log_beta)));
+    return follow_departure(log_eps, &p, ball_add(log_k, ball_sub(ball_times(log_X, p.difference), log_beta)));
 }

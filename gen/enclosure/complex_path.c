@@ -19,10 +19,10 @@
 /* The slopes with respect to s, for every s and every value of the dependent variable in balls */
 static struct slopes path_slopes(struct path *p, struct complex_ball s, struct complex_ball y)
 {
-    const struct complex_ball at = ball_widened(
-        ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
-        COMPLEX_BALL_ROUNDING * ball_size(p->length) +
-            raised(p->begin.radius * raised(1 - s.re + s.radius) + p->end.radius * raised(s.re + s.radius)));
+    const struct complex_ball at = ball_widened(ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
+                                                COMPLEX_BALL_ROUNDING * ball_size(p->length) +
+                                                    raise_bound(p->begin.radius * raise_bound(1 - s.re + s.radius) +
+                                                                p->end.radius * raise_bound(s.re + s.radius)));
     p->s = s;
     struct slopes f = p->equation(p, at, y);
     f.slope = ball_mul(f.slope, p->length);
@@ -37,7 +37,7 @@ static double value_size(const struct path *p, struct complex_ball value)
     return p->logarithm ? 1 : ball_size(value);
 }
 
-static double distance(struct complex_ball x, struct complex_ball centre)
+static double distance_between(struct complex_ball x, struct complex_ball centre)
 {
     return ball_above(ball_sub(x, centre));
 }
@@ -47,9 +47,9 @@ enum step_outcome { STEP_DONE, STEP_TOO_LONG, STEP_IMPOSSIBLE };
 /* One step from s to end. The line has the slope `mean`, that of the ball's centre in the middle of the step. The
  * distance e of a solution from the line obeys |e|' <= rate |e| + residual, where `rate` bounds the real part of the
  * slope's derivative between them. */
-static enum step_outcome step(struct path *p, struct path_state *y, double s, double end)
+static enum step_outcome try_step(struct path *p, struct path_state *y, double s, double end)
 {
-    const double h = end - s, longest = raised(h), radius = y->value.radius; /* h is exact, or right to 2^-53 */
+    const double h = end - s, longest = raise_bound(h), radius = y->value.radius; /* h is exact, or right to 2^-53 */
     const struct complex_ball centre = ball_centre(y->value), middle = ball_of((s + end) / 2, 0);
     const struct complex_ball at_middle =
         path_slopes(p, middle, ball_centre(ball_add(centre, ball_times(p->slope, h / 2)))).slope;
@@ -61,24 +61,25 @@ static enum step_outcome step(struct path *p, struct path_state *y, double s, do
     const struct complex_ball line =
         ball_add(centre, ball_mul(mean, ball_widened(ball_of(h / 2, 0), longest / 2 + 0x1p-50)));
     const struct slopes along = path_slopes(p, places, line);
-    const double residual = distance(along.slope, mean);
+    const double residual = distance_between(along.slope, mean);
     const double more = p->resolution * (MORE_OF_SLOPE * ball_size(mean) + MORE_OF_VALUE * value_size(p, centre));
     if (!(residual <= at_middle.radius * (1 + MORE_OF_RESIDUAL) + more) ||
         !(ball_above(along.derivative) * h <= LARGEST_RATE_STEP))
         return STEP_TOO_LONG;
 
-    const double start = raised(radius + longest * residual), tube = 2 * start;
+    const double start = raise_bound(radius + longest * residual), tube = 2 * start;
     const struct slopes within = path_slopes(p, places, ball_widened(line, tube));
-    const double rate = within.derivative.re + 0x1p-40 * fabs(within.derivative.re) + raised(within.derivative.radius);
+    const double rate =
+        within.derivative.re + 0x1p-40 * fabs(within.derivative.re) + raise_bound(within.derivative.radius);
     /* |e| <= start if rate <= 0, and exp(rate h) start otherwise */
-    const double growth = raised(exp(rate * h) * (1 + 0x1p-40));
+    const double growth = raise_bound(exp(rate * h) * (1 + 0x1p-40));
     if (!ball_is_finite(within.derivative) || !ball_is_finite(within.time) || (rate > 0 && !(growth * start <= tube)))
         return STEP_TOO_LONG;
     struct complex_ball next = ball_add(centre, ball_times(mean, h));
     next.radius += 0x1p-45 * longest * ball_size(mean); /* h */
-    next.radius +=
-        rate > 0 ? raised(growth * start) : raised(growth * radius + fmin(longest, raised(1 / -rate)) * residual);
-    next.radius = raised(next.radius);
+    next.radius += rate > 0 ? raise_bound(growth * start)
+                            : raise_bound(growth * radius + fmin(longest, raise_bound(1 / -rate)) * residual);
+    next.radius = raise_bound(next.radius);
     p->slope = mean;
     y->value = next;
     y->time = ball_add(y->time, ball_mul(within.time, ball_widened(ball_of(h, 0), 0x1p-50)));
@@ -96,7 +97,7 @@ bool path_follow(struct path *p, path_equation *equation, struct complex_ball be
     double s = 0, h = FIRST_STEP;
     for (int k = 0; k < MAX_STEPS / p->resolution && s < 1; k++) {
         const double next = s + h < 1 ? s + h : 1;
-        const enum step_outcome outcome = step(p, y, s, next);
+        const enum step_outcome outcome = try_step(p, y, s, next);
         if (outcome == STEP_IMPOSSIBLE)
             return false;
         if (outcome == STEP_DONE) {

@@ -76,7 +76,7 @@ static void least_contraction(arb_t least, const arb_t r)
 }
 
 /* exp of minus the integral of (2/s^2) (1 - 3 s - s^2) from `low` to `high` */
-static void contraction(arb_t factor, const arb_t low, const arb_t high)
+static void bound_contraction(arb_t factor, const arb_t low, const arb_t high)
 {
     LET(factor, BOUND_BITS, "exp(2*(1/high - 1/low + (high - low)) + 6*log(high/low))", low, high);
 }
@@ -97,7 +97,7 @@ static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, s
 static void bound_step(arb_t bound, const struct formal_time *f, slong order, const arb_t low, const arb_t high)
 {
     LOCAL(arb, factor, source, least);
-    contraction(factor, low, high);
+    bound_contraction(factor, low, high);
     largest_in_tube(source, &f->source[order], high, order + 1);
     least_contraction(least, high);
     LET(bound, BOUND_BITS, "bound*factor + source/least", bound, factor, source, least);
@@ -158,7 +158,7 @@ void creep_series_remainder(arb_t bound, const struct creep_series *s, const arb
     arb_pos_inf(bound);
     if (!arb_is_positive(r) || !arb_le(r, first))
         return;
-    contraction(x, r, first);
+    bound_contraction(x, r, first);
     least_contraction(least, r);
     LET(bound, BOUND_BITS, "x*s->start*r/least + 2*r^(n + 1)*s->factor/(n + 1)", x, s->start, r, least, n, s->factor);
     arb_get_ubound_arf(arb_midref(bound), bound, BOUND_BITS);

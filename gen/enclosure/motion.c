@@ -194,7 +194,7 @@ static void release_at_end(struct motion *m)
 /* Whether the overlap creeps to zero and never reaches it, so that eps = 0. While u = -x' >= 0, k = u/x^(b+1) obeys
  * k'/x^b = (b+1) k^2 - c1 k + c2 x^(a-2b-1). If a >= 2b+1 (q <= 0) the last term cannot grow again. Once the right side
  * is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) does not reach 0. */
-static bool creeps(const struct taylor *y)
+static bool is_slow(const struct taylor *y)
 {
     const struct ratio b = law_damping(&y->law);
     const slong b1 = y->law.damping + y->law.denominator, excess = y->law.elastic - y->law.damping - b1;
@@ -208,14 +208,14 @@ static bool creeps(const struct taylor *y)
 /* ---- a constant force: docs/theory.md, 24 ---- */
 
 /* v^2/2 + c2 X^(a+1)/(a+1) - c3 X, X = w^d, which never grows */
-static void energy(arb_t e, const struct taylor *y, const arb_t w, const arb_t v)
+static void set_energy(arb_t e, const struct taylor *y, const arb_t w, const arb_t v)
 {
     const slong d = y->law.denominator, ad = y->law.elastic;
     LET(e, y->prec, "(y->c2*w^ad*d/(ad + d) - y->c3)*w^d + v^2/2", y->c2, w, ad, d, y->c3, v);
 }
 
 /* Sets the constant force, in the scales of the motion, and what follows from it. */
-static void press(struct motion *m, const arb_t force)
+static void set_pressing(struct motion *m, const arb_t force)
 {
     struct taylor *const y = &m->y;
     struct pressing *const p = &m->pressing;
@@ -249,14 +249,14 @@ static bool creeps_up(arb_t rest, const struct taylor *y)
            HOLDS(y->prec, "y->v < k*(rest - x)", y->v, k, rest, x);
 }
 
-static void stay(arb_t eps, arb_t time)
+static void set_stay(arb_t eps, arb_t time)
 {
     arb_zero(eps);
     arb_pos_inf(time);
 }
 
 /* Whether everything is known that the goal asks for, because the energy has fallen low enough */
-static bool stays(struct motion *m, enum motion_goal goal)
+static bool proves_stay(struct motion *m, enum motion_goal goal)
 {
     struct collision *const c = m->c;
     struct pressing *const p = &m->pressing;
@@ -268,16 +268,16 @@ static bool stays(struct motion *m, enum motion_goal goal)
     }
     if (!m->turned)
         return false;
-    energy(level, &m->y, m->y.w, m->y.v);
+    set_energy(level, &m->y, m->y.w, m->y.v);
     if (!p->stuck && arb_is_negative(level)) {
         p->stuck = true;
-        stay(c->eps_zero_overlap, c->t_zero_overlap);
+        set_stay(c->eps_zero_overlap, c->t_zero_overlap);
         if (!m->force_ends)
-            stay(c->eps_zero_force, c->t_zero_force);
+            set_stay(c->eps_zero_force, c->t_zero_force);
     }
     if (m->force_ends && !m->released && !p->held && arb_lt(level, p->least)) {
         p->held = true;
-        stay(c->eps_zero_force, c->t_zero_force);
+        set_stay(c->eps_zero_force, c->t_zero_force);
     }
     const bool force_known = !m->force_ends || m->released || p->held;
     return force_known && (p->stuck || goal == MOTION_ZERO_FORCE);
@@ -329,7 +329,7 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
         if (arb_rel_accuracy_bits(y->w) < LEAST_BITS || arb_rel_accuracy_bits(y->t) < LEAST_BITS)
             return MOTION_IMPRECISE;
         if (m->pressing.any) {
-            if (stays(m, goal))
+            if (proves_stay(m, goal))
                 return MOTION_DONE;
         } else if (manifold && m->turned && (m->released || !m->force_ends)) {
             manifold_state(place, slope, y);
@@ -337,8 +337,8 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
                 return MOTION_DONE;
             if (arb_gt(place, manifold->last)) /* it left the domain of the manifold */
                 return arb_rel_accuracy_bits(slope) > bits ? MOTION_MISSED : MOTION_IMPRECISE;
-        } else if (m->released && creeps(y)) {
-            stay(m->c->eps_zero_overlap, m->c->t_zero_overlap);
+        } else if (m->released && is_slow(y)) {
+            set_stay(m->c->eps_zero_overlap, m->c->t_zero_overlap);
             return MOTION_DONE;
         }
     }
@@ -357,7 +357,7 @@ enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, 
 {
     const struct cor_exponents even = law_even(law); /* w = v = 0 is a place of rest only if d > 1 */
     LOCAL_INIT(motion, m, (&m, c, beta, &even, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
-    press(&m, force);
+    set_pressing(&m, force);
     return motion_follow(&m, goal, NULL, 0);
 }
 

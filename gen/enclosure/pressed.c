@@ -27,7 +27,7 @@ enum {
 
 /* The state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v. With
  * u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
-static void start(struct taylor *y, const arb_t damping, bool flies)
+static void set_start(struct taylor *y, const arb_t damping, bool flies)
 {
     const struct cor_exponents *const law = &y->law;
     const struct ratio law_a = law_elastic(law), law_b = law_damping(law);
@@ -67,7 +67,7 @@ static enum backward impact_speed(arb_t speed, const arb_t damping, const struct
     arb_neg(y.c1, damping);
     arb_one(y.c2);
     arb_one(y.c3);
-    start(&y, damping, end == COR_END_ZERO_FORCE && power > 0);
+    set_start(&y, damping, end == COR_END_ZERO_FORCE && power > 0);
     for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
         progress("threshold of the force", step, 0);
         taylor_expand(&y);
@@ -115,8 +115,8 @@ int collision_sticking_speed(arb_t speed, const arb_t damping, const struct cor_
 /* ---- the threshold at a given beta ---- */
 
 /* ln(beta) - ln(B V^q), and f; an escaping motion is one of infinite V, whose sign is that of -q */
-static bool curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct cor_exponents *law,
-                  int end, slong prec)
+static bool follow_curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping,
+                         const struct cor_exponents *law, int end, slong prec)
 {
     const struct ratio q = law_speed_exponent(law);
     LOCAL(arb, speed);
@@ -139,7 +139,7 @@ static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damp
                      int end)
 {
     slong prec = SEARCH_BITS;
-    while (prec <= MOST_SEARCH_BITS && !curve(rest, force, beta, damping, law, end, prec))
+    while (prec <= MOST_SEARCH_BITS && !follow_curve(rest, force, beta, damping, law, end, prec))
         prec *= 2;
     return prec <= MOST_SEARCH_BITS;
 }
@@ -147,8 +147,8 @@ static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damp
 /* Strong damping, q > 0: B is next to the one from which on the motion escapes, and f = (B/beta)^(2a/n) is known as
  * well as B. Halves a bracket, at whose ends signs prove B. An escaping motion has at least the energy of its overlap,
  * X = w^d with w = 2^FAR_BITS. */
-static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct cor_exponents *law, int end,
-                   slong bits)
+static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct cor_exponents *law, int end,
+                         slong bits)
 {
     const struct ratio n = law_fall_power(law), q = law_speed_exponent(law);
     const double far = FAR_BITS * (double)(law->elastic + law->denominator) / 2 / (law->denominator == 1 ? 0.5 : 1) - 4;
@@ -169,7 +169,7 @@ static int squeeze(arb_t force, arb_t low, arb_t high, const arb_t beta, const s
         if (narrow) /* the end whose sign comes from fewer bits */
             arb_set(middle, proved[0] ? high : low);
         arb_get_mid_arb(middle, middle);
-        const bool known = curve(rest, force, beta, middle, law, end, prec), above = arb_is_negative(rest);
+        const bool known = follow_curve(rest, force, beta, middle, law, end, prec), above = arb_is_negative(rest);
         if (!known || !(above || arb_is_positive(rest))) {
             prec += prec / 4;
             continue;
@@ -235,14 +235,14 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
     if (status != STATUS_OK)
         return status;
     if (!arb_is_zero(high))
-        return squeeze(force, low, high, beta, law, end, bits);
+        return squeeze_force(force, low, high, beta, law, end, bits);
     arb_get_mid_arb(found, damping);
     /* secants over ever narrower intervals, until the signs at both ends prove one of 2^-bits */
     for (int i = 0; i < SEARCH_STEPS && prec <= MOST_FACTOR * (bits + GUARD_BITS); i++) {
         arb_get_mid_arb(damping, damping);
         arb_around(low, high, damping, -width, prec);
-        const bool known =
-            curve(f_low, force, beta, low, law, end, prec) && curve(f_high, other, beta, high, law, end, prec);
+        const bool known = follow_curve(f_low, force, beta, low, law, end, prec) &&
+                           follow_curve(f_high, other, beta, high, law, end, prec);
         if (known && !(arb_is_finite(f_low) && arb_is_finite(f_high)))
             break;
         if (!known || arb_contains_zero(f_low) || arb_contains_zero(f_high)) {
@@ -264,7 +264,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
     }
     if (law_speed_exponent(law).num > 0) { /* motions escape next to B */
         arb_around(low, high, found, -WIDE_BITS, prec);
-        return squeeze(force, low, high, beta, law, end, bits);
+        return squeeze_force(force, low, high, beta, law, end, bits);
     }
     return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);
 }

@@ -101,7 +101,7 @@ static slong coefficient_bits(slong prec, slong n)
 
 /* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g: the sum over i + j = n. If
  * `first` > 0, add_known_terms has added the terms with i < first and j < first before. */
-static void convolve(const struct taylor_product *product, slong n, slong first, const struct taylor *y)
+static void convolve_product(const struct taylor_product *product, slong n, slong first, const struct taylor *y)
 {
     arb_struct *const out = product->out, *const f = product->f, *const g = product->g;
     const slong terms = n - first + 1, prec = coefficient_bits(y->prec, n);
@@ -135,7 +135,7 @@ static void expand_block(struct taylor *y, slong first, slong end)
                 arb_mul(y->force + n, y->c1, y->damped + n, prec);
                 arb_addmul(y->force + n, y->c2, y->elastic + n, prec);
             }
-            convolve(&y->product[i], n, first, y);
+            convolve_product(&y->product[i], n, first, y);
         }
         arb_div_si(y->w + n + 1, y->v + n, y->law.denominator * (n + 1), prec);
         arb_mul(x, y->c3, y->time_slope + n, prec);
@@ -226,7 +226,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
 /* Polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
  * radius gives a valid bound; the best is a little inside the radius of convergence, 2^STEP_BITS h. The logarithms of
  * the bounds are convex functions of log R, so that they have one minimum each. */
-static void residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
+static void bound_residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
 {
     enum { PER_OCTAVE = 2 };
     bool falling = true;
@@ -258,7 +258,7 @@ static bool prove_step(struct taylor *y, const arb_t step)
     LET(v, NORM_BITS, "v*(1 + 2^-TUBE_BITS)", v, TUBE_BITS);
     component_norm(residual_w, y->v, y->degree, y, h_mag);
     arb_div_si(residual_w, residual_w, d, NORM_BITS);
-    residuals(residual_v, residual_t, y, h_mag);
+    bound_residuals(residual_v, residual_t, y, h_mag);
 
     /* L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives
      * a valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
@@ -428,8 +428,8 @@ static bool has_signs(struct bracket *b, const struct taylor *y, enum taylor_com
 
 /* Makes the bracket narrow around x, where the component is f: to where a line of the bracket's slope leaves f, or
  * twice, four times, ... as wide. */
-static bool surround(struct bracket *b, const struct taylor *y, enum taylor_component component, const arb_t x,
-                     const arb_t f, const arb_t begin, const arb_t end, slong prec)
+static bool surround_zero(struct bracket *b, const struct taylor *y, enum taylor_component component, const arb_t x,
+                          const arb_t f, const arb_t begin, const arb_t end, slong prec)
 {
     const slong bits = y->prec + COEFFICIENT_GUARD;
     bool signs = false;
@@ -481,7 +481,7 @@ static bool taylor_root(arb_t root, const struct taylor *y, enum taylor_componen
                 bracket_shrink(b, x, f);
         }
         prec = FLINT_MIN(2 * prec, y->prec);
-        signs = surround(b, y, component, x, f, begin, end, prec);
+        signs = surround_zero(b, y, component, x, f, begin, end, prec);
         found = all && signs;
     }
     if (found)

@@ -78,7 +78,7 @@ static void row_prime_clear(const struct row_prime *m)
 }
 
 /* The discrete Fourier transform modulo p, with the results in bit-reversed order */
-static void transform(ulong *f, const struct row_prime *m, int depth)
+static void transform_row(ulong *f, const struct row_prime *m, int depth)
 {
     const slong n = WORD(1) << depth;
     for (slong half = n / 2, step = 1; half > 0; half /= 2, step *= 2)
@@ -91,7 +91,7 @@ static void transform(ulong *f, const struct row_prime *m, int depth)
             }
 }
 
-/* The inverse of transform() times 2^depth. The inverse of root k > 0 is minus root n/2 - k. */
+/* The inverse of transform_row() times 2^depth. The inverse of root k > 0 is minus root n/2 - k. */
 static void transform_back(ulong *f, const struct row_prime *m, int depth)
 {
     const slong n = WORD(1) << depth;
@@ -120,7 +120,7 @@ static void row_prime_catch_up(struct row_prime *m, const struct row_sums *s)
             ulong *row = m->factor[f] + (m->known << s->depth);
             for (slong j = 0; j < s->length; j++)
                 row[j] = fmpz_fdiv_ui(s->integer[f] + m->known * s->length + j, m->p);
-            transform(row, m, s->depth);
+            transform_row(row, m, s->depth);
         }
 }
 

@@ -69,7 +69,7 @@ static void set_zero(void *x, const struct ring *ring)
 }
 
 /* x *= num/den */
-static void scale(void *x, slong num, slong den, const struct ring *ring)
+static void scale_number(void *x, slong num, slong den, const struct ring *ring)
 {
     fmpq *const q = x;
     if (ring->prec) {
@@ -87,11 +87,11 @@ static void add_coefficient(void *sum, const void *row, slong i, slong num, slon
     LOCAL(arb, ball);
     if (ring->prec) {
         arb_poly_get_coeff_arb(ball, row, i);
-        scale(ball, num, den, ring);
+        scale_number(ball, num, den, ring);
         arb_add(sum, sum, ball, ring->prec);
     } else {
         fmpq_poly_get_coeff_fmpq(q, row, i);
-        scale(q, num, den, ring);
+        scale_number(q, num, den, ring);
         fmpq_add(sum, sum, q);
     }
 }
@@ -136,7 +136,7 @@ static void set_convolution(void *sum, const void *p, const void *q, slong n, co
     }
 }
 
-static void multiply(void *z, const void *x, const void *y, const struct ring *ring)
+static void multiply_rows(void *z, const void *x, const void *y, const struct ring *ring)
 {
     if (ring->prec)
         arb_poly_mullow(z, x, y, ring->length, ring->prec);
@@ -144,7 +144,7 @@ static void multiply(void *z, const void *x, const void *y, const struct ring *r
         fmpq_poly_mullow(z, x, y, ring->length);
 }
 
-static void add(void *z, const void *x, const struct ring *ring)
+static void add_row(void *z, const void *x, const struct ring *ring)
 {
     if (ring->prec)
         arb_poly_add(z, z, x, ring->prec);
@@ -156,14 +156,14 @@ static void scale_row(void *row, slong num, slong den, const struct ring *ring)
 {
     arb_poly_struct *const balls = row;
     for (slong i = 0; ring->prec && i < balls->length; i++)
-        scale(balls->coeffs + i, num, den, ring);
+        scale_number(balls->coeffs + i, num, den, ring);
     if (!ring->prec) {
         fmpq_poly_scalar_mul_si(row, row, num);
         fmpq_poly_scalar_div_si(row, row, den);
     }
 }
 
-static void invert(void *y, const void *x, const struct ring *ring)
+static void invert_row(void *y, const void *x, const struct ring *ring)
 {
     if (ring->prec)
         arb_poly_inv_series(y, x, ring->length, ring->prec);
@@ -172,7 +172,7 @@ static void invert(void *y, const void *x, const struct ring *ring)
 }
 
 /* Rounding errors of balls grow from row to row. Digits below them are dropped, which makes products cheaper. */
-static void trim(void *row, const struct ring *ring)
+static void trim_row(void *row, const struct ring *ring)
 {
     arb_poly_struct *const balls = row;
     for (slong i = 0; ring->prec && i < balls->length; i++)
@@ -198,11 +198,11 @@ static void set_rest(struct power *power, void *x, const void *x0_inverse, void 
     else
         fmpq_poly_zero(power->rest);
     for (slong i = 1; i < k && !power->sums; i++) {
-        multiply(product, row_at(ring, x, i), row_at(ring, power->row, k - i), ring);
+        multiply_rows(product, row_at(ring, x, i), row_at(ring, power->row, k - i), ring);
         scale_row(product, row_sums_weight(power->p, i, k), 1, ring);
-        add(power->rest, product, ring);
+        add_row(power->rest, product, ring);
     }
-    multiply(power->rest, power->rest, x0_inverse, ring);
+    multiply_rows(power->rest, power->rest, x0_inverse, ring);
     scale_row(power->rest, 1, k * power->p.den, ring);
 }
 
@@ -244,13 +244,13 @@ static void fill_rows(void *row, void *powers_row[2], slong order, const struct 
         set_coefficient(row, j, x, ring);
         for (int i = 0; i < powers; i++) { /* j P_j = sum_i ((p+1) i - j) x_i P_(j-i) */
             set_convolution(x, row, power[i].row, j, &power[i].p, ring);
-            scale(x, 1, j * power[i].p.den, ring);
+            scale_number(x, 1, j * power[i].p.den, ring);
             set_coefficient(power[i].row, j, x, ring);
         }
     }
-    invert(x0_inverse, row, ring);
+    invert_row(x0_inverse, row, ring);
     for (int i = 0; i < powers; i++) {
-        multiply(power[i].slope, power[i].row, x0_inverse, ring);
+        multiply_rows(power[i].slope, power[i].row, x0_inverse, ring);
         scale_row(power[i].slope, power[i].p.num, power[i].p.den, ring);
     }
 
@@ -267,18 +267,18 @@ static void fill_rows(void *row, void *powers_row[2], slong order, const struct 
                 add_coefficient(x, elastic->rest, j - 1, 1, 1, ring);
                 if (ring->prec)
                     arb_mul_2exp_si(x, x, ring->shift);
-                scale(x, d, e, ring);
+                scale_number(x, d, e, ring);
             }
             add_coefficient(x, row_at(ring, damping->row, k - 1), j, d, du, ring);
-            scale(x, -d, e + d, ring);
+            scale_number(x, -d, e + d, ring);
             set_coefficient(next, j, x, ring);
         }
-        trim(next, ring);
+        trim_row(next, ring);
         for (int i = 0; i < powers; i++) {
             void *const p = row_at(ring, power[i].row, k);
-            multiply(p, power[i].slope, next, ring);
-            add(p, power[i].rest, ring);
-            trim(p, ring);
+            multiply_rows(p, power[i].slope, next, ring);
+            add_row(p, power[i].rest, ring);
+            trim_row(p, ring);
         }
     }
     free_rows(ring, work, WORK);

@@ -54,7 +54,7 @@ static size_t character_length(const char *text)
 }
 
 /* Writes the first character of a text, or \xNN for its first byte. Returns the number of bytes that it stands for. */
-static size_t printable(char piece[PRINTABLE], const char *text)
+static size_t print_piece(char piece[PRINTABLE], const char *text)
 {
     const size_t length = character_length(text);
     snprintf(piece, PRINTABLE, length ? "%.*s" : "%.*s\\x%02x", (int)length, text, (unsigned)(unsigned char)*text);
@@ -71,7 +71,7 @@ static void print_message(const char *format, va_list arguments)
     vsnprintf(message, sizeof message, format, arguments);
     fputs("corgen: ", stderr);
     for (const char *at = message; *at; fputs(piece, stderr))
-        at += printable(piece, at);
+        at += print_piece(piece, at);
     fputc('\n', stderr);
     pthread_mutex_unlock(&line_lock);
 }
@@ -101,7 +101,7 @@ static FLINT_NORETURN void library_gave_up(void)
     exit(fail("the arithmetic library could not go on; its own message stands above"));
 }
 
-static void *granted(void *p, size_t size)
+static void *check_granted(void *p, size_t size)
 {
     if (!p)
         exit(fail("out of memory: a block of %zu bytes was refused; ask for fewer digits or a lower order", size));
@@ -110,17 +110,17 @@ static void *granted(void *p, size_t size)
 
 void *xmalloc(size_t size)
 {
-    return granted(malloc(size ? size : 1), size);
+    return check_granted(malloc(size ? size : 1), size);
 }
 
-static void *xcalloc(size_t n, size_t size)
+static void *allocate_zeros(size_t n, size_t size)
 {
-    return granted(calloc(n ? n : 1, size ? size : 1), n * size);
+    return check_granted(calloc(n ? n : 1, size ? size : 1), n * size);
 }
 
 void *xrealloc(void *old, size_t size)
 {
-    return granted(realloc(old, size ? size : 1), size);
+    return check_granted(realloc(old, size ? size : 1), size);
 }
 
 /* There is no room behind a power of two. */
@@ -138,14 +138,14 @@ char *xprintable(const char *text)
 {
     char *const whole = xmalloc(4 * strlen(text) + PRINTABLE), *to = whole;
     for (*to = '\0'; *text; to += strlen(to))
-        text += printable(to, text);
+        text += print_piece(to, text);
     return whole;
 }
 
 char *xvprintf(const char *format, va_list arguments)
 {
     char *text;
-    return granted(vasprintf(&text, format, arguments) < 0 ? NULL : text, 0);
+    return check_granted(vasprintf(&text, format, arguments) < 0 ? NULL : text, 0);
 }
 
 char *xprintf(const char *format, ...)
@@ -167,7 +167,7 @@ void console_start(void)
 {
     console_thread = true;
     mp_set_memory_functions(xmalloc, gmp_realloc, NULL);
-    __flint_set_memory_functions(xmalloc, xcalloc, xrealloc, free);
+    __flint_set_memory_functions(xmalloc, allocate_zeros, xrealloc, free);
     flint_set_abort(library_gave_up);
 }
 

@@ -105,7 +105,7 @@ static const char *real_type(const struct emit *e)
 }
 
 /* The shortest text of a number of the type in C and C++ that reads back to the same bits */
-static const char *real(char text[NUMBER_MAX], const struct emit *e, double x)
+static const char *print_real(char text[NUMBER_MAX], const struct emit *e, double x)
 {
     const int most = e->single ? 9 : 17;
     for (int digits = 1; digits <= most; digits++) {
@@ -153,7 +153,7 @@ static int put_ball(struct emit *e, const arb_t x, slong column, bool opens, boo
         return fail("%s, row %ld: number %ld is not known well enough to be rounded", e->table, (long)e->row,
                     (long)column);
     if (e->decimal)
-        real(number, e, y);
+        print_real(number, e, y);
     else
         snprintf(number, sizeof number, "%a", y);
     put_number(e, number, opens, closes);
@@ -271,7 +271,7 @@ void emit_geometry_real(struct emit *e, const char *table, const char *what, dou
     if (x == rint(x) && fabs(x) < 1e9)
         snprintf(number, sizeof number, "%.1f", x);
     else
-        real(number, e, x);
+        print_real(number, e, x);
     emit_lines(e, "#define $S_$s $s\n", table, what, number);
 }
 
@@ -322,7 +322,7 @@ void emit_lines(struct emit *e, const char *text, ...)
             fprintf(e->file, "%d", va_arg(arguments, int));
             break;
         case 'x':
-            fputs(real(number, e, va_arg(arguments, double)), e->file);
+            fputs(print_real(number, e, va_arg(arguments, double)), e->file);
             break;
         default: /* 'b' */
             fprintf(e->file, "%" PRIu64, emit_bits_of(e->single, va_arg(arguments, double)));
@@ -354,7 +354,7 @@ void emit_let_polynomial(struct emit *e, const char *name, const char *x, const 
 {
     char(*text)[NUMBER_MAX] = xmalloc((size_t)(degree / step + 1) * sizeof *text);
     for (slong k = 0; k * step <= degree; k++)
-        real(text[k], e, c[k * step]);
+        print_real(text[k], e, c[k * step]);
     put_horner(e, name, x, text, degree / step, degree >= step && c[degree / step * step] == 1);
     free(text);
 }
@@ -376,7 +376,7 @@ void emit_table(struct emit *e, const char *name, const double *value, slong row
         int column = fprintf(e->file, "        {") - 1;
         for (slong k = 0; k < columns; k++) {
             char number[NUMBER_MAX];
-            real(number, e, value[row * columns + k]);
+            print_real(number, e, value[row * columns + k]);
             if (column + (int)strlen(number) + 2 > COLUMNS)
                 column = fprintf(e->file, "\n         ") - 2;
             column += fprintf(e->file, "%s%s", number, k + 1 < columns ? ", " : "");

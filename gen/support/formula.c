@@ -48,7 +48,7 @@ struct reader {
     const struct formula_algebra *algebra; /* NULL: no functions */
 };
 
-static _Noreturn void refuse(const struct reader *r)
+static _Noreturn void refuse_formula(const struct reader *r)
 {
     fprintf(stderr, "corgen: no formula from \"%s\" on: \"%s\"\n", r->at, r->text);
     abort();
@@ -64,10 +64,10 @@ static char next_of(struct reader *r, const char *which)
     return *which != '\0' ? *r->at++ : '\0';
 }
 
-static void expect(struct reader *r, const char *which)
+static void expect_sign(struct reader *r, const char *which)
 {
     if (next_of(r, which) != *which)
-        refuse(r);
+        refuse_formula(r);
 }
 
 static void become_ball(struct value *x, slong prec)
@@ -107,7 +107,7 @@ static void combine_functions(struct value *y, char name, struct value *x, struc
         r->algebra->multiply(y->function, y->function, x->function);
 }
 
-static void combine(struct value *y, char name, struct value *x, struct reader *r)
+static void combine_values(struct value *y, char name, struct value *x, struct reader *r)
 {
     const slong prec = r->prec;
     if (y->is_function || x->is_function) {
@@ -192,7 +192,7 @@ static void apply_to_function(arb_poly_t y, const char *name, struct reader *r)
 {
     const bool is_exp = strcmp(name, "exp") == 0, is_log = strcmp(name, "log") == 0;
     if (!is_exp && !is_log && strcmp(name, "sqrt") != 0)
-        refuse(r);
+        refuse_formula(r);
     r->undefined = !(is_exp ? r->algebra->exp : is_log ? r->algebra->log : r->algebra->sqrt)(y, y) || r->undefined;
 }
 
@@ -203,13 +203,13 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
     while (i < sizeof functions / sizeof *functions && !is_named(functions[i].name, name, length))
         i++;
     if (i == sizeof functions / sizeof *functions)
-        refuse(r);
+        refuse_formula(r);
     read_sum(y, r);
     become_ball(y, r->prec);
     if (y->is_function) {
         apply_to_function(y->function, functions[i].name, r);
     } else if (functions[i].of_two && !r->in_plane) {
-        expect(r, ",");
+        expect_sign(r, ",");
         read_sum(x, r);
         become_ball(x, r->prec);
         functions[i].of_two(real_of(y), real_of(y), real_of(x), r->prec);
@@ -220,9 +220,9 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
     } else if (functions[i].plane) {
         functions[i].plane(y->ball, y->ball, r->prec);
     } else {
-        refuse(r);
+        refuse_formula(r);
     }
-    expect(r, ")");
+    expect_sign(r, ")");
 }
 
 /* True of an operand's name, and of a law's with its exponent .a, .b, ->a or ->b */
@@ -242,9 +242,9 @@ static void read_operand(struct value *y, const struct reader *r, const char *na
     while (x->name && !is_operand(x, name, length))
         x++;
     if (!x->name)
-        refuse(r);
+        refuse_formula(r);
     if ((x->plane && !r->in_plane) || (x->function && !r->algebra))
-        refuse(r);
+        refuse_formula(r);
     y->is_function = x->function;
     y->is_exact = !x->ball && !x->plane && !x->function && isnan(x->real);
     if (x->function)
@@ -280,13 +280,13 @@ static void read_factor(struct value *y, struct reader *r)
         char *end;
         fmpq_set_si(y->exact, strtol(name, &end, 10), 1);
         if (end != r->at)
-            refuse(r);
+            refuse_formula(r);
     } else if (next_of(r, "(")) {
         if (length > 0) {
             read_function(y, r, name, length);
         } else {
             read_sum(y, r);
-            expect(r, ")");
+            expect_sign(r, ")");
         }
     } else if (is_named("pi", name, length)) {
         arb_const_pi(real_of(y), r->prec);
@@ -307,7 +307,7 @@ static void read_product(struct value *y, struct reader *r)
     for (char name; (name = next_of(r, "*/"));) {
         LOCAL(value, x);
         read_factor(x, r);
-        combine(y, name, x, r);
+        combine_values(y, name, x, r);
     }
 }
 
@@ -317,7 +317,7 @@ static void read_sum(struct value *y, struct reader *r)
     for (char name; (name = next_of(r, "+-"));) {
         LOCAL(value, x);
         read_product(x, r);
-        combine(y, name, x, r);
+        combine_values(y, name, x, r);
     }
 }
 
@@ -327,7 +327,7 @@ static char read_side(struct value *x, struct reader *r, const char *ends)
     read_sum(x, r);
     const char end = next_of(r, ends);
     if (*ends ? end == '\0' : *r->at != '\0')
-        refuse(r);
+        refuse_formula(r);
     return end;
 }
 
@@ -371,7 +371,7 @@ void formula_exact(fmpq_t q, const char *text, const struct operand *operands)
     LOCAL(value, x);
     read_side(x, &r, "");
     if (!x->is_exact)
-        refuse(&r);
+        refuse_formula(&r);
     fmpq_swap(q, x->exact);
 }
 

@@ -40,7 +40,7 @@ int gnuplot_check(const char *path)
                                                    path);
 }
 
-static FILE *temporary(void)
+static FILE *open_temporary(void)
 {
     FILE *const file = tmpfile();
     if (!file)
@@ -50,7 +50,7 @@ static FILE *temporary(void)
 
 FILE *gnuplot_begin(int width, int height)
 {
-    FILE *const script = temporary();
+    FILE *const script = open_temporary();
     if (!script)
         return NULL;
     fprintf(script,
@@ -126,7 +126,7 @@ static long copy_picture(FILE *from, FILE *to, bool svg)
 
 int gnuplot_run(FILE *script, FILE *out, const char *path)
 {
-    FILE *const picture = temporary();
+    FILE *const picture = open_temporary();
     if (!picture)
         return STATUS_FAILED;
     const int place = format_of(path);

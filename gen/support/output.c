@@ -58,7 +58,7 @@ const char *file_name(const char *path)
 }
 
 /* The name beside the path: its folder and `last`, malloc'ed */
-static char *beside(const char *path, const char *last)
+static char *path_next_to(const char *path, const char *last)
 {
     return xprintf("%.*s%s", (int)(file_name(path) - path), path, last);
 }
@@ -71,11 +71,11 @@ static char *target_of(const char *path)
     ssize_t size;
     for (int i = 0; i < LINKS_MOST && (size = readlink(target, link, sizeof link - 1)) >= 0; i++) {
         link[size] = '\0';
-        char *const next = *link == '/' ? xstrdup(link) : beside(target, link);
+        char *const next = *link == '/' ? xstrdup(link) : path_next_to(target, link);
         free(target);
         target = next;
     }
-    char *const last = beside(target, "."), *const folder = realpath(last, NULL);
+    char *const last = path_next_to(target, "."), *const folder = realpath(last, NULL);
     char *const whole = folder ? xprintf("%s/%s", folder, file_name(target)) : xstrdup(target);
     free(last);
     free(folder);
@@ -116,7 +116,7 @@ static void signals_block(sigset_t *before)
 /* True if the folder of the target accepts a new file; otherwise errno is the reason. */
 static bool folder_accepts(const char *target)
 {
-    char *const name = beside(target, TEMPORARY);
+    char *const name = path_next_to(target, TEMPORARY);
     sigset_t before; /* an interruption leaves no file */
     signals_block(&before);
     const int fd = mkstemp(name);
@@ -231,7 +231,7 @@ static int output_prepare(struct output *out)
     const bool exists = stat(out->target, &old) == 0;
     const mode_t mask = umask(0), mode = exists ? old.st_mode & 0777 : 0666 & ~mask;
     umask(mask);
-    char *const name = beside(out->target, TEMPORARY);
+    char *const name = path_next_to(out->target, TEMPORARY);
     const int fd = mkstemp(name);
     FILE *const file = fd < 0 ? NULL : fdopen(fd, "w");
     out->temporary = fd < 0 ? NULL : name;

@@ -11,7 +11,7 @@
 
 enum { LETTERS_FOR_A_SLIP = 3, SLIPS_MOST = 3 };
 
-static size_t least(size_t x, size_t y)
+static size_t smaller_of(size_t x, size_t y)
 {
     return x < y ? x : y;
 }
@@ -26,9 +26,9 @@ size_t slips_between(const char *a, const char *b)
             if (i == 0 || j == 0)
                 continue;
             const int x = tolower((unsigned char)a[i - 1]), y = tolower((unsigned char)b[j - 1]);
-            slips[i][j] = least(slips[i - 1][j - 1] + (x != y), 1 + least(slips[i - 1][j], slips[i][j - 1]));
+            slips[i][j] = smaller_of(slips[i - 1][j - 1] + (x != y), 1 + smaller_of(slips[i - 1][j], slips[i][j - 1]));
             if (i > 1 && j > 1 && x == tolower((unsigned char)b[j - 2]) && y == tolower((unsigned char)a[i - 2]))
-                slips[i][j] = least(slips[i][j], slips[i - 2][j - 2] + 1);
+                slips[i][j] = smaller_of(slips[i][j], slips[i - 2][j - 2] + 1);
         }
     return slips[m][n];
 }
@@ -39,7 +39,7 @@ static const char *nearest_word(const char *word, const char *const *words)
     const char *nearest = NULL;
     size_t fewest = SLIPS_MOST + 1;
     for (; strlen(word) <= WORD_MOST && *words; words++) {
-        const size_t letters = least(strlen(word), strlen(*words));
+        const size_t letters = smaller_of(strlen(word), strlen(*words));
         const size_t slips = strlen(*words) <= WORD_MOST ? slips_between(word, *words) : fewest;
         if (slips < fewest && slips * LETTERS_FOR_A_SLIP <= letters) {
             nearest = *words;

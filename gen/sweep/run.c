@@ -234,7 +234,7 @@ static int refuse_curves(struct collide *run)
     return STATUS_OK;
 }
 
-static int draw(const struct sweep *sweep, const char *path)
+static int draw_rows(const struct sweep *sweep, const char *path)
 {
     struct eps_curve curve[MOST_CURVES];
     char title[MOST_CURVES][CURVE_TITLE];
@@ -271,7 +271,7 @@ int sweep_run(const struct sweep_request *request)
     if (status == STATUS_OK)
         status = collide_to_output(&run, request);
     if (run.sweep.eps && run.printer.rows == run.sweep.rows) {
-        const int drawn = draw(&run.sweep, request->plot);
+        const int drawn = draw_rows(&run.sweep, request->plot);
         status = status == STATUS_OK ? drawn : status;
     }
     free(run.sweep.eps);

@@ -38,7 +38,7 @@ static void inverse_zero_overlap(arb_t zeta, const arb_t L)
     LET(zeta, EXPONENT_BITS, "L/sqrt(pi^2 + L^2)", L);
 }
 
-static void limited(arb_t L, const arb_t zeta)
+static void set_limited_log(arb_t L, const arb_t zeta)
 {
     LOCAL(arb, R, C);
     LET(R, EXPONENT_BITS, "sqrt(1 + 8*zeta^2)", zeta);
@@ -48,7 +48,7 @@ static void limited(arb_t L, const arb_t zeta)
 }
 
 /* eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta) */
-static void crossley(arb_t L, const arb_t beta)
+static void set_crossley_log(arb_t L, const arb_t beta)
 {
     LOCAL(arb, w);
     LET(w, EXPONENT_BITS, "-(1 + beta)*exp(-1 - beta)", beta);
@@ -79,8 +79,8 @@ static const struct closed_form laws[] = {
      inverse_zero_overlap},
     {"ratio%s_zero_force", "linear and Tsuji, zero force", false, zero_force, 1, 1, 0.25, 4, -6, NULL},
     {"ratio%s_approach_only", "linear and Tsuji, damped approach", false, approach_only, 1, 2, 0.5, 4, -3, NULL},
-    {"ratio%s_limited", "linear and Tsuji, limited damper", false, limited, 1, 1, 0.25, 16, -5, NULL},
-    {"crossley%s", "Hunt and Crossley", true, crossley, 2, 3, 1, 64, -6, NULL},
+    {"ratio%s_limited", "linear and Tsuji, limited damper", false, set_limited_log, 1, 1, 0.25, 16, -5, NULL},
+    {"crossley%s", "Hunt and Crossley", true, set_crossley_log, 2, 3, 1, 64, -6, NULL},
     {"crossley%s_approach_only", "Hunt and Crossley, damped approach", true, crossley_approach_only, 1, 3, 1, 16, -2,
      NULL},
 };

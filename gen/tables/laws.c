@@ -45,7 +45,7 @@ static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong 
 /* The integral of a real function f from 0 to 1: if `proved`, enclosed to at best `prec` bits by an adaptive rule that
  * takes 5 to 10 ms; otherwise 20 times faster by Gauss's, without its error. Samples, which are compared with
  * enclosures, need no more. */
-static void integrate(arb_t y, bool proved, acb_calc_func_t f, void *parameters, slong prec)
+static void integrate_function(arb_t y, bool proved, acb_calc_func_t f, void *parameters, slong prec)
 {
     if (!proved) {
         integrate_gauss(y, f, parameters, prec);
@@ -87,7 +87,7 @@ static void tsuji_integral(arb_t g, bool proved, const arb_t zeta, const arb_t e
     LOCAL(acb, om);
     LET_COMPLEX(om, false, prec + GUARD_BITS, "sqrt(1 - zeta^2)", zeta);
     struct tsuji_integrand p = {zeta, end, om};
-    integrate(g, proved, tsuji_integrand, &p, prec);
+    integrate_function(g, proved, tsuji_integrand, &p, prec);
     LET(g, prec + GUARD_BITS, "g*5*end^(4/5)*(5/4)^(-3/5)", g, end);
 }
 
@@ -194,7 +194,7 @@ static void crossley_part(arb_t t, bool proved, struct ratio k, slong sign, cons
 {
     struct crossley_integrand integrand = {k, sign, p, end};
     const slong m = k.den;
-    integrate(t, proved, crossley_integrand, &integrand, prec);
+    integrate_function(t, proved, crossley_integrand, &integrand, prec);
     LET(t, prec, "t*m*end^(1 - k)*beta^(2*k - 1)", t, m, end, k, beta);
 }
 
@@ -297,7 +297,7 @@ static void disk_contact_time(arb_t tau, bool proved, const arb_t q, slong prec)
     LET(x, more, "sqrt(U/c)", U, c);
     LET(end, more, "2*log(x + sqrt(1 + x^2))", x);
     struct disk_integrand p = {y, t, c, end};
-    integrate(tau, proved, disk_integrand, &p, prec);
+    integrate_function(tau, proved, disk_integrand, &p, prec);
     LET(tau, more, "tau*end/sqrt(2)", tau, end);
     LET(x, more, "(t + U + 2)/2^REST_BITS", t, U, REST_BITS);
     arb_add_error(tau, x);

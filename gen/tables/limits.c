@@ -100,7 +100,7 @@ static double nu_at(int32_t nu)
     return FIRST_NU + NU_STEP * ((double)nu / (double)ROOT_SIDE);
 }
 
-static struct cor_disk_limit_table evaluable(void)
+static struct cor_disk_limit_table make_evaluable(void)
 {
     return (struct cor_disk_limit_table){X_ROOTS,       NU_ROOTS,     x_of_speed(FIRST_SPEED),
                                          x_step(),      FIRST_NU,     NU_STEP,
@@ -237,7 +237,7 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
 }
 
 /* Weights of Lagrange's interpolation at a from the points 0, 1, 2, 3. They are exact at the a of corgen, few bits. */
-static void weights(double a, double weight[SIDE])
+static void set_weights(double a, double weight[SIDE])
 {
     const double b = a - 1, c = a - 2, d = a - 3;
     weight[0] = b * c * d / -6;
@@ -269,8 +269,8 @@ static void fill_cell(struct cell *cell, const struct scenes *scenes)
             estimate = s->estimate > estimate ? s->estimate : estimate;
             if (!odd)
                 cell->value[SIDE * j / 2 + i / 2] = s->value;
-            weights(i / 2.0, x_weight);
-            weights(j / 2.0, nu_weight);
+            set_weights(i / 2.0, x_weight);
+            set_weights(j / 2.0, nu_weight);
             if (odd)
                 missed = fmax(missed, fabs(cell_value(cell, x_weight, nu_weight) - s->value));
         }
@@ -354,7 +354,7 @@ static double place_in(const struct cell *cell, int axis, int at)
 static double value_on_side(const struct cell *cell, int axis, int last, int at)
 {
     double weight[2][SIDE] = {{0}};
-    weights(place_in(cell, !axis, at), weight[!axis]);
+    set_weights(place_in(cell, !axis, at), weight[!axis]);
     weight[axis][(SIDE - 1) * last] = 1;
     return cell_value(cell, weight[0], weight[1]);
 }
@@ -366,7 +366,7 @@ static double value_in_part(const struct part *part, int i, int j)
     const int at[2] = {3 * part->first[0] + i * part->side[0], 3 * part->first[1] + j * part->side[1]};
     double weight[2][SIDE];
     for (int axis = 0; axis < 2; axis++)
-        weights(place_in(part->cell, axis, at[axis]), weight[axis]);
+        set_weights(place_in(part->cell, axis, at[axis]), weight[axis]);
     double value = cell_value(part->cell, weight[0], weight[1]);
     for (int side = 0; side < 4; side++) {
         const int axis = side % 2, last = side / 2;
@@ -586,7 +586,7 @@ int disk_limits_write(FILE *file)
 /* Sets the cells from the pieces. */
 static void read_cells(void)
 {
-    const struct cor_disk_limit_table t = evaluable();
+    const struct cor_disk_limit_table t = make_evaluable();
     memset(table->cell_at, UINT8_MAX, sizeof table->cell_at);
     for (int i = 0; i < table->pieces; i++) {
         const struct cor_disk_limit_piece *const piece = &table->piece[i];
@@ -638,7 +638,7 @@ struct check {
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
 {
-    const struct cor_disk_limit_table t = evaluable();
+    const struct cor_disk_limit_table t = make_evaluable();
     const int32_t place = 2 * sixth_of(cell);
     const bool between = (scene->x - cell->x) % place != 0 || (scene->nu - cell->nu) % place != 0;
     const double x = (double)scene->x / (double)ROOT_SIDE, nu = (double)scene->nu / (double)ROOT_SIDE;

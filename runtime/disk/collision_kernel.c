@@ -18,20 +18,20 @@ static void kernel_turn(const struct cor_rim *rim, double *q, double *p, const d
         const size_t first = rim->block[b].first * COR_LANES, end = first + rim->block[b].rows * COR_LANES;
         for (size_t lane = 0; lane < COR_LANES; lane += VECTOR) {
             const size_t n = b * COR_LANES + lane;
-            const vector fc = load(force_c + n), fs = load(force_s + n);
-            vector sc = all(0), ss = sc;
+            const vector fc = load_vector(force_c + n), fs = load_vector(force_s + n);
+            vector sc = fill_vector(0), ss = sc;
             for (size_t i = first + lane; i < end; i += COR_LANES) {
-                const vector c = load(rim->c + i), s = load(rim->s + i), cos_i = load(cosine + i),
-                             sin_i = load(sine + i), q_i = load(q + i);
-                const vector p_i = PLUS(load(p + i), PLUS(TIMES(c, fc), TIMES(s, fs)));
+                const vector c = load_vector(rim->c + i), s = load_vector(rim->s + i), cos_i = load_vector(cosine + i),
+                             sin_i = load_vector(sine + i), q_i = load_vector(q + i);
+                const vector p_i = PLUS(load_vector(p + i), PLUS(TIMES(c, fc), TIMES(s, fs)));
                 const vector q_new = PLUS(TIMES(cos_i, q_i), TIMES(sin_i, p_i));
-                store(p + i, MINUS(TIMES(cos_i, p_i), TIMES(sin_i, q_i)));
-                store(q + i, q_new);
+                store_vector(p + i, MINUS(TIMES(cos_i, p_i), TIMES(sin_i, q_i)));
+                store_vector(q + i, q_new);
                 sc = PLUS(sc, TIMES(c, q_new));
                 ss = PLUS(ss, TIMES(s, q_new));
             }
-            store(sum_c + n, sc);
-            store(sum_s + n, ss);
+            store_vector(sum_c + n, sc);
+            store_vector(sum_s + n, ss);
         }
     }
 }
@@ -43,15 +43,15 @@ COR_KERNEL void kernel_sum(size_t count, double offset, const double *shape, con
     for (size_t part = 0; part < COR_PANEL; part += ACCUMULATORS * VECTOR) {
         vector sum[ACCUMULATORS];
         for (size_t i = 0; i < ACCUMULATORS; i++)
-            sum[i] = PLUS(all(offset), load(shape + part + i * VECTOR));
+            sum[i] = PLUS(fill_vector(offset), load_vector(shape + part + i * VECTOR));
         const double *row = table + part;
         for (size_t k = 0; k < count; k++, row += COR_PANEL) {
-            const vector f = all(factor[k]);
+            const vector f = fill_vector(factor[k]);
             for (size_t i = 0; i < ACCUMULATORS; i++)
-                sum[i] = PLUS(sum[i], TIMES(f, load(row + i * VECTOR)));
+                sum[i] = PLUS(sum[i], TIMES(f, load_vector(row + i * VECTOR)));
         }
         for (size_t i = 0; i < ACCUMULATORS; i++)
-            store(result + part + i * VECTOR, sum[i]);
+            store_vector(result + part + i * VECTOR, sum[i]);
     }
 }
 

@@ -18,12 +18,12 @@ enum { PATIENCE = 10, MAX_ROUNDS = 10000 };
 /* Pulling forces below this part of the largest force are rounding errors. */
 #define FORCE_ROUNDING 1e-12
 
-static size_t padded(size_t n)
+static size_t padded_size(size_t n)
 {
     return cor_whole(n, COR_LANES);
 }
 
-/* First element of row i; row r has padded(r) elements. */
+/* First element of row i; row r has padded_size(r) elements. */
 static size_t row_start(size_t i)
 {
     const size_t lanes = COR_LANES, above = i > 0 ? i - 1 : 0, whole = above / lanes;
@@ -51,7 +51,7 @@ void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct
 }
 
 /* table[points + x] = factor values[|x|] */
-static void mirror(size_t points, double factor, const double *values, double *table)
+static void mirror_table(size_t points, double factor, const double *values, double *table)
 {
     for (size_t i = 0; i < points; i++)
         table[points - 1 - i] = factor * values[i + 1];
@@ -66,10 +66,10 @@ void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t
     const size_t points = contact->points;
     contact->constant = constant;
     contact->loops->cosines(angles, t_terms, t, 2 * points, scratch);
-    mirror(points, 1 / (8 * COR_PI), scratch, contact->same);
+    mirror_table(points, 1 / (8 * COR_PI), scratch, contact->same);
     contact->loops->cosines(angles, q_terms, q, 2 * points, scratch);
-    mirror(points, 1 / (4 * COR_PI), scratch, contact->across);
-    mirror(points, 0.5, angles->twice_cosine, contact->cosine);
+    mirror_table(points, 1 / (4 * COR_PI), scratch, contact->across);
+    mirror_table(points, 0.5, angles->twice_cosine, contact->cosine);
     double greatest = 0;
     for (size_t i = 2 * points; i-- > 0;) {
         greatest = fmax(greatest, 2 * (fabs(contact->same[points + i]) + fabs(contact->across[points + i])));
@@ -105,13 +105,13 @@ static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wa
     double *const row = factor->below + row_start(i);
     compliance_row(contact, angle, angle + 1, contact->row);
     factor->angle[i] = angle;
-    memset(row, 0, padded(i) * sizeof *row);
+    memset(row, 0, padded_size(i) * sizeof *row);
     for (size_t k = 0; k < i; k++)
         row[k] = contact->row[factor->angle[k]];
     contact->work += 0.5 * (double)i * (double)i + 4 * (double)angle;
     for (size_t k = 0; k < i; k++)
-        row[k] = (row[k] - contact->loops->dot(padded(k), factor->below + row_start(k), row)) * factor->pivot[k];
-    const double rest = contact->row[angle] - contact->loops->dot(padded(i), row, row);
+        row[k] = (row[k] - contact->loops->dot(padded_size(k), factor->below + row_start(k), row)) * factor->pivot[k];
+    const double rest = contact->row[angle] - contact->loops->dot(padded_size(i), row, row);
     contact->indefinite = contact->indefinite || !(rest > 0);
     factor->pivot[i] = rest > 0 ? 1 / sqrt(rest) : 0;
 }
@@ -120,8 +120,8 @@ static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wa
 static double solve_forward(struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor, size_t i,
                             double right, const double *z)
 {
-    contact->work += (double)padded(i);
-    return (right - contact->loops->dot(padded(i), factor->below + row_start(i), z)) * factor->pivot[i];
+    contact->work += (double)padded_size(i);
+    return (right - contact->loops->dot(padded_size(i), factor->below + row_start(i), z)) * factor->pivot[i];
 }
 
 /* z, of n elements, becomes L'^-1 z. */
@@ -131,7 +131,7 @@ static void solve_backward(struct cor_hard_wall_contact *contact, const struct c
     contact->work += 0.5 * (double)n * (double)n;
     for (size_t i = n; i-- > 0;) {
         z[i] *= factor->pivot[i];
-        contact->loops->subtract(padded(i), z[i], factor->below + row_start(i), z);
+        contact->loops->subtract(padded_size(i), z[i], factor->below + row_start(i), z);
     }
 }
 
@@ -142,8 +142,8 @@ static double reach_under(struct cor_hard_wall_contact *contact, size_t j, doubl
 {
     contact->work += 4 * (double)m;
     compliance_row(contact, j, m, contact->row);
-    memset(contact->row + m, 0, (padded(m) - m) * sizeof *contact->row);
-    return reach - contact->loops->dot(padded(m), contact->row, y);
+    memset(contact->row + m, 0, (padded_size(m) - m) * sizeof *contact->row);
+    return reach - contact->loops->dot(padded_size(m), contact->row, y);
 }
 
 /* Whether no angle from m on reaches into the wall. Most angles are too far away to feel the forces. */

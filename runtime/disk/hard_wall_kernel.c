@@ -21,19 +21,20 @@ COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t s
             const size_t n = b * COR_LANES + lane;
             vector of_c[COR_HARD_WALL_BATCH], of_s[COR_HARD_WALL_BATCH];
             for (size_t k = 0; k < steps; k++)
-                of_c[k] = of_s[k] = all(0);
+                of_c[k] = of_s[k] = fill_vector(0);
             for (size_t i = first + lane; i < end; i += COR_LANES) {
-                const vector turn = load(modes->turn + i), c = load(modes->c + i), s = load(modes->s + i);
-                vector q = load(modes->q + i), before = load(modes->before + i);
+                const vector turn = load_vector(modes->turn + i), c = load_vector(modes->c + i),
+                             s = load_vector(modes->s + i);
+                vector q = load_vector(modes->q + i), before = load_vector(modes->before + i);
                 for (size_t k = 0; k < steps; k++) {
-                    const vector force =
-                        PLUS(TIMES(c, load(force_c + k * lanes + n)), TIMES(s, load(force_s + k * lanes + n)));
+                    const vector force = PLUS(TIMES(c, load_vector(force_c + k * lanes + n)),
+                                              TIMES(s, load_vector(force_s + k * lanes + n)));
                     const vector next = PLUS(MINUS(TIMES(turn, q), before), force);
                     before = q;
                     q = next;
                 }
-                store(modes->q + i, q);
-                store(modes->before + i, before);
+                store_vector(modes->q + i, q);
+                store_vector(modes->before + i, before);
                 of_c[0] = PLUS(of_c[0], TIMES(c, q));
                 of_s[0] = PLUS(of_s[0], TIMES(s, q));
                 for (size_t k = 1; k < steps; k++) {
@@ -45,25 +46,25 @@ COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t s
                 }
             }
             for (size_t k = 0; k < steps; k++) {
-                store(sum_c + k * lanes + n, of_c[k]);
-                store(sum_s + k * lanes + n, of_s[k]);
+                store_vector(sum_c + k * lanes + n, of_c[k]);
+                store_vector(sum_s + k * lanes + n, of_s[k]);
             }
         }
     }
 }
 
 /* Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi) b_1 - b_2. */
-static void clenshaw(size_t count, const double *factor, size_t points, const double *twice_cosine, double *result)
+static void sum_clenshaw(size_t count, const double *factor, size_t points, const double *twice_cosine, double *result)
 {
     for (size_t part = 0; part < points; part += COLUMNS * VECTOR) {
         vector x[COLUMNS], one[COLUMNS], two[COLUMNS]; /* b_(k+1), b_(k+2) */
         for (size_t i = 0; i < COLUMNS; i++) {
-            x[i] = load(twice_cosine + part + i * VECTOR);
-            one[i] = two[i] = all(0);
+            x[i] = load_vector(twice_cosine + part + i * VECTOR);
+            one[i] = two[i] = fill_vector(0);
         }
         size_t k = count;
         for (; k > 2; k -= 2) {
-            const vector f = all(factor[k - 1]), g = all(factor[k - 2]);
+            const vector f = fill_vector(factor[k - 1]), g = fill_vector(factor[k - 2]);
             for (size_t i = 0; i < COLUMNS; i++)
                 two[i] = PLUS(MINUS(f, two[i]), TIMES(x[i], one[i]));
             for (size_t i = 0; i < COLUMNS; i++)
@@ -71,13 +72,14 @@ static void clenshaw(size_t count, const double *factor, size_t points, const do
         }
         if (k == 2)
             for (size_t i = 0; i < COLUMNS; i++) {
-                const vector b = PLUS(MINUS(all(factor[1]), two[i]), TIMES(x[i], one[i]));
+                const vector b = PLUS(MINUS(fill_vector(factor[1]), two[i]), TIMES(x[i], one[i]));
                 two[i] = one[i];
                 one[i] = b;
             }
         for (size_t i = 0; i < COLUMNS; i++)
-            store(result + part + i * VECTOR,
-                  count == 0 ? all(0) : PLUS(MINUS(all(factor[0]), two[i]), TIMES(TIMES(all(0.5), x[i]), one[i])));
+            store_vector(result + part + i * VECTOR, count == 0 ? fill_vector(0)
+                                                                : PLUS(MINUS(fill_vector(factor[0]), two[i]),
+                                                                       TIMES(TIMES(fill_vector(0.5), x[i]), one[i])));
     }
 }
 
@@ -89,7 +91,7 @@ static void kernel_cosines(const struct cor_hard_wall_angles *angles, size_t cou
     enum { Q = COR_HARD_WALL_PANEL, WIDTH = COLUMNS * VECTOR };
     const size_t bins = angles->bins;
     if (!cor_hard_wall_sums_by_parts(angles, count)) {
-        clenshaw(count, factor, points, angles->twice_cosine, result);
+        sum_clenshaw(count, factor, points, angles->twice_cosine, result);
         return;
     }
     for (size_t first = 0; first < Q; first += WIDTH) {
@@ -98,34 +100,34 @@ static void kernel_cosines(const struct cor_hard_wall_angles *angles, size_t cou
             double *const sum = angles->sums + 2 * WIDTH * a;
             vector re[COLUMNS], im[COLUMNS];
             for (size_t i = 0; i < COLUMNS; i++)
-                re[i] = im[i] = all(0);
+                re[i] = im[i] = fill_vector(0);
             for (size_t k = a; k < count; k += bins, part += 2 * Q) {
-                const vector f = all(factor[k]);
+                const vector f = fill_vector(factor[k]);
                 for (size_t i = 0; i < COLUMNS; i++) {
-                    re[i] = PLUS(re[i], TIMES(f, load(part + i * VECTOR)));
-                    im[i] = PLUS(im[i], TIMES(f, load(part + Q + i * VECTOR)));
+                    re[i] = PLUS(re[i], TIMES(f, load_vector(part + i * VECTOR)));
+                    im[i] = PLUS(im[i], TIMES(f, load_vector(part + Q + i * VECTOR)));
                 }
             }
             for (size_t i = 0; i < COLUMNS; i++) {
-                const vector c = load(turn + i * VECTOR), s = load(turn + Q + i * VECTOR);
-                store(sum + i * VECTOR, MINUS(TIMES(c, re[i]), TIMES(s, im[i])));
-                store(sum + WIDTH + i * VECTOR, PLUS(TIMES(s, re[i]), TIMES(c, im[i])));
+                const vector c = load_vector(turn + i * VECTOR), s = load_vector(turn + Q + i * VECTOR);
+                store_vector(sum + i * VECTOR, MINUS(TIMES(c, re[i]), TIMES(s, im[i])));
+                store_vector(sum + WIDTH + i * VECTOR, PLUS(TIMES(s, re[i]), TIMES(c, im[i])));
             }
         }
         for (size_t s = 0; s < points / Q; s++) {
             const double *sum = angles->sums;
             vector total[COLUMNS];
             for (size_t i = 0; i < COLUMNS; i++)
-                total[i] = all(0);
+                total[i] = fill_vector(0);
             for (size_t a = 0, x = 0; a < bins; a++, sum += 2 * WIDTH) {
-                const vector c = all(angles->whole[2 * x]), d = all(angles->whole[2 * x + 1]);
+                const vector c = fill_vector(angles->whole[2 * x]), d = fill_vector(angles->whole[2 * x + 1]);
                 for (size_t i = 0; i < COLUMNS; i++)
-                    total[i] = PLUS(total[i],
-                                    MINUS(TIMES(c, load(sum + i * VECTOR)), TIMES(d, load(sum + WIDTH + i * VECTOR))));
+                    total[i] = PLUS(total[i], MINUS(TIMES(c, load_vector(sum + i * VECTOR)),
+                                                    TIMES(d, load_vector(sum + WIDTH + i * VECTOR))));
                 x = x + s < bins ? x + s : (x + s) % bins;
             }
             for (size_t i = 0; i < COLUMNS; i++)
-                store(result + s * Q + first + i * VECTOR, total[i]);
+                store_vector(result + s * Q + first + i * VECTOR, total[i]);
         }
     }
 }
@@ -137,15 +139,15 @@ static double kernel_dot(size_t n, const double *x, const double *y)
     vector sum[DOT_PARTS];
     double part[4 * COR_LANES];
     for (size_t i = 0; i < DOT_PARTS; i++)
-        sum[i] = all(0);
+        sum[i] = fill_vector(0);
     size_t at = 0;
     for (; at + 4 * COR_LANES <= n; at += 4 * COR_LANES)
         for (size_t i = 0; i < DOT_PARTS; i++)
-            sum[i] = PLUS(sum[i], TIMES(load(x + at + i * VECTOR), load(y + at + i * VECTOR)));
+            sum[i] = PLUS(sum[i], TIMES(load_vector(x + at + i * VECTOR), load_vector(y + at + i * VECTOR)));
     for (size_t i = 0; at < n; at += VECTOR, i++)
-        sum[i] = PLUS(sum[i], TIMES(load(x + at), load(y + at)));
+        sum[i] = PLUS(sum[i], TIMES(load_vector(x + at), load_vector(y + at)));
     for (size_t i = 0; i < DOT_PARTS; i++)
-        store(part + i * VECTOR, sum[i]);
+        store_vector(part + i * VECTOR, sum[i]);
     for (size_t i = 0; i < COR_LANES; i++)
         part[i] = (part[i] + part[i + 2 * COR_LANES]) + (part[i + COR_LANES] + part[i + 3 * COR_LANES]);
     return sum_of_lanes(part);
@@ -153,13 +155,13 @@ static double kernel_dot(size_t n, const double *x, const double *y)
 
 static void kernel_subtract(size_t n, double factor, const double *x, double *y)
 {
-    const vector f = all(factor);
+    const vector f = fill_vector(factor);
     for (size_t i = 0; i < n; i += VECTOR)
-        store(y + i, MINUS(load(y + i), TIMES(f, load(x + i))));
+        store_vector(y + i, MINUS(load_vector(y + i), TIMES(f, load_vector(x + i))));
 }
 
-static void advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c, const double *force_s,
-                    double *sum_c, double *sum_s)
+static void advance_modes(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
+                          const double *force_s, double *sum_c, double *sum_s)
 {
     if (steps == COR_HARD_WALL_BATCH)
         kernel_advance(modes, COR_HARD_WALL_BATCH, force_c, force_s, sum_c, sum_s);
@@ -167,4 +169,5 @@ static void advance(const struct cor_hard_wall_modes *modes, size_t steps, const
         kernel_advance(modes, 1, force_c, force_s, sum_c, sum_s);
 }
 
-const struct cor_hard_wall_loops COR_OF_SET(cor_hard_wall) = {advance, kernel_cosines, kernel_dot, kernel_subtract};
+const struct cor_hard_wall_loops COR_OF_SET(cor_hard_wall) = {advance_modes, kernel_cosines, kernel_dot,
+                                                              kernel_subtract};

@@ -75,7 +75,7 @@ static struct sizes sizes_of(const struct cor_disk_mode *mode, size_t modes,
     return size;
 }
 
-static void arrange(struct level *level, struct cor_store *store)
+static void arrange_level(struct level *level, struct cor_store *store)
 {
     const struct sizes *const size = &level->size;
     const size_t both = size->terms > 2 * size->points ? size->terms : 2 * size->points;
@@ -107,7 +107,7 @@ size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
     struct level level;
     struct cor_store store = {NULL, 0};
     level.size = sizes_of(mode, modes, settings);
-    arrange(&level, &store);
+    arrange_level(&level, &store);
     return store.used;
 }
 
@@ -321,7 +321,7 @@ static double true_depth(const struct level *level, const struct motion *motion,
 
 /* Updates the largest depth, from a parabola through three depths, and the end of the contact, from a linear
  * extrapolation of the falling load. */
-static void follow(struct motion *motion, const struct level *level, double load)
+static void follow_load(struct motion *motion, const struct level *level, double load)
 {
     const double depth = true_depth(level, motion, load), last = motion->last, last_but_one = motion->last_but_one;
     const double bend = depth - 2 * last + last_but_one, slope = 0.5 * (depth - last_but_one);
@@ -401,7 +401,7 @@ static void add_echoes(struct level *level, size_t at)
 }
 
 /* Makes a kick, and moves the centre of mass to the next one. */
-static struct kick step(struct level *level, struct motion *motion, size_t at)
+static struct kick take_step(struct level *level, struct motion *motion, size_t at)
 {
     const size_t lanes = level->size.lanes;
     double *const force_c = level->force_c + at * lanes, *const force_s = level->force_s + at * lanes;
@@ -409,11 +409,11 @@ static struct kick step(struct level *level, struct motion *motion, size_t at)
     add_echoes(level, at);
     const struct kick kick = level->size.points > 0 ? push_on_rim(level, motion->depth, sum_c, sum_s, force_c, force_s)
                                                     : push_at_point(level, motion->depth, sum_c, force_c, force_s);
-    follow(motion, level, kick.load);
+    follow_load(motion, level, kick.load);
     return kick;
 }
 
-static void drift(const struct level *level, struct motion *motion, double load)
+static void drift_modes(const struct level *level, struct motion *motion, double load)
 {
     motion->velocity -= level->h * load / COR_DISK_MASS;
     motion->depth += level->h * motion->velocity;
@@ -452,14 +452,14 @@ static int level_collide(struct level *level, struct motion *motion, double cont
     do {
         double load = 0;
         for (size_t at = 0; at < batch; at++) {
-            const struct kick kick = step(level, motion, at);
+            const struct kick kick = take_step(level, motion, at);
             if (level->contact.indefinite || !(kick.load < INFINITY))
                 return COR_ERROR_MODES;
             if (level->size.points > 0 && kick.end == level->size.points)
                 return COR_ERROR_WORKSPACE;
             if (detail != NULL)
                 level_tell(level, motion, &kick, contact_time, detail);
-            drift(level, motion, kick.load);
+            drift_modes(level, motion, kick.load);
             load += kick.load;
             level->work += kick_work(level, kick.end);
         }
@@ -505,7 +505,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
                           .work_per_step = settings->work_per_step,
                           .most_work = settings->most_work};
     level.contact.loops = level.loops;
-    arrange(&level, &store);
+    arrange_level(&level, &store);
     place_modes(&level);
     if (level.size.points > 0)
         add_static_compliance(&level, modes->nu);

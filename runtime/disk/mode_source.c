@@ -136,7 +136,7 @@ long cor_mode_orders(double omega)
     return (long)(omega * sqrt(10.0)) + 2;
 }
 
-static double total(const struct cor_mode_material *material, double omega)
+static double count_total(const struct cor_mode_material *material, double omega)
 {
     if (omega < 1) /* below every mode; products of the equation would underflow */
         return 0;
@@ -169,7 +169,7 @@ static double total(const struct cor_mode_material *material, double omega)
     return total;
 }
 
-COR_IN_ENVIRONMENT(double, cor_mode_total, total, (const struct cor_mode_material *material, double omega),
+COR_IN_ENVIRONMENT(double, cor_mode_total, count_total, (const struct cor_mode_material *material, double omega),
                    (material, omega))
 
 double cor_mode_upper_end(const struct cor_mode_material *material, size_t count)
@@ -262,7 +262,7 @@ static int search_start(struct search *s, double omega)
 }
 
 /* A rung where the ladder at kappa can begin for every N <= kappa/NEAR */
-static double beginning(double kappa)
+static double first_frequency(double kappa)
 {
     return kappa / NEAR + rungs_above(1, NEAR);
 }
@@ -273,7 +273,8 @@ static void ladders_lower(struct ladders *a, const struct search *s, long N)
     const long from = a->active - a->active % LANES;
     s->loops->rung((size_t)(s->room - from), (double)(N + 1), a->two_over_kappa + from, a->above + from, a->here + from,
                    a->zeros + from);
-    for (long i = a->active - 1; i >= 0 && a->kappa[i] >= LEAST_KAPPA && beginning(a->kappa[i]) >= (double)N; i--) {
+    for (long i = a->active - 1; i >= 0 && a->kappa[i] >= LEAST_KAPPA && first_frequency(a->kappa[i]) >= (double)N;
+         i--) {
         a->here[i] = 1;
         a->above[i] = first_rung(a->kappa[i] * a->kappa[i], N) / a->kappa[i];
         a->zeros[i] = 0;
@@ -487,7 +488,7 @@ static int find_modes(const struct cor_mode_material *material, const struct cor
     *found = 0;
     *mode = malloc(capacity * sizeof **mode);
     int status = *mode == NULL ? COR_ERROR_MEMORY : search_start(&s, omega);
-    long N = status == COR_OK ? (long)fmax(beginning(s.wave[1].kappa[s.room - 1]), (double)orders) : 0;
+    long N = status == COR_OK ? (long)fmax(first_frequency(s.wave[1].kappa[s.room - 1]), (double)orders) : 0;
     for (; N > 0 && status == COR_OK; N--) {
         ladders_lower(&s.wave[0], &s, N);
         ladders_lower(&s.wave[1], &s, N);

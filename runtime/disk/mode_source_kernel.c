@@ -8,9 +8,9 @@
 #include "runtime/number/kernel_vector.h"
 
 #ifdef __GNUC__
-typedef __typeof__(all(0) < all(1)) changes; /* -1 for true */
+typedef __typeof__(fill_vector(0) < fill_vector(1)) changes; /* -1 for true */
 #define NO_CHANGES(count) memset(&(count), 0, sizeof(count))
-#define COUNT_CHANGE(count, x, y) ((count) = (count) - ((x) * (y) < all(0)))
+#define COUNT_CHANGE(count, x, y) ((count) = (count) - ((x) * (y) < fill_vector(0)))
 #else
 typedef struct {
     int64_t of[VECTOR];
@@ -32,13 +32,13 @@ static void kernel_ladder(const double *two_over_kappa, const double *first_quot
     vector step[VECTORS], above[VECTORS], here[VECTORS];
     changes count[VECTORS];
     for (size_t i = 0; i < VECTORS; i++) {
-        step[i] = load(two_over_kappa + i * VECTOR);
-        above[i] = load(first_quotient + i * VECTOR);
-        here[i] = all(1);
+        step[i] = load_vector(two_over_kappa + i * VECTOR);
+        above[i] = load_vector(first_quotient + i * VECTOR);
+        here[i] = fill_vector(1);
         NO_CHANGES(count[i]);
     }
     for (long m = start; m > end; m--) {
-        const vector order = all((double)m);
+        const vector order = fill_vector((double)m);
         for (size_t i = 0; i < VECTORS; i++) {
             const vector below = MINUS(TIMES(TIMES(order, step[i]), here[i]), above[i]);
             COUNT_CHANGE(count[i], below, here[i]);
@@ -49,8 +49,8 @@ static void kernel_ladder(const double *two_over_kappa, const double *first_quot
     for (size_t i = 0; i < VECTORS; i++) {
         double over[VECTOR], under[VECTOR];
         int64_t signs[VECTOR];
-        store(over, above[i]);
-        store(under, here[i]);
+        store_vector(over, above[i]);
+        store_vector(under, here[i]);
         memcpy(signs, &count[i], sizeof signs);
         for (size_t k = 0; k < VECTOR; k++) {
             quotient[i * VECTOR + k] = over[k] / under[k];
@@ -99,18 +99,18 @@ static void kernel_move(struct cor_mode_wave *restrict wave, const struct cor_mo
     vector here[VECTORS], above[VECTORS], at[VECTORS];
     double h[COR_MODE_LANES], q[COR_MODE_LANES];
     for (size_t i = 0; i < VECTORS; i++) {
-        at[i] = load(t + i * VECTOR);
-        here[i] = load(series->term[COR_MODE_TERMS - 1][0] + i * VECTOR);
-        above[i] = load(series->term[COR_MODE_TERMS - 1][1] + i * VECTOR);
+        at[i] = load_vector(t + i * VECTOR);
+        here[i] = load_vector(series->term[COR_MODE_TERMS - 1][0] + i * VECTOR);
+        above[i] = load_vector(series->term[COR_MODE_TERMS - 1][1] + i * VECTOR);
     }
     for (size_t k = COR_MODE_TERMS - 1; k-- > 0;)
         for (size_t i = 0; i < VECTORS; i++) {
-            here[i] = PLUS(TIMES(here[i], at[i]), load(series->term[k][0] + i * VECTOR));
-            above[i] = PLUS(TIMES(above[i], at[i]), load(series->term[k][1] + i * VECTOR));
+            here[i] = PLUS(TIMES(here[i], at[i]), load_vector(series->term[k][0] + i * VECTOR));
+            above[i] = PLUS(TIMES(above[i], at[i]), load_vector(series->term[k][1] + i * VECTOR));
         }
     for (size_t i = 0; i < VECTORS; i++) {
-        store(h + i * VECTOR, here[i]);
-        store(q + i * VECTOR, above[i]);
+        store_vector(h + i * VECTOR, here[i]);
+        store_vector(q + i * VECTOR, above[i]);
     }
     for (size_t i = 0; i < COR_MODE_LANES; i++) {
         const double kappa = series->kappa[i] + t[i], crossed = h[i] * series->here[i] < 0 ? 1 : 0;

@@ -59,7 +59,7 @@ static pair pair_exp(double x)
 }
 
 /* x f, rounded once, also where the product is subnormal; NaN if f is */
-static double times(double x, pair f)
+static double times_pair(double x, pair f)
 {
     if (cor_inline_is_refused(f.hi))
         return NAN;
@@ -136,7 +136,7 @@ static pair limit_number(const struct limit *limit)
 }
 
 /* The largest double that does not exceed a positive number */
-static double largest(pair x)
+static double largest_double(pair x)
 {
     return x.lo >= 0 ? x.hi : cor_inline_from_bits(cor_inline_bits(x.hi) - 1);
 }
@@ -144,7 +144,7 @@ static double largest(pair x)
 static double law_limit(enum quantity quantity, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
-    return find_limit(quantity, nu, datum, &limit) ? largest(limit_number(&limit)) : NAN;
+    return find_limit(quantity, nu, datum, &limit) ? largest_double(limit_number(&limit)) : NAN;
 }
 
 /* ln(limit/x), 0 < x, far from the limit as the parts of cor_log_ratio_parts; NaN for nu and datum outside their
@@ -158,7 +158,7 @@ static pair far_parts(enum quantity quantity, double x, double nu, enum cor_disk
 }
 
 /* ln(limit/x) of every 0 < x; NaN beyond the limit */
-static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
+static pair pair_depth(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
 {
     const pair parts = far_parts(quantity, x, nu, datum), q = cor_inline_sum(parts.hi, parts.lo);
     struct limit limit;
@@ -195,25 +195,25 @@ double cor_disk_load_by_pairs(double compression, double nu, enum cor_disk_datum
 {
     if (!is_positive(compression))
         return not_positive(compression, 0, nu, datum);
-    const pair t = cor_lambert_t_pair(depth(COMPRESSION, compression, nu, datum));
-    return times(compression, cor_pair_over(pi, one_plus(t)));
+    const pair t = cor_lambert_t_pair(pair_depth(COMPRESSION, compression, nu, datum));
+    return times_pair(compression, cor_pair_over(pi, one_plus(t)));
 }
 
 static double law_compression(double load, double nu, enum cor_disk_datum datum)
 {
-    const pair t = depth(LOAD, load, nu, datum);
-    return times(load, cor_inline_pair_times(one_over_pi, one_plus(t)));
+    const pair t = pair_depth(LOAD, load, nu, datum);
+    return times_pair(load, cor_inline_pair_times(one_over_pi, one_plus(t)));
 }
 
 static double law_energy(double load, double nu, enum cor_disk_datum datum)
 {
-    const pair t = depth(LOAD, load, nu, datum);
+    const pair t = pair_depth(LOAD, load, nu, datum);
     return square_times(load, cor_inline_pair_times(one_over_two_pi, cor_pair_plus(cor_pair(0.5, 0), t)));
 }
 
 static double law_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
 {
-    const pair t = cor_lambert_t_pair(depth(ENERGY, energy, nu, datum));
+    const pair t = cor_lambert_t_pair(pair_depth(ENERGY, energy, nu, datum));
     if (cor_inline_is_refused(t.hi))
         return NAN;
     const int small = energy < COR_INLINE_2_M900;
@@ -226,7 +226,7 @@ static double law_load_of_energy(double energy, double nu, enum cor_disk_datum d
 
 static pair t_of_speed(double speed, double nu, enum cor_disk_datum datum)
 {
-    return cor_lambert_t_pair(cor_pair_scaled(depth(SPEED, speed, nu, datum), 2));
+    return cor_lambert_t_pair(cor_pair_scaled(pair_depth(SPEED, speed, nu, datum), 2));
 }
 
 struct cor_inline_pair cor_disk_speed_depth(double speed, double nu, enum cor_disk_datum datum)
@@ -236,21 +236,21 @@ struct cor_inline_pair cor_disk_speed_depth(double speed, double nu, enum cor_di
 
 double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
 {
-    const pair q = depth(SPEED, speed, nu, datum);
+    const pair q = pair_depth(SPEED, speed, nu, datum);
     return 2 * (q.hi + q.lo);
 }
 
 static double law_max_load(double speed, double nu, enum cor_disk_datum datum)
 {
     const pair t = t_of_speed(speed, nu, datum);
-    return times(speed, cor_pair_over(root_2_pi, pair_sqrt(one_plus(t))));
+    return times_pair(speed, cor_pair_over(root_2_pi, pair_sqrt(one_plus(t))));
 }
 
 static double law_max_compression(double speed, double nu, enum cor_disk_datum datum)
 {
     const pair t = t_of_speed(speed, nu, datum), half = {t.hi / 2, t.lo / 2};
     const pair numerator = cor_inline_pair_times(root_2, one_plus(half));
-    return times(speed, cor_pair_over(numerator, pair_sqrt(one_plus(t))));
+    return times_pair(speed, cor_pair_over(numerator, pair_sqrt(one_plus(t))));
 }
 
 /* exp(u) - 1 - u, 0 <= u < 100, with an error of 3 ulp. For tiny u the relative error is u/3, and the part of such u in
@@ -389,14 +389,15 @@ double cor_disk_compression_leading_log(double load)
 {
     if (!is_positive(load))
         return load == 0 ? 0 : NAN;
-    return load <= load_end ? times(load, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, load))) : NAN;
+    return load <= load_end ? times_pair(load, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, load)))
+                            : NAN;
 }
 
 double cor_disk_load_leading_log(double compression)
 {
     if (!is_positive(compression))
         return compression == 0 ? 0 : NAN;
-    return compression < 4 ? times(compression, cor_pair_over(pi, cor_log_ratio(&four, compression))) : NAN;
+    return compression < 4 ? times_pair(compression, cor_pair_over(pi, cor_log_ratio(&four, compression))) : NAN;
 }
 
 double cor_disk_energy_leading_log(double compression)
@@ -410,7 +411,7 @@ double cor_disk_max_compression_leading_log(double speed)
 {
     if (!is_positive(speed))
         return speed == 0 ? 0 : NAN;
-    return speed <= 4 ? times(speed, pair_sqrt(cor_log_ratio(&four, speed))) : NAN;
+    return speed <= 4 ? times_pair(speed, pair_sqrt(cor_log_ratio(&four, speed))) : NAN;
 }
 
 double cor_disk_contact_time_leading_log(double speed)

@@ -65,19 +65,19 @@ SHARED void nodes_solve(struct gauss_nodes *node, double q0, int steps)
 }
 
 /* t at points of a path */
-static void solve(struct gauss_nodes *node, const struct cor_leg_path *path, const double *rho, double panel)
+static void solve_nodes(struct gauss_nodes *node, const struct cor_leg_path *path, const double *rho, double panel)
 {
     nodes_begin(node, path, rho, panel);
     nodes_solve(node, path->q0, path->from_zero ? STEPS_FROM_ZERO : STEPS_FROM_OTHER);
 }
 
-static void start(const struct cor_leg_path *path, double nearest, double t[2])
+static void set_start(const struct cor_leg_path *path, double nearest, double t[2])
 {
     struct gauss_nodes node;
     double rho[LANES];
     for (int i = 0; i < LANES; i++)
         rho[i] = nearest;
-    solve(&node, path, rho, 1);
+    solve_nodes(&node, path, rho, 1);
     t[0] = node.t_re[0];
     t[1] = node.t_im[0];
 }
@@ -97,14 +97,14 @@ SHARED void nodes_integrate(struct gauss_nodes *node)
 SHARED void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], const struct gauss_nodes *node)
 {
     for (int k = 0; k < LANES; k += VECTOR) {
-        vector re = all(leg->end_re), im = all(leg->end_im);
+        vector re = fill_vector(leg->end_re), im = fill_vector(leg->end_im);
         for (int i = 0; i < COR_LEG_GAUSS; i++) {
-            const vector factor = load(row[i] + k);
-            re = PLUS(re, TIMES(factor, all(node->step_re[i])));
-            im = PLUS(im, TIMES(factor, all(node->step_im[i])));
+            const vector factor = load_vector(row[i] + k);
+            re = PLUS(re, TIMES(factor, fill_vector(node->step_re[i])));
+            im = PLUS(im, TIMES(factor, fill_vector(node->step_im[i])));
         }
-        store(leg->p_re + leg->n + k, re);
-        store(leg->p_im + leg->n + k, im);
+        store_vector(leg->p_re + leg->n + k, re);
+        store_vector(leg->p_im + leg->n + k, im);
     }
 }
 
@@ -133,8 +133,8 @@ SHARED void leg_add_weights(struct cor_leg *restrict leg, const struct cor_leg_p
 }
 
 /* Computes a panel of a leg: p and weights at `steps` nodes, and p at the end. */
-static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
-                  struct cor_leg *leg)
+static void add_panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
+                      struct cor_leg *leg)
 {
     struct gauss_nodes node;
     double u[LANES], rho[LANES];
@@ -142,7 +142,7 @@ static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *ru
     for (int i = 0; i < LANES; i++)
         u[i] = top - 0.5 * width * (1 - rule->x[i]);
     set_decays(rho, u);
-    solve(&node, path, rho, width);
+    solve_nodes(&node, path, rho, width);
     nodes_integrate(&node);
     leg_add_p(leg, steps == COR_LEG_STEPS ? rule->to_steps : rule->to_short, &node);
     leg_add_weights(leg, path, steps, top);
@@ -377,13 +377,14 @@ static void kernel_blend(int nodes, const double *weight, const double *const *i
 {
     for (int i = 0; i < count; i += COR_LEG_PART)
         for (int l = 0; l < COR_LEG_PART; l += VECTOR) {
-            vector sum = all(0);
+            vector sum = fill_vector(0);
             for (int k = 0; k < nodes; k++)
-                sum = PLUS(sum, TIMES(all(weight[k]), load(in[k] + i + l)));
-            store(out + i + l, sum);
+                sum = PLUS(sum, TIMES(fill_vector(weight[k]), load_vector(in[k] + i + l)));
+            store_vector(out + i + l, sum);
         }
 }
 
 const struct cor_rayleigh_set COR_OF_SET(cor_rayleigh) = {
-    COR_SET_NAME, start, panel, kernel_octaves, kernel_lines, kernel_weigh, kernel_sum, kernel_surface, kernel_blend,
+    COR_SET_NAME, set_start,  add_panel,      kernel_octaves, kernel_lines,
+    kernel_weigh, kernel_sum, kernel_surface, kernel_blend,
 };

@@ -29,7 +29,7 @@
 
 /* ---- quadrature ---- */
 
-static void legendre(double p[COR_LEG_GAUSS + 2], double x)
+static void set_legendre(double p[COR_LEG_GAUSS + 2], double x)
 {
     p[0] = 1;
     p[1] = x;
@@ -40,11 +40,11 @@ static void legendre(double p[COR_LEG_GAUSS + 2], double x)
 /* Integrals from x to 1: the polynomial's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, and that of P_k
  * is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1). The integral from -x is the whole integral minus that of the mirror image
  * from x. */
-static void integrals(double row[][COR_LEG_STEPS], int steps, double p[][COR_LEG_GAUSS + 2], const double *w)
+static void set_integrals(double row[][COR_LEG_STEPS], int steps, double p[][COR_LEG_GAUSS + 2], const double *w)
 {
     for (int k = 0; k <= steps / 2; k++) {
         double at[COR_LEG_GAUSS + 2];
-        legendre(at, 1 - 2.0 * k / steps);
+        set_legendre(at, 1 - 2.0 * k / steps);
         for (int j = 0; j < COR_LEG_GAUSS / 2; j++) {
             double even = 1 - at[1], odd = 0; /* in x_j */
             for (int l = 1; l < COR_LEG_GAUSS; l += 2) {
@@ -70,17 +70,17 @@ static void rule_init(struct cor_leg_rule *rule)
     for (int i = 0; i < COR_LEG_GAUSS / 2; i++) {
         double x = cos(PI * (i + 0.75) / ((double)COR_LEG_GAUSS + 0.5)), slope = 1;
         for (int k = 0; k < 4; k++) { /* Newton's method from a start value with error 1e-3; convergence is quadratic */
-            legendre(p[i], x);
+            set_legendre(p[i], x);
             slope = (double)COR_LEG_GAUSS * (x * p[i][COR_LEG_GAUSS] - p[i][COR_LEG_GAUSS - 1]) / (x * x - 1);
             x -= p[i][COR_LEG_GAUSS] / slope;
         }
-        legendre(p[i], x);
+        set_legendre(p[i], x);
         rule->x[i] = x;
         rule->x[COR_LEG_GAUSS - 1 - i] = -x;
         rule->w[i] = rule->w[COR_LEG_GAUSS - 1 - i] = 2 / ((1 - x * x) * slope * slope);
     }
-    integrals(rule->to_steps, COR_LEG_STEPS, p, rule->w);
-    integrals(rule->to_short, COR_LEG_SHORT, p, rule->w);
+    set_integrals(rule->to_steps, COR_LEG_STEPS, p, rule->w);
+    set_integrals(rule->to_short, COR_LEG_SHORT, p, rule->w);
 }
 
 /* ---- one leg: from its base along a straight ray ---- */

@@ -43,7 +43,7 @@ static const struct loop loops[] = {
     [COR_LINEAR_TIME_OF_MAX_OVERLAP] = {time_of_max_overlap, COR_RATIO_FORCE_NEAR, NULL},
 };
 
-static void complete(void *context, const struct cor_row_block *block, double *value)
+static void complete_block(void *context, const struct cor_row_block *block, double *value)
 {
     const struct loop *const loop = context;
     loop->values(value, block->taken, block->m);
@@ -52,11 +52,11 @@ static void complete(void *context, const struct cor_row_block *block, double *v
             value[j] = loop->one(block->x[j]);
 }
 
-static void run(enum cor_law_loop number, double (*one)(double), const double *x, double *y, size_t n)
+static void run_loop(enum cor_law_loop number, double (*one)(double), const double *x, double *y, size_t n)
 {
     struct loop loop = {loops[number].values, loops[number].largest, one};
     const struct cor_row_table interval = {.kind = COR_ROW_NONE, .end = loop.largest, .also = loop.largest};
-    const struct cor_row_call call = {&interval, NULL, &loop, NULL, complete, 1};
+    const struct cor_row_call call = {&interval, NULL, &loop, NULL, complete_block, 1};
     if (n >= 3) {
         COR_OF_SET(cor_row_loops).doubles(&call, x, y, n);
         return;
@@ -65,4 +65,4 @@ static void run(enum cor_law_loop number, double (*one)(double), const double *x
         y[i] = one(x[i]);
 }
 
-const struct cor_law_loops COR_OF_SET(cor_law_loops) = {run};
+const struct cor_law_loops COR_OF_SET(cor_law_loops) = {run_loop};

@@ -38,7 +38,7 @@ const cor_law_functions cor_viscoelastic_functions = {
 static const cor_law_functions *const laws[] = {COR_LAWS_WITH_FUNCTIONS(OF_LAW)};
 
 /* An entry of the table, whose value is NULL if the function does not exist; NULL beyond the table */
-static inline const struct cor_law_function *entry(enum cor_law law, enum cor_end end, enum cor_quantity quantity)
+static inline const struct cor_law_function *table_entry(enum cor_law law, enum cor_end end, enum cor_quantity quantity)
 {
     const int exists = ((unsigned)law < sizeof laws / sizeof *laws) & ((unsigned)end <= COR_END_APPROACH_ONLY) &
                        ((unsigned)quantity < COR_QUANTITIES);
@@ -47,13 +47,13 @@ static inline const struct cor_law_function *entry(enum cor_law law, enum cor_en
 
 const struct cor_law_function *cor_law_function(enum cor_law law, enum cor_end end, enum cor_quantity quantity)
 {
-    const struct cor_law_function *const function = entry(law, end, quantity);
+    const struct cor_law_function *const function = table_entry(law, end, quantity);
     return function && function->value ? function : NULL;
 }
 
 double cor_law_value(enum cor_law law, enum cor_end end, enum cor_quantity quantity, double x)
 {
-    const struct cor_law_function *const function = entry(law, end, quantity);
+    const struct cor_law_function *const function = table_entry(law, end, quantity);
     return function && function->value ? function->value(x) : (double)NAN;
 }
 

@@ -25,7 +25,7 @@ COR_KERNEL mask mask_of(int condition)
 
 /* Whether first <= x < end. The bits as integers have the order of nonnegative doubles, and are negative for other
  * doubles. */
-COR_KERNEL mask holds(double x, double first, double end)
+COR_KERNEL mask is_between(double x, double first, double end)
 {
     const int64_t bits = (int64_t)cor_inline_bits(x);
     return mask_of(bits >= (int64_t)cor_inline_bits(first)) & mask_of(bits < (int64_t)cor_inline_bits(end));
@@ -41,7 +41,7 @@ COR_KERNEL uint64_t choose_bits(mask choice, uint64_t if_true, uint64_t if_false
     return (if_true & (uint64_t)choice) | (if_false & ~(uint64_t)choice);
 }
 
-COR_KERNEL double choose(mask choice, double if_true, double if_false)
+COR_KERNEL double choose_double(mask choice, double if_true, double if_false)
 {
     return cor_inline_from_bits(choose_bits(choice, cor_inline_bits(if_true), cor_inline_bits(if_false)));
 }

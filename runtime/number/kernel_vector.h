@@ -39,19 +39,19 @@ VECTOR_OPERATION(PLUS, +)
 VECTOR_OPERATION(TIMES, *)
 #endif
 
-COR_KERNEL vector load(const double *from)
+COR_KERNEL vector load_vector(const double *from)
 {
     vector x;
     memcpy(&x, from, sizeof x);
     return x;
 }
 
-COR_KERNEL void store(double *to, vector x)
+COR_KERNEL void store_vector(double *to, vector x)
 {
     memcpy(to, &x, sizeof x);
 }
 
-COR_KERNEL vector all(double x)
+COR_KERNEL vector fill_vector(double x)
 {
 #if defined(__GNUC__) && VECTOR == 8 /* gcc 12 compiles this to one instruction */
     const vector result = {x, x, x, x, x, x, x, x};

@@ -213,7 +213,7 @@ static double parameter_of(const struct cor_scene_contact *contact, double speed
     return cor_law_is_constant(&contact->law) ? contact->damping : cor_scene_beta(contact, speed_m_s);
 }
 
-static int solve(struct cor_scaled_impact *impact, const struct cor_scene_contact *contact, double beta, int end)
+static int solve_scaled(struct cor_scaled_impact *impact, const struct cor_scene_contact *contact, double beta, int end)
 {
     if (!contact->solver)
         return COR_FAULT_SOLVER;
@@ -227,7 +227,7 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
     if (f.times == OF_SOLVER) {
         struct cor_scaled_impact solved;
         const double beta = cor_quiet_product(parameter, beta_per_damping(contact));
-        const int status = solve(&solved, contact, beta, COR_BOTH_ENDS);
+        const int status = solve_scaled(&solved, contact, beta, COR_BOTH_ENDS);
         if (status != COR_FAULT_NONE)
             return status;
         *impact = (struct cor_full_impact){
@@ -259,7 +259,7 @@ static int eps_of(double *eps, const struct cor_scene_contact *contact, double p
     }
     const int at = cor_scene_ends_differ(contact) ? end : COR_END_ZERO_OVERLAP;
     struct cor_scaled_impact impact = {{1, 1}, {0, 0}, 0};
-    const int status = isgreater(parameter, 0) ? solve(&impact, contact, parameter, at) : COR_FAULT_NONE;
+    const int status = isgreater(parameter, 0) ? solve_scaled(&impact, contact, parameter, at) : COR_FAULT_NONE;
     *eps = status == COR_FAULT_NONE ? impact.eps[at] : (double)NAN;
     return status;
 }
@@ -291,7 +291,7 @@ static struct units units_of_force(double *damping, const struct cor_scene_conta
 }
 
 /* Whether the spheres yield at this speed */
-static int yields(const struct cor_scene_contact *contact, double speed_m_s)
+static int does_yield(const struct cor_scene_contact *contact, double speed_m_s)
 {
     return contact->plastic && speed_m_s > contact->yield_speed_m_s;
 }
@@ -299,7 +299,7 @@ static int yields(const struct cor_scene_contact *contact, double speed_m_s)
 /* Whether an impact is more than a law: with yield, adhesion or a constant force */
 static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    return yields(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
+    return does_yield(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
 }
 
 /* The collision of a dry contact in SI units, all NaN where it is not known; `force_max` only for a plate and where
@@ -312,7 +312,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
     if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
         return COR_FAULT_RANGE;
     struct units unit = units_of_speed(contact, speed_m_s);
-    if (yields(contact, speed_m_s)) {
+    if (does_yield(contact, speed_m_s)) {
         cor_plastic_impact(impact, contact, speed_m_s);
         return status;
     }
@@ -339,7 +339,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
 }
 
 /* Sets the speed that a liquid leaves. Returns 0 where it leaves none. */
-static int touches(double *at, const struct cor_scene_contact *contact, double speed_m_s)
+static int does_touch(double *at, const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double s = contact->liquid_speed_m_s;
     *at = s > 0 ? speed_m_s - s : speed_m_s;
@@ -372,11 +372,11 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
         return COR_FAULT_RANGE;
     if (!cor_scene_has_end(contact, end))
         return status;
-    if (!touches(&at, contact, speed_m_s)) {
+    if (!does_touch(&at, contact, speed_m_s)) {
         *eps = 0;
     } else if (!is_full(contact, at)) {
         status = eps_of(eps, contact, parameter_of(contact, at), end);
-    } else if (yields(contact, at)) { /* without the duration, which takes longer */
+    } else if (does_yield(contact, at)) { /* without the duration, which takes longer */
         *eps = cor_elastic_plastic_eps(cor_quiet_quotient(at, contact->yield_speed_m_s));
     } else {
         status = dry_impact(&impact, contact, at);
@@ -394,10 +394,10 @@ int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_con
     const int in_range = cor_contact_is_sound(contact) && cor_si_in_range(speed_m_s);
     int status = COR_FAULT_NONE;
     impact->beta = NAN;
-    if (!in_range || touches(&at, contact, speed_m_s)) {
+    if (!in_range || does_touch(&at, contact, speed_m_s)) {
         const double speed = in_range ? at : (double)NAN;
         status = dry_impact(&full, contact, speed);
-        impact->beta = in_range && yields(contact, at) ? 0 : cor_scene_beta(contact, speed);
+        impact->beta = in_range && does_yield(contact, at) ? 0 : cor_scene_beta(contact, speed);
     }
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         const int has = cor_scene_has_end(contact, end);
@@ -415,7 +415,7 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
     double at;
     if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s))
         return NAN;
-    if (!touches(&at, contact, speed_m_s))
+    if (!does_touch(&at, contact, speed_m_s))
         return 0;
     if (!is_full(contact, at) && !contact->plate)
         return cor_quiet_product(units_of_speed(contact, at).force_n,

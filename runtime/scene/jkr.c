@@ -13,7 +13,7 @@
 static const double broken_at[COR_SCENE_ENDS] = {0.62996052494743658238, 0.90856029641606982944};
 static const double lost[COR_SCENE_ENDS] = {1.3259921049894873165, 0.65486382215035810233};
 
-static double inward(const struct motion *m, double s, double level)
+static double inward_speed(const struct motion *m, double s, double level)
 {
     return -cor_motion_v(m, s, level);
 }
@@ -21,24 +21,24 @@ static double inward(const struct motion *m, double s, double level)
 #define LARGEST 1e4                /* u beyond which no motion is followed */
 #define REST 1.1447142425533318678 /* u where the force vanishes, (3/2)^(1/3) */
 
-static double overlap(double u)
+static double overlap_of(double u)
 {
     return u * (u * u * u - 1);
 }
 
 /* Whether the motion creeps to its place of rest and never passes it: while x'/(x_e - x) is between 0 and half of the
  * least damping coefficient on the way, which exceeds 2 sqrt(dF/dx), it stays so. */
-static int creeps(const struct motion *m)
+static int is_slow(const struct motion *m)
 {
     const double u = cor_motion_start(m), low = fmin(u, REST), high = fmax(u, REST), cube = 4 * high * high * high;
     const double c = m->damper.factor * whole_power(low, m->damper.exponent), stiffness = 4 * high * high * (cube - 3);
     const double towards = u < REST ? m->v[0] : -m->v[0];
-    return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap(high) - overlap(low));
+    return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap_of(high) - overlap_of(low));
 }
 
 /* Whether twice the energy, 0 at the touch, is below that of the next end: the bodies then stay together. It never
  * grows. */
-static int stays(const struct motion *m)
+static int does_stay(const struct motion *m)
 {
     const double u = cor_motion_start(m), cube = u * u * u;
     const double potential = 3 / 5.0 + cube * u * (1 - cube * (8 / 3.0 - 16 / 15.0 * cube));
@@ -52,20 +52,20 @@ static int is_moderate(double kappa, double speed)
 }
 
 /* In the units of motion.h */
-static int solve(struct cor_full_impact *impact, double kappa, int power, double speed)
+static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, double speed)
 {
     struct motion m = {
         .time = {{4, 3, 0}, {-1, 0, 0}}, .spring = {{8.0 / 3, 6, 0}, {-4, 3, 0}}, .damper = {kappa, power, 0}};
     *impact = cor_together;
     if (!is_moderate(kappa, speed) || !cor_motion_init(&m, 1, speed) ||
-        !cor_motion_compress(&m, &impact->force_max, creeps))
+        !cor_motion_compress(&m, &impact->force_max, is_slow))
         return COR_FAULT_PRESSED;
-    impact->max_overlap = overlap(m.v[0] > 0 ? REST : cor_motion_start(&m));
-    for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !stays(&m) && !creeps(&m); k++) {
+    impact->max_overlap = overlap_of(m.v[0] > 0 ? REST : cor_motion_start(&m));
+    for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !does_stay(&m) && !is_slow(&m); k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(&m))
             return COR_FAULT_PRESSED;
         if (cor_motion_v(&m, m.step, 0) > 0) /* they turn again: the step ends there */
-            m.step = cor_motion_root(&m, inward, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
+            m.step = cor_motion_root(&m, inward_speed, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             if (cor_motion_start(&m) > broken_at[end] && cor_motion_u(&m, m.step, broken_at[end]) <= 0) {
                 const double s = cor_motion_root(&m, cor_motion_u, 0, m.step, broken_at[end]);
@@ -142,7 +142,7 @@ int cor_jkr_impact(struct cor_full_impact *impact, const struct cor_scene_contac
                    double speed_m_s)
 {
     const struct units unit = units_of(contact, coefficient);
-    const int status = solve(impact, unit.kappa, unit.power, cor_quiet_quotient(speed_m_s, unit.speed));
+    const int status = solve_jkr(impact, unit.kappa, unit.power, cor_quiet_quotient(speed_m_s, unit.speed));
     for (int end = 0; end < COR_SCENE_ENDS; end++)
         impact->duration[end] = cor_quiet_product(impact->duration[end], unit.time);
     impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length);

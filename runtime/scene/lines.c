@@ -100,7 +100,7 @@ static void put_raw(struct text *t, const char *from)
         t->to[t->length < t->size ? t->length : t->size - 1] = '\0';
 }
 
-static void put(struct text *t, const char *from)
+static void put_text(struct text *t, const char *from)
 {
     for (; *from; from++) {
         const char one[] = {*from, '\0'};
@@ -118,7 +118,7 @@ static void put(struct text *t, const char *from)
 }
 
 /* A comment of one line */
-static void comment(struct text *t, const char *format, ...)
+static void put_comment(struct text *t, const char *format, ...)
 {
     char line[SENTENCE];
     va_list list;
@@ -126,8 +126,8 @@ static void comment(struct text *t, const char *format, ...)
     vsnprintf(line, sizeof line, format, list);
     va_end(list);
     t->commented++;
-    put(t, line);
-    put(t, "\n");
+    put_text(t, line);
+    put_text(t, "\n");
     t->commented--;
 }
 
@@ -175,7 +175,7 @@ struct task {
 #define UNDER_FORCE(task) ((task)->pressed ? " under gravity" : "")
 
 /* Says why there are no lines; 0. */
-static int refuse(struct task *task, const char *format, ...)
+static int refuse_task(struct task *task, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
@@ -261,7 +261,7 @@ static int is_requested(const struct cor_simulator_model *model, const struct ta
 }
 
 /* Whether lines of the model can be printed, but for their numbers */
-static int suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
+static int model_suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
     return model->lines && is_requested(model, task) && (!task->request->scene->wall || model->wall_lines) &&
            (has_law ? cor_simulator_has_law(model, task->request->contacts)
@@ -294,7 +294,7 @@ static struct cor_scene_contact contact_made(const struct block *block, const st
 }
 
 /* eps at a speed; NaN: not known */
-static double realised(const struct block *block, const struct task *task, double speed_m_s)
+static double realised_eps(const struct block *block, const struct task *task, double speed_m_s)
 {
     const struct cor_simulator_model *const model = block->model;
     double eps = NAN;
@@ -379,7 +379,7 @@ static double time_step(const struct block *block, const struct task *task)
 }
 
 /* Corrects the numbers for the time step, at the one speed of the request. False if that is not possible */
-static int correct(struct block *block, const struct task *task)
+static int correct_block(struct block *block, const struct task *task)
 {
     enum cor_simulator_status status;
     double number[PAIRS];
@@ -445,7 +445,7 @@ static int fill_block(struct block *block, const struct task *task, const struct
         return 0;
     block->damping = damping_of(block, task, PAIR);
     block->time_step_s = time_step(block, task);
-    return !task->request->step_corrected || correct(block, task);
+    return !task->request->step_corrected || correct_block(block, task);
 }
 
 /* ---- lines ---- */
@@ -492,7 +492,7 @@ static void put_embed(struct text *t, const struct task *task)
              request->scene->end != COR_END_ZERO_FORCE ? "zero-overlap"
              : task->pressed                           ? "surface"
                                                        : "zero-force");
-    put(t, line);
+    put_text(t, line);
 }
 
 /* The number of a word; NaN if it is not known. zeta and the natural frequency fix MuJoCo's time constant, the contact
@@ -569,7 +569,7 @@ static void put_number(struct text *t, const char *word, const struct block *blo
 {
     const double value = word_number(word, block, task, pair);
     t->known = t->known && !isnan(value);
-    put(t, number_text(value, strcmp(word, "dt") == 0 ? TEXT_DIGITS : INPUT_DIGITS).text);
+    put_text(t, number_text(value, strcmp(word, "dt") == 0 ? TEXT_DIGITS : INPUT_DIGITS).text);
 }
 
 /* The density of a body as an argument, if it is known; of the second body it is needed only where materials differ. */
@@ -577,9 +577,9 @@ static void put_density(struct text *t, const char *word, const struct block *bl
 {
     const double density = word_number(word, block, task, PAIR);
     t->known = t->known && (word[strlen("density")] == '\0' || cor_scene_materials_differ(task->request->scene));
-    put(t, isnan(density) ? "" : "density=");
-    put(t, isnan(density) ? "" : INPUT(density));
-    put(t, isnan(density) ? "" : ", ");
+    put_text(t, isnan(density) ? "" : "density=");
+    put_text(t, isnan(density) ? "" : INPUT(density));
+    put_text(t, isnan(density) ? "" : ", ");
 }
 
 /* A word for the pair; t->known becomes 0 if its number is not known. {X[]} is the matrix of X for all pairs of types,
@@ -591,7 +591,7 @@ static void put_word(struct text *t, const char *word, const struct block *block
     const char *const text = word_text(word, task, pair);
     char of_two[WORD + 1];
     if (text) {
-        put(t, text);
+        put_text(t, text);
     } else if (strcmp(word, "embed") == 0) {
         put_embed(t, task);
     } else if (strncmp(word, "density", strlen("density")) == 0) {
@@ -601,7 +601,7 @@ static void put_word(struct text *t, const char *word, const struct block *block
     } else {
         for (int i = 0; i < (!two ? 1 : matrix ? 4 : 2); i++) {
             snprintf(of_two, sizeof of_two, "%.*s%s", name, word, !matrix && i > 0 ? "2" : "");
-            put(t, i > 0 ? " " : "");
+            put_text(t, i > 0 ? " " : "");
             put_number(t, of_two, block, task, matrix && two ? order[i] : PAIR);
         }
     }
@@ -623,10 +623,10 @@ static const char *put_line(struct text *t, const char *from, const struct block
             from = close + 1;
         } else {
             const char one[] = {*from++, '\0'};
-            put(t, one);
+            put_text(t, one);
         }
     }
-    put(t, "\n");
+    put_text(t, "\n");
     return *from ? from + 1 : from;
 }
 
@@ -647,7 +647,7 @@ static int put_template(struct text *t, const char *template, const struct block
         const char *next = template;
         t->known = 1;
         for (int i = task->types == 2 && line_has(template, "{pair}") ? 0 : 2; i < PAIRS; i++) {
-            put(t, order[i] == PAIR ? "" : task->simulator->comment);
+            put_text(t, order[i] == PAIR ? "" : task->simulator->comment);
             next = put_line(t, template + optional, block, task, order[i]);
         }
         if (!t->known && optional)
@@ -694,16 +694,16 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
     if (block->model->law == COR_LAW_IMPULSE)
         return;
     if (!needs_mass(block, task)) {
-        comment(t, "Holds for every mass.");
+        put_comment(t, "Holds for every mass.");
         return;
     }
     if (!whole && known && fabs(log2(square) - 2 * power) < 1e-6)
         snprintf(power_text, sizeof power_text, " is proportional to m^%s", number_text(power, 3).text);
-    comment(t, "For this %s only, effective mass m = %s kg: %s%s. %s", wall ? "mass at the wall" : "pair of masses",
-            TEXT(task->contact[PAIR][0].mass_kg), name, power_text,
-            differ ? "Each pair of types has its own."
-            : wall ? "Where masses differ, each group of one mass needs a wall of its own."
-                   : "Where masses differ, each pair of types needs its own.");
+    put_comment(t, "For this %s only, effective mass m = %s kg: %s%s. %s", wall ? "mass at the wall" : "pair of masses",
+                TEXT(task->contact[PAIR][0].mass_kg), name, power_text,
+                differ ? "Each pair of types has its own."
+                : wall ? "Where masses differ, each group of one mass needs a wall of its own."
+                       : "Where masses differ, each pair of types needs its own.");
 }
 
 /* Says which lines hold for which pair of two bodies that differ, and what to replace. */
@@ -717,25 +717,26 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
     if (task->types == 1 || scene->wall || block->model->has_function)
         return;
     if (pairs == COR_PAIRS_LINES)
-        comment(
+        put_comment(
             t,
             "Only 1 2 is active: your lines for 1 1 and 2 2 stay as they are. Where you have none, use those in the "
             "comments. They have %s.",
             numbers);
     else if (pairs == COR_PAIRS_MATRIX)
-        comment(t,
-                "The first and the last number of a matrix are of 1 1 and 2 2. They have %s: replace them by your own. "
-                "Leave out your own lines of the same properties.",
-                numbers);
+        put_comment(
+            t,
+            "The first and the last number of a matrix are of 1 1 and 2 2. They have %s: replace them by your own. "
+            "Leave out your own lines of the same properties.",
+            numbers);
     else if (pairs == COR_PAIRS_ONE_LAW)
-        comment(
+        put_comment(
             t,
             "One law for all contacts: 1 1, 2 2 and walls get the %.*s of 1 2. Where theirs is N, replace the number "
             "by MatchMaker(matches=((i, j, N), ...)), with i and j the ids of the materials.",
             (int)strcspn(block->model->parameter, ","), block->model->parameter);
     else
-        comment(t, "Numbers of the pair 1 2, densities %s and %s kg/m^3. 1 1 and 2 2 need their own lines.",
-                TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
+        put_comment(t, "Numbers of the pair 1 2, densities %s and %s kg/m^3. 1 1 and 2 2 need their own lines.",
+                    TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
 }
 
 /* eps with the time step */
@@ -747,14 +748,15 @@ static void put_stepped(struct text *t, const struct block *block, const struct 
     const double steps = cor_scene_elastic_duration_s(&c, speed_m_s) / block->time_step_s;
     if (cor_scene_step_error(&error, &c, speed_m_s, (int)block->model->end, steps, integrator_of(task)) ==
         COR_FAULT_NONE)
-        comment(t,
-                "realises eps = %s at %s m/s%s with this time step, in the mean; standard deviation %s; %s with short "
-                "steps",
-                number_text(eps + error.bias, 5).text, TEXT(speed_m_s), UNDER_FORCE(task),
-                number_text(error.scatter, 2).text, TEXT(eps));
+        put_comment(
+            t,
+            "realises eps = %s at %s m/s%s with this time step, in the mean; standard deviation %s; %s with short "
+            "steps",
+            number_text(eps + error.bias, 5).text, TEXT(speed_m_s), UNDER_FORCE(task),
+            number_text(error.scatter, 2).text, TEXT(eps));
     else
-        comment(t, "realises eps = %s at %s m/s%s with short steps; its time step is not known", TEXT(eps),
-                TEXT(speed_m_s), UNDER_FORCE(task));
+        put_comment(t, "realises eps = %s at %s m/s%s with short steps; its time step is not known", TEXT(eps),
+                    TEXT(speed_m_s), UNDER_FORCE(task));
 }
 
 static void put_realised(struct text *t, const struct block *block, const struct task *task)
@@ -766,20 +768,20 @@ static void put_realised(struct text *t, const struct block *block, const struct
     const double *const speed = request->speeds > 0 ? request->speed_m_s : &task->wish[PAIR].speed_m_s;
     const size_t speeds = request->speeds > 0 ? request->speeds : (size_t)!isnan(*speed);
     for (size_t i = 0; i < speeds; i++) {
-        const double eps = realised(block, task, speed[i]);
+        const double eps = realised_eps(block, task, speed[i]);
         if (!isnan(eps) && request->step_errors && block->model->law != COR_LAW_IMPULSE)
             put_stepped(t, block, task, speed[i], eps);
         else if (!isnan(eps) || task->pressed)
-            comment(t, "realises eps = %s at %s m/s%s", isnan(eps) ? "(not known)" : TEXT(eps), TEXT(speed[i]),
-                    UNDER_FORCE(task));
+            put_comment(t, "realises eps = %s at %s m/s%s", isnan(eps) ? "(not known)" : TEXT(eps), TEXT(speed[i]),
+                        UNDER_FORCE(task));
     }
     if (speeds == 0 && constant)
-        comment(t, "realises eps = %s at every speed", TEXT(realised(block, task, 1)));
+        put_comment(t, "realises eps = %s at every speed", TEXT(realised_eps(block, task, 1)));
     else if (!task->has_law)
-        comment(t, "Right at %s m/s alone: %s does not have the law of the contact.", TEXT(block->speed_m_s),
-                task->simulator->title);
+        put_comment(t, "Right at %s m/s alone: %s does not have the law of the contact.", TEXT(block->speed_m_s),
+                    task->simulator->title);
     else if (speeds == 0)
-        comment(t, "eps depends on the impact speed as that of the contact does: --speed LIST prints it here");
+        put_comment(t, "eps depends on the impact speed as that of the contact does: --speed LIST prints it here");
 }
 
 /* What the number is, if it is an e that is not realised */
@@ -790,37 +792,37 @@ static void put_own_e(struct text *t, const struct block *block, const struct ta
         fabs(block->number[PAIR] - eps) < 1e-7)
         return;
     const double back = cor_simulator_realised(block->model, eps);
-    comment(t,
-            isnan(back) ? "%s takes e = %s for it, and refuses e = %s."
-                        : "%s takes e = %s for it: its e = %s realises %s.",
-            task->simulator->title, TEXT(block->number[PAIR]), TEXT(eps), TEXT(back));
+    put_comment(t,
+                isnan(back) ? "%s takes e = %s for it, and refuses e = %s."
+                            : "%s takes e = %s for it: its e = %s realises %s.",
+                task->simulator->title, TEXT(block->number[PAIR]), TEXT(eps), TEXT(back));
 }
 
 /* All of a model: comments, lines and time step. Returns whether the numbers are known. */
 static int put_block(struct text *t, const struct block *block, const struct task *task, const char *instead)
 {
     const struct cor_simulator_model *const model = block->model;
-    comment(t, "%s%s, %s (%s): contacts end at %s", instead, task->simulator->title, model->model, model->version,
-            cor_end_names[model->end]);
+    put_comment(t, "%s%s, %s (%s): contacts end at %s", instead, task->simulator->title, model->model, model->version,
+                cor_end_names[model->end]);
     put_realised(t, block, task);
     if (has_soft_wall(task))
-        comment(t, "%s%s", task->simulator->wall, task->pressed ? " Here eps is that of a wall." : "");
+        put_comment(t, "%s%s", task->simulator->wall, task->pressed ? " Here eps is that of a wall." : "");
     if (task->pressed)
-        comment(t, "The simulator adds gravity; eps is the speed at %s over the impact speed.",
-                model->end == COR_END_ZERO_OVERLAP ? "zero overlap" : "the surface");
-    comment(t, "%s", model->advice);
+        put_comment(t, "The simulator adds gravity; eps is the speed at %s over the impact speed.",
+                    model->end == COR_END_ZERO_OVERLAP ? "zero overlap" : "the surface");
+    put_comment(t, "%s", model->advice);
     put_own_e(t, block, task);
     put_mass(t, block, task);
     put_pairs(t, block, task);
     if (task->simulator->density && isnan(cor_scene_body_density(task->request->scene, 1)))
-        comment(t, "%s", task->simulator->density);
+        put_comment(t, "%s", task->simulator->density);
     if (!*instead) {
         t->commented++;
         put_template(t, task->simulator->setup, block, task);
         t->commented--;
         if (!task->request->version && !cor_model_has_version(model, task->simulator->packaged))
-            comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
-                    task->simulator->title, task->simulator->version, task->simulator->version);
+            put_comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
+                        task->simulator->title, task->simulator->version, task->simulator->version);
     }
     t->commented += *instead != '\0';
     const int known = put_template(t, task->request->scene->wall ? model->wall_lines : model->lines, block, task);
@@ -828,10 +830,10 @@ static int put_block(struct text *t, const struct block *block, const struct tas
         put_template(t, task->simulator->time_step, block, task);
     t->commented -= *instead != '\0';
     if (!isnan(block->time_step_s) && !task->simulator->time_step)
-        comment(t, "time step: at most %s s", TEXT(block->time_step_s));
+        put_comment(t, "time step: at most %s s", TEXT(block->time_step_s));
     if (model->has_function)
-        comment(t, "Outside these speeds cor_eps returns the value at the nearer end of their range.");
-    put(t, "\n");
+        put_comment(t, "Outside these speeds cor_eps returns the value at the nearer end of their range.");
+    put_text(t, "\n");
     return known;
 }
 
@@ -852,13 +854,14 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
     task->hardening = ratio;
     task->k1 = cor_quiet_quotient(contact->mass_kg * speed_m_s * speed_m_s, x * x);
     task->depth = x * (1 - 1 / ratio) / contact->radius_m;
-    comment(t, "Instead, %s (run): Luding's linear hysteresis loads with k_1 and unloads with k_2,",
-            task->simulator->luding);
-    comment(t,
-            "eps = sqrt(k_1/k_2). These numbers of the pair realise eps = %s and the largest overlap, %s m, at %s m/s.",
-            TEXT(eps), TEXT(x), TEXT(speed_m_s));
-    comment(t, "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster than eps of the spheres.",
-            TEXT(cor_quiet_quotient(cor_quiet_quotient(1, eps * eps) - 1, speed_m_s)));
+    put_comment(t, "Instead, %s (run): Luding's linear hysteresis loads with k_1 and unloads with k_2,",
+                task->simulator->luding);
+    put_comment(
+        t, "eps = sqrt(k_1/k_2). These numbers of the pair realise eps = %s and the largest overlap, %s m, at %s m/s.",
+        TEXT(eps), TEXT(x), TEXT(speed_m_s));
+    put_comment(
+        t, "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster than eps of the spheres.",
+        TEXT(cor_quiet_quotient(cor_quiet_quotient(1, eps * eps) - 1, speed_m_s)));
     t->commented++;
     put_template(t, task->simulator->luding_lines, &block, task);
     t->commented--;
@@ -868,17 +871,17 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
 static void put_yielding(struct text *t, struct task *task)
 {
     if (task->simulator->yielding)
-        comment(t, "%s", task->simulator->yielding);
+        put_comment(t, "%s", task->simulator->yielding);
     else if (task->simulator->luding)
         put_luding(t, task, task->wish[PAIR].speed_m_s, task->wish[PAIR].eps);
     else if (!task->has_law) /* by a function of the speed */
-        comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
+        put_comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
 }
 
 /* ---- choice ---- */
 
 /* How well a model suits: first the end that is asked for, then the version */
-static int rank(const struct cor_simulator_model *model, const struct task *task)
+static int rank_model(const struct cor_simulator_model *model, const struct task *task)
 {
     const int end = task->request->scene->end;
     return 2 * (end == COR_BOTH_ENDS || (int)model->end == end || model->law == COR_LAW_IMPULSE) +
@@ -898,8 +901,8 @@ static void put_other_end(struct text *t, const struct block *active, const stru
         !cor_scene_ends_differ(request->contacts))
         return;
     const int constant = !task->pressed && cor_law_is_constant(&request->contacts->law);
-    comment(t, "%s has no contacts of this law that end at %s%s: those above have the damping of the contact.",
-            task->simulator->title, cor_end_names[end], request->version ? " in this version" : "");
+    put_comment(t, "%s has no contacts of this law that end at %s%s: those above have the damping of the contact.",
+                task->simulator->title, cor_end_names[end], request->version ? " in this version" : "");
     if ((isnan(speed) && !constant) ||
         cor_scene_eps(&eps, request->contacts, constant ? 1 : speed, end) != COR_FAULT_NONE)
         return;
@@ -928,8 +931,8 @@ static void put_own_maps(struct text *t, const struct task *task)
         const struct cor_simulator_model *const model = &task->simulator->models[i];
         const double own = cor_simulator_realised(model, eps);
         if (model->damping_of_e && !model->has_function && is_requested(model, task))
-            comment(t, "If e = %s is set by hand: %s (%s) %s%s.", TEXT(eps), model->model, model->version,
-                    isnan(own) ? "refuses it" : "realises ", isnan(own) ? "" : TEXT(own));
+            put_comment(t, "If e = %s is set by hand: %s (%s) %s%s.", TEXT(eps), model->model, model->version,
+                        isnan(own) ? "refuses it" : "realises ", isnan(own) ? "" : TEXT(own));
     }
 }
 
@@ -942,7 +945,7 @@ static int put_all(struct text *t, struct task *task)
         for (int i = 0; i < task->simulator->model_count && !active.model; i++) {
             const struct cor_simulator_model *const model = &task->simulator->models[i];
             const struct text before = *t;
-            if (!suits(model, task, task->has_law) || rank(model, task) != wanted)
+            if (!model_suits(model, task, task->has_law) || rank_model(model, task) != wanted)
                 continue;
             const int filled = fill_block(&block, task, model);
             if (filled && put_block(t, &block, task, "")) {
@@ -951,9 +954,9 @@ static int put_all(struct text *t, struct task *task)
             }
             *t = before;
             if (!*task->refusal)
-                refuse(task, "%s, %s: %s", task->simulator->name, model->model,
-                       filled ? "it needs numbers that are not given: bodies, or --stiffness and --effective-mass"
-                              : block.reason);
+                refuse_task(task, "%s, %s: %s", task->simulator->name, model->model,
+                            filled ? "it needs numbers that are not given: bodies, or --stiffness and --effective-mass"
+                                   : block.reason);
         }
     if (!active.model)
         return 0;
@@ -961,7 +964,7 @@ static int put_all(struct text *t, struct task *task)
     for (int i = 0; i < task->simulator->model_count; i++) {
         const struct cor_simulator_model *const model = &task->simulator->models[i];
         const struct text before = *t;
-        if (!suits(model, task, task->has_law) || model == active.model)
+        if (!model_suits(model, task, task->has_law) || model == active.model)
             continue;
         const int other_version = !task->request->version && !cor_model_has_version(model, task->simulator->packaged),
                   other_end = !other_version && model->end != active.model->end;
@@ -972,8 +975,8 @@ static int put_all(struct text *t, struct task *task)
                                                                     : "the same by another parameter",
                  other_end ? cor_end_names[model->end] : "");
         if (!fill_block(&block, task, model)) {
-            comment(t, "Not possible: %s: %s.", model->model, block.reason);
-            put(t, "\n");
+            put_comment(t, "Not possible: %s: %s.", model->model, block.reason);
+            put_text(t, "\n");
         } else if (!put_block(t, &block, task, instead))
             *t = before;
     }
@@ -1012,22 +1015,22 @@ static int find_speed(struct task *task)
     const double at = scene->number[COR_SCENE_AT], speed = request->speeds == 1 ? request->speed_m_s[0] : at;
     double eps = NAN;
     if (!task->has_law && isnan(speed))
-        return refuse(task,
-                      "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as "
-                      "--speed 1",
-                      task->simulator->name, task->law);
+        return refuse_task(task,
+                           "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as "
+                           "--speed 1",
+                           task->simulator->name, task->law);
     if (cor_scene_given(scene, COR_SCENE_RESTITUTION) && (constant || speed == at)) {
         eps = scene->number[COR_SCENE_RESTITUTION];
     } else if (scene->end == COR_BOTH_ENDS && cor_scene_ends_differ(request->contacts)) {
         if (!task->has_law && !constant)
-            return refuse(
+            return refuse_task(
                 task,
                 "eps of this contact at zero overlap differs from that at the other end; give the one that %s "
                 "is to realise: --end zero-overlap or %s",
                 task->simulator->name, task->pressed ? "surface" : "zero-force");
     } else if ((!isnan(speed) || constant) &&
                cor_scene_eps(&eps, request->contacts, isnan(speed) ? 1 : speed, end_of(scene)) != COR_FAULT_NONE) {
-        return refuse(task, "eps of the law %s is not known without a solver", task->law);
+        return refuse_task(task, "eps of the law %s is not known without a solver", task->law);
     }
     soften_wall(task);
     fill_pairs(task, task->request->contacts, request->count, speed, eps);
@@ -1042,12 +1045,12 @@ static int check_task(struct task *task)
     task->simulator = cor_simulator_named(request->simulator);
     if (!task->simulator) {
         struct text t = {task->refusal, sizeof task->refusal, 0, NULL, 0, 0, 1};
-        put(&t, "'");
-        put(&t, request->simulator);
-        put(&t, "' is not a simulator that cor has lines for; allowed: ");
+        put_text(&t, "'");
+        put_text(&t, request->simulator);
+        put_text(&t, "' is not a simulator that cor has lines for; allowed: ");
         for (size_t i = 0; i < cor_simulator_count; i++) {
-            put(&t, i > 0 && cor_simulators[i].comment ? ", " : "");
-            put(&t, cor_simulators[i].comment ? cor_simulators[i].name : "");
+            put_text(&t, i > 0 && cor_simulators[i].comment ? ", " : "");
+            put_text(&t, cor_simulators[i].comment ? cor_simulators[i].name : "");
         }
         return 0;
     }
@@ -1055,16 +1058,17 @@ static int check_task(struct task *task)
     const int named = request->scene->plastic ? COR_LAW_ELASTIC_PLASTIC : law_with_name(law);
     int has_wall = 0;
     if (request->version && cor_simulator_version(request->version) == 0)
-        return refuse(task, "'%.100s' is not a version of %s: write it as 29 Sep 2021 or as 3.8.1", request->version,
-                      task->simulator->title);
+        return refuse_task(task, "'%.100s' is not a version of %s: write it as 29 Sep 2021 or as 3.8.1",
+                           request->version, task->simulator->title);
     task->pressed = contact->force_n > 0;
     if (cor_scene_given(request->scene, COR_SCENE_ADHESION) || contact->adhesion_j_m2 > 0)
-        return refuse(task,
-                      "no model of these lines adheres; leave out --adhesion, and see docs/contact.md for the eps "
-                      "with it");
+        return refuse_task(task,
+                           "no model of these lines adheres; leave out --adhesion, and see docs/contact.md for the eps "
+                           "with it");
     if (contact->liquid_speed_m_s > 0)
-        return refuse(task, "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
-                            "host that calls a function of the speed");
+        return refuse_task(task,
+                           "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
+                           "host that calls a function of the speed");
     if (named >= 0)
         snprintf(task->law, NUMBER, "%s", cor_law_name((enum cor_law)named));
     else
@@ -1072,11 +1076,11 @@ static int check_task(struct task *task)
                  law->denominator);
     task->types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
     for (int i = 0; i < task->simulator->model_count; i++) {
-        task->has_law = task->has_law || suits(&task->simulator->models[i], task, 1);
+        task->has_law = task->has_law || model_suits(&task->simulator->models[i], task, 1);
         has_wall = has_wall || task->simulator->models[i].wall_lines;
     }
     return !request->scene->wall || has_wall ||
-           refuse(task, "no model of %s has lines for a wall", task->simulator->title);
+           refuse_task(task, "no model of %s has lines for a wall", task->simulator->title);
 }
 
 /* No model has the law. Where one is linear, a spring of the same duration at the speed takes its place. */
@@ -1098,8 +1102,8 @@ static void refuse_law(struct task *task)
                 TEXT(wish->speed_m_s), INPUT(cor_scene_elastic_duration_s(contact, wish->speed_m_s)),
                 INPUT(contact->mass_kg), INPUT(wish->eps),
                 request->scene->wall ? " --end zero-force --wall" : " --end zero-force", task->simulator->name);
-    refuse(task, "%s has no model for the law %s%s%s", task->simulator->name, task->law,
-           request->version ? " in this version" : "", instead);
+    refuse_task(task, "%s has no model for the law %s%s%s", task->simulator->name, task->law,
+                request->version ? " in this version" : "", instead);
 }
 
 static int check_numbers(struct task *task)
@@ -1110,7 +1114,7 @@ static int check_numbers(struct task *task)
         moderate = moderate && cor_is_moderate(&request->contacts[i], 1);
     for (size_t i = 0; i < request->speeds; i++)
         moderate = moderate && cor_is_moderate(&request->contacts[0], request->speed_m_s[i]);
-    return moderate || refuse(task, "lines need numbers in SI units from 1e-48 to 1e48");
+    return moderate || refuse_task(task, "lines need numbers in SI units from 1e-48 to 1e48");
 }
 
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
@@ -1141,11 +1145,11 @@ long cor_simulator_list(char *text, size_t size, const struct cor_simulator *sim
             walls += model->wall_lines != NULL;
             snprintf(line, sizeof line, "%s (%s, ends at %s%s; %s)\n", model->model, cor_law_name(model->law),
                      cor_end_names[model->end], model->wall_lines ? ", walls too" : "", model->version);
-            put(&t, model->lines && s == simulator ? line : "");
+            put_text(&t, model->lines && s == simulator ? line : "");
         }
         snprintf(line, sizeof line, "%-13s  %2d model%s%s%s%s\n", s->name, models, models > 1 ? "s" : "",
                  walls ? ", walls too" : "", s->version ? "; first those of " : "", s->version ? s->version : "");
-        put(&t, simulator || !s->comment ? "" : line);
+        put_text(&t, simulator || !s->comment ? "" : line);
     }
     return (long)t.length;
 }

@@ -44,7 +44,7 @@ int cor_motion_init(struct motion *m, double u, double v)
 
 /* ---- series ---- */
 
-static double product(const double *x, const double *y, int n)
+static double product_coefficient(const double *x, const double *y, int n)
 {
     double sum = 0;
     for (int k = 0; k <= n; k++)
@@ -52,7 +52,7 @@ static double product(const double *x, const double *y, int n)
     return sum;
 }
 
-static double square(const double *x, int n)
+static double square_coefficient(const double *x, int n)
 {
     double sum = 0;
     for (int k = 0; 2 * k < n; k++)
@@ -60,7 +60,7 @@ static double square(const double *x, int n)
     return n % 2 ? 2 * sum : 2 * sum + x[n / 2] * x[n / 2];
 }
 
-static double at(const double *c, double s)
+static double polynomial_at(const double *c, double s)
 {
     double y = c[ORDER];
     for (int n = ORDER - 1; n >= 0; n--)
@@ -110,12 +110,13 @@ static int expand_in_unit(struct motion *m)
         for (int i = 2; i < m->powers; i++) {
             struct motion_power *const p = &m->power[i];
             const double *const left = m->power[p->left].c;
-            p->c[n] = p->left == p->right ? square(left, n) : product(left, m->power[p->right].c, n);
+            p->c[n] =
+                p->left == p->right ? square_coefficient(left, n) : product_coefficient(left, m->power[p->right].c, n);
             if (!(fabs(p->c[n]) < most))
                 return 0;
         }
         slope[n] = sum_of(m, m->time, n);
-        damping[n] = product(m->power[m->damper.power].c, m->v, n);
+        damping[n] = product_coefficient(m->power[m->damper.power].c, m->v, n);
         if (fabs(damping[n]) > most_damping)
             return 0;
         damping[n] *= m->damper.factor;
@@ -124,13 +125,13 @@ static int expand_in_unit(struct motion *m)
         if (!(fabs(slope[n]) < most && fabs(damping[n]) < most && fabs(rest[n]) < most && fabs(u[n]) < most))
             return 0;
         u[n + 1] = m->unit * m->v[n] / (n + 1);
-        m->v[n + 1] = -m->unit * product(slope, rest, n) / (n + 1);
+        m->v[n + 1] = -m->unit * product_coefficient(slope, rest, n) / (n + 1);
         if (!(fabs(m->v[n + 1]) < most))
             return 0;
         m->t[n + 1] = m->unit * slope[n] / (n + 1);
         if (m->follows_energy) {
-            lost[n] = product(damping, m->v, n);
-            m->loss[n + 1] = m->unit * product(slope, lost, n) / (n + 1);
+            lost[n] = product_coefficient(damping, m->v, n);
+            m->loss[n + 1] = m->unit * product_coefficient(slope, lost, n) / (n + 1);
         }
     }
     m->force[ORDER] = 0;
@@ -161,7 +162,7 @@ void cor_motion_advance(struct motion *m)
 {
     double *const series[] = {m->power[1].c, m->v, m->t, m->loss};
     for (size_t i = 0; i < (m->follows_energy ? 4 : 3); i++)
-        series[i][0] = at(series[i], m->step);
+        series[i][0] = polynomial_at(series[i], m->step);
     if (m->follows_energy)
         restore_speed(m);
 }
@@ -170,22 +171,22 @@ void cor_motion_advance(struct motion *m)
 
 double cor_motion_u(const struct motion *m, double s, double level)
 {
-    return at(m->power[1].c, s) - level;
+    return polynomial_at(m->power[1].c, s) - level;
 }
 
 double cor_motion_v(const struct motion *m, double s, double level)
 {
-    return at(m->v, s) - level;
+    return polynomial_at(m->v, s) - level;
 }
 
 double cor_motion_t(const struct motion *m, double s)
 {
-    return at(m->t, s);
+    return polynomial_at(m->t, s);
 }
 
 double cor_motion_loss(const struct motion *m, double s)
 {
-    return at(m->loss, s);
+    return polynomial_at(m->loss, s);
 }
 
 static double force_slope(const struct motion *m, double s, double level)
@@ -210,10 +211,10 @@ int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const 
     for (int k = 0; k < MOTION_MOST_STEPS && cor_motion_expand(m); k++) {
         const int turns = cor_motion_v(m, m->step, 0) <= 0;
         const double end = turns ? cor_motion_root(m, cor_motion_v, 0, m->step, 0) : m->step;
-        *force_max = fmax(*force_max, fmax(m->force[0], at(m->force, end)));
+        *force_max = fmax(*force_max, fmax(m->force[0], polynomial_at(m->force, end)));
         const int falls = force_slope(m, end, 0) < 0;
         if (force_slope(m, 0, 0) > 0 && falls)
-            *force_max = fmax(*force_max, at(m->force, cor_motion_root(m, force_slope, 0, end, 0)));
+            *force_max = fmax(*force_max, polynomial_at(m->force, cor_motion_root(m, force_slope, 0, end, 0)));
         m->step = end;
         cor_motion_advance(m);
         if (turns)

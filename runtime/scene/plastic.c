@@ -29,7 +29,7 @@ static double force_ratio(double x)
 }
 
 /* (t + 2) (t^2 + 5)^2 */
-static double denominator(double t)
+static double eps_denominator(double t)
 {
     const double square = t * t + 5;
     return (t + 2) * (square * square);
@@ -38,7 +38,7 @@ static double denominator(double t)
 /* (t^3 + 4 t^2 + 17 t + 50)/((t + 2) (t^2 + 5)^2) */
 static double loss_factor(double t)
 {
-    return (((t + 4) * t + 17) * t + 50) / denominator(t);
+    return (((t + 4) * t + 17) * t + 50) / eps_denominator(t);
 }
 
 /* 1 - eps^4 */
@@ -53,7 +53,7 @@ double cor_elastic_plastic_eps(double speed_ratio)
         return cor_inline_is_refused(speed_ratio) ? (double)NAN : 1;
     const double t = force_ratio(speed_ratio);
     if (t < 0.75)
-        return sqrt(sqrt(108 * t / denominator(t)));
+        return sqrt(sqrt(108 * t / eps_denominator(t)));
     return sqrt(sqrt(1 - loss_of_fourth(t, force_gap(speed_ratio, t)))); /* never above 1, and 1 next to v_y */
 }
 
@@ -77,7 +77,7 @@ static double force_ratio_of_eps(double eps)
         double t = fourth * (50.0 / 108), step = 1;
         for (int i = 0; i < 60 && step > 0x1p-54 && t > 0; i++) {
             const double square = t * t + 5, slope = 2 * (1 - t) * ((2 * t + 5) * t + 5) / ((t + 2) * square);
-            step = (fourth / (108 * t / denominator(t)) - 1) / slope;
+            step = (fourth / (108 * t / eps_denominator(t)) - 1) / slope;
             t *= 1 + step;
         }
         return t;
@@ -85,7 +85,7 @@ static double force_ratio_of_eps(double eps)
     const double root = sqrt((1 - eps) * (1 + eps) * (1 + eps * eps));
     double u = sqrt(1.5) * root, step = 1;
     for (int i = 0; i < 60 && step > 0x1p-54 * u; i++) {
-        const double t = 1 - u, d = denominator(t), factor = sqrt(loss_factor(t));
+        const double t = 1 - u, d = eps_denominator(t), factor = sqrt(loss_factor(t));
         step = (u * factor - root) * factor * (t + 2) * (t * t + 5) * d / (108 * ((2 * t + 5) * t + 5));
         u -= step;
     }
@@ -137,7 +137,7 @@ double cor_scene_contact_radius(const struct cor_scene_contact *contact, double 
 }
 
 /* (3/2) K x^(3/2)/(pi R x), by Hertz */
-static double pressure(const struct cor_scene_contact *contact, double overlap_m)
+static double yield_pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
     if (!in_range_or_zero(contact, overlap_m))
         return NAN;
@@ -148,12 +148,12 @@ static double pressure(const struct cor_scene_contact *contact, double overlap_m
 double cor_scene_pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
     const double yields = contact->plastic ? cor_scene_elastic_overlap(contact, contact->yield_speed_m_s) : INFINITY;
-    return pressure(contact, fmin(overlap_m, yields));
+    return yield_pressure(contact, fmin(overlap_m, yields));
 }
 
 double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yield_speed_m_s)
 {
-    return pressure(contact, cor_scene_elastic_overlap(contact, yield_speed_m_s)) / COR_YIELD_PRESSURE;
+    return yield_pressure(contact, cor_scene_elastic_overlap(contact, yield_speed_m_s)) / COR_YIELD_PRESSURE;
 }
 
 /* ---- an impact above the yield speed ----

@@ -36,7 +36,7 @@ static int order_of(const struct motion *m) /* d */
     return m->time[0].exponent + 1;
 }
 
-static double overlap(const struct motion *m)
+static double overlap_of(const struct motion *m)
 {
     return whole_power(cor_motion_start(m), order_of(m));
 }
@@ -58,7 +58,7 @@ static double spring_energy(const struct motion *m, double w)
 }
 
 /* v^2/2 + elastic x^(a+1)/(a+1) - f x, which never grows */
-static double energy(const struct motion *m)
+static double energy_of(const struct motion *m)
 {
     const double w = cor_motion_start(m);
     return m->follows_energy ? m->energy - m->loss[0]
@@ -85,7 +85,7 @@ static double overlap_of_rest(const struct motion *m)
  * coefficient it stays so. */
 static int creeps_up(const struct motion *m)
 {
-    const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap(m);
+    const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap_of(m);
     const double damping = m->damper.factor * whole_power(cor_motion_start(m), m->damper.exponent);
     const double steepest = fmax(cor_quiet_power(rest, a - 1), cor_quiet_power(x, a - 1)),
                  stiffness = cor_quiet_product(m->spring[0].factor * a, steepest);
@@ -97,7 +97,7 @@ struct scales {
     double length, time, speed;
 };
 
-static void part(struct cor_full_impact *impact, int end, double eps, double duration)
+static void set_end(struct cor_full_impact *impact, int end, double eps, double duration)
 {
     impact->eps[end] = eps;
     impact->duration[end] = duration;
@@ -108,7 +108,7 @@ static void part_at_zero_overlap(struct cor_full_impact *impact, const struct mo
 {
     const double left = fmax(m->energy - cor_motion_loss(m, s), 0);
     const double speed = m->follows_energy ? sqrt(2 * left) : -cor_motion_v(m, s, 0);
-    part(impact, COR_END_ZERO_OVERLAP, speed / unit->speed, cor_motion_t(m, s) * unit->time);
+    set_end(impact, COR_END_ZERO_OVERLAP, speed / unit->speed, cor_motion_t(m, s) * unit->time);
 }
 
 /* The force vanishes at s, at the overlap x with the speed v. A body that flies from there to x = 0 arrives with
@@ -122,7 +122,7 @@ static void part_at_surface(struct cor_full_impact *impact, const struct motion 
     if (!(square > 0))
         return;
     const double speed = sqrt(square);
-    part(impact, COR_END_ZERO_FORCE, speed / unit->speed, (cor_motion_t(m, s) + 2 * x / (v + speed)) * unit->time);
+    set_end(impact, COR_END_ZERO_FORCE, speed / unit->speed, (cor_motion_t(m, s) + 2 * x / (v + speed)) * unit->time);
 }
 
 /* From the turning point to the end, or to where too little energy is left for it */
@@ -130,7 +130,7 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
 {
     const double release = ends_differ ? release_height(m) : -1; /* w where the force can vanish */
     int held = !ends_differ, parted = 0;                         /* held: the force has vanished, or never does */
-    for (int k = 0; !parted && energy(m) >= 0; k++) {
+    for (int k = 0; !parted && energy_of(m) >= 0; k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(m))
             return COR_FAULT_PRESSED;
         double end = m->step;
@@ -149,7 +149,7 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
         cor_motion_advance(m);
     }
     if (!ends_differ)
-        part(impact, COR_END_ZERO_FORCE, impact->eps[COR_END_ZERO_OVERLAP], impact->duration[COR_END_ZERO_OVERLAP]);
+        set_end(impact, COR_END_ZERO_FORCE, impact->eps[COR_END_ZERO_OVERLAP], impact->duration[COR_END_ZERO_OVERLAP]);
     return COR_FAULT_NONE;
 }
 
@@ -195,7 +195,7 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
     const double eps = ratio < 1 ? sqrt((1 - ratio) * (1 + ratio)) : 0;
     const double elastic = sqrt(2) * pow(a + 1, p) / a * beta_function(p, 0.5); /* the duration from rest */
     for (int end = 0; end < COR_SCENE_ENDS; end++)
-        part(impact, end, eps, eps > 0 ? elastic - speed * (1 + eps) : INFINITY);
+        set_end(impact, end, eps, eps > 0 ? elastic - speed * (1 + eps) : INFINITY);
     impact->max_overlap = pow(a + 1, 1 / a);
     impact->force_max = a + 1;
 }
@@ -243,7 +243,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
     m.follows_energy = is_forced;
     if (!cor_motion_compress(&m, &impact->force_max, creeps_up))
         return COR_FAULT_PRESSED;
-    impact->max_overlap = cor_quiet_product(m.v[0] > 0 ? overlap_of_rest(&m) : overlap(&m), unit.length);
+    impact->max_overlap = cor_quiet_product(m.v[0] > 0 ? overlap_of_rest(&m) : overlap_of(&m), unit.length);
     impact->force_max = cor_quiet_product(impact->force_max, acceleration);
     const int status = follow_rebound(impact, &m, law->elastic > law->damping && damping > 0, &unit);
     for (int end = 0; end < COR_SCENE_ENDS && damping == 0; end++)

@@ -8,7 +8,7 @@
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
 
-static int refuse(struct cor_scene_fault *fault, int what, int number, int other)
+static int refuse_scene(struct cor_scene_fault *fault, int what, int number, int other)
 {
     *fault = (struct cor_scene_fault){what, number, other, COR_OK};
     return what;
@@ -24,7 +24,7 @@ static int refuse_first(struct cor_scene_fault *fault, const struct rule *rule)
 {
     while (!rule->broken && rule->fault != COR_FAULT_NONE)
         rule++;
-    return rule->broken ? refuse(fault, rule->fault, rule->number, rule->other) : COR_FAULT_NONE;
+    return rule->broken ? refuse_scene(fault, rule->fault, rule->number, rule->other) : COR_FAULT_NONE;
 }
 
 /* ---- bodies, or a spring ---- */
@@ -91,7 +91,7 @@ static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fau
         const int eta = viscosity_of(scene, body);
         if (eta >= 0 && !(isgreaterequal(scene->number[eta], 0) && isless(scene->number[eta], INFINITY) &&
                           isgreaterequal(scene->number[eta + 1], 0) && isless(scene->number[eta + 1], INFINITY)))
-            return refuse(fault, COR_FAULT_VISCOSITY, eta, 0);
+            return refuse_scene(fault, COR_FAULT_VISCOSITY, eta, 0);
     }
     const struct cor_body body_1 = cor_scene_body(scene, 1), body_2 = cor_scene_body(scene, 2);
     const struct cor_plate plate = {body_2.young_modulus_pa, body_2.poisson_ratio,
@@ -156,7 +156,7 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
     else if (sticky)
         contact->force_n += cor_quiet_product(2 * COR_PI * scene->number[COR_SCENE_ADHESION], contact->radius_m);
     return contact->force_n == 0 || cor_si_in_range(contact->force_n) ? COR_FAULT_NONE
-                                                                      : refuse(fault, COR_FAULT_RANGE, cause, 0);
+                                                                      : refuse_scene(fault, COR_FAULT_RANGE, cause, 0);
 }
 
 /* ---- the damping ---- */
@@ -180,10 +180,10 @@ static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_
             !(is_material(ways[i]) && cor_scene_given(scene, ways[i] + COR_SCENE_BODY)))
             continue;
         if (*found >= 0)
-            return refuse(fault, COR_FAULT_TWO_WAYS, *found, ways[i]);
+            return refuse_scene(fault, COR_FAULT_TWO_WAYS, *found, ways[i]);
         *found = ways[i];
     }
-    return *found < 0 && !scene->plate ? refuse(fault, COR_FAULT_NO_WAY, 0, 0) : COR_FAULT_NONE;
+    return *found < 0 && !scene->plate ? refuse_scene(fault, COR_FAULT_NO_WAY, 0, 0) : COR_FAULT_NONE;
 }
 
 /* Whether this way suits the law and has the numbers that it needs */
@@ -240,7 +240,7 @@ static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *
     const int stress = cor_scene_given(scene, COR_SCENE_YIELD_STRESS), at = cor_scene_given(scene, COR_SCENE_AT);
     int way;
     if (stress && isnan(contact->radius_m))
-        return refuse(fault, COR_FAULT_NO_BODIES, COR_SCENE_YIELD_STRESS, 0);
+        return refuse_scene(fault, COR_FAULT_NO_BODIES, COR_SCENE_YIELD_STRESS, 0);
     if (stress)
         contact->yield_speed_m_s = cor_scene_yield_speed(contact, number[COR_SCENE_YIELD_STRESS]);
     if (!scene->plastic)
@@ -261,10 +261,10 @@ static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *
     if (at)
         contact->yield_speed_m_s =
             cor_quiet_quotient(number[COR_SCENE_AT], cor_elastic_plastic_speed_ratio(number[way]));
-    refuse(fault, COR_FAULT_NONE, 0, 0);
+    refuse_scene(fault, COR_FAULT_NONE, 0, 0);
     contact->plastic = 1;
     contact->damping = 0;
-    return cor_si_in_range(contact->yield_speed_m_s) ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
+    return cor_si_in_range(contact->yield_speed_m_s) ? COR_FAULT_NONE : refuse_scene(fault, COR_FAULT_RANGE, 0, 0);
 }
 
 static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
@@ -285,7 +285,7 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
         return fault->fault;
     contact->liquid_speed_m_s =
         cor_scene_liquid_speed(contact, scene->number[COR_SCENE_LIQUID_VISCOSITY], outer, inner);
-    return isless(contact->liquid_speed_m_s, INFINITY) ? COR_FAULT_NONE : refuse(fault, COR_FAULT_RANGE, 0, 0);
+    return isless(contact->liquid_speed_m_s, INFINITY) ? COR_FAULT_NONE : refuse_scene(fault, COR_FAULT_RANGE, 0, 0);
 }
 
 /* ---- a damping from what was measured ---- */
@@ -314,7 +314,7 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
             status = set_stiffness(&contacts[i], scene->number[COR_SCENE_DURATION], speed, end);
     }
     if (status > 0)
-        refuse(fault, status, way, COR_SCENE_AT);
+        refuse_scene(fault, status, way, COR_SCENE_AT);
     return status;
 }
 
@@ -338,22 +338,22 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     static int (*const set[])(struct cor_scene_contact *, struct cor_scene_fault *,
                               const struct cor_scene *) = {set_scales, set_force, set_yield, set_liquid};
     int contacts_set = 1, status = COR_FAULT_NONE;
-    refuse(fault, COR_FAULT_NONE, 0, 0);
+    refuse_scene(fault, COR_FAULT_NONE, 0, 0);
     contacts[0] = contacts[1] = none;
     for (int number = 0; number < COR_SCENE_NUMBERS && status == COR_FAULT_NONE; number++)
         if (is_beyond(scene, number))
-            status = refuse(fault, COR_FAULT_RANGE, number, 0);
+            status = refuse_scene(fault, COR_FAULT_RANGE, number, 0);
     if (!cor_law_is_sound(&scene->law))
-        status = refuse(fault, COR_FAULT_RANGE, 0, 0);
+        status = refuse_scene(fault, COR_FAULT_RANGE, 0, 0);
     if (status == COR_FAULT_NONE && scene->plate && scene->end == COR_END_ZERO_FORCE)
-        status = refuse(fault, COR_FAULT_PLATE_END, 0, 0);
+        status = refuse_scene(fault, COR_FAULT_PLATE_END, 0, 0);
     for (size_t i = 0; i < sizeof set / sizeof *set && status == COR_FAULT_NONE; i++)
         status = set[i](&contacts[0], fault, scene);
     if (status == COR_FAULT_NONE && !scene->plastic)
         status = set_damping(contacts, &contacts_set, fault, scene);
     for (int i = 0; i < contacts_set && status == COR_FAULT_NONE; i++)
         if (isnan(contacts[i].damping) || !cor_contact_is_sound(&contacts[i]))
-            status = refuse(fault, COR_FAULT_RANGE, 0, 0);
+            status = refuse_scene(fault, COR_FAULT_RANGE, 0, 0);
     *count = status == COR_FAULT_NONE ? contacts_set : 0;
     return status;
 }

@@ -749,7 +749,7 @@ double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, dou
 
 /* The smallest positive damping and its e. Near e = 1 the fits are not monotonic, and some simulators have no damping
  * from some e on. */
-static double weakest(const struct cor_simulator_model *model, double *at)
+static double weakest_damping(const struct cor_simulator_model *model, double *at)
 {
     const double most = nextafter(model->most, 0);
     double least = INFINITY;
@@ -771,7 +771,7 @@ void cor_simulator_reach(const struct cor_simulator_model *model, double *least,
     if (!model->damping_of_e)
         return;
     *least = cor_simulator_realised(model, model->least);
-    *most = cor_law_eps(model->law, model->end, weakest(model, &at));
+    *most = cor_law_eps(model->law, model->end, weakest_damping(model, &at));
 }
 
 double cor_simulator_e(const struct cor_simulator_model *model, double wished, enum cor_simulator_status *status)
@@ -782,10 +782,10 @@ double cor_simulator_e(const struct cor_simulator_model *model, double wished, e
     if (!model->damping_of_e || isnan(damping))
         return NAN;
     const int none = damping == model->damping_of_e(model->most);
-    *status = none                                 ? COR_SIMULATOR_OK
-              : damping < weakest(model, &high)    ? COR_SIMULATOR_TOO_LARGE
-              : damping > model->damping_of_e(low) ? COR_SIMULATOR_TOO_SMALL
-                                                   : COR_SIMULATOR_OK;
+    *status = none                                      ? COR_SIMULATOR_OK
+              : damping < weakest_damping(model, &high) ? COR_SIMULATOR_TOO_LARGE
+              : damping > model->damping_of_e(low)      ? COR_SIMULATOR_TOO_SMALL
+                                                        : COR_SIMULATOR_OK;
     if (none || *status != COR_SIMULATOR_OK)
         return none ? model->most : (double)NAN;
     for (double middle; cor_halve(&middle, low, high);)

@@ -58,7 +58,7 @@ struct stepped {
 };
 
 /* x^a + beta x^b v, but 0 where the bodies are apart and where the simulator does not let them pull */
-static double force(const struct stepped *m, double x, double v)
+static double force_at(const struct stepped *m, double x, double v)
 {
     double root = x, spring, damper;
     if (!(x > 0))
@@ -85,7 +85,7 @@ struct bounce {
 };
 
 /* Twice the energy; below 0 bodies in contact never part */
-static double energy(const struct stepped *m, double x, double v)
+static double energy_at(const struct stepped *m, double x, double v)
 {
     return v * v + (2 / (m->a + 1) * cor_quiet_power(x, m->a) - 2 * m->press) * x;
 }
@@ -94,17 +94,17 @@ static double energy(const struct stepped *m, double x, double v)
  * again after zero. With a predicted velocity it may push again if it does at v. */
 static int has_ended(const struct stepped *m, double x, double v, double full, double f)
 {
-    return !(x > 0) || (f == 0 && full < 0 && m->a >= m->b && force(m, x, v + m->ahead * m->step * m->press) == 0 &&
-                        (full * full > 2 * m->press * x || energy(m, x, full) < 0));
+    return !(x > 0) || (f == 0 && full < 0 && m->a >= m->b && force_at(m, x, v + m->ahead * m->step * m->press) == 0 &&
+                        (full * full > 2 * m->press * x || energy_at(m, x, full) < 0));
 }
 
 /* phase: time from the surface to the end of the first step that ends in contact, in steps */
-static struct bounce bounce(const struct stepped *m, double phase)
+static struct bounce follow_bounce(const struct stepped *m, double phase)
 {
     const double h = m->step, press = m->press;
     struct bounce one = {phase, (double)NAN, 0, 1};
     double x = phase * h * (1 + press * phase * h / 2), v = 1 + press * h * (phase - 0.5);
-    double f = force(m, x, v + m->ahead * h * press);
+    double f = force_at(m, x, v + m->ahead * h * press);
     for (; one.steps < MOST_STEPS; one.steps++) {
         const double before = v, full = v + h / 2 * press; /* at the end of the step, in free flight */
         if (has_ended(m, x, v, full, f)) {
@@ -118,14 +118,14 @@ static struct bounce bounce(const struct stepped *m, double phase)
         if (!(fabs(v) < m->most && fabs(x) < m->most))
             return one;
         const double mean = (before + v) / 2; /* the velocity at x */
-        if ((one.steps % OFTEN == 0 && energy(m, x, mean) < m->deep) ||
-            (((press > 0 && before < 0 && v >= 0) || fabs(v) < m->still) && energy(m, x, mean) < STUCK * STUCK)) {
+        if ((one.steps % OFTEN == 0 && energy_at(m, x, mean) < m->deep) ||
+            (((press > 0 && before < 0 && v >= 0) || fabs(v) < m->still) && energy_at(m, x, mean) < STUCK * STUCK)) {
             one.pattern = 0;
             one.off = 0 - m->exact; /* not -0 */
             return one;
         }
         x += h * v;
-        f = force(m, x, v - m->ahead * h * (f - press));
+        f = force_at(m, x, v - m->ahead * h * (f - press));
     }
     return one;
 }
@@ -167,7 +167,7 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
 /* ---- all phases ---- */
 
 /* Moves `low` to the last phase of its pattern, and `high`, which has another pattern, to just above it */
-static void cut(struct bounce *low, struct bounce *high, const struct stepped *m)
+static void halve_phases(struct bounce *low, struct bounce *high, const struct stepped *m)
 {
     double width;
     while ((width = high->phase - low->phase) > 1e-7 * fmin(high->phase, 1 - low->phase) ||
@@ -175,7 +175,7 @@ static void cut(struct bounce *low, struct bounce *high, const struct stepped *m
         const double middle = low->phase + width / 2;
         if (!(middle > low->phase && middle < high->phase))
             return;
-        const struct bounce other = bounce(m, middle);
+        const struct bounce other = follow_bounce(m, middle);
         *(other.pattern == low->pattern ? low : high) = other;
     }
 }
@@ -188,11 +188,12 @@ static int are_alike(double *off, const struct bounce *low, struct bounce *high,
 {
     for (int k = 0; k <= nodes; k++) {
         const double t = (k + 0.5) / nodes, part = t * t * t * t * (35 - t * (84 - t * (70 - t * 20)));
-        const struct bounce node = k == nodes ? *high : bounce(m, low->phase + (high->phase - low->phase) * part);
+        const struct bounce node =
+            k == nodes ? *high : follow_bounce(m, low->phase + (high->phase - low->phase) * part);
         if (node.pattern != low->pattern && !may_differ) {
             *high = *low;
             *beyond = node;
-            cut(high, beyond, m);
+            halve_phases(high, beyond, m);
             return 0;
         }
         if (k < nodes)
@@ -202,10 +203,10 @@ static int are_alike(double *off, const struct bounce *low, struct bounce *high,
 }
 
 /* eps over all phases, less `exact` */
-static int phases(struct cor_step_error *error, const struct stepped *m)
+static int average_phases(struct cor_step_error *error, const struct stepped *m)
 {
-    const struct bounce last = bounce(m, 1);
-    struct bounce low = bounce(m, FIRST_PHASE), high, beyond = last;
+    const struct bounce last = follow_bounce(m, 1);
+    struct bounce low = follow_bounce(m, FIRST_PHASE), high, beyond = last;
     const int nodes = last.steps < LONG ? NODES : NODES_LONG;
     double off[NODES], weight = 0, squares = 0;
     *error = (struct cor_step_error){0, 0, low.off, low.off};
@@ -242,7 +243,7 @@ int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_co
                      ? cor_scene_eps(&m.exact, contact, speed_m_s, end)
                      : COR_FAULT_STEP;
     if (status == COR_FAULT_NONE)
-        status = phases(error, &m);
+        status = average_phases(error, &m);
     if (status != COR_FAULT_NONE)
         *error = (struct cor_step_error){(double)NAN, (double)NAN, (double)NAN, (double)NAN};
     return status;
@@ -313,7 +314,7 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
     /* The mean falls with the damping: the Illinois method. */
     for (int k = 0; status == COR_FAULT_NONE && k < MOST_CALLS; k++) {
         m.beta = beta * factor;
-        status = phases(&error, &m);
+        status = average_phases(&error, &m);
         if (status == COR_FAULT_NONE &&
             (beta == 0 || fabs(error.bias) < converged ||
              (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * bracket.high))) {

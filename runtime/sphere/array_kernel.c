@@ -19,7 +19,7 @@ static void eps_before(void *context, const double *in, double *x, size_t m)
     const double scale = call->contact->beta5_per_speed;
     const double limit = cor_inline_from_bits(cor_contact_speed_limit(scale));
     for (size_t j = 0; j < m; j++)
-        x[j] = scale * choose(holds(in[j], COR_SI_LEAST, limit), in[j], -1);
+        x[j] = scale * choose_double(is_between(in[j], COR_SI_LEAST, limit), in[j], -1);
 }
 
 /* Beyond the rows in x: rows in the fifth root of x, and numbers beyond these one by one */
@@ -31,16 +31,16 @@ static void eps_after(void *context, const struct cor_row_block *block, double *
     double beta[COR_ROW_BLOCK], taken[COR_ROW_BLOCK], other[COR_ROW_BLOCK];
     for (size_t j = 0; j < block->m; j++) {
         /* below 2^-180 eps is 1 to the last bit */
-        const mask small = holds(x[j], 0, least), normal = holds(x[j], least, COR_INLINE_2_900);
-        const double root = cor_inline_fifth_root_normal(choose(normal, x[j], least));
+        const mask small = is_between(x[j], 0, least), normal = is_between(x[j], least, COR_INLINE_2_900);
+        const double root = cor_inline_fifth_root_normal(choose_double(normal, x[j], least));
         /* NaN is not below the end of the table; a negative speed may give x = -0 */
-        beta[j] = choose((small | normal) & holds(in[j], 0, cor_inline_infinity()), root, -1);
+        beta[j] = choose_double((small | normal) & is_between(in[j], 0, cor_inline_infinity()), root, -1);
     }
     COR_OF_SET(cor_row_loops).block(f->beyond, beta, taken, other, block->m);
     for (size_t j = 0; j < block->m; j++) {
         if (is_same(x[j], block->taken[j]))
             continue;
-        if (f->eps_far_root && holds(x[j], f->table->end, COR_INLINE_2_900))
+        if (f->eps_far_root && is_between(x[j], f->table->end, COR_INLINE_2_900))
             value[j] = f->eps_far_root(x[j]);
         else
             value[j] = is_same(beta[j], taken[j]) ? other[j] : f->one(call->contact, in[j]);
@@ -49,7 +49,7 @@ static void eps_after(void *context, const struct cor_row_block *block, double *
 
 static mask is_ordinary_speed(const struct call *call, double speed)
 {
-    return holds(speed, COR_SI_LEAST, COR_SI_MOST) & call->ordinary;
+    return is_between(speed, COR_SI_LEAST, COR_SI_MOST) & call->ordinary;
 }
 
 /* beta, or -1 */
@@ -58,9 +58,9 @@ static void beta_before(void *context, const double *in, double *x, size_t m)
     struct call *const call = context;
     for (size_t j = 0; j < m; j++) {
         const mask has = is_ordinary_speed(call, in[j]);
-        const struct cor_inline_pair parts = cor_inline_fifth_root_parts(choose(has, in[j], 1));
+        const struct cor_inline_pair parts = cor_inline_fifth_root_parts(choose_double(has, in[j], 1));
         call->root[j] = parts.hi + parts.lo;
-        x[j] = choose(has, cor_contact_beta_of_root(call->contact->beta_per_root, parts), -1);
+        x[j] = choose_double(has, cor_contact_beta_of_root(call->contact->beta_per_root, parts), -1);
     }
 }
 
@@ -85,8 +85,8 @@ static void dissipation_after(void *context, const struct cor_row_block *block, 
     mask all = mask_of(block->outside == 0);
     for (size_t j = 0; j < block->m; j++) {
         const mask has = is_ordinary_speed(call, speed[j]);
-        const double root = cor_inline_fifth_root_normal(choose(has, speed[j], 1));
-        value[j] = cor_contact_dissipation_of(choose(has, scale, 1), root, value[j]);
+        const double root = cor_inline_fifth_root_normal(choose_double(has, speed[j], 1));
+        value[j] = cor_contact_dissipation_of(choose_double(has, scale, 1), root, value[j]);
         all &= has;
     }
     for (size_t j = 0; !all && j < block->m; j++)

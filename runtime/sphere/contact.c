@@ -74,7 +74,7 @@ static double half_harmonic_mean(double x, double y)
 }
 
 /* (1 - nu^2)/Y, with no cancellation near nu = -1 */
-static double compliance(const struct cor_body *body)
+static double compliance_of(const struct cor_body *body)
 {
     return (1 - body->poisson_ratio) * (1 + body->poisson_ratio) / body->young_modulus_pa;
 }
@@ -95,7 +95,7 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
     if (status != COR_OK)
         return status;
 
-    const double c1 = compliance(body_1), c2 = compliance(body_2), c = c1 + c2;
+    const double c1 = compliance_of(body_1), c2 = compliance_of(body_2), c = c1 + c2;
     const double mass = half_harmonic_mean(body_1->mass_kg, body_2->mass_kg);
     const double radius = half_harmonic_mean(body_1->radius_m, body_2->radius_m);
     const double rho = cor_si_quotient(4 * sqrt(radius), 3 * c);

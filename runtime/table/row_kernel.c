@@ -59,7 +59,7 @@ COR_KERNEL lanes lanes_head(lanes x)
 /* The loops process this many numbers together. The last block of an array is filled up to whole vectors. */
 enum { BLOCK = COR_ROW_BLOCK };
 
-COR_KERNEL size_t whole(size_t m)
+COR_KERNEL size_t whole_blocks(size_t m)
 {
     return (m + LANES - 1) / LANES * LANES;
 }
@@ -67,9 +67,9 @@ COR_KERNEL size_t whole(size_t m)
 /* ---- first loop: numbers in the table ---- */
 
 /* The table has `also` too. */
-COR_KERNEL mask has(const struct cor_row_table *table, double x)
+COR_KERNEL mask table_has(const struct cor_row_table *table, double x)
 {
-    return holds(x, table->least, table->end) | is_same(x, table->also);
+    return is_between(x, table->least, table->end) | is_same(x, table->also);
 }
 
 /* Copies m numbers to x; `also` replaces those that are not in the table, and fills x up to whole vectors of every set.
@@ -79,8 +79,8 @@ SHARED size_t take(double *restrict x, const struct cor_row_table *table, const 
     const struct cor_row_table t = *table;
     mask inside = 0;
     for (size_t j = 0; j < m; j++) {
-        const mask is_inside = has(&t, in[j]);
-        x[j] = choose(is_inside, in[j], t.also);
+        const mask is_inside = table_has(&t, in[j]);
+        x[j] = choose_double(is_inside, in[j], t.also);
         inside -= is_inside;
     }
     for (size_t j = m; j % COR_LANES; j++)
@@ -116,7 +116,7 @@ COR_KERNEL void reduce_grid(struct reduced *r, const struct cor_row_table *table
         r->row[j] = address_of(rows, (uint64_t)i);
         r->t[j] = t;
         if (has_s)
-            r->s[j] = choose(mask_of(node < plain_end), t, x[j] - node * node);
+            r->s[j] = choose_double(mask_of(node < plain_end), t, x[j] - node * node);
     }
 }
 
@@ -138,13 +138,13 @@ COR_KERNEL void reduce_inverse(struct reduced *r, const struct cor_row_table *ta
     const struct cor_inline_octaves octaves = table->octaves;
     const double *const near_rows = table->near, *const rows = table->middle;
     for (size_t j = 0; j < count; j++) {
-        const mask near = holds(x[j], 0.5, 2);
-        const double loss = choose(near, 1 - x[j], 0), y = root ? sqrt(loss) : loss;
+        const mask near = is_between(x[j], 0.5, 2);
+        const double loss = choose_double(near, 1 - x[j], 0), y = root ? sqrt(loss) : loss;
         const int i = cor_inline_grid_row(grid, y);
         r->row[j] = choose_bits(near, address_of(near_rows, (uint64_t)i),
                                 address_of(rows, cor_inline_octaves_row(octaves, x[j])));
-        r->t[j] = choose(near, y - i * grid.step, cor_inline_octaves_t(octaves, x[j]));
-        r->factor[j] = choose(near, loss, 1);
+        r->t[j] = choose_double(near, y - i * grid.step, cor_inline_octaves_t(octaves, x[j]));
+        r->factor[j] = choose_double(near, loss, 1);
     }
     r->m = r->factor;
 }
@@ -160,28 +160,28 @@ COR_KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table
     const struct cor_inline_pair threshold = table->threshold;
     mask some_near = 0;
     for (size_t j = 0; j < count; j++) {
-        const mask is_middle = holds(x[j], near_end, middle_end);
-        const double of_middle = choose(is_middle, x[j], near_end);
+        const mask is_middle = is_between(x[j], near_end, middle_end);
+        const double of_middle = choose_double(is_middle, x[j], near_end);
         uint64_t row = address_of(rows, cor_inline_octaves_row(octaves, of_middle));
         double t = cor_inline_octaves_t(octaves, of_middle);
-        const mask is_near = holds(x[j], 0, near_end);
-        const double near_x = choose(is_near, x[j], 0);
+        const mask is_near = is_between(x[j], 0, near_end);
+        const double near_x = choose_double(is_near, x[j], 0);
         const int i = cor_inline_grid_row(grid, near_x);
         row = choose_bits(is_near, address_of(near_rows, (uint64_t)i), row);
-        t = choose(is_near, near_x - i * grid.step, t);
+        t = choose_double(is_near, near_x - i * grid.step, t);
         some_near |= is_near;
         if (has_below) { /* threshold - x exactly, as cor_inline_law_octave_row takes it */
-            const mask is_below = holds(x[j], middle_end, threshold.hi);
-            const double y = choose(is_below, x[j], middle_end);
+            const mask is_below = is_between(x[j], middle_end, threshold.hi);
+            const double y = choose_double(is_below, x[j], middle_end);
             const struct cor_inline_pair rest = cor_pair_two_sum(threshold.hi - y, threshold.lo);
             const uint64_t sign_less = UINT64_C(0x7ff0000000000000), twice_bias = UINT64_C(0x7fe0000000000000);
             const double unit = cor_inline_from_bits(twice_bias - (cor_inline_bits(rest.hi) & sign_less));
             row = choose_bits(is_below, address_of(below_rows, cor_inline_octaves_row(below_octaves, rest.hi)), row);
-            t = choose(is_below, cor_inline_octaves_t(below_octaves, rest.hi) + rest.lo * unit, t);
+            t = choose_double(is_below, cor_inline_octaves_t(below_octaves, rest.hi) + rest.lo * unit, t);
         }
         r->row[j] = row;
         r->t[j] = t;
-        r->factor[j] = choose(is_near, near_x, 1);
+        r->factor[j] = choose_double(is_near, near_x, 1);
     }
     r->m = r->factor;
     return some_near != 0;
@@ -225,7 +225,7 @@ COR_KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, en
     return product;
 }
 
-COR_KERNEL void evaluate(double *out, const struct reduced *r, size_t count, int has_s, enum cor_row_value kind)
+COR_KERNEL void evaluate_rows(double *out, const struct reduced *r, size_t count, int has_s, enum cor_row_value kind)
 {
     for (size_t j = 0; j < count; j += LANES)
         LANES_STORE(out + j, evaluate_lanes(r, j, has_s, kind));
@@ -249,9 +249,9 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     case COR_ROW_ROOT_S:
         reduce_grid(&r, table, x, count, 1, 1);
         if (kind == COR_ROW_SUM)
-            evaluate(out, &r, count, 1, COR_ROW_SUM);
+            evaluate_rows(out, &r, count, 1, COR_ROW_SUM);
         else
-            evaluate(out, &r, count, 1, COR_ROW_PRODUCT);
+            evaluate_rows(out, &r, count, 1, COR_ROW_PRODUCT);
         return;
     case COR_ROW_OCTAVES:
         reduce_octaves(&r, table, x, count);
@@ -272,16 +272,16 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     }
     switch (kind) {
     case COR_ROW_SUM:
-        evaluate(out, &r, count, 0, COR_ROW_SUM);
+        evaluate_rows(out, &r, count, 0, COR_ROW_SUM);
         return;
     case COR_ROW_PRODUCT:
-        evaluate(out, &r, count, 0, COR_ROW_PRODUCT);
+        evaluate_rows(out, &r, count, 0, COR_ROW_PRODUCT);
         return;
     case COR_ROW_EPS:
-        evaluate(out, &r, count, 0, COR_ROW_EPS);
+        evaluate_rows(out, &r, count, 0, COR_ROW_EPS);
         return;
     case COR_ROW_LOSS:
-        evaluate(out, &r, count, 0, COR_ROW_LOSS);
+        evaluate_rows(out, &r, count, 0, COR_ROW_LOSS);
         return;
     }
 }
@@ -310,9 +310,9 @@ static void loop_doubles(const struct cor_row_call *call, const double *in, doub
             call->before(call->context, in + i, given, m);
         const double *const x = call->before ? given : in + i;
         const size_t outside = take(taken, table, x, m);
-        const int to_complete = outside || call->always_after, final = !to_complete && m == whole(m);
+        const int to_complete = outside || call->always_after, final = !to_complete && m == whole_blocks(m);
         if (outside < m)
-            evaluate_block(final ? out + i : value, table, taken, whole(m));
+            evaluate_block(final ? out + i : value, table, taken, whole_blocks(m));
         if (final)
             continue;
         if (to_complete && call->after) {
@@ -330,7 +330,7 @@ static void loop_doubles(const struct cor_row_call *call, const double *in, doub
 static void one_block(const struct cor_row_table *table, const double *x, double *taken, double *value, size_t m)
 {
     take(taken, table, x, m);
-    evaluate_block(value, table, taken, whole(m));
+    evaluate_block(value, table, taken, whole_blocks(m));
 }
 
 /* ---- arrays in float arithmetic ---- */

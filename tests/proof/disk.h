@@ -310,7 +310,7 @@ static void write_times(void)
     const struct cor_inline_pair again = cor_inline_pair_times(cor_inline_product(x, x), f);
     gappa g;
     g.call({{"hi", again.hi}, {"lo", again.lo}});
-    g.match(times(x, f), "(s*1)");
+    g.match(times_pair(x, f), "(s*1)");
     write_by_pair("disk_times", g["s"], x, f);
     g.match(square_times(x, f), "(hi+lo)");
 }
