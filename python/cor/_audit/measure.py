@@ -129,7 +129,7 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
         message(f"{path}: {command} left out (line {', '.join(map(str, lines[:9]))}{', ...' if lines[9:] else ''})")
     if reason:
         message(f"{path}: the script ended: {reason}")
-    version = f"{'LIGGGHTS' if rows[0].simulator == 'liggghts' else 'LAMMPS'} {version}"
+    version = version if version.startswith("LIGGGHTS") else f"LAMMPS {version}"
     for row, c in zip(rows, todo):
         if math.isnan(c.eps):
             refuse(row, c.reason or reason or "the script does not come to its run")

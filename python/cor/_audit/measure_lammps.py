@@ -301,7 +301,8 @@ class Script:
         least, largest, light, heavy = self.sizes.get(c.types[i], [diameter, diameter, mass, mass])
         if not least * (1 - 1e-6) <= diameter <= largest * (1 + 1e-6):
             diameter = math.sqrt(least * largest)
-        if not light * (1 - 1e-6) <= mass <= heavy * (1 + 1e-6):
+        rigid = any(re.match("rigid|poems|multisphere", words[3]) for words in self.fixes.values())
+        if not (rigid and mass > 0) and not light * (1 - 1e-6) <= mass <= heavy * (1 + 1e-6):
             mass = math.sqrt(light * heavy)
         if not (diameter > 0 and mass > 0):
             raise Failed(f"the deck has no particle of type {c.types[i]}; give --radius and --density")
