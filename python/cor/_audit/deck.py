@@ -124,13 +124,12 @@ class Remark:
 
 @dataclass
 class Deck:
-    """Everything that a reader found in one input. facts: what a reader keeps for measure."""
+    """Everything that a reader found in one input. A reader is a function of the text, its name and the options."""
 
     file: str
     simulator: str
     contacts: List[Contact] = field(default_factory=list)
     remarks: List[Remark] = field(default_factory=list)
-    facts: Dict[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -150,9 +149,6 @@ class Options:
     include: Callable[[str, str], Optional[Tuple[str, str]]] = lambda name, of: None
     progress: Callable[[str], None] = lambda step: None
 
-
-# Reads one input: the text, its name for messages, the options.
-Reader = Callable[[str, str, Options], Deck]
 
 COLUMNS = (
     "file,line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,advice,realised_surface,"
