@@ -21,8 +21,6 @@ const char *const option_formats_latex[] = {
     [FORMAT_TEXT] = "text", [FORMAT_CSV] = "csv", [FORMAT_JSON] = "json", [FORMAT_LATEX] = "latex", NULL};
 const struct option_numbers option_positive = {{"0", NULL, false, false, true, "a finite number above 0"},
                                                DECIMAL_PLAIN};
-const struct option_numbers option_positive_or_infinite = {{"0", NULL, false, false, true, "a number above 0, or inf"},
-                                                           DECIMAL_INFINITE};
 const struct option_numbers option_not_negative = {{"0", NULL, true, false, true, "a finite number, 0 or more"},
                                                    DECIMAL_PLAIN};
 const struct option_numbers option_disk_poisson = {{"-1", "1", false, false, false, "a number between -1 and 1"},
@@ -149,10 +147,6 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
     }
     case OPTION_REAL: {
         const struct option_numbers numbers = options_numbers(rule);
-        if ((numbers.forms & DECIMAL_INFINITE) && strcmp(text, "inf") == 0) {
-            decimal_set_infinite(field);
-            return STATUS_OK;
-        }
         return decimal_parse(field, text, DECIMAL_EXPONENT_DIGITS) ? options_check_real(name, &numbers, field)
                                                                    : refuse_real(name, &numbers, unit_of(rule), text);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The options that describe one contact, as rows of a table of options: SCENE_OPTIONS of contact, sample, embed and
- * plan, of which fit has SCENE_BODY alone. ARGUMENTS has a member `scene`. APART lists options that contradict all of
- * them, or is NULL. POISSON and POISSON_APART are range (NULL: of spheres) and contradiction of --poisson. */
+/* The options that describe one contact, as rows of a table of options of contact, sample, embed and plan. ARGUMENTS has
+ * a member `scene`. APART lists options that contradict all of them, or is NULL. POISSON and POISSON_APART are range
+ * (NULL: of spheres) and contradiction of --poisson. */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 
@@ -52,14 +52,14 @@
 #define SCENE_TEXT(NAME, FIELD, APART) OPTION(NAME, TEXT, scene.FIELD, .excludes = (APART))
 #define SCENE_WORD(NAME, FIELD, WORDS, WHY, APART)                                                                     \
     OPTION(NAME, WORD, scene.FIELD, .range.words = (WORDS), .why = (WHY), .excludes = (APART))
-#define SCENE_BODY(SUFFIX, NUMBER_SUFFIX, YOUNG, POISSON, POISSON_APART, APART)                                        \
-    SCENE_NUMBER_OF("young" SUFFIX, COR_SCENE_YOUNG##NUMBER_SUFFIX, YOUNG, APART),                                     \
+#define SCENE_BODY(SUFFIX, NUMBER_SUFFIX, POISSON, POISSON_APART, APART)                                               \
+    SCENE_NUMBER("young" SUFFIX, COR_SCENE_YOUNG##NUMBER_SUFFIX, APART),                                               \
         SCENE_NUMBER_OF("poisson" SUFFIX, COR_SCENE_POISSON##NUMBER_SUFFIX, POISSON, POISSON_APART),                   \
         SCENE_NUMBER("radius" SUFFIX, COR_SCENE_RADIUS##NUMBER_SUFFIX, APART),                                         \
         SCENE_NUMBER("density" SUFFIX, COR_SCENE_DENSITY##NUMBER_SUFFIX, APART),                                       \
         SCENE_NUMBER("mass" SUFFIX, COR_SCENE_MASS##NUMBER_SUFFIX, APART)
 #define SCENE_OPTIONS(POISSON, POISSON_APART, APART)                                                                   \
-    SCENE_BODY("", , NULL, POISSON, POISSON_APART, APART), SCENE_BODY("-2", _2, NULL, NULL, APART, APART),             \
+    SCENE_BODY("", , POISSON, POISSON_APART, APART), SCENE_BODY("-2", _2, NULL, APART, APART),                         \
         OPTION("wall", FLAG, scene.wall, .excludes = (APART)),                                                         \
         SCENE_NUMBER("plate-thickness", COR_SCENE_PLATE_THICKNESS, APART),                                             \
         SCENE_NUMBER("gravity", COR_SCENE_GRAVITY, APART), SCENE_NUMBER("adhesion", COR_SCENE_ADHESION, APART),        \

@@ -73,13 +73,6 @@ void decimal_set(struct decimal *x, const char *text)
         exit(fail("a constant of corgen, '%s', is not a number", text));
 }
 
-void decimal_set_infinite(struct decimal *x)
-{
-    decimal_set(x, "0");
-    x->text = "inf";
-    x->forms = DECIMAL_INFINITE;
-}
-
 void decimal_clear(struct decimal *x)
 {
     if (x->text)
@@ -122,7 +115,7 @@ double decimal_nearest(const fmpq_t x)
 
 double decimal_value(const struct decimal *x)
 {
-    return x->forms & DECIMAL_INFINITE ? INFINITY : decimal_nearest(x->value);
+    return decimal_nearest(x->value);
 }
 
 const char *decimal_text(char text[DECIMAL_TEXT], double x)

@@ -10,9 +10,8 @@
 /* Forms of a number besides digits, a point and an exponent ("0.1", "1.5e-3") */
 enum decimal_forms {
     DECIMAL_PLAIN = 0,
-    DECIMAL_SIGN = 1,    /* a leading minus sign: "-0.33" */
-    DECIMAL_RATIO = 2,   /* a quotient of integers: "2/3" */
-    DECIMAL_INFINITE = 4 /* "inf", which only decimal_set_infinite() makes; the exact value is 0 */
+    DECIMAL_SIGN = 1, /* a leading minus sign: "-0.33" */
+    DECIMAL_RATIO = 2 /* a quotient of integers: "2/3" */
 };
 
 /* Largest number of digits of an exponent, of a single number and of a number in a list */
@@ -31,8 +30,6 @@ bool decimal_parse(struct decimal *x, const char *text, int exponent_digits);
 
 /* Reads a constant of the program. Ends the program if the text is not a number. */
 void decimal_set(struct decimal *x, const char *text);
-
-void decimal_set_infinite(struct decimal *x);
 
 void decimal_clear(struct decimal *x); /* x may be a number that was never given, all zero */
 

@@ -177,6 +177,11 @@ class Bodies:
         unknown = [name for name in given if name not in BODIES]
         if unknown:
             raise TypeError(f"{unknown[0]!r} is not an argument; allowed: {', '.join(BODIES)}")
+        for name in ("mass", "mass_2", "radius_2"):
+            if name.replace("mass", "density") in given and name in given and name != "radius_2":
+                raise ValueError(f"{name}: not with {name.replace('mass', 'density')}; allowed: one of them")
+            if wall and name in given and name != "mass":
+                raise ValueError(f"{name}: not with wall, which is flat and held fast; allowed: young_2, poisson_2")
         if self.known:
             self.contact()
 
