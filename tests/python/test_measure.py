@@ -117,13 +117,14 @@ def test_left_out(tmp_path):
     deck.write_text(text)
     rows, messages = measured(deck, ["--speed", "1"], program)
     assert abs(number(rows[0]["measured_small_step"]) - number(rows[0]["realised"])) < 1e-3
+    assert "measured by LAMMPS" in messages
     assert not bad.exists() and sorted(os.listdir(tmp_path)) == ["deck.lmp"]
     for name in "shell", "dump", "write_data", "python", "fix print", "fix ave/time":
         assert f": {name} left out" in messages, name
 
 
 def test_difference(tmp_path):
-    """The advice says where a program gives another eps than cor computes, here for another version."""
+    """The advice states where a program gives another eps than cor computes, here for another version."""
     deck = tmp_path / "deck.lmp"
     model = "pair_style granular\npair_coeff * * hooke 1e4 0.5 tangential linear_nohistory 0 0 damping tsuji\n"
     deck.write_text(re.sub(r"pair_style.*\n.*\n", model, HEAD))

@@ -34,7 +34,8 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
     if path == "-":
         raise UsageError("--run needs a file, not standard input")
     if of is None:
-        raise UsageError(f"--run: {path} is for {simulator}; allowed: {', '.join(MEASURES)}")
+        message(f"{path}: --run measures inputs of {', '.join(MEASURES)}, not of {simulator}")
+        return
     words = shlex.split(program)
     if not words or simulator != "mujoco" and not shutil.which(words[0]):
         raise UsageError(
@@ -124,14 +125,15 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
         )  # fmt: skip
     end = time.monotonic() + ALL_S
     version, left_out, reason = measure_lammps.measure(words, folder, path, end, options.variables, todo)
+    version = version if version.startswith("LIGGGHTS") else f"LAMMPS {version}"
+    message(f"{path}: measured by {version}")
     for command, found in left_out.items():
         lines = list(dict.fromkeys(found))
         message(f"{path}: {command} left out (line {', '.join(map(str, lines[:9]))}{', ...' if lines[9:] else ''})")
     if reason:
         message(f"{path}: the script ended: {reason}")
-    version = version if version.startswith("LIGGGHTS") else f"LAMMPS {version}"
     for row, c in zip(rows, todo):
-        if math.isnan(c.eps):
+        if math.isnan(c.eps_small_step):
             refuse(row, c.reason or reason or "the script does not come to its run")
         else:
             enter(row, c.eps, c.eps_small_step, version)
@@ -203,6 +205,7 @@ def inside(command: List[str], folder: str, path: str, options: Options, rows: L
             process.close()
     if reason:
         message(f"{path}: the script ended: {reason}")
+    message(f"{path}: measured by {version}")
     for text in left_out:
         message(f"{path}: left out: {text}")
     for row in rows:

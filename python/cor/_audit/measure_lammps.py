@@ -13,6 +13,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
+from .._command import progress
 from .collision import Failed, eps_of, measured
 from .process import Process
 
@@ -235,6 +236,7 @@ class Script:
             if c.done or c.runs and self.runs and self.runs not in c.runs:
                 continue
             c.done = True
+            progress(f"measuring: {sum(c.done for c in self.todo)} of {len(self.todo)} contacts")
             try:
                 if not ready:
                     self.prepare()
