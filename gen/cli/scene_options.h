@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The options that describe one contact, as rows of a table of options of contact, sample, embed and plan. ARGUMENTS has
- * a member `scene`. APART lists options that contradict all of them, or is NULL. POISSON and POISSON_APART are range
- * (NULL: of spheres) and contradiction of --poisson. */
+/* The options that describe one contact, as rows of a table of options of contact, sample, embed and plan. ARGUMENTS
+ * has a member `scene`. APART lists options that contradict all of them, or is NULL. POISSON and POISSON_APART are
+ * range (NULL: of spheres) and contradiction of --poisson. */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 
