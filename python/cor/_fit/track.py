@@ -6,6 +6,7 @@ from typing import List, NamedTuple
 import numpy as np
 
 from .data import Floats, Ints
+from .likelihood import scipy
 
 LEAST_SAMPLES = 4  # of a flight
 FREE_BEND, FREE_SKEW = 8, 12  # samples for a curvature and, because of drag, a cubic term of its own
@@ -38,15 +39,13 @@ def _crossing(first: "np.poly1d", second: "np.poly1d", near: float) -> float:
 
 def find_bounces(time: Floats, height: Floats) -> Bounces:
     """Fit a polynomial to each flight; a bounce is where two of them meet. Raises ValueError with what is allowed."""
-    from scipy.signal import find_peaks  # type: ignore[import]
-
     bend = np.diff(height, 2)
     if len(bend) < 3 * LEAST_SAMPLES:
         raise ValueError(f"{len(height)} samples of the height are too few; allowed: {ALLOWED}")
     if np.sum(bend > 0) > 0.7 * len(bend):
         raise ValueError(f"the heights grow downward; allowed: {ALLOWED}")
     noise = 1.4826 * np.median(np.abs(bend - np.median(bend))) / np.sqrt(6)
-    lowest = find_peaks(-height, prominence=max(6 * noise, 0.01 * np.ptp(height)))[0]
+    lowest = scipy("signal").find_peaks(-height, prominence=max(6 * noise, 0.01 * np.ptp(height)))[0]
     flights: List["np.poly1d"] = []
     bends: List[float] = []  # second derivatives
     for a, b in zip(lowest[:-1], lowest[1:]):
