@@ -32,7 +32,7 @@ static int wave_set(struct wave *a, slong n, slong prec)
 {
     int decided = 1;
     LOCAL(arb, r, t);
-    slong m = cor_mode_ladder_start(n + 1, sqrt(ball_magnitude(a->z)), prec);
+    slong m = cor_mode_recurrence_start(n + 1, sqrt(ball_magnitude(a->z)), prec);
     arb_div_si(t, a->z, 4 * (m + 1), prec);
     arb_mul_si(r, t, 3, prec);
     arb_add_error(r, t);

@@ -15,7 +15,7 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* Bits of omega that C and S, and the ladders, usually lose. A mode that loses more is computed again. */
+/* Bits of omega that C and S, and the recurrences, usually lose. A mode that loses more is computed again. */
 enum {
     GUARD_BITS = 24,
     NEWTON_MAX = 12,

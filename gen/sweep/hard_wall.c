@@ -8,7 +8,7 @@
 #include "cor/status.h"
 #include "support/console.h"
 
-/* Number of levels of the ladder for which each table has the modes: Omega = 170, 339, 679, 960 */
+/* Number of levels of the sequence for which each table has the modes: Omega = 170, 339, 679, 960 */
 static const int levels[HARD_WALL_TABLES] = {8, 10, 12, COR_DISK_HARD_WALL_MAX_LEVELS};
 
 void hard_wall_tables_clear(struct hard_wall_tables *tables)

@@ -359,7 +359,7 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
  *
  * Modes below a frequency Omega move, under a weight that fades smoothly to 0 at Omega. The rest of the static
  * compliance, which is known for all modes, acts at once. The wall is rigid. L = 1 - eps^2 then tends to its limit like
- * Omega^-2. The function extrapolates a ladder of levels Omega, each sqrt(2) times the one before. Below
+ * Omega^-2. The function extrapolates a sequence of levels Omega, each sqrt(2) times the one before. Below
  * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with one equation for the load, which allows any speed. */
 #define COR_DISK_HARD_WALL_MAX_SPEED 0.5
 #define COR_DISK_HARD_WALL_POINT_SPEED 1e-7

@@ -513,16 +513,16 @@ const struct cor_simulator *cor_simulator_named(const char *name);
 /* The restitution that the model realises if a user sets e; NaN if the model has no e or refuses this one. */
 double cor_simulator_realised(const struct cor_simulator_model *model, double e);
 
-/* The e' that a user must set so that the model realises `wished`, or NaN with the reason in *status. */
+/* The e' that a user must set so that the model realises `requested`, or NaN with the reason in *status. */
 enum cor_simulator_status {
     COR_SIMULATOR_OK,
     COR_SIMULATOR_NOT_ASKED,      /* the model has no e, or its law has no closed form */
-    COR_SIMULATOR_TOO_SMALL,      /* the model's smallest e realises more than `wished` */
-    COR_SIMULATOR_TOO_LARGE,      /* the model's largest e realises less than `wished` */
+    COR_SIMULATOR_TOO_SMALL,      /* the model's smallest e realises more than `requested` */
+    COR_SIMULATOR_TOO_LARGE,      /* the model's largest e realises less than `requested` */
     COR_SIMULATOR_NO_CLOSED_FORM, /* the model's end has no closed form of the damping */
     COR_SIMULATOR_NO_SCALES       /* mass, stiffness or radius is not known */
 };
-double cor_simulator_e(const struct cor_simulator_model *model, double wished, enum cor_simulator_status *status);
+double cor_simulator_e(const struct cor_simulator_model *model, double requested, enum cor_simulator_status *status);
 
 /* The smallest and the largest restitution that the model can realise by its e */
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);

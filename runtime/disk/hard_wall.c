@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution of a disk of infinitely many modes at a rigid wall: the ladder of levels Omega, its extrapolation to
+/* Restitution of a disk of infinitely many modes at a rigid wall: the sequence of levels Omega, its extrapolation to
  * Omega -> infinity and the error estimate. docs/theory-disks.md, 17. */
 #include "runtime/disk/hard_wall_parts.h"
 
@@ -99,9 +99,9 @@ static size_t levels_of(const struct cor_disk_modes *modes, size_t n_modes)
     return levels;
 }
 
-/* ---- the ladder ---- */
+/* ---- the sequence ---- */
 
-struct ladder {
+struct level_sequence {
     double nu, speed, tolerance;
     size_t levels;
     double l[MAX_LEVELS], extrapolated[MAX_LEVELS]; /* extrapolated[k] from levels k - 1 and k */
@@ -111,16 +111,16 @@ struct ladder {
     int exhausted;                   /* the budget has ended */
 };
 
-static struct ladder ladder_begin(double nu, double speed, const struct cor_disk_hard_wall_options *options,
-                                  double most_work)
+static struct level_sequence begin_sequence(double nu, double speed, const struct cor_disk_hard_wall_options *options,
+                                            double most_work)
 {
     const int counted = options->max_steps > 0;
-    const struct ladder ladder = {.nu = nu,
-                                  .speed = speed,
-                                  .tolerance = options->tolerance,
-                                  .work_per_step = counted,
-                                  .work_left = counted ? (double)options->max_steps : most_work};
-    return ladder;
+    const struct level_sequence sequence = {.nu = nu,
+                                            .speed = speed,
+                                            .tolerance = options->tolerance,
+                                            .work_per_step = counted,
+                                            .work_left = counted ? (double)options->max_steps : most_work};
+    return sequence;
 }
 
 /* The limit extrapolated from two levels, of which the second has twice the Omega^2 of the first */
@@ -135,15 +135,15 @@ static int is_calm_nu(double nu)
 }
 
 /* Whether few levels hardly agree by chance */
-static int is_calm(const struct ladder *ladder)
+static int is_calm(const struct level_sequence *sequence)
 {
-    return ladder->speed <= (is_calm_nu(ladder->nu) ? WILD_SPEED : CALM_SPEED);
+    return sequence->speed <= (is_calm_nu(sequence->nu) ? WILD_SPEED : CALM_SPEED);
 }
 
-static int is_usual(const struct ladder *ladder)
+static int is_usual(const struct level_sequence *sequence)
 {
-    return is_calm_nu(ladder->nu) && ladder->speed >= USUAL_SPEED && ladder->speed <= WILD_SPEED &&
-           omega_of(ladder->levels - 1) > USUAL_FROM;
+    return is_calm_nu(sequence->nu) && sequence->speed >= USUAL_SPEED && sequence->speed <= WILD_SPEED &&
+           omega_of(sequence->levels - 1) > USUAL_FROM;
 }
 
 /* Bound on the effect of waves that no level up to Omega shows */
@@ -159,96 +159,98 @@ static double noise_of(double tolerance)
 }
 
 /* The largest of the last changes of the extrapolated value, times weights */
-static double changes_of(const struct ladder *ladder, const double *weight)
+static double changes_of(const struct level_sequence *sequence, const double *weight)
 {
-    const size_t last = ladder->levels - 1, changes = sizeof calm_weight / sizeof *calm_weight;
+    const size_t last = sequence->levels - 1, changes = sizeof calm_weight / sizeof *calm_weight;
     double most = 0;
     for (size_t i = 0; i < changes && i + 2 <= last; i++)
-        most = fmax(most, weight[i] * fabs(ladder->extrapolated[last - i] - ladder->extrapolated[last - i - 1]));
+        most = fmax(most, weight[i] * fabs(sequence->extrapolated[last - i] - sequence->extrapolated[last - i - 1]));
     return most;
 }
 
-static double usual_estimate(const struct ladder *ladder)
+static double usual_estimate(const struct level_sequence *sequence)
 {
-    const double omega = omega_of(ladder->levels - 1);
-    return USUAL * pow(USUAL_OMEGA / omega, USUAL_POWER) + changes_of(ladder, usual_weight) +
-           fmax(noise_of(ladder->tolerance) - noise_of(USUAL_TOLERANCE), 0);
+    const double omega = omega_of(sequence->levels - 1);
+    return USUAL * pow(USUAL_OMEGA / omega, USUAL_POWER) + changes_of(sequence, usual_weight) +
+           fmax(noise_of(sequence->tolerance) - noise_of(USUAL_TOLERANCE), 0);
 }
 
-static double estimate_of(const struct ladder *ladder)
+static double estimate_of(const struct level_sequence *sequence)
 {
-    const size_t last = ladder->levels - 1;
+    const size_t last = sequence->levels - 1;
     /* a single extrapolated value has no other to compare with */
-    const double extrapolation = (last < 2 ? 1 : EXTRAPOLATED) * fabs(ladder->extrapolated[last] - ladder->l[last]);
-    const double *const weight = is_calm(ladder) || ladder->levels > WILD_LEVELS ? calm_weight : wild_weight;
-    const double estimate = fmax(extrapolation, changes_of(ladder, weight)) +
-                            unseen_part(ladder->speed, omega_of(last)) + noise_of(ladder->tolerance);
-    const double point = ladder->speed < COR_DISK_HARD_WALL_POINT_SPEED ? POINT_ERROR : 0;
-    return point + (is_usual(ladder) ? fmin(estimate, usual_estimate(ladder)) : estimate);
+    const double extrapolation = (last < 2 ? 1 : EXTRAPOLATED) * fabs(sequence->extrapolated[last] - sequence->l[last]);
+    const double *const weight = is_calm(sequence) || sequence->levels > WILD_LEVELS ? calm_weight : wild_weight;
+    const double estimate = fmax(extrapolation, changes_of(sequence, weight)) +
+                            unseen_part(sequence->speed, omega_of(last)) + noise_of(sequence->tolerance);
+    const double point = sequence->speed < COR_DISK_HARD_WALL_POINT_SPEED ? POINT_ERROR : 0;
+    return point + (is_usual(sequence) ? fmin(estimate, usual_estimate(sequence)) : estimate);
 }
 
-static int is_settled(const struct ladder *ladder)
+static int is_settled(const struct level_sequence *sequence)
 {
-    return ladder->levels >= ENOUGH_LEVELS && ladder->error_estimate <= ladder->tolerance;
+    return sequence->levels >= ENOUGH_LEVELS && sequence->error_estimate <= sequence->tolerance;
 }
 
-static void ladder_conclude(const struct ladder *ladder, struct cor_disk_hard_wall *out)
+static void conclude_sequence(const struct level_sequence *sequence, struct cor_disk_hard_wall *out)
 {
-    const size_t last = ladder->levels - 1;
-    out->one_minus_eps2 = fmax(ladder->extrapolated[last], 0);
+    const size_t last = sequence->levels - 1;
+    out->one_minus_eps2 = fmax(sequence->extrapolated[last], 0);
     out->eps = sqrt(1 - out->one_minus_eps2);
-    out->contact_time = ladder->contact_time;
-    out->max_compression = limit_of(ladder->max_compression[last - 1], ladder->max_compression[last]);
-    out->error_estimate = ladder->error_estimate;
-    out->omega_levels = ladder->levels;
+    out->contact_time = sequence->contact_time;
+    out->max_compression = limit_of(sequence->max_compression[last - 1], sequence->max_compression[last]);
+    out->error_estimate = sequence->error_estimate;
+    out->omega_levels = sequence->levels;
 }
 
 /* Computes one level. Returns COR_TOLERANCE_NOT_REACHED if the range of angles does not suffice, which no scene is
  * known for, or if the budget ends. With detail there is no budget: the level is known to end. */
-static int compute_level(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t level,
-                         struct cor_hard_wall_result *result, const struct cor_disk_hard_wall_detail *detail)
+static int compute_level(struct level_sequence *sequence, void *workspace, const struct cor_disk_modes *modes,
+                         size_t level, struct cor_hard_wall_result *result,
+                         const struct cor_disk_hard_wall_detail *detail)
 {
-    struct cor_hard_wall_settings settings = settings_of(level, ladder->speed, ladder->tolerance);
-    settings.work_per_step = ladder->work_per_step;
-    settings.most_work = detail == NULL ? fmax(ladder->work_left, 1) : 0;
+    struct cor_hard_wall_settings settings = settings_of(level, sequence->speed, sequence->tolerance);
+    settings.work_per_step = sequence->work_per_step;
+    settings.most_work = detail == NULL ? fmax(sequence->work_left, 1) : 0;
     const int status =
-        cor_hard_wall_level(cor_store_aligned(workspace), modes, ladder->speed, &settings, result, detail);
-    ladder->work_left -= result->work;
-    ladder->last_work = result->work;
+        cor_hard_wall_level(cor_store_aligned(workspace), modes, sequence->speed, &settings, result, detail);
+    sequence->work_left -= result->work;
+    sequence->last_work = result->work;
     return status == COR_ERROR_WORKSPACE ? COR_TOLERANCE_NOT_REACHED : status;
 }
 
 /* Whether the budget suffices for the next level, and for work before it */
-static int is_affordable(const struct ladder *ladder, double before)
+static int is_affordable(const struct level_sequence *sequence, double before)
 {
-    const double growth = ladder->work_per_step > 0 ? sqrt(2) : COR_HARD_WALL_GROWTH;
-    return before + growth * ladder->last_work <= ladder->work_left;
+    const double growth = sequence->work_per_step > 0 ? sqrt(2) : COR_HARD_WALL_GROWTH;
+    return before + growth * sequence->last_work <= sequence->work_left;
 }
 
-/* Adds levels to the ladder until the error is small enough, the modes do not suffice, or the budget ends */
-static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t levels)
+/* Adds levels to the sequence until the error is small enough, the modes do not suffice, or the budget ends */
+static int sequence_climb(struct level_sequence *sequence, void *workspace, const struct cor_disk_modes *modes,
+                          size_t levels)
 {
-    while (ladder->levels < levels && !is_settled(ladder) && !ladder->exhausted) {
+    while (sequence->levels < levels && !is_settled(sequence) && !sequence->exhausted) {
         struct cor_hard_wall_result result = {0};
-        const size_t k = ladder->levels;
-        const int status = is_affordable(ladder, 0) ? compute_level(ladder, workspace, modes, k, &result, NULL)
-                                                    : COR_TOLERANCE_NOT_REACHED;
-        ladder->exhausted = status == COR_TOLERANCE_NOT_REACHED;
-        if (ladder->exhausted)
+        const size_t k = sequence->levels;
+        const int status = is_affordable(sequence, 0) ? compute_level(sequence, workspace, modes, k, &result, NULL)
+                                                      : COR_TOLERANCE_NOT_REACHED;
+        sequence->exhausted = status == COR_TOLERANCE_NOT_REACHED;
+        if (sequence->exhausted)
             break;
         if (status != COR_OK)
             return status;
-        ladder->l[k] = result.one_minus_eps2;
-        ladder->max_compression[k] = result.max_compression;
-        ladder->contact_time = result.contact_time;
-        ladder->extrapolated[k] = k > 0 ? limit_of(ladder->l[k - 1], ladder->l[k]) : ladder->l[k];
-        ladder->levels++;
+        sequence->l[k] = result.one_minus_eps2;
+        sequence->max_compression[k] = result.max_compression;
+        sequence->contact_time = result.contact_time;
+        sequence->extrapolated[k] = k > 0 ? limit_of(sequence->l[k - 1], sequence->l[k]) : sequence->l[k];
+        sequence->levels++;
         if (k > 0)
-            ladder->error_estimate = estimate_of(ladder);
+            sequence->error_estimate = estimate_of(sequence);
     }
-    if (ladder->exhausted && ladder->levels < LEAST_LEVELS)
+    if (sequence->exhausted && sequence->levels < LEAST_LEVELS)
         return COR_CONTACT_NOT_ENDED;
-    return is_settled(ladder) ? COR_OK : COR_TOLERANCE_NOT_REACHED;
+    return is_settled(sequence) ? COR_OK : COR_TOLERANCE_NOT_REACHED;
 }
 
 /* ---- calls ---- */
@@ -321,15 +323,15 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
     *out = unknown;
     if (speed <= 0)
         return COR_WALL_NOT_TOUCHED;
-    struct ladder ladder = ladder_begin(modes->nu, speed, options, COR_HARD_WALL_WORK);
+    struct level_sequence sequence = begin_sequence(modes->nu, speed, options, COR_HARD_WALL_WORK);
     const struct cor_disk_modes lowest = {modes->nu, n_modes, modes->mode};
-    status = ladder_climb(&ladder, workspace, &lowest, levels_of(modes, n_modes));
-    if (ladder.levels >= LEAST_LEVELS)
-        ladder_conclude(&ladder, out);
-    if (detail != NULL && (status == COR_OK || status == COR_TOLERANCE_NOT_REACHED) && ladder.levels > 0) {
+    status = sequence_climb(&sequence, workspace, &lowest, levels_of(modes, n_modes));
+    if (sequence.levels >= LEAST_LEVELS)
+        conclude_sequence(&sequence, out);
+    if (detail != NULL && (status == COR_OK || status == COR_TOLERANCE_NOT_REACHED) && sequence.levels > 0) {
         /* the highest level again, for the optional results */
-        struct cor_hard_wall_result result = {.contact_time = ladder.contact_time};
-        const int told = compute_level(&ladder, workspace, &lowest, ladder.levels - 1, &result, detail);
+        struct cor_hard_wall_result result = {.contact_time = sequence.contact_time};
+        const int told = compute_level(&sequence, workspace, &lowest, sequence.levels - 1, &result, detail);
         status = told == COR_OK ? status : told;
     }
     return status;
@@ -349,23 +351,23 @@ int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
 
 /* ---- without a table ---- */
 
-/* Computes the ladder up to `levels` levels, with its own modes and workspace. COR_TOLERANCE_NOT_REACHED if the budget
- * ends */
-static int climb_alone(struct ladder *ladder, size_t levels)
+/* Computes the sequence up to `levels` levels, with its own modes and workspace. Returns COR_TOLERANCE_NOT_REACHED if
+ * the budget ends. */
+static int climb_alone(struct level_sequence *sequence, size_t levels)
 {
-    const size_t count = cor_disk_modes_below(ladder->nu, omega_of(levels - 1)) + 1;
-    const double work = ladder->work_per_step > 0 ? 0 : COR_HARD_WALL_MODE_WORK * (double)count;
-    ladder->exhausted = !is_affordable(ladder, work);
-    if (ladder->exhausted)
+    const size_t count = cor_disk_modes_below(sequence->nu, omega_of(levels - 1)) + 1;
+    const double work = sequence->work_per_step > 0 ? 0 : COR_HARD_WALL_MODE_WORK * (double)count;
+    sequence->exhausted = !is_affordable(sequence, work);
+    if (sequence->exhausted)
         return COR_TOLERANCE_NOT_REACHED;
     struct cor_disk_modes modes;
     struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
-    int status = mode == NULL ? COR_ERROR_MEMORY : cor_disk_modes_compute(ladder->nu, count, mode, &modes);
-    ladder->work_left -= work;
+    int status = mode == NULL ? COR_ERROR_MEMORY : cor_disk_modes_compute(sequence->nu, count, mode, &modes);
+    sequence->work_left -= work;
     void *workspace = NULL;
     if (status == COR_OK) {
-        workspace = malloc(bytes_of_levels(&modes, ladder->levels, levels, ladder->speed, ladder->tolerance));
-        status = workspace == NULL ? COR_ERROR_MEMORY : ladder_climb(ladder, workspace, &modes, levels);
+        workspace = malloc(bytes_of_levels(&modes, sequence->levels, levels, sequence->speed, sequence->tolerance));
+        status = workspace == NULL ? COR_ERROR_MEMORY : sequence_climb(sequence, workspace, &modes, levels);
     }
     free(workspace);
     free(mode);
@@ -388,15 +390,15 @@ int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard
     *out = unknown;
     if (speed <= 0)
         return COR_WALL_NOT_TOUCHED;
-    struct ladder ladder = ladder_begin(nu, speed, options, most_work);
-    const double whole = ladder.work_left;
+    struct level_sequence sequence = begin_sequence(nu, speed, options, most_work);
+    const double whole = sequence.work_left;
     size_t levels = 7;
-    while ((status = climb_alone(&ladder, levels)) == COR_TOLERANCE_NOT_REACHED && !ladder.exhausted &&
+    while ((status = climb_alone(&sequence, levels)) == COR_TOLERANCE_NOT_REACHED && !sequence.exhausted &&
            levels < MAX_LEVELS)
         levels += levels < 11 ? 2 : 1; /* the modes of two more take eight times as long */
-    if (ladder.levels >= LEAST_LEVELS)
-        ladder_conclude(&ladder, out);
-    *work = whole - ladder.work_left;
+    if (sequence.levels >= LEAST_LEVELS)
+        conclude_sequence(&sequence, out);
+    *work = whole - sequence.work_left;
     return status;
 }
 

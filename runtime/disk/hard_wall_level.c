@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One level of the ladder: the modes below Omega, with a fade, and a rigid wall. docs/theory-disks.md, 17.
+/* One level of the sequence: the modes below Omega, with a fade, and a rigid wall. docs/theory-disks.md, 17.
  *
  * Lengths, forces and amplitudes are in units of the speed v, so that nothing underflows for slow disks. In the
  * compliance that acts at once, (h/(2 omega)) cot(omega h/2), the static compliance of a mode under kicks at intervals

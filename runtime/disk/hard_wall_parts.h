@@ -160,7 +160,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
                         const struct cor_hard_wall_settings *settings, struct cor_hard_wall_result *result,
                         const struct cor_disk_hard_wall_detail *detail);
 
-/* ---- the ladder: hard_wall.c ---- */
+/* ---- the sequence: hard_wall.c ---- */
 
 /* cor_disk_hard_wall_nu with a budget of most_work multiplications, if options->max_steps is 0. Sets what it spent. */
 int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard_wall_options *options, double speed,

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Free modes of an elastic disk in double arithmetic, COR_MODE_LANES frequencies of one n at a time.
  *
- * The equation needs J_m and J_(m+1) at both arguments kappa, up to a common factor, for m = N = n + 1. The ladder
+ * The equation needs J_m and J_(m+1) at both arguments kappa, up to a common factor, for m = N = n + 1. The recurrence
  * J_(m-1) = (2m/kappa) J_m - J_(m+1) goes down from any m > kappa, and the signs of J_m count the zeros of J_n below
- * kappa, (11.3). One ladder at each place of a grid of frequencies serves every n; between two places Taylor's series
- * moves from the nearer one, where kappa is not far below N. Elsewhere a ladder of a few rungs suffices.
+ * kappa, (11.3). One recurrence at each place of a grid of frequencies serves every n; between two places a series of
+ * Taylor moves from the nearer one, where kappa is not far below N. Elsewhere a recurrence of a few orders suffices.
  *
  * With h = J_N, k = (kappa/(2N)) J_(N+1) and d = h - k, which is J_n kappa/(2N) (stored is k, because h - d cancels for
  * n > kappa), and with capital letters for kappa', the frequency equation (25) divided by g is, up to a factor,
@@ -32,7 +32,7 @@ enum { LANES = COR_MODE_LANES };
 
 /* The error of a_m shrinks by (J_(m+1)/J_m)^2 a step, and -ln J_m grows from m = kappa on like
  * m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
-long cor_mode_ladder_start(long n, double kappa, long bits)
+long cor_mode_recurrence_start(long n, double kappa, long bits)
 {
     const double low = fmax((double)n + 1, ceil(kappa));
     const double x = low / kappa;
@@ -48,39 +48,40 @@ long cor_mode_ladder_start(long n, double kappa, long bits)
     return (long)m + 2;
 }
 
-static double first_rung(double z, long m)
+static double first_order(double z, long m)
 {
     return 0.75 * z / (double)(m + 1);
 }
 
-/* Rungs above N that a ladder needs at least, kappa < N: the error shrinks by (J_(N+1)/J_N)^2 or more a rung. */
-static double rungs_above(double N, double kappa)
+/* Orders above N that a recurrence needs at least, kappa < N: the error shrinks by (J_(N+1)/J_N)^2 or more an order. */
+static double orders_above(double N, double kappa)
 {
     return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);
 }
 
-/* Series and ladders take over from each other where kappa is NEAR N. */
+/* Series and recurrences take over from each other where kappa is NEAR N. */
 #define NEAR 0.8
 
-/* Rung of the ladder to N = n + 1 for arguments up to kappa */
-static long first_of_ladder(long n, double kappa)
+/* Rung of the recurrence to N = n + 1 for arguments up to kappa */
+static long first_of_recurrence(long n, double kappa)
 {
     const double N = (double)(n + 1);
-    return kappa <= NEAR * N ? n + 1 + (long)rungs_above(N, kappa) : cor_mode_ladder_start(n + 1, kappa, DOUBLE_BITS);
+    return kappa <= NEAR * N ? n + 1 + (long)orders_above(N, kappa)
+                             : cor_mode_recurrence_start(n + 1, kappa, DOUBLE_BITS);
 }
 
-/* A wave of one n from its z, none of which is above kappa^2, by ladders */
+/* A wave of one n from its z, none of which is above kappa^2, by recurrences */
 static void wave_climb(struct cor_mode_wave *a, const struct cor_mode_loops *loops, long n, double highest)
 {
-    const long m = first_of_ladder(n, highest);
+    const long m = first_of_recurrence(n, highest);
     double kappa[LANES], two_over_kappa[LANES], first_quotient[LANES], quotient[LANES];
     memset(a->zeros, 0, sizeof a->zeros);
     for (int i = 0; i < LANES; i++) {
         kappa[i] = sqrt(a->z[i]);
         two_over_kappa[i] = 2 / kappa[i];
-        first_quotient[i] = first_rung(a->z[i], m) / kappa[i];
+        first_quotient[i] = first_order(a->z[i], m) / kappa[i];
     }
-    loops->ladder(two_over_kappa, first_quotient, m, n + 1, quotient, a->zeros);
+    loops->recurrence(two_over_kappa, first_quotient, m, n + 1, quotient, a->zeros);
     for (int i = 0; i < LANES; i++) {
         a->h[i] = 1;
         a->k[i] = kappa[i] * quotient[i] / (2 * (double)(n + 1));
@@ -146,8 +147,8 @@ static double count_total(const struct cor_mode_material *material, double omega
     struct cor_mode_wave *const wave[2] = {&p.a, &p.b};
     for (int i = 0; i < LANES; i++)
         point_at(&p, material, i, 0, omega);
-    long m = cor_mode_ladder_start(orders, sqrt(p.b.z[0]), DOUBLE_BITS);
-    double r[2] = {first_rung(p.a.z[0], m), first_rung(p.b.z[0], m)}, zeros[2] = {0, 0}, total = 0;
+    long m = cor_mode_recurrence_start(orders, sqrt(p.b.z[0]), DOUBLE_BITS);
+    double r[2] = {first_order(p.a.z[0], m), first_order(p.b.z[0], m)}, zeros[2] = {0, 0}, total = 0;
     for (; m > 0; m--) {
         const long n = m - 1;
         const int lane = (int)(n % LANES);
@@ -199,9 +200,9 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 #define GRID_STEP 1.0
 #define LEAST_KAPPA 2.0
 
-/* Ladders of one wave at all places, at rung N, which goes down by one with each n. Places from `active` on have begun,
+/* Recurrences of one wave at all places, at order N, which goes down by one with each n. Places from `active` on run,
  * and those from `ready` on serve series. */
-struct ladders {
+struct recurrences {
     double unit; /* kappa/omega */
     double *kappa, *two_over_kappa, *above, *here, *zeros;
     long active, ready;
@@ -228,7 +229,7 @@ struct group {
 struct search {
     const struct cor_mode_material *material;
     const struct cor_mode_loops *loops;
-    struct ladders wave[2];
+    struct recurrences wave[2];
     double *memory, *place, *below, *guess; /* frequencies; roots below; results of Halley's method from there */
     long places, room, first, n;            /* first: the place from which on roots of n are counted */
     struct group *group;
@@ -249,7 +250,7 @@ static int search_start(struct search *s, double omega)
     for (long i = 0; i < s->room; i++)
         s->place[i] = omega * ((double)(i + 1) / (double)s->places);
     for (int w = 0; w < 2; w++) {
-        struct ladders *const a = &s->wave[w];
+        struct recurrences *const a = &s->wave[w];
         a->unit = unit[w];
         a->active = a->ready = s->room;
         COR_STORE_TAKE_DOUBLES(&store, room, &a->kappa, &a->two_over_kappa, &a->above, &a->here, &a->zeros);
@@ -261,22 +262,22 @@ static int search_start(struct search *s, double omega)
     return COR_OK;
 }
 
-/* A rung where the ladder at kappa can begin for every N <= kappa/NEAR */
+/* An order where the recurrence at kappa can begin for every N <= kappa/NEAR */
 static double first_frequency(double kappa)
 {
-    return kappa / NEAR + rungs_above(1, NEAR);
+    return kappa / NEAR + orders_above(1, NEAR);
 }
 
-/* From rung N + 1 to N */
-static void ladders_lower(struct ladders *a, const struct search *s, long N)
+/* From order N + 1 to N */
+static void recurrences_lower(struct recurrences *a, const struct search *s, long N)
 {
     const long from = a->active - a->active % LANES;
-    s->loops->rung((size_t)(s->room - from), (double)(N + 1), a->two_over_kappa + from, a->above + from, a->here + from,
-                   a->zeros + from);
+    s->loops->order_step((size_t)(s->room - from), (double)(N + 1), a->two_over_kappa + from, a->above + from,
+                         a->here + from, a->zeros + from);
     for (long i = a->active - 1; i >= 0 && a->kappa[i] >= LEAST_KAPPA && first_frequency(a->kappa[i]) >= (double)N;
          i--) {
         a->here[i] = 1;
-        a->above[i] = first_rung(a->kappa[i] * a->kappa[i], N) / a->kappa[i];
+        a->above[i] = first_order(a->kappa[i] * a->kappa[i], N) / a->kappa[i];
         a->zeros[i] = 0;
         a->active = i;
     }
@@ -303,7 +304,7 @@ static long count_places(struct search *s)
         for (int i = 0; i < LANES; i++)
             point_at(p, s->material, i, n, s->place[from + i]);
         for (int w = 0; w < 2; w++) {
-            const struct ladders *const a = &s->wave[w];
+            const struct recurrences *const a = &s->wave[w];
             if (from < a->ready)
                 wave_climb(wave[w], s->loops, n, a->kappa[from + lanes - 1]);
             for (int i = 0; i < LANES && from >= a->ready; i++) {
@@ -367,7 +368,7 @@ static void group_start(struct group *group, const struct search *s)
         lowest = group->place[i] < lowest ? group->place[i] : lowest;
     }
     for (int w = 0; w < 2; w++) {
-        const struct ladders *const a = &s->wave[w];
+        const struct recurrences *const a = &s->wave[w];
         struct cor_mode_series *const series = &group->series[w];
         group->moves[w] = lowest >= a->ready;
         if (!group->moves[w])
@@ -490,8 +491,8 @@ static int find_modes(const struct cor_mode_material *material, const struct cor
     int status = *mode == NULL ? COR_ERROR_MEMORY : search_start(&s, omega);
     long N = status == COR_OK ? (long)fmax(first_frequency(s.wave[1].kappa[s.room - 1]), (double)orders) : 0;
     for (; N > 0 && status == COR_OK; N--) {
-        ladders_lower(&s.wave[0], &s, N);
-        ladders_lower(&s.wave[1], &s, N);
+        recurrences_lower(&s.wave[0], &s, N);
+        recurrences_lower(&s.wave[1], &s, N);
         if (N > orders)
             continue;
         s.n = N - 1;

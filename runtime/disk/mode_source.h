@@ -43,10 +43,11 @@ struct cor_mode_series {
 struct cor_mode_loops {
     /* For COR_MODE_LANES arguments kappa: J_(end+1)/J_end, from J_(start+1)/J_start, and how often J_start, ..., J_end
      * change their sign */
-    void (*ladder)(const double *two_over_kappa, const double *first_quotient, long start, long end, double *quotient,
-                   double *zeros);
-    /* One rung of `count` ladders, from J_(m+1), J_m to J_m, J_(m-1); adds changes of sign to zeros */
-    void (*rung)(size_t count, double m, const double *two_over_kappa, double *above, double *here, double *zeros);
+    void (*recurrence)(const double *two_over_kappa, const double *first_quotient, long start, long end,
+                       double *quotient, double *zeros);
+    /* One order of `count` recurrences, from J_(m+1), J_m to J_m, J_(m-1); adds changes of sign to zeros */
+    void (*order_step)(size_t count, double m, const double *two_over_kappa, double *above, double *here,
+                       double *zeros);
     void (*series)(struct cor_mode_series *series, double N);
     /* A wave at kappa + t from its series about kappa */
     void (*move)(struct cor_mode_wave *wave, const struct cor_mode_series *series, double N, const double *t);
@@ -72,8 +73,8 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
                   struct cor_disk_mode **mode, size_t *found);
 
-/* A rung m > n such that the ladder from a_m in [z/(2(m+1)), z/(m+1)], which holds for kappa <= m + 1, gives a_n to
+/* An order m > n such that the recurrence from a_m in [z/(2(m+1)), z/(m+1)], right for kappa <= m + 1, gives a_n to
  * `bits` bits. */
-long cor_mode_ladder_start(long n, double kappa, long bits);
+long cor_mode_recurrence_start(long n, double kappa, long bits);
 
 #endif

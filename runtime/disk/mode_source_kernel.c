@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Ladders of Bessel functions, for one instruction set (sets.h). All sets give the same bits
+/* Recurrences of Bessel functions, for one instruction set (sets.h). All sets give the same bits
  * (kernel_vector.h). */
 #include <math.h>
 #include <stdint.h>
@@ -25,8 +25,8 @@ typedef struct {
 
 /* Computes J_m(kappa) up to a factor by J_(m-1) = (2m/kappa) J_m - J_(m+1), from `start` down to `end`, and counts the
  * changes of sign. Numbers grow by 2^64 at most until they oscillate. */
-static void kernel_ladder(const double *two_over_kappa, const double *first_quotient, long start, long end,
-                          double *quotient, double *zeros)
+static void kernel_recurrence(const double *two_over_kappa, const double *first_quotient, long start, long end,
+                              double *quotient, double *zeros)
 {
     enum { VECTORS = COR_MODE_LANES / VECTOR };
     vector step[VECTORS], above[VECTORS], here[VECTORS];
@@ -59,8 +59,8 @@ static void kernel_ladder(const double *two_over_kappa, const double *first_quot
     }
 }
 
-static void kernel_rung(size_t count, double m, const double *restrict two_over_kappa, double *restrict above,
-                        double *restrict here, double *restrict zeros)
+static void kernel_order_step(size_t count, double m, const double *restrict two_over_kappa, double *restrict above,
+                              double *restrict here, double *restrict zeros)
 {
     for (size_t i = 0; i < count; i++) {
         const double below = m * two_over_kappa[i] * here[i] - above[i], scale = fabs(below) > 0x1p64 ? 0x1p-64 : 1;
@@ -166,5 +166,5 @@ static void kernel_equation(struct cor_mode_point *restrict point, const struct 
     }
 }
 
-const struct cor_mode_loops COR_OF_SET(cor_mode) = {kernel_ladder, kernel_rung, kernel_series, kernel_move,
+const struct cor_mode_loops COR_OF_SET(cor_mode) = {kernel_recurrence, kernel_order_step, kernel_series, kernel_move,
                                                     kernel_equation};

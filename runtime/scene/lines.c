@@ -164,7 +164,7 @@ struct task {
     int pressed; /* by gravity, on which eps then depends */
     /* For each end at which the restitution may have been measured, or the contact of the request */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
-    struct cor_simulator_wish wish[CONTACTS];
+    struct cor_simulator_target target[CONTACTS];
     struct cor_simulator_request softened; /* of soften_wall */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
     double k1, hardening, depth;        /* of put_luding: k_1, k_p/k_1, plasticity depth */
@@ -243,7 +243,7 @@ static void fill_pairs(struct task *task, const struct cor_scene_contact *contac
             if (task->types == 2 && pair != PAIR && (!scene->wall || pair == LIKE_1))
                 make_contact(&task->contact[pair][i], scene, pair);
         }
-        task->wish[pair] = (struct cor_simulator_wish){scene, task->contact[pair], count, speed_m_s, eps, 0};
+        task->target[pair] = (struct cor_simulator_target){scene, task->contact[pair], count, speed_m_s, eps, 0};
     }
 }
 
@@ -283,7 +283,7 @@ static double damping_of(const struct block *block, const struct task *task, int
     return model->has_function ? NAN
            : model->damping_of_e
                ? model->damping_of_e(block->number[pair])
-               : model->damping_of_number(block->number[pair], task->wish[pair].contacts, block->speed_m_s);
+               : model->damping_of_number(block->number[pair], task->target[pair].contacts, block->speed_m_s);
 }
 
 /* The contact that the model makes, for durations and eps */
@@ -360,7 +360,7 @@ static double time_step(const struct block *block, const struct task *task)
         return request->time_step_s;
     if (block->model->law == COR_LAW_IMPULSE || isnan(request->contacts->mass_kg))
         return NAN;
-    if (request->speeds == 0 && isnan(task->wish[PAIR].speed_m_s) && law->elastic != law->denominator)
+    if (request->speeds == 0 && isnan(task->target[PAIR].speed_m_s) && law->elastic != law->denominator)
         return NAN; /* the duration depends on the speed */
     for (size_t i = 0; i < request->speeds || i == 0; i++) {
         double steps = request->steps > 0 ? request->steps : DEFAULT_STEPS;
@@ -393,13 +393,13 @@ static int correct_block(struct block *block, const struct task *task)
     if (task->request->speeds != 1)
         return 0;
     for (int pair = PAIR; pair < PAIRS; pair++) {
-        struct cor_simulator_wish wish = task->wish[pair];
-        struct cor_scene_contact c = *wish.contacts;
+        struct cor_simulator_target target = task->target[pair];
+        struct cor_scene_contact c = *target.contacts;
         c.law = contact_made(block, task, PAIR).law;
-        if (task->has_law || isnan(wish.speed_m_s))
-            wish.speed_m_s = *task->request->speed_m_s;
-        wish.steps = cor_scene_elastic_duration_s(&c, wish.speed_m_s) / block->time_step_s;
-        number[pair] = wish.steps > 0 ? cor_simulator_number(block->model, &wish, task->has_law, &status) : NAN;
+        if (task->has_law || isnan(target.speed_m_s))
+            target.speed_m_s = *task->request->speed_m_s;
+        target.steps = cor_scene_elastic_duration_s(&c, target.speed_m_s) / block->time_step_s;
+        number[pair] = target.steps > 0 ? cor_simulator_number(block->model, &target, task->has_law, &status) : NAN;
         if (isnan(number[pair]))
             return 0;
     }
@@ -412,13 +412,13 @@ static int correct_block(struct block *block, const struct task *task)
 static int fill_block(struct block *block, const struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;
-    const struct cor_simulator_wish *const wish = &task->wish[PAIR];
+    const struct cor_simulator_target *const target = &task->target[PAIR];
     double least, most;
     block->model = model;
-    block->speed_m_s = isnan(wish->speed_m_s) ? 1 : wish->speed_m_s;
+    block->speed_m_s = isnan(target->speed_m_s) ? 1 : target->speed_m_s;
     for (int pair = CONTACTS - 1; pair >= PAIR; pair--)
-        block->number[pair] = cor_simulator_number(model, &task->wish[pair], task->has_law, &status);
-    const double wished = cor_simulator_damping(model, wish, task->has_law), number = block->number[PAIR];
+        block->number[pair] = cor_simulator_number(model, &task->target[pair], task->has_law, &status);
+    const double requested = cor_simulator_damping(model, target, task->has_law), number = block->number[PAIR];
     if (status == COR_SIMULATOR_NO_CLOSED_FORM && task->pressed && !task->has_law) {
         snprintf(block->reason, SENTENCE, "under gravity its lines need the spring of the contact");
     } else if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
@@ -428,17 +428,17 @@ static int fill_block(struct block *block, const struct task *task, const struct
                  cor_end_names[model->end]);
     } else if (status == COR_SIMULATOR_NO_SCALES) {
         snprintf(block->reason, SENTENCE, "it needs %s",
-                 isnan(wish->contacts->mass_kg)
+                 isnan(target->contacts->mass_kg)
                      ? "mass and stiffness: give bodies, or --stiffness and --effective-mass"
                      : "the effective radius of bodies, which --stiffness and --effective-mass do not have");
     } else if (isnan(number)) {
         cor_simulator_reach(model, &least, &most);
         snprintf(block->reason, SENTENCE, "no e realises %s, the e of this model reach %s to %s%s",
-                 TEXT(cor_law_eps(model->law, model->end, wished)), TEXT(least), TEXT(most),
+                 TEXT(cor_law_eps(model->law, model->end, requested)), TEXT(least), TEXT(most),
                  status == COR_SIMULATOR_TOO_SMALL && model->end == COR_END_ZERO_FORCE
                      ? " (its formula is that of contacts that end at zero overlap, and its force ends at zero, so "
                        "e^-2 = 0.1353 is the least); set its damping coefficient instead, by --stiffness and "
-                       "--effective-mass, or wish a larger e"
+                       "--effective-mass, or choose a larger e"
                      : "");
     }
     if (isnan(number))
@@ -499,15 +499,16 @@ static void put_embed(struct text *t, const struct task *task)
  * time and e' the numbers of YADE. Simbody's stiffness s of each of two bodies is K = (4/3) sqrt(R) s/2^(3/2). */
 static double word_number(const char *word, const struct block *block, const struct task *task, int pair)
 {
-    const struct cor_simulator_wish *const wish = &task->wish[pair];
-    const struct cor_body one = cor_scene_body(wish->scene, 1), two = cor_scene_body(wish->scene, 2);
-    const int known = cor_is_moderate(wish->contacts, 1);
-    const double k = known ? wish->contacts->stiffness : (double)NAN, m = known ? wish->contacts->mass_kg : (double)NAN,
-                 radius = known ? wish->contacts->radius_m : (double)NAN, kn = cor_quiet_quotient(k, sqrt(radius)),
+    const struct cor_simulator_target *const target = &task->target[pair];
+    const struct cor_body one = cor_scene_body(target->scene, 1), two = cor_scene_body(target->scene, 2);
+    const int known = cor_is_moderate(target->contacts, 1);
+    const double k = known ? target->contacts->stiffness : (double)NAN,
+                 m = known ? target->contacts->mass_kg : (double)NAN,
+                 radius = known ? target->contacts->radius_m : (double)NAN, kn = cor_quiet_quotient(k, sqrt(radius)),
                  number = block->number[pair];
     const double positive = isgreater(number, 0) ? number : (double)NAN, l = log(positive);
-    const double nu = one.poisson_ratio, density = cor_scene_body_density(wish->scene, 1);
-    const int alike = !cor_scene_materials_differ(wish->scene) && one.dissipation_time_s == two.dissipation_time_s;
+    const double nu = one.poisson_ratio, density = cor_scene_body_density(target->scene, 1);
+    const int alike = !cor_scene_materials_differ(target->scene) && one.dissipation_time_s == two.dissipation_time_s;
     const struct {
         const char *word;
         double value;
@@ -532,7 +533,7 @@ static double word_number(const char *word, const struct block *block, const str
                  {"young2", two.young_modulus_pa},
                  {"poisson2", two.poisson_ratio},
                  {"density", density},
-                 {"density2", cor_scene_body_density(wish->scene, 2)},
+                 {"density2", cor_scene_body_density(target->scene, 2)},
                  {"rho", alike ? density : (double)NAN},
                  {"k1", task->k1},
                  {"kp", cor_quiet_product(task->hardening, task->k1)},
@@ -765,7 +766,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
     const enum cor_law law = block->model->law;
     const int constant = law == COR_LAW_IMPULSE ? !block->model->has_function
                                                 : !task->pressed && cor_law_is_constant(&cor_law_exponents[law]);
-    const double *const speed = request->speeds > 0 ? request->speed_m_s : &task->wish[PAIR].speed_m_s;
+    const double *const speed = request->speeds > 0 ? request->speed_m_s : &task->target[PAIR].speed_m_s;
     const size_t speeds = request->speeds > 0 ? request->speeds : (size_t)!isnan(*speed);
     for (size_t i = 0; i < speeds; i++) {
         const double eps = realised_eps(block, task, speed[i]);
@@ -873,7 +874,7 @@ static void put_yielding(struct text *t, struct task *task)
     if (task->simulator->yielding)
         put_comment(t, "%s", task->simulator->yielding);
     else if (task->simulator->luding)
-        put_luding(t, task, task->wish[PAIR].speed_m_s, task->wish[PAIR].eps);
+        put_luding(t, task, task->target[PAIR].speed_m_s, task->target[PAIR].eps);
     else if (!task->has_law) /* by a function of the speed */
         put_comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
 }
@@ -916,7 +917,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
     else if (model->end > COR_END_ZERO_FORCE ||
              cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, eps, speed, (int)model->end) != COR_FAULT_NONE)
         return;
-    fill_pairs(&cure, &contact, 1, task->wish[PAIR].speed_m_s, task->wish[PAIR].eps);
+    fill_pairs(&cure, &contact, 1, task->target[PAIR].speed_m_s, task->target[PAIR].eps);
     snprintf(instead, sizeof instead, constant ? "For eps = %s: " : "For eps = %s at %s m/s: ", TEXT(eps), TEXT(speed));
     const struct text before = *t;
     if (fill_block(&block, &cure, model) && !put_block(t, &block, &cure, instead))
@@ -926,7 +927,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
 /* What the simulator would realise if its user gave it eps as e */
 static void put_own_maps(struct text *t, const struct task *task)
 {
-    const double eps = task->wish[PAIR].eps;
+    const double eps = task->target[PAIR].eps;
     for (int i = 0; i < task->simulator->model_count && !isnan(eps) && !task->pressed; i++) {
         const struct cor_simulator_model *const model = &task->simulator->models[i];
         const double own = cor_simulator_realised(model, eps);
@@ -1088,19 +1089,19 @@ static void refuse_law(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_scene_contact *const contact = request->contacts;
-    const struct cor_simulator_wish *const wish = &task->wish[PAIR];
+    const struct cor_simulator_target *const target = &task->target[PAIR];
     char instead[SENTENCE] = "";
     for (int i = 0; i < task->simulator->model_count && !*instead; i++)
         if (task->simulator->models[i].lines && task->simulator->models[i].law == COR_LAW_LINEAR &&
             isgreater(contact->mass_kg, 0) && !task->pressed && !contact->plastic && !contact->plate &&
-            islessequal(wish->eps, 1))
+            islessequal(target->eps, 1))
             snprintf(
                 instead, sizeof instead,
                 ". A linear spring takes its place at %s m/s; the duration is that of --dissipation-time 0 at this "
                 "speed. Type: corgen contact --law linear --duration %s --effective-mass %s --restitution %s%s "
                 "--for %s",
-                TEXT(wish->speed_m_s), INPUT(cor_scene_elastic_duration_s(contact, wish->speed_m_s)),
-                INPUT(contact->mass_kg), INPUT(wish->eps),
+                TEXT(target->speed_m_s), INPUT(cor_scene_elastic_duration_s(contact, target->speed_m_s)),
+                INPUT(contact->mass_kg), INPUT(target->eps),
                 request->scene->wall ? " --end zero-force --wall" : " --end zero-force", task->simulator->name);
     refuse_task(task, "%s has no model for the law %s%s%s", task->simulator->name, task->law,
                 request->version ? " in this version" : "", instead);

@@ -774,9 +774,9 @@ void cor_simulator_reach(const struct cor_simulator_model *model, double *least,
     *most = cor_law_eps(model->law, model->end, weakest_damping(model, &at));
 }
 
-double cor_simulator_e(const struct cor_simulator_model *model, double wished, enum cor_simulator_status *status)
+double cor_simulator_e(const struct cor_simulator_model *model, double requested, enum cor_simulator_status *status)
 {
-    const double damping = cor_law_damping(model->law, model->end, wished);
+    const double damping = cor_law_damping(model->law, model->end, requested);
     double low = model->least, high;
     *status = COR_SIMULATOR_NOT_ASKED;
     if (!model->damping_of_e || isnan(damping))
@@ -819,50 +819,50 @@ int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const str
 }
 
 /* The speed at which numbers are converted. Where the model has the contact's law, any speed gives the same lines. */
-static double speed_of(const struct cor_simulator_wish *wish)
+static double speed_of(const struct cor_simulator_target *target)
 {
-    return isnan(wish->speed_m_s) ? 1 : wish->speed_m_s;
+    return isnan(target->speed_m_s) ? 1 : target->speed_m_s;
 }
 
-static double exact_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+static double exact_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                             int same_law)
 {
-    const struct cor_scene_contact *contact = wish->contacts;
+    const struct cor_scene_contact *contact = target->contacts;
     const int constant = cor_law_is_constant(&contact->law),
-              given = cor_scene_given(wish->scene, COR_SCENE_RESTITUTION);
+              given = cor_scene_given(target->scene, COR_SCENE_RESTITUTION);
     const int end = (int)model->end, has_end = end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE;
-    const int pressed =
-        cor_scene_given(wish->scene, COR_SCENE_GRAVITY) && (!same_law || cor_scene_given(wish->scene, COR_SCENE_AT));
+    const int pressed = cor_scene_given(target->scene, COR_SCENE_GRAVITY) &&
+                        (!same_law || cor_scene_given(target->scene, COR_SCENE_AT));
     /* eps was given, and no end at which it was measured: the simulator is to realise it at its own end. */
-    const int own_end = given && wish->scene->end == COR_BOTH_ENDS && !pressed;
+    const int own_end = given && target->scene->end == COR_BOTH_ENDS && !pressed;
     if (model->law == COR_LAW_IMPULSE || (!same_law && !pressed) || (constant && own_end))
-        return cor_law_damping(model->law, model->end, wish->eps);
+        return cor_law_damping(model->law, model->end, target->eps);
     if (!same_law) { /* eps of the speed, under the force */
         struct cor_scene_contact c = cor_model_contact(*contact, &cor_law_exponents[model->law], 0, 1);
         return has_end && cor_law_has_spring_of(&c.law, &contact->law) &&
-                       cor_scene_set_damping(&c, COR_SCENE_RESTITUTION, wish->eps, wish->speed_m_s, end) == 0
-                   ? (cor_law_is_constant(&c.law) ? c.damping : cor_scene_beta(&c, wish->speed_m_s))
+                       cor_scene_set_damping(&c, COR_SCENE_RESTITUTION, target->eps, target->speed_m_s, end) == 0
+                   ? (cor_law_is_constant(&c.law) ? c.damping : cor_scene_beta(&c, target->speed_m_s))
                    : (double)NAN;
     }
-    if (wish->count > 1 && !has_end)
+    if (target->count > 1 && !has_end)
         return NAN;
-    contact += wish->count > 1 ? end : 0;
-    return constant ? contact->damping : cor_scene_beta(contact, speed_of(wish));
+    contact += target->count > 1 ? end : 0;
+    return constant ? contact->damping : cor_scene_beta(contact, speed_of(target));
 }
 
-double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                              int same_law)
 {
-    if (!cor_is_moderate(wish->contacts, wish->speed_m_s))
+    if (!cor_is_moderate(target->contacts, target->speed_m_s))
         return NAN;
-    const double damping = exact_damping(model, wish, same_law);
-    return isgreater(wish->steps, 0) ? cor_simulator_step_damping(model, wish, same_law, damping) : damping;
+    const double damping = exact_damping(model, target, same_law);
+    return isgreater(target->steps, 0) ? cor_simulator_step_damping(model, target, same_law, damping) : damping;
 }
 
-double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                             int same_law, enum cor_simulator_status *status)
 {
-    const double damping = cor_simulator_damping(model, wish, same_law);
+    const double damping = cor_simulator_damping(model, target, same_law);
     *status = COR_SIMULATOR_OK;
     if (model->has_function)
         return 1; /* its lines have no number */
@@ -873,7 +873,7 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
     if (!model->number_of_damping)
         return cor_simulator_e(model, cor_law_eps(model->law, model->end, damping), status);
     const double number = isless(damping, 1e100) || cor_is_infinity(damping)
-                              ? model->number_of_damping(damping, wish->contacts, speed_of(wish))
+                              ? model->number_of_damping(damping, target->contacts, speed_of(target))
                               : (double)NAN;
     if (isnan(number))
         *status = COR_SIMULATOR_NO_SCALES;

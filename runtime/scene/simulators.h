@@ -71,20 +71,20 @@ int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const str
 /* The request to a model: the contacts of a scene by cor_scene_contacts, at one speed or, NaN, at all; eps at the speed
  * or at all speeds; NaN if it depends on the speed or the end. steps > 0: number of time steps in an elastic duration;
  * the damping is then the one of cor_scene_step_corrected at the speed. */
-struct cor_simulator_wish {
+struct cor_simulator_target {
     const struct cor_scene *scene;
     const struct cor_scene_contact *contacts;
     int count;
     double speed_m_s, eps, steps;
 };
-/* The damping of the model for the wish, by its law (`same_law`) or by eps only, and the number that a user sets for
+/* The damping of the model for the target, by its law (`same_law`) or by eps only, and the number that a user sets for
  * it; NaN with the reason if they do not exist */
-double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                              int same_law);
-double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                             int same_law, enum cor_simulator_status *status);
-/* The damping corrected for wish->steps; NaN if the simulator has no integrator of ours. An impulse needs none. */
-double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+/* The damping corrected for target->steps; NaN if the simulator has no integrator of ours. An impulse needs none. */
+double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                                   int same_law, double damping);
 
 #endif

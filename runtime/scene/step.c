@@ -328,18 +328,18 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
     return status == COR_FAULT_NONE ? COR_FAULT_NO_DAMPING : status;
 }
 
-double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                                   int same_law, double damping)
 {
     if (model->law == COR_LAW_IMPULSE)
         return damping;
-    const int crossley = model->law == COR_LAW_HUNT_CROSSLEY, a = wish->contacts->law.elastic;
+    const int crossley = model->law == COR_LAW_HUNT_CROSSLEY, a = target->contacts->law.elastic;
     const struct cor_exponents law =
-        crossley ? (struct cor_exponents){a, a, wish->contacts->law.denominator} : cor_law_exponents[model->law];
+        crossley ? (struct cor_exponents){a, a, target->contacts->law.denominator} : cor_law_exponents[model->law];
     const struct cor_scene_contact contact =
-        cor_model_contact(*wish->contacts, same_law && !crossley ? NULL : &law, damping, wish->speed_m_s);
+        cor_model_contact(*target->contacts, same_law && !crossley ? NULL : &law, damping, target->speed_m_s);
     struct cor_scene_contact corrected;
-    cor_scene_step_corrected(&corrected, &contact, wish->speed_m_s, (int)model->end, wish->steps,
+    cor_scene_step_corrected(&corrected, &contact, target->speed_m_s, (int)model->end, target->steps,
                              cor_simulator_of(model->id)->integrator);
     return isgreater(contact.damping, 0) ? damping * (corrected.damping / contact.damping) : damping;
 }

@@ -417,7 +417,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
 {
     const struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);
     const double eps = 0.7, speed = 0.4;
-    const struct cor_simulator_wish wish = {&contacts.scene, contacts.contact, contacts.count, speed, eps, 0};
+    const struct cor_simulator_target target = {&contacts.scene, contacts.contact, contacts.count, speed, eps, 0};
     char *const text = contact_simulator_text(REQUEST(host, contacts, &speed)), title[200], form[32];
     const bool same_law = text && !strstr(text, "does not have the law of the contact");
     const struct cor_simulator *const simulator = cor_simulator_named(host);
@@ -428,7 +428,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
         const char *const heading = text && !m->has_function ? strstr(text, title) : NULL;
         if (!heading)
             continue;
-        const double number = cor_simulator_number(m, &wish, same_law, &status);
+        const double number = cor_simulator_number(m, &target, same_law, &status);
         const char *const lines = strstr(heading, m->advice) + strlen(m->advice);
         bool is_printed = false; /* as {n}, {n/2} or {root} */
         for (int k = 0; k < 3; k++) {
@@ -457,13 +457,13 @@ TEST(hosts_realise_what_is_wished)
                {"chrono", 2, 1, 1},  {"mfix", 1, 1, 1},     {"openfoam", 0, 1, 1}, {"esys", 0, 1, 1},
                {"mujoco", 2, 0, 0},  {"drake", 1, 1, 1},    {"simbody", 1, 1, 1},  {"bullet", 1, 1, 0},
                {"rebound", 1, 1, 0}, {"modelica", 1, 0, 0}};
-    const struct given *const wished = GIVEN({COR_SCENE_RESTITUTION, 0.7});
+    const struct given *const requested = GIVEN({COR_SCENE_RESTITUTION, 0.7});
     const struct given *const measured = GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4});
     char *const list = contact_simulator_text(&(struct cor_simulator_request){.simulator = CONTACT_SIMULATOR_LIST});
     for (size_t i = 0; i < COUNT_OF(row); i++) {
         char line[40];
-        const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, SPRING, wished);
-        const size_t tsuji = host_realises(row[i].host, COR_LAW_TSUJI, GLASS, wished);
+        const size_t linear = host_realises(row[i].host, COR_LAW_LINEAR, SPRING, requested);
+        const size_t tsuji = host_realises(row[i].host, COR_LAW_TSUJI, GLASS, requested);
         const size_t sphere = host_realises(row[i].host, COR_LAW_VISCOELASTIC, GLASS, measured);
         check(linear == row[i].linear && tsuji == row[i].tsuji && sphere == row[i].viscoelastic,
               "%s: %zu linear, %zu Tsuji, %zu viscoelastic", row[i].host, linear, tsuji, sphere);

@@ -105,7 +105,7 @@ static void scene_sets_draw(size_t i, struct bit_source *source)
 
 /* ---- the calls: every argument by the name of its parameter ---- */
 
-static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, wished, value,
+static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, requested, value,
     liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, steps, tolerance, frequency, zeta, gravity_m_s2,
     solimp[5];
 static int end, number, integrator, body, same_law, options;
@@ -136,7 +136,7 @@ static double *const eps_at_end = &out.number[0], *const least_steps = &out.numb
 
 static void scene_arguments_load(const struct scene_arguments *s)
 {
-    speed_m_s = eps = damping = e = speed_ratio = wished = yield_stress_pa = yield_speed_m_s = overlap_m = s->x[0];
+    speed_m_s = eps = damping = e = speed_ratio = requested = yield_stress_pa = yield_speed_m_s = overlap_m = s->x[0];
     value = liquid_speed_m_s = viscosity_pa_s = s->x[1];
     gap_outer_m = gravity_m_s2 = s->x[2];
     zeta = s->x[1];

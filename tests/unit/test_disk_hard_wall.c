@@ -123,8 +123,8 @@ TEST(errors)
     assert_true(judged > 0);
 }
 
-/* At random scenes, a budget in operations is kept but for a batch of steps. Where it, or one in steps, ends the ladder
- * the result is that of the levels made, with their estimate, as from modes that end there. */
+/* At random scenes, a budget in operations is kept but for a batch of steps. Where it, or one in steps, ends the
+ * sequence the result is that of the levels made, with their estimate, as from modes that end there. */
 TEST(budgets)
 {
     leave_to_turn(2, 3);
@@ -165,8 +165,8 @@ TEST(budgets)
         assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again), COR_CONTACT_NOT_ENDED);
         assert_true(isnan(again.one_minus_eps2) && isnan(again.error_estimate) && again.omega_levels == 0);
         for (size_t levels = 1; levels < out.omega_levels; steps.max_steps *= 2) {
-            const int ladder = cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again);
-            assert_int_equal(ladder, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
+            const int sequence = cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again);
+            assert_int_equal(sequence, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
             /* twice the steps are at most two levels more */
             check(again.omega_levels == 0 || levels < 2 ||
                       (again.omega_levels >= levels && again.omega_levels <= levels + 2),
@@ -335,7 +335,7 @@ TEST(details)
     EACH (speeds, 0.1, 0.01, 1e-9) {
         const double speed = *speeds, energy = pi / 2 * speed * speed;
         const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-        /* a budget that ends the ladder after four levels leaves the details of the fourth */
+        /* a budget that ends the sequence after four levels leaves the details of the fourth */
         const struct cor_disk_hard_wall_options some = {1e-6, 2000}, enough = {1e-3, 0},
                                                 options = speed > 0.001 && speed < 0.1 ? some : enough;
         struct cor_disk_hard_wall out, silent;

@@ -204,7 +204,7 @@ TEST(steps_and_energy)
 }
 
 /* A level gives up a few steps after half of the work that it needs, counted in multiplications or in steps. Its work
- * grows from level to level as the ladder expects. */
+ * grows from level to level as the sequence expects. */
 TEST(budget)
 {
     EACH (speeds, 0.3, 0.01, 1e-9) {

@@ -299,16 +299,16 @@ TEST(models)
             continue;
         struct cor_scene_contact contact = contact_with(model->law, eps, (int)model->end);
         cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, eps, speed, (int)model->end);
-        const struct cor_simulator_wish wish = {&scene, &contact, 1, speed, eps, steps};
+        const struct cor_simulator_target target = {&scene, &contact, 1, speed, eps, steps};
         struct cor_scene_contact given = contact;
-        const double damping = cor_simulator_damping(model, &wish, 1);
+        const double damping = cor_simulator_damping(model, &target, 1);
         cor_scene_set_damping(&given, cor_scene_speed_exponent(&given) == 0 ? COR_SCENE_ZETA : COR_SCENE_BETA, damping,
                               speed, 0);
         const struct mean mean = simulated(&given, speed, (int)model->end,
                                            cor_scene_elastic_duration_s(&contact, speed) / steps, integrator, 401, 0.3);
         check(fabs(mean.eps - eps) < COR_SCENE_STEP_ERROR * mean.scatter, "%s: %g", model->model, mean.eps);
         /* by eps alone the same, where the law has a closed form */
-        const double by_eps = cor_simulator_damping(model, &wish, 0);
+        const double by_eps = cor_simulator_damping(model, &target, 0);
         check(isnan(by_eps) || fabs(by_eps / damping - 1) < 1e-9, "%s: %g, %g", model->model, by_eps, damping);
         judged++;
     }
