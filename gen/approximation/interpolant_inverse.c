@@ -46,8 +46,8 @@ static bool is_beyond_root(const struct search *s, double w, const arb_t wanted)
     return (s->of_loss ? sign > 0 : sign < 0) != (s->variable == INTERVAL_BELOW);
 }
 
-/* Bisects to a short bracket, then applies the secant method, which converges with the order 1.6: 18 steps are enough for
- * 110 bits. */
+/* Bisects to a short bracket, then applies the secant method, which converges with the order 1.6: 18 steps are
+ * enough for 110 bits. */
 static int solve_search(arb_t w, struct search *s, const arb_t wanted)
 {
     enum { HALVINGS = 5, STEPS = 18, NEAR_BITS = 20, ENOUGH_BITS = 110 };
