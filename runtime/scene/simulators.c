@@ -38,33 +38,74 @@ double cor_flores_beta(double e)
     return 1.6 * (1 - e) / e;
 }
 
-#define MAP(name, formula)                                                                                             \
-    static double name(double e)                                                                                       \
-    {                                                                                                                  \
-        return formula;                                                                                                \
-    }
-
 /* Exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use it for every end of contact. */
-MAP(exact_at_zero_overlap, cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e))
-MAP(exact_at_zero_force, cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_FORCE, e))
+static double exact_at_zero_overlap(double e)
+{
+    return cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e);
+}
+
+static double exact_at_zero_force(double e)
+{
+    return cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_FORCE, e);
+}
+
 /* The damping is 2 gamma sqrt(m k), where k = (3/2) K sqrt(x) is the tangent stiffness; zeta = sqrt(6/5) gamma. */
-MAP(thornton, sqrt(1.2) * cor_thornton_gamma(e))
+static double thornton(double e)
+{
+    return sqrt(1.2) * cor_thornton_gamma(e);
+}
+
 /* YADE: no damping at e = 1 exactly */
-MAP(thornton_yade, e == 1 ? 0 : thornton(e))
+static double thornton_yade(double e)
+{
+    return e == 1 ? 0 : thornton(e);
+}
+
 /* Kratos raises e to at least 0.001, and has no damping above 0.999 */
-MAP(thornton_kratos, e > 0.999 ? 0 : thornton(e < 0.001 ? 0.001 : e))
-MAP(tsuji_until_2026, cor_tsuji_alpha(e) / sqrt(5))
-MAP(tsuji_since_2026, sqrt(0.4) * cor_tsuji_alpha(e))
+static double thornton_kratos(double e)
+{
+    return e > 0.999 ? 0 : thornton(e < 0.001 ? 0.001 : e);
+}
+
+static double tsuji_until_2026(double e)
+{
+    return cor_tsuji_alpha(e) / sqrt(5);
+}
+
+static double tsuji_since_2026(double e)
+{
+    return sqrt(0.4) * cor_tsuji_alpha(e);
+}
+
 /* the same polynomial on a linear spring */
-MAP(tsuji_on_hooke_until_2026, cor_tsuji_alpha(e) / 2)
-MAP(tsuji_on_hooke_since_2026, cor_tsuji_alpha(e) / sqrt(2))
+static double tsuji_on_hooke_until_2026(double e)
+{
+    return cor_tsuji_alpha(e) / 2;
+}
+
+static double tsuji_on_hooke_since_2026(double e)
+{
+    return cor_tsuji_alpha(e) / sqrt(2);
+}
+
 /* the formula of the linear dashpot, with Hertz's force */
-MAP(mfix_hertz, 2 / sqrt(5) * cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e))
+static double mfix_hertz(double e)
+{
+    return 2 / sqrt(5) * cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e);
+}
+
 /* pi with 8 digits */
 #define ESYS_PI 3.1415927
-MAP(esys, e == 0 ? 1 : -log(e) / sqrt(ESYS_PI * ESYS_PI + log(e) * log(e)))
+static double esys(double e)
+{
+    return e == 0 ? 1 : -log(e) / sqrt(ESYS_PI * ESYS_PI + log(e) * log(e));
+}
+
 /* The damping of an impulse is 1 - e. */
-MAP(loss_of_impulse, 1 - e)
+static double loss_of_impulse(double e)
+{
+    return 1 - e;
+}
 
 /* Kratos bisects for the root of the zero-force formula between 0 and 16, until the bracket is below 0.0001 */
 static double kratos_linear(double e)
