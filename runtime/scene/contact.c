@@ -189,18 +189,24 @@ static double value_of(const struct functions *f, int end, enum cor_quantity qua
     return cor_law_value(f->law, (enum cor_end)end, quantity, x);
 }
 
-static struct functions functions_of(const struct cor_exponents *law)
+static enum cor_law law_of(const struct cor_exponents *law)
 {
     if (cor_law_is_hunt_crossley(law))
-        return (struct functions){COR_LAW_HUNT_CROSSLEY, OF_EXPONENT};
-    for (int i = 0; i < COR_LAW_PLATE; i++) {
-        const enum cor_law named = (enum cor_law)i;
-        if (cor_law_is_same(law, &cor_law_exponents[i]) && cor_law_function(named, COR_END_ZERO_OVERLAP, COR_EPS))
-            return (struct functions){named, cor_law_function(named, COR_END_ZERO_OVERLAP, COR_DURATION) ? OF_TABLE
-                                                                                                         : OF_SOLVER};
-    }
+        return COR_LAW_HUNT_CROSSLEY;
+    for (int i = 0; i < COR_LAW_PLATE; i++)
+        if (cor_law_is_same(law, &cor_law_exponents[i]) &&
+            cor_law_function((enum cor_law)i, COR_END_ZERO_OVERLAP, COR_EPS))
+            return (enum cor_law)i;
     /* eps of q = 0 is the same function of zeta for all exponents */
-    return (struct functions){cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS, OF_SOLVER};
+    return cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS;
+}
+
+static struct functions functions_of(const struct cor_exponents *law)
+{
+    const enum cor_law named = law_of(law);
+    const int has_times = named != COR_LAWS && cor_law_is_same(law, &cor_law_exponents[named]) &&
+                          cor_law_function(named, COR_END_ZERO_OVERLAP, COR_DURATION);
+    return (struct functions){named, named == COR_LAW_HUNT_CROSSLEY ? OF_EXPONENT : has_times ? OF_TABLE : OF_SOLVER};
 }
 
 int cor_scene_needs_solver(const struct cor_scene_contact *contact)
@@ -252,7 +258,7 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
 /* eps of the damping parameter, whether the contact has this end or not */
 static int eps_of(double *eps, const struct cor_scene_contact *contact, double parameter, int end)
 {
-    const struct functions f = functions_of(&contact->law);
+    const struct functions f = {law_of(&contact->law), OF_SOLVER};
     if (f.law != COR_LAWS) {
         *eps = value_of(&f, end, COR_EPS, parameter);
         return COR_FAULT_NONE;
