@@ -269,7 +269,9 @@ def test_hostile(tmp_path):
     assert time.process_time() - start < 10
 
 
-@pytest.mark.parametrize("kind", ["yade", "lammps", "mfix", "mujoco"])
+@pytest.mark.parametrize(
+    "kind", ["yade", "lammps", "mfix", "mujoco"] if os.environ.get("COR_TEST_LONG") else ["lammps"]
+)
 def test_million_lines(tmp_path, kind):
     """Within ten seconds of a processor and 500 MB, in a process of its own."""
     line = {"yade": "x = 1\n", "lammps": "thermo 1\n", "mfix": "KN = 1\n", "mujoco": "<geom/>\n"}[kind]
@@ -308,8 +310,8 @@ def test_any_text(audited):
         "@(",
         "end",
     ]
-    names, end, count = list(audited), time.monotonic() + 2, 0
-    while time.monotonic() < end:
+    names, count = list(audited), 0
+    for _ in range(4000 if os.environ.get("COR_TEST_LONG") else 400):
         deck = DECKS[draw.randrange(len(names))]
         text = deck.read_text(encoding="utf-8")
         for _ in range(draw.randint(1, 6)):

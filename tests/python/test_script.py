@@ -118,6 +118,8 @@ def test_bounds(monkeypatch):
             text, monkeypatch, include=lambda name, of: (files[name], name) if name in files else None
         )
         assert time.process_time() - start < 4 and (interpreter.remarks or "\0" in "".join(out)), text[:40]
+    for empty in ("variable e equal\nprint ${e}", "variable e format x\nprint ${e}", "variable e index\nprint $e"):
+        assert "1" not in "".join(printed(empty, monkeypatch)[0])
     _, interpreter = printed("shell rm x\npython f source here\nplugin load x", monkeypatch)
     assert [r.matters for r in interpreter.remarks.values()] == [False] * 3
 

@@ -305,6 +305,8 @@ class World:
         variable = self.variables.get(name)
         if variable is None:
             raise Unknown(f"the variable {name}, which the script does not define (give it by -var {name} VALUE)")
+        if len(variable.values) < (2 if variable.style == "format" else 1):
+            raise Unknown(f"the variable {name}, which has no value")
         if variable.style in ("index", "string"):
             return variable.values[variable.at]
         if variable.style == "loop":

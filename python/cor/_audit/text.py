@@ -90,7 +90,9 @@ def read_kratos(text: str, name: str, options: Options) -> Deck:
 
     try:
         root = json.loads(plain, parse_float=number, parse_int=number, parse_constant=lambda word: math.nan)
-    except (ValueError, RecursionError, StopIteration) as error:
+    except RecursionError:
+        raise DeckError("this JSON is nested too deeply") from None
+    except (ValueError, StopIteration) as error:
         raise DeckError(f"this is no JSON: {error}") from None
     root = root if isinstance(root, dict) else {}
     bodies: Dict[Any, Body] = {}

@@ -23,6 +23,7 @@ _OPERATORS: Dict[Any, Callable[..., Any]] = {
 }  # fmt: skip
 _MATH = {n: getattr(math, n) for n in "sqrt exp log log10 sin cos tan asin acos atan atan2 ceil floor radians".split()}
 _MATH.update(pow=math.pow, float=float, int=int, abs=abs, min=min, max=max, len=len, degrees=math.degrees)
+_MATH.update(toHP1=float, Real=float, radiansHP1=math.radians)  # of yade.math, which also takes "0.3"
 _MATERIAL = {"young": 1e9, "poisson": 0.25, "density": 1000.0}  # of YADE's classes where a material does not set them
 _LOSSES: Tuple[str, ...] = ("DragEngine", "LinearDragEngine", "HydroForceEngine", "FlowEngine", "TwoPhaseFlowEngine")
 _LOSSES += ("ViscousForceEngine", "SPHEngine", "FluidDomain", "OpenFoamCoupling")
@@ -615,7 +616,7 @@ class _Reader:
         functor = (exact or suits or [None])[-1]  # type: ignore[list-item]
         if functor is not None and not a:
             c.line = functor.line
-        if names == ["ViscElMat"] * 2 and (functor is None or "ViscElPhys" in functor.name) and a and b:
+        if names == ["ViscElMat"] * 2 and (functor is None or functor.name.endswith("_ViscElPhys")) and a and b:
             self.set_viscoelastic(c, one, two, functor)
         elif functor is not None and functor.name == "Ip2_FrictMat_FrictMat_MindlinPhys":
             self.set_mindlin(c, functor, a, b)
@@ -725,7 +726,10 @@ class _Reader:
         c.spring = Spring.CONTACT_TIME if by_time else Spring.HOOKE
         c.stiffness = in_series([2 * x.young * r for x, r in zip(c.bodies, self.radii(c))]) if by_young else numbers[1]
         if any(math.isnan(n) for n in numbers):
-            c.unknown = "The number of its damping or stiffness is missing, or could not be read."
+            lost = sorted({k for m in (a, b) for k in keys if k not in own and math.isnan(m.number(k))})
+            has = [k for k in lost if k in a.values or k in b.values]
+            state = f"{' and '.join(has)} is no constant" if has else f"{' and '.join(lost)} is missing"
+            c.unknown = f"Of its material {state}." if lost else "The number of its damping could not be read."
         elif keys[0] not in own and a.nodes.get(keys[0]) is b.nodes.get(keys[0]) is not None:
             self.place(c, a.nodes[keys[0]])
         elif keys[0] not in own and a is not b:
