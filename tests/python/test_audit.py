@@ -191,6 +191,24 @@ VISCOUS = (
 )
 
 
+@pytest.mark.parametrize(
+    "old,new,reason",
+    [
+        ("en=0.5", "en=read()", "Of its material en is no constant."),
+        ("en=0.5,et=1", "cn=1", "Of its material kn is missing."),
+        ("en=0.5", "en=toHP1('0.5')", "e = 0.5 realises 0.550283."),
+        ("_ViscElPhys", "_MultiViscElPhys", "by Ip2_ViscElMat_ViscElMat_MultiViscElPhys."),
+        ("en=0.5,(.*)Phys[(]", r"\1Phys(en=read()", "The number of its damping could not be read."),
+    ],
+)
+def test_reasons(tmp_path, old, new, reason):
+    """YADE: the number that is missing, the numbers of yade.math, and functors whose names end alike."""
+    loop = "InteractionLoop([],[Ip2_ViscElMat_ViscElMat_ViscElPhys()],[])"
+    text = re.sub(old, new, VISCOUS.format("").replace("damping=0)", f"damping=0),{loop}"), flags=re.S)
+    out = run("audit", write(tmp_path, "deck.py", text), "--format", "json", "--speed", "1")[1]
+    assert reason in json.loads(out)[0]["advice"]
+
+
 def test_walls_and_lines(tmp_path):
     """A facet has its own number, and the line to write suits the contacts that exist."""
     cases = {
@@ -262,6 +280,7 @@ def test_hostile(tmp_path):
     for name, text in cases.items():
         status, out, messages = run("audit", write(tmp_path, name, text), "--format", "json", "--speed", "1")
         assert (status == 3) == (name in ("huge.py", "name.py")), (name, status, messages)
+        assert ("nested too deeply" in messages) == (name == "deep.json"), (name, messages)
         assert all(row["realised"] is None or 0 <= row["realised"] <= 1 for row in json.loads(out)), name
         assert not re.search("[\x00-\x09\x0b-\x1f\x7f\u202e]", out + messages), name
     for path in (tmp_path / "fifo", "/dev/zero", tmp_path):

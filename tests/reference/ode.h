@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Motions by another route than those of the library and of the generator, in long double: Gragg's method, extrapolated
+/* Motions by another route than the library's and the generator's, in long double: Gragg's method, extrapolated
  * (Bulirsch and Stoer), with steps that end where a value falls to zero; and the course of a contact by it. */
 #ifndef COR_TESTS_REFERENCE_ODE_H
 #define COR_TESTS_REFERENCE_ODE_H
@@ -22,7 +22,7 @@ struct ode {
     long double longest, error, h;
 };
 
-/* Computes y after a step of h, by its changes, whose rounding errors are less than those of y. Returns the error as a
+/* Computes y after a step of h, by its changes, whose rounding errors are smaller than y's. Returns the error as a
  * part of what is allowed. Row k: 2 (k + 1) substeps. */
 static inline long double ode_try(const struct ode *o, const long double *y, long double h, long double *next)
 {

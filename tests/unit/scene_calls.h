@@ -207,7 +207,7 @@ static const struct public_function scene_functions[] = {
 #include "public_functions.inc"
 };
 
-/* Every public function: number 0 to function_count() - 1; those of scene.h come last. */
+/* Every public function: number 0 to function_count() - 1; scene.h's come last. */
 static inline size_t function_count(void)
 {
     return public_function_count + COUNT_OF(scene_functions);

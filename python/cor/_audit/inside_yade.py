@@ -66,7 +66,7 @@ def open_to_read(file: Any, mode: str = "r", *given: Any, **named: Any) -> Any:
 
 
 def body_of(c: Dict[str, Any], i: int) -> Any:
-    """A body of the script's scene like that of the collision, or None"""
+    """Returns a body of the script's scene with the shape and material of the collision, or None."""
     kinds = [b for b in omega.bodies if b and b.shape and b.mat and b.mat.id == c["materials"][i]]
     spheres = [b for b in kinds if type(b.shape).__name__ == "Sphere"]
     near = [b for b in spheres if abs(b.shape.radius - c["radii"][i]) < 1e-6 * b.shape.radius]

@@ -31,7 +31,7 @@ _LOSSES = re.compile(
 )
 _NORMAL = {"hooke": 2, "hertz": 2, "hertz/material": 3, "dmt": 4, "jkr": 4}  # and the count of their numbers
 _FAULTS = {
-    "dmt": "The pull of DMT adhesion makes eps depend on the speed; without it the damping alone would count.",
+    "dmt": "The pull of DMT adhesion makes eps depend on the speed; without it only the damping would count.",
     "jkr": "LAMMPS parts bodies at the largest pull of JKR's force: they stick below 0.703 of the speed of JKR's "
     "theory, and lose half its energy. The damping takes more.",
 }

@@ -82,7 +82,7 @@ def sizes_of(row: Row, contact: Contact) -> Tuple[List[float], List[float]]:
 
 
 def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
-    """Fills the row, and says so where the measured and the computed eps are not the same."""
+    """Fills the row, and names a difference between the measured and the computed eps."""
     bodies = row.contact.bodies if row.contact else ()
     assumed = any(math.isnan(b.radius[0]) and not b.wall for b in bodies) and not math.isnan(row.realised)
     row.measured, row.measured_small_step = math.nan if assumed else eps, eps_small_step

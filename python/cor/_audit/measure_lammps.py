@@ -352,7 +352,7 @@ class Script:
         return eps_of(advance, c.speed, touch)
 
     def particle(self, group: str, kind: int, size: Tuple[float, float], at: Tuple[float, ...], speed: float) -> None:
-        """Creates a particle that is alone in a new group."""
+        """Creates a particle as the only one in a new group."""
         place = " ".join(f"{x:.17g}" for x in at)
         self.ask(f"create_atoms {kind} single {place} units box")
         self.ask(f"group {group} " + " ".join(["subtract", "all", *self.groups] if self.groups else ["union", "all"]))
@@ -361,7 +361,7 @@ class Script:
         self.ask(f"velocity {group} set {speed:.17g} 0 0 units box")
 
     def wall_at(self, c: Collision, x: float) -> str:
-        """The wall as a plane at x: its model and type are those of the deck."""
+        """The wall as a plane at x, with the model and type of the deck."""
         walls = {name: words for name, words in self.fixes.items() if "wall/" in words[3]}
         named = [name for name in walls if name in c.wall or self.places[name] in c.wall] or list(walls)
         words = walls.get(named[0], []) if len(named) == 1 else []
