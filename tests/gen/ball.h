@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the tests of the generator ask of balls. */
+/* Assertions about balls of Arb, for the tests of the generator. */
 #ifndef COR_TESTS_GEN_BALL_H
 #define COR_TESTS_GEN_BALL_H
 
@@ -21,7 +21,7 @@ static inline struct cor_exponents law_of(const char *a, const char *b)
     return law;
 }
 
-/* x is enclosed to so many relative bits. */
+/* Fails unless x is enclosed to at least `bits` relative bits. */
 static inline void assert_bits(const arb_t x, slong bits)
 {
     if (arb_rel_accuracy_bits(x) < bits) {
@@ -30,7 +30,7 @@ static inline void assert_bits(const arb_t x, slong bits)
     }
 }
 
-/* Two enclosures of one number have a point in common. */
+/* Fails unless two enclosures of one number overlap. */
 static inline void assert_overlap(const arb_t x, const arb_t y, const char *what, slong index)
 {
     if (!arb_overlaps(x, y)) {
@@ -41,7 +41,7 @@ static inline void assert_overlap(const arb_t x, const arb_t y, const char *what
     }
 }
 
-/* The same of x and a formula, as LET has it */
+/* Fails unless x overlaps the value of a formula, written as for LET. */
 #define assert_is(x, what, index, ...)                                                                                 \
     do {                                                                                                               \
         LOCAL(arb, formula_);                                                                                          \
@@ -49,7 +49,7 @@ static inline void assert_overlap(const arb_t x, const arb_t y, const char *what
         assert_overlap(x, formula_, what, index);                                                                      \
     } while (0)
 
-/* x and the decimal text differ by one unit of the text's last digit at most; all of x is meant. */
+/* Fails unless every point of x is within one unit of the last digit of the decimal text. */
 static inline void assert_digits(const arb_t x, const char *text)
 {
     LOCAL(arb, y);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Requests of corgen embed and corgen plan from lists of numbers: GIVEN({COR_SCENE_RADIUS, "5e-3"}, ...). */
+/* Requests to corgen embed and corgen plan, made from lists of numbers: GIVEN({COR_SCENE_RADIUS, "5e-3"}, ...). */
 #ifndef COR_TESTS_GEN_REQUEST_H
 #define COR_TESTS_GEN_REQUEST_H
 

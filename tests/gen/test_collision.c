@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One enclosed collision of any power law: values from direct integrations by other programs, the series, closed forms
- * and the slow manifold against the motion, thresholds, and the asymptotics of docs/theory.md, 9. */
+/* Enclosed collisions of any power law, against direct integrations by other programs. The series, the closed forms and
+ * the slow manifold, against the motion. Thresholds, and the asymptotics of docs/theory.md, 9. */
 #include "ball.h"
 
 #include <unistd.h>
@@ -14,7 +14,7 @@
 
 static const slong PREC = 600;
 
-/* a decimal or a fraction */
+/* Sets x from a decimal or a fraction. */
 static void set_number(arb_t x, const char *text)
 {
     LOCAL(fmpq, q);
@@ -33,7 +33,7 @@ static void collision_of(struct collision *c, const char *beta, const struct cor
 
 /* ---- values ---- */
 
-/* Final speeds; thresholds; and largest forces, by a Taylor method of mpmath in 30 digits, with all peaks, at a beta */
+/* Final speeds, thresholds, and largest forces at a beta, by a Taylor method of mpmath in 30 digits, with all peaks */
 TEST(test_known_values)
 {
     static const char *const known[][4] = {
@@ -97,7 +97,7 @@ TEST(test_known_values)
                 collision_force_max(value, beta, &several, 90) == 1);
 }
 
-/* a, b, beta and the six fields; NULL where no other program gave one */
+/* a, b, beta and the six fields; NULL: no other program gave a value */
 static const char *const collisions[][3 + COLLISION_FIELDS] = {
     {"1", "0", "1/2", "0.444344225088488753", "0.506276552518630332", "3.244622940778889517", "2.722688850069176642",
      "0.711531132501333586", "1.361344425034588321"},
@@ -115,7 +115,7 @@ static const char *const collisions[][3 + COLLISION_FIELDS] = {
      "0.570733527712282338", NULL},
     {"3/2", "0", "30", "0", NULL, "inf", NULL, NULL, NULL},
     {"3/2", "1/4", "2.5", "0", NULL, "inf", NULL, NULL, NULL},
-    /* Tsuji's at zeta = 1/4 and 2, beta = sqrt(5) zeta */
+    /* Tsuji's law at zeta = 1/4 and 2, with beta = sqrt(5) zeta */
     {"3/2", "1/4", "0.559016994374947424102293417182819058860154589902881431", "0.444344225088488753",
      "0.506276552518630332", "3.585839815827821764", "2.828408309179784348", "0.832758608536924381",
      "1.468372332360592689"},
@@ -148,7 +148,7 @@ TEST(test_collisions)
         }
     }
     const struct cor_exponents dashpot = law_of("3/2", "0"), tsuji = law_of("3/2", "1/4");
-    collision_of(c, "1.127988", &dashpot, 90); /* near the threshold bits are lost, and asked for again */
+    collision_of(c, "1.127988", &dashpot, 90); /* near the threshold bits are lost, and a second attempt is needed */
     assert_bits(c->eps_zero_overlap, 90);
     /* within 1e-3 of zeta = 1: eps = exp(-pi zeta/sqrt(1 - zeta^2)) is 3e-61 */
     collision_of(c, "2.2355", &tsuji, 90);
@@ -159,7 +159,7 @@ TEST(test_collisions)
 
 /* ---- two routes ---- */
 
-/* eps_zero_force = eps_zero_overlap G(w), t_zero_force = t_zero_overlap - eps^(-1/5) h T(w), w = h^(5/2). */
+/* eps_zero_force = eps_zero_overlap G(w) and t_zero_force = t_zero_overlap - eps^(-1/5) h T(w), where w = h^(5/2). */
 TEST(test_backward_series)
 {
     enum { ORDER = 24 };
@@ -184,7 +184,7 @@ TEST(test_backward_series)
     }
 }
 
-/* The motion knows no closed form; overdamped it finds that the overlap creeps. */
+/* The motion uses no closed form. For an overdamped contact it finds that the overlap decays without reaching zero. */
 TEST(test_closed_forms)
 {
     static const char *const laws[][2] = {{"1", "0"}, {"3/2", "1/4"}, {"3", "1"},
@@ -223,8 +223,8 @@ TEST(test_closed_forms)
         }
 }
 
-/* The enclosure of an interval of beta that begins at 0, where the ends of contact cannot be separated, holds those of
- * every beta in it. */
+/* The ends of contact are not separable at beta = 0. An enclosure for an interval of beta that begins there must
+ * contain the results of every beta in it. */
 TEST(test_wide_beta)
 {
     static const char *const laws[][2] = {{"2", "0"}, {"3", "0"}, {"3", "1"}, {"3/2", "1/2"}};
@@ -245,8 +245,8 @@ TEST(test_wide_beta)
     assert_true(enclosed > 8);
 }
 
-/* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4); elsewhere either formula by hand, also on both sides of 3/4 and
- * 5/4, where it meets the hypergeometric function. */
+/* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4). Elsewhere one of the two formulas, written by hand here, also on
+ * both sides of 3/4 and 5/4, where the code switches to the hypergeometric function. */
 TEST(test_angle)
 {
     static const double places[] = {0, 0.749, 0.75, 0.751, 1.249, 1.25, 1.251, 1e300};
@@ -270,7 +270,7 @@ TEST(test_angle)
     }
 }
 
-/* The manifold serves 30 bits where the motion to the end serves hundreds: a - b below, at, above 1, a < b, a = b. */
+/* Few bits on the slow manifold, against hundreds in the full motion: a - b below, at and above 1, a < b and a = b. */
 TEST(test_slow_manifold)
 {
     leave_to_turn(0, 3);
@@ -288,7 +288,7 @@ TEST(test_slow_manifold)
                            m->last, m->n, slope, m->nu));
         LET(beta, 250, "m->last*(1 - 1/2^100)", m->last);
         arb_poly_evaluate(p, m->p, beta, 250);
-        assert_true(slow_manifold_time(slope, m, beta, p, 24)); /* hardly any time, known to its error */
+        assert_true(slow_manifold_time(slope, m, beta, p, 24)); /* nearly no time, up to its error */
         arf_set_mag(arb_midref(slope), arb_radref(slope));
         mag_zero(arb_radref(slope));
         assert_true(HOLDS(250, "2*slope > m->time_error", slope, m->time_error));
@@ -304,7 +304,7 @@ TEST(test_slow_manifold)
     }
 }
 
-/* eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)): from three collisions c changes little, with k and P of the law. */
+/* eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)), with k and P of the law: c from three collisions varies little. */
 TEST(test_forgetting)
 {
     leave_to_turn(4, 3);
@@ -315,7 +315,7 @@ TEST(test_forgetting)
                  {"3/2", "1", 10, 1},    {"2", "2", 20, 2},  {"3/2", "1/3", 4, 0.5}};
     LOCAL(arb, v, beta, x);
     LOCAL(collision, c);
-    /* P = 41 of the last case takes a second: a long run alone looks at it */
+    /* the last case, P = 41, takes a second: long runs only */
     const size_t count = COUNT_OF(cases) - (points(1) > 1 ? 0 : 1);
     for (size_t i = 0; i < count; i++) {
         const struct cor_exponents law = law_of(cases[i].a, cases[i].b);
@@ -335,14 +335,14 @@ TEST(test_forgetting)
             arb_log(x, x, PREC);
             constant[j] = middle(x) - P * log(at) + k * pow(at, (a + 1) / b1);
         }
-        /* a wrong k by 1 % or P by 0.1 would move them by more, and change with beta */
+        /* k wrong by 1 %, or P wrong by 0.1, would change c by more, and by an amount that depends on beta */
         assert_true(fabs(constant[1] - constant[0]) < 0.1);
         assert_true(fabs(constant[2] - constant[1]) < fabs(constant[1] - constant[0]) + 1e-12);
     }
 }
 
-/* (3/2, 1/3): the estimate of the contraction neglects beta^P, P = 41, and lets the motion miss the manifold at beta =
- * 4.1, where 12 bits are wanted. More bits never help it, and the unloading is integrated. */
+/* (3/2, 1/3) at beta = 4.1 and 12 bits: the estimate of the contraction neglects beta^P, P = 41, so the motion misses
+ * the manifold. More bits never help, so the unloading is integrated. */
 TEST(test_missed_manifold)
 {
     leave_to_turn(1, 3);
@@ -362,8 +362,8 @@ TEST(test_missed_manifold)
     assert_overlap(one->eps_zero_overlap, other->eps_zero_overlap, "eps", 1);
 }
 
-/* Next to the threshold of (3/2, 0): eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), beta t + ln(eps) -> 3.06410;
- * above it eps is exactly 0. */
+/* Just below the threshold of (3/2, 0): eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), beta t + ln(eps) -> 3.06410.
+ * Just above it eps is exactly 0. */
 TEST(test_below_threshold)
 {
     leave_to_turn(2, 3);
@@ -382,7 +382,7 @@ TEST(test_below_threshold)
         assert_true(fabs(middle(y) - 3.06410) < 6e-6 + 10 * pow(2, -(double)bits / 2));
         LET(y, PREC, "eps/d - pi*sqrt(d/beta_c^5) - 1", eps, d, beta_c);
         assert_true(fabs(middle(y)) < 3 * (double)bits * pow(2, -(double)bits) + 1e-17);
-        /* as far above */
+        /* equally close, above the threshold */
         LET(x, PREC, "beta_c + 1/2^bits", beta_c, bits);
         assert_int_equal(collision_solve(c, x, &law, 60), 0);
         assert_true(arb_is_zero(c->eps_zero_overlap));
@@ -392,8 +392,8 @@ TEST(test_below_threshold)
 
 /* ---- asymptotics ---- */
 
-/* eps = mu Xinf^(a-b) (1 - 2 (a-b) Xinf^(a-2b-1) mu ln(1/mu) + O(mu)), t = beta^(-1/(b+1)) (2 Xinf^-b ln(1/mu) + O(1))
- * at zero force. What is left over mu, and over 1, changes little with beta. */
+/* At zero force eps = mu Xinf^(a-b) (1 - 2 (a-b) Xinf^(a-2b-1) mu ln(1/mu) + O(mu)) and t = beta^(-1/(b+1)) T, T = 2
+ * Xinf^-b ln(1/mu) + O(1). The remainders, O(mu)/mu and O(1), vary little with beta. */
 TEST(test_strong_force)
 {
     static const char *const laws[][2] = {{"3/2", "0"},   {"1", "0"}, {"3/2", "1/4"},
@@ -427,7 +427,7 @@ TEST(test_strong_force)
     }
 }
 
-/* (1, 0), beta = 5/2, f = 9/20: the overlap rises beyond that of rest and turns once, at t = 2 ln(31)/3. */
+/* (1, 0), beta = 5/2, f = 9/20: the overlap rises beyond its value at rest and turns once, at t = 2 ln(31)/3. */
 TEST(test_turns_beyond_rest)
 {
     const struct cor_exponents law = law_of("1", "0");
@@ -458,7 +458,7 @@ static void pressed_slopes(long double *slope, const long double *y, const void 
     slope[3] = slope[2] * damping * y[1];
 }
 
-/* Falls to 0 where the contact force or the overlap does */
+/* Returns a value that falls to 0 with the contact force or the overlap, whichever vanishes first. */
 static long double pressed_contact(const long double *y, const void *of)
 {
     const struct pressed_law *const p = of;
@@ -472,9 +472,10 @@ static long double pressed_turn(const long double *y, const void *of)
     return -y[1];
 }
 
-/* eps^2 at the surface, not positive: the bodies stay together; y becomes the state where the contact ends. A flight
- * loses the elastic energy of its beginning. At a second turning point the damping has taken all of the energy, or,
- * under a large force, rounding hides the end of the contact, where the damping takes next to nothing. */
+/* Returns eps^2 at the surface; it is not positive if the bodies stay together. y becomes the state where the contact
+ * ends. The flight that follows loses its initial elastic energy. A second turning point has two causes. Either the
+ * damping took all energy, or the force is large, the damping takes almost nothing, and rounding hides the end of
+ * contact. */
 static long double surface_by_loss(long double y[4], const struct pressed_law *p)
 {
     const long double a = ratio_double(law_elastic(&p->law)), size = powl(fmaxl(1, p->force), 1 / a);
@@ -491,7 +492,7 @@ static long double surface_by_loss(long double y[4], const struct pressed_law *p
     return rest;
 }
 
-/* Laws with a - b from -1 to 3, forces up to 1e12, and energies of which the damping takes up to all */
+/* Laws with a - b from -1 to 3, forces up to 1e12, and damping that takes up to all of the energy */
 TEST(test_surface)
 {
     LOCAL(collision, c);
@@ -511,7 +512,7 @@ TEST(test_surface)
         p.beta = middle(beta);
         const long double rest = surface_by_loss(y, &p);
         if (fabsl(rest) < 1e-3L)
-            continue; /* too near to the threshold */
+            continue; /* too close to the threshold */
         assert_int_equal(collision_solve_pressed(c, beta, force, &p.law, i % 3 ? 1 : -1, 60), 0);
         const double eps = middle(c->eps_zero_force);
         check(rest < 0 ? eps == 0 : fabsl(eps * (long double)eps - rest) < 1e-7L,
@@ -523,8 +524,8 @@ TEST(test_surface)
     }
 }
 
-/* The ends of an enclosure of the force from which on the bodies stay together: at the lower one they part, at the
- * upper one they do not. B of beta = 6 lies next to the damping from which on motions escape. */
+/* The enclosure of the least force at which the bodies stay together. They part at its lower end and not at its upper
+ * end. B of beta = 6 is next to the damping above which motions escape. */
 TEST(test_sticking_force)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"},   {"3/2", "0"}, {"2", "1"},
@@ -545,7 +546,7 @@ TEST(test_sticking_force)
             assert_true(above ? arb_is_zero(c->field[at]) : arb_is_positive(c->field[at]));
         }
     }
-    /* an elastic force of 1 at every overlap: no other force balances it, and the speed says nothing */
+    /* the elastic force is 1 at every overlap: no other force balances it, and the speed has no effect */
     const struct cor_exponents constant = law_of("0", "1");
     assert_int_equal(collision_sticking_force(force, beta, &constant, 0, 30), 0);
     assert_true(arb_is_one(force));
@@ -562,7 +563,7 @@ TEST(test_sticking_force)
 
 /* ---- hard cases ---- */
 
-/* zeta = 1 and one unit to each side, and far beyond; beta so small that only 1 - eps says something. */
+/* zeta = 1, one unit to each side, and values up to extremes. For tiny beta only 1 - eps carries information. */
 TEST(test_critical)
 {
     const struct cor_exponents law = law_of("1", "0");
@@ -590,7 +591,7 @@ TEST(test_critical)
     assert_digits(x, "1.570796326795"); /* pi zeta = pi beta/2 */
 }
 
-/* One end alone is what both together give, and a turning point in the same step as the end is found. */
+/* Each end, solved separately, agrees with the solution for both. The end is found with a turning point in its step. */
 TEST(test_one_end)
 {
     static const char *const cases[][3] = {
@@ -611,7 +612,7 @@ TEST(test_one_end)
             assert_bits(one->field[end ? 1 : 2], 70);
         }
     }
-    static const double refused[] = {-1, INFINITY, NAN, 0}; /* beta = 0 has no force to vanish */
+    static const double refused[] = {-1, INFINITY, NAN, 0}; /* beta = 0 has no force that vanishes */
     for (int i = 0; i < 4; i++) {
         arb_set_d(beta, refused[i]);
         assert_int_equal(collision_solve(both, beta, &law_sphere, 60), i < 3);
@@ -621,8 +622,8 @@ TEST(test_one_end)
     }
 }
 
-/* Between the methods: too early for the slow manifold at so many bits. It was tried for ever. The alarm ends the
- * test, and the answer is that of the loading and of h*^5 beta^-5. */
+/* Between the methods: beta is too small for the slow manifold at this precision, which the solver once retried
+ * forever. The alarm ends the test then. The result must agree with the loading and with h*^5 beta^-5. */
 TEST(test_between_methods)
 {
     LOCAL(collision, c, loading);
@@ -653,7 +654,7 @@ TEST(test_edges)
     arb_mul_2exp_si(t0, t0, 1);
     assert_overlap(c->t_zero_overlap, t0, "duration", 0);
     assert_overlap(c->t_zero_force, t0, "duration", 1);
-    /* Next to beta = 1, where the scales change. */
+    /* next to beta = 1, where the scales change */
     for (int side = -1; side <= 1; side++) {
         LET(x, PREC, "1 + side/2^60", side);
         assert_int_equal(collision_solve(c, x, &law_sphere, 100), 0);

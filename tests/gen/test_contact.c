@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* cor/scene.h and gen/contact against an integration of the force in SI units, against textbook formulas, every way to
- * give the dissipation there and back, and every number of corgen contact --for put through the conversion
- * of its simulator. */
+/* cor/scene.h and gen/contact against an integration of the force in SI units and against textbook formulas. Every way
+ * to specify the dissipation, converted there and back. Every number of corgen contact --for, put through the
+ * conversion of its simulator. */
 #include "../reference/ode.h"
 #include "ball.h"
 #include "scene.h"
@@ -16,9 +16,9 @@
 
 struct law_of_force {
     double mass, speed;
-    double unit; /* of time; that of length is speed unit */
+    double unit; /* unit of time; the unit of length is speed * unit */
     double a, b;
-    long double elastic, damping; /* the forces at a unit of length, and there at a speed of 1 m/s */
+    long double elastic, damping; /* elastic force at a unit of length; damping force there at 1 m/s */
 };
 
 enum { ROOT = 4 /* exponents are quarters: x = w^4 units of length */ };
@@ -39,7 +39,7 @@ static long double force_of(long double w, long double v, const void *of)
            f->unit / (f->mass * f->speed);
 }
 
-/* Without the end at zero overlap, which strong damping makes late, the motion ends at zero force. */
+/* Integrates an impact; without zero_overlap only up to zero force, because strong damping makes zero overlap late. */
 static struct cor_scene_impact integrate(const struct law_of_force *f, bool zero_overlap)
 {
     const struct motion m = {.d = ROOT, .force = force_of, .of = f, .at_zero_force = !zero_overlap};
@@ -51,8 +51,8 @@ static struct cor_scene_impact integrate(const struct law_of_force *f, bool zero
     };
 }
 
-/* An impact whose zero fields, and ends that the integration does not reach, are not compared. The largest force is
- * that of an enclosed collision. */
+/* Compares an impact with the integration, and the largest force with an enclosed collision. Skips fields that are zero
+ * and ends that the integration does not reach. */
 static void against_integration(const struct cor_scene_impact *got, double force,
                                 const struct cor_scene_contact *contact, double speed, double peak_error,
                                 double end_error)
@@ -99,8 +99,8 @@ TEST(impacts_against_integration)
     }
 }
 
-/* docs/data/reference_collisions.csv, whose digits corgen collide proved: the functions of cor/scene.h and the
- * integration give them, too. */
+/* The digits of docs/data/reference_collisions.csv were proved by corgen collide. The functions of cor/scene.h and the
+ * integration must agree with them. */
 TEST(reference_collisions)
 {
     enum { ROWS = 200, NUMBERS = 9, RESULTS = 4 };
@@ -138,7 +138,7 @@ TEST(reference_collisions)
         check_near(got.max_overlap_m, r[2], COR_SCENE_MAX_ERROR);
         check_near(cor_scene_force_max_n(&contact, n[8]), r[3], COR_SCENE_MAX_ERROR);
         if (in_turn(rows, 10))
-            /* where the damping is weak the force falls late */
+            /* with weak damping the force vanishes late */
             against_integration(&proved, r[3], &contact, n[8], COR_SCENE_MAX_ERROR, 1e-5);
     }
     assert_int_equal(rows, ROWS);
@@ -148,7 +148,7 @@ TEST(reference_collisions)
 /* ---- ways to give a contact ---- */
 
 struct given {
-    int number; /* COR_SCENE_NUMBERS: no more */
+    int number; /* COR_SCENE_NUMBERS ends the list */
     double value;
 };
 #define GIVEN(...) ((const struct given[]){__VA_ARGS__, {COR_SCENE_NUMBERS, 0}})
@@ -156,7 +156,7 @@ struct given {
     GIVEN({COR_SCENE_YOUNG, 7e10}, {COR_SCENE_POISSON, 0.2}, {COR_SCENE_RADIUS, 5e-3}, {COR_SCENE_DENSITY, 2500})
 #define SPRING GIVEN({COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 1e-3})
 
-/* The contacts of a scene with the numbers of two lists */
+/* Returns the contacts of a scene with the numbers of two lists. */
 static struct contacts contacts_of(int law, int end, const struct given *bodies, const struct given *given)
 {
     struct cor_scene_fault fault;
@@ -172,7 +172,7 @@ static struct contacts contacts_of(int law, int end, const struct given *bodies,
     return c;
 }
 
-/* A collision with K and C lasts for some time; from eps and this time the scene finds K and C again. */
+/* A collision with K and C has some duration. From eps and this duration the scene must recover K and C. */
 TEST(stiffness_from_a_duration)
 {
     static const struct cor_exponents laws[] = {{3, 1, 2}, {1, 0, 1}, {6, 1, 4}, {3, 3, 2}, {3, 0, 2},
@@ -203,7 +203,7 @@ TEST(stiffness_from_a_duration)
             check_near(cor_scene_damping(&got[0], COR_SCENE_DAMPING_COEFFICIENT),
                        cor_scene_damping(&want, COR_SCENE_DAMPING_COEFFICIENT), 1e-11);
         }
-    /* without damping, and without --end: a contact for each end, which lasts as long at its own */
+    /* without damping and without --end: a contact for each end, both with the same duration at their own end */
     const double a = 1.5, elastic = cor_hunt_crossley_duration(0, a);
     const struct contacts tsuji =
         contacts_of(COR_LAW_TSUJI, COR_BOTH_ENDS, GIVEN({COR_SCENE_EFFECTIVE_MASS, 2e-3}, {COR_SCENE_DURATION, 1e-3}),
@@ -222,7 +222,7 @@ TEST(other_laws)
     check_near(scene_impact(&linear, 2).duration_s[0], pi / sqrt(1 - zeta * zeta) * sqrt(1e-3 / 1e5), 1e-14);
     assert_true(isnan(cor_scene_damping(&linear, COR_SCENE_G_STAR)) &&
                 isnan(cor_scene_damping(&linear, COR_SCENE_DISSIPATION_TIME)));
-    /* Zener's plate: A = m/(8 sqrt(B rho h)), the force is K x^(3/2) alone, and there is one end */
+    /* Zener's plate: A = m/(8 sqrt(B rho h)), the force is K x^(3/2), and there is one end */
     const struct cor_scene_contact plate =
         contacts_of(COR_LAW_PLATE, COR_BOTH_ENDS, GLASS,
                     GIVEN({COR_SCENE_PLATE_THICKNESS, 2e-3}, {COR_SCENE_DENSITY_2, 2700}))
@@ -232,7 +232,7 @@ TEST(other_laws)
     const struct cor_scene_impact impact = scene_impact(&plate, 1);
     assert_true(isnan(impact.eps[COR_END_ZERO_FORCE]) && isnan(impact.duration_s[COR_END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
-    /* the inverse where only collisions are enclosed, and no solver */
+    /* the inverse, for a law of which only enclosed collisions are known; then without a solver */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE), 0);
     check_near(scene_eps(&power, 0.5, COR_END_ZERO_FORCE), 0.3, 1e-14);
@@ -243,9 +243,9 @@ TEST(other_laws)
                      COR_FAULT_SOLVER);
 }
 
-/* ---- a constant force: collisions enclosed, against the integration in doubles ---- */
+/* ---- a constant force: enclosed collisions against the integration in doubles ---- */
 
-static int stuck, held, parted; /* bodies that stay together at each end; that part at both */
+static int stuck, held, parted; /* counts: bodies that stay together at zero overlap, at zero force; that part */
 
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {
@@ -281,7 +281,7 @@ static void check_pressed(const struct cor_exponents *exponents, double damping,
     parted += !isinf(time[0]);
 }
 
-/* In units in which the force is 1 */
+/* Checks the sticking speed in units in which the force is 1. */
 static void check_sticking_speed(const struct cor_exponents *exponents, double damping)
 {
     const struct cor_exponents law = *exponents;
@@ -311,7 +311,7 @@ TEST(collisions_under_a_constant_force)
                     check_pressed(&laws[l], *damping, *force, 1);
             }
         }
-        /* large forces, next to the sticking speed and beyond it */
+        /* large forces, near the sticking speed and beyond it */
         for (size_t i = 0; i < draws; i++) {
             const double speed = pow(random_log(&draw, 1, 1e12), -a1 / (2 * a1 - 2));
             check_pressed(&laws[l], i > 0 ? speed * speed * random_log(&draw, 1e-3, 0.5) : 0, 1, speed);
@@ -322,8 +322,8 @@ TEST(collisions_under_a_constant_force)
     check(stuck >= held && held > 5 && parted > 20, "%d %d %d", stuck, held, parted);
 }
 
-/* On both sides of the threshold, an ulp of 60 bits away, the enclosed collisions differ; the backward integration in
- * doubles finds it, too. */
+/* The enclosed collisions at (1 - 2^-60) and (1 + 2^-60) times the threshold differ. The backward integration in
+ * doubles finds the same threshold. */
 TEST(thresholds_of_a_constant_force)
 {
     leave_to_turn(1, 3);
@@ -351,7 +351,7 @@ TEST(thresholds_of_a_constant_force)
             }
 }
 
-/* The time step is the least duration of all impacts over their number of steps, in whatever order they come. */
+/* The time step is the least of duration / number of steps over all impacts, in any order of the speeds. */
 TEST(the_time_step_is_for_all_speeds)
 {
     enum { SPEEDS = 5, STEP_COLUMN = 8 };
@@ -362,7 +362,7 @@ TEST(the_time_step_is_for_all_speeds)
         double speed[SPEEDS], least = INFINITY;
         for (int i = 0; i < SPEEDS; i++)
             speed[i] = random_log(&draw, 1e-3, 10);
-        speed[2] = 20; /* of the shortest contacts, neither first nor last */
+        speed[2] = 20; /* the shortest contacts, neither first nor last */
         for (int i = 0; i < SPEEDS * ends; i++) {
             const struct cor_scene_impact impact = scene_impact(&contacts.contact[i / SPEEDS], speed[i % SPEEDS]);
             for (int end = 0; end < COR_SCENE_ENDS; end++)
@@ -377,7 +377,7 @@ TEST(the_time_step_is_for_all_speeds)
     }
 }
 
-/* The step for a tolerance is the largest step in three digits, and never beyond it: for all speeds and ends. */
+/* The step for a tolerance is the largest allowed step, rounded down to three digits, for all speeds and ends. */
 TEST(the_step_for_a_tolerance_is_rounded_down)
 {
     enum { TRIES = 6, SPEEDS = 2, STEP_COLUMN = 8 };
@@ -402,7 +402,7 @@ TEST(the_step_for_a_tolerance_is_rounded_down)
     }
 }
 
-/* ---- --for: the numbers in the lines, put through the simulator's own conversion ---- */
+/* ---- --for: the numbers in the lines, put through the conversion of the simulator ---- */
 
 #define REQUEST(NAME, CONTACTS, SPEED_M_S)                                                                             \
     (&(const struct cor_simulator_request){.simulator = (NAME),                                                        \
@@ -412,7 +412,7 @@ TEST(the_step_for_a_tolerance_is_rounded_down)
                                            .speed_m_s = (SPEED_M_S),                                                   \
                                            .speeds = 1})
 
-/* Counts the models whose lines in the text have their number, and checks that this number gives eps. */
+/* Counts the models whose lines contain their number, and checks that this number gives eps. */
 static size_t host_realises(const char *host, int law, const struct given *bodies, const struct given *given)
 {
     const struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);
@@ -447,7 +447,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
     return found;
 }
 
-/* Every host of the list has lines, a version and a comment. */
+/* Every simulator of the list has lines, a version and a comment. */
 TEST(hosts_realise_what_is_wished)
 {
     static const struct {
@@ -478,7 +478,7 @@ TEST(hosts_realise_what_is_wished)
     assert_int_equal(COUNT_OF(row), hosts);
     assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, GLASS, measured), 1);
     assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, GLASS, measured), 2);
-    assert_null(cor_simulator_named("kratos")); /* in the table, without lines */
+    assert_null(cor_simulator_named("kratos")); /* in the table, but without lines */
 }
 
 static double number_after(const char *text, const char *name, double otherwise)
@@ -487,8 +487,8 @@ static double number_after(const char *text, const char *name, double otherwise)
     return at ? strtod(at + strlen(name), NULL) : otherwise;
 }
 
-/* The lines for Chrono's Hertz contact, put through ChContactSMC's force: kn R sqrt(x) x + gn m R sqrt(x) x', never
- * attractive. Type::BULLET takes the default for R, 0.1 m unless set; Type::MULTICORE computes R1 R2/(R1 + R2). */
+/* The lines for Chrono's Hertz contact, put through the force of ChContactSMC: kn R sqrt(x) x + gn m R sqrt(x) x',
+ * never attractive. Type::BULLET uses the default for R, 0.1 m unless set. Type::MULTICORE computes R1 R2/(R1 + R2). */
 TEST(chrono_finds_the_radius)
 {
     for (int i = 0; i < 8; i++) {

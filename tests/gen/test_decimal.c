@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Numbers as text: which texts are numbers, their exact values and nearest doubles, limits, and the shortest text. */
-#include "support/console.h" /* before cmocka, which has a macro fail */
+#include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include <float.h>
 
@@ -35,7 +35,7 @@ TEST(test_values)
     assert_value("0000000001e000003", "1000");
 }
 
-/* Every way in which a text can fail to be a number, and the longest exponent with one digit more. */
+/* Every way in which a text can fail to be a number; at the end, one digit more than the longest exponent. */
 TEST(test_no_numbers)
 {
     static const char *const wrong[] = {
@@ -58,15 +58,15 @@ TEST(test_no_numbers)
     decimal_clear(&x);
 }
 
-/* strtod of glibc rounds correctly, subnormal numbers included; so must we. */
+/* glibc's strtod rounds correctly, also to subnormal numbers. decimal_nearest must agree with it. */
 TEST(test_nearest)
 {
     static const char *const special[] = {
         "0",
         "5e-324",
         "2.47e-324",
-        "2.4703282292062327208e-324", /* below half of the least double */
-        "2.4703282292062327209e-324", /* above */
+        "2.4703282292062327208e-324", /* just below half of the least double */
+        "2.4703282292062327209e-324", /* just above */
         "2.2250738585072011e-308",
         "2.2250738585072014e-308",
         "1.7976931348623157e308",
@@ -91,7 +91,7 @@ TEST(test_nearest)
         check(decimal_value(&x) == strtod(text, NULL), "%s: %a", text, decimal_value(&x));
         decimal_clear(&x);
     }
-    /* the tie below the least subnormal double goes to 0, what is above it does not */
+    /* half of the least subnormal double is a tie, which rounds to 0; anything above it does not */
     LOCAL(fmpq, tie);
     fmpz_one(fmpq_numref(tie));
     fmpz_one_2exp(fmpq_denref(tie), 1075);
@@ -126,7 +126,7 @@ TEST(test_ranges)
     assert_false(inside(&range, "0") || inside(&range, "1e-400") || inside(&range, "1e309"));
 }
 
-/* The shortest text of a double is read back as it. */
+/* The shortest text of a double reads back as that double. */
 TEST(test_texts)
 {
     char text[DECIMAL_TEXT];

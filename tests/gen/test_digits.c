@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Digits are printed only if the ball proves them, and then correctly rounded. */
+/* Digits are printed only if the ball proves them, and are then correctly rounded. */
 #include "check.h"
 
 #include "support/digits.h"
@@ -28,7 +28,7 @@ TEST(test_spelling)
         {"0", "0", 50},
         {"0.125", "0.12", 2}, /* exact ties: half to even, as everywhere in IEEE arithmetic */
         {"0.375", "0.38", 2},
-        {"1 +/- 1e-30", "1.0000000000000000000", 20}, /* no tie: the width does no harm, below a power of ten either */
+        {"1 +/- 1e-30", "1.0000000000000000000", 20}, /* no tie: the width is harmless, also below a power of ten */
     };
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
@@ -40,14 +40,14 @@ TEST(test_spelling)
     }
 }
 
-/* Balls that are too wide for so many digits, or beyond what MPFR holds, have no digits, and with 16 no double. */
+/* Balls too wide for the digits, or beyond the range of MPFR, have no digits; with 16 digits, no double. */
 TEST(test_undecided)
 {
     static const struct {
         const char *value;
         slong digits;
     } undecided[] = {{"1.05 +/- 0.001", 2}, {"0.15 +/- 1e-50", 1}, {"1 +/- 2", 1},
-                     {"0.55 +/- 0.45", 1}, /* 0.1, 1 */
+                     {"0.55 +/- 0.45", 1}, /* from 0.1 to 1 */
                      {"0 +/- 1e-100", 16},  {"1 +/- 1.2e-16", 16}, {"0 +/- 1e-400", 16}};
     LOCAL(arb, x);
     double y = 7;
@@ -61,10 +61,10 @@ TEST(test_undecided)
         arb_set_si(x, 3);
         arb_mul_2exp_si(x, x, sign * (WORD(1) << 40));
         assert_null(digits_of_ball(x, 10));
-        assert_true(digits_to_double(&y, x) == (sign < 0)); /* that is nearest to 0 */
+        assert_true(digits_to_double(&y, x) == (sign < 0)); /* the neighbour nearest to 0 */
         y = 7;
     }
-    arb_set_str(x, "1e400", 100); /* has digits */
+    arb_set_str(x, "1e400", 100); /* it has digits */
     assert_false(digits_to_double(&y, x));
     arb_indeterminate(x);
     assert_null(digits_of_ball(x, 3));
@@ -76,21 +76,21 @@ TEST(test_undecided)
     assert_true(digits_to_double(&y, x) && y == 0);
 }
 
-/* Nearest doubles of centre + sign 2^power, subnormal ones too, with a radius of 2^(power - 10) and without one */
+/* Nearest doubles of centre + sign 2^power, also subnormal ones, with a radius of 2^(power - 10) and without one */
 TEST(test_doubles)
 {
     const double ulp = DBL_EPSILON;
     const struct {
         double centre;
         slong power, sign;
-    } cases[] = {{1, -60, 0} /* of few bits: its ends need more */,
+    } cases[] = {{1, -60, 0} /* few bits, but its ends need more */,
                  {1, -200, 1},
                  {1 - ulp / 2, -200, -1},
                  {1, -54, 1},
                  {1 + ulp, -54, -1},
                  {0x1p-1074, -1080, 1},
                  {0x1.8p-1073, -1100, 1},
-                 {0x1p-1022, -1076, -1}, /* from below, a quarter of the subnormals' ulp */
+                 {0x1p-1022, -1076, -1}, /* from below, a quarter of the subnormal ulp */
                  {DBL_MAX, 960, 1}};
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of collisions with a rigid wall, written again, and some of them once more. */
-#include "tables/limits.c" /* its cells; before cmocka.h makes a macro of fail */
+/* Writes the table of collisions with a rigid wall again, and computes some of the collisions again. */
+#include "tables/limits.c" /* its cells; before cmocka.h, which defines a macro fail */
 
 #include "check.h"
 
 enum { PIECES = sizeof cor_disk_limit_piece / sizeof *cor_disk_limit_piece, MOST_BYTES = 1 << 22 };
 
-/* The table in memory, written: the bytes of the file, of which corgen keeps the collisions, not the pieces. */
+/* The table in memory is written as the bytes of the file. corgen stores the collisions, not the pieces. */
 TEST(test_file)
 {
     static char text[MOST_BYTES];
@@ -25,7 +25,7 @@ TEST(test_file)
     free(written);
 }
 
-/* A sample tells numbers of a collision from others, 1e-6 apart in 1 - eps^2. */
+/* A sample of collisions accepts the stored table and detects a change of 1e-6 in 1 - eps^2. */
 TEST(test_samples)
 {
     leave_to_turn(1, 2);
@@ -39,8 +39,8 @@ TEST(test_samples)
     assert_int_equal(disk_limits_check_sample(1), 1);
 }
 
-/* The uncertainty of a cell whose 16 values are those of a polynomial of degree 3, and one or none of the 9 collisions
- * between them is off by 200 units: 1.5 times 200 and the largest estimate, as a root of squares, and 1. */
+/* The 16 values of the cell come from a polynomial of degree 3. At most one of the 9 collisions between them is off, by
+ * 200 units. Uncertainty: 1.5 times 200, combined with the largest estimate as a root of squares, plus 1. */
 TEST(test_uncertainty)
 {
     struct cell cell = {.x = ROOT_SIDE, .nu = 2 * ROOT_SIDE, .depth = 1};

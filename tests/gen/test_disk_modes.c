@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Free modes of the disk and every mode of generated/disk_modes_*.h: the count against a Rayleigh-Ritz
- * discretisation, the printed equation (25) and the integrals of (26) with Bessel functions of Arb, and the corners of
- * nu. */
+/* Free modes of the disk, and every mode of generated/disk_modes_*.h. The count is compared with a Rayleigh-Ritz
+ * discretisation. The modes must satisfy the printed equation (25) and the integrals of (26) with Bessel functions of
+ * Arb, also at extreme nu. */
 #include "ball.h"
 
 #include "cor/disk.h"
@@ -29,7 +29,7 @@ static void modes_solve(struct disk_modes *modes, const char *text, slong count,
     assert_int_equal(modes->count, count);
 }
 
-/* ---- one mode by the count alone ---- */
+/* ---- one mode, by the count only ---- */
 
 static void assert_same_mode(const struct disk_mode *a, const struct disk_mode *b)
 {
@@ -40,7 +40,7 @@ static void assert_same_mode(const struct disk_mode *a, const struct disk_mode *
     assert_overlap(a->s, b->s, "S of n", a->n);
 }
 
-/* Two roots of n = 1 with a relative gap of 4.2e-4: both, and nothing between or beside them that is missing. */
+/* Two roots of n = 1 with a relative gap of 4.2e-4: both are found, and none is missing between or next to them. */
 TEST(test_near_pair)
 {
     LOCAL(fmpq, nu);
@@ -57,13 +57,13 @@ TEST(test_near_pair)
         arb_sqr(w, w, 200);
         assert_int_equal(disk_count(&disk, 1, w), 50 + (i + 1) / 2);
     }
-    /* From the other root Newton's method leads to that one, and a bracket wide enough for both proves neither. */
+    /* From one root Newton's method leads to the other, and a bracket wide enough for both proves neither. */
     assert_int_equal(disk_mode_solve(low, nu, 1, 50, second, 4), 0);
     assert_int_equal(disk_mode_solve(high, nu, 1, 51, first, 4), 0);
     assert_true(arb_lt(low->omega, high->omega));
 }
 
-/* (3,0) and (2,1) are the fourth and the fifth mode, and at this nu so close that few bits do not part them. */
+/* (3,0) and (2,1) are modes number four and five, and at this nu so close that a few bits cannot separate them. */
 TEST(test_crossing)
 {
     LOCAL(disk_modes, modes);
@@ -75,9 +75,9 @@ TEST(test_crossing)
 
 /* ---- Rayleigh-Ritz ---- */
 
-/* Negative eigenvalues of K - w M in the fields (u_r, u_phi) = r^p (1, sigma), all that are polynomials in x and y of
- * that n up to a degree; by LDL^T. No more than there are modes below omega, the rigid ones included, and as many if
- * the degree is high enough. */
+/* Counts the negative eigenvalues of K - w M by LDL^T. The fields are (u_r, u_phi) = r^p (1, sigma): all with this n
+ * that are polynomials in x and y up to a degree. The count never exceeds the number of modes below omega, rigid ones
+ * included. It equals that number if the degree is high enough. */
 enum { RITZ_MAX = 64 };
 static const slong RITZ_PREC = 500;
 
@@ -146,7 +146,7 @@ TEST(test_ritz)
         for (size_t k = 0; k < COUNT_OF(orders); k++) {
             const slong n = orders[k];
             for (int point = 0; point < POINTS; point++) {
-                /* kappa' up to n + 12: the degree is enough for every mode there */
+                /* kappa' up to n + 12: the degree is high enough for all modes there */
                 const double omega = random_uniform(&draw, 0.1, 1) * ((double)n + 12) / sqrt(2 * disk.e_double);
                 LET(w, RITZ_PREC, "omega^2", omega);
                 const slong ritz = ritz_count(nu, n, w, PAIRS), count = disk_count(&disk, n, w);
@@ -155,7 +155,7 @@ TEST(test_ritz)
                 assert_true(ritz_count(nu, n, w, 3) <= ritz);
             }
         }
-        /* frequencies: Ritz finds a root from above, and close */
+        /* frequencies: Ritz approximates a root from above, closely */
         LOCAL(disk_mode, mode);
         for (slong n = 0; n <= 3; n++)
             for (slong l = 0; l <= 2; l++) {
@@ -169,9 +169,9 @@ TEST(test_ritz)
     }
 }
 
-/* ---- (25) as printed, with Bessel functions of Arb; the generator has ratios of neighbouring orders ---- */
+/* ---- (25) as printed, with Bessel functions of Arb; the generator uses ratios of neighbouring orders ---- */
 
-/* J_n-2 .. J_n+2 at a place z, [2] being J_n, and d = z J_n'(z). */
+/* J_n-2 .. J_n+2 at z, where j[2] is J_n, and d = z J_n'(z). */
 struct bessel {
     arb_t z, d, j[5];
 };
@@ -187,8 +187,8 @@ static void bessel_clear(struct bessel *b)
 }
 LOCAL_STRUCT(bessel)
 
-/* With the bits that the series loses at large z. Where J_n is small, below n, the series of a ball are as narrow as
- * the ball; beyond, they are exp(z) wider, but no J_n is steeper than 1. */
+/* Adds the bits that the series loses at large z. Where J_n is small, below n, the series of a ball is as narrow as the
+ * ball. Beyond, it is exp(z) wider, although no J_n is steeper than 1. */
 static void bessel_j(arb_t j, slong n, const arb_t z, slong prec)
 {
     LOCAL(arb, order, middle);
@@ -200,7 +200,7 @@ static void bessel_j(arb_t j, slong n, const arb_t z, slong prec)
         arb_add_error_mag(j, arb_radref(z));
 }
 
-/* J_m-1 = (2m/z) J_m - J_m+1, and (24) */
+/* Sets j and d from J_m-1 = (2m/z) J_m - J_m+1, and (24). */
 static void bessel_set(struct bessel *b, slong n, slong prec)
 {
     bessel_j(b->j[2], n, b->z, prec);
@@ -211,7 +211,7 @@ static void bessel_set(struct bessel *b, slong n, slong prec)
     LET(b->d, prec, "b->z*b->j[1] - n*b->j[2]", b->z, b->j[1], n, b->j[2]);
 }
 
-/* The left side of (25), of (20) for n = 0; fills k = kappa, k1 = kappa'. */
+/* Computes the left side of (25), or of (20) for n = 0. Fills k at kappa and k1 at kappa'. */
 static void equation(arb_t f, struct bessel *k, struct bessel *k1, const fmpq_t nu, slong n, const arb_t omega,
                      slong prec)
 {
@@ -233,7 +233,7 @@ static void equation(arb_t f, struct bessel *k, struct bessel *k1, const fmpq_t 
         y1, kk, J, J1);
 }
 
-/* (25) vanishes at omega: it changes sign within the relative distance 2^-bits. */
+/* Fails unless the left side of (25) changes its sign within the relative distance 2^-bits of omega. */
 static void assert_root(const struct disk_mode *mode, const fmpq_t nu, slong bits, slong prec)
 {
     LOCAL(bessel, k, k1);
@@ -249,7 +249,7 @@ static void assert_root(const struct disk_mode *mode, const fmpq_t nu, slong bit
 
 /* ---- C and S: (22) or (23) for the ratio of the amplitudes, Lommel's integrals of (26) ---- */
 
-/* int_0^1 r J(a r) J(b r) dr, both of the order of j[o]: Lommel. */
+/* Computes int_0^1 r J(a r) J(b r) dr by Lommel's formula; both functions have the order of j[o]. */
 static void lommel(arb_t x, const struct bessel *a, const struct bessel *b, int o, slong prec)
 {
     const arb_srcptr low = a->j[o - 1], own = a->j[o], high = a->j[o + 1], other = b->j[o], other_low = b->j[o - 1];
@@ -259,7 +259,7 @@ static void lommel(arb_t x, const struct bessel *a, const struct bessel *b, int 
         LET(x, prec, "(b->z*other_low*own - a->z*low*other)/(a->z^2 - b->z^2)", b->z, other_low, own, a->z, low, other);
 }
 
-/* A and B of (22) or (23), whichever determines them better. */
+/* Computes A and B from (22) or (23), whichever determines them better. */
 static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct bessel *k1, const fmpq_t nu, slong n,
                        slong prec)
 {
@@ -278,7 +278,7 @@ static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct be
     }
 }
 
-/* C and S at a frequency, C > 0: the sign is a convention. Without B, of n = 0, k1 has none of its numbers but z. */
+/* Computes C and S at a frequency, with C > 0 by convention. For n = 0 there is no B, and only z of k1 is set. */
 static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb_t omega, slong prec)
 {
     LOCAL(bessel, k, k1);
@@ -291,8 +291,8 @@ static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb
         arb_one(a);
     LET(c, prec, "a*k->d + n*b*k1->j[2]", a, k->d, n, b, k1->j[2]); /* (19) at r = 1 */
     LET(s, prec, "-(b*k1->d + n*a*k->j[2])", b, k1->d, n, a, k->j[2]);
-    /* u_r - u_phi = A kappa J_n-1(kappa r) + B kappa' J_n-1(kappa' r), and -A, B with J_n+1 for the sum: the integral
-     * is half that of both squares */
+    /* u_r - u_phi = A kappa J_n-1(kappa r) + B kappa' J_n-1(kappa' r); the sum has -A, B and J_n+1. The integral is
+     * half the sum of both squares. */
     LET(a, prec, "a*k->z", a, k->z);
     LET(b, prec, "b*k1->z", b, k1->z);
     for (int o = 1; o <= 3; o += 2) {
@@ -310,7 +310,7 @@ static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb
     arb_div(s, s, norm, prec);
 }
 
-/* A mode has a root of (25), and C and S of (22), (23) and (26). */
+/* Fails unless the mode has a root of (25), and C and S of (22), (23) and (26). */
 static void assert_mode(const struct disk_mode *mode, const fmpq_t nu)
 {
     LOCAL(arb, c, s);
@@ -348,7 +348,7 @@ TEST(test_printed_equation)
     }
 }
 
-/* ---- the tables of the library: each double is the nearest to the exact number, and none is missing ---- */
+/* ---- the tables of the library: each double is nearest to the exact number, and no mode is missing ---- */
 
 enum { PREC = 320, ROOT_BITS = 180, ROOT_DIGITS = 56, ORDERS = 320 /* above every n of the tables */ };
 
@@ -357,7 +357,7 @@ static const struct {
     const char *nu;
 } table[] = {{COR_DISK_MODES_NU033, "33/100"}, {COR_DISK_MODES_NU090, "9/10"}};
 
-/* Half way to the double next to x, exactly. */
+/* Computes the exact midpoint of x and the next double. */
 static void half_way(arb_t y, double x, double towards)
 {
     const double next = nextafter(x, towards);
@@ -375,7 +375,7 @@ static void assert_nearest(double x, const arb_t exact, const char *what, const 
     }
 }
 
-/* The generator tells where to look for the root; (25) changes its sign there. */
+/* Checks a mode of a table: (25) must change its sign at the root that the generator found. */
 static void check_mode(const fmpq_t nu, const struct cor_disk_mode *mode, const struct disk_mode *found)
 {
     LOCAL(arb, omega, c, s);
@@ -406,7 +406,7 @@ TEST(every_mode)
     }
 }
 
-/* Number of modes below omega, the translation not counted, by the count that test_ritz knows */
+/* Counts the modes below omega, without the translation, with the count that test_ritz has checked. */
 static slong count_below(const fmpq_t nu, double omega)
 {
     LOCAL(arb, w);
@@ -443,8 +443,8 @@ TEST(none_is_missing)
     }
 }
 
-/* All modes of a material that has no table, against those in double arithmetic, whose sums unit.disk_mode_source knows
- */
+/* All modes of a material without a table, against the modes in double arithmetic; unit.disk_mode_source checks their
+ * sums */
 TEST(test_against_doubles)
 {
     leave_to_turn(1, 3);
@@ -465,7 +465,7 @@ TEST(test_against_doubles)
     }
 }
 
-/* ---- the corners ---- */
+/* ---- extreme nu ---- */
 
 static void near_end(fmpq_t nu, int side, ulong digits)
 {
@@ -487,8 +487,8 @@ TEST(test_corners_of_nu)
     LOCAL(disk_modes, modes, other);
     static const ulong margins[] = {6, 30, 99};
     for (size_t i = 0; i < COUNT_OF(margins); i++) {
-        /* nu -> -1: conformal maps z^(n+1), which cost compression alone: omega^2 = (n+1)(n+2)/2, C = S = sqrt(n+2);
-         * the breathing mode has omega = C = sqrt(2) */
+        /* nu -> -1: conformal maps z^(n+1), whose only energy is compression: omega^2 = (n+1)(n+2)/2, C = S =
+         * sqrt(n+2). The breathing mode has omega = C = sqrt(2). */
         near_end(nu, -1, margins[i]);
         assert_int_equal(disk_modes_solve(modes, nu, 300, 20), 0);
         for (slong n = 0; n < modes->count && margins[i] > 14; n++) {
@@ -508,7 +508,7 @@ TEST(test_corners_of_nu)
         for (slong k = 0; k < other->count; k += 59)
             assert_root(&other->mode[k], nu, 50, 1500);
     }
-    /* the waves beyond the conformal maps, omega of order 1/sqrt(1 + nu) */
+    /* the modes after the conformal maps, with omega of order 1/sqrt(1 + nu) */
     LOCAL(disk_mode, mode);
     near_end(nu, -1, 30);
     for (slong n = 0; n <= 3; n++) {
@@ -518,7 +518,7 @@ TEST(test_corners_of_nu)
     }
 }
 
-/* No mode of any n >= cor_mode_orders(omega) is below omega, and not many n are looked at in vain. */
+/* No mode of any n >= cor_mode_orders(omega) is below omega, and few n below that bound have no mode. */
 TEST(test_orders)
 {
     static const char *const materials[] = {"99/100", "33/100", "0", "-9/10", "-999999/1000000"};
@@ -538,7 +538,7 @@ TEST(test_orders)
     }
 }
 
-/* The same numbers to the bit from any number of threads, and the same modes in more digits. */
+/* Any number of threads gives the same bits. More digits give the same modes. */
 TEST(test_threads_and_digits)
 {
     LOCAL(disk_modes, modes, other);
@@ -562,7 +562,7 @@ TEST(test_threads_and_digits)
             assert_bits(other->mode[k].c, digits[i] * 3);
         }
     }
-    /* the lowest are the lowest, however many are asked for */
+    /* the lowest modes do not depend on the requested count */
     for (slong count = 1; count < modes->count; count += count / 8 + 1) {
         modes_solve(other, "1/3", count, 20);
         for (slong k = 0; k < count; k++)

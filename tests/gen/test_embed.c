@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes and forms of corgen embed: speeds to beta, fits against collisions solved at those very speeds, the emulated
- * arithmetic at and outside the ends, operation counts and the choice among forms. What the header computes is tested
- * by tests/embed/run. */
-#include "support/console.h" /* before cmocka.h makes a macro of fail */
+/* Scenes and forms of corgen embed: speeds to beta, and fits against collisions solved at the same speeds. The emulated
+ * arithmetic at the ends and outside, operation counts, and the choice of a form. tests/embed/run tests the header. */
+#include "support/console.h" /* before cmocka.h, which defines a macro fail */
 
 #include "ball.h"
 #include "contact/contact.h"
@@ -19,7 +18,6 @@ static void scene_init(struct embed_scene *s, struct contacts *contacts, const s
     assert_int_equal(embed_scene_init(s, request, &contacts->contact[0]), STATUS_OK);
 }
 
-/* A scene and all of its forms */
 struct found {
     struct contacts contacts;
     struct embed_scene s;
@@ -44,7 +42,7 @@ static void found_clear(struct found *w, struct embed_request *request)
     request_clear(request);
 }
 
-/* The scene of a request that is cleared */
+/* Returns the scene of a request, and clears the request. */
 static struct embed_scene scene_of(const char *min, const char *max, const char *tolerance, int end)
 {
     struct embed_request request = request_of(min, max, tolerance, end, g_star);
@@ -60,7 +58,7 @@ static void assert_near(double x, double y, double tolerance)
     assert_true(fabs(x / y - 1) <= tolerance);
 }
 
-/* eps at a speed, by solving that collision */
+/* Returns eps at a speed, by solving that collision. */
 static double solved(const struct embed_scene *s, double speed)
 {
     LOCAL(collision, c);
@@ -71,7 +69,7 @@ static double solved(const struct embed_scene *s, double speed)
     return middle(s->end == COR_END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force);
 }
 
-/* eps at speeds at equal distances of their logarithms, the ends among them, solved once for all forms of a scene */
+/* eps at speeds that are evenly spaced in their logarithm, ends included; solved once for all forms of a scene */
 enum { SOLVED = 5 };
 struct solved {
     double speed[SOLVED], eps[SOLVED];
@@ -88,7 +86,7 @@ static struct solved scene_solved(const struct embed_scene *s)
     return known;
 }
 
-/* A form is within its tolerance of the solved collisions, and defined outside. */
+/* Fails unless a form is within its tolerance of the solved collisions, and defined outside the range. */
 static void check_form(const struct embed_form *f, const struct embed_scene *s, const struct solved *known)
 {
     assert_true(f->error <= s->tolerance);
@@ -102,8 +100,9 @@ static void check_form(const struct embed_form *f, const struct embed_scene *s, 
     assert_true(isnan(embed_form_value(f, -1, false)) && isnan(embed_form_value(f, NAN, false)));
 }
 
-/* The whole range is proved. The proved error is above the errors at other speeds than the 4096 of the samples, and
- * little above the largest sampled one, also of a wrong number. Returns whether that raised the latter. */
+/* Checks that the proof covers the whole range. The proved error must bound the error at speeds other than the samples,
+ * and may exceed the largest sampled error only slightly. Repeats this with a wrong number; returns true if that raised
+ * the sampled error. */
 static bool check_proof(struct embed_form *f, const struct embed_scene *s)
 {
     enum { SPEEDS = 1500 };
@@ -139,8 +138,8 @@ static bool check_proof(struct embed_form *f, const struct embed_scene *s)
     return raised;
 }
 
-/* All forms of a scene, and proofs of a third of them in turn; of another law the proof of the cheapest form, if there
- * is one. Returns how many families have a member. */
+/* Checks all forms of a scene and proves a third of them in turn. For a law other than the sphere's, proves only the
+ * cheapest form, if a proof exists. Returns the number of families that have a form. */
 static int check_scene(struct embed_request *request, bool proved)
 {
     struct found w;
@@ -158,7 +157,7 @@ static int check_scene(struct embed_request *request, bool proved)
             check_proof(&w.form[k], &w.s);
         found += w.form[k].found;
     }
-    if (!proved && few_or_all(0, 1) != 0) { /* takes seconds until it gives up */
+    if (!proved && few_or_all(0, 1) != 0) { /* takes seconds before it gives up */
         assert_int_equal(embed_prove(&proof, w.chosen, &w.s), STATUS_OK);
         assert_true(!proof.proved && !(proof.error < HUGE_VAL) && proof.rounding < w.s.tolerance);
     }
@@ -166,8 +165,8 @@ static int check_scene(struct embed_request *request, bool proved)
     return found;
 }
 
-/* Every family over scenes of both ends, several tolerances and both types. Of other laws: q of both signs, the rows
- * below the threshold, beyond all rows, ends that coincide; the families of a series are of spheres. */
+/* Every family, over scenes of both ends, several tolerances and both types. Other laws: q of both signs, rows below
+ * the threshold and beyond all rows, coinciding ends. The families of a series exist for spheres only. */
 TEST(test_scenes)
 {
     static const char *const hertz[] = {"3/2", "0"}, *const linear[] = {"1", "2"}, *const crossley[] = {"3/2", "3/2"},
@@ -179,7 +178,7 @@ TEST(test_scenes)
         int end;
         enum embed_type type;
         bool proved;
-        int least; /* families that must have a member */
+        int least; /* number of families that must have a form */
     } scenes[] = {
         {NULL, "0.1", "10", "1e-6", NULL, OVERLAP, EMBED_DOUBLE, true, 8},
         {NULL, "0.1", "10", "1e-3", NULL, FORCE, EMBED_FLOAT, true, 8},
@@ -207,8 +206,8 @@ TEST(test_scenes)
     }
 }
 
-/* Every way that a contact may be given, against the same contact in doubles; and --restitution, which a collision with
- * the beta found realises to twenty digits, at its speed and end. */
+/* Every way to specify a contact, against the same contact in doubles. A collision with the beta found for
+ * --restitution must have this eps to twenty digits, at its speed and end. */
 TEST(test_ways_of_a_contact)
 {
     enum { YOUNG = 1, SPRING = 2, WALL = 4, FORCE = 8 };
@@ -274,7 +273,7 @@ TEST(test_ways_of_a_contact)
     }
 }
 
-/* Viscosities are decimals, both of them. */
+/* Viscosities are two decimals. */
 TEST(test_viscosities)
 {
     static const char *const texts[] = {"1e3,2", "1/3,2", "2,1/3", "2", ",2", "2,"};
@@ -286,7 +285,7 @@ TEST(test_viscosities)
     }
 }
 
-/* An eps that is the same at every speed is a header of one number, and its proof is the difference to that eps. */
+/* A constant eps becomes a header with one number. Its proved error is the difference from that eps. */
 TEST(test_constant)
 {
     for (int i = 0; i < 2; i++) {
@@ -308,8 +307,8 @@ TEST(test_constant)
     }
 }
 
-/* Operations counted by hand; the leading coefficient 1 needs no product. A square root keeps a loop from becoming
- * vectors. */
+/* Operations counted by hand. The leading coefficient 1 needs no product. A square root prevents the vectorisation of a
+ * loop. */
 TEST(test_counts)
 {
     double number[] = {1, 2, 3, 4, 5, 6, 1};
@@ -354,7 +353,7 @@ TEST(test_choice)
     assert_int_equal(embed_choose(form, PURPOSE_ARRAY), FAMILY_PIECES_SPEED);
 }
 
-/* The fit of a rational function to a scene */
+/* Fits a rational function to a scene. */
 static struct embed_form fit_of(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
                                 slong numerator, slong denominator)
 {
@@ -369,7 +368,7 @@ static struct embed_form fit_of(const struct embed_scene *s, enum embed_family f
     return f;
 }
 
-/* One degree more makes a fit better. */
+/* Each additional degree improves the fit. */
 TEST(test_fit)
 {
     struct embed_scene s = scene_of("0.1", "10", "1e-6", COR_END_ZERO_OVERLAP);
@@ -383,7 +382,7 @@ TEST(test_fit)
     embed_scene_clear(&s);
 }
 
-/* At zero force a scene that begins below beta = exp(10) and ends beyond is proved as a whole. */
+/* At zero force, a scene that begins below beta = exp(10) and ends above it is proved as a whole. */
 TEST(test_far_force)
 {
     leave_to_turn(1, 3);
@@ -396,22 +395,22 @@ TEST(test_far_force)
     embed_scene_clear(&s);
 }
 
-/* d of eps = h*^5 beta^-5 (1 - d) at zero overlap for beta^5 = x: 0 < d < limit, enclosed */
+/* Checks that d of eps = h*^5 beta^-5 (1 - d) at zero overlap is enclosed in 0 < d < limit for beta^5 = x. */
 static void assert_power_law(double x, double limit)
 {
     enum { FAR_BITS = 128 };
     LOCAL(collision, c);
     LOCAL(arb, beta, d, h_star);
     arb_set_d(d, x);
-    arb_root_ui(beta, d, 5, 2 * FAR_BITS); /* with fewer bits no attempt of the collision reaches its own */
+    arb_root_ui(beta, d, 5, 2 * FAR_BITS); /* with fewer bits no attempt of the collision reaches its precision */
     assert_int_equal(collision_solve(c, beta, &law_sphere, FAR_BITS), 0);
     assert_int_equal(collision_h_star(h_star, FAR_BITS), 0);
     LET(d, FAR_BITS, "1 - x*c->eps_zero_overlap/h_star^5", x, c->eps_zero_overlap, h_star);
     assert_true(arb_is_positive(d) && HOLDS(FAR_BITS, "d < limit", d, limit));
 }
 
-/* The power law from EMBED_FAR on, and from where eps at a speed uses it (docs/theory.md, 18): eps is a rational
- * function of the speed, h*^5/(b^5 g), whose proof shows a coefficient that is wrong in its 48th bit. */
+/* The power law from EMBED_FAR onward, and from the beta at which eps at a speed uses it (docs/theory.md, 18). eps is a
+ * rational function of the speed, h*^5/(b^5 g). Its proof detects a coefficient that is wrong in its 48th bit. */
 TEST(test_far)
 {
     assert_power_law(pow(EMBED_FAR, 5), EMBED_FAR_ERROR);
@@ -430,7 +429,7 @@ TEST(test_far)
     embed_scene_clear(&s);
 }
 
-/* The onset is the largest number of the type that is not above a speed. */
+/* Fails unless the onset is the largest number of the type that does not exceed the speed. */
 static void assert_onset(const struct embed_scene *s, const arb_t speed)
 {
     LOCAL(arb, onset, next);
@@ -458,7 +457,7 @@ TEST(test_yield)
     }
 }
 
-/* A ball on a wall under gravity, or sticky balls, against the library's integration in doubles
+/* A ball on a wall under gravity, and sticky balls, against the integration of the library in doubles
  * (runtime/scene/pressed.c) */
 TEST(test_pressed)
 {
@@ -467,7 +466,7 @@ TEST(test_pressed)
         int end;
         bool sticky;
         const char *restitution, *min, *max, *tolerance;
-    } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, true, "0.7", "0.03", "2", "1e-6"}, /* first, for it takes least */
+    } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, true, "0.7", "0.03", "2", "1e-6"}, /* first, as the fastest */
                   {COR_LAW_VISCOELASTIC, COR_END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
                   {COR_LAW_HERTZ_DASHPOT, END_SURFACE, false, "0.8", "0.013", "10", "1e-5"},
                   {COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};

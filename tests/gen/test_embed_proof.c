@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The proofs of embedded headers (gen/embed/proof.c, rounding.c) for forms whose error is known. A form gets an error
- * of known size at a chosen speed, and the proof must find it wherever that speed is. Bounds of rounding errors are
- * compared with counts by hand. */
+ * of known size at a chosen speed, and the proof must find it at any speed. Bounds of rounding errors are compared with
+ * counts by hand. */
 #include <math.h>
 
 #include "ball.h"
@@ -11,10 +11,10 @@
 #include "support/local.h"
 
 #define UNIT 0x1p-53
-/* Size of the errors that forms get; the errors of the fits below are smaller. */
+/* Size of the errors that the forms get; the fits below have smaller errors of their own. */
 #define BUMP 1e-6
 
-/* A scene with beta = speed^(1/5); to be cleared. */
+/* Returns a scene with beta = speed^(1/5); the caller clears it. */
 static struct embed_scene scene_of(enum cor_end end, double beta_min, double beta_max, struct interpolant *f)
 {
     struct embed_scene s = {.end = end,
@@ -37,7 +37,7 @@ static void clear_scene(struct embed_scene *s)
     FOR_ALL(arb, clear, s->beta_per_root, s->beta_enclosed, s->h_star_5);
 }
 
-/* A form on the whole range, with the finest root */
+/* Returns a form on the whole range, with the most refined root. */
 static struct embed_form form_of(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
                                  slong numerator, double *number)
 {
@@ -59,8 +59,8 @@ static struct embed_proof proof_of(const struct embed_form *f, const struct embe
 
 /* ---- errors at a chosen place ---- */
 
-/* Gives a form the factor 1 + BUMP 2 x y/(x^2 + y^2), with its maximum at x = y: the ends of the range of its variable
- * and places between them */
+/* Multiplies a form by 1 + BUMP 2 x y/(x^2 + y^2), whose maximum is at x = y. y runs through the range of the variable,
+ * both ends included. Fails unless each proof finds the error. */
 static void assert_bumps_proved(const struct embed_form *f, const struct embed_scene *s, const char *what)
 {
     const double power = 1 / (double)embed_roots[f->variable].degree;
@@ -86,8 +86,8 @@ static void assert_bumps_proved(const struct embed_form *f, const struct embed_s
     }
 }
 
-/* eps = 32 h*^5/speed from beta = 8 to 20, beta = speed^(1/5)/2, where the power law replaces an interpolant. Its own
- * error, EMBED_FAR_ERROR, is part of the bound. */
+/* eps = 32 h*^5/speed from beta = 8 to 20, with beta = speed^(1/5)/2, where the power law replaces an interpolant. The
+ * error of the power law, EMBED_FAR_ERROR, is part of the bound. */
 TEST(test_far_parts)
 {
     struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, 16, 40, NULL);
@@ -104,7 +104,7 @@ TEST(test_far_parts)
     f.denominator = 1;
     LET(rest, EMBED_BITS, "abs(h5 - s.h_star_5)/h5", h5, s.h_star_5);
     const double least = middle(rest) + EMBED_FAR_ERROR;
-    f.error = least; /* no halving of a part takes EMBED_FAR_ERROR away, which no sample shows */
+    f.error = least; /* no bisection reduces EMBED_FAR_ERROR, and no sample shows it */
     const struct embed_proof proof = proof_of(&f, &s);
     check(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least, "h*^5/g is off by %g, %g proved", least,
           proof.formula);
@@ -115,7 +115,7 @@ TEST(test_far_parts)
 
 /* ---- within the interpolant's intervals ---- */
 
-/* Up to beta = 1: two intervals, made for the first test that needs them */
+/* Returns an interpolant up to beta = 1, in two intervals, made for the first test that needs it. */
 static struct interpolant *interpolant(void)
 {
     static struct interpolant *made;
@@ -125,7 +125,7 @@ static struct interpolant *interpolant(void)
     return made;
 }
 
-/* A rational function of beta from 0.15 to 0.95 in two intervals */
+/* A rational function of beta from 0.15 to 0.95, across two intervals */
 TEST(test_intervals)
 {
     struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
@@ -136,7 +136,7 @@ TEST(test_intervals)
     clear_scene(&s);
 }
 
-/* Rows in the speed and in beta: an error that grows through one row, to BUMP at its end or its start */
+/* Rows in the speed and in beta: an error that grows within one row, to BUMP at its end or its start */
 TEST(test_rows)
 {
     enum { DEGREE = 5, ROWS = 12 };
@@ -149,7 +149,7 @@ TEST(test_rows)
         f.rows = of_speed ? (slong)((emit_bits_of(f.single, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
         assert_true(embed_fit_pieces(&f, &s));
         assert_true(proof_of(&f, &s).formula < BUMP / 10);
-        /* the last row in the speed has one argument only */
+        /* the last row in the speed contains only one argument */
         const slong row = (slong)random_below(&draw, (unsigned)(f.rows - of_speed));
         double *const c = f.number + row * (DEGREE + 1);
         const double width = of_speed ? embed_row_start(&f, row + 1) - embed_row_start(&f, row) : 1;
@@ -174,7 +174,7 @@ TEST(test_rows)
     clear_scene(&s);
 }
 
-/* The interpolant ends at beta = 25/16: no proof of a form that goes on to 2. And the power law begins at 7. */
+/* The interpolant ends at beta = 25/16, so a form up to 2 has no proof. The power law begins at 7, not at 6.9. */
 TEST(test_gap)
 {
     for (int far = 0; far < 2; far++) {
@@ -189,8 +189,8 @@ TEST(test_gap)
 
 /* ---- rounding ---- */
 
-/* Counts by hand for the speed x from 1/2 to 16, in units of 2^-53. Products, sums, the quotient and the roots are
- * rounded once each. */
+/* Counts by hand for the speed x from 1/2 to 16, in units of 2^-53. Products, sums, the quotient and the roots are each
+ * rounded once. */
 TEST(test_counts)
 {
     const double x = 16, x4 = x * x * x * x;
@@ -205,12 +205,12 @@ TEST(test_counts)
         {SPEED, 2, 0, 1 + 2 * x * x / (1 + x * x), {1, 0, 1}, "1 + x^2 by Horner's rule: two products and the sum"},
         /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
         {SPEED, 4, 0, 2 + 4 * x4 / (1 + x4), {1, 0, 0, 0, 1}, "1 + x^4, split"},
-        /* at x = 16 both sums round once, products with 1 once, and the quotient */
+        /* at x = 16: each sum, each product by 1, and the quotient round once */
         {SPEED, 1, 1, (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1, {1, 1, 5, 1}, "(1 + x)/(5 + x)"},
-        /* sqrt(x) is rounded once, its root adds a half, and the product */
+        /* sqrt(x) rounds once; its root contributes one half, and the product rounds once */
         {SQRT_OF_SPEED, 1, 0, 2, {0, 1}, "sqrt(x)"},
         {FOURTH_ROOT_OF_SPEED, 1, 0, 2.5, {0, 1}, "x^(1/4)"},
-        /* float numbers below the smallest normal one: half of the smallest positive one, 2^-150, besides */
+        /* float numbers below the smallest normal one: additionally half of the smallest positive one, 2^-150 */
         {SPEED, 1, 0, (1 + 4) * 0x1p29, {0, 0x1p-127}, "2^-127 x in float"}};
     for (size_t i = 0; i < COUNT_OF(form); i++) {
         double number[5];
@@ -229,7 +229,7 @@ TEST(test_counts)
     }
 }
 
-/* The root from bits: refined so far, off by so much. Without a refinement the bound is near the error found. */
+/* The root from bits, at each number of refinements. Without one, the bound is close to the largest error found. */
 TEST(test_root)
 {
     double number[] = {0, 1};
@@ -259,8 +259,8 @@ TEST(test_root)
         }
 }
 
-/* A polynomial with a zero and one that overflows: no bound. The place in a table has the error of a
- * product and of a sum besides, and a table that is too short, if only for the error of a rough root, is refused. */
+/* A polynomial with a zero and one that overflows have no bound. The place in a table also has the error of a product
+ * and of a sum. A table that is too short is refused, even if it is too short only by the error of a rough root. */
 TEST(test_limits)
 {
     struct embed_rounding bound;
@@ -298,7 +298,7 @@ TEST(test_limits)
     }
 }
 
-/* 1 - 3/4 x in a row from x = 0 to 1: at the end the product and the sum are rounded to 3/4 and 1/4 units of 1/4 */
+/* 1 - 3/4 x in a row from x = 0 to 1. At its end the product rounds by 3/4 and the sum by 1/4 units of 1/4. */
 TEST(test_row_end)
 {
     struct embed_form f = {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What emit_c writes: a compiler reads every double back to the bit, and finds nothing to warn of. */
+/* The output of emit_c: a compiler reads every double back to the bit and gives no warnings. */
 #define _XOPEN_SOURCE 700
-#include "support/console.h" /* before cmocka, which has a macro fail */
+#include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include <unistd.h>
 
@@ -59,7 +59,7 @@ static void header_end(struct emit *e)
     assert_int_equal(fclose(e->file), 0);
 }
 
-/* Closes main.c, compiles it, runs it, and returns what it prints. */
+/* Closes main.c, compiles and runs it. Returns its output. */
 static FILE *compile_and_run(FILE *source)
 {
     char command[4 * PATH];
@@ -82,8 +82,8 @@ static double read_double(FILE *output)
     return strtod(text, NULL);
 }
 
-/* Doubles of every kind: exact, irrational, huge, tiny, subnormal, negative; and the numbers of a grid, as macros under
- * the table's name in capitals. */
+/* Doubles of every kind: exact, irrational, huge, tiny, subnormal, negative. The numbers of a grid are macros whose
+ * prefix is the name of the table in capitals. */
 TEST(test_doubles)
 {
     enum { COUNT = 9 };
@@ -134,15 +134,15 @@ TEST(test_doubles)
     _arb_vec_clear(x, COUNT);
 }
 
-/* Rows inside a function, hexadecimal and decimal: the same doubles. The digits of hexadecimal rows and structs read
- * back to them. */
+/* Rows inside a function, hexadecimal and decimal, give the same doubles. The digits of hexadecimal rows and of structs
+ * read back to them. */
 TEST(test_rows)
 {
     enum { ROWS = 3, COLUMNS = 5 };
     arb_ptr x = _arb_vec_init(ROWS * COLUMNS);
     double expected[ROWS * COLUMNS];
     for (slong i = 0; i < ROWS * COLUMNS; i++) {
-        const slong power = i % 4 == 3 ? -1060 : 40 * (i - 7); /* subnormal ones too */
+        const slong power = i % 4 == 3 ? -1060 : 40 * (i - 7); /* includes subnormal numbers */
         LET(x + i, PREC, "(-1)^i*sqrt(2*i + 1)*2^power", i, power);
         assert_true(digits_to_double(&expected[i], x + i));
     }
@@ -200,7 +200,7 @@ TEST(test_rows)
         assert_true(read_double(output) == expected[i / 2]);
     assert_int_equal(pclose(output), 0);
 
-    /* a number that is not known well enough ends the row */
+    /* a number whose ball is too wide ends the row */
     mag_set_ui_2exp_si(arb_radref(x + 1), 1, 300);
     e = header_of("rows");
     emit_rows_open(&e, "double", "rows", 1, COLUMNS);
@@ -213,7 +213,7 @@ TEST(test_rows)
     _arb_vec_clear(x, ROWS * COLUMNS);
 }
 
-/* What a text of emit_lines becomes in each type */
+/* A text of emit_lines in each type */
 TEST(test_types)
 {
     static const char *const expected[] = {"double sqrt(1.0) 64 0.3333333333333333 4599676419421066581",
@@ -242,8 +242,8 @@ TEST(test_bound)
     }
 }
 
-/* The functions of a header, compiled, against collisions at random beta: eps and loss keep the stated bounds, the loss
- * near beta = 0, too. */
+/* Compiles the functions of a header and compares them with collisions at random beta. eps and loss must keep the
+ * stated bounds, the loss also near beta = 0. */
 static void check_pade_header(const struct pade_request *r, slong beta_max, struct random_state *random)
 {
     enum { PLACES = 24 };
@@ -288,7 +288,7 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
         LET(x, 128, "1 - x", x);
         const double exact_loss = middle(x);
         assert_int_equal(fscanf(output, "%lf %lf", &eps, &loss), 2);
-        /* between the samples the error may exceed the largest that they found by a tenth */
+        /* between the samples, allow a tenth more than the largest error they found */
         check(fabs(eps / exact - 1) <= 1.1 * eps_bound, "eps at beta = %.17g: %.17g, not %.17g", beta[i], eps, exact);
         check(fabs(loss / exact_loss - 1) <= 1.1 * loss_bound, "loss at beta = %.17g: %.17g, not %.17g", beta[i], loss,
               exact_loss);
@@ -315,7 +315,7 @@ TEST(test_pade_header)
     }
 }
 
-/* Cells in json by the kinds of their columns: numbers with all their digits, texts, or null */
+/* Cells in json by the kind of their column: numbers with all digits, texts, or null */
 TEST(test_json_cells)
 {
     static const char *const cells[] = {"-1",  "1e300", "-1.25E-07", "", "inf", "-inf", "9007199254740993",
@@ -341,11 +341,11 @@ TEST(test_json_cells)
     }
 }
 
-/* eps(1/2) at zero overlap: corgen collide --beta 0.5, by enclosure of the motion instead of series */
+/* eps(1/2) at zero overlap from corgen collide --beta 0.5, which encloses the motion and uses no series */
 #define EPS_AT_HALF 0.57382462866494898355
 
-/* Every two-point Pade of up to 20 degrees in the numerator: none has a coefficient that cannot be rounded, and their
- * doubles give eps(1/2), each better than the one before. Those of 15 degrees and more have a pole far beyond 1/2. */
+/* Every two-point Pade with a numerator of degree up to 20: all coefficients can be rounded, and their doubles give
+ * eps(1/2), each better than the one before. From degree 15 onward they have a pole well beyond 1/2. */
 TEST(test_two_point_rounded)
 {
     enum { MOST = 20, TWO_POINT_PREC = 300 };

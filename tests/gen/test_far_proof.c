@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions at strong damping: the enclosed functions against collisions, and the proofs of the stored formulas for
- * large beta against sampled errors and wrong coefficients. */
+/* Collisions with strong damping. The enclosed functions are compared with collisions, and the proofs of the stored
+ * formulas for large beta with sampled errors and wrong coefficients. */
 #include "ball.h"
 
 #include "approximation/row_proof.h"
@@ -25,7 +25,7 @@ static int clear_proof(void **state)
     return 0;
 }
 
-/* A quantity without its power of beta at one u */
+/* Encloses a quantity, without its power of beta, at one u. */
 static void function_at(arb_t y, enum quantity quantity, double u)
 {
     LOCAL(arb_poly, f);
@@ -33,8 +33,8 @@ static void function_at(arb_t y, enum quantity quantity, double u)
     arb_poly_get_coeff_arb(y, f, 0);
 }
 
-/* Between the intervals, at their ends and beyond them, where 210 mu u^2 is below 2^-70, the functions contain enclosed
- * collisions. */
+/* The functions must contain enclosed collisions between the intervals, at their ends, and beyond them, where 210 mu
+ * u^2 is below 2^-70. */
 TEST(test_collisions)
 {
     static const double places[] = {9.41, 12, 20.25, 37.99, 38, 44};
@@ -80,7 +80,7 @@ static const struct formula formulas[] = {
 };
 enum { FORMULAS = sizeof formulas / sizeof *formulas };
 
-/* What c_k is multiplied with at u */
+/* Returns the factor of c_k at u. */
 static double factor_of(int k, double u)
 {
     const double mu = exp(-5 * u / 3);
@@ -88,7 +88,7 @@ static double factor_of(int k, double u)
     return pow(mu, k < 4 ? 0 : k < 7 ? 1 : 2) * pow(u, power);
 }
 
-/* The error of a formula, relative to the function, at u */
+/* Returns the relative error of a formula at u. */
 static double formula_error(const struct formula *f, double at)
 {
     LOCAL(arb, u, y, sum);
@@ -103,8 +103,8 @@ static double formula_error(const struct formula *f, double at)
     return fabs(middle(sum));
 }
 
-/* The proved bounds of the stored formulas are the largest sampled errors, or a little larger. Any wrong coefficient is
- * seen that changes the function by 2^-60 at u = 10; an ordinary run takes a quarter of them. */
+/* The proved bounds of the stored formulas equal the largest sampled errors or exceed them slightly. A coefficient that
+ * changes the function by 2^-60 at u = 10 is detected; a normal run checks a quarter of the coefficients. */
 TEST(test_formulas)
 {
     for (int i = 0; i < FORMULAS; i++) {
@@ -121,7 +121,7 @@ TEST(test_formulas)
                 continue;
             const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
             c[k] += (random_below(&draw, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
-                    (k == 0 || k == 2 ? 1 : 0x1p-10); /* the heads have no smaller bits */
+                    (k == 0 || k == 2 ? 1 : 0x1p-10); /* the leading terms have no smaller bits */
             check(far_proof_bits(&proof, f->quantity, c) < 61, "quantity %d is proved with a wrong coefficient %d",
                   (int)f->quantity, k);
             c[k] = kept;
@@ -129,14 +129,14 @@ TEST(test_formulas)
     }
 }
 
-/* The inverse, with right and wrong coefficients. Its error is that of the terms left out at eps = 2^-23. */
+/* The inverse, with right and wrong coefficients. Its error is the sum of the omitted terms at eps = 2^-23. */
 TEST(test_inverse)
 {
     double c[INTERPOLANT_FAR_INVERSE + 1];
     memcpy(c, cor_rows_far_beta_zero_force(0), sizeof c);
     const double bits = far_proof_bits(&proof, BETA_ZERO_FORCE, c), e = 0x1p-23 / c[0], v = -0.6 * log(e);
     check(bits >= 55.5 && bits <= 57, "%g", bits);
-    LOCAL(arb, eps); /* The inverse is used where eps < 2^-23 only. */
+    LOCAL(arb, eps); /* the inverse is used only where eps < 2^-23 */
     function_at(eps, EPS_ZERO_FORCE, FAR_PROOF_INVERSE_FROM);
     assert_true(middle(eps) * exp(-5 * FAR_PROOF_INVERSE_FROM / 3) > 1.01 * 0x1p-23);
     for (int k = 0; k < INTERPOLANT_FAR_INVERSE + 1; k++) {
@@ -150,7 +150,7 @@ TEST(test_inverse)
     }
 }
 
-/* The duration at zero overlap needs collisions that take seconds: in a long run, and in `corgen tables`. */
+/* The duration at zero overlap needs collisions that take seconds: tested in long runs, and in `corgen tables`. */
 TEST(test_duration)
 {
     if (!few_or_all(0, 1))
@@ -175,7 +175,7 @@ TEST(test_duration)
     proof.rows = NULL;
 }
 
-/* Where there is nothing to prove, the answer is NaN. */
+/* Without anything to prove, the result is NaN. */
 TEST(test_refused)
 {
     double c[INTERPOLANT_FAR + 2] = {0};

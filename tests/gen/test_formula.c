@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Formulas give what the calls of Arb give, exactly where no ball is met, and refuse what is no formula. */
+/* Formulas give the results of Arb's functions, exactly where no ball occurs. Texts that are no formulas are
+ * refused. */
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@
 
 enum { PREC = 128 };
 
-/* each formula at x = 1/3 in a ball, y = 5, and its value */
+/* Each formula at x = 1/3 as a ball and y = 5, and its value */
 TEST(test_values)
 {
     static const struct {
@@ -53,7 +54,7 @@ TEST(test_operands)
     fmpq_set_si(expected, -566, 7);
     assert_true(fmpq_equal(q, expected));
     LET(x, 2, "q*7", q);
-    assert_true(arb_equal_si(x, -566) == 0 && arb_contains_si(x, -566)); /* rounded, once */
+    assert_true(arb_equal_si(x, -566) == 0 && arb_contains_si(x, -566)); /* rounded exactly once */
     LET(x, PREC, "q*7", q);
     assert_true(arb_equal_si(x, -566));
     LET(x, PREC, "1/0");
@@ -84,7 +85,7 @@ TEST(test_complex)
     LET_COMPLEX(y, false, PREC, "(sinh(z)*2*exp(z) + 1)/exp(2*z) - sinc(y)*z/sinh(z) + sqrt(w)*w^(-x/4) - 1", z, w, x,
                 y);
     assert_true(acb_contains_zero(y) && mag_cmp_2exp_si(arb_radref(acb_realref(y)), -100) < 0);
-    for (int analytic = 0; analytic < 2; analytic++) { /* -4 +- i/8 contains a place of the cut */
+    for (int analytic = 0; analytic < 2; analytic++) { /* -4 +- i/8 contains a point of the cut */
         acb_set_si(y, -4);
         mag_set_ui_2exp_si(arb_radref(acb_imagref(y)), 1, -3);
         LET_COMPLEX(w, analytic == 1, PREC, "y^(-1/5)", y);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The interpolant of the collision against collisions at places of its own */
+/* The interpolant of the collision, against collisions at other places than its own */
 #include "ball.h"
 
 #include "approximation/interpolant.h"
@@ -11,7 +11,7 @@ static const slong PREC = 320;
 
 static struct random_state random_state = {19990101};
 
-/* |x/y - 1| */
+/* Returns |x/y - 1|. */
 static double relative(const arb_t x, const arb_t y)
 {
     LOCAL(arb, d);
@@ -21,7 +21,7 @@ static double relative(const arb_t x, const arb_t y)
     return arf_get_d(bound, ARF_RND_UP);
 }
 
-/* Up to beta = 3/8, where the loss has a quotient of its own. */
+/* Up to beta = 3/8, where the loss has its own quotient. */
 TEST(test_small_beta)
 {
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 0, 0.375);
@@ -46,7 +46,7 @@ TEST(test_small_beta)
         }
     }
     assert_true(worst < 1e-18);
-    for (int side = -1; side <= 1; side += 2) { /* the values of an interval of places contain those at its ends */
+    for (int side = -1; side <= 1; side += 2) { /* the values of an interval contain the values at its ends */
         arb_set_d(z, 0.4);
         arb_add_error_2exp_si(z, -20);
         interpolant_at(exact, f, MAX_OVERLAP, INTERVAL_ROOT, z, PREC);
@@ -59,7 +59,7 @@ TEST(test_small_beta)
     interpolant_free(f);
 }
 
-/* Five Chebyshev points interpolate worst at the ends of an interval, which the check must see. */
+/* Five Chebyshev points interpolate worst at the ends of an interval. The check must find these errors. */
 TEST(test_check_at_ends)
 {
     static const struct interval coarse = {INTERVAL_ROOT, 0.5, 1, 5, 100, FORM_VALUE, 1 << MAX_OVERLAP};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The proofs of other laws' eps: enclosures at complex damping against enclosed collisions on the real axis, Cauchy's
- * integrals over them off it, ellipses that reach a singularity, and polynomials against collisions between their
- * samples. */
+/* The proofs of eps for other laws. Enclosures at complex damping are compared with enclosed collisions on the real
+ * axis, and with Cauchy's integrals off it. Ellipses that reach a singularity. Polynomials, against collisions between
+ * their samples. */
 #include "ball.h"
 
 #include <complex.h>
@@ -17,7 +17,7 @@
 
 enum way { WAY_OVERLAP, WAY_CREEP, WAY_FORCE, WAY_STRONG_FORCE };
 
-/* ln(eps) from an enclosed collision */
+/* Returns ln(eps) from an enclosed collision. */
 static double exact_log_eps(const struct cor_exponents *law, double beta, enum way way)
 {
     LOCAL(collision, c);
@@ -45,7 +45,7 @@ static bool enclose(struct complex_ball *y, const struct cor_exponents *law, str
     return complex_law_zero_force(y, law, log_beta, &pressing, &path);
 }
 
-/* Every way in weak and strong damping, a > b, a = b and a < b, n of both signs */
+/* Every way, with weak and strong damping, a > b, a = b and a < b, and n of both signs */
 static const struct {
     const char *elastic, *damping;
     enum way way;
@@ -75,7 +75,7 @@ TEST(test_real_axis)
     }
 }
 
-/* The mean over a circle is the value at its centre, by Cauchy's integral, and the next moment its derivative. Balls
+/* The mean over a circle is the value at its centre, by Cauchy's integral; the next moment is the derivative. Balls
  * between the points contain the points. */
 TEST(test_complex_plane)
 {
@@ -110,7 +110,7 @@ TEST(test_complex_plane)
     }
 }
 
-/* Beyond the threshold beta_c = 1.128 of the dashpot nothing leaves: no ball there, and no ellipse that reaches it. */
+/* Above the threshold beta_c = 1.128 of the dashpot nothing separates: no ball there, no ellipse that reaches it. */
 TEST(test_singular)
 {
     const struct cor_exponents law = law_of("3/2", "0");
@@ -155,7 +155,7 @@ static double largest_error(const struct law_proof *proof, const struct cor_expo
     return largest;
 }
 
-/* In variables beta, ln(beta) and ln(beta_c - beta), both ends */
+/* Polynomials in beta, ln(beta) and ln(beta_c - beta), at both ends */
 TEST(test_polynomials)
 {
     static const struct scene scenes[] = {{"3/2", "0", EPS_ZERO_OVERLAP, 0.06, 0.5, 1e-9},
@@ -174,7 +174,7 @@ TEST(test_polynomials)
         struct law_proof *const proof = law_proof_new(f, s->eps, s->beta_min, s->beta_max, s->wanted);
         assert_non_null(proof);
         assert_true(largest_error(proof, &law, s) < s->wanted);
-        /* far outside of an interval there is no proof */
+        /* well outside an interval there is no proof */
         LOCAL(arb_poly, eps, log_beta);
         double end;
         const int i = law_proof_interval(&end, proof, log(s->beta_max) - 0.01);
@@ -186,7 +186,7 @@ TEST(test_polynomials)
     }
 }
 
-/* The tail of a law without a threshold samples every quantity. */
+/* In the tail, a law without a threshold samples every quantity. */
 TEST(tail)
 {
     const struct cor_exponents law = law_of("3/2", "1/2");
@@ -197,7 +197,7 @@ TEST(tail)
     law_layout_clear(&layout);
 }
 
-/* Under a constant force, in the units of another impact speed: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)) */
+/* Under a constant force, in the units of another impact speed v: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)) */
 TEST(pressed)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"3/2", "3/2"},
@@ -231,8 +231,8 @@ TEST(pressed)
     }
 }
 
-/* The bound in an ellipse around an interval of several strips, whose contacts a force presses, against |ln(eps)| of
- * collisions on the real axis */
+/* The bound on an ellipse around an interval of several strips, for pressed contacts, against |ln(eps)| of collisions
+ * on the real axis */
 TEST(test_pressed_ellipse)
 {
     const struct cor_exponents law = law_of("3/2", "1/2");

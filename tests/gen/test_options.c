@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Every numeric option of every subcommand, at both ends of its range and beside them. The oracle is what the user
- * reads: the help of whole numbers, and the words of the refusal of others. */
-#include "support/console.h" /* before cmocka, which has a macro fail */
+/* Every numeric option of every subcommand, at both ends of its range and just outside. The expected range comes from
+ * the texts a user reads: the help for whole numbers, the refusal for others. */
+#include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include "check.h"
 
@@ -12,7 +12,7 @@ static const struct subcommand *const commands[] = {&command_trajectory, &comman
                                                     &command_sample,     &command_embed,      &command_disk_collide,
                                                     &command_plan,       &command_tables,     &command_law};
 
-/* True if the option accepts the text, whatever other options it needs. Whole numbers are stored as they are. */
+/* True if the option accepts the text, whatever other options it needs. Whole numbers are stored exactly. */
 static bool accepts(const struct subcommand *command, const struct option_rule *rule, const char *text)
 {
     struct option_rule alone[] = {*rule, {.name = NULL}};
@@ -46,14 +46,14 @@ static void assert_end(const struct subcommand *command, const struct option_rul
     }
 }
 
-/* The number behind the words, or NaN */
+/* Returns the number after the words in the text, or NaN. */
 static double number_behind(const char *text, const char *words)
 {
     const char *const at = strstr(text, words);
     return at ? strtod(at + strlen(words), NULL) : (double)NAN;
 }
 
-/* As the words of the refusal say: "above 0 and up to 1", "from 1e-5 to below 1", "between -1 and 1", "0 or more" */
+/* Checks a refusal's range: "above 0 and up to 1", "from 1e-5 to below 1", "between -1 and 1", "0 or more". */
 static void assert_words(const struct subcommand *command, const struct option_rule *rule)
 {
     const struct decimal_range range = options_numbers(rule).range;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Padé approximants: exactly known ones, the defining conditions, the published one, the analysis.
- */
+/* Padé approximants: exactly known ones, the defining conditions, the published one, the analysis. */
 #include "ball.h"
 
 #include "approximation/pade.h"
@@ -21,7 +20,7 @@ static void assert_near(double x, double y, double tolerance)
     check(x - y <= tolerance && y - x <= tolerance, "%.17g is not %.17g within %g", x, y, tolerance);
 }
 
-/* Every coefficient of P/Q - c below `count` is a ball around 0, and a narrow one. */
+/* Fails unless every coefficient of P/Q - c below `count` is a narrow ball around 0. */
 static void assert_reexpands(const struct pade *f, const arb_poly_t c, slong count)
 {
     LOCAL(arb_poly, s);
@@ -54,7 +53,7 @@ TEST(test_exponential)
     LOCAL(arb, x);
     arb_poly_set_coeff_si(c, 1, 1);
     arb_poly_exp_series(c, c, 6, PREC);
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) { /* [m/n]; k < 0: of the denominator */
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) { /* [m/n]; k < 0: denominator */
         const slong k = known[i].k, num = known[i].num, den = known[i].den;
         assert_true(pade_of_series(f, c, known[i].m, known[i].n, PREC));
         assert_true(arb_poly_degree(f->p) == known[i].m && arb_poly_degree(f->q) == known[i].n);
@@ -84,11 +83,11 @@ TEST(test_reexpansion)
     }
 }
 
-/* C_0..C_{m+4} at 0; h*^5/beta^5 (1 + 0 + ... + 0) at infinity. */
+/* C_0..C_{m+4} at 0, and h*^5/beta^5 (1 + 0 + ... + 0) at infinity. */
 TEST(test_two_point)
 {
     leave_to_turn(1, 3);
-    enum { TWO_POINT_PREC = 128 }; /* seconds with twice as many */
+    enum { TWO_POINT_PREC = 128 }; /* twice as many bits would take seconds */
     const slong m = 8, n = m + 5;
     const struct pade_request r = {
         .kind = PADE_TWO_POINT, .numerator = m, .denominator = n, .end = COR_END_ZERO_OVERLAP, .law = law_sphere};
@@ -116,7 +115,7 @@ TEST(test_two_point)
         assert_true(arb_contains_zero(x));
         assert_true(mag_cmp_2exp_si(arb_radref(x), -TWO_POINT_PREC / 2) < 0);
     }
-    /* safe and slow: all coefficients positive, 3 % off at beta = 3, 8e-9 at 1/2 */
+    /* safe but imprecise: all coefficients are positive, the error is 3 % at beta = 3 and 8e-9 at 1/2 */
     for (slong k = 0; k <= m + 1 + n; k++)
         assert_true(
             arb_is_positive(k <= m ? arb_poly_get_coeff_ptr(f->p, k) : arb_poly_get_coeff_ptr(f->q, k - m - 1)));
@@ -133,7 +132,7 @@ TEST(test_two_point)
     }
 }
 
-/* Table I, from the printed a_k and a fifth that is 0. */
+/* Table I, from the printed a_k and a fifth one that is 0. */
 TEST(test_published)
 {
     static const double d[] = {2.5840, 3.5840, 2.9840, 1.1487, 0.3265};
@@ -145,14 +144,14 @@ TEST(test_published)
     assert_null(pade_defects(a));
     assert_string_equal(f->variable, "x");
     assert_near(coefficient(f->p, 0), 1, 0);
-    for (int k = 0; k <= 4; k++) { /* and the print itself, within what six decimals of a_3 and a_4 leave open */
+    for (int k = 0; k <= 4; k++) { /* the print, up to the six decimals of a_3 and a_4 */
         const double computed = k == 0 ? coefficient(f->p, 1) : coefficient(f->q, k);
         assert_near(computed, d[k], 5e-5);
         assert_near(computed, atof(published_d[k]), 2e-4);
     }
 }
 
-/* The [1/4] of the true series is another function, negative beyond beta = 2.9. */
+/* The [1/4] of the true series differs from the published one, and is negative above beta = 2.9. */
 TEST(test_true_one_four)
 {
     const struct pade_request r = ordinary(1, 4, COR_END_ZERO_OVERLAP);
@@ -174,7 +173,7 @@ TEST(test_true_one_four)
     free(defects);
 }
 
-/* p *= (z - re)^2 + im^2, normalised to 1 at 0 */
+/* Multiplies p by (z - re)^2 + im^2, normalised to 1 at 0. */
 static void multiply_pair(arb_poly_t p, double re, double im)
 {
     LOCAL(arb_poly, factor);
@@ -192,7 +191,7 @@ TEST(test_spurious_pair)
     LOCAL(pade_analysis, a);
     f->root = 2;
     f->variable = "beta";
-    /* poles and zeros apart; a pair far from the axis; a pair beside it */
+    /* poles and zeros away from each other; a pair far from the axis; a pair close to it */
     arb_poly_one(f->p);
     arb_poly_one(f->q);
     multiply_pair(f->q, 1, 3);
@@ -233,7 +232,7 @@ TEST(test_spurious_pair)
     assert_non_null(strstr(defects, "spurious pole-zero pair at beta = 8.75 ")); /* (3 + i/2)^2 */
     free(defects);
 
-    /* on the axis: a pole, a zero and a pair */
+    /* a pole, a zero and a pair on the axis */
     LOCAL(arb_poly, shifted);
     LOCAL(arb, x);
     arb_poly_shift_left(shifted, f->q, 1);
@@ -250,13 +249,13 @@ TEST(test_spurious_pair)
     assert_non_null(strstr(defects, "a pole at beta = 1;"));
     free(defects);
 
-    /* roots that no precision separates are not claimed to be isolated */
+    /* roots that no precision can separate are not reported as isolated */
     arb_poly_mul(f->q, f->q, f->q, PREC);
     assert_false(pade_analyse(a, f, PREC));
 }
 
-/* z is rounded, and each degree has a product and a sum: 3 n u of a polynomial without cancellation, u for the rounding
- * of 1, 1 and 2 u for the quotient and for the root in the loss. */
+/* z is rounded, and each degree has a product and a sum: 3 n u for a polynomial without cancellation. Rounding 1 adds
+ * u, the quotient 1 u, and the root in the loss 2 u. */
 TEST(test_evaluation_error)
 {
     const double u = 0x1p-53;
@@ -274,8 +273,8 @@ TEST(test_evaluation_error)
     }
 }
 
-/* 1/(1 + z) + d/(1 - z/2): its [1/2] has a pole at 2 and a zero at 2 (1 + d)/(1 - 2 d), 6 d/(1 - 2 d) further. The
- * distance of a pair is relative to its size. */
+/* 1/(1 + z) + d/(1 - z/2): its [1/2] has a pole at 2. Its zero is at 2 (1 + d)/(1 - 2 d), which is 6 d/(1 - 2 d)
+ * further out. The distance of a pair is relative to its size. */
 TEST(test_near_pair)
 {
     static const slong power[] = {10, 53, 300};
@@ -299,7 +298,7 @@ TEST(test_near_pair)
     }
 }
 
-/* Changes of sign on 4.5e-5 <= beta <= 22026, 100 places to a factor e; p(0) > 0 */
+/* Counts the sign changes on 4.5e-5 <= beta <= 22026, at 100 places per factor e; p(0) > 0. */
 static slong sign_changes(const arb_poly_t p)
 {
     slong changes = 0;
@@ -315,7 +314,7 @@ static slong sign_changes(const arb_poly_t p)
     return changes;
 }
 
-/* [m/n] of eps has as many poles and zeros on the positive axis as its polynomials change their sign there. */
+/* [m/n] of eps has as many poles and zeros on the positive axis as its polynomials have sign changes there. */
 TEST(test_poles_of_eps)
 {
     const slong most = points(6) > 6 ? 14 : 6;
@@ -324,7 +323,7 @@ TEST(test_poles_of_eps)
             const struct pade_request r = ordinary(m, n, COR_END_ZERO_OVERLAP);
             LOCAL(pade, f);
             LOCAL(pade_analysis, a);
-            /* 1/eps has no beta^10, so that [0/9] = [0/10] = [1/9], and [1/10] does not exist */
+            /* 1/eps has no beta^10, so [0/9] = [0/10] = [1/9], and [1/10] does not exist */
             const bool exists = !(m == 1 && n == 10);
             assert_int_equal(pade_compute(f, a, &r, 100), exists ? 0 : 1);
             if (exists) {
@@ -353,7 +352,7 @@ TEST(test_degenerate)
     struct pade_block b;
     LOCAL(arb_poly, c);
 
-    /* 1/(1 - z/3), a fraction: its block never ends */
+    /* 1/(1 - z/3), a fraction: its block is infinite */
     LOCAL(arb, x);
     arb_one(x);
     for (slong k = 0; k <= 12; k++) {
@@ -368,7 +367,7 @@ TEST(test_degenerate)
     assert_block(c, 1, 2, 0, 1, 12, true);
     assert_block(c, 4, 4, 0, 1, 10, true);
 
-    /* 1 + z^3 + 2 z^4 + ...: [0/0]..[2/2] are 1, or nothing */
+    /* 1 + z^3 + 2 z^4 + ...: each of [0/0]..[2/2] is 1 or does not exist */
     arb_poly_zero(c);
     arb_poly_set_coeff_si(c, 0, 1);
     for (slong k = 3; k <= 10; k++)
@@ -377,14 +376,14 @@ TEST(test_degenerate)
     assert_block(c, 2, 2, 0, 0, 3, false);
     assert_false(pade_block_of(&b, c, 3, 1, PREC));
 
-    /* eps at zero force has no term in z = sqrt(beta): reported, and without end it is not */
+    /* eps at zero force has no term in z = sqrt(beta): [1/1] is refused, [0/2] is not */
     struct pade_request r = ordinary(1, 1, COR_END_ZERO_FORCE);
     assert_int_equal(pade_compute(f, NULL, &r, BITS), 1);
     r = ordinary(0, 2, COR_END_ZERO_FORCE);
     assert_int_equal(pade_compute(f, NULL, &r, BITS), 0);
 }
 
-/* p and q of one Padé are those of another to the last bit. */
+/* Fails unless p and q of two Padés overlap, and degrees and counts of roots agree. */
 static void assert_same_fraction(const struct pade_request *r, const struct pade_request *other)
 {
     LOCAL(pade, f, g);
@@ -399,8 +398,8 @@ static void assert_same_fraction(const struct pade_request *r, const struct pade
     assert_int_equal(a->zeros.count, arb_poly_degree(g->p));
 }
 
-/* 1/eps of the sphere has no beta^10, eps of (3/2, 0) none, by the involution: exact zeros, which no ball shows. The
- * true series of 1/eps, by another route, contains 0 there. */
+/* By the involution, 1/eps of the sphere has no beta^10 and eps of (3/2, 0) has none either. No ball can prove an exact
+ * zero. The true series of 1/eps, by another route, contains 0 there. */
 TEST(test_exact_zeros)
 {
     LOCAL(series, s);
@@ -458,7 +457,7 @@ TEST(test_refusals)
     }
 }
 
-/* The doubles of a Padé in beta^(1/root) and the largest error of their quotient, found here with double. */
+/* The doubles of a Padé in beta^(1/root), and the largest error of their quotient, found here with doubles. */
 TEST(test_rounded)
 {
     static const struct {

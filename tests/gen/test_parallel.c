@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tasks on several threads: each once, never more at a time than there are threads, tasks within tasks, and results in
- * order. */
-#include "support/console.h" /* before cmocka, which has a macro fail */
+/* Tasks on several threads: each runs once, never more at a time than threads, tasks within tasks, results in order. */
+#include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include <stdatomic.h>
 #include <sys/resource.h>
@@ -40,7 +39,7 @@ static void outer_task(void *context, slong i)
     struct party *const party = context;
     enter(party);
     atomic_fetch_add(&party->runs[i], 1);
-    if (i % 10 == 0) /* done by this thread itself, or the threads would wait for one another */
+    if (i % 10 == 0) /* on this thread itself, or the threads would wait for each other */
         parallel_for(inner_task, party, INNER, "inner");
     atomic_fetch_sub(&party->at_once, 1);
 }
@@ -64,8 +63,8 @@ TEST(test_tasks)
     assert_in_range(parallel_threads(), 1, PARALLEL_MAX_THREADS);
 }
 
-/* Where no thread can be had, for want of memory for its stack, the caller does all tasks. The first test, because
- * stacks are used again. */
+/* If no thread can start, because memory for its stack is missing, the caller does all tasks. This test comes first,
+ * because stacks are reused. */
 TEST(test_without_threads)
 {
     struct party party = {.inner = 0};
@@ -73,7 +72,7 @@ TEST(test_without_threads)
     unsigned long pages = 0;
     FILE *const statm = fopen("/proc/self/statm", "r");
     if (!statm || fscanf(statm, "%lu", &pages) != 1 || pages > 1 << 24 ||
-        getrlimit(RLIMIT_AS, &before) != 0) { /* a sanitizer's shadow */
+        getrlimit(RLIMIT_AS, &before) != 0) { /* the shadow memory of a sanitizer */
         if (statm)
             fclose(statm);
         skip();
@@ -95,9 +94,9 @@ TEST(test_without_threads)
 enum { ROWS = 40000, FAILURE = 7 };
 
 static struct crowd {
-    slong value[ROWS], next, stop_at; /* the task that is handed back next, and the last one */
+    slong value[ROWS], next, stop_at; /* the next task to hand back, and the last one */
     slong slow, long_from;            /* a task that takes 300 ms, and the first that takes 10 ms */
-    atomic_int begun;                 /* of those */
+    atomic_int begun;                 /* tasks of 10 ms that began */
     int ticks;
 } crowd;
 
@@ -126,7 +125,7 @@ static void crowd_tick(void *context)
     ((struct crowd *)context)->ticks++;
 }
 
-/* Every task once and in order, from any number of threads, and to where it is stopped */
+/* Every task once and in order, with any number of threads, up to the task that stops them */
 TEST(test_in_order)
 {
     for (int threads = 1; threads <= 3; threads++) {
@@ -136,7 +135,7 @@ TEST(test_in_order)
                     {5, ROWS, ROWS, ROWS, 5},
                     {ROWS, ROWS, 100, ROWS, ROWS},
                     {ROWS, 1234, 100, ROWS, 1235},
-                    {ROWS, 999, ROWS, 1000, 1000}}; /* of the tasks that wait then, none begins */
+                    {ROWS, 999, ROWS, 1000, 1000}}; /* no waiting task starts after the stop */
         parallel_use(threads);
         for (size_t k = 0; k < COUNT_OF(runs); k++) {
             crowd = (struct crowd){.stop_at = runs[k].stop_at, .slow = runs[k].slow, .long_from = runs[k].long_from};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables cut from the interpolant: they reach the bits they state, and a table that misses its bound is refused. */
+/* Tables cut from the interpolant reach the bits they state, and a table that misses its bound is refused. */
 #include "ball.h"
 
 #include "approximation/pieces.h"
@@ -24,7 +24,7 @@ static int teardown(void **state)
     return 0;
 }
 
-/* Rows of every kind that reach no further than beta = 3/8. The second has s = beta - node^2 from row 2 on. */
+/* Rows of every kind, up to beta = 3/8. The second table has s = beta - node^2 from row 2 onward. */
 #define TABLE(of, ...)                                                                                                 \
     {                                                                                                                  \
         .quantity = (of), .root = 2, .octave_bits = PIECES_OCTAVE_BITS, .step = 0.125, .degree = 10, .name = "rows",   \
@@ -38,7 +38,7 @@ static const struct pieces tables[] = {
           .rows = 2L * PIECES_PER_OCTAVE, .plain = 2L * PIECES_PER_OCTAVE),
 };
 
-/* Row r at y from its doubles, in doubles, and the beta it stands for. */
+/* Evaluates row r in doubles, at a fraction of its width. Sets beta to the damping at that place. */
 static double evaluate(const struct pieces *p, slong r, double fraction, double *beta)
 {
     double c[32] = {0}, node = p->first + (double)r * p->step, half = p->step / 2, octave = 0;
@@ -77,7 +77,7 @@ TEST(test_rows_are_the_function)
             const arb_srcptr eps = p.quantity == EPS_ZERO_FORCE ? c->eps_zero_force : c->eps_zero_overlap;
             LET(loss, PREC, "(1 - eps)/x", eps, x);
             const double exact = middle(kind == 2 ? loss : eps);
-            /* in plain doubles, so a few units for the sum and for beta */
+            /* plain doubles: allow a few units for the sum and for beta */
             check(fabs(value / exact - 1) < 2e-15, "kind %d, row %ld, beta = %g: %.17g, not %.17g", kind, (long)r, beta,
                   value, exact);
             /* c_0' is the remainder of c_0 */
@@ -90,7 +90,7 @@ TEST(test_rows_are_the_function)
     }
 }
 
-/* The same rows to more bits than they have, and rows too wide for their degree. */
+/* A bound above the bits of the rows, and rows too wide for their degree. */
 TEST(test_bound_missed)
 {
     for (int kind = 0; kind < 4; kind++) {
@@ -103,7 +103,7 @@ TEST(test_bound_missed)
         p.least_bits = 50;
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 1);
         pieces_clear(&p);
-        /* used as far as the last row reaches, and beyond */
+        /* used up to the end of the last row, and beyond it */
         p = tables[kind];
         p.end = kind == 1 ? 0.5625 * 0.5625 : kind == 3 ? 0x1p-8 : 0.3125;
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 0);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen plan: what it measures against formulas of its own and collisions solved at other speeds, and that its choice
- * is the cheapest that meets the tolerance there. */
-#include "support/console.h" /* before cmocka.h makes a macro of fail */
+/* corgen plan: its values, against independent formulas and collisions solved at other speeds. Its choice is the
+ * cheapest model that meets the tolerance there. */
+#include "support/console.h" /* before cmocka.h, which defines a macro fail */
 
 #include "approximation/pade.h"
 #include "ball.h"
@@ -20,7 +20,7 @@ static double beta_of(double speed)
     return pow(speed / G_STAR, 0.2) / -COR_SPHERE_C1;
 }
 
-/* eps at both ends of contact */
+/* Computes eps at both ends of contact. */
 static void eps_solve(double *overlap, double *force, double beta_wanted)
 {
     LOCAL(collision, c);
@@ -53,7 +53,7 @@ static double printed_2011(double beta)
     return (1 + 0.501086 * v) / (1 + 0.501086 * v + 1.15345 * v * v + 0.577977 * pow(v, 3) + 0.532178 * pow(v, 4));
 }
 
-/* The [4/6] at zero force by corgen pade's own route. */
+/* Returns the [4/6] at zero force as corgen pade computes it. */
 static double pade_46(double beta)
 {
     const struct pade_request request = {PADE_ORDINARY, 4, 6, COR_END_ZERO_FORCE, law_sphere};
@@ -67,8 +67,8 @@ static double pade_46(double beta)
     return p / q;
 }
 
-/* At every tolerance: what is chosen meets it at every point, and of those that do nothing is cheaper; what is said to
- * miss misses. */
+/* Checks the choice at every tolerance: it meets the tolerance at every point, and no cheaper model does. A model
+ * reported to miss does miss. */
 static void check_choice(struct plan *plan, struct random_state *r)
 {
     for (int k = 0; k < 300; k++) {
@@ -94,7 +94,7 @@ static void check_choice(struct plan *plan, struct random_state *r)
 
 /* ---- spheres ---- */
 
-/* The plan of a contact with g*; its request may be cleared then */
+/* Makes the plan of a contact with g*; the plan does not need its request afterwards. */
 static void plan_of(struct plan *plan, const char *min, const char *max, const char *tolerance, const char *g_star,
                     int end, slong count)
 {
@@ -113,7 +113,7 @@ TEST(test_spheres)
     assert_int_equal(last, 8);
     assert_true(plan.speed[0] == 0.01 && plan.speed[last] == 1);
 
-    /* what was measured, by other formulas and at a precision of its own */
+    /* the values, by other formulas and at another precision */
     double low = 1, high = 0;
     for (slong i = 0; i <= last; i++) {
         const double beta = beta_of(plan.speed[i]);
@@ -132,7 +132,7 @@ TEST(test_spheres)
         low = fmin(low, force);
         high = fmax(high, force);
     }
-    /* no constant is better than the first, and no power law than the one taken */
+    /* no constant is better than the first, and no power law better than the chosen one */
     double c, a, b;
     assert_int_equal(sscanf(named(&plan, "constant eps")->use, "double eps = %lf", &c), 1);
     assert_true(fabs((c / low - 1) - (1 - c / high)) < 1e-9);
@@ -154,14 +154,14 @@ TEST(test_spheres)
               above);
     }
 
-    /* the choice: a header, of a command that names the scene, with what gen.embed finds between the points */
+    /* the choice: a header, with the command for this scene, and the error that gen.embed finds between the points */
     const struct plan_model *m = &plan.model[plan.chosen];
     assert_true(strncmp(m->name, "header: ", 8) == 0);
     assert_true(m->elsewhere > 0 && m->elsewhere <= plan.tolerance && m->worst >= m->elsewhere);
     assert_string_equal(m->use, "corgen embed --speed-min 0.01 --speed-max 1 --tolerance 1e-3 --g-star 400 "
                                 "--end zero-force --for balanced --output cor_scene_eps.h\n"
                                 "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n");
-    /* what the library promises is not less than what it does */
+    /* the error stated for the library is not below its actual error */
     struct cor_sphere_contact contact;
     assert_int_equal(cor_sphere_contact_init_g_star(&contact, G_STAR), COR_OK);
     m = named(&plan, "library");
@@ -177,7 +177,7 @@ TEST(test_spheres)
         plan_choose(&plan);
         assert_true((written->verdict == PLAN_MISSES) == (k == 0));
     }
-    /* cheaper is worse; and where a constant is good enough, it is taken */
+    /* a cheaper model has a larger error; if a constant is good enough, it is chosen */
     plan.tolerance = 0.2;
     plan_choose(&plan);
     assert_true(plan.model[plan.chosen].cost == 0);
@@ -186,7 +186,7 @@ TEST(test_spheres)
 }
 
 /* A ball on a floor: every model is compared with collisions under gravity. Formulas and the library's functions of
- * beta ignore gravity; the header and cor_scene_eps take it. Tsuji's law has no header. Without damping eps is 1. */
+ * beta ignore gravity; the header and cor_scene_eps include it. Tsuji's law has no header. Without damping eps is 1. */
 TEST(test_gravity)
 {
     static const struct {
@@ -243,7 +243,7 @@ TEST(test_gravity)
     }
 }
 
-/* Beyond beta = 7 eps at zero overlap is h*^5/beta^5. */
+/* Above beta = 7, eps at zero overlap is h*^5/beta^5. */
 TEST(test_strong_damping)
 {
     leave_to_turn(1, 3);
@@ -282,7 +282,7 @@ static struct cor_disk_hard_wall at_rigid_wall(double tolerance, double speed)
     return out;
 }
 
-/* The error of a model of disks between the points, against the library's own table. */
+/* Returns the error of a disk model between the points, relative to the library's own table. */
 static double disk_error(const struct plan_model *m, double speed)
 {
     size_t modes;
@@ -312,7 +312,7 @@ TEST(test_disks)
         assert_true(named(&plan, "eps = 1")->error[i] == 1 - plan.truth[i]);
         check_values(&plan, "dynamics: 300 modes; alpha = 56/v", i, collided(300, 56 / speed, speed, PLAN_EPS), 2e-6);
         check_values(&plan, "dynamics: 940 modes; alpha = 500", i, collided(940, 500, speed, PLAN_EPS), 2e-6);
-        /* the truth, with what the tolerance allows for its error */
+        /* the truth, within the error that the tolerance allows */
         check_values(&plan, "rigid wall: tolerance 1e-05", i, plan.truth[i], 0);
         check(fabs(at_rigid_wall(1e-5, speed).eps - plan.truth[i]) <=
                   plan.uncertainty[i] + named(&plan, "rigid wall: tolerance 1e-05")->error[i],
@@ -325,7 +325,7 @@ TEST(test_disks)
     }
     assert_true(named(&plan, "Rayleigh: 1000")->verdict == PLAN_OUTSIDE);
 
-    /* without the table: the cheapest collision; and what is worse is so */
+    /* without the table: the cheapest collision; models reported as worse are worse */
     named(&plan, "table")->outside = true;
     plan_choose(&plan);
     const struct plan_model *m = &plan.model[plan.chosen];
@@ -342,7 +342,7 @@ TEST(test_disks)
                             cor_disk_eps_uncertainty(plan.speed[other->worst_at], 0.33) >
                         0.97 * plan.tolerance);
     }
-    /* and a constant, or no vibrations at all, where that is good enough */
+    /* a constant, or no vibrations at all, if that is good enough */
     static const char *const constants[] = {"constant eps", "eps = 1"};
     for (int k = 0; k < 2; k++) {
         named(&plan, "constant eps")->outside = k == 1;
@@ -376,20 +376,20 @@ TEST(test_contact_time)
         const double hard = collided(1800, 60 / speed, speed, PLAN_CONTACT_TIME);
         const double harder = collided(1800, 100 / speed, speed, PLAN_CONTACT_TIME);
         const double limit = harder + (harder - hard) * 60 / (100 - 60);
-        /* there the contact ends at a thousandth of the largest load, at a rigid wall with the last touch */
+        /* `limit` ends the contact at a thousandth of the largest load; a rigid wall ends it with the last touch */
         check(fabs(limit / plan.truth[i] - 1) <= 0.015, "tau(%g) = %g, from two walls %g", speed, plan.truth[i], limit);
         check(fabs(at_rigid_wall(3e-6, speed).contact_time / plan.truth[i] - 1) <= plan.uncertainty[i],
               "tau(%g) = %g, uncertain by %.2g", speed, plan.truth[i], plan.uncertainty[i]);
         check_near(plan.uncertainty[i], 2 * fabs(at_rigid_wall(1e-3, speed).contact_time / plan.truth[i] - 1), 1e-6);
     }
-    plan.tolerance = 0.1; /* what a law is good for */
+    plan.tolerance = 0.1; /* loose enough for a law */
     plan_choose(&plan);
     assert_true(strncmp(plan.model[plan.chosen].name, "leading", 7) == 0 ||
                 strncmp(plan.model[plan.chosen].name, "quasistatic", 11) == 0);
     plan_clear(&plan);
 }
 
-/* What elastic waves take from a glass sphere at a wall, against the library */
+/* The energy that elastic waves take from a glass sphere at a wall, against the library */
 TEST(test_waves)
 {
     static const struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The proved bounds of 1/Z and of Z^p against powers by another route: the binomial series of the rows of Z. */
+/* The proved bounds of 1/Z and of Z^p, against powers by another route: the binomial series of the rows of Z. */
 #include "ball.h"
 
 #include "series/jet.h"
@@ -8,7 +8,7 @@
 
 enum { PREC = 400 };
 
-/* Rows 0..order of f^p up to s^(n-1), from f = f_0 (1 + W): f_0^p sum_m binomial(p, m) W^m. */
+/* Returns rows 0..order of f^p up to s^(n-1), from f = f_0 (1 + W): f_0^p sum_m binomial(p, m) W^m. */
 static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slong order, slong n)
 {
     arb_poly_struct *w = jet_new(order + 1), *power = jet_new(order + 1), *sum = jet_new(order + 1);
@@ -23,7 +23,7 @@ static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slo
             arb_poly_scalar_mul(term, power + k, binomial, PREC);
             arb_poly_add(sum + k, sum + k, term, PREC);
         }
-        /* W^(m+1) starts with u^(m+1); the rows from above, because each needs lower ones only. */
+        /* W^(m+1) starts with u^(m+1). The rows are computed downwards, because each needs only lower rows. */
         for (slong k = order; k >= 0; k--) {
             arb_poly_zero(first);
             for (slong i = 1; i <= k; i++) {
@@ -43,7 +43,7 @@ static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slo
     return sum;
 }
 
-/* sum_k U^k sum_{j >= start} |f_kj| rho^j over the coefficients that f has */
+/* Computes sum_k U^k sum_{j >= start} |f_kj| rho^j over the coefficients that f has. */
 static void rows_norm(arb_t norm, const arb_poly_struct *f, slong order, slong start, double U, double rho)
 {
     arb_zero(norm);
@@ -58,7 +58,7 @@ static void rows_norm(arb_t norm, const arb_poly_struct *f, slong order, slong s
     }
 }
 
-/* norm <= bound <= 2^slack norm */
+/* Fails unless norm <= bound <= 2^slack norm. */
 static void assert_bounds(const arb_t bound, const arb_t norm, slong slack, const char *what, const char *law)
 {
     LOCAL(arb, most);
@@ -96,7 +96,7 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
     }
 }
 
-/* Every bound holds, with a block that is the whole of Z and with one that leaves much of the proof to its rest. */
+/* Every bound holds, with a block that is all of Z and with one that leaves much of the proof to the rest. */
 TEST(test_trajectories)
 {
     enum { ORDER = 4, TERMS = 30 };
@@ -120,7 +120,7 @@ TEST(test_trajectories)
     }
 }
 
-/* Z = 1 - c s^20: 1/Z has the norm 1/(1 - c rho^20). The block 1 of 10 columns knows nothing of c. */
+/* Z = 1 - c s^20: 1/Z has the norm 1/(1 - c rho^20). The block 1 of 10 columns does not contain c. */
 TEST(test_one_term)
 {
     enum { TERMS = 25, POWER = 20, BLOCK = 10 };
@@ -146,7 +146,7 @@ TEST(test_one_term)
     jet_free(t.x_to_a, 1);
 }
 
-/* Z = 1 + U: of 1 - Z V, V = 1 - U from a block of two rows, U^2 is all there is, and 1/(1 - U) the bound. */
+/* Z = 1 + U, with V = 1 - U from a block of two rows: 1 - Z V is U^2, and the bound is 1/(1 - U). */
 TEST(test_rest_of_block)
 {
     enum { ORDER = 2, TERMS = 3 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The printed numbers beside the right ones: which prints are wrong, and that ours are not. */
+/* The printed numbers next to the right ones: proves which prints are wrong, and that ours are right. */
 #include "ball.h"
 
 #include "approximation/pade.h"
@@ -8,7 +8,7 @@
 
 enum { ORDER = 4, BITS = 128 };
 
-/* y_2 and y_3 are wrong in print, while (61) is right. (62) also lacks a factor 1/6, which has no effect because x_0'''
+/* y_2 and y_3 are misprinted, while (61) is right. (62) also lacks a factor 1/6, which has no effect because x_0'''
  * vanishes at the turning point. C_3, C_4, a_3, a_4 and Table I inherit the error. a_1 and a_2 are exact. */
 static const struct {
     char quantity; /* y_k, C_k or a_k */
@@ -29,14 +29,14 @@ static const struct {
     {'a', 4, "(33), (71)", NULL, "0.1970206380"},
 };
 
-/* Whether x, proved, lies within one unit of the last digit of the text. */
+/* True if x, which is proved, is within one unit of the last digit of the text. */
 static bool agrees(const arb_t x, const char *text)
 {
     LOCAL(arb, y);
     const slong decimals = (slong)strlen(strchr(text, '.') + 1);
     assert_int_equal(arb_set_str(y, text, BITS), 0);
     LET(y, BITS, "abs(y - x)*10^decimals - 1", y, x, decimals);
-    assert_true(arb_is_nonpositive(y) || arb_is_positive(y)); /* decided */
+    assert_true(arb_is_nonpositive(y) || arb_is_positive(y)); /* the ball decides */
     return arb_is_nonpositive(y);
 }
 
@@ -55,7 +55,7 @@ TEST(test_values)
         arb_poly_get_coeff_arb(x, published[i].quantity == 'y' ? s->y : s->c, k);
         if (is_a)
             LET(x, BITS, "abs(x/c1^k)", x, c1, k);
-        if (is_a && k < 3) { /* never proved to differ */
+        if (is_a && k < 3) { /* not proved to differ */
             assert_string_equal(printed, correct);
             assert_int_equal(fmpq_set_str(exact, correct, 10), 0);
             assert_true(arb_contains_fmpq(x, exact));
@@ -68,8 +68,8 @@ TEST(test_values)
     }
 }
 
-/* The print is consistent with itself: a_k = |C_k|/|C_1|^k of the printed C_k, so the error came in with the numbers
- * and not with (70), (71). */
+/* The print is consistent with itself: a_k = |C_k|/|C_1|^k for the printed C_k. So the error came with the numbers and
+ * not with (70), (71). */
 TEST(test_print_is_consistent)
 {
     for (int k = 3; k <= 4; k++)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The proofs of the sphere's rows: enclosures at complex damping against enclosed collisions on the real axis and, off
- * it, against a plain integration in time; ellipses that reach a singularity; rows with wrong coefficients, and
- * interpolants with wrong samples. The creep's series against enclosed collisions. */
+/* The proofs of the sphere's rows. Enclosures at complex damping are compared with enclosed collisions on the real axis
+ * and, off it, with a plain integration in time. Ellipses that reach a singularity, rows with wrong coefficients,
+ * interpolants with wrong samples. The creep series, against enclosed collisions. */
 #include "ball.h"
 
 #include <complex.h>
@@ -53,7 +53,7 @@ TEST(test_real_axis)
     }
 }
 
-/* One step of Runge and Kutta's method for dw/ds = v/2, dv/ds = -w^2 (beta v + w^2), dt/ds = w (derivation, 6) */
+/* One Runge-Kutta step for dw/ds = v/2, dv/ds = -w^2 (beta v + w^2), dt/ds = w (derivation, 6) */
 static void motion_step(double complex y[3], double complex beta, double complex h)
 {
     double complex k[4][3];
@@ -69,8 +69,8 @@ static void motion_step(double complex y[3], double complex beta, double complex
         y[j] += h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
 }
 
-/* From the event at the real part of beta to the event at beta, followed by Newton's method: event 0 is v = 0, 1 is
- * zero force, 2 is w = 0. `s` is its complex place. */
+/* Starts from the event at the real part of beta and follows it with Newton's method to the event at beta. Events: 0 is
+ * v = 0, 1 is zero force, 2 is w = 0. `s` is its complex place. */
 static void motion_event(double complex y[3], double complex beta, int event)
 {
     enum { STEPS = 3000, FEWER_STEPS = STEPS / 10, PARTS = 40, NEWTON = 8 };
@@ -113,8 +113,8 @@ TEST(test_complex_plane)
     }
 }
 
-/* Beyond h*, on the negative axis of beta, no motion turns: no ball there, and no ellipse that reaches it. From rho =
- * 7.92 on this one does; that of 8 is refused after 6000 balls, which take seconds. */
+/* Beyond h*, on the negative axis of beta, no motion turns: no ball there, and no ellipse that reaches it. This ellipse
+ * reaches it for rho >= 7.92. With rho = 8 it is refused after 6000 balls, which take seconds. */
 TEST(test_singular)
 {
     leave_to_turn(0, 3);
@@ -176,8 +176,8 @@ static const struct pieces inverse_tables[] = {
           .plain = 8),
 };
 
-/* What turns the proof of one row red: any coefficient but c_0 wrong by 2^-49 of the row's value, c_0' dropped, and a
- * node that moved. */
+/* Each of these must make the proof of one row fail. A coefficient other than c_0 is wrong by 2^-49 of the row's value,
+ * c_0' is dropped, or a node is shifted. */
 static void assert_row_guarded(struct pieces *p, slong row, double *c)
 {
     const double bits = p->bits[row];
@@ -204,8 +204,8 @@ static void assert_row_guarded(struct pieces *p, slong row, double *c)
     p->first = first;
 }
 
-/* The proved errors of two tables and one of an inverse, which differ from run to run, are those that sampling finds,
- * or a little larger. Wrong rows are refused. */
+/* For two tables and one inverse, chosen at random in each run, the proved errors equal the sampled errors or exceed
+ * them slightly. Wrong rows are refused. */
 TEST(test_rows)
 {
     for (int i = 0; i < 3; i++) {
@@ -242,7 +242,7 @@ TEST(test_rows)
     }
 }
 
-/* A sample that is wrong in its 52nd bit, or a node in its 40th: no proof. */
+/* A sample that is wrong in its 52nd bit, or a node wrong in its 40th, has no proof. */
 TEST(test_samples)
 {
     LOCAL(arb, kept);
@@ -264,7 +264,7 @@ TEST(test_samples)
     interpolant_through_samples(polynomial, samples, interval, EPS_ZERO_FORCE);
 }
 
-/* The proof knows its intervals, and no others. */
+/* The proof covers its own intervals and no others. */
 TEST(test_unknown)
 {
     assert_true(proof->error[0][EPS_ZERO_OVERLAP] < 1e-20);
@@ -283,8 +283,8 @@ TEST(test_unknown)
 
 /* ---- the creep from zero force to zero overlap ---- */
 
-/* t' - 2 ln(Y) - a_1/Y - ... - a_n/Y^n of an enclosed collision, Y, and the bound of the remainder. Without `last` the
- * sum ends at n - 1. */
+/* Computes t' - 2 ln(Y) - a_1/Y - ... - a_n/Y^n of an enclosed collision, Y, and the bound of the remainder. Without
+ * `last` the sum ends at n - 1. */
 static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_series *s, const arb_t beta, bool last)
 {
     enum { PREC = 200, BITS = 110 };
@@ -302,8 +302,8 @@ static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_seri
     creep_series_remainder(bound, s, r);
 }
 
-/* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same C within the remainder, also where Y
- * is small and the remainder large; without the last term they do not. */
+/* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same C within the remainder, even where Y
+ * is small and the remainder large. Without the last term they do not. */
 TEST(test_creep_series)
 {
     static const double first[] = {2, 1.5, 3, 9};
@@ -345,8 +345,8 @@ TEST(test_creep_series)
     creep_series_clear(&s);
 }
 
-/* Functions of p = 1 + w t, at random t and at both ends, where the terms left out are larger than all roundings; ln
- * and 1/p need w < 1/2. None of a function with a zero, or of a negative one */
+/* Functions of p = 1 + w t, at random t and at both ends, where the omitted terms exceed all roundings. ln and 1/p need
+ * w < 1/2. A p with a zero, or a negative p, is refused. */
 TEST(test_enclosed_functions)
 {
     static const struct {
@@ -385,8 +385,8 @@ TEST(test_enclosed_functions)
     }
 }
 
-/* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds: all
- * rows in a long run only; `corgen tables` proves the rows each time. */
+/* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds, so
+ * only a long run tests all rows; `corgen tables` proves the rows each time. */
 TEST(test_creep_rows)
 {
     if (!few_or_all(0, 1))
@@ -402,7 +402,7 @@ TEST(test_creep_rows)
         double *const c = p.value + row * (p.degree + 2);
         const double sampled = p.bits[row];
         p.bits[row] = row_proof_bits(proof, &p, row, c);
-        /* the polynomial with which sampling compares is off by 4e-18 */
+        /* the polynomial for the sampled error is off by 4e-18 */
         check(p.bits[row] >= fmin(sampled, 60) - 2, "row %ld: %g bits proved, %g sampled", (long)row, p.bits[row],
               sampled);
         assert_row_guarded(&p, row, c);

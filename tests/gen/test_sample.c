@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen sample: the tolerance holds, the errors are equal, one point fewer fails, and an exhaustive search over a grid
+/* corgen sample: the tolerance holds, the errors are equal, one point fewer fails. An exhaustive search over a grid
  * finds no smaller table. */
 #include "scene.h"
 
 #include "contact/sample.h"
 #include "cor/law.h"
 
-/* a contact whose mass and stiffness are not known */
+/* Returns a contact with unknown mass and stiffness. */
 static struct cor_scene_contact contact_of(struct cor_exponents law, int way, double damping)
 {
     struct cor_scene_contact contact = {
@@ -30,7 +30,7 @@ static double place(const struct sample_request *r, double speed)
     return r->log ? log(speed) : speed;
 }
 
-/* d eps/d place by a difference of order 4 with a step in ln(speed) */
+/* Returns d eps/d place by a difference of order 4 with a step in ln(speed). */
 static double slope_at(const struct sample_request *r, double speed, double h)
 {
     const double d = 8 * (eps_at(r, speed * exp(h)) - eps_at(r, speed * exp(-h))) -
@@ -38,7 +38,7 @@ static double slope_at(const struct sample_request *r, double speed, double h)
     return d / (12 * h) / (r->log ? 1 : speed);
 }
 
-/* The largest relative error between two speeds, at evenly spaced places */
+/* Returns the largest relative error between two speeds, at evenly spaced places. */
 static double error_between(const struct sample_request *r, double low, double high, int places)
 {
     const double x0 = place(r, low), x1 = place(r, high), y0 = eps_at(r, low), y1 = eps_at(r, high), w = x1 - x0;
@@ -69,7 +69,7 @@ static void check_sample(const struct sample_request *r)
     }
     check(most <= r->tolerance, "error %g beyond %g with %zu points", most, r->tolerance, s.best.count);
     check(fabs(most / s.best.error - 1) < 1e-3, "error %g, said to be %g", most, s.best.error);
-    /* so many places that none between them has a larger error: what is said is not below */
+    /* on a grid fine enough to show that the reported error is not too small */
     double fine = 0;
     for (size_t i = 0; i + 1 < s.best.count; i++)
         if (errors[i] > most * (1 - 1e-3))
@@ -107,11 +107,11 @@ TEST(tolerances_hold)
 
 /* ---- an exhaustive search ---- */
 
-/* The largest of so many errors on a parabola is too small by 4e-4 of it at most. */
+/* On a parabola the largest of this number of errors is too small by at most 4e-4, relatively. */
 enum { GRID = 60, GRID_PLACES = 48 };
 
-/* The least number of segments between the ends of the range with points on a grid; a large number if it is too coarse
- */
+/* Returns the least number of segments with points on a grid over the range; a large number if the grid is too
+ * coarse. */
 static int fewest_on_grid(const struct sample_request *r, double tolerance)
 {
     int best[GRID];
@@ -140,23 +140,23 @@ TEST(no_smaller_table)
                                    .log = turn % 3 != 0};
         struct sample s;
         assert_int_equal(sample_choose(&s, &r), 0);
-        /* eps is convex in the speed; in its logarithm it has a point of inflection, over which a longer segment may
-         * have a smaller error, and one segment may be too many */
+        /* eps is convex in the speed. In ln(speed) it has an inflection: a longer segment across it may have a smaller
+         * error, so the result may have one segment too many. */
         const int segments = (int)s.best.count - 1, more = r.log ? 1 : 0;
         check(segments <= fewest_on_grid(&r, r.tolerance) + more, "%d segments, the grid needs %d", segments,
               fewest_on_grid(&r, r.tolerance));
-        /* what the grid finds within the error of one point fewer, the free points find, too */
+        /* the free points need no larger error than the grid for one point fewer */
         if (isfinite(s.error_of_fewer))
             check(fewest_on_grid(&r, s.error_of_fewer * 0.999) + more > segments - 1,
                   "the grid needs fewer than %d segments for %g", segments - 1, s.error_of_fewer);
-        /* and that error is enough for one point fewer */
+        /* that error suffices for one point fewer */
         struct sample fewer;
         r.tolerance = s.error_of_fewer * (1 + 1e-4);
         if (isfinite(s.error_of_fewer)) {
             assert_int_equal(sample_choose(&fewer, &r), 0);
             check(fewer.best.count < s.best.count, "%zu points have %g", fewer.best.count, r.tolerance);
             sample_clear(&fewer);
-            /* a tolerance that it misses by a millionth is kept */
+            /* a tolerance below that error by a millionth is still met */
             r.tolerance = s.error_of_fewer * (1 - 1e-6);
             assert_int_equal(sample_choose(&fewer, &r), 0);
             check(fewer.best.error <= r.tolerance, "error %.9g beyond %.9g", fewer.best.error, r.tolerance);
@@ -194,7 +194,7 @@ TEST(other_laws)
                   s.best.speed_m_s[i]);
         sample_clear(&s);
     }
-    /* slopes at the ends of a narrow range need values beyond them */
+    /* slopes at the ends of a narrow range need values outside it */
     const struct sample_request narrow = {
         .contact = &contact, .speed_min = 0.5, .speed_max = 0.501, .tolerance = 1e-3, .cubic = true};
     assert_int_equal(sample_choose(&s, &narrow), 0);
@@ -210,8 +210,8 @@ TEST(other_laws)
     sample_clear(&s);
 }
 
-/* From a speed on that is nearly that of the onset of yield, where the second derivative of eps jumps: slopes do not
- * reach over the onset. */
+/* The range begins close to the onset of yield, where the second derivative of eps jumps. The differences for the
+ * slopes must not cross the onset. */
 TEST(yield_in_a_liquid)
 {
     const double yield = 0.1, liquid = 0.01, beyond = 5e-4;

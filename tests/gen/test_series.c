@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution series: against enclosed collisions, which prove every coefficient, and in closed form. */
+/* The restitution series, against enclosed collisions, which prove every coefficient, and against closed forms. */
 #include "ball.h"
 
 #include "enclosure/collision.h"
@@ -8,8 +8,8 @@
 
 /* ---- against collisions ---- */
 
-/* sum f_k x^k, k <= order, differs from `value` by x^(order + 1/2) at most: without the term of order + 1, the
- * coefficients up to `order` are right. */
+/* Checks that sum f_k x^k, k <= order, differs from `value` by x^(order + 1/2) at most. This exceeds the omitted terms
+ * but not the terms up to `order`, so those coefficients are right. */
 static void assert_sum(const arb_poly_t f, const arb_t x, slong order, const arb_t value, slong prec, const char *what)
 {
     LOCAL(arb_poly, head);
@@ -21,14 +21,14 @@ static void assert_sum(const arb_poly_t f, const arb_t x, slong order, const arb
     LET(bound, prec, "sqrt(x)^(2*order + 1)", x, order);
     arb_add_error(sum, bound);
     assert_overlap(sum, value, what, order);
-    /* and the collision is narrow enough to tell */
+    /* the collision must be narrow enough to decide this */
     mag_mul_2exp_si(width, arb_radref(value), 8);
     arb_get_mag_lower(least, bound);
     assert_true(mag_cmp(width, least) < 0);
 }
 
-/* No coefficient C_k can be wrong by more than 2^(-shift (order - k + 1/2)) then. Another computation finds the same
- * coefficients to `bits` bits, as promised. */
+/* Checks C_k against a collision, which excludes errors above 2^(-shift (order - k + 1/2)). A second computation finds
+ * the same coefficients to the promised number of bits. */
 static void compare_with_collision(const struct cor_exponents *law, slong order, slong shift, slong bits)
 {
     LOCAL(series, s, few);
@@ -53,14 +53,14 @@ static void compare_with_collision(const struct cor_exponents *law, slong order,
     assert_poly_overlap(s->c, few->c, order, "C_k");
     for (slong k = 1; k <= order; k++) {
         arb_poly_get_coeff_arb(x, few->c, k);
-        if (!arb_is_zero(x)) /* exactly so, see test_exact_zeros */
+        if (!arb_is_zero(x)) /* exactly zero: see test_exact_zeros */
             assert_bits(x, bits);
     }
 }
 
-/* Nothing is special to the sphere. The rows of (2, 1/2) grow fast with s: a bound of the truncation whose errors are
- * the same in every column proves nothing there. Collisions of the linear dashpot and Tsuji's law, and of Hunt and
- * Crossley's, are closed forms. */
+/* The sphere is not a special case. The rows of (2, 1/2) grow fast with s: a truncation bound with equal errors in
+ * every column proves nothing there. Collisions of the linear dashpot, of Tsuji's law, and of Hunt and Crossley's law
+ * are closed forms. */
 TEST(test_collisions)
 {
     leave_to_turn(1, 2);
@@ -80,8 +80,8 @@ TEST(test_collisions)
     }
 }
 
-/* q = -1/N with a whole N: C_2N = 0, exactly in the series, which knows it. So does the collision, which does not. For
- * (5, 0), q = -2/3, no coefficient vanishes. The value: docs/theory.md, 9. */
+/* q = -1/N with a whole N: C_2N = 0. The series contains an exact zero, the collision only a small ball. For (5, 0),
+ * where q = -2/3, no coefficient vanishes. Source of the value: docs/theory.md, 9. */
 TEST(test_exact_zeros)
 {
     leave_to_turn(1, 3);
@@ -107,7 +107,7 @@ TEST(test_exact_zeros)
     }
 }
 
-/* Too few bits or terms for what is promised are refused; a ball holds the truth in any case. */
+/* Too few bits or terms for the requested accuracy are refused. The balls contain the truth in any case. */
 TEST(test_verdicts)
 {
     enum { ORDER = 12 };
@@ -132,7 +132,7 @@ TEST(test_verdicts)
 
 /* ---- closed forms ---- */
 
-/* G and T of docs/theory.md, 5, for spheres and Hertz with a constant dashpot */
+/* G and T of docs/theory.md, 5, for spheres, and for Hertz with a constant dashpot */
 TEST(test_zero_force)
 {
     static const struct {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: lists, rows, and the journal that survives whatever ends it. */
+/* Sweeps: lists, rows, and the journal, which survives every interruption. */
 #define _DEFAULT_SOURCE /* mkdtemp, truncate */
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "support/console.h" /* before cmocka, which has a macro fail */
+#include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include "check.h"
 
@@ -51,9 +51,9 @@ TEST(test_lists)
     assert_list(&any, "1:-1:lin:3", "1 0 -1");
     assert_list(&any, "0.001:1:log:4", "0.001 0.01 0.1 1");
     assert_list(&any, "8:1:log:3", "8 2.8284271247461903 1");
-    assert_list(&any, "3,1:4:+1,3,2", "3 1 2 4"); /* each once, where it came first */
+    assert_list(&any, "3,1:4:+1,3,2", "3 1 2 4"); /* each once, at its first place */
     assert_list(&whole, "1:10:log:5", "1 2 3 6 10");
-    assert_list(&whole, "1:4:lin:9", "1 2 3 4"); /* halves go up: 1 1.375 1.75 2.125 2.5 2.875 3.25 3.625 4 */
+    assert_list(&whole, "1:4:lin:9", "1 2 3 4"); /* halves round up: 1 1.375 1.75 2.125 2.5 2.875 3.25 3.625 4 */
     assert_list(&whole, "100:900:+400,2e2", "100 500 900 200");
 
     struct values values;
@@ -62,14 +62,14 @@ TEST(test_lists)
     assert_exact(&values, 3, "1/7");
     assert_true(values.least == 1.0 / 7 && values.largest == 1000);
     values_clear(&values);
-    /* of two exact numbers with one double, the first stays */
+    /* of two exact numbers with one double, only the first remains */
     assert_int_equal(values_parse(&values, &any, "1/3,0.33333333333333333,2,33333333333333333e-17"), STATUS_OK);
     assert_int_equal(values.count, 2);
     assert_exact(&values, 0, "1/3");
     values_clear(&values);
 }
 
-/* As many values as a list may have, and one more. */
+/* The maximal number of values, and one more. */
 TEST(test_longest_list)
 {
     static const struct values_rule many = {"many", {"1", "1e7", true, true, true, "a number from 1 to 1e7"}, true};
@@ -101,7 +101,7 @@ TEST(test_wrong_lists)
           "-1:1:log:3", "1:2:geo:3", "1:2:lin:3:", ":::", "1:1001:lin:3", "1e1000", "1/0", "1:2:lin:9999999", "2:1:+-1",
           "2:1:--1");
     WRONG(&whole, "0", "1.5", "1/3", "1001", "1:10:+0.5");
-    /* doubles that are not inside though the numbers are */
+    /* numbers inside the range whose doubles are outside */
     WRONG(&sweep_poisson, "0.99999999999999999");
     WRONG(&sweep_speed, "1e-400");
 }
@@ -141,7 +141,7 @@ TEST(test_product)
                     row.modes == modes[i / 3 % 4]);
     }
 
-    /* as many digits as the tolerance justifies */
+    /* number of digits by the tolerance */
     static const double tolerance[] = {1e-6, 1.1e-6, 9e-6, 1e-5};
     FILE *const none = tmpfile();
     assert_non_null(none);
@@ -154,7 +154,7 @@ TEST(test_product)
     }
     fclose(none);
     sweep_clear(&sweep);
-    /* up to the largest number of rows */
+    /* the maximal number of rows, and one more */
     for (size_t more = 0; more < 2; more++) {
         sweep = (struct sweep){.hard_wall = true, .speed.count = SWEEP_MAX_ROWS + more, .poisson.count = 1};
         assert_int_equal(sweep_count(&sweep), more ? STATUS_USAGE : STATUS_OK);
@@ -171,7 +171,7 @@ static void assert_line(const struct sweep *sweep, const struct sweep_result *re
     assert_string_equal(line, expected);
 }
 
-/* Digits end with the second one of the error, and the error is rounded up. */
+/* Digits end with the second digit of the error, and the error is rounded up. */
 TEST(test_digits)
 {
     enum { EPS = 4, ERROR = 10 };
@@ -214,7 +214,7 @@ static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at
 enum { LINES = COUNT_OF(line) };
 
 enum { MOST = 1 << 12 };
-static char file[64], part[64], *whole_file; /* FILE, FILE.part, and what a complete one holds */
+static char file[64], part[64], *whole_file; /* FILE, FILE.part, and the bytes of a complete one */
 static size_t whole_size;
 
 static void part_write(const char *bytes, size_t size)
@@ -245,7 +245,7 @@ static int start(struct journal *journal)
     return journal_open(journal, file, title, LINES);
 }
 
-/* Goes on from whatever is there to the end, and gives the number of lines found, or -1 if it was refused. */
+/* Continues from the present file to the end. Returns the number of lines found, or -1 if the file was refused. */
 static int go_on(void)
 {
     struct journal journal;
@@ -264,7 +264,7 @@ static int go_on(void)
     return (int)found;
 }
 
-/* The same bytes in the end, from these on */
+/* Continues from these bytes and checks that the final bytes are right. */
 static int go_on_from(const char *bytes, size_t size, const char *what, size_t at)
 {
     part_write(bytes, size);
@@ -289,11 +289,11 @@ static int start_all(void **state)
     return 0;
 }
 
-/* Cut off anywhere, damaged anywhere, or longer than it should be */
+/* Cut anywhere, damaged anywhere, or too long */
 TEST(test_journal_damaged)
 {
     int last = 0;
-    for (size_t cut = 0; cut <= whole_size; cut++) { /* all lines before the cut are taken over */
+    for (size_t cut = 0; cut <= whole_size; cut++) { /* all lines before the cut are reused */
         const int found = go_on_from(whole_file, cut, "cut at", cut);
         check(found >= last && found <= last + 1, "%d after %d at %zu", found, last, cut);
         last = found;
@@ -303,27 +303,27 @@ TEST(test_journal_damaged)
     memcpy(bytes, whole_file, whole_size);
     const size_t more = (size_t)snprintf(bytes + whole_size, 100, "and\nmore");
     assert_int_equal(go_on_from(bytes, whole_size + more, "longer by", more), LINES);
-    for (size_t at = strlen(title) + 1; at < whole_size; at++) { /* zeros, as a power cut leaves */
+    for (size_t at = strlen(title) + 1; at < whole_size; at++) { /* zeros, as after a power failure */
         memcpy(bytes, whole_file, whole_size);
         memset(bytes + at, 0, whole_size - at);
         const int found = go_on_from(bytes, whole_size, "damaged at", at);
         check(found >= 0 && found < LINES, "%zu: %d", at, found);
     }
-    /* one row more, and a good one */
+    /* one row too many, although a valid one */
     struct journal journal;
     assert_int_equal(journal_open(&journal, file, title, UINT64_MAX), STATUS_OK);
     assert_int_equal(journal_add(&journal, "one line more, and a good one"), STATUS_OK);
     journal_close(&journal, false);
     assert_int_equal(go_on(), LINES);
     assert_part(whole_file, whole_size, "a row more", 0);
-    static const char foreign[][8] = {"x", "x\n", "c\0mine", "z\n1,2\n"}; /* is refused, and stays as it was */
+    static const char foreign[][8] = {"x", "x\n", "c\0mine", "z\n1,2\n"}; /* refused, and not changed */
     for (size_t i = 0; i < COUNT_OF(foreign); i++) {
         assert_int_equal(go_on_from(foreign[i], sizeof foreign[i], "foreign", i), -1);
         assert_part(foreign[i], sizeof foreign[i], "foreign", i);
     }
 }
 
-/* Writes the title and the n rows of these numbers, without their last `cut` bytes. Returns the size. */
+/* Writes the title and the n rows with these numbers, without their last `cut` bytes. Returns the size. */
 static size_t put_rows(char bytes[MOST], const size_t *row, size_t n, size_t cut)
 {
     size_t size = (size_t)sprintf(bytes, "%s\n", title);
@@ -336,7 +336,7 @@ static size_t put_rows(char bytes[MOST], const size_t *row, size_t n, size_t cut
     return size;
 }
 
-/* No row enters FILE that is not the next one: a byte changed, rows swapped, left out, repeated or without checks */
+/* Only the next row may enter FILE: a byte changed, rows swapped, omitted, repeated, or without check values */
 TEST(test_journal_changed)
 {
     char bytes[MOST];
@@ -360,7 +360,7 @@ TEST(test_journal_changed)
     }
 }
 
-/* What other processes and a full disk do to it meanwhile */
+/* Other processes and a full disk, at the wrong time */
 TEST(test_journal_shared)
 {
     struct journal journal;
@@ -380,7 +380,7 @@ TEST(test_journal_shared)
     assert_int_equal(go_on(), LINES - 2);
     assert_part(whole_file, whole_size, "full disk", 0);
 
-    /* changed, and cut off, by another program between the last row and the table */
+    /* changed and truncated by another program between the last row and the table */
     size_t rows = 0;
     assert_int_equal(start(&journal), STATUS_OK);
     whole_file[whole_size - strlen("5,12345678\n")]++;
@@ -396,7 +396,7 @@ TEST(test_journal_shared)
     assert_int_equal(journal_read(&journal, count_line, &rows), STATUS_FAILED);
     journal_close(&journal, true);
 
-    /* held by another process */
+    /* locked by another process */
     assert_int_equal(start(&journal), STATUS_OK);
     fflush(NULL);
     const pid_t child = fork();
@@ -413,7 +413,7 @@ TEST(test_journal_shared)
 
 /* ---- rigid walls ---- */
 
-/* As many levels as the first table has, and one more; and a budget that ends before the first table does */
+/* The most levels that the first table has, and one more; then a budget that ends before the first table */
 TEST(test_hard_wall)
 {
     enum { FIRST_LEVELS = 8 };
@@ -436,7 +436,7 @@ TEST(test_hard_wall)
 
 /* ---- Rayleigh's energy ---- */
 
-/* A row has the numbers of the library's table cut to its modes, whatever table the sweep has. */
+/* A row has the numbers of the library's table, restricted to its modes, for every table of the sweep. */
 TEST(test_rayleigh)
 {
     struct sweep sweep = sweep_of("1e-3,0.05,0.4", "0.33", "100", "100");

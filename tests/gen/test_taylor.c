@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* One enclosed Taylor step: its remainder against the truth, and that no value leaves it out. */
+/* One enclosed Taylor step: its remainder bounds the true error, and every value includes the remainder. */
 #include "ball.h"
 
 #include "enclosure/taylor.h"
 #include "support/local.h"
 
-/* A constant force takes the place of the elastic one. */
+/* Starts a step. A constant force replaces the elastic one. */
 static void taylor_start(struct taylor *y, const struct cor_exponents *law, slong degree, slong prec, const char *beta,
                          slong force)
 {
@@ -18,12 +18,11 @@ static void taylor_start(struct taylor *y, const struct cor_exponents *law, slon
     assert_true(taylor_choose_step(y));
 }
 
-/* A short polynomial misses the truth, by a long one, by less than its remainder says; and the remainder is not
- * absurd. */
+/* The error of a short polynomial, against a long one, is at most its remainder, which is not much too large. */
 TEST(test_remainder)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "3/2"}, {"2", "1/3"}};
-    static const char *const betas[] = {"0.1", "1", "3", "0"}; /* 0: a constant force alone */
+    static const char *const betas[] = {"0.1", "1", "3", "0"}; /* 0: only a constant force */
     const slong prec = 600;
     LOCAL(mag, missed, claimed);
     LOCAL(arb, rough, truth);
@@ -32,7 +31,7 @@ TEST(test_remainder)
             const struct cor_exponents given = law_of(laws[i][0], laws[i][1]), law = k < 3 ? given : law_even(&given);
             const slong force = k < 3 ? 0 : 5;
             struct taylor low, high;
-            /* 40 bits decide the step, 600 the arithmetic: what is missed is truncation alone. */
+            /* 40 bits determine the step, 600 the arithmetic, so the only error is truncation */
             taylor_start(&low, &law, force ? 13 : 12, 40, betas[k], force);
             low.prec = prec;
             taylor_expand(&low);
@@ -49,7 +48,7 @@ TEST(test_remainder)
                 arb_sub(rough, rough, truth, prec);
                 arb_get_mag(missed, rough);
                 assert_true(mag_cmp(missed, claimed) <= 0);
-                /* Odd and even powers alternate, so some of the next terms vanish: 2^60 is room for that. */
+                /* odd and even powers alternate, so some of the next terms vanish: 2^60 allows for that */
                 mag_mul_2exp_si(missed, missed, 60);
                 assert_true(mag_is_zero(missed) || mag_cmp(missed, claimed) > 0 ||
                             (component == TAYLOR_T && law.denominator == 1));
@@ -59,7 +58,7 @@ TEST(test_remainder)
         }
 }
 
-/* One term of the linear oscillator, w = sigma and v = 1: no bound is nearer to what is missed, here 1 - cos(h). */
+/* One term of the linear oscillator, w = sigma and v = 1: no bound is closer to the omitted part, here 1 - cos(h). */
 TEST(test_one_term)
 {
     const struct cor_exponents law = law_of("1", "0");
@@ -72,7 +71,7 @@ TEST(test_one_term)
     taylor_clear(&y);
 }
 
-/* Free motion, w = h/d and v = 1, where the error of the time, (h/d)^d, is the only one */
+/* Free motion, w = h/d and v = 1, where (h/d)^d in the time is the only error */
 TEST(test_time_alone)
 {
     const struct cor_exponents law = law_of("3/2", "1/3");
@@ -87,7 +86,7 @@ TEST(test_time_alone)
     taylor_clear(&y);
 }
 
-/* A step of the linear oscillator, entire as its solution is, never spans a zero of the overlap unseen. */
+/* The solution of the linear oscillator is entire, but no step may span an undetected zero of the overlap. */
 TEST(test_step_is_short)
 {
     const struct cor_exponents law = law_of("1", "0");
@@ -97,8 +96,8 @@ TEST(test_step_is_short)
     taylor_clear(&y);
 }
 
-/* Under a constant force the state turns by 2 L h < 3 at most: L > sqrt(c3/2) where there is nothing else, and L >
- * sqrt(2) next to the rest of c2 = c3 = 1. */
+/* Under a constant force the state turns by at most 2 L h < 3. L > sqrt(c3/2) for the force only, and L > sqrt(2) for
+ * c2 = c3 = 1 near rest. */
 TEST(test_step_under_a_force)
 {
     const struct cor_exponents linear = law_of("1", "0"), law = law_even(&linear);
@@ -150,7 +149,7 @@ TEST(test_online_products)
             arb_add(force, elastic + n, damping + n, ONLINE_PREC);
             arb_mul_si(derivative, y.v + n + 1, -(n + 1), ONLINE_PREC);
             assert_overlap(derivative, force, "coefficient", n);
-            /* and each interval adds no more than round-off to the longest step */
+            /* each interval adds no more than round-off to the longest step */
             mag_pow_ui(power, step, (ulong)(n + 1));
             mag_mul(round_off, arb_radref(y.v + n + 1), power);
             assert_true(mag_cmp_2exp_si(round_off, ROUND_OFF_BITS - ONLINE_PREC) < 0);
@@ -161,8 +160,8 @@ TEST(test_online_products)
     }
 }
 
-/* The signs of all terms on both sides enclose a zero. That of w = (1 - s)^3 is known to 2^-4 if w is to 2^-12; that of
- * 1 - s + s^60/2^20 is another one without the last term, which a search with few bits leaves out. */
+/* The signs of all terms on both sides enclose a zero. The zero of w = (1 - s)^3 is known to 2^-4 if w is known to
+ * 2^-12. The zero of 1 - s + s^60/2^20 changes if a search with few bits omits the last term. */
 TEST(test_zero)
 {
     static const int cubic[] = {1, -3, 3, -1};

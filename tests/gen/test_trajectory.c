@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of what is cut off. */
+/* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of the truncation error. */
 #include "ball.h"
 
 #include "series/jet.h"
@@ -9,7 +9,7 @@
 #include "series/trajectory.h"
 #include "support/local.h"
 
-/* Every rational of (49), and of (47); the t^10 of x_1 with the digits that the print lost. */
+/* Every rational of (49) and of (47); the t^10 of x_1 with the digits that the print lost. */
 TEST(test_equation_49)
 {
     static const struct {
@@ -32,9 +32,9 @@ TEST(test_equation_49)
     trajectory_exact_free(row, 3 + 1);
 }
 
-/* Number of coefficients of the equation of motion up to tau^(n-1), tau = t^(1/d), that do not vanish at one beta:
- * x = t X makes t times the equation D (D + 1) X + beta t^(b+1) X^b (D + 1) X + t^(a+1) X^a, D = t d/dt. Powers are
- * those of a power series in tau, by exp and ln. */
+/* Counts the coefficients of the equation of motion up to tau^(n-1), tau = t^(1/d), that do not vanish at one beta. For
+ * x = t X, t times the equation is D (D + 1) X + beta t^(b+1) X^b (D + 1) X + t^(a+1) X^a, D = t d/dt. The powers are
+ * series in tau, by exp and ln. */
 static slong residual(const fmpq_poly_struct *row, slong order, slong terms, const struct cor_exponents *law)
 {
     const slong d = law->denominator, du = law->damping + d, ds = law->elastic + d,
@@ -88,7 +88,7 @@ TEST(test_equation_of_motion)
         const slong terms = (ORDER + 1) * (law.damping + law.denominator) / (law.elastic + law.denominator);
         fmpq_poly_struct *row = trajectory_exact(ORDER, terms, &law);
         check(residual(row, ORDER, terms, &law) == 0, "law %s, %s", laws[i][0], laws[i][1]);
-        /* One coefficient off by 10^-30 is seen. */
+        /* an error of 10^-30 in one coefficient is detected */
         LOCAL(fmpq, c);
         fmpq_poly_get_coeff_fmpq(c, row + ORDER, 0);
         EXACT(c, "c + 1/10^30", c);
@@ -120,8 +120,8 @@ TEST(test_balls_contain_rationals)
     }
 }
 
-/* (3.3) anew, with powers in place of expm1: G maps the ball |R| <= delta into itself, and delta is at least twice the
- * image of 0, the first trial. */
+/* Checks (3.3) again, with powers in place of expm1. G maps the ball |R| <= delta into itself. delta is at least twice
+ * the image of 0, the first trial. */
 static void assert_fixed(const struct trajectory_tail *tail, const struct trajectory *t)
 {
     enum { BITS = 1000 };
@@ -145,7 +145,7 @@ static void assert_fixed(const struct trajectory_tail *tail, const struct trajec
     power_evidence_clear(&e);
 }
 
-/* The bound on what is cut off holds for the terms that come next, and is not absurdly wide. */
+/* The truncation bound holds for the next terms, and is not much too wide. */
 TEST(test_truncation_bound)
 {
     enum { ORDER = 10, TERMS = 60, MORE = 140, PREC = 500 };
@@ -178,7 +178,7 @@ TEST(test_truncation_bound)
                 arf_set_mag(arb_midref(term), bound);
                 mag_zero(arb_radref(term));
                 assert_true(arb_lt(sum, term));
-                /* Within 2^50 of the truth, 20 terms' worth, but for the linear law: there X is entire. */
+                /* within 2^50 of the truth, or 20 terms, except for the linear law, where X is entire */
                 arb_mul_2exp_si(sum, sum, 50);
                 assert_true(i == 1 || arb_gt(sum, term));
             }
@@ -207,7 +207,7 @@ TEST(test_law_parse)
     assert_true(q.num == 1 && q.den == 5);
 }
 
-/* Intervals of very different size, and one number in each interval */
+/* Makes intervals of very different size, and one number in each interval. */
 static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, slong length, struct random_state *random)
 {
     LOCAL(arb, x, y);
@@ -221,7 +221,7 @@ static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, sl
         arb_mul_2exp_si(y, y, (slong)random_below(random, 3) * j / 2 - 60);
         arb_add_error(x, y);
         arb_poly_set_coeff_arb(row, j, x);
-        /* one end of the interval, or a point within */
+        /* one end of the interval, or its centre */
         arb_get_rad_arb(y, x);
         arb_mul_si(y, y, (slong)random_below(random, 3) - 1, 200);
         arb_get_mid_arb(x, x);
@@ -230,7 +230,7 @@ static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, sl
     }
 }
 
-/* The sums contain the sum over one number of each interval, product by product, and are hardly wider than the sums of
+/* The sums contain the sum over one number of each interval, product by product. They are hardly wider than sums of
  * intervals. */
 TEST(test_row_sums)
 {

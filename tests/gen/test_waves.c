@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* J(nu): known values, the two routes to it, and the bound on an ellipse from which the error of the table follows. */
+/* J(nu): known values, two routes to it, and the bound on an ellipse that gives the error of the table. */
 #include "ball.h"
 
 #include "enclosure/closed_form.h"
@@ -43,7 +43,7 @@ TEST(two_routes)
     }
 }
 
-/* tau on the ellipse, pi times `angle` from its right end */
+/* Encloses tau on the ellipse, at pi times `angle` from its right end. */
 static void on_ellipse(acb_t tau, double angle, double radius)
 {
     LOCAL(acb, w);
@@ -53,7 +53,7 @@ static void on_ellipse(acb_t tau, double angle, double radius)
     LET_COMPLEX(tau, false, 53, "7/8*(1 + (3/2*w + 2/(3*w))/2)", w); /* WAVE_ELLIPSE */
 }
 
-/* |J| < bound by either route */
+/* True if either route proves |J| < bound. */
 static bool is_below(const acb_t tau, double bound)
 {
     LOCAL(acb, j);
@@ -67,7 +67,7 @@ static bool is_below(const acb_t tau, double bound)
     return holds;
 }
 
-/* |J| < bound on the arc, or on both halves of it */
+/* True if |J| < bound is proved on the arc, or on both of its halves. */
 static bool arc_holds(double angle, double radius, int depth)
 {
     LOCAL(acb, tau);
@@ -76,8 +76,8 @@ static bool arc_holds(double angle, double radius, int depth)
                                                  arc_holds(angle + radius / 2, radius / 2, depth + 1));
 }
 
-/* J is real on the real axis, so that the upper half is enough. All arcs and all of the inside with
- * COR_TEST_MULTIPLIER=160, some minutes. */
+/* J is real on the real axis, so the upper half is enough. COR_TEST_MULTIPLIER=160 covers all arcs and the whole
+ * inside, in some minutes. */
 TEST(bound_on_the_ellipse)
 {
     assert_true(WAVE_ELLIPSE == 1.5 && WAVE_TAU_END == 1.75);
@@ -87,7 +87,7 @@ TEST(bound_on_the_ellipse)
         check(arc_holds(((double)k + 0.5) / (double)ARCS, 0.5 / (double)ARCS * (1 + 1e-12), 0), "arc %zu", k);
 }
 
-/* Whether the square around (x, y) of half side h is outside the ellipse: both axes are known */
+/* True if the square around (x, y) with half side h is outside the ellipse, whose axes are known. */
 static bool is_outside(double x, double y, double h)
 {
     const double a = 0.875 * (1.5 + 1 / 1.5) / 2, b = 0.875 * (1.5 - 1 / 1.5) / 2;
@@ -95,7 +95,7 @@ static bool is_outside(double x, double y, double h)
     return dx * dx + dy * dy > 1;
 }
 
-/* J is analytic on the square, since one of the routes encloses it there, or on its quarters */
+/* True if J is analytic on the square: one of the routes encloses it there, or on its quarters. */
 static bool square_holds(double x, double y, double h, int depth)
 {
     if (is_outside(x, y, h))
