@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the unit tests share: errors in units of the last place, and a seeded random state.
- * COR_SEED=<number> repeats a run; COR_TEST_MULTIPLIER=<number> draws that many times more points, COR_TEST_DIVISOR
- * that many times fewer, where only the use of memory is looked at. COR_TEST_LONG=1, which tests/run --long sets, takes
- * all cases where an ordinary run takes few. */
+/* Shared by the unit tests: errors in units of the last place, and a seeded random state. COR_SEED=<number> repeats a
+ * run. COR_TEST_MULTIPLIER=<number> draws that many times more points. COR_TEST_DIVISOR draws that many times fewer,
+ * for tests of memory use. COR_TEST_LONG=1, which tests/run --long sets, runs all cases where a normal run selects a
+ * few. */
 #ifndef COR_TESTS_CHECK_H
 #define COR_TESTS_CHECK_H
 
@@ -22,8 +22,8 @@
 #include "random.h"
 #include "ulp.h"
 
-/* TEST(name) { ... } is a test function, RUN_TESTS(name, ...) the program that prints the seed and runs them in that
- * order, and RUN_GROUP one that calls `before` first and `after` last. */
+/* TEST(name) { ... } defines a test function. RUN_TESTS(name, ...) defines the program: it prints the seed and runs
+ * them in that order. RUN_GROUP also calls `before` first and `after` last. */
 #define TEST(test)                                                                                                     \
     static void test##_body(void);                                                                                     \
     static void test##_run(void **state)                                                                               \
@@ -52,12 +52,12 @@
         }                                                                                                              \
     } while (0)
 
-/* Each of these doubles is a NaN. */
+/* Checks that each of these doubles is a NaN. */
 #define check_nan(...)                                                                                                 \
     EACH (nan_, __VA_ARGS__)                                                                                           \
     check(isnan(*nan_), "%a among %s", *nan_, #__VA_ARGS__)
 
-/* Within so many units of the last place, or that part of the exact value, which has 18 digits or a double's */
+/* check_ulp: within `most` units of the last place. check_near: within the fraction `part` of the exact value. */
 #define check_ulp(computed, exact, most)                                                                               \
     do {                                                                                                               \
         const double ulp_ = (computed);                                                                                \
@@ -81,7 +81,7 @@ static inline uint64_t check_number(const char *variable, uint64_t otherwise)
     return text != NULL && *text != '\0' ? (uint64_t)strtoull(text, NULL, 0) : otherwise;
 }
 
-/* Of processor time that this process has used */
+/* Returns the processor time that this process has used. */
 static inline double processor_seconds(void)
 {
     return (double)clock() / CLOCKS_PER_SEC;
@@ -99,20 +99,20 @@ static inline size_t few_or_all(size_t few, size_t all)
     return check_number("COR_TEST_LONG", 0) ? all : few;
 }
 
-/* Every n-th case in a short run, and others with tests/run --turn, which sets COR_TEST_TURN; every case with
- * COR_TEST_WHOLE=1, which tests/mutation/run sets: the guard of a mutant must not be left out. */
+/* True for every n-th case in a short run; tests/run --turn sets COR_TEST_TURN, which selects other cases. Always true
+ * with COR_TEST_WHOLE=1, which tests/mutation/run sets: the guard of a mutant must not be skipped. */
 static inline int in_turn(size_t i, size_t n)
 {
     return check_number("COR_TEST_WHOLE", 0) || (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
 }
 
-/* Whether tests/run leaves this case to another turn, as to every n-th. Without COR_TEST_TURN none is. */
+/* True if tests/run leaves this case to another turn, as in_turn does. False without COR_TEST_TURN. */
 static inline int left_to_turn(size_t i, size_t n)
 {
     return getenv("COR_TEST_TURN") && !in_turn(i, n);
 }
 
-/* The same of a whole test function */
+/* Skips a whole test function in the same way. */
 #define leave_to_turn(i, n)                                                                                            \
     do {                                                                                                               \
         if (left_to_turn((i), (n)))                                                                                    \
@@ -129,7 +129,7 @@ static inline struct random_state random_start(void)
     return random_seeded(check_seed());
 }
 
-/* The random numbers of a test function, the same whatever ran before it */
+/* The random numbers of a test function, independent of the tests before it */
 static struct random_state draw;
 
 static inline void draw_begin(void)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What embedded_unit.c hands to test_embedded.c, across languages. */
+/* The functions of embedded_unit.c that test_embedded.c calls, across languages. */
 #ifndef COR_TESTS_EMBEDDED_H
 #define COR_TESTS_EMBEDDED_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* generated/cor_sphere.h as it is meant to be used: compiled into a program's own unit, in C99, C++11 or CUDA
- * (tests/header/run). Included twice, as happens. */
+/* generated/cor_sphere.h in its intended use: compiled into the user's own unit, in C99, C++11 or CUDA
+ * (tests/header/run). Included twice, which must be harmless. */
 #include "cor_sphere.h"
 
 #include "embedded.h"
@@ -12,7 +12,7 @@ const struct embedded_function embedded_functions[EMBEDDED_FUNCTIONS] = {
 };
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
-/* Every function in a kernel; compiled, and run only where there is a device. */
+/* Every function in a kernel; compiled always, run only if a device exists. */
 __global__ void embedded_kernel(const double *x, double *y, int n)
 {
     const int i = (int)(blockIdx.x * blockDim.x + threadIdx.x);

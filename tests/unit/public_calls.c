@@ -33,7 +33,7 @@ static double uniform(struct bit_source *source, double low, double high)
     return low + (high - low) * ((double)(bits(source) >> 11) * 0x1p-53);
 }
 
-/* No exp or log: the same bits with every C library. */
+/* Uses no exp or log, so the bits do not depend on the C library. */
 double draw_size(struct bit_source *source, double low, double high)
 {
     int first, last;
@@ -43,7 +43,7 @@ double draw_size(struct bit_source *source, double low, double high)
     return fmin(fmax(ldexp(uniform(source, 0.5, 1), exponent), low), high);
 }
 
-/* A signalling NaN raises FE_INVALID wherever it goes. */
+/* Returns the double with these bits, or a quiet NaN, because a signalling NaN raises FE_INVALID wherever it goes. */
 static double of_bits(uint64_t x)
 {
     double value;
@@ -75,7 +75,7 @@ static double any_number(struct bit_source *source)
         return of_bits(bits(source) & UINT64_C(0x7fffffffffffffff));
     case 5:
         return uniform(source, -1, 0);
-    case 6: /* from below to 1 */
+    case 6: /* from below 1 up to 1 */
         x = uniform(source, 0, 1);
         return 1 - ldexp(x, -(int)draw_below(source, 60));
     case 7:
@@ -143,7 +143,7 @@ static void without_subnormal(double *x)
         *x = 0;
 }
 
-/* The fields of a struct of doubles */
+/* Replaces subnormal numbers in a struct of doubles. */
 static void without_subnormals(void *numbers, size_t size)
 {
     double x;
@@ -154,11 +154,11 @@ static void without_subnormals(void *numbers, size_t size)
     }
 }
 
-/* As an init leaves it, or, if by_hand, with any numbers but subnormal ones, which no init leaves */
+/* Returns a contact as an init sets it. With by_hand, any numbers except subnormal ones, which no init sets. */
 static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
 {
     struct cor_sphere_contact drawn;
-    /* one statement for each draw: compilers choose the order within a statement */
+    /* one draw per statement, because compilers choose the order within a statement */
     struct cor_body ordinary[2] = {{0}}, wild[2];
     for (int i = 0; i < 2; i++) {
         ordinary[i].young_modulus_pa = draw_size(source, 1e6, 1e12);
@@ -174,7 +174,7 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
         drawn.effective_radius_m = any_number(source);
         drawn.elastic_constant_n_m15 = any_number(source);
         drawn.dissipation_time_s = any_number(source);
-        /* or so small that a half of it is subnormal */
+        /* so small that half of it may be subnormal */
         drawn.beta_per_root = draw_below(source, 4) ? draw_size(source, 1e-307, 1e-303) : any_number(source);
         drawn.scale = any_number(source);
         drawn.beta5_per_speed = any_number(source);
@@ -216,7 +216,7 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
     a->tolerance[i] = draw_below(source, 4) ? draw_size(source, 1e-6, 1) : any_number(source);
 }
 
-/* A table of the library's with some entries out of place, or with numbers that no mode has */
+/* Copies a table of the library and replaces some entries by numbers out of place, or that no mode has. */
 static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
 {
     memcpy(mode, cor_disk_modes_nu033.mode, PUBLIC_MODES * sizeof *mode);
@@ -242,7 +242,7 @@ void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, in
 #include "public_functions.inc"
         a->elastic_exponent[i] =
             draw_below(source, 2) ? 1.5 - 0.5 * (double)draw_below(source, 2) : a->elastic_exponent[i];
-        a->contact[i] = contact(source, i > 0); /* the first is that of arrays */
+        a->contact[i] = contact(source, i > 0); /* arrays use the first one */
         a->body_1[i] = body(source);
         a->body_2[i] = body(source);
         a->sphere[i] = body(source);
@@ -272,7 +272,7 @@ void arguments_flush(struct arguments *a)
         a->name##f[i] = 0;
 #include "public_functions.inc"
     }
-    /* from contact to half_space all are structs of doubles */
+    /* all fields from contact to half_space are structs of doubles */
     without_subnormals(a->contact, offsetof(struct arguments, modes) - offsetof(struct arguments, contact));
 }
 
@@ -296,7 +296,7 @@ void results_clear(struct results *r)
     r->count = r->capacity = 0;
 }
 
-/* The first n numbers of a struct that begins with doubles */
+/* Appends the first n numbers of a struct that begins with doubles. */
 static void put_numbers(struct results *r, const void *numbers, size_t n)
 {
     double x;
@@ -337,7 +337,7 @@ int public_is_part(const struct public_function *function, size_t j, size_t n)
         const size_t n = a->n;                                                                                         \
         y[n] = 7;                                                                                                      \
         function given;                                                                                                \
-        if (!(y[n] > 6 && y[n] < 8)) /* wrote beyond the end */                                                        \
+        if (!(y[n] > 6 && y[n] < 8)) /* write beyond the end */                                                        \
             abort();                                                                                                   \
         for (size_t i = 0; i < n; i++)                                                                                 \
             results_put(r, (double)y[i]);                                                                              \
@@ -355,8 +355,8 @@ int public_is_part(const struct public_function *function, size_t j, size_t n)
 
 /* ---- the others ---- */
 
-/* Of every combination, and of some that do not exist: the value (0), the array (1) or the floats (2) of a->n numbers.
- * Of `n` there is one where a function is looked up and called. */
+/* Appends the values (kind 0), the arrays (1) or the floats (2) for a->n numbers. Covers every combination of law, end
+ * and quantity, and some that do not exist. */
 static void put_laws(const struct arguments *a, struct results *r, int kind)
 {
     double y[PUBLIC_COUNT] = {0};
@@ -424,7 +424,7 @@ static void call_cor_status_text(const struct arguments *a, struct results *r)
         results_put(r, (double)strlen(cor_status_text(a->status[i])));
 }
 
-#ifdef WITHOUT_FILES /* mkstemp is POSIX's (tests/platforms) */
+#ifdef WITHOUT_FILES /* mkstemp belongs to POSIX (tests/platforms) */
 static void call_cor_disk_modes_read(const struct arguments *a, struct results *r)
 {
     (void)a;
@@ -441,7 +441,7 @@ static void put_line(FILE *file, uint32_t *check, const char *text)
     *check = cor_mode_file_check(*check, end, strlen(end));
 }
 
-/* Reads a file of two modes, of which the second may be such that its check overflows. */
+/* Reads a file of two modes. The second may be chosen so that its check overflows. */
 static void read_file(const char *second, struct results *r)
 {
     char path[] = P_tmpdir "/cor-public-calls-XXXXXX";
@@ -468,7 +468,7 @@ static void read_file(const char *second, struct results *r)
     results_put(r, cor_disk_modes_read(path, NULL, 0, &modes, NULL));
     results_put(r, (double)modes.count);
     remove(path);
-    results_put(r, cor_disk_modes_read(path, mode, 2, &modes, &line)); /* no such file */
+    results_put(r, cor_disk_modes_read(path, mode, 2, &modes, &line)); /* file does not exist */
 }
 
 static void call_cor_disk_modes_read(const struct arguments *a, struct results *r)
@@ -506,7 +506,7 @@ static void call_cor_disk_rayleigh_array(const struct arguments *a, struct resul
     static struct cor_disk_rayleigh out[PUBLIC_COUNT];
     static double fraction[12 * PUBLIC_COUNT];
     int status[PUBLIC_COUNT];
-    const size_t n = a->n_modes[0] % 4 == 0 || a->n < 10 ? a->n : 10; /* many take long */
+    const size_t n = a->n_modes[0] % 4 == 0 || a->n < 10 ? a->n : 10; /* many speeds are slow */
     memset(out, 0, sizeof out);
     results_put(r,
                 cor_disk_rayleigh_array(&a->modes[0], a->n_modes[0], a->datum[0], a->speed, n, out, fraction, status));
@@ -523,10 +523,10 @@ static void call_cor_disk_rayleigh_tolerance(const struct arguments *a, struct r
     results_put(r, (double)modes);
 }
 
-/* Not allocated, so that what is allocated is the library's */
+/* Not allocated, so that all allocations are the library's */
 static unsigned char workspace[1 << 22];
 
-/* Of a wall, soft or rigid: one collision, and one that is observed */
+/* For a soft or a rigid wall: one collision without an observer, and one with it */
 #define COLLISIONS(wall, moment_of_wall, n_modes, numbers, last)                                                       \
     static void put_##wall(struct results *r, const struct cor_disk_##wall *out)                                       \
     {                                                                                                                  \
@@ -574,7 +574,7 @@ static void call_cor_disk_collision_array(const struct arguments *a, struct resu
 
 static void call_cor_disk_hard_wall_nu(const struct arguments *a, struct results *r)
 {
-    if (a->n_modes[0] % 4 != 0) /* it computes its modes, which takes long */
+    if (a->n_modes[0] % 4 != 0) /* it computes its modes, which is slow */
         return;
     const struct cor_disk_hard_wall_options options = {fmax(a->disk_hard_wall_options[0].tolerance, 1e-2), 0};
     struct cor_disk_hard_wall out;

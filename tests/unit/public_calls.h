@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A call of every public function, by the list public_functions.inc, for tests of what all of them promise. */
+/* A call of every public function, from the list public_functions.inc, for tests of their common guarantees. */
 #ifndef COR_TESTS_PUBLIC_CALLS_H
 #define COR_TESTS_PUBLIC_CALLS_H
 
@@ -11,10 +11,10 @@
 
 #include "random.h"
 
-/* More numbers than any loop of the library takes at once */
-enum { PUBLIC_COUNT = 150, PUBLIC_MODES = 320 }; /* modes enough for two levels of the rigid wall */
+/* More numbers than any loop of the library processes at once */
+enum { PUBLIC_COUNT = 150, PUBLIC_MODES = 320 }; /* enough modes for two levels of the rigid wall */
 
-/* n arguments of each name that a parameter has in the headers */
+/* n arguments for each parameter name in the headers */
 struct arguments {
 #define NUMBER(name)                                                                                                   \
     double name[PUBLIC_COUNT];                                                                                         \
@@ -25,7 +25,7 @@ struct arguments {
     struct cor_plate plate[PUBLIC_COUNT];
     struct cor_half_space half_space[PUBLIC_COUNT];
     struct cor_disk_modes modes[PUBLIC_COUNT];
-    struct cor_disk_mode harmed[PUBLIC_MODES]; /* of those tables that no disk has */
+    struct cor_disk_mode harmed[PUBLIC_MODES]; /* of the tables that no disk has */
     struct cor_disk_collision_options disk_collision_options[PUBLIC_COUNT];
     struct cor_disk_hard_wall_options disk_hard_wall_options[PUBLIC_COUNT];
     enum cor_disk_datum datum[PUBLIC_COUNT];
@@ -34,7 +34,7 @@ struct arguments {
     size_t n;
 };
 
-/* Random bits, from wherever */
+/* A source of random bits */
 struct bit_source {
     uint64_t (*next)(struct bit_source *source);
 };
@@ -46,12 +46,12 @@ struct random_bits {
 
 uint64_t random_bits_next(struct bit_source *source);
 size_t draw_below(struct bit_source *source, size_t n);               /* 0, 1, ... or n - 1 */
-double draw_size(struct bit_source *source, double low, double high); /* every size is about as likely */
+double draw_size(struct bit_source *source, double low, double high); /* all magnitudes about equally likely */
 
-/* Arguments inside and outside of the domains: special and extreme ones, of any size, and ordinary ones; without
+/* Draws arguments inside and outside the domains: special values, extreme ones, any magnitude, and ordinary ones. No
  * subnormal ones if `subnormal` is 0. */
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal);
-void arguments_flush(struct arguments *a); /* makes subnormal ones 0 */
+void arguments_flush(struct arguments *a); /* replaces subnormal ones by 0 */
 
 struct results {
     double *value;
@@ -65,12 +65,12 @@ enum public_type { PUBLIC_double, PUBLIC_float, PUBLIC_size_t, PUBLIC_several };
 
 struct public_function {
     const char *name;
-    void (*call)(const struct arguments *a, struct results *r);     /* at all n, or once */
-    void (*elements)(const struct arguments *a, struct results *r); /* of an array: the same one by one; or NULL */
+    void (*call)(const struct arguments *a, struct results *r);     /* calls at all n, or once */
+    void (*elements)(const struct arguments *a, struct results *r); /* for an array: calls one by one; or NULL */
     enum public_type type;
 };
 
-/* True if result j of a call with n arguments is eps or 1 - eps, and so in [0, 1], by the name of the function */
+/* True if result j of a call with n arguments is eps or 1 - eps, and so in [0, 1]. The function's name decides. */
 int public_is_part(const struct public_function *function, size_t j, size_t n);
 
 extern const struct public_function public_functions[];

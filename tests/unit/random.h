@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The random numbers of all tests: xorshift64* (Vigna, ACM Trans. Math. Softw. 42, 30, 2016), which scatters points
- * well enough and gives the same ones on every machine. */
+/* The random numbers of all tests: xorshift64* (Vigna, ACM Trans. Math. Softw. 42, 30, 2016). It scatters points well
+ * enough and is the same on every machine. */
 #ifndef COR_TESTS_RANDOM_H
 #define COR_TESTS_RANDOM_H
 
@@ -9,10 +9,10 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A list of doubles, and how many an array has */
+/* A list of doubles, and the number of elements of an array */
 #define NUMBERS(name, ...) const double name[] = {__VA_ARGS__}
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
-/* EACH(x, 1, 2) { ... } for x a pointer to each of the doubles */
+/* EACH(x, 1, 2) { ... } runs with x as a pointer to each of the doubles. */
 #define EACH(x, ...)                                                                                                   \
     for (const double *x = (const double[]){__VA_ARGS__}, *const x##_end =                                             \
                                                               x + COUNT_OF(((const double[]){__VA_ARGS__}));           \
@@ -35,7 +35,7 @@ static inline uint64_t random_bits(struct random_state *r)
     return r->state * UINT64_C(2685821657736338717);
 }
 
-/* 0, 1, ... or n - 1 */
+/* Returns 0, 1, ... or n - 1. */
 static inline size_t random_below(struct random_state *r, size_t n)
 {
     return (size_t)(random_bits(r) % n);
@@ -46,13 +46,13 @@ static inline double random_uniform(struct random_state *r, double low, double h
     return low + (high - low) * ((double)(random_bits(r) >> 11) * 0x1p-53);
 }
 
-/* log-uniform, so that every size is as likely */
+/* Returns a log-uniform number, so all magnitudes are equally likely. */
 static inline double random_log(struct random_state *r, double low, double high)
 {
     return exp(random_uniform(r, log(low), log(high)));
 }
 
-/* Any nonnegative double below limit, every bit pattern as likely */
+/* Returns a nonnegative double below limit; every bit pattern is equally likely. */
 static inline double random_pattern(struct random_state *r, double limit)
 {
     uint64_t bits;

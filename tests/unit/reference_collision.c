@@ -11,23 +11,23 @@ enum { GAUSS = 16, MOST_ORDER = 34, MOST_STEPS = 1000000 }; /* GAUSS: points of 
 struct effort {
     int wide, order;  /* wide: quad precision instead of long double */
     double tolerance; /* error of a step in the velocities, relative to the speed */
-    double panels;    /* relative to the first guess */
+    double panels;    /* number of panels relative to the first guess */
 };
 
-/* ln of how far below the tolerance a pressure is nothing */
+/* ln of the factor below the tolerance at which a pressure is negligible */
 #define MARGIN 12.0
 
-/* A disk, and what a run finds out of it */
+/* A disk and the results of a run */
 struct disk {
     const struct cor_disk_mode *mode;
-    size_t n, rows; /* rows: two for each n from 0 on, cos(n phi) cos(phi) and -sin(n phi) sin(phi) */
+    size_t n, rows; /* rows: two for each n from 0 onward, cos(n phi) cos(phi) and -sin(n phi) sin(phi) */
     double alpha, speed;
     const struct effort *effort;
-    size_t points, active; /* active: those before it have a pressure */
+    size_t points, active; /* active: only the points before it have a pressure */
     double *path, *load;   /* the series of a step: [k][1 + n] of x_0 + 1 and Q, and [k] */
     long double eps;
     double one_minus_eps2, max_compression, max_load;
-    double level, start, end;           /* of the load: where contact begins and ends, 0 if that is not known */
+    double level, start, end;           /* level: load where contact begins and ends, 0 if unknown; start, end: times */
     double *after, *integral, *average; /* of each mode; average may be NULL */
 };
 
@@ -41,14 +41,14 @@ static void *take(size_t count, size_t bytes)
 
 /* ---- bounds ---- */
 
-/* The position of the rim where the wall's force changes no velocity by more than a small part of the tolerance */
+/* Returns the rim position where the wall's force changes velocities by only a small part of the tolerance. */
 static double negligible_position(const struct disk *disk)
 {
     return fmin(0, (log(disk->effort->tolerance * disk->alpha * disk->speed * disk->speed) - MARGIN) / disk->alpha);
 }
 
-/* How far from the centre the modes can move the rim at most while nothing pushes, or how fast, all amplitudes of one
- * sign */
+/* Returns the largest distance (or, with speed, velocity) that free modes can give the rim, if all amplitudes had one
+ * sign. */
 static double swing(const struct disk *disk, int speed)
 {
     double sum = 0;
@@ -60,7 +60,7 @@ static double swing(const struct disk *disk, int speed)
     return sum;
 }
 
-/* The longest step for which the last two orders change no velocity by more than the tolerance */
+/* Returns the longest step for which the last two orders change no velocity by more than the tolerance. */
 static double step_allowed(const struct disk *disk)
 {
     const size_t width = 1 + disk->n;
@@ -74,7 +74,7 @@ static double step_allowed(const struct disk *disk)
 
 /* ---- moments within a step, from its series ---- */
 
-/* sum c_k t^k, k < count, of coefficients so far apart, or its slope */
+/* sum c_k t^k, k < count, or its slope; the coefficients are `apart` elements apart. */
 struct track {
     const double *c;
     size_t apart;
@@ -89,7 +89,7 @@ static double track_at(const struct track *f, double t)
     return value;
 }
 
-/* 1 or -1 if it rises or falls through a level between low and high, at *t; otherwise 0 */
+/* Returns 1 or -1 if f rises or falls through a level between low and high, and sets *t to that time; otherwise 0. */
 static int passes(const struct track *f, double level, double low, double high, double *t)
 {
     const int rises = track_at(f, high) >= level;
@@ -103,7 +103,7 @@ static int passes(const struct track *f, double level, double low, double high, 
     return rises ? 1 : -1;
 }
 
-/* Adds the modes' energies, integrated over the step until t. */
+/* Adds the energies of the modes, integrated over the step up to t. */
 static void integrate_energies(const struct disk *disk, double t, const double *from, double *to)
 {
     static const double node[] = {0.18343464249564980, 0.52553240991632899, 0.79666647741362674, 0.96028985649753623},
@@ -123,7 +123,7 @@ static void integrate_energies(const struct disk *disk, double t, const double *
 
 enum { SAMPLES = 8 };
 
-/* Notes what a step of length h from `time` passes: turning points of the centre, maxima of the load, and its
+/* Records the events in a step of length h from `time`: turning points of the centre, maxima of the load, and its
  * crossings of the level. */
 static void follow(struct disk *disk, double time, double h)
 {
@@ -175,12 +175,12 @@ static long double long_exp(long double x)
 __extension__ typedef __float128 quad;
 #define REAL quad
 #define NAME(x) quad_##x
-/* The nearest long double and what is left of it */
+/* The nearest long double, plus the remainder */
 static quad quad_pi(void)
 {
     return (quad)3.141592653589793238462643383279502884L + (quad)-5.0165576126683320235e-20L;
 }
-/* exp(x) = 2^k exp(r/16)^16, |r| < 0.35, by Taylor's series */
+/* Computes exp(x) = 2^k exp(r/16)^16, |r| < 0.35, by Taylor's series. */
 static quad quad_exp(quad x)
 {
     const quad ln2 = (quad)0.693147180559945309417232121458176568L + (quad)-1.14583527267987328109e-20L;
@@ -211,8 +211,8 @@ static int disk_collide(struct disk *disk)
     return long_collide(disk);
 }
 
-/* Panels for 16 digits or so: the pressure falls off over alpha^(-2/3) at the contact's edge, and over alpha^(-1/2)
- * where the contact is small; a mode has n_max waves. */
+/* Returns the panels for about 16 digits. The pressure decays over alpha^(-2/3) at the edge of the contact, and over
+ * alpha^(-1/2) in a small contact. A mode has n_max waves. */
 static double panels_needed(const struct disk *disk)
 {
     const double contact = sqrt(disk->speed) * pow(disk->alpha, 2.0 / 3);

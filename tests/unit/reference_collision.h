@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The collision of a disk with the wall exp(alpha x)/alpha, (40), (44), (45) of Gerl and Zippelius, by Taylor series in
- * time: the truth for tests of cor_disk_collision, with none of its code and none of its method. */
+ * time. It is the truth for tests of cor_disk_collision and shares neither code nor method with it. */
 #ifndef COR_TESTS_REFERENCE_COLLISION_H
 #define COR_TESTS_REFERENCE_COLLISION_H
 
@@ -11,17 +11,16 @@
 struct reference_collision {
     double eps, one_minus_eps2, contact_time, max_compression; /* as in struct cor_disk_collision */
     double energy_drift;
-    double error; /* four times the difference of the last two runs in eps; the first of them errs more */
+    double error; /* four times the difference of the last two runs in eps, of which the first has the larger error */
 };
 
-/* The equations of motion with the signs that conserve energy, in the variables x_0 and Q themselves,
+/* Solves the equations of motion, with the signs that conserve energy, in the variables x_0 and Q,
  *     x_0'' = -load/m,     Q'' = -omega^2 Q - (1/m) int (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) exp(alpha x)
- *     dphi,
- * by Taylor series of order 20 to 34 in time. The integrals take Gauss's rule of 16 points on equal panels of the
- * quadrant. Each run has steps, order and panels for 100 times less error than the run before; the first runs are in
- * long double, the later ones in quad precision. The runs end when two of them agree to `needed` in eps.
- * energy_after and energy_average are NULL or get n numbers. Returns 0, or 1 where even the last runs do not agree
- * (their numbers are in *out), or 2 after 10^6 steps. */
+ *     dphi, by Taylor series of order 20 to 34 in time. The integrals use Gauss's rule of 16 points on equal panels of
+ *     the quadrant. Each run has steps, order and panels for an error 100 times smaller than in the run before. The
+ *     first runs are in long double, the later ones in quad precision. The runs end when two of them agree to `needed`
+ *     in eps. energy_after and energy_average are NULL or receive n numbers. Returns 0, or 1 if even the last runs do
+ *     not agree (*out has their numbers), or 2 after 10^6 steps. */
 int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double alpha, double speed, double needed,
                              struct reference_collision *out, double *energy_after, double *energy_average);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A whole collision in the type REAL, which is wider than double; included once for each such type by
- * reference_collision.c, which defines struct disk. NAME(x) is x with the type's prefix. */
+/* A whole collision in the type REAL, which is wider than double. reference_collision.c, which defines struct disk,
+ * includes this file once for each such type. NAME(x) is x with the prefix of the type. */
 
-/* cos(angle) - 1 and sin(angle), |angle| < 1 */
+/* Computes cos(angle) - 1 and sin(angle) for |angle| < 1. */
 static void NAME(small_angle)(REAL angle, REAL *cos_less_1, REAL *sine)
 {
     REAL term = 1;
@@ -16,7 +16,7 @@ static void NAME(small_angle)(REAL angle, REAL *cos_less_1, REAL *sine)
     }
 }
 
-/* Gauss's rule on (-1, 1), from Legendre's polynomials */
+/* Computes Gauss's rule on (-1, 1) from Legendre's polynomials. */
 static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
 {
     for (int i = 0; i < GAUSS; i++) {
@@ -36,16 +36,16 @@ static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
     }
 }
 
-/* Coefficients of t^k. `rise` is alpha k x_k, which the recurrence of the exponential needs. */
+/* Coefficients of t^k. `rise` is alpha k x_k, for the recurrence of the exponential. */
 struct NAME(series) {
-    REAL *table;           /* [point][row]: what the sum of a row moves the rim by */
-    REAL *shape, *weight;  /* [point]: alpha (cos(phi) - 1); of the rule, for both quadrants */
+    REAL *table;           /* [point][row]: displacement of the rim per unit of the row's sum */
+    REAL *shape, *weight;  /* [point]: alpha (cos(phi) - 1); weights of the rule, for both quadrants */
     REAL *position;        /* [k][1 + n]: x_0 + 1 and Q; the state is k = 0 and 1 */
     REAL *rise, *pressure; /* [k][point]: without the shape; with the weight */
     REAL *sum;             /* [row] */
 };
 
-/* The memory of a run, to be freed */
+/* Allocates the memory of a run. The caller frees it. */
 static REAL *NAME(take)(const struct disk *disk, struct NAME(series) * s)
 {
     const size_t k = (size_t)disk->effort->order + 2, points = disk->points, rows = disk->rows;
@@ -61,7 +61,7 @@ static REAL *NAME(take)(const struct disk *disk, struct NAME(series) * s)
     return memory;
 }
 
-/* The rule's points and what each row moves the rim by there: cos(n phi) cos(phi), and -sin(n phi) sin(phi) */
+/* Sets the points of the rule and the rim displacements there: cos(n phi) cos(phi), and -sin(n phi) sin(phi). */
 static void NAME(place_points)(const struct disk *disk, const struct NAME(series) * s)
 {
     const REAL quarter = NAME(pi)() / 2;
@@ -85,7 +85,7 @@ static void NAME(place_points)(const struct disk *disk, const struct NAME(series
     }
 }
 
-/* x_k at the active points, but for the shape of the disk */
+/* Computes x_k at the active points, without the shape of the disk. */
 static void NAME(rim)(const struct disk *disk, const struct NAME(series) * s, int k)
 {
     const REAL *const position = s->position + (size_t)k * (1 + disk->n);
@@ -106,7 +106,7 @@ static void NAME(rim)(const struct disk *disk, const struct NAME(series) * s, in
     }
 }
 
-/* f = exp(alpha x): k f_k = sum_{i = 1 .. k} alpha i x_i f_{k - i} */
+/* Computes f = exp(alpha x): k f_k = sum_{i = 1 .. k} alpha i x_i f_{k - i}. */
 static void NAME(press)(const struct disk *disk, const struct NAME(series) * s, int k)
 {
     const size_t points = disk->points;
@@ -118,7 +118,7 @@ static void NAME(press)(const struct disk *disk, const struct NAME(series) * s, 
     }
 }
 
-/* The wall's forces of the order k, and with them the positions of the order k + 2 */
+/* Computes the forces of the wall of order k, and from them the positions of order k + 2. */
 static void NAME(accelerate)(const struct disk *disk, const struct NAME(series) * s, int k)
 {
     const size_t width = 1 + disk->n, at = (size_t)(k + 2) * width;
@@ -148,8 +148,8 @@ static void NAME(accelerate)(const struct disk *disk, const struct NAME(series) 
         disk->path[i] = (double)s->position[i];
 }
 
-/* The points whose pressure matters during a step end with the last that is above the negligible position and within
- * ln(tolerance) of the farthest point in alpha x. Returns the longest step for which they are all. */
+/* Chooses the points whose pressure matters during a step. The last one is above the negligible position, and within
+ * ln(tolerance) of the deepest point in alpha x. Returns the longest step for which no other point matters. */
 static double NAME(choose_points)(struct disk *disk, const struct NAME(series) * s)
 {
     double farthest = -HUGE_VAL, fastest = disk->alpha * disk->speed;
@@ -168,7 +168,7 @@ static double NAME(choose_points)(struct disk *disk, const struct NAME(series) *
     return disk->active > 0 ? MARGIN / 4 / fastest : (nothing - farthest + MARGIN / 4) / (disk->alpha * most_speed);
 }
 
-/* Taylor coefficients of a step from the state; returns its length. */
+/* Computes the Taylor coefficients of a step from the state. Returns the length of the step. */
 static double NAME(expand)(struct disk *disk, const struct NAME(series) * s)
 {
     const double h = NAME(choose_points)(disk, s);
@@ -180,7 +180,7 @@ static double NAME(expand)(struct disk *disk, const struct NAME(series) * s)
     return fmin(h, step_allowed(disk));
 }
 
-/* The state a time h later */
+/* Advances the state by a time h. */
 static void NAME(advance)(const struct disk *disk, const struct NAME(series) * s, double h)
 {
     const size_t width = 1 + disk->n;
@@ -195,7 +195,7 @@ static void NAME(advance)(const struct disk *disk, const struct NAME(series) * s
     }
 }
 
-/* 0, or 2 after MOST_STEPS */
+/* Returns 0, or 2 after MOST_STEPS. */
 static int NAME(collide)(struct disk *disk)
 {
     const double reach = negligible_position(disk);

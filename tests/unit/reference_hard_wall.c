@@ -13,7 +13,7 @@ static int modes, angles;
 static double rim[MOST_MODES][MOST_ANGLES]; /* sqrt(w_i) s_i */
 static double omega[MOST_MODES], q[MOST_MODES], q_dot[MOST_MODES];
 static double compliance[MOST_ANGLES][MOST_ANGLES], reach[MOST_ANGLES], force[MOST_ANGLES];
-static double equation[MOST_ANGLES][MOST_ANGLES + 1]; /* the last column: the right side, and the solution */
+static double equation[MOST_ANGLES][MOST_ANGLES + 1]; /* last column: the right side, then the solution */
 static int touches[MOST_ANGLES];
 
 static double rim_function(const struct cor_disk_mode *mode, double phi)
@@ -26,7 +26,7 @@ static double angle(int j)
     return j * pi / wall->nyquist;
 }
 
-/* Static compliance of every n up to Nyquist's number, docs/paper-figures.md, Fig. 10, times pi */
+/* Returns the static compliance of every n up to Nyquist's number, docs/paper-figures.md, Fig. 10, times pi. */
 static double static_compliance(double nu, double phi, double psi)
 {
     double sum = (1 - nu) / 2 * cos(phi) * cos(psi);
@@ -62,7 +62,7 @@ static void fill(const struct cor_disk_modes *of)
         }
 }
 
-/* Gauss's elimination of the first n equations, which are positive definite: no pivot is sought */
+/* Solves the first n equations by Gauss's elimination. They are positive definite, so pivoting is not needed. */
 static int eliminate(int n)
 {
     for (int k = 0; k < n; k++) {
@@ -90,7 +90,7 @@ static double gap_at(int j)
     return gap;
 }
 
-/* Forces that make the angles that touch just touch */
+/* Finds the forces with which the touching angles just touch. */
 static int balance(void)
 {
     int place[MOST_ANGLES], n = 0;
@@ -111,7 +111,7 @@ static int balance(void)
     return 0;
 }
 
-/* One angle at a time: the one that pulls most goes, or else the one that reaches in most comes (Lawson and Hanson). */
+/* Changes one angle at a time: removes the most attractive one, or else adds the deepest one (Lawson and Hanson). */
 static int press(void)
 {
     for (int round = 0; round < 100 * angles; round++) {
@@ -135,7 +135,7 @@ static int press(void)
     return 1;
 }
 
-/* As far as any part of the rim can be out of its round shape */
+/* Returns a bound on the deviation of the rim from its round shape. */
 static double swing(void)
 {
     double sum = 0;
@@ -148,7 +148,7 @@ static double swing(void)
     return sum;
 }
 
-/* 1 - eps^2, or NaN if a contact is not found or reaches the last angle */
+/* Returns 1 - eps^2, or NaN if a contact is not found or reaches the last angle. */
 static double disk_collide(double speed)
 {
     const double h = wall->h;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A disk at a rigid wall by the formulas of derivation 17 as they stand: every sum written out, every
- * contact found from nothing, plain kicks whose error is h^2. Slow; what tests judge runtime/disk/hard_wall_*.c by. */
+/* A disk at a rigid wall by the formulas of derivation 17, used directly. Every sum is written out and every contact
+ * found from scratch. Plain kicks have an error of h^2. Slow; tests compare runtime/disk/hard_wall_*.c with it. */
 #ifndef COR_TESTS_REFERENCE_HARD_WALL_H
 #define COR_TESTS_REFERENCE_HARD_WALL_H
 
@@ -11,10 +11,10 @@ struct reference_wall {
     int fade_next; /* w = (1 - r^2)^2 (1 + fade_next r^2) */
     double h;
     int nyquist; /* angles are pi/nyquist apart; n goes up to nyquist */
-    int angles;  /* so many, from 0 on */
+    int angles;  /* number of angles, from 0 onward */
 };
 
-/* 1 - eps^2, or NaN if a contact is not found or reaches the last angle */
+/* Returns 1 - eps^2, or NaN if a contact is not found or reaches the last angle. */
 double reference_hard_wall(const struct cor_disk_modes *modes, double speed, const struct reference_wall *wall);
 
 #endif

@@ -4,16 +4,16 @@
  *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
  *     y = 1 + t,     t - ln(1 + t) = 2 ln(v_limit/(v sin(theta))),
  *
- * by Gauss and Legendre's rule in long double, in panels that shrink towards both ends, where the integrand has
- * singularities: the truth, by another route than the library's, which leaves the real axis. */
+ * by Gauss and Legendre's rule in long double. The panels shrink towards both ends, where the integrand has
+ * singularities. It is the truth by another route than the library's, which leaves the real axis. */
 #include <tgmath.h>
 
 #include "reference_rayleigh.h"
 
 typedef long double real;
-enum { POINTS = 28, HALVINGS = 40 }; /* of a panel; of the panels towards each end: rounding is what is left */
-#define PHASE 30                     /* a panel spans at most so much of omega s, at the highest frequency */
-#define NEAR 1e-11L                  /* a step so small, relative, was the last: its square is rounding */
+enum { POINTS = 28, HALVINGS = 40 }; /* of a panel; of the panels towards each end, until only rounding remains */
+#define PHASE 30                     /* a panel spans at most this much of omega s, at the highest frequency */
+#define NEAR 1e-11L                  /* a relative step below this was the last: its square is rounding */
 
 static const real pi = 3.14159265358979323846264338327950288L;
 
@@ -23,7 +23,7 @@ struct rule {
     real x[POINTS], w[POINTS], from[POINTS][POINTS];
 };
 
-/* P_0 to P_(POINTS + 1) */
+/* Computes P_0 to P_(POINTS + 1). */
 static void legendre(real *p, real x)
 {
     p[0] = 1;
@@ -47,8 +47,8 @@ static void rule_init(struct rule *rule)
         rule->x[i] = x;
         rule->w[i] = 2 / ((1 - x * x) * slope * slope);
     }
-    /* the interpolant's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, the integral of P_k from x to 1
-     * is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1) */
+    /* the Legendre coefficients of the interpolant are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j; the integral of P_k from x
+     * to 1 is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1) */
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) {
             real sum = (1 - rule->x[i]) / 2;
@@ -60,7 +60,7 @@ static void rule_init(struct rule *rule)
 
 /* ---- the contact law ---- */
 
-/* Newton's method from above, where it falls to the root without overshooting. */
+/* Newton's method from above, where it decreases to the root without overshooting. */
 static real lambert(real q)
 {
     if (!(q > 0))
@@ -76,20 +76,20 @@ static real lambert(real q)
     return t;
 }
 
-/* at_end: x is the distance from theta = pi/2, else from 0; q0 = 2 ln(v_limit/v) */
+/* Returns ds/dtheta. at_end: x is the distance from theta = pi/2, otherwise from 0. q0 = 2 ln(v_limit/v). */
 static real rate(int at_end, real x, real q0)
 {
     const real sine = sin(x);
     return sqrt((1 + lambert(at_end ? q0 - log1p(-sine * sine) : q0 - 2 * log(sine))) / 2);
 }
 
-/* Adds the panel of x from low to high to I of each mode. Towards theta = 0, where s grows from *half_time on. */
+/* Adds the panel of x from low to high to I of each mode. Towards theta = 0, s grows from *half_time onward. */
 static void add_panel(real *integral, const struct cor_disk_mode *mode, size_t n, const struct rule *rule, int at_end,
                       real low, real high, real q0, real *half_time)
 {
     real slope[POINTS];
     const real half = (high - low) / 2, middle = (high + low) / 2, start = *half_time;
-    /* the rule's x grows with theta */
+    /* x of the rule grows with theta */
     const real sign = at_end ? -1 : 1;
     for (int i = 0; i < POINTS; i++) {
         slope[i] = half * rate(at_end, middle + sign * half * rule->x[i], q0);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the tests of cor/scene.h share: a scene of which nothing is given, and results without a status. */
+/* Shared by the tests of cor/scene.h: a scene without numbers, and results without a status. */
 #ifndef COR_TESTS_SCENE_H
 #define COR_TESTS_SCENE_H
 
@@ -17,7 +17,7 @@ static inline struct cor_scene scene_without_numbers(enum cor_law law)
     return scene;
 }
 
-/* True if the library computes every number of an impact of the law without a solver */
+/* True if the library computes all numbers of an impact of the law without a solver. */
 static inline int law_is_complete(int law)
 {
     const struct cor_scene_contact contact = {.law = cor_law_exponents[law]};
@@ -32,7 +32,7 @@ static inline int law_is_complete(int law)
             (scene).number[(int)given_[i_][0]] = given_[i_][1];                                                        \
     } while (0)
 
-#ifndef COR_FUZZ_H /* fuzz targets are without cmocka */
+#ifndef COR_FUZZ_H /* fuzz targets do not use cmocka */
 #include "check.h"
 
 static inline double scene_eps(const struct cor_scene_contact *contact, double speed_m_s, int end)

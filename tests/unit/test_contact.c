@@ -23,7 +23,7 @@ static struct cor_sphere_contact contact_of_g_star(double g_star)
     return c;
 }
 
-/* Of these some have a wall, or a rigid partner, which neither deforms nor dissipates, whichever of the two it is */
+/* Some contacts have a wall or a rigid partner as either body. It neither deforms nor dissipates. */
 TEST(against_long_double)
 {
     const long double c1 = 1.15344885809528879913L;
@@ -59,13 +59,13 @@ TEST(against_long_double)
         const double computed_g_star = cor_contact_g_star_m_s(&c);
         check_ulp(c.effective_mass_kg, m, 3);
         check_ulp(c.effective_radius_m, r, 3);
-        /* at most 16 roundings, half a unit of the last place each */
+        /* at most 16 roundings of half a unit in the last place each */
         check_ulp(c.elastic_constant_n_m15, rho, 8);
         check_ulp(c.dissipation_time_s, a, 8);
         check_ulp(c.beta_per_root, beta_per_root, COR_CONTACT_MAX_ULP);
         check_ulp(c.scale, 1 / root, COR_CONTACT_MAX_ULP);
         check_ulp(cor_contact_beta(&c, speed), beta, COR_CONTACT_MAX_ULP);
-        /* a fifth power has twice the bound, and may leave the range */
+        /* a fifth power has twice the bound and may leave the range */
         if (g_star < 0.9 * COR_SI_MOST && g_star > 1.1 * COR_SI_LEAST)
             check_ulp(computed_g_star, g_star, 2 * COR_CONTACT_MAX_ULP);
     }
@@ -79,8 +79,8 @@ static double (*const eps_at_beta[2])(double) = {cor_sphere_eps_zero_overlap, co
 static double (*const time_of_eps[2])(const struct cor_sphere_contact *, double, double) = {
     cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
 
-/* The functions of a speed; those of seconds and metres need a scale. Their values at the speeds 0 and infinity, and at
- * infinity without dissipation */
+/* The functions of a speed; those with results in seconds or metres need a scale. Values at the speeds 0 and infinity,
+ * and at infinity without dissipation. */
 static const struct {
     const char *name;
     contact_function *of;
@@ -122,7 +122,7 @@ static void special_speeds(const struct cor_sphere_contact *c, int elastic)
 
 TEST(speeds)
 {
-    /* a macro takes any expression */
+    /* a macro accepts any expression */
     assert_true(COR_CONTACT_EPS_MAX_ERROR(1 + 2) == COR_CONTACT_EPS_MAX_ERROR(3));
     const struct cor_sphere_contact damped = contact_of(glass, glass), elastic = contact_of(lossless, lossless),
                                     without = contact_of_g_star(INFINITY);
@@ -151,14 +151,14 @@ TEST(characteristic_speed)
         const double g_star = random_log(&draw, 1e-249, 1e249);
         c = contact_of_g_star(g_star);
         check_near(cor_contact_g_star_m_s(&c), g_star, 3 * COR_CONTACT_MAX_ULP * DBL_EPSILON);
-        /* at g = g*, |C_1| beta = 1 */
+        /* |C_1| beta = 1 at g = g* */
         check_near(cor_contact_beta(&c, g_star), -1 / (long double)COR_SPHERE_C1, COR_CONTACT_MAX_ULP * DBL_EPSILON);
         check_nan(c.effective_mass_kg, c.elastic_constant_n_m15);
     }
     /* eps = 1 - (g/g*)^(1/5) + (3/5)(g/g*)^(2/5) - ..., (32) */
     c = contact_of_g_star(3.2e-3);
     check_near(cor_contact_eps_zero_overlap(&c, 3.2e-13), 1 - 0.01 + 0.6e-4, 1e-6);
-    /* no dissipation; the rest: speeds */
+    /* no dissipation */
     c = contact_of_g_star(INFINITY);
     assert_true(cor_contact_g_star_m_s(&c) == INFINITY);
     const struct cor_body without = {1e9, 0.3, -0.0, 0.01, 0.01};
@@ -173,7 +173,7 @@ static void all_nan(const struct cor_sphere_contact *c)
     special_speeds(c, 0);
 }
 
-/* Puts a wrong value into one member of a good body, as first and as second. */
+/* Puts a wrong value into one member of a good body, which is then the first or the second. */
 static void refused(size_t member, double value, int status)
 {
     struct cor_body wrong = glass;
@@ -208,7 +208,7 @@ TEST(wrong_inputs)
     refused(time, INFINITY, COR_ERROR_DISSIPATION_TIME);
     EACH (bad_poisson, -1, nextafter(0.5, 1), -2, 0.6, INFINITY, -INFINITY, NAN)
         refused(poisson, *bad_poisson, COR_ERROR_POISSON_RATIO);
-    /* what would overflow or vanish */
+    /* values that would overflow or vanish */
     EACH (extreme, smallest, 0.99 * COR_SI_LEAST, COR_SI_MOST, DBL_MAX) {
         refused(young, *extreme, COR_ERROR_RANGE);
         refused(radius, *extreme, COR_ERROR_RANGE);
@@ -216,7 +216,7 @@ TEST(wrong_inputs)
         refused(time, *extreme, COR_ERROR_RANGE);
     }
 
-    /* of both bodies, and the ends of the range */
+    /* values for both bodies, and the ends of the range */
     const struct {
         size_t member;
         double value;
@@ -241,11 +241,11 @@ TEST(wrong_inputs)
     all_nan(&c);
     assert_int_equal(cor_sphere_contact_init(&c, &one, NULL), COR_ERROR_NULL);
     all_nan(&c);
-    /* beta^5 of a speed in range beyond the largest double: eps at zero overlap is subnormal */
+    /* beta^5 of a speed in range exceeds the largest double, so eps at zero overlap is subnormal */
     c = (struct cor_sphere_contact){1, 1, 1, 1, 1e60, 1, 1e300};
     const double beyond = cor_contact_eps_zero_overlap(&c, 1e18);
     assert_true(beyond > 0 && beyond == cor_sphere_eps_zero_overlap(cor_contact_beta(&c, 1e18)));
-    /* a dissipation time whose beta_per_root underflows is refused, not taken for zero */
+    /* a dissipation time whose beta_per_root underflows is refused, not treated as zero */
     one.dissipation_time_s = smallest;
     one.young_modulus_pa = 1e-10;
     assert_int_equal(cor_sphere_contact_init(&c, &one, &one), COR_ERROR_RANGE);
@@ -257,7 +257,7 @@ TEST(wrong_inputs)
 
 TEST(status_texts)
 {
-    /* a word that belongs to each sentence, by number */
+    /* a characteristic word of each sentence, by number */
     static const char *const word[] = {
         "No error",
         "NULL",
@@ -303,7 +303,7 @@ TEST(status_texts)
     assert_string_equal(cor_status_text(-1), cor_status_text(count));
 }
 
-/* Within a bound, or NaN where the exact value is out of range */
+/* Checks that computed is within a bound, or NaN if the exact value is out of range. */
 static void in_range(double computed, long double exact, double bound)
 {
     if (exact > 3 * (long double)COR_SI_MOST || exact < (long double)COR_SI_LEAST / 3)
@@ -320,9 +320,9 @@ TEST(dissipation_time)
     assert_true(cor_dissipation_time_s(3, 1, 1e9, 0.25) == 0); /* 3 eta_2 = eta_1 */
     assert_true(cor_dissipation_time_s(1, 1, 1e9, 0.5) == 0);  /* incompressible */
     assert_true(cor_dissipation_time_s(0, 0, 1e9, 0.25) == 0);
-    assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* no overflow of the square */
+    assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* the square does not overflow */
     assert_true(isfinite(cor_dissipation_time_s(0, 1e200, 1e9, 0.25)));
-    assert_true(cor_dissipation_time_s(3e-200, 1e-200, 1e9, 1e-200) == 0); /* nor of 1/nu^2 */
+    assert_true(cor_dissipation_time_s(3e-200, 1e-200, 1e9, 1e-200) == 0); /* nor does 1/nu^2 */
     const double bad[][4] = {{1, 2, 1e9, 0},           {1, 2, 1e9, -0.0},        {1, 2, 1e9, -1},
                              {1, 2, 1e9, 0.51},        {1, 2, 0, 0.25},          {1, 2, -1, 0.25},
                              {-1, 2, 1e9, 0.25},       {1, -2, 1e9, 0.25},       {NAN, 2, 1e9, 0.25},
@@ -330,7 +330,7 @@ TEST(dissipation_time)
                              {1, INFINITY, 1e9, 0.25}, {INFINITY, 1, 1e9, 0.25}, {1, 2, INFINITY, 0.25}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         check(isnan(cor_dissipation_time_s(bad[i][0], bad[i][1], bad[i][2], bad[i][3])), "row %zu", i);
-    /* only the result may leave the range */
+    /* only the result can leave the range */
     for (size_t i = 0; i < points(10000); i++) {
         const double eta1 = i % 2 ? random_log(&draw, 1e-250, 1e249) : random_log(&draw, 1e-3, 1);
         const double eta2 = i % 2 == 0 ? random_log(&draw, 1, 1e3) : 3 * eta1;
@@ -344,7 +344,7 @@ TEST(dissipation_time)
     }
 }
 
-/* kappa of equal materials and of glass on steel, and the angle at which friction just holds */
+/* kappa of equal materials and of glass on steel, and the angle up to which friction prevents sliding */
 TEST(oblique_impacts)
 {
     for (double nu = -0.95; nu <= 0.5; nu += 0.05)
@@ -379,7 +379,7 @@ TEST(mass_of_a_sphere)
     EACH (bad, 0, -1, NAN, -INFINITY, 1e-251, 1e251)
         check_nan(cor_sphere_mass_kg(*bad, 1), cor_sphere_mass_kg(1, *bad), cor_sphere_mass_kg(INFINITY, *bad));
     assert_true(cor_sphere_mass_kg(1e-200, INFINITY) == INFINITY && cor_sphere_mass_kg(INFINITY, 1e-250) == INFINITY);
-    /* the cube of the radius may be out of range where the mass is not */
+    /* the cube of the radius may be out of range although the mass is not */
     for (size_t i = 0; i < points(5000); i++) {
         const double radius = random_log(&draw, 1e-200, 1e200), density = random_log(&draw, 1e-250, 1e249);
         const long double r = radius;
@@ -387,12 +387,12 @@ TEST(mass_of_a_sphere)
     }
 }
 
-/* Contacts whose beta_per_root^5 is no double, with speeds that bring beta back to where something happens. */
+/* Contacts whose beta_per_root^5 is not a double, at speeds with a moderate beta. */
 TEST(extreme_contacts)
 {
     struct cor_sphere_contact c = contact_of_g_star(1);
     EACH (factor, 1e-61, 3e-61, 2e-60, 1e60, 3e61, 1e64, 1e-150, 1e150) {
-        /* all that the functions read */
+        /* all fields that the functions read */
         c.beta_per_root = *factor;
         c.beta5_per_speed = NAN;
         for (double exponent = -250; exponent < 250; exponent += 0.37) {
@@ -405,7 +405,7 @@ TEST(extreme_contacts)
         assert_true(cor_contact_eps_zero_overlap(&c, 0) == 1 && cor_contact_eps_zero_force(&c, -0.0) == 1);
         assert_true(cor_contact_eps_zero_overlap(&c, INFINITY) == 0 && isnan(cor_contact_eps_zero_force(&c, -1)));
     }
-    /* where beta_per_root^5 is a double, and its product with the speed may be none */
+    /* beta_per_root^5 is a double, but its product with the speed may not be */
     c.beta_per_root = 0x1p20;
     c.beta5_per_speed = 0x1p100;
     for (int exponent = 700; exponent < 830; exponent++) {
@@ -416,7 +416,7 @@ TEST(extreme_contacts)
                   exponent, eps, by_beta);
         }
     }
-    /* where init itself cannot hold the power */
+    /* init itself cannot represent the power */
     const struct cor_body soft = {1e-150, 0.3, 1e-10, 1e-3, 1e-3};
     const struct cor_sphere_contact extreme = contact_of(soft, soft);
     assert_true(isnan(extreme.beta5_per_speed) && extreme.beta_per_root > 0);
@@ -445,7 +445,7 @@ TEST(dimensions_against_long_double)
     }
 }
 
-/* A -> eps -> A: what eps lost to rounding, and no more. */
+/* A -> eps -> A is exact up to the rounding of eps. */
 TEST(dissipation_time_from_eps)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -453,13 +453,13 @@ TEST(dissipation_time_from_eps)
         body.dissipation_time_s = random_log(&draw, 1e-12, 1e-2);
         body.radius_m = random_log(&draw, 1e-5, 1);
         const struct cor_sphere_contact c = contact_of(body, body);
-        body.dissipation_time_s = 1; /* the time in the contact is not looked at */
+        body.dissipation_time_s = 1; /* the time in the contact is ignored */
         const struct cor_sphere_contact other = contact_of(body, body);
         const double speed = random_log(&draw, 1e-6, 1e3), beta = cor_contact_beta(&c, speed);
         for (int end = 0; end < 2; end++) {
             const double eps = eps_at_speed[end](&c, speed), back = time_of_eps[end](&other, speed, eps);
             const double loss = end ? cor_sphere_loss_zero_force(beta) : cor_sphere_loss_zero_overlap(beta);
-            /* |d ln(beta)/d ln(eps)| is about eps/(1 - eps) and less than 1 where eps is small */
+            /* |d ln(beta)/d ln(eps)| is about eps/(1 - eps), and less than 1 for small eps */
             const long double condition = 2.0L * eps / loss + 1;
             check(relative_error(back, c.dissipation_time_s) <= (4 * condition + 2 * COR_CONTACT_MAX_ULP) * DBL_EPSILON,
                   "end %d, eps = %a: A = %a -> %a", end, eps, c.dissipation_time_s, back);

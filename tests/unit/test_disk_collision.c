@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of the disk in full (runtime/disk/collision.c): the values of the theory's check, an integrator of another
- * kind (reference_collision.h), tolerances kept at random, energies, moments, workspaces, hard cases, and what is
- * refused. */
+/* Whole collisions of the disk (runtime/disk/collision.c): known values, an integrator of another kind
+ * (reference_collision.h), random tolerances, energies, moments, workspaces, hard cases and refusals. */
 #include "check.h"
 
 #include <limits.h>
@@ -13,17 +12,17 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Error allowed to the reference, in eps and in energies relative to (pi/2) v^2 */
+/* Error that the reference may have in eps, and in energies relative to (pi/2) v^2 */
 static const double slack = 1e-13;
 
-/* What disk.h calls not as good: taken between moments, in the midst of the contact; relative to v, relative, and
- * relative to (pi/2) v^2, at a tolerance of 1e-11 */
+/* Looser bounds, as in disk.h, at a tolerance of 1e-11, for numbers that come from between two moments during contact:
+ * depth relative to v, time relative, averages relative to (pi/2) v^2 */
 static const double depth_bound = 1e-7, time_bound = 1e-6, average_bound = 1e-6, soft_average_bound = 1e-4;
 
 enum { TABLE = 1800 };
 static double after[TABLE], average[TABLE], reference_after[TABLE], reference_average[TABLE];
 
-/* As many of a list, fewer where COR_TEST_DIVISOR says so */
+/* Returns count, or fewer with COR_TEST_DIVISOR. */
 static size_t listed(size_t count)
 {
     return points(count) < count ? points(count) : count;
@@ -41,14 +40,14 @@ static int disk_collide(const struct cor_disk_modes *modes, size_t n, double alp
     return cor_disk_collision(modes, n, &options, v, out);
 }
 
-/* With a workspace of its own, and details */
+/* Computes a collision in its own workspace, with details. */
 static int collide_in_detail(const struct cor_disk_modes *modes, size_t n,
                              const struct cor_disk_collision_options *options, double v, struct cor_disk_collision *out,
                              const struct cor_disk_collision_detail *detail)
 {
     const size_t bytes = cor_disk_collision_workspace(modes, n, options);
     assert_true(bytes > 0);
-    void *const workspace = malloc(bytes + 1); /* for the analysers, which think bytes might be 0 */
+    void *const workspace = malloc(bytes + 1); /* for analysers that assume bytes might be 0 */
     assert_non_null(workspace);
     const int status = cor_disk_collision_in(workspace, bytes, modes, n, options, v, out, detail);
     free(workspace);
@@ -62,7 +61,7 @@ static void same_results(const struct cor_disk_collision *x, const struct cor_di
 
 /* ---- values ---- */
 
-/* DISKS, section 4, to the digits given; nu = 0.33, alpha = 500, v = 0.1 */
+/* DISKS, section 4, to the digits printed there; nu = 0.33, alpha = 500, v = 0.1 */
 TEST(known_answers)
 {
     static const struct {
@@ -74,20 +73,20 @@ TEST(known_answers)
         assert_int_equal(disk_collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-12, &out), COR_OK);
         assert_true(out.error_estimate <= 1e-12);
         check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-12, "N = %zu: %.15f", known[i].n, out.eps);
-        /* round-off allows no more, and the estimate says so; the number is as good as it can be */
+        /* round-off prevents this tolerance, and the estimate shows it; the result is as accurate as possible */
         const int status = disk_collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out);
         assert_true(status == (out.error_estimate <= 1e-13 ? COR_OK : COR_TOLERANCE_NOT_REACHED));
         assert_true(out.error_estimate < 4e-13);
-        /* half a unit of the last digit, and what was asked for */
+        /* half a unit of the last digit, plus the tolerance */
         check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-13, "N = %zu: %.15f", known[i].n, out.eps);
-        /* an extrapolation of a lower order needs more */
+        /* an extrapolation of lower order would need more steps */
         check(i > 0 || out.steps < 10000, "%zu steps", out.steps);
     }
 }
 
 /* ---- the reference ---- */
 
-/* Tolerances from here on are reached in calm collisions; below it round-off may exceed them. */
+/* Calm collisions reach the tolerances from here upward; below, round-off may exceed them. */
 static const double least_tolerance = 1e-11;
 
 static struct reference_collision truth_of(const struct cor_disk_modes *modes, size_t n, double alpha, double v)
@@ -100,8 +99,8 @@ static struct reference_collision truth_of(const struct cor_disk_modes *modes, s
     return truth;
 }
 
-/* eps and 1 - eps^2 to the tolerance, energies are what they are of, and in_full, all other numbers of a truth that has
- * them. Returns the number of steps. */
+/* Checks eps and 1 - eps^2 to the tolerance, the energies, and, in_full, all other numbers of a truth that has them.
+ * Returns the number of steps. */
 static size_t judge(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
                     const struct reference_collision *truth, int in_full)
 {
@@ -118,7 +117,7 @@ static size_t judge(const struct cor_disk_modes *modes, size_t n, double alpha, 
     check(fabs(out.eps - truth->eps) <= out.error_estimate + slack, "%s: eps %.15f, not %.15f, estimate %g", what,
           out.eps, truth->eps, out.error_estimate);
     tolerance = fmax(tolerance, out.error_estimate);
-    /* 1 - eps^2 moves 2 eps times as far */
+    /* 1 - eps^2 changes by 2 eps times the change of eps */
     check(fabs(out.one_minus_eps2 - truth->one_minus_eps2) <= (in_full ? 2 * (tolerance + slack) : 4 * tolerance),
           "%s: 1 - eps^2 = %.15f, not %.15f", what, out.one_minus_eps2, truth->one_minus_eps2);
     check(fabs(out.energy_drift) <= 4 * tolerance &&
@@ -156,7 +155,7 @@ static void as_reference(const struct cor_disk_modes *modes, size_t n, double al
 
 static struct cor_disk_mode some[TABLE];
 
-/* The lowest `count` modes whose n is in the list, which ends with -1, or whose omega is below `below` */
+/* Returns the lowest `count` modes whose n is in the list, which ends with -1, or whose omega is less than `below`. */
 static struct cor_disk_modes modes_cut(const struct cor_disk_modes *modes, const int *of_n, double below, size_t count)
 {
     size_t kept = 0;
@@ -171,8 +170,8 @@ static struct cor_disk_modes modes_cut(const struct cor_disk_modes *modes, const
     return (struct cor_disk_modes){modes->nu, count, some};
 }
 
-/* The modes of some n and those below a frequency, all where there is no list. Tolerances fall from `from` by `ratio`;
- * from 0: 1e-11 alone, and all numbers of a reference. */
+/* The modes with listed n and those below a frequency; all modes without a list. Tolerances fall from `from` by
+ * `ratio`. If `from` is 0: only 1e-11, and all numbers of a reference. */
 TEST(reference)
 {
     const struct {
@@ -203,7 +202,7 @@ TEST(reference)
         {0.33, (int[]){1, 8, 9, 31, -1}, 12, 300, 0.1, 0, 0, 0},
         {0.33, (int[]){1, -1}, 5, 300, 0.1, 0, 0, 0},
         {0.33, (int[]){109, -1}, 1, 300, 0.1, 0, 0, 0},
-        /* no multiple of pi of omega h feeds energy into a mode */
+        /* no multiple of pi in omega h feeds energy into a mode */
         {0.33, (int[]){0, -1}, 22, 200, 0.1, 1e-2, 100, 2.3},
         {0.9, (int[]){0, -1}, 11, 200, 0.1, 1e-2, 100, 2.3},
         {0.33, (int[]){0, -1}, 22, 2000, 0.1, 1e-2, 100, 2.3},
@@ -216,7 +215,7 @@ TEST(reference)
         const size_t n = scene[i].n;
         const struct cor_disk_modes modes =
             scene[i].of_n ? modes_cut(material(nu), scene[i].of_n, scene[i].below, n) : *material(nu);
-        /* the value of 940 modes is one of known_answers: the reference takes a second for it */
+        /* the value for 940 modes is a known answer, because the reference would need a second for it */
         struct reference_collision truth = {.eps = 0.9504656552925,
                                             .one_minus_eps2 = 1 - 0.9504656552925 * 0.9504656552925};
         if (n < 940)
@@ -249,20 +248,20 @@ TEST(other_modes)
     }
 }
 
-/* One strong mode takes nearly all the speed; the disk has left the wall by 0.07 when the rim comes again, 3.5 later.
- */
+/* One strong mode takes nearly all of the speed. The disk has moved 0.07 away from the wall when the rim returns, 3.5
+ * later. */
 TEST(second_contact)
 {
     some[0] = (struct cor_disk_mode){2, 0, 1.2, 0.84, 0};
     const struct cor_disk_modes modes = {0.33, 1, some};
     const struct reference_collision truth = truth_of(&modes, 1, 800, 0.1);
     judge(&modes, 1, 800, 0.1, least_tolerance, &truth, 1);
-    /* the larger the tolerance, the nearer is the disk when nothing is left of the first contact */
+    /* the larger the tolerance, the closer is the disk when the first contact has become negligible */
     for (double tolerance = 1e-8; tolerance < 1e-3; tolerance *= 10)
         judge(&modes, 1, 800, 0.1, tolerance, &truth, 0);
 }
 
-/* The step of the last run */
+/* Records the time step of the last run. */
 static void note_step(void *context, const struct cor_disk_moment *moment)
 {
     double *const time = context;
@@ -270,8 +269,8 @@ static void note_step(void *context, const struct cor_disk_moment *moment)
     time[0] = moment->time;
 }
 
-/* omega_max h is at most 1, so that no two modes turn by 2 pi together between kicks; here the fastest mode limits the
- * step, not the stiffness of the wall. */
+/* omega_max h is at most 1, so no two modes together turn by 2 pi between kicks. Here the fastest mode limits the step,
+ * not the stiffness of the wall. */
 TEST(no_resonance)
 {
     const struct cor_disk_modes modes = modes_cut(&cor_disk_modes_nu033, (int[]){0, -1}, 0, 18);
@@ -288,7 +287,7 @@ TEST(no_resonance)
 
 /* ---- tolerances ---- */
 
-/* At the edges of what may be asked for */
+/* At the limits of the allowed tolerances */
 TEST(extreme_tolerances)
 {
     struct cor_disk_collision finest, coarsest;
@@ -300,13 +299,13 @@ TEST(extreme_tolerances)
     assert_true(fabs(finest.energy_drift) < 1e-12);
 }
 
-/* The wall's force at angles of the caller's choice */
+/* The force of the wall at a number of angles chosen by the caller */
 TEST(phi_points)
 {
     struct cor_disk_collision truth, out;
     assert_int_equal(disk_collide(&cor_disk_modes_nu033, 10, 500, 0.1, 1e-12, &truth), COR_OK);
     size_t kept_from = 0;
-    const size_t finer = listed(4); /* fewer angles to try for few points */
+    const size_t finer = listed(4); /* fewer angles if few points are tested */
     for (size_t n = 1; n <= 512; n = n * (finer + 1) / finer + 1) {
         const struct cor_disk_collision_options options = {500, 1e-10, n, 0};
         const int status = cor_disk_collision(&cor_disk_modes_nu033, 10, &options, 0.1, &out);
@@ -352,7 +351,7 @@ static void write_down(void *context, const struct cor_disk_moment *moment)
         memcpy(d->first_q, d->q, sizeof d->q);
     } else {
         const double dt = moment->time - d->last.time;
-        /* modes follow a force that grows like exp(alpha v t), and no swing of their own is in them */
+        /* modes follow a force that grows like exp(alpha v t), without oscillations of their own */
         for (size_t i = 0; d->count == 1 && i < d->n; i++)
             d->astray = fmax(d->astray, fabs(d->q[i] / d->first_q[i] / exp(d->alpha * d->speed * dt) - 1));
         check(dt > 0, "time %g after %g", moment->time, d->last.time);
@@ -388,16 +387,16 @@ TEST(moments)
         assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
         assert_true(fabs((diary.first.position + 1) / (diary.speed * diary.first.time) - 1) < 1e-6);
         assert_true(diary.first.wall_energy < scene[k].tolerance * energy);
-        /* after it: the last run is not yet extrapolated */
+        /* after the contact: the last run itself is not extrapolated */
         assert_true(diary.last.wall_energy < scene[k].tolerance * energy);
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)
             off = fmax(off, fabs(diary.energy[i] / energy - after[i]));
         assert_true(diary.astray < 0.01);
         assert_true(off < 1e-4);
-        /* in between, where the modified potential stands for the wall's, to the square of the step */
+        /* during contact the modified potential replaces the wall's, up to the square of the step */
         assert_true(diary.wander <= scene[k].wander);
-        /* between moments the disk may go further; none of them is beyond, to order 4 */
+        /* the disk may be deeper between moments; no moment is deeper than the result, up to order 4 */
         assert_true(fabs(diary.max_position + 1 - out.max_compression) < 1e-3 * out.max_compression &&
                     diary.max_position + 1 < (1 + 2e-6) * out.max_compression);
         assert_true(out.contact_time < diary.last.time - diary.first.time);
@@ -405,7 +404,7 @@ TEST(moments)
     }
 }
 
-/* Whatever the budget was, the last run is observed to its end. */
+/* For any budget, the last run is observed to its end. */
 TEST(moments_within_a_budget)
 {
     size_t observed = 0;
@@ -423,7 +422,7 @@ TEST(moments_within_a_budget)
 
 /* ---- hard cases ---- */
 
-/* Chaotic: eps moves in the third digit with the steps, the estimate says so, energy holds. */
+/* Chaotic: the steps change the third digit of eps, the estimate covers this, and energy is conserved. */
 TEST(chaotic)
 {
     if (points(2) < 2)
@@ -441,7 +440,7 @@ TEST(chaotic)
         const struct cor_disk_collision_options short_options = {diary.alpha, tolerance[i], 0, 20000};
         struct cor_disk_collision other;
         const int found =
-            cor_disk_collision(diary.modes, diary.n, &short_options, diary.speed, &other); /* others than above */
+            cor_disk_collision(diary.modes, diary.n, &short_options, diary.speed, &other); /* differ from those above */
         check(fabs(other.eps - 0.838427764576) <= (found == COR_OK ? tolerance[i] : other.error_estimate),
               "tolerance %g: %.12f +- %.1e, %s", tolerance[i], other.eps, other.error_estimate, cor_status_text(found));
     }
@@ -449,7 +448,7 @@ TEST(chaotic)
     assert_true(fabs(diary.drift) < 1e-4);
 }
 
-/* No contact, or one that is given up in the time of so many steps, before it begins if that can be foreseen */
+/* No contact, or one that needs too many steps. If this is foreseeable, the run ends before the contact begins. */
 TEST(without_results)
 {
     static const struct {
@@ -479,7 +478,7 @@ TEST(without_results)
 
 enum { CANARIES = 64 };
 
-/* Any workspace of that size gives the same bits, whatever is in it. What is refused touches nothing. */
+/* Any workspace of sufficient size gives the same bits, whatever it contains. A refused one is not touched. */
 TEST(workspaces)
 {
     static const struct {
@@ -511,7 +510,7 @@ TEST(workspaces)
         for (size_t j = 0; j < bytes + 2 * CANARIES; j++)
             assert_int_equal(memory[j], 0xa5);
         assert_int_equal(cor_disk_collision(modes, n, &options, scene[i].v, &first), COR_OK);
-        for (size_t k = 0; k < 4; k++) { /* zeros, ones, and numbers that are none, there and as malloc aligns */
+        for (size_t k = 0; k < 4; k++) { /* zeros, ones, NaN, and NaN aligned like malloc */
             unsigned char *const workspace = memory + (k == 3 ? 16 : 0);
             memset(workspace, k == 0 ? 0 : 0xff, bytes);
             for (size_t j = 0; k > 1 && j + sizeof nan <= bytes; j += sizeof nan)
@@ -533,7 +532,7 @@ TEST(workspaces)
             }
             assert_memory_equal(after, after_first, sizeof after);
             assert_memory_equal(average, average_first, sizeof average);
-            /* as another collision left it */
+            /* with the contents that another collision left */
             cor_disk_collision_in(workspace, bytes, material(1.2 - scene[i].nu), (n + 1) / 2, &options, 0.05, &out,
                                   NULL);
             assert_int_equal(cor_disk_collision_in(workspace, bytes, modes, n, &options, scene[i].v, &out, NULL),
@@ -542,7 +541,7 @@ TEST(workspaces)
         }
         free(memory);
     }
-    /* more for more */
+    /* more modes, a harder wall or a finer tolerance need more memory */
     const struct cor_disk_collision_options plain = {500, 1e-6, 0, 0}, harder = {8000, 1e-6, 0, 0},
                                             finer = {500, 1e-12, 0, 0};
     const size_t bytes = cor_disk_collision_workspace(&cor_disk_modes_nu033, 100, &plain);
@@ -551,8 +550,8 @@ TEST(workspaces)
     assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 1000, &plain) > bytes);
 }
 
-/* Many speeds have the bits of single calls, in any order: numbers of angles that stay, grow and shrink, speeds that
- * are refused, tolerances that are not reached, and a budget that each speed has for itself. */
+/* Many speeds have the bits of single calls, in any order. The number of angles stays, grows or shrinks, speeds are
+ * refused, tolerances are not reached, and each speed has its own budget. */
 TEST(many_speeds)
 {
     static const double speed[] = {0.1, 0.1, 0.002, 0.3, NAN, 0.05, 0.500001, 0, -1, INFINITY, 0.5, 1e-9, 0.1, -0.0};
@@ -617,7 +616,7 @@ static void refused(const struct cor_disk_modes *modes, size_t n, const struct c
         assert_int_equal(((unsigned char *)after)[i], 0x5a);
     if (expected == COR_ERROR_SPEED)
         return;
-    int of_speed = -7; /* the speed has no say in the workspace, and no list is refused for it */
+    int of_speed = -7; /* the speed does not affect the workspace, so no list is refused for it */
     assert_int_equal(cor_disk_collision_workspace(modes, n, options), 0);
     assert_int_equal(cor_disk_collision_array(modes, n, options, &v, 1, &out, &of_speed), expected);
     assert_int_equal(of_speed, -7);
@@ -658,12 +657,12 @@ TEST(refusals)
                                         {INT_MAX, 0, 9, 1, 1},
                                         {COR_DISK_MODES_MAX_N + 1, 0, 9, 1, 1},
                                         {2, 0, some[3].omega, 1, 1}};
-    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* as the fifth mode and as the first, but for the last */
+    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* as the fifth mode and as the first, except the last */
         some[i % 2 ? 0 : 4] = bad[i / 2];
         refused(&mine, i % 2 ? 1 : 5, &good, 0.1, COR_ERROR_MODES);
         some[0] = modes->mode[0];
     }
-    some[0].n = COR_DISK_MODES_MAX_N; /* the most memory that a table of few modes asks for */
+    some[0].n = COR_DISK_MODES_MAX_N; /* the largest memory for a table of few modes */
     const struct cor_disk_collision_options most = {COR_DISK_COLLISION_MAX_ALPHA, COR_DISK_COLLISION_MIN_TOLERANCE,
                                                     COR_DISK_COLLISION_MAX_PHI_POINTS, 0};
     const size_t bytes = cor_disk_collision_workspace(&mine, 1, &most);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* What cor_disk_collision promises of its error: COR_OK means within the tolerance, error_estimate is at least the
- * error, and no call exceeds its budget. The truth is reference_collision.h: Taylor series in time, in long double or,
- * where the collision amplifies errors much, in quad precision; and, for more modes, a call with a hundredth of the
+/* The guarantees of cor_disk_collision about its error: COR_OK means within the tolerance, error_estimate is at least
+ * the error, and no call exceeds its budget. The truth is reference_collision.h: Taylor series in time, in long double
+ * or, for collisions that amplify errors much, in quad precision. For more modes it is a call with a hundredth of the
  * tolerance.
- *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 test_disk_collision_error
- * judges 10^4 random scenes of each kind, others with another COR_SEED. They take half an hour and two hours. */
+ *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 test_disk_collision_error judges 10^4 random scenes of each kind, or
+ *     others with another COR_SEED. This takes half an hour and two hours. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -31,7 +31,7 @@ static int scene_collide(const struct scene *s, size_t max_steps, struct cor_dis
 
 /* ---- random scenes ---- */
 
-/* The scenes of the promise */
+/* Returns a scene in the range of the guarantee. */
 static struct scene random_scene(struct random_state *random)
 {
     struct scene s = {random_uniform(random, 0, 1) < 0.5 ? 0.33 : 0.9, 0, 0, 0, 0};
@@ -42,8 +42,9 @@ static struct scene random_scene(struct random_state *random)
     return s;
 }
 
-/* More modes than Taylor series can treat in time, and larger tolerances. In half of the scenes the wall is hard enough
- * and the disk fast enough for many blows, which amplify the error of the angles. */
+/* Returns a scene with more modes than Taylor series can treat in time, and larger tolerances. In half of the scenes
+ * the wall is so hard and the disk so fast that the rim hits the wall often, which amplifies the error of the
+ * angles. */
 static struct scene larger_scene(struct random_state *random)
 {
     const int blows = random_uniform(random, 0, 1) < 0.5;
@@ -55,7 +56,7 @@ static struct scene larger_scene(struct random_state *random)
     return s;
 }
 
-/* How often the estimate may be too small, and by how much */
+/* Allowed share of estimates that are too small, and their largest factor */
 static const double too_small_share = 0.005, too_small_factor = 4;
 
 struct tally {
@@ -63,7 +64,7 @@ struct tally {
     double worst_of_tolerance, worst_of_estimate;
 };
 
-/* eps and 1 - eps^2 against the reference */
+/* Compares eps and 1 - eps^2 with the reference. */
 static void judge_numbers(const struct scene *s, int status, const struct cor_disk_collision *out,
                           const struct reference_collision *reference, struct tally *tally)
 {
@@ -103,13 +104,12 @@ static void scene_judge(const struct scene *s, struct tally *tally)
         judge_numbers(s, status, &out, &reference, tally);
 }
 
-/* A call with a hundredth of the tolerance is the reference of a call that was COR_OK, and of one with another
- * tolerance. */
+/* Judges a call that was COR_OK, and one with another tolerance, by a call with a hundredth of the tolerance. */
 static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;
     struct cor_disk_collision out, of_other, truth;
-    other.tolerance = 1e-8 / s->tolerance; /* from 1e-6 to 1e-2, too */
+    other.tolerance = 1e-8 / s->tolerance; /* also from 1e-6 to 1e-2 */
     tighter.tolerance = 0.01 * s->tolerance;
     const int status = scene_collide(s, 0, &out);
     if (status != COR_OK)
@@ -126,8 +126,8 @@ static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
         judge_numbers(&other, second, &of_other, &reference, tally);
 }
 
-/* At least the share `ok` of the calls must reach their tolerance, less two standard deviations, and at most the share
- * `undecided` may be without a reference, and `slack` standard deviations more. */
+/* Judges `count` scenes. The share `ok` of the calls, less two standard deviations, must reach the tolerance. The share
+ * `undecided`, plus `slack` standard deviations, may be without a reference. */
 static void judge_all(int larger, size_t count, double ok, double undecided, double slack)
 {
     struct random_state random = random_start();
@@ -160,14 +160,14 @@ TEST(larger_scenes)
 
 /* ---- known scenes ---- */
 
-/* Scenes with eps by reference_disk_collision to `known`, which COR_TEST_MULTIPLIER asks again: corners of what speeds
- * and walls there are, few modes at hard walls, where round-off of the speed grows 10^4 to 10^6 times, and scenes that
- * were wrong once. */
+/* Scenes with eps by reference_disk_collision to `known`; COR_TEST_MULTIPLIER computes the references again. Extreme
+ * speeds and walls, few modes at hard walls, where round-off of the speed grows 10^4 to 10^6 times, and scenes that
+ * were once wrong. */
 static const struct known_scene {
     struct scene scene;
     double exact, known;
     double other[2]; /* tolerances */
-    double reached;  /* below it COR_TOLERANCE_NOT_REACHED is expected */
+    double reached;  /* below this tolerance COR_TOLERANCE_NOT_REACHED is expected */
 } known_scenes[] = {
     {{0.33, 300, 50, 0.3, 1e-2}, 0.870767028481, 1e-11, {1e-4}, 0},
     {{0.9, 10, 8000, 0.3, 1e-2}, 0.709986840267, 1e-11, {1e-4}, 0},
@@ -180,19 +180,19 @@ static const struct known_scene {
     {{0.33, 20, 4767.2836646688293, 0.10233708232535071, 5.5257690548836654e-10}, 0.93508420077908161, 1e-14, {0}, 1},
     {{0.9, 6, 4000, 0.1, 1e-11}, 0.84866222836689342, 1e-14, {0}, 0},
     {{0.9, 7, 4000, 0.1, 1e-11}, 0.94613165857209169, 1e-14, {0}, 0},
-    /* runs agreed by chance: the first two of six modes, and the fifth and sixth of 48 */
+    /* runs that agreed by chance: the first two of six modes, and the fifth and sixth of 48 */
     {{0.9, 6, 0x1.8bdeb3d65fedbp+11, 0x1.87f15e3cb249fp-5, 0x1.2dd0dd9825526p-15}, 0.87073496665805972, 1e-14, {0}, 0},
     {{0.33, 48, 0x1.95b6e78a562f8p+12, 0x1.e81c11e886a5bp-4, 0x1.3aace989748acp-22},
      0.91298043088108116,
      1e-14,
      {0},
      0},
-    /* blows amplify the error of the angles, of which the load alone does not tell */
+    /* repeated impacts amplify the error of the angles, which the load does not show */
     {{0.9, 80, 2018.0773948944377, 0.15687429682060067, 3e-3}, 0.80948591625, 1e-9, {8.65e-3}, 0},
-    /* in turn from here on */
+    /* from here onward in turn */
     {{0.33, 24, 4000, 0.1, 1e-4}, 0.92397154646327462, 1e-14, {1e-8, 1e-9}, 1e-4},
     {{0.33, 1, 1e5, 0.5, 1e-3}, 0.64017708980255905, 1e-14, {0}, 0}, /* a million steps */
-    /* in long runs from here on */
+    /* from here onward in long runs */
     {{0.33, 88, 1946.4152313318912, 0.16442487641337461, 7.65e-4}, 0.89870605479, 1e-9, {0}, 0},
     {{0.33, 102, 1370.0253151840241, 0.29538227585475529, 4.02e-3}, 0.83262076629, 1e-9, {0}, 0},
     {{0.9, 217, 2222.3460280325576, 0.11609046550177622, 5.34e-5}, 0.85338185490, 1e-9, {0}, 0},
@@ -240,7 +240,7 @@ TEST(known_in_turn)
 
 /* ---- the amplification of errors ---- */
 
-/* eps can be no better than an ulp of v times d eps/d v. */
+/* eps can be no more accurate than one ulp of v times d eps/d v. */
 TEST(amplification)
 {
     leave_to_turn(1, 4);
@@ -290,7 +290,7 @@ TEST(budgets)
         reached += status == COR_OK;
     }
     assert_true(reached > 0);
-    /* one run, which nothing can be compared with */
+    /* a single run, which cannot be compared */
     assert_int_equal(scene_collide(&s, 1000, &out), COR_TOLERANCE_NOT_REACHED);
     assert_true(out.error_estimate == 1 && isnan(out.contact_time) && out.max_compression > 0);
     /* averages need a third run */

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of a collision, each by itself: a drift, a kick against the gradient of its potential, the window of
- * angles, the extrapolation of made series, the error of made movements. */
+/* The parts of a collision, one by one: a drift, a kick against the gradient of its potential, the window of angles.
+ * The extrapolation of artificial series, and the error from artificial movements. */
 #include "check.h"
 
 #include <cor/disk.h>
 
 #include "runtime/disk/collision_parts.h"
 
-/* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that the next stage frees */
+/* A disk with n modes of nu = 0.33 and phi angles, in a workspace that the next stage frees */
 struct stage {
     struct cor_motion m;
     struct cor_collision_state now;
@@ -66,10 +66,10 @@ TEST(drift)
 
 /* ---- kick ---- */
 
-enum { MODES = 34 }; /* at most: n up to 13, in one block of lanes or two */
+enum { MODES = 34 }; /* at most: n up to 13, in one or two blocks of lanes */
 
 /* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of
- * phi angles, and its gradient by x_0 and Q, by central differences; *fastest: the largest acceleration of the rim */
+ * phi angles. Its gradient in x_0 and Q is from central differences. *fastest: the largest acceleration of the rim */
 struct potential {
     size_t modes, phi;
     double alpha, h;
@@ -111,7 +111,7 @@ static long double modified_potential(const struct potential *p, const long doub
     return v - (long double)p->h * p->h / 24 * square / pi;
 }
 
-/* A kick changes v and the modes' p by -h times the gradient, over m and over sqrt(m omega). */
+/* A kick changes v by -h/m times the gradient, and p of the modes by -h/sqrt(m omega) times the gradient. */
 TEST(kick)
 {
     for (size_t k = 0; k < points(20); k++) {
@@ -128,7 +128,7 @@ TEST(kick)
         COR_CLEAR_DOUBLES(m->size.cells, m->p);
         stage.now.depth = random_uniform(&draw, -1, 0.5) / p.alpha;
         stage.now.v = 0;
-        cor_collision_drift(m, 0, &stage.now); /* sums up the modes, whose angles it was given for h: turned */
+        cor_collision_drift(m, 0, &stage.now); /* with time 0 and angles for h: only sums up the turned modes */
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
@@ -156,7 +156,7 @@ TEST(kick)
     }
 }
 
-/* h^2 alpha a may come up to 3, no further: it grows with the square of the step. */
+/* h^2 alpha a may be at most 3. It grows with the square of the step. */
 TEST(stiffness)
 {
     static const struct {
@@ -180,7 +180,7 @@ TEST(stiffness)
     }
 }
 
-/* A scan says whether an angle outside the window had a pressure above 1e-14 of the load, unless the load is none. */
+/* A scan reports if an angle outside the window had a pressure above 1e-14 of the load, unless the load is 0. */
 TEST(window)
 {
     enum { PHI = 256 };
@@ -203,7 +203,7 @@ TEST(window)
         stage.now.window = COR_PANEL;
         const enum cor_collision_outcome result = cor_collision_kick(&stage.m, h, scan[i].angles, &stage.now);
         check(result == scan[i].kick, "scan %zu: %d", i, (int)result);
-        /* the next window ends where the pressure is below 1e-26 of the peak, which is that of angle 0 */
+        /* the next window ends where the pressure is below 1e-26 of the peak, which is at angle 0 */
         if (scan[i].angles != COR_WINDOW && result == COR_RUN_ENDED) {
             size_t last = 0;
             for (size_t j = 0; j < PHI; j++)
@@ -217,7 +217,7 @@ TEST(window)
 
 /* ---- extrapolation ---- */
 
-/* Series in h^4, h^6, ... and h^2, h^4, ... with as many terms as there are runs less one are extrapolated exactly. */
+/* Series in h^4, h^6, ... and h^2, h^4, ... with one term fewer than runs are extrapolated exactly. */
 TEST(extrapolation)
 {
     enum { LEVELS = COR_COLLISION_LEVELS };
@@ -251,7 +251,7 @@ TEST(extrapolation)
               "%d runs: %.16f, %.16f, %.16f", levels, out.eps, found[0], found[1]);
         check(fabs(mean[0] - 0.2) < 1e-14 && fabs(mean[1] - 0.2) < 1e-14, "%d runs: %.16f", levels, mean[0]);
         assert_true(out.error_estimate == 0.125);
-        /* the last run moves the result from what the runs before it give */
+        /* the change of the result by the last run */
         struct cor_disk_collision less = out;
         double found_before[2];
         cor_collision_results(&m, run, levels - 1, &less, found_before);
@@ -272,15 +272,15 @@ TEST(energies)
     const struct cor_motion m = {.size.modes = 2, .after = {after[0], after[1]}};
     struct cor_collision_run run[2] = {{.number = 1, .eps = 0.8}, {.eps = 0.8}};
     struct cor_disk_collision out = {0};
-    /* energies that move while eps does not count as well: by 4/3 of the differences */
+    /* energies that change while eps does not also count: by 4/3 of the differences */
     assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
-    /* one below 0 counts as 0, and the results say how much it was: weights 4/3 and -1/3 */
+    /* a negative energy counts as 0, and the results report its size: weights 4/3 and -1/3 */
     after[1][0] = 0.25;
     after[1][1] = 0.0025;
     const double less = cor_collision_results(&m, run, 2, &out, found);
     assert_true(fabs(less - 0.01) < 1e-16 && found[1] == 0 && fabs(found[0] - 0.8 / 3) < 1e-15);
     assert_true(out.one_minus_eps2 == found[0]);
-    /* run 0 alone does not know the load that defines the contact */
+    /* run 0 does not contain the load that defines the contact */
     assert_true(!isnan(out.contact_time));
     run[0].number = 0;
     cor_collision_results(&m, run, 1, &out, NULL);
@@ -289,7 +289,7 @@ TEST(energies)
 
 /* ---- the error by the step ---- */
 
-/* Movements of runs that converge like ratio^k; what they leave */
+/* Sets movements of runs that converge like ratio^k. Returns the remaining error. */
 static double remainder_of(struct cor_collision_evidence *evidence, int runs, double first, double ratio)
 {
     memset(evidence, 0, sizeof *evidence);
@@ -309,16 +309,16 @@ TEST(step_error)
         for (double ratio = 0.01; ratio < 0.8; ratio += 0.02) {
             const double left = remainder_of(&evidence, runs, 1e-3, ratio);
             const double error = cor_collision_step_error(&soft, &evidence, 0), last = evidence.movement[runs - 1];
-            /* two runs show no ratio: one up to 2/3 is allowed for */
+            /* two runs show no ratio; a ratio up to 2/3 is allowed for */
             if (runs > 2 || ratio < 0.6)
                 check(error >= left * (1 - 1e-12), "%d runs, ratio %g: %g, not %g", runs, ratio, error, left);
-            /* no faster convergence is believed than what leaves this much of the last movement */
+            /* the error is at least this part of the last movement, even for faster convergence */
             check(error >= (runs == 2   ? 1.9
                             : runs == 3 ? 0.6
                                         : 0.33) *
                                last,
                   "%d runs, ratio %g: %g", runs, ratio, error);
-            /* and no convergence is shown by a ratio of one half */
+            /* a ratio of one half does not count as convergence */
             if (runs > 2 && ratio > 0.5)
                 assert_true(error >= 3.9 * evidence.movement[runs - 2]);
         }
@@ -326,13 +326,13 @@ TEST(step_error)
     remainder_of(&evidence, 6, 1e-3, 0.1);
     evidence.movement[5] = 1e-15;
     assert_true(cor_collision_step_error(&soft, &evidence, 0) > 3e-10);
-    /* slow convergence before counts */
+    /* earlier slow convergence counts */
     remainder_of(&evidence, 5, 1e-3, 0.4);
     evidence.movement[4] = 0.1 * evidence.movement[3];
     assert_true(cor_collision_step_error(&soft, &evidence, 0) > 0.6 * evidence.movement[4]);
 }
 
-/* At a hard wall, the movements that are small by chance count less: alpha v = 24 is the first. */
+/* At a hard wall, which begins at alpha v = 24, movements that are small by chance count less. */
 TEST(hard_wall_step_error)
 {
     struct cor_collision_evidence evidence;
@@ -352,7 +352,7 @@ TEST(hard_wall_step_error)
             const double least = fmax(by_series, 0.02 * before);
             check(fabs(error - fmax(least, 1.5 * last)) <= 1e-15 * error, "%d runs, ratio %g: %g", runs, ratio, error);
             check(fabs(noisy - fmax(least, 0.75 * last)) <= 1e-15 * noisy, "%d runs, ratio %g: %g", runs, ratio, noisy);
-            /* round-off beyond the movement leaves no movement that is less than none */
+            /* if round-off exceeds the movement, the movement counts as 0, not as negative */
             assert_true(fabs(cor_collision_step_error(&hard, &evidence, 2 * last) - least) <= 1e-15 * least);
         }
 }
@@ -366,12 +366,12 @@ TEST(other_errors)
     const struct cor_collision_evidence calm = {.amplification = 0.1}, wild = {.amplification = 1e6};
     const struct cor_collision_run run = {.steps = 1000, .max_load = 1, .ripple = 1e-6};
     struct cor_collision_error error, more;
-    /* a random walk of 1000 steps, and what 10^6 makes of it */
+    /* a random walk of 1000 steps, and its amplification by 10^6 */
     cor_collision_other_errors(&stage.m, &run, 0, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0, &wild, &more);
     assert_true(error.round_off > sqrt(1000) * 0x1p-53 && error.round_off < 10 * sqrt(1000) * 0x1p-53);
     assert_true(more.round_off > 1e6 * sqrt(1000) * 0x1p-53 && more.round_off < 1e7 * sqrt(1000) * 0x1p-53);
-    /* rotations that drift, where modes have a tenth of the energy */
+    /* rotations that drift, for modes with a tenth of the energy */
     const double walk = more.round_off;
     cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0.1, &wild, &more);
@@ -384,8 +384,8 @@ TEST(other_errors)
     assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
 }
 
-/* The collision amplifies the error of the angles: by a bound, of which calm collisions have a thousandth, by what was
- * measured, or as a run with other angles shows. */
+/* The collision amplifies the error of the angles. The factor is a bound, a thousandth of it for calm collisions, a
+ * measured value, or the result of a run with other angles. */
 TEST(angles_error)
 {
     struct stage stage;
@@ -410,7 +410,7 @@ TEST(angles_error)
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(fabs(error.angles - 3e-9) < 1e-20);
     evidence.angles_measured = 0;
-    /* half the angles change the load by all of it: nothing is known */
+    /* half of the angles change the load by 100 %: the error is unknown */
     run.ripple = 1;
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(error.angles == 1);
@@ -420,7 +420,7 @@ TEST(angles_error)
     assert_true(error.angles == 1);
 }
 
-/* The mean of the moments with angles and with shifted ones is that with twice as many. */
+/* The mean of the moments with some angles and with shifted ones equals the moment with twice as many angles. */
 TEST(shifted_angles)
 {
     enum { PHI = 19, TERMS = 8 };
@@ -442,7 +442,7 @@ TEST(shifted_angles)
 
 /* ---- the loops ---- */
 
-/* Every instruction set gives the bits of the portable one in a collision of few modes or many, at any angles. */
+/* Every instruction set gives the bits of the portable one in a collision of few or many modes, at any angles. */
 TEST(every_set)
 {
     for (size_t k = 0; k < points(24); k++) {
@@ -464,7 +464,7 @@ TEST(every_set)
     }
 }
 
-/* The exponential where it begins, where it ends, and where its pieces meet; NaN stays NaN or is 0, never a number */
+/* The exponential at its limits and where its pieces meet. NaN stays NaN or becomes 0, never another number. */
 TEST(exponential)
 {
     static double reach[COR_PANEL], pressure[COR_PANEL], weight[COR_PANEL];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk of all its modes at a rigid wall: the table interpolated by another route, its ends, its
- * uncertainty against collisions, and what else is known of the limits. */
+/* The restitution of a disk with all its modes at a rigid wall. The table is interpolated by another route, its
+ * uncertainty is compared with collisions, and its limits with other known facts. */
 #include "check.h"
 
 #include "cor/disk.h"
@@ -16,7 +16,7 @@ enum {
 
 /* ---- the table ---- */
 
-/* A cell with its corner and sides, in the units of the roots, and its collisions */
+/* A cell: its corner and side in units of the roots, and its collisions */
 struct cell {
     long double x, nu, side;
     double uncertainty;
@@ -24,11 +24,11 @@ struct cell {
 };
 static struct cell cell[PIECES];
 static int cells;
-/* those of the smallest squares, x fastest */
+/* the cell at each of the smallest squares, x fastest */
 static const struct cell *cell_at[ROWS * COLUMNS];
 static const struct cor_disk_limit_piece *piece_at[ROWS * COLUMNS];
 
-/* Sets the values of a cell at its places in a piece, which are whole numbers and those of the pieces beside it. */
+/* Sets the values of a cell at its places in a piece. They are whole numbers and agree with the neighbouring pieces. */
 static void values_of_piece(struct cell *of, const struct cor_disk_limit_piece *piece)
 {
     for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++) {
@@ -45,7 +45,7 @@ static void values_of_piece(struct cell *of, const struct cor_disk_limit_piece *
     }
 }
 
-/* The cells, put together from their pieces, which cover the plane once */
+/* The cells, assembled from their pieces, cover the plane once. */
 TEST(test_cells)
 {
     for (int i = 0; i < PIECES; i++) {
@@ -75,7 +75,7 @@ TEST(test_cells)
         assert_non_null(cell_at[k]);
 }
 
-/* Squares and places lead to the piece that contains a point, near all of its corners. */
+/* Squares and places lead to the piece that contains a point, close to all of its corners. */
 TEST(test_places)
 {
     const struct cor_disk_limit_table table = {COR_DISK_LIMIT_X_ROOTS, COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST,
@@ -101,7 +101,7 @@ static const struct cell *cell_of(long double x, long double nu)
     return cell_at[(row < ROWS ? row : ROWS - 1) * COLUMNS + (column < COLUMNS ? column : COLUMNS - 1)];
 }
 
-/* Neville's scheme through four values at 0, 1/3, 2/3, 1 */
+/* Returns Neville's interpolation through four values at 0, 1/3, 2/3, 1. */
 static long double neville(const long double value[4], long double t)
 {
     long double p[4] = {value[0], value[1], value[2], value[3]};
@@ -112,14 +112,14 @@ static long double neville(const long double value[4], long double t)
     return p[0];
 }
 
-/* The four values of a cell on a side: first or last in nu, or in x (across) */
+/* Returns the four values of a cell on a side: first or last in nu, or in x (across). */
 static void values_on_side(const struct cell *of, int across, int last, long double value[4])
 {
     for (int k = 0; k < 4; k++)
         value[k] = across ? of->value[4 * k + 3 * last] : of->value[12 * last + k];
 }
 
-/* The cell beyond a side, or NULL where the table ends */
+/* Returns the cell beyond a side, or NULL where the table ends. */
 static const struct cell *cell_beyond(const struct cell *at, int across, int last, long double x, long double y)
 {
     const long double beyond = (across ? at->x : at->nu) + (last ? 1 : 0) * at->side + (last ? 1 : -1) * 0x1p-12L;
@@ -128,8 +128,8 @@ static const struct cell *cell_beyond(const struct cell *at, int across, int las
     return ends ? NULL : cell_of(x, y);
 }
 
-/* The joined polynomials again, by another route: those of smaller cells beyond a side take the place of the first or
- * last of the four that are interpolated; what is left on the other two sides is interpolated beside zeros. */
+/* Computes the joined polynomials by another route. If the cells beyond a side are smaller, their values replace the
+ * first or last of the four interpolated ones. On the other two sides the difference is interpolated between zeros. */
 static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;
@@ -181,13 +181,13 @@ TEST(test_between)
 
 /* ---- borders ---- */
 
-/* A random place on a side of a rectangle; both sides of the border are `off` (v, nu) from it. */
+/* A random place on a side of a rectangle. The two sides of the border are at distance `off` (v, nu) from it. */
 struct border {
     double v, nu, off[2];
     long double x, y;
 };
 
-/* Returns 0 where the table ends. */
+/* Draws a border. Returns 0 where the table ends. */
 static int border_draw(struct random_state *random, long double x, long double y, const long double size[2], int side,
                        struct border *border)
 {
@@ -205,13 +205,13 @@ static int border_draw(struct random_state *random, long double x, long double y
     return 1;
 }
 
-/* A function before the border (side = -1) or after it (1) */
+/* Returns a function just before the border (side = -1) or just after it (1). */
 static double at_border(double (*f)(double v, double nu), const struct border *at, int side)
 {
     return f(at->v + side * at->off[0], at->nu + side * at->off[1]);
 }
 
-/* The sides of all pieces, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 24 10^6 pairs. */
+/* The sides of all pieces, in v and in nu: no jump except rounding. COR_TEST_MULTIPLIER=250: 24 10^6 pairs. */
 TEST(test_borders)
 {
     size_t pairs = 0;
@@ -236,7 +236,7 @@ TEST(test_borders)
 
 /* ---- against collisions ---- */
 
-/* Of one test: the error in parts of the uncertainty, and absolute */
+/* Of one test: the largest error relative to the uncertainty, and the largest absolute error */
 static double worst_part, worst_error;
 
 static void compare(double v, double nu, double uncertainty)
@@ -258,7 +258,7 @@ static void print_worst(const char *where)
     worst_part = worst_error = 0;
 }
 
-/* At places off the grid, collisions: none farther off than the uncertainty. COR_TEST_MULTIPLIER=250: 1000 places. */
+/* Collisions at places off the grid: no error exceeds the uncertainty. COR_TEST_MULTIPLIER=250: 1000 places. */
 TEST(test_uncertainty)
 {
     const double first = pow(COR_DISK_EPS_MIN_SPEED, 0.125), last = pow(COR_DISK_EPS_MAX_SPEED, 0.125);
@@ -270,8 +270,8 @@ TEST(test_uncertainty)
     print_worst("off the grid");
 }
 
-/* Where a cell ends and those beyond are smaller, and in the cell up to a third of it from there: the uncertainty of
- * either side covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
+/* Where a cell borders on smaller ones, and in the cell up to a third of it from there, the uncertainty of either side
+ * covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
 TEST(test_uncertainty_at_borders)
 {
     for (size_t places = points(2); places > 0;) {
@@ -309,7 +309,7 @@ TEST(test_one_another)
         const double most =
             v <= COR_DISK_EPS_CALM_SPEED ? COR_DISK_EPS_MAX_UNCERTAINTY : COR_DISK_EPS_MAX_UNCERTAINTY_FAST;
         check(of_loss > 0 && of_loss <= most, "v = %a, nu = %a: %g", v, nu, of_loss);
-        /* half the width of what (1 - eps^2) +- of_loss makes of eps */
+        /* half the width of the interval of eps from (1 - eps^2) +- of_loss */
         const double half = (sqrt(1 - loss + of_loss) - sqrt(1 - loss - of_loss)) / 2;
         check(fabs(of_eps - half) <= 1e-4 * half, "v = %a, nu = %a: %g instead of %g", v, nu, of_eps, half);
     }
@@ -336,9 +336,9 @@ TEST(test_domain)
     }
 }
 
-/* ---- what else is known ---- */
+/* ---- other known facts ---- */
 
-/* Fewer modes and a softer wall: the limit lies beyond a collision with 1800 modes and a harder wall takes it there. */
+/* Fewer modes and a softer wall: the limit is beyond a collision with 1800 modes, and a harder wall moves it there. */
 TEST(test_collisions)
 {
     static const double speeds[] = {0.03, 0.1, 0.3};
@@ -348,7 +348,7 @@ TEST(test_collisions)
         assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, 1800, &options, speeds[i], &soft), 0);
         options.alpha *= 2;
         assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, 1800, &options, speeds[i], &hard), 0);
-        /* one over alpha to the first order; what is left is of the next one, and of the modes left out */
+        /* first order in 1/alpha; the rest is of the next order, and from the omitted modes */
         const double limit = cor_disk_one_minus_eps2(speeds[i], 0.33);
         const double found = 2 * hard.one_minus_eps2 - soft.one_minus_eps2;
         check(fabs(found - limit) <= 0.1 * (limit - soft.one_minus_eps2) + 0.04 * limit,
