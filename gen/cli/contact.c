@@ -168,6 +168,8 @@ static int run_contact(const void *arguments)
     return status == STATUS_OK ? print_tables(o, &contacts) : status;
 }
 
+const char help_contact[] = HELP_CONTACT_TEXT;
+
 static const char help[] =
     "Usage: corgen contact BODIES DISSIPATION [--law L] [--speed LIST] [OPTION]...\n\n"
     "One contact of two bodies, from what is known of it: dissipation time A, g*, beta or zeta, and\n"

@@ -26,9 +26,13 @@ static const struct subcommand *subcommand_named(const struct subcommand *const 
 }
 
 /* Prints the help, with the words of an option, "a, b", for its name in braces. */
-static void print_subcommand_help(const struct subcommand *cmd)
+static void print_subcommand_help(const struct subcommand *cmd, const char *help)
 {
-    for (const char *at = cmd->help; *at; at++) {
+    for (const char *at = help; *at; at++) {
+        if (*at == '\f') {
+            print_subcommand_help(cmd, help_contact);
+            continue;
+        }
         const struct option_rule *rule = cmd->options;
         const size_t length = *at == '{' ? strcspn(at + 1, "}") : 0;
         while (length > 0 && !(strncmp(rule->name, at + 1, length) == 0 && rule->name[length] == '\0'))
@@ -50,7 +54,7 @@ static int print_help(const struct subcommand *const *table, int argc, char **ar
     if (argc == 0)
         overview_print(table, stdout);
     else if (cmd)
-        print_subcommand_help(cmd);
+        print_subcommand_help(cmd, cmd->help);
     return argc == 0 || cmd ? STATUS_OK : STATUS_USAGE;
 }
 
@@ -78,7 +82,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
     progress_start(cmd->name);
     int status = options_parse(common, cmd->options, argc - 1, argv + 1, &help);
     if (status == STATUS_OK && help) {
-        print_subcommand_help(cmd);
+        print_subcommand_help(cmd, cmd->help);
     } else if (status == STATUS_OK) {
         if (common->profile)
             profile_enable();

@@ -137,7 +137,8 @@ struct subcommand {
     const struct subcommand command_##NAME = {                                                                         \
         WORD, SUMMARY, help, options, sizeof(ARGUMENTS), &(const ARGUMENTS){__VA_ARGS__}, run_##NAME}
 
-/* Parts of help texts */
+/* Parts of help texts; a form feed stands for help_contact, which describes a contact */
+extern const char help_contact[];
 #define HELP_LAW                                                                                                       \
     "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, from 0 to 24, such as 3/2\n"               \
     "                             (default 3/2 and 1/2: viscoelastic spheres)\n"

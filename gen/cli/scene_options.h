@@ -12,7 +12,8 @@
 #define HELP_END_PRESSED                                                                                               \
     "  --end E          the contact ends at zero-overlap (default) or zero-force; under a constant force, at\n"        \
     "                   zero-overlap or, limited to pushing, at the surface\n"
-#define HELP_CONTACT                                                                                                   \
+#define HELP_CONTACT "\f" /* where help_contact (options.h) is printed: a literal has at most 4095 characters */
+#define HELP_CONTACT_TEXT                                                                                              \
     "\nBodies, SI units; the second like the first where not given:\n"                                                 \
     "  --young Y, --poisson NU   Young's modulus (Pa), Poisson's ratio\n"                                              \
     "  --radius R, --density D or --mass M    m, kg/m^3, kg\n"                                                         \
